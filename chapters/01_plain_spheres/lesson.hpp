@@ -1,0 +1,41 @@
+// Chapter 01: four plain spheres, a lamp, its shadows and a sky.
+#pragma once
+#include <vector>
+
+#include "painted.hpp"
+#include "solid.hpp"
+#include "stage.hpp"
+
+namespace texmap::chapter_01 {
+
+using Paint = Solid;
+using Object = Painted<Paint>;
+enum ObjectIndex { middle, left, right, ground };
+
+struct Lesson {
+  static constexpr const char* idea = "four plain spheres, a lamp, its shadows and a sky";
+
+  Stage stage{.light = {.position = {5, 5, 5}}, .camera = {.eye = {0, 2, 8}, .target = {0, 0, 0}}};
+  Matt surface{.ambient = 0.2, .diffuse = 0.8};
+  Solid white{{0.9, 0.9, 0.9}};
+  Solid blue{{0.2, 0.2, 0.8}};
+  Solid red{{1.0, 0.3, 0.3}};
+  std::vector<Object> objects = {
+      {{{0.0, 0.0, 0.0}, 1.0}, white},
+      {{{-2.5, 0.0, 1.0}, 0.8}, red},
+      {{{2.5, 0.0, 1.0}, 0.8}, blue},
+      {{{0.0, -1001.0, 0.0}, 1000.0}, white},
+  };
+
+  /// The color seen along a ray.
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky, [&](const Object& object, const Hit<Real>& hit) {
+      const Illumination<Real> lamp = illumination(stage.light, objects, hit);
+      const Color<Real> color = object.paint(hit);
+      return color * lambert(surface, lamp);
+    });
+  }
+};
+
+}  // namespace texmap::chapter_01

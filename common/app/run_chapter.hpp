@@ -1,0 +1,40 @@
+// Runs a chapter: reads its command line, draws its lesson, saves the picture.
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "command_line.hpp"
+#include "studio.hpp"
+
+namespace texmap {
+
+/// Calls `body` and turns what it throws into a message on stderr and an exit status: 1 for failures, 2 for a wrong command line.
+[[nodiscard]] int run_guarded(const CommandLine& line, const std::function<void()>& body);
+
+/// A chapter's whole main program.
+///
+/// @param chapter  its folder's name, such as 02_checkerboard_uv
+/// A lesson has an `idea`, a `stage` with a camera, and operator()(Ray) that gives a Color. Beyond that it may have
+///   options(CommandLine&)   its own options,
+///   prepare(Studio&)        what to do once they are known, such as loading a texture,
+///   show(Studio&)           what to draw and save, if it is not one picture of the lesson.
+template <class Lesson>
+[[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
+  CommandLine line(chapter, Lesson::idea);
+  return run_guarded(line, [&] {
+    Lesson lesson;
+    if constexpr (requires { lesson.options(line); }) lesson.options(line);
+    Studio studio(chapter, line);
+    if (!line.parse(argc, argv)) return;
+    if constexpr (requires { lesson.prepare(studio); }) lesson.prepare(studio);
+    studio.check();
+    if constexpr (requires { lesson.show(studio); }) {
+      lesson.show(studio);
+    } else {
+      studio.save(studio.draw(lesson));
+    }
+  });
+}
+
+}  // namespace texmap

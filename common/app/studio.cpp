@@ -1,0 +1,88 @@
+// What every chapter's user can choose, and the way from a lesson to a picture on disk.
+#include "studio.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "progress.hpp"
+#include "save_png.hpp"
+#include "standard_streams.hpp"
+
+namespace texmap {
+namespace {
+
+constexpr int longest_side = 16384;
+constexpr long most_pixels = 1L << 26;
+
+}  // namespace
+
+Studio::Studio(std::string_view chapter, CommandLine& line)
+    : out("out/" + std::string(chapter) + ".png"), default_out_(out), line_(line) {
+  line.text("--out", "FILE", out, "where to put the picture, a PNG");
+  line.whole("--width", width, 1, longest_side, "columns of pixels");
+  line.whole("--height", height, 1, longest_side, "rows of pixels");
+  line.whole("--samples", samples, 1, 65536, "rays a pixel: 1 looks through its center, more smooth the edges");
+  line.whole("--threads", threads, 0, 1024, "threads to draw with, 0 for one per core; the picture is the same");
+  line.choice<Number>("--number", number,
+                      {{"float", Number::float_},
+                       {"double", Number::double_},
+                       {"extended", Number::extended},
+                       {"float-pack", Number::float_pack},
+                       {"double-pack", Number::double_pack}},
+                      "the number to calculate with");
+  line.flag("--quiet", quiet, "no progress, nothing printed on success");
+}
+
+void Studio::prefer_size(int columns, int rows) {
+  if (!line_.typed("--width")) width = columns;
+  if (!line_.typed("--height")) height = rows;
+}
+
+void Studio::check() const {
+  if (static_cast<long>(width) * height > most_pixels) {
+    throw UsageError("--width " + std::to_string(width) + " times --height " + std::to_string(height) +
+                     " must be at most 67108864 (2^26) pixels");
+  }
+  if (out == default_out_) {
+    std::error_code error;
+    std::filesystem::create_directories("out", error);  // what goes wrong is said by the check of the file
+  }
+  check_output(out);
+}
+
+std::string Studio::file_name(std::string_view suffix) const {
+  const auto slash = out.find_last_of('/');
+  const auto dot = out.find_last_of('.');
+  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
+  const std::size_t at = has_ending ? dot : out.size();
+  return out.substr(0, at) + std::string(suffix) + out.substr(at);
+}
+
+Image Studio::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
+  Progress progress(!quiet);
+  const auto start = std::chrono::steady_clock::now();
+  Image image = work({.samples = samples, .threads = threads, .progress = [&progress](int done, int total) {
+                        progress.report(done, total);
+                      }});
+  milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  rays_ += rays;
+  return image;
+}
+
+void Studio::save(const Image& image, std::string_view suffix) {
+  const std::string file = file_name(suffix);
+  save_png(image, file);
+  if (!quiet) {
+    std::array<char, 120> figures{};
+    std::snprintf(figures.data(), figures.size(), ": %d x %d pixels, %.1f ms, %.1f million rays/s\n", image.width, image.height,
+                  milliseconds_, rays_ / milliseconds_ / 1000);
+    print(file + figures.data());
+  }
+  milliseconds_ = 0;
+  rays_ = 0;
+}
+
+}  // namespace texmap

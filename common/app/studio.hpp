@@ -1,0 +1,67 @@
+// What every chapter's user can choose, and the way from a lesson to a picture on disk.
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "command_line.hpp"
+#include "draw.hpp"
+
+namespace texmap {
+
+/// What every chapter lets the user choose, and the way from a lesson to a file.
+class Studio {
+ public:
+  /// Adds the options that all chapters have to `line`, which must live as long as the studio.
+  ///
+  /// @param chapter  its folder's name, such as 02_checkerboard_uv; the picture's default name comes from it
+  Studio(std::string_view chapter, CommandLine& line);
+
+  std::string out;      ///< where the picture goes
+  int width = 800;      ///< pixels
+  int height = 600;     ///< pixels
+  int samples = 1;      ///< rays a pixel
+  int threads = 0;      ///< 0: all cores
+  Number number = Number::double_;
+  bool quiet = false;   ///< no progress and no line on success
+
+  /// True when the user gave this option.
+  [[nodiscard]] bool typed(std::string_view option) const { return line_.typed(option); }
+  /// Another size for users who did not choose one; for pictures that have a shape of their own.
+  void prefer_size(int columns, int rows);
+  /// After parsing: refuses pictures that are too large, makes the default folder out/, and checks that the picture can be
+  /// written, before anything long begins.
+  void check() const;
+
+  /// The lesson's picture.
+  template <class Lesson>
+  [[nodiscard]] Image draw(const Lesson& lesson) {
+    return draw(lesson, width, height);
+  }
+  /// The lesson's picture in another size.
+  template <class Lesson>
+  [[nodiscard]] Image draw(const Lesson& lesson, int columns, int rows) {
+    return timed(static_cast<double>(columns) * rows * samples, [&](const RenderSettings& settings) {
+      return texmap::draw(lesson, view_of(lesson.stage.camera, columns, rows), number, settings);
+    });
+  }
+
+  /// Writes a picture and prints one line about it: file, size, milliseconds of drawing, rays a second.
+  ///
+  /// @param suffix  stands before the file's ending, for chapters that write several pictures
+  /// Errors: ImageError; the old file is then untouched.
+  void save(const Image& image, std::string_view suffix = "");
+
+  /// The name save() would give.
+  [[nodiscard]] std::string file_name(std::string_view suffix) const;
+
+ private:
+  [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);
+
+  std::string default_out_;
+  CommandLine& line_;
+  double milliseconds_ = 0;   // spent drawing since the last save
+  double rays_ = 0;           // drawn since the last save
+};
+
+}  // namespace texmap

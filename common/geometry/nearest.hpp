@@ -1,0 +1,58 @@
+// The nearest object along a ray, and whether anything stands in the way of one.
+#pragma once
+#include "sphere.hpp"
+
+namespace texmap {
+
+/// The first object that a ray meets.
+template <class Real>
+struct Nearest {
+  Real distance = infinity<Real>;   ///< +infinity for a miss
+  Real index = Real(-1);            ///< its place in the list of objects, -1 for a miss; a number, so that packs can compare it
+};
+
+/// @param objects  a list of objects, each with a `sphere`
+/// The list is walked in order: for the four spheres of the stage it beats a hierarchy (docs/numbers.md).
+template <class Real, class Objects>
+[[nodiscard]] Nearest<Real> find_nearest(const Objects& objects, const Ray<Real>& ray) {
+  Nearest<Real> nearest;
+  double index = 0;
+  for (const auto& object : objects) {
+    const Real distance = distance_to(object.sphere, ray);
+    const auto nearer = distance < nearest.distance;
+    nearest.distance = select(nearer, distance, nearest.distance);
+    nearest.index = select(nearer, Real(index), nearest.index);
+    index += 1;
+  }
+  return nearest;
+}
+
+/// True where an object lies between the ray's origin and `distance` along it.
+template <class Real, class Objects>
+[[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray, const Real& distance) {
+  Real first = infinity<Real>;
+  for (const auto& object : objects) first = smaller(distance_to(object.sphere, ray), first);
+  return first < distance;
+}
+
+/// The color along a ray: that of the first object it meets, or the background's.
+///
+/// @param background  called with the ray, where it meets nothing
+/// @param shade       called with (object, hit) once for each object that some lane of the ray meets first
+template <class Real, class Objects, class Background, class Shade>
+[[nodiscard]] auto color_along(const Objects& objects, const Ray<Real>& ray, const Background& background, const Shade& shade) {
+  const Nearest<Real> nearest = find_nearest(objects, ray);
+  auto color = background(ray);
+  double index = 0;
+  for (const auto& object : objects) {
+    const Mask<Real> here = nearest.index == Real(index);
+    index += 1;
+    if (!any(here)) continue;
+    // Lanes that look elsewhere get a harmless distance; what they compute is thrown away.
+    const Hit<Real> hit = hit_at(object.sphere, ray, select(here, nearest.distance, Real(1)));
+    color = select(here, shade(object, hit), color);
+  }
+  return color;
+}
+
+}  // namespace texmap

@@ -1,0 +1,64 @@
+// The two checksums of a PNG file.
+#include "checksums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace texmap {
+namespace {
+
+using Table = std::array<std::uint32_t, 256>;
+
+// tables[k][b] is what the byte b does to the checksum when k more bytes follow it.
+constexpr std::array<Table, 8> make_tables() {
+  std::array<Table, 8> tables{};
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    std::uint32_t crc = byte;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+    tables[0][byte] = crc;
+  }
+  for (std::size_t k = 1; k < tables.size(); ++k) {
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+      const std::uint32_t before = tables[k - 1][byte];
+      tables[k][byte] = (before >> 8) ^ tables[0][before & 0xFFU];
+    }
+  }
+  return tables;
+}
+
+constexpr std::array<Table, 8> tables = make_tables();
+
+}  // namespace
+
+std::uint32_t crc32(Bytes bytes) {
+  std::uint32_t crc = 0xFFFFFFFFU;
+  std::size_t i = 0;
+  for (; bytes.size() - i >= 8; i += 8) {
+    crc = tables[7][(crc & 0xFFU) ^ bytes[i]] ^ tables[6][((crc >> 8) & 0xFFU) ^ bytes[i + 1]] ^
+          tables[5][((crc >> 16) & 0xFFU) ^ bytes[i + 2]] ^ tables[4][(crc >> 24) ^ bytes[i + 3]] ^ tables[3][bytes[i + 4]] ^
+          tables[2][bytes[i + 5]] ^ tables[1][bytes[i + 6]] ^ tables[0][bytes[i + 7]];
+  }
+  for (; i < bytes.size(); ++i) crc = (crc >> 8) ^ tables[0][(crc ^ bytes[i]) & 0xFFU];
+  return ~crc;
+}
+
+std::uint32_t adler32(Bytes bytes) {
+  constexpr std::uint32_t modulus = 65521;
+  constexpr std::size_t before_overflow = 5552;  // the most bytes of 255 that keep both sums below 2^32
+  std::uint32_t a = 1;
+  std::uint32_t b = 0;
+  while (!bytes.empty()) {
+    const Bytes part = bytes.first(std::min(bytes.size(), before_overflow));
+    for (const std::uint8_t byte : part) {
+      a += byte;
+      b += a;
+    }
+    a %= modulus;
+    b %= modulus;
+    bytes = bytes.subspan(part.size());
+  }
+  return (b << 16) | a;
+}
+
+}  // namespace texmap

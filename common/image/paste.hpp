@@ -1,0 +1,18 @@
+// Laying one picture on another.
+#pragma once
+#include "image.hpp"
+
+namespace texmap {
+
+/// Copies `picture` onto `sheet` with its upper left corner at (column, row); what falls outside the sheet is left out.
+inline void paste(Image& sheet, const Image& picture, int column, int row) {
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const int to_x = column + x;
+      const int to_y = row + y;
+      if (to_x >= 0 && to_x < sheet.width && to_y >= 0 && to_y < sheet.height) sheet.at(to_x, to_y) = picture.at(x, y);
+    }
+  }
+}
+
+}  // namespace texmap

@@ -1,0 +1,24 @@
+// From a picture to a PNG file.
+#pragma once
+#include <string>
+
+#include "image.hpp"
+#include "image_error.hpp"
+
+namespace texmap {
+
+/// Checks, before a picture is drawn, that it can be written to this path afterwards.
+///
+/// @param path  a new file in a folder that exists, a file to replace, or a device
+/// Errors: ImageError `cannot write 'F': why`.
+void check_output(const std::string& path);
+
+/// Writes a picture as a PNG file of 8 bits a channel; the file is there as a whole or not at all.
+///
+/// @param image  1 to 16384 pixels a side, 2^26 in all
+/// @param path   as for check_output
+/// Errors: ImageError `cannot write 'F': why`; then an old file at the path is as it was, and no temporary one is left.
+/// std::bad_alloc.
+void save_png(const Image& image, const std::string& path);
+
+}  // namespace texmap

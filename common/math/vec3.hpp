@@ -1,0 +1,73 @@
+// A point or a direction in space: three numbers and the operations the course needs on them.
+#pragma once
+#include "number.hpp"
+
+namespace texmap {
+
+/// Three coordinates in a right-handed world: x to the right, y up, z towards the reader.
+template <class Real>
+struct Vec3 {
+  Real x{}, y{}, z{};
+
+  /// `yes` where the mask is true, else `no`.
+  [[nodiscard]] friend Vec3 select(const Mask<Real>& mask, const Vec3& yes, const Vec3& no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+  }
+};
+
+/// A point or direction of a scene. Scenes are written in double; `number_cast` turns them into the number a picture is drawn with.
+using Point = Vec3<double>;
+
+template <class Real>
+[[nodiscard]] Vec3<Real> number_cast(const Point& p) {
+  return {Real(p.x), Real(p.y), Real(p.z)};
+}
+
+template <class Real>
+[[nodiscard]] Vec3<Real> operator+(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Real>
+[[nodiscard]] Vec3<Real> operator-(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Real>
+[[nodiscard]] Vec3<Real> operator-(const Vec3<Real>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class Real>
+[[nodiscard]] Vec3<Real> operator*(const Vec3<Real>& a, const Real& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+
+/// The scalar product: |a| |b| times the cosine of the angle between them.
+template <class Real>
+[[nodiscard]] Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The vector product: at a right angle to both, by the right-hand rule.
+template <class Real>
+[[nodiscard]] Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The length of `a`. Its square must not leave the number's range: about 1e-150 to 1e150 in double.
+template <class Real>
+[[nodiscard]] Real length(const Vec3<Real>& a) {
+  return sqrt(dot(a, a));
+}
+
+/// The largest of |x|, |y| and |z|: a size that cannot overflow.
+template <class Real>
+[[nodiscard]] Real largest(const Vec3<Real>& a) {
+  return larger(abs(a.x), larger(abs(a.y), abs(a.z)));
+}
+
+/// `a` made one unit long. The zero vector has no direction: it gives NaN.
+template <class Real>
+[[nodiscard]] Vec3<Real> normalize(const Vec3<Real>& a) {
+  return a * (Real(1) / length(a));
+}
+
+}  // namespace texmap

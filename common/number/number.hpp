@@ -1,0 +1,103 @@
+// What the course asks of a number. float, double and long double have it all; packs of them learn it in pack.hpp.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+namespace texmap {
+
+// Unqualified calls find these for plain numbers and, by argument-dependent lookup, the pack's or the reference number's own.
+using std::abs;
+using std::atan2;
+using std::exp;
+using std::floor;
+using std::log1p;
+using std::sqrt;
+
+/// What differs between one number and a pack of numbers.
+template <class Real>
+struct NumberTraits {
+  using Scalar = Real;                      ///< the number in one lane
+  using Mask = bool;                        ///< what a comparison gives
+  static constexpr std::size_t lanes = 1;   ///< numbers worked on at once
+};
+
+template <class Real>
+using Scalar = typename NumberTraits<Real>::Scalar;
+template <class Real>
+using Mask = typename NumberTraits<Real>::Mask;
+template <class Real>
+inline constexpr std::size_t lanes = NumberTraits<Real>::lanes;
+
+/// The circle constant to every digit of `Real`.
+template <class Real>
+inline const Real pi = Real(std::numbers::pi_v<Scalar<Real>>);
+
+/// Plus infinity: the distance of a ray that hits nothing.
+template <class Real>
+inline const Real infinity = Real(std::numeric_limits<Scalar<Real>>::infinity());
+
+/// The largest number below one: the end of the half-open range [0, 1) of texture coordinates.
+template <class Real>
+inline const Real below_one = Real(1) - Real(std::numeric_limits<Scalar<Real>>::epsilon()) / Real(2);
+
+/// Half the distance from 1 to the next number: the largest relative error of one rounded operation.
+template <class Real>
+inline const Real unit_roundoff = Real(std::numeric_limits<Scalar<Real>>::epsilon()) / Real(2);
+
+/// `yes` where the mask is true, else `no`. Both sides are computed: a pack cannot branch.
+template <class Real>
+[[nodiscard]] inline Real select(bool mask, const Real& yes, const Real& no) {
+  return mask ? yes : no;
+}
+
+/// True when any lane of the mask is.
+[[nodiscard]] inline bool any(bool mask) { return mask; }
+
+/// The number in lane `i` of `x`.
+template <class Real>
+[[nodiscard]] inline Scalar<Real> lane(const Real& x, std::size_t i) {
+  if constexpr (lanes<Real> == 1) {
+    return x;
+  } else {
+    return x.get(i);
+  }
+}
+
+/// A number whose lane `i` is `value(i)`, for i from 0 to lanes - 1.
+template <class Real, class Value>
+[[nodiscard]] inline Real from_lanes(Value value) {
+  if constexpr (lanes<Real> == 1) {
+    return value(std::size_t{0});
+  } else {
+    return NumberTraits<Real>::from_lanes(value);
+  }
+}
+
+/// The larger of two numbers; a NaN in `a` gives `b`.
+template <class Real>
+[[nodiscard]] inline Real larger(const Real& a, const Real& b) {
+  return select(a > b, a, b);
+}
+
+/// The smaller of two numbers; a NaN in `a` gives `b`.
+template <class Real>
+[[nodiscard]] inline Real smaller(const Real& a, const Real& b) {
+  return select(a < b, a, b);
+}
+
+/// `x` brought into [low, high]; a NaN becomes `low`.
+template <class Real>
+[[nodiscard]] inline Real clamp(const Real& x, const Real& low, const Real& high) {
+  return smaller(larger(x, low), high);
+}
+
+/// x * x.
+template <class Real>
+[[nodiscard]] inline Real square(const Real& x) {
+  return x * x;
+}
+
+}  // namespace texmap

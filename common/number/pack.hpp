@@ -1,0 +1,73 @@
+// Packs: several numbers that are worked on at once, and behave like one. Built on xsimd; docs/packages.md says why.
+#pragma once
+#if __has_include(<xsimd/xsimd.hpp>)  // without it there are no packs, and everything else works
+#define TEXMAP_HAVE_PACKS
+#include <array>
+#include <type_traits>
+#include <xsimd/xsimd.hpp>
+
+#include "number.hpp"
+
+namespace texmap {
+
+/// As many floats or doubles as the machine's registers hold: 4 and 2 with SSE2, 8 and 4 with AVX2, 16 and 8 with AVX-512.
+///
+/// Arithmetic works lane by lane and rounds as single numbers do, so a picture drawn with packs of double equals one drawn with
+/// double wherever the functions below round alike. Comparisons give a mask with one truth per lane.
+template <class T>
+class Pack {
+ public:
+  using Batch = xsimd::batch<T>;
+  using Mask = xsimd::batch_bool<T>;
+
+  Pack() = default;
+  Pack(const Batch& values) : values_(values) {}  // NOLINT(google-explicit-constructor): a pack is its values
+  /// The same number in every lane.
+  template <class Number>
+    requires std::is_arithmetic_v<Number>
+  explicit Pack(Number number) : values_(static_cast<T>(number)) {}
+
+  [[nodiscard]] T get(std::size_t i) const { return values_.get(i); }
+
+  friend Pack operator+(const Pack& a, const Pack& b) { return a.values_ + b.values_; }
+  friend Pack operator-(const Pack& a, const Pack& b) { return a.values_ - b.values_; }
+  friend Pack operator*(const Pack& a, const Pack& b) { return a.values_ * b.values_; }
+  friend Pack operator/(const Pack& a, const Pack& b) { return a.values_ / b.values_; }
+  friend Pack operator-(const Pack& a) { return -a.values_; }
+
+  friend Mask operator<(const Pack& a, const Pack& b) { return a.values_ < b.values_; }
+  friend Mask operator<=(const Pack& a, const Pack& b) { return a.values_ <= b.values_; }
+  friend Mask operator>(const Pack& a, const Pack& b) { return a.values_ > b.values_; }
+  friend Mask operator>=(const Pack& a, const Pack& b) { return a.values_ >= b.values_; }
+  friend Mask operator==(const Pack& a, const Pack& b) { return a.values_ == b.values_; }
+
+  friend Pack select(const Mask& mask, const Pack& yes, const Pack& no) { return xsimd::select(mask, yes.values_, no.values_); }
+  friend Pack abs(const Pack& a) { return xsimd::abs(a.values_); }
+  friend Pack sqrt(const Pack& a) { return xsimd::sqrt(a.values_); }
+  friend Pack floor(const Pack& a) { return xsimd::floor(a.values_); }
+  friend Pack atan2(const Pack& y, const Pack& x) { return xsimd::atan2(y.values_, x.values_); }
+  friend Pack exp(const Pack& a) { return xsimd::exp(a.values_); }
+  friend Pack log1p(const Pack& a) { return xsimd::log1p(a.values_); }
+
+ private:
+  Batch values_;
+};
+
+using xsimd::any;
+
+template <class T>
+struct NumberTraits<Pack<T>> {
+  using Scalar = T;
+  using Mask = typename Pack<T>::Mask;
+  static constexpr std::size_t lanes = Pack<T>::Batch::size;
+
+  template <class Value>
+  [[nodiscard]] static Pack<T> from_lanes(Value value) {
+    alignas(64) std::array<T, lanes> values;
+    for (std::size_t i = 0; i < lanes; ++i) values[i] = value(i);
+    return typename Pack<T>::Batch(xsimd::load_aligned(values.data()));
+  }
+};
+
+}  // namespace texmap
+#endif

@@ -1,0 +1,54 @@
+// The options of chapters with a highlight.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "phong.hpp"
+#include "studio.hpp"
+
+namespace texmap {
+
+/// The scenes that can be drawn with a highlight.
+enum class PhongScene {
+  stage,     ///< seed 0's four spheres
+  lecture,   ///< seed 4's globe over a yellow ground
+};
+
+/// What the user can say about light and texture.
+struct PhongOptions {
+  double blend = 0.3;      ///< weight of the texture where it is blended with the light, 0 to 1
+  bool blends = false;     ///< false: the light multiplies the texture, as in the chapters before
+  double shininess = 50;   ///< Phong's exponent of the globe
+  PhongScene scene = PhongScene::stage;
+  HighlightFormula formula = HighlightFormula::phong;
+
+  void declare(CommandLine& line) {
+    line.decimal("--blend", blend, 0, 1, "mix texture T with light 1 - T; the stage multiplies them unless this is given");
+    line.decimal("--shininess", shininess, 0, 1e30, "Phong's exponent of the globe; 500 in the lecture's scene");
+    line.choice<PhongScene>("--scene", scene, {{"stage", PhongScene::stage}, {"lecture", PhongScene::lecture}}, "what to draw");
+    line.choice<HighlightFormula>("--highlight", formula,
+                                  {{"phong", HighlightFormula::phong}, {"lecture", HighlightFormula::lecture}},
+                                  "Phong's highlight, or the lecture's with its wrong sign");
+  }
+
+  /// After parsing: the defaults that depend on other options. The lecture always blends, with an exponent of its own.
+  void settle(const Studio& studio) {
+    const bool lecture = scene == PhongScene::lecture;
+    blends = lecture || studio.typed("--blend");
+    if (lecture && !studio.typed("--shininess")) shininess = 500;
+  }
+
+  /// Gives the globe its gloss.
+  void polish(Finish& globe) const {
+    globe.specular = 0.3;
+    globe.shininess = shininess;
+  }
+
+  /// The objects that cast shadows: the lecture's scene has none.
+  template <class Object>
+  [[nodiscard]] std::span<const Object> casters(const std::vector<Object>& objects) const {
+    return scene == PhongScene::lecture ? std::span<const Object>() : std::span<const Object>(objects);
+  }
+};
+
+}  // namespace texmap

@@ -1,0 +1,34 @@
+// How far a long piece of work is, on the terminal.
+#include "progress.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace texmap {
+
+Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  // Spaces and carriage returns only: no colors and no control sequences, so every terminal understands them.
+  if (written_ > 0) std::fprintf(stderr, "\r%*s\r", written_, "");
+}
+
+void Progress::report(int done, int total) {
+  if (!enabled_) return;
+  const std::lock_guard guard(lock_);
+  const Clock::time_point now = Clock::now();
+  const std::chrono::duration<double> elapsed = now - start_;
+  if (elapsed < std::chrono::milliseconds(500) || now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  const double left = elapsed.count() * (total - done) / done;
+  std::array<char, 80> line{};
+  const int length =
+      std::snprintf(line.data(), line.size(), "%3d %% done, about %.0f s left", static_cast<int>(100.0 * done / total), left);
+  std::fprintf(stderr, "\r%-*s", written_, line.data());
+  if (length > written_) written_ = length;
+}
+
+}  // namespace texmap

@@ -1,0 +1,28 @@
+// An object of a scene: a shape and its paint.
+#pragma once
+#include <utility>
+#include <variant>
+
+#include "sphere.hpp"
+
+namespace texmap {
+
+/// A sphere and what covers it. `Paint` is callable with a Hit and gives a Color.
+template <class Paint>
+struct Painted {
+  Sphere sphere;
+  Paint paint;
+};
+
+/// One of several kinds of paint. It is asked once per object, for all lanes of a pack together.
+template <class... Paints>
+struct AnyOf : std::variant<Paints...> {
+  using std::variant<Paints...>::variant;
+
+  template <class Real>
+  [[nodiscard]] auto operator()(const Hit<Real>& hit) const {
+    return std::visit([&hit](const auto& paint) { return paint(hit); }, static_cast<const std::variant<Paints...>&>(*this));
+  }
+};
+
+}  // namespace texmap

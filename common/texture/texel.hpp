@@ -1,0 +1,41 @@
+// From a texture coordinate to the row or column of a texel.
+#pragma once
+#include "number.hpp"
+
+namespace texmap {
+
+/// How a coordinate becomes a texel.
+enum class TexelRounding {
+  floor,     ///< floor(u n): every texel has the same share of the surface
+  lecture,   ///< (int)((n - 1) u), seed 4: half a texel off on average, and the last row and column have no share at all
+};
+
+/// `x` brought to a whole number from 0 to n - 1 that is safe to index with: below 0 and NaN give 0, n and above give n - 1.
+///
+/// @param n  number of texels, 1 to 2^24
+template <class Real>
+[[nodiscard]] Real clamp_index(const Real& x, int n) {
+  return floor(clamp(x, Real(0), Real(n - 1)));
+}
+
+/// The texel that holds coordinate `u`, as a whole number from 0 to n - 1.
+///
+/// @param u  texture coordinate, 0 to 1; anything else is clamped to the nearest texel, and NaN gives 0
+/// @param n  number of texels along the coordinate, 1 to 2^24
+/// Errors: none. The clamp comes before any conversion to an integer, so that no NaN and no infinity reaches one.
+/// Source: seeds 2 (floor) and 4 (lecture).
+template <class Real>
+[[nodiscard]] Real texel_index(const Real& u, int n, TexelRounding rounding = TexelRounding::floor) {
+  return clamp_index(u * Real(rounding == TexelRounding::floor ? n : n - 1), n);
+}
+
+/// The texel of a coordinate on an image that repeats: u and u + 1 are one place, negative ones included.
+///
+/// @param u  any finite coordinate
+/// @param n  number of texels, 1 to 2^24
+template <class Real>
+[[nodiscard]] Real wrapped_index(const Real& u, int n) {
+  return clamp_index((u - floor(u)) * Real(n), n);
+}
+
+}  // namespace texmap
