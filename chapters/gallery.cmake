@@ -1,6 +1,7 @@
 # Writes the gallery, out/index.html: each chapter's picture with the idea it shows, taken from the chapter's README.
 # usage: cmake -DCHAPTERS=... -DFOLDER=chapters -DGALLERY=out -P gallery.cmake
 
+cmake_minimum_required(VERSION 3.25)
 function(escape_html text out)
   string(REPLACE "&" "&amp;" text "${text}")
   string(REPLACE "<" "&lt;" text "${text}")

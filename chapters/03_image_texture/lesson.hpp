@@ -10,7 +10,7 @@
 #include "solid.hpp"
 #include "stage.hpp"
 #include "studio.hpp"
-#include "texture_options.hpp"
+#include "texture_file.hpp"
 
 namespace texmap::chapter_03 {
 

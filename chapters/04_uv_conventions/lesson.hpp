@@ -6,13 +6,14 @@
 #include "checkerboard.hpp"
 #include "conventions.hpp"
 #include "image_texture.hpp"
+#include "layout_options.hpp"
 #include "mapped.hpp"
 #include "painted.hpp"
 #include "sheet.hpp"
 #include "solid.hpp"
 #include "stage.hpp"
 #include "studio.hpp"
-#include "texture_options.hpp"
+#include "texture_file.hpp"
 
 namespace texmap::chapter_04 {
 

@@ -9,7 +9,7 @@
 #include "seeds.hpp"
 #include "standard_streams.hpp"
 #include "studio.hpp"
-#include "texture_options.hpp"
+#include "texture_file.hpp"
 
 namespace texmap::chapter_04 {
 
@@ -56,7 +56,7 @@ template <class Lesson>
   const int scale = std::max(1, studio.width / 800);
   const int line = 12 * scale;
   const int gap = std::max(1, studio.width / 200);
-  const int panel = std::max(1, std::min(studio.width / 4, (studio.height - 6 * line) * 4 / 7) - gap);
+  const int panel = std::max(1, std::min(studio.width / 4, (studio.height - 4 * line) * 4 / 7) - gap);
   const int half = std::max(1, (panel - gap) / 2);
 
   for (std::size_t i = 0; i < seeds_compared.size(); ++i) {
@@ -104,7 +104,7 @@ template <class Lesson>
 /// Draws and saves the sheet, and prints the table of exact relations.
 template <class Lesson>
 void show_conventions(const Lesson& lesson, Studio& studio) {
-  studio.prefer_size(1600, 816);
+  studio.prefer_size(1600, 796);
   const Image sheet = sheet_of_conventions(lesson, studio);
   if (!studio.quiet) print(table_of_relations());
   studio.save(sheet);

@@ -6,19 +6,20 @@
 #include "checkerboard.hpp"
 #include "conventions.hpp"
 #include "image_texture.hpp"
+#include "layout_options.hpp"
 #include "mapped.hpp"
 #include "painted.hpp"
-#include "rotation.hpp"
+#include "rotated.hpp"
+#include "rotation_options.hpp"
 #include "solid.hpp"
 #include "stage.hpp"
 #include "studio.hpp"
-#include "texture_options.hpp"
+#include "texture_file.hpp"
 
 namespace texmap::chapter_05 {
 
 using Checkered = Mapped<RtiowMapping, Checkerboard>;
-using Turned = Rotated<ConventionMapping>;
-using Textured = Mapped<Turned, ImageTexture>;
+using Textured = Mapped<Rotated<ConventionMapping>, ImageTexture>;
 using Paint = AnyOf<Solid, Checkered, Textured>;
 using Object = Painted<Paint>;
 enum ObjectIndex { middle, left, right, ground };

@@ -6,22 +6,23 @@
 #include "checkerboard.hpp"
 #include "conventions.hpp"
 #include "image_texture.hpp"
+#include "layout_options.hpp"
 #include "lecture_scene.hpp"
 #include "mapped.hpp"
 #include "painted.hpp"
 #include "phong.hpp"
 #include "phong_options.hpp"
-#include "rotation.hpp"
+#include "rotated.hpp"
+#include "rotation_options.hpp"
 #include "solid.hpp"
 #include "stage.hpp"
 #include "studio.hpp"
-#include "texture_options.hpp"
+#include "texture_file.hpp"
 
 namespace texmap::chapter_06 {
 
 using Checkered = Mapped<RtiowMapping, Checkerboard>;
-using Turned = Rotated<ConventionMapping>;
-using Textured = Mapped<Turned, ImageTexture>;
+using Textured = Mapped<Rotated<ConventionMapping>, ImageTexture>;
 using Paint = AnyOf<Solid, Checkered, Textured>;
 using Object = Glossy<Paint>;
 enum ObjectIndex { middle, left, right, ground };
@@ -53,8 +54,7 @@ struct Lesson {
     phong.declare(line);
   }
   void prepare(Studio& studio) {
-    phong.settle(studio);
-    if (phong.scene == PhongScene::lecture) set_lecture_scene(*this, studio);
+    if (phong.settle(studio) == PhongScene::lecture) set_lecture_scene(*this, studio);
     objects[middle].paint = Textured{{rotation_y(turn.degrees), {layout.convention}}, layout.lay_out(texture)};
     phong.polish(objects[middle].finish);
   }

@@ -12,7 +12,7 @@ struct Nearest {
 };
 
 /// @param objects  a list of objects, each with a `sphere`
-/// The list is walked in order: for the four spheres of the stage it beats a hierarchy (docs/numbers.md).
+/// The list is walked in order: for the four spheres of the stage it beats a hierarchy.
 template <class Real, class Objects>
 [[nodiscard]] Nearest<Real> find_nearest(const Objects& objects, const Ray<Real>& ray) {
   Nearest<Real> nearest;

@@ -8,21 +8,23 @@
 
 #include "image_error.hpp"
 #include "image_limits.hpp"
+#include "jpeg_scan.hpp"
 
 namespace texmap {
 namespace {
 
 constexpr int max_scans = 256;
+constexpr int max_tables = 4 * max_scans;
 constexpr std::uint64_t max_block_visits = std::uint64_t{1} << 26;  // bounds the time that many small scans can take
 
 [[noreturn]] void damaged(const std::string& how) { throw Refusal("the JPEG file is damaged: " + how); }
 
 struct Component {
   std::uint32_t id = 0;
-  std::uint32_t across = 1, down = 1;   // sampling factors, 1 to 4
-  std::uint32_t quantization = 0;       // table, 0 to 3
-  std::uint32_t columns = 0, rows = 0;  // blocks of 8x8 that hold a part of the picture
-  std::array<int, 64> lowest_bit{};     // of each coefficient the lowest bit sent so far; not_sent before its first scan
+  std::uint32_t across = 1, down = 1;  // sampling factors, 1 to 4
+  std::uint32_t quantization = 0;      // table, 0 to 3
+  JpegPlane plane;
+  std::array<int, 64> lowest_bit{};  // of each coefficient the lowest bit sent so far; not_sent before its first scan
 };
 constexpr int not_sent = 99;
 
@@ -106,21 +108,13 @@ class Reader {
     while (!data.empty()) {
       const std::uint32_t kind = take_byte(data);
       if (kind >> 4 > 1 || (kind & 15) > 3) damaged("a Huffman table has a number that does not exist");
-      std::uint32_t symbols = 0;
-      std::uint32_t room = 1;  // codes of this length that are still free
-      for (int length = 1; length <= 16; ++length) {
-        const std::uint32_t codes = take_byte(data);
-        room *= 2;
-        if (codes > room) damaged("a Huffman table has more codes than fit into their bits");
-        room -= codes;
-        symbols += codes;
+      if (++tables_ > max_tables)
+        throw Refusal("the JPEG file has more than " + std::to_string(max_tables) + " Huffman tables");
+      if (kind >> 4 == 0) {
+        dc_[kind & 15].read(data, 15);
+      } else {
+        ac_[kind & 15].read(data, 255);
       }
-      if (symbols > 256) damaged("a Huffman table has more than 256 symbols");
-      for (std::uint32_t i = 0; i < symbols; ++i) {
-        const std::uint32_t symbol = take_byte(data);
-        if (kind >> 4 == 0 && symbol > 15) damaged("a Huffman table has a symbol that does not exist");
-      }
-      (kind >> 4 == 0 ? has_dc_ : has_ac_)[kind & 15] = true;
     }
   }
 
@@ -159,11 +153,11 @@ class Reader {
 
   static void component(Component& component, Bytes data) {
     component.id = data[0];
-    component.across = data[1] >> 4;
-    component.down = data[1] & 15;
+    component.plane.across = data[1] >> 4;
+    component.plane.down = data[1] & 15;
     component.quantization = data[2];
     component.lowest_bit.fill(not_sent);
-    if (component.across < 1 || component.across > 4 || component.down < 1 || component.down > 4) {
+    if (component.plane.across < 1 || component.plane.across > 4 || component.plane.down < 1 || component.plane.down > 4) {
       damaged("a color channel has a sampling factor outside 1 to 4");
     }
     if (component.quantization > 3) damaged("a color channel names a quantisation table that does not exist");
@@ -173,22 +167,29 @@ class Reader {
     std::uint32_t across = 1;
     std::uint32_t down = 1;
     for (std::size_t c = 0; c < components_; ++c) {
-      across = std::max(across, component_[c].across);
-      down = std::max(down, component_[c].down);
+      across = std::max(across, component_[c].plane.across);
+      down = std::max(down, component_[c].plane.down);
     }
-    units_ = std::uint64_t{divide_up(size_.width, 8 * across)} * divide_up(size_.height, 8 * down);
+    units_in_a_row_ = divide_up(size_.width, 8 * across);
+    units_ = std::uint64_t{units_in_a_row_} * divide_up(size_.height, 8 * down);
     std::uint64_t samples = 0;
     for (std::size_t c = 0; c < components_; ++c) {
       Component& component = component_[c];
-      if (across % component.across != 0 || down % component.down != 0) {
+      if (across % component.plane.across != 0 || down % component.plane.down != 0) {
         damaged("the sampling factors of its color channels do not divide each other");
       }
-      component.columns = divide_up(divide_up(size_.width * component.across, across), 8);
-      component.rows = divide_up(divide_up(size_.height * component.down, down), 8);
-      samples += 64 * units_ * component.across * component.down;
+      component.plane.columns = divide_up(divide_up(size_.width * component.plane.across, across), 8);
+      component.plane.rows = divide_up(divide_up(size_.height * component.plane.down, down), 8);
+      samples += 64 * units_ * component.plane.across * component.plane.down;
     }
     // The decoder holds a byte for each sample, two more if progressive, and three bytes for each pixel.
     check_decoding_bytes(samples * (progressive_ ? 3 : 1) + std::uint64_t{3} * size_.width * size_.height);
+    if (!progressive_) return;
+    for (std::size_t c = 0; c < components_; ++c) {
+      JpegPlane& plane = component_[c].plane;
+      plane.stride = units_in_a_row_ * plane.across;
+      plane.known_not_zero.resize(units_ * plane.across * plane.down);
+    }
   }
 
   static std::uint32_t divide_up(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
@@ -208,25 +209,31 @@ class Reader {
     const int bit = parameters[2] & 15;
     check_spectrum(channels, first, last, bit_before, bit);
 
+    JpegScan scan;
+    scan.progressive = progressive_;
+    scan.first = first;
+    scan.last = progressive_ ? last : 63;
+    scan.refines = bit_before != 0;
+    scan.bit = static_cast<std::uint32_t>(bit);
+    scan.restart_interval = restart_interval_;
     std::uint64_t blocks_of_a_unit = 0;
-    std::uint64_t blocks_alone = 0;
     for (std::size_t i = 0; i < channels; ++i) {
       Component& component = named(data[2 * i]);
       const std::uint32_t dc = data[2 * i + 1] >> 4;
       const std::uint32_t ac = data[2 * i + 1] & 15;
       check_tables(component, first, last, bit_before, dc, ac);
-      for (std::uint32_t k = first; k <= (progressive_ ? last : 63); ++k) send(component, k, bit_before, bit);
-      blocks_of_a_unit += std::uint64_t{component.across} * component.down;
-      blocks_alone = std::uint64_t{component.columns} * component.rows;
+      for (std::uint32_t k = first; k <= scan.last; ++k) send(component, k, bit_before, bit);
+      scan.channels.push_back({&component.plane, &dc_[dc], &ac_[ac]});
+      blocks_of_a_unit += std::uint64_t{component.plane.across} * component.plane.down;
     }
 
     // One channel alone is sent block by block, several in units that hold blocks of each.
-    const std::uint64_t units = channels == 1 ? blocks_alone : units_;
-    const std::uint64_t blocks = channels == 1 ? units : units * blocks_of_a_unit;
-    block_visits_ += blocks;
+    const JpegPlane& alone = *scan.channels[0].plane;
+    scan.units_in_a_row = channels == 1 ? alone.columns : units_in_a_row_;
+    scan.units = channels == 1 ? std::uint64_t{alone.columns} * alone.rows : units_;
+    block_visits_ += channels == 1 ? scan.units : scan.units * blocks_of_a_unit;
     if (block_visits_ > max_block_visits) throw Refusal("the JPEG file has too many scans for its size in pixels");
-    const std::uint64_t least_bits_a_block = progressive_ ? (first == 0 ? 1 : 0) : 2;
-    entropy_coded(units, blocks * least_bits_a_block);
+    rest_ = check_scan(scan, rest_);
   }
 
   void check_spectrum(std::size_t channels, std::uint32_t first, std::uint32_t last, int bit_before, int bit) const {
@@ -252,7 +259,7 @@ class Reader {
     if (dc > 3 || ac > 3) damaged("a scan names a Huffman table that does not exist");
     const bool needs_dc = first == 0 && bit_before == 0;
     const bool needs_ac = !progressive_ || last > 0;
-    if ((needs_dc && !has_dc_[dc]) || (needs_ac && !has_ac_[ac])) damaged("a Huffman table is missing");
+    if ((needs_dc && !dc_[dc].is_there()) || (needs_ac && !ac_[ac].is_there())) damaged("a Huffman table is missing");
     if (!has_quantization_[component.quantization]) damaged("a quantisation table is missing");
   }
 
@@ -265,45 +272,18 @@ class Reader {
     lowest = bit;
   }
 
-  // Skips the bits of a scan, up to the next marker that is not a restart. Each unit takes some bits, and so a short scan
-  // cannot pretend to be a long one.
-  void entropy_coded(std::uint64_t units, std::uint64_t least_bits) {
-    std::uint64_t bytes = 0;
-    std::uint64_t restarts = 0;
-    std::size_t i = 0;
-    while (true) {
-      while (i < rest_.size() && rest_[i] != 0xFF) ++i, ++bytes;
-      std::size_t code = i;
-      while (code < rest_.size() && rest_[code] == 0xFF) ++code;
-      if (code == rest_.size()) throw Refusal("the JPEG file is cut short: its end marker is missing");
-      if (rest_[code] == 0) {
-        ++bytes;
-      } else if (rest_[code] >= 0xD0 && rest_[code] <= 0xD7) {
-        if (rest_[code] != 0xD0 + restarts % 8) damaged("its restart markers are out of order");
-        ++restarts;
-      } else {
-        break;
-      }
-      i = code + 1;
-    }
-    rest_ = rest_.subspan(i);
-    const std::uint64_t expected = restart_interval_ == 0 ? 0 : (units - 1) / restart_interval_;
-    if (restarts != expected) {
-      damaged("it has " + std::to_string(restarts) + " restart markers in a scan instead of " + std::to_string(expected));
-    }
-    if (8 * bytes < least_bits) throw Refusal("the JPEG file is damaged: it has too few bytes for its size in pixels");
-  }
-
   Bytes rest_;
   ImageSize size_;
   std::array<Component, 4> component_;
   std::size_t components_ = 0;
   bool progressive_ = false;
   std::array<bool, 4> has_quantization_{};
-  std::array<bool, 4> has_dc_{};
-  std::array<bool, 4> has_ac_{};
+  std::array<JpegCodes, 4> dc_{};
+  std::array<JpegCodes, 4> ac_{};
+  int tables_ = 0;
   std::uint64_t restart_interval_ = 0;  // units between two restart markers, 0 for none
   std::uint64_t units_ = 0;             // of a scan with several channels
+  std::uint32_t units_in_a_row_ = 0;
   std::uint64_t block_visits_ = 0;
   int scans_ = 0;
 };

@@ -7,14 +7,14 @@ namespace texmap {
 
 [[nodiscard]] bool looks_like_jpeg(Bytes file);
 
-/// Checks every segment of a JPEG file from its first to its end marker: tables, frame, scans, and the size of the picture.
+/// Checks a JPEG file from its first to its last byte: tables, header, the size of the picture, and every code of every scan.
 ///
-/// The decoder behind this check trusts the tables and would write past its own with bad ones. Only the entropy-coded bits
-/// themselves are left to it.
+/// The decoder behind this check trusts the tables and would write past its own with bad ones; where pixels are missing, it
+/// makes some up. After this check nothing is missing.
 ///
 /// @param file  a file that looks_like_jpeg
 /// Errors: Refusal.
-/// Source: ITU-T T.81, annexes B, C and G.
+/// Source: ITU-T T.81, annexes B, C, F and G.
 [[nodiscard]] ImageSize check_jpeg(Bytes file);
 
 }  // namespace texmap

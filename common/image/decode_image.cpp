@@ -64,13 +64,13 @@ Image decode_png(Bytes file) {
   const PngChunks png = read_png_chunks(file);
   check_decoding_bytes(file.size() + png_decoding_bytes(png.header));
   const ImageSize size{png.header.width, png.header.height};
-  std::vector<std::uint8_t> rows = read_png_pixels(png);
-  // A large picture is unpacked a second time: there would be no room for two copies of its rows.
-  if (rows.size() > most_rows_to_copy) {
-    rows = {};
-    return decode_checked(file, size);
+  std::vector<std::uint8_t> stored;
+  {
+    const std::vector<std::uint8_t> rows = read_png_pixels(png);
+    if (rows.size() <= most_rows_to_copy) stored = stored_png(png, rows);
   }
-  return decode_checked(stored_png(png, rows), size);
+  // A large picture is unpacked a second time: there would be no room for so many copies of its rows.
+  return decode_checked(stored.empty() ? file : Bytes(stored), size);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ inline void check_image_size(std::uint64_t width, std::uint64_t height) {
 /// Errors: Refusal.
 inline void check_decoding_bytes(std::uint64_t bytes) {
   if (bytes <= max_decoding_bytes) return;
-  throw Refusal("decoding it would take " + std::to_string(bytes >> 20) + " MiB of memory, more than " +
+  throw Refusal("decoding it would take " + std::to_string((bytes >> 20) + 1) + " MiB of memory, more than " +
                 std::to_string(max_decoding_bytes >> 20) +
                 "; save it smaller, or with 8 bits a channel, no alpha, not interlaced and not progressive");
 }

@@ -46,10 +46,8 @@ void add_stored_block(File& file, Bytes block, bool last) {
 std::vector<std::uint8_t> stored_png(const PngChunks& png, Bytes rows) {
   const std::size_t blocks = (rows.size() + longest_block - 1) / longest_block;
   const std::size_t stream = 2 + 5 * blocks + rows.size() + 4;
-  File file;
+  File file(png_signature.begin(), png_signature.end());
   file.reserve(stream + png.palette.size() + 100);
-
-  add(file, png_signature);
   add_chunk(file, "IHDR", png.header_bytes);
   if (!png.palette.empty()) add_chunk(file, "PLTE", png.palette);
   begin_chunk(file, "IDAT", stream);

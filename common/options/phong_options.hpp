@@ -31,11 +31,14 @@ struct PhongOptions {
                                   "Phong's highlight, or the lecture's with its wrong sign");
   }
 
-  /// After parsing: the defaults that depend on other options. The lecture always blends, with an exponent of its own.
-  void settle(const Studio& studio) {
+  /// After parsing: sets what depends on other options. The lecture always blends, and has an exponent of its own.
+  ///
+  /// @return  the scene to draw
+  PhongScene settle(const Studio& studio) {
     const bool lecture = scene == PhongScene::lecture;
     blends = lecture || studio.typed("--blend");
     if (lecture && !studio.typed("--shininess")) shininess = 500;
+    return scene;
   }
 
   /// Gives the globe its gloss.

@@ -1,7 +1,6 @@
 // The ways in which the seeds lay (u, v) on a sphere, and how they are related.
 #pragma once
 #include "image_texture.hpp"
-#include "rotation.hpp"
 #include "uv.hpp"
 
 namespace texmap {
@@ -48,18 +47,6 @@ struct ConventionMapping {
   template <class Real>
   [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
     return uv_of(convention, p);
-  }
-};
-
-/// A mapping behind a rotation: the point turns first, then it is mapped.
-template <class Mapping>
-struct Rotated {
-  RotationY rotation;
-  Mapping mapping;
-
-  template <class Real>
-  [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
-    return mapping(rotation(p));
   }
 };
 

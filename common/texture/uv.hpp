@@ -24,8 +24,8 @@ template <class Real>
 /// v is the angle from -y as atan2(sine, cosine), not acos(-y): acos loses half the digits near the poles, where its slope is
 /// infinite, and gives NaN when rounding made |y| larger than 1. Both sides are divided by the larger of |x| and |z|, so that no
 /// length overflows or vanishes and `p` need not be a unit vector.
-/// Source: seed 2's convention; the form of the polar angle after Kahan, "How Futile are Mindless Assessments of Roundoff"
-/// (2006), section 12.
+/// Source: seed 2's convention; the form of the polar angle as in Kahan, "How Futile are Mindless Assessments of Roundoff"
+/// (2006), on angles between vectors.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_rtiow(const Vec3<Real>& p) {
   // Adding 0 turns -0 into +0, or the two ends of the seam would differ at z = -0.

@@ -1,0 +1,136 @@
+// Rasterises coastlines along meridians: from the north pole, which is sea, every coast that is crossed changes land and sea.
+// Rings round a pole and rings across longitude 180 need no special care that way, as they would along parallels.
+#include "land_coverage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace texmap {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A point of a coast, in turns east of longitude -180 and in degrees north.
+struct CoastPoint {
+  double turns = 0;
+  double latitude = 0;
+};
+using Coast = std::vector<CoastPoint>;
+
+/// The arcs of a topology: each starts at a grid point and goes on by differences; the transform takes the grid to degrees.
+std::vector<Coast> arcs_of(const Json& topology) {
+  const auto scale = topology.at("transform").at("scale").get<std::array<double, 2>>();
+  const auto origin = topology.at("transform").at("translate").get<std::array<double, 2>>();
+  std::vector<Coast> arcs;
+  for (const Json& deltas : topology.at("arcs")) {
+    Coast& arc = arcs.emplace_back();
+    std::array<int, 2> place = {0, 0};
+    for (const Json& delta : deltas) {
+      place[0] += delta.at(0).get<int>();
+      place[1] += delta.at(1).get<int>();
+      arc.push_back({(place[0] * scale[0] + origin[0] + 180) / 360, place[1] * scale[1] + origin[1]});
+    }
+  }
+  return arcs;
+}
+
+/// A ring is a list of arcs; ~n stands for arc n backwards.
+Coast ring_of(const Json& arc_numbers, const std::vector<Coast>& arcs) {
+  Coast ring;
+  for (const Json& number : arc_numbers) {
+    const int n = number.get<int>();
+    Coast arc = arcs.at(static_cast<std::size_t>(n < 0 ? ~n : n));
+    if (n < 0) std::reverse(arc.begin(), arc.end());
+    ring.insert(ring.end(), arc.begin(), arc.end());
+  }
+  return ring;
+}
+
+/// The rings of all land. One tiny ring round the south pole only closes the data's grid: it is not a coast.
+std::vector<Coast> rings_of(const Json& topology) {
+  const std::vector<Coast> arcs = arcs_of(topology);
+  std::vector<Coast> rings;
+  for (const Json& part : topology.at("objects").at("land").at("geometries"))
+    for (const Json& polygon : part.at("arcs"))
+      for (const Json& arc_numbers : polygon) {
+        Coast ring = ring_of(arc_numbers, arcs);
+        if (std::any_of(ring.begin(), ring.end(), [](CoastPoint p) { return p.latitude > -89.99; }))
+          rings.push_back(std::move(ring));
+      }
+  return rings;
+}
+
+/// Where coasts cross each of the meridians: latitudes, from the north. A meridian is one column of samples.
+class Crossings {
+ public:
+  explicit Crossings(int meridians) : latitudes_(static_cast<std::size_t>(meridians)) {}
+
+  void add(const Coast& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) add_edge(ring[i], ring[(i + 1) % ring.size()]);
+  }
+
+  /// The crossings of one meridian, sorted from north to south.
+  [[nodiscard]] std::vector<double> from_north(std::size_t meridian) const {
+    std::vector<double> sorted = latitudes_[meridian];
+    std::sort(sorted.rbegin(), sorted.rend());
+    return sorted;
+  }
+
+ private:
+  void add_edge(CoastPoint a, CoastPoint b) {
+    // The short way round: a coast never runs half round the globe between two points.
+    if (b.turns - a.turns > 0.5) b.turns -= 1;
+    if (a.turns - b.turns > 0.5) b.turns += 1;
+    if (a.turns > b.turns) std::swap(a, b);
+
+    // Sample k lies at k - (samples - 1) / 2 from the centre of column 0. An edge owns its west end but not its east end, so
+    // that a meridian through a point between two edges is crossed once.
+    const auto count = static_cast<double>(latitudes_.size());
+    constexpr double first = (samples_along_side - 1) / 2.0;
+    const double west = a.turns * count + first, east = b.turns * count + first;
+    for (double k = std::ceil(west); k < east; ++k) {
+      const double latitude = a.latitude + (b.latitude - a.latitude) * ((k - west) / (east - west));
+      const double wrapped = k - std::floor(k / count) * count;
+      latitudes_[static_cast<std::size_t>(wrapped)].push_back(latitude);
+    }
+  }
+
+  std::vector<std::vector<double>> latitudes_;
+};
+
+Json read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return Json::parse(file);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> land_coverage(const std::filesystem::path& topology, int columns, int rows) try {
+  const int meridians = columns * samples_along_side;
+  Crossings crossings(meridians);
+  for (const Coast& ring : rings_of(read(topology))) crossings.add(ring);
+
+  std::vector<std::uint8_t> coverage(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int k = 0; k < meridians; ++k) {
+    const std::vector<double> coasts = crossings.from_north(static_cast<std::size_t>(k));
+    std::size_t crossed = 0;
+    for (int m = 0; m < rows * samples_along_side; ++m) {
+      const double row = (m - (samples_along_side - 1) / 2.0) / samples_along_side;
+      const double latitude = 90 - 180 * row / (rows - 1);
+      while (crossed < coasts.size() && coasts[crossed] > latitude) ++crossed;
+      const int pixel = m / samples_along_side * columns + k / samples_along_side;
+      if (crossed % 2 == 1) ++coverage[static_cast<std::size_t>(pixel)];
+    }
+  }
+  return coverage;
+} catch (const nlohmann::json::exception& error) {
+  throw std::runtime_error(topology.string() + " is not a topology of land: " + error.what());
+}
+
+}  // namespace texmap

@@ -1,0 +1,29 @@
+// Makes all assets again: make_assets OUT_DIR
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "make_crate.hpp"
+#include "make_earth.hpp"
+#include "make_uv_map.hpp"
+#include "save_png.hpp"
+
+int main(int argc, char** argv) try {
+  if (argc != 2) {
+    std::cerr << "usage: make_assets OUT_DIR\n";
+    return 2;
+  }
+  const std::filesystem::path out = argv[1];
+  const auto keep = [&](const texmap::Image& image, const char* name) {
+    texmap::save_png(image, (out / name).string());
+    std::cout << (out / name).string() << '\n';
+  };
+  keep(texmap::make_crate(), "crate.png");
+  keep(texmap::make_uv_map(), "uv_map.png");
+  keep(texmap::make_earth(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" / "land-50m.json"), "earth.png");
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "make_assets: " << error.what() << '\n';
+  return 1;
+}

@@ -1,0 +1,166 @@
+// Draws the labelled map: quadrants, graticule, arrows, compass letters, then the labels on top.
+#include "make_uv_map.hpp"
+
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "lettering.hpp"
+
+namespace texmap {
+namespace {
+
+constexpr int width = 1024;
+constexpr int height = 512;
+constexpr Rgb8 ink{24, 24, 32};
+constexpr Rgb8 paper{255, 255, 255};
+
+/// Two shades each for the north-west, north-east, south-west and south-east: hues that color-blind readers can tell apart, and
+/// of different lightness besides.
+constexpr Rgb8 quadrants[2][2][2] = {
+    {{{126, 196, 238}, {104, 180, 226}}, {{250, 214, 110}, {240, 198, 84}}},
+    {{{88, 184, 150}, {70, 168, 134}}, {{226, 156, 192}, {212, 138, 177}}},
+};
+
+constexpr int column_of(int longitude) { return (longitude + 180) * width / 360; }
+constexpr int row_of(int latitude) { return (90 - latitude) * height / 180; }
+
+/// A rectangle from one corner up to, without, the other; what falls outside the picture is left out.
+void fill(Image& image, int left, int top, int right, int bottom, Rgb8 color) {
+  for (int y = top < 0 ? 0 : top; y < bottom && y < image.height; ++y)
+    for (int x = left < 0 ? 0 : left; x < right && x < image.width; ++x) image.at(x, y) = color;
+}
+
+void fill_disc(Image& image, int column, int row, int radius, Rgb8 color) {
+  for (int y = -radius; y <= radius; ++y)
+    for (int x = -radius; x <= radius; ++x)
+      if (x * x + y * y <= radius * radius) fill(image, column + x, row + y, column + x + 1, row + y + 1, color);
+}
+
+/// Four quadrants, chequered every 15 degrees so that stretching shows.
+void draw_quadrants(Image& image) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int shade = (x * 24 / width + y * 12 / height) % 2;
+      image.at(x, y) = quadrants[y >= height / 2][x >= width / 2][shade];
+    }
+}
+
+/// A line every 30 degrees; the equator and the prime meridian are thick.
+void draw_graticule(Image& image) {
+  for (int longitude = -180; longitude <= 180; longitude += 30) {
+    const int half = longitude == 0 ? 2 : 1;
+    fill(image, column_of(longitude) - half, 0, column_of(longitude) + half, height, ink);
+  }
+  for (int latitude = -90; latitude <= 90; latitude += 30) {
+    const int half = latitude == 0 ? 2 : 1;
+    fill(image, 0, row_of(latitude) - half, width, row_of(latitude) + half, ink);
+  }
+}
+
+void draw_outlined(Image& image, int column, int row, std::string_view text, int scale) {
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) draw_text(image, column + dx, row + dy, text, paper, scale);
+  draw_text(image, column, row, text, ink, scale);
+}
+
+void draw_centred(Image& image, int column, int row, std::string_view text, int scale) {
+  draw_text(image, column - text_width(text, scale) / 2, row, text, ink, scale);
+}
+
+/// An arrow from the crossing of equator and prime meridian, to the right or up, in ink on a rim of paper.
+void draw_arrow(Image& image, bool up) {
+  const auto part = [&](int from, int to, int half_from, int half_to, Rgb8 color) {
+    for (int along = from; along < to; ++along) {
+      const int half = half_from + (half_to - half_from) * (along - from) / (to - from);
+      if (up) {
+        fill(image, width / 2 - half, height / 2 - along, width / 2 + half, height / 2 - along + 1, color);
+      } else {
+        fill(image, width / 2 + along, height / 2 - half, width / 2 + along + 1, height / 2 + half, color);
+      }
+    }
+  };
+  part(-7, 57, 7, 7, paper);
+  part(47, 84, 20, 0, paper);
+  part(-4, 57, 4, 4, ink);
+  part(52, 78, 14, 0, ink);
+}
+
+/// A large letter in a disc, with the place of its centre written below it.
+void draw_compass_letter(Image& image, int longitude, int latitude, std::string_view letter, std::string_view place) {
+  const int column = column_of(longitude), row = row_of(latitude);
+  fill_disc(image, column, row, 40, ink);
+  fill_disc(image, column, row, 37, paper);
+  draw_text(image, column - text_width(letter, 6) / 2, row - 27, letter, ink, 6);
+  draw_centred(image, column, row + 20, place, 1);
+}
+
+std::string longitude_label(int longitude) {
+  const std::string degrees = std::to_string(std::abs(longitude)) + "°";
+  return longitude % 180 == 0 ? degrees : degrees + (longitude < 0 ? "W" : "E");
+}
+
+std::string latitude_label(int latitude) {
+  const std::string degrees = std::to_string(std::abs(latitude)) + "°";
+  return latitude == 0 ? degrees : degrees + (latitude < 0 ? "S" : "N");
+}
+
+/// Longitude and latitude beside every crossing, on the side of the equator so that the poles' rows stay free.
+void draw_labels(Image& image) {
+  for (int longitude = -180; longitude < 180; longitude += 30)
+    for (int latitude = -60; latitude <= 60; latitude += 30) {
+      if (latitude == 0 && std::abs(longitude) == 90) continue;     // a compass letter is there
+      const int aside = longitude == 0 && latitude == 30 ? 15 : 0;  // out of the way of the arrow
+      const int column = column_of(longitude) + 7 + aside;
+      const int row = row_of(latitude) + (latitude < 0 ? -40 : 8);
+      draw_text(image, column, row, longitude_label(longitude), ink, 2);
+      draw_text(image, column, row + 17, latitude_label(latitude), ink, 2);
+    }
+}
+
+/// A tag for a value of u or v, dark so that it is not taken for a label of the graticule.
+void draw_tag(Image& image, int column, int row, std::string_view text) {
+  fill(image, column, row, column + text_width(text, 2) + 8, row + 20, ink);
+  draw_text(image, column + 4, row + 3, text, paper, 2);
+}
+
+void draw_rulers(Image& image) {
+  const std::string_view quarters[] = {"0", ".25", ".5", ".75", "1"};
+  for (int i = 0; i <= 4; ++i) {
+    const std::string u = "u=" + std::string(quarters[i]), v = "v=" + std::string(quarters[i]);
+    const int tag = text_width(u, 2) + 8;
+    const int column = i * width / 4, row = height - i * height / 4;
+
+    // Along the bottom: in the middle of its value, and inside the picture at both ends.
+    draw_tag(image, i == 0 ? 0 : i == 4 ? width - tag : column - tag / 2, height - 20, u);
+    fill(image, column - 2, height - 32, column + 2, height - 20, ink);
+
+    // Along the left: above its value, where no label is; below it at the top, and above u at the bottom.
+    draw_tag(image, 0, i == 0 ? row - 44 : i >= 3 ? row + 2 : row - 28, v);
+    fill(image, 0, row - 2, 14, row + 2, ink);
+  }
+}
+
+}  // namespace
+
+Image make_uv_map() {
+  Image image(width, height);
+  draw_quadrants(image);
+  draw_graticule(image);
+  draw_labels(image);
+  for (const int longitude : {-135, -45, 45, 135}) {
+    const std::string place = std::to_string(std::abs(longitude)) + (longitude < 0 ? "°W" : "°E");
+    draw_compass_letter(image, longitude, 75, "N", place);
+    draw_compass_letter(image, longitude, -75, "S", place);
+  }
+  draw_compass_letter(image, -75, 0, "W", "75°W 0°");
+  draw_compass_letter(image, 105, 0, "E", "105°E 0°");
+  draw_arrow(image, false);
+  draw_arrow(image, true);
+  draw_outlined(image, width / 2 + 42, height / 2 - 44, "+u", 3);
+  draw_outlined(image, width / 2 - 46, height / 2 - 42, "+v", 3);
+  draw_rulers(image);
+  return image;
+}
+
+}  // namespace texmap

@@ -1,0 +1,168 @@
+// Chapter 06: Phong's highlight, blending, and the lecture's scene.
+#include <doctest.h>
+
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "lecture_program.hpp"
+#include "pictures.hpp"
+
+using namespace texmap;
+using chapter_06::Lesson;
+
+namespace {
+
+Lesson blended(const char* weight, const Image& map) {
+  Lesson lesson = test::prepared<Lesson>({"--blend", weight});
+  std::get<chapter_06::Textured>(lesson.objects[chapter_06::middle].paint).texture.image = map;
+  return lesson;
+}
+
+/// The picture of `--scene lecture` with these options.
+Image of_the_lecture(const test::lecture::Choices& choices) {
+  const Lesson lesson = test::prepared<Lesson>({"--scene", "lecture", "--degrees", std::to_string(choices.degrees), "--blend",
+                                                std::to_string(choices.blend), "--shininess", std::to_string(choices.shininess),
+                                                "--rounding", choices.texel_of_the_slides ? "lecture" : "floor", "--highlight",
+                                                choices.sign_of_the_slides ? "lecture" : "phong"});
+  return test::picture(lesson, choices.width, choices.width / 2);
+}
+
+/// The lamp over each pixel of the middle sphere: 0 where it does not shine.
+std::vector<double> cosines(const Lesson& lesson) {
+  const View view = view_of(lesson.stage.camera, 800, 600);
+  std::vector<double> lit;
+  for (int row = 0; row < 600; ++row) {
+    for (int column = 0; column < 800; ++column) {
+      const Ray<double> ray = ray_through<double>(view, column, row);
+      const Nearest<double> nearest = find_nearest(lesson.objects, ray);
+      if (nearest.index < 0) {
+        lit.push_back(0);
+        continue;
+      }
+      const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
+      lit.push_back(illumination(lesson.stage.light, lesson.objects, hit_at(object.sphere, ray, nearest.distance)).cosine);
+    }
+  }
+  return lit;
+}
+
+}  // namespace
+
+TEST_CASE("only lit pixels of the globe change from chapter 05") {
+  const chapter_05::Lesson before = test::prepared<chapter_05::Lesson>();
+  const Lesson lesson = test::prepared<Lesson>();
+  const Image first = test::picture(before);
+  const Image second = test::picture(lesson);
+  CHECK(test::changed_elsewhere(first, second, test::objects_seen(before), Lesson::changed_objects) == 0);
+  const std::vector<double> lit = cosines(lesson);
+  long in_the_dark = 0;
+  long in_the_light = 0;
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (first.pixels[i] == second.pixels[i]) continue;
+    (lit[i] > 0 ? in_the_light : in_the_dark) += 1;
+  }
+  CHECK(in_the_dark == 0);
+  CHECK(in_the_light > 500);
+  // The check can fail: the slides' highlight shines in the dark.
+  const Lesson wrong = test::prepared<Lesson>({"--highlight", "lecture"});
+  const Image false_lights = test::picture(wrong);
+  long found = 0;
+  for (std::size_t i = 0; i < lit.size(); ++i) found += lit[i] <= 0 && first.pixels[i] != false_lights.pixels[i] ? 1 : 0;
+  CHECK(found > 0);
+}
+
+TEST_CASE("with weight 1 the texture stands alone, without any light") {
+  const Lesson lesson = blended("1", Image(1, 1, {200, 100, 50}));
+  const Image drawn = test::picture(lesson);
+  const std::vector<int> seen = test::objects_seen(lesson);
+  long globe = 0;
+  long other = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i] != chapter_06::middle) continue;
+    globe += 1;
+    other += drawn.pixels[i] == Rgb8{200, 100, 50} ? 0 : 1;
+  }
+  CHECK(globe > 9000);
+  CHECK(other == 0);
+}
+
+TEST_CASE("with weight 0 the light stands alone, whatever the texture") {
+  const Image one = test::picture(blended("0", Image(1, 1, {200, 100, 50})));
+  const Image two = test::picture(blended("0", Image(2, 1, {3, 2, 1})));
+  CHECK(one == two);
+  CHECK(test::picture(blended("0.5", Image(1, 1, {200, 100, 50}))) != one);
+}
+
+TEST_CASE("a white texture in full light stays white, and a gray light blended with itself stays itself") {
+  // Ambient 1 and diffuse 0: the light is 1 everywhere, and so is any mixture with white.
+  Lesson lesson = blended("0.3", Image(1, 1, {255, 255, 255}));
+  lesson.objects[chapter_06::middle].finish = {.matt = {.ambient = 1, .diffuse = 0}};
+  const Image drawn = test::picture(lesson);
+  CHECK(drawn.at(400, 300) == Rgb8{255, 255, 255});
+}
+
+TEST_CASE("the lecture's scene is the picture of an independent program, for several angles and blends") {
+  const Image map = load_image(find_texture("earth.png"));
+  for (const bool slides : {true, false}) {
+    for (const double degrees : {0.0, 37.0, 180.0, 300.5}) {
+      for (const double blend : {0.3, 0.0, 1.0, 0.75}) {
+        test::lecture::Choices choices{.degrees = degrees, .blend = blend};
+        choices.texel_of_the_slides = slides;
+        CAPTURE(slides);
+        CAPTURE(degrees);
+        CAPTURE(blend);
+        const Image expected = test::lecture::draw(map, choices);
+        const Image drawn = of_the_lecture(choices);
+        CHECK(test::count_different(drawn, expected, 1) <= 320);
+      }
+    }
+  }
+}
+
+TEST_CASE("the slides' highlight, with its wrong sign, is drawn when asked for and is another picture") {
+  const Image map = load_image(find_texture("earth.png"));
+  test::lecture::Choices choices;
+  choices.shininess = 500;
+  choices.sign_of_the_slides = true;
+  const Image expected = test::lecture::draw(map, choices);
+  CHECK(test::count_different(of_the_lecture(choices), expected, 1) <= 320);
+  choices.sign_of_the_slides = false;
+  CHECK(test::count_different(of_the_lecture(choices), expected, 1) > 1000);
+}
+
+TEST_CASE("at exponent 100 the slides light 903 pixels in the dark, beside 780 where a highlight belongs") {
+  const auto light_alone = [](const char* shininess, const char* formula) {
+    return test::picture(test::prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess, "--highlight", formula}), 800, 400);
+  };
+  const Image matt = light_alone("1e30", "phong");
+  const Image right = light_alone("100", "phong");
+  const Image slides = light_alone("100", "lecture");
+  long in_the_dark = 0;
+  long in_its_place = 0;
+  for (std::size_t i = 0; i < matt.pixels.size(); ++i) {
+    const Rgb8 p = matt.pixels[i];
+    const bool globe = p.r == p.b && p.r > 0;  // the ground is yellow, the sky black
+    if (!globe) continue;
+    in_its_place += right.pixels[i] != p ? 1 : 0;
+    in_the_dark += p.r == 51 && slides.pixels[i] != p ? 1 : 0;
+  }
+  CHECK(in_its_place == 780);
+  CHECK(in_the_dark == 903);
+}
+
+TEST_CASE("the lecture's scene has its own size, exponent, convention and angle unless the user chose others") {
+  CommandLine line("test", "");
+  Lesson lesson;
+  lesson.phong.scene = PhongScene::lecture;
+  Studio studio("test", line);
+  lesson.prepare(studio);
+  CHECK(studio.width == 800);
+  CHECK(studio.height == 400);
+  CHECK(lesson.phong.shininess == 500);
+  CHECK(lesson.phong.blends);
+  CHECK(lesson.layout.convention == Convention::lecture);
+  CHECK(lesson.turn.degrees == 0);
+  const Lesson chosen = test::prepared<Lesson>({"--scene", "lecture", "--convention", "daily", "--shininess", "5", "--degrees", "3"});
+  CHECK(chosen.layout.convention == Convention::daily);
+  CHECK(chosen.phong.shininess == 5);
+  CHECK(chosen.turn.degrees == 3);
+}

@@ -1,0 +1,328 @@
+// Tests of common/geometry/sphere.hpp, and of seed_sphere.hpp where it parts from it.
+#include <doctest.h>
+
+#include <cstdint>
+
+#include "pack.hpp"
+#include "seed_sphere.hpp"
+#include "sphere.hpp"
+#include "uv.hpp"
+
+namespace texmap {
+namespace {
+
+using Exact = long double;
+
+/// The distance from `got` to the exact value in steps of Real.
+template <class Real>
+Exact ulps(Real got, Exact exact) {
+  const Real magnitude = abs(static_cast<Real>(exact));
+  return abs(static_cast<Exact>(got) - exact) / static_cast<Exact>(std::nextafter(magnitude, infinity<Real>) - magnitude);
+}
+
+/// Numbers from -1 to 1 that are the same on every machine.
+struct Dice {
+  std::uint64_t state = 1;
+  double next() {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
+  }
+  /// A direction, each as likely as any other.
+  Point direction() {
+    for (;;) {
+      const Point p{next(), next(), next()};
+      if (dot(p, p) < 1 && dot(p, p) > 1e-4) return normalize(p);
+    }
+  }
+};
+
+const Sphere unit_sphere{{0, 0, 0}, 1};
+
+TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, beside and on the sphere", Real, float, double, long double) {
+  const Real miss = infinity<Real>;
+  struct Row {
+    const char* what;
+    Sphere sphere;
+    Ray<Real> ray;
+    Real distance;
+  };
+  const Row table[] = {
+      {"from the front", unit_sphere, {{0, 0, 5}, {0, 0, -1}}, 4},
+      {"from the front, a long direction", unit_sphere, {{0, 0, 5}, {0, 0, -2}}, 2},
+      {"from the left", unit_sphere, {{-3, 0, 0}, {1, 0, 0}}, 2},
+      {"from above, another sphere", {{1, 2, 3}, 2}, {{1, 10, 3}, {0, -1, 0}}, 6},
+      {"from the center, P21", {{0, 0, 0}, 3}, {{0, 0, 0}, {1, 2, 2}}, 1},
+      {"from inside, ahead of the center", unit_sphere, {{0, 0, Real(0.5)}, {0, 0, 1}}, Real(0.5)},
+      {"from inside, behind the center", unit_sphere, {{0, 0, Real(-0.5)}, {0, 0, 1}}, Real(1.5)},
+      {"behind the ray", unit_sphere, {{0, 0, 5}, {0, 0, 1}}, miss},
+      {"beside the ray", unit_sphere, {{0, 2, 5}, {0, 0, -1}}, miss},
+      {"from the surface inward", unit_sphere, {{0, 0, 1}, {0, 0, -1}}, 2},
+      {"from the surface outward", unit_sphere, {{0, 0, 1}, {0, 0, 1}}, miss},
+      {"from the surface along it", unit_sphere, {{1, 0, 0}, {0, 0, 1}}, miss},
+      {"without a direction", unit_sphere, {{0, 0, 5}, {0, 0, 0}}, miss},
+      {"without a direction, from inside", unit_sphere, {{0, 0, 0}, {0, 0, 0}}, miss},
+      {"with a direction that is no number", unit_sphere, {{0, 0, 5}, {0, std::numeric_limits<Real>::quiet_NaN(), -1}}, miss},
+  };
+  for (const Row& row : table) {
+    CAPTURE(row.what);
+    CHECK(distance_to(row.sphere, row.ray) == row.distance);
+  }
+}
+
+TEST_CASE_TEMPLATE("a tangent counts as a hit", Real, float, double, long double) {
+  const Ray<Real> touching{{1, 0, -5}, {0, 0, 1}};
+  CHECK(ulps(distance_to(unit_sphere, touching), 5) <= 2);
+  const Ray<Real> passing{{std::nextafter(Real(1), Real(2)), 0, -5}, {0, 0, 1}};
+  CHECK(distance_to(unit_sphere, passing) == infinity<Real>);
+  const Hit<Real> hit = hit_at(unit_sphere, touching, distance_to(unit_sphere, touching));
+  CHECK(abs(hit.normal.x - Real(1)) <= std::numeric_limits<Real>::epsilon());
+}
+
+TEST_CASE_TEMPLATE("a sphere ten million radii away is hit in the middle of its picture", Real, float, double, long double) {
+  const Ray<Real> ray{{0, 0, Real(1e7)}, {0, 0, -1}};
+  const Real distance = distance_to(unit_sphere, ray);
+  CHECK(ulps(distance, 9999999) <= 1);
+  const Uv<Real> uv = uv_rtiow(hit_at(unit_sphere, ray, Real(9999999)).normal);
+  CHECK(uv.u == Real(0.25));
+  CHECK(uv.v == Real(0.5));
+}
+
+TEST_CASE("the published ray from 4096 radii away keeps its digits") {
+  const Ray<double> ray{{0.5, 0.25, 4096}, {0, 0, -1}};
+  const double distance = distance_to(unit_sphere, ray);
+  CHECK(ulps(distance, 4095.1708438024112L) <= 4);
+  const Uv<double> uv = uv_rtiow(hit_at(unit_sphere, ray, distance).normal);
+  CHECK(abs(uv.u - 0.33636369543798065) <= 1e-12);
+  CHECK(abs(uv.v - 0.58043062325516624) <= 1e-12);
+}
+
+TEST_CASE("the length of the direction changes the distance and not the place") {
+  const Point direction{-0.1, 0.05, -1};
+  const Ray<double> ray{{0.5, 0.25, 5}, direction};
+  const double distance = distance_to(unit_sphere, ray);
+  const Uv<double> place = uv_rtiow(hit_at(unit_sphere, ray, distance).normal);
+  REQUIRE(distance < 10);
+  for (const double length : {1e-20, 1e-3, 1e20}) {
+    CAPTURE(length);
+    const Ray<double> other{ray.origin, direction * length};
+    const double other_distance = distance_to(unit_sphere, other);
+    const Uv<double> other_place = uv_rtiow(hit_at(unit_sphere, other, other_distance).normal);
+    CHECK(other_distance * length == doctest::Approx(distance).epsilon(1e-15));
+    CHECK(abs(other_place.u - place.u) <= 1e-12);
+    CHECK(abs(other_place.v - place.v) <= 1e-12);
+  }
+}
+
+/// The distance along (0, 0, -1) from (0, height, distance) to the unit sphere, by Pythagoras.
+Exact from_pythagoras(Exact height, Exact distance) { return distance - sqrt((1 - height) * (1 + height)); }
+
+TEST_CASE_TEMPLATE("distances keep their digits from 1 to 100000 radii away", Real, float, double) {
+  for (const double away : {1.5, 10.0, 1e3, 1e4, 1e5}) {
+    Exact worst = 0;
+    int wrong = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const auto height = static_cast<Real>((i + 0.5) / 2000 * 1.1);
+      const Ray<Real> ray{{0, height, static_cast<Real>(away)}, {0, 0, -1}};
+      const Real distance = distance_to(unit_sphere, ray);
+      if ((distance < infinity<Real>) != (height < Real(1))) ++wrong;
+      if (height < Real(0.99)) worst = std::max(worst, ulps(distance, from_pythagoras(height, static_cast<Real>(away))));
+    }
+    CAPTURE(away);
+    MESSAGE("worst: " << static_cast<double>(worst) << " ulps at " << away << " radii");
+    CHECK(wrong == 0);
+    CHECK(worst <= (away < 2 ? 64 : 8));
+  }
+}
+
+TEST_CASE("seed 0's formula in float loses the sphere from far away, and the stable one does not") {
+  const auto wrong_answers = [](const auto& distance_by, double away) {
+    int wrong = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const auto height = static_cast<float>((i + 0.5) / 2000 * 1.1);
+      const Ray<float> ray{{0, height, static_cast<float>(away)}, {0, 0, -1}};
+      if ((distance_by(unit_sphere, ray) < infinity<float>) != (height < 1)) ++wrong;
+    }
+    return wrong;
+  };
+  const auto daily = [](const Sphere& sphere, const Ray<float>& ray) { return seeds::distance_daily(sphere, ray); };
+  const auto stable = [](const Sphere& sphere, const Ray<float>& ray) { return distance_to(sphere, ray); };
+  CHECK(wrong_answers(daily, 10) == 0);
+  CHECK(wrong_answers(daily, 1e3) > 0);
+  CHECK(wrong_answers(daily, 1e5) > 100);
+  CHECK(wrong_answers(stable, 1e5) == 0);
+
+  // And where it hits, it is off by up to a whole radius.
+  const Ray<float> ray{{0, 0.5F, 1e5F}, {0, 0, -1}};
+  CHECK(static_cast<double>(abs(seeds::distance_daily(unit_sphere, ray) - 99999.134F)) > 0.5);
+  CHECK(static_cast<double>(abs(distance_to(unit_sphere, ray) - 99999.134F)) < 0.01);
+}
+
+TEST_CASE_TEMPLATE("seed 0's formula agrees with the stable one nearby", Real, float, double, long double) {
+  const Real miss = infinity<Real>;
+  CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 0, 5}, {0, 0, -1}}) == Real(4));
+  CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 0, 5}, {0, 0, -2}}) == Real(2));
+  CHECK(seeds::distance_daily({{1, 0, 0}, 2}, Ray<Real>{{1, 0, 0}, {0, 1, 0}}) == Real(2));
+  CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 0, 5}, {0, 0, 1}}) == miss);
+  CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 2, 5}, {0, 0, -1}}) == miss);
+  CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 0, Real(1.0005)}, {0, 0, -1}}) > Real(1.9));  // its fixed 0.001
+}
+
+/// What became of rays that leave a sphere where another ray has met it.
+struct Secondaries {
+  int hits = 0;          ///< points that were met at all
+  int self_hits = 0;     ///< rays outward that met their own sphere
+  int lost = 0;          ///< rays inward, steeper than the horizon of the lifted point, that found no far side
+  int grazing_lost = 0;  ///< rays inward but flatter: they pass over the sphere, as they should
+  Exact lowest = 1e30L;  ///< lift of the leaving point over the true sphere, in unit roundoffs of |center| + 2 radius
+  Exact highest = 0;
+  Exact point_off = 0;   ///< distance of the hit point from the true sphere, likewise
+  Exact normal_off = 0;  ///< difference of the normal's length from 1, in unit roundoffs
+};
+
+template <class Real>
+Secondaries trace_secondaries(double radius, double away, int rays) {
+  Dice dice;
+  Secondaries seen;
+  for (int i = 0; i < rays; ++i) {
+    const Sphere sphere{dice.direction() * away, radius};
+    const Point eye = sphere.center + dice.direction() * (radius * (3 + 2 * dice.next()));
+    const Point aim = sphere.center + dice.direction() * (radius * 0.7);
+    const Ray<Real> ray{number_cast<Real>(eye), normalize(number_cast<Real>(aim) - number_cast<Real>(eye))};
+    const Real distance = distance_to(sphere, ray);
+    if (!(distance < infinity<Real>)) continue;
+    ++seen.hits;
+    const Hit<Real> hit = hit_at(sphere, ray, distance);
+
+    // The sphere as this number sees it.
+    const Vec3<Real> center = number_cast<Real>(sphere.center);
+    const auto true_radius = static_cast<Exact>(static_cast<Real>(radius));
+    const auto height = [&](const Vec3<Real>& p) {
+      const Vec3<Exact> from{Exact{p.x} - Exact{center.x}, Exact{p.y} - Exact{center.y}, Exact{p.z} - Exact{center.z}};
+      return length(from) - true_radius;
+    };
+    const Exact unit = Exact{unit_roundoff<Real>} * (Exact{largest(center)} + 2 * true_radius);
+    const Exact lift = height(hit.leaving);
+    seen.lowest = std::min(seen.lowest, lift / unit);
+    seen.highest = std::max(seen.highest, lift / unit);
+    seen.point_off = std::max(seen.point_off, abs(height(hit.point)) / unit);
+    seen.normal_off = std::max(seen.normal_off, abs(Exact{length(hit.normal)} - 1) / Exact{unit_roundoff<Real>});
+
+    Vec3<Real> outward = number_cast<Real>(dice.direction());
+    if (dot(outward, hit.normal) < Real(0)) outward = -outward;
+    if (distance_to(sphere, Ray<Real>{hit.leaving, outward}) < infinity<Real>) ++seen.self_hits;
+    if (distance_to(sphere, Ray<Real>{hit.leaving, -outward}) < infinity<Real>) continue;
+    // The horizon of a point at height h lies sqrt(2 h / r) below the horizontal (sqrt(2 h / r + (h / r)^2) when h is large).
+    const Exact h = lift / true_radius;
+    const Exact horizon = sqrt(h * (2 + h)) / (1 + h);
+    ++(Exact{dot(outward, hit.normal)} > Exact{1.5L} * horizon ? seen.lost : seen.grazing_lost);
+  }
+  return seen;
+}
+
+TEST_CASE_TEMPLATE("rays that leave a sphere never meet it, and rays into it find the far side", Real, double, long double) {
+  Secondaries worst;
+  for (const double radius : {1e-6, 1e-4, 1e-3, 1.0, 3.0, 1e3, 1e6}) {
+    for (const double away : {0.0, 1.0, 1e3, 1e5, 1e7}) {
+      CAPTURE(radius);
+      CAPTURE(away);
+      const Secondaries seen = trace_secondaries<Real>(radius, away, 10000);
+      CHECK(seen.hits > 9990);
+      CHECK(seen.self_hits == 0);
+      CHECK(seen.lost == 0);
+      // Where the sphere is no smaller than 1/1000 of its distance from the world's origin, not even the flattest ray is lost.
+      if (away <= 1e3 * radius) CHECK(seen.grazing_lost == 0);
+      worst.lowest = std::min(worst.lowest, seen.lowest);
+      worst.highest = std::max(worst.highest, seen.highest);
+      worst.point_off = std::max(worst.point_off, seen.point_off);
+      worst.normal_off = std::max(worst.normal_off, seen.normal_off);
+    }
+  }
+  MESSAGE("lift from " << static_cast<double>(worst.lowest) << " to " << static_cast<double>(worst.highest) << " unit roundoffs");
+  MESSAGE("worst: hit point " << static_cast<double>(worst.point_off) << ", normal " << static_cast<double>(worst.normal_off));
+  CHECK(worst.lowest >= 12);
+  CHECK(worst.highest <= 20);
+  CHECK(worst.point_off <= 4);
+  CHECK(worst.normal_off <= 6);
+}
+
+TEST_CASE("in float no ray meets the sphere it leaves either, and none is lost but below the horizon of the lifted point") {
+  Secondaries worst;
+  for (const double radius : {1e-6, 1e-4, 1e-3, 1.0, 3.0, 1e3, 1e6}) {
+    for (const double away : {0.0, 1.0, 1e3, 1e5, 1e7}) {
+      CAPTURE(radius);
+      CAPTURE(away);
+      const Secondaries seen = trace_secondaries<float>(radius, away, 2000);
+      CHECK(seen.self_hits == 0);
+      // A sphere that is smaller than the grid of floats around it is no sphere.
+      if (away <= 1e3 * radius) {
+        CHECK(seen.hits > 1990);
+        CHECK(seen.lost == 0);
+      }
+      worst.lowest = std::min(worst.lowest, seen.lowest);
+      worst.highest = std::max(worst.highest, seen.highest);
+    }
+  }
+  MESSAGE("lift from " << static_cast<double>(worst.lowest) << " to " << static_cast<double>(worst.highest) << " unit roundoffs");
+  CHECK(worst.lowest >= 12);
+  CHECK(worst.highest <= 20);
+}
+
+TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them", Real, float, double, long double) {
+  const Sphere sphere{{2, 0, -4}, 2};
+  const Hit<Real> hit = hit_at(sphere, Ray<Real>{{2, 0, 6}, {0, 0, -2}}, Real(4));
+  CHECK(hit.normal.x == Real(0));
+  CHECK(hit.normal.y == Real(0));
+  CHECK(hit.normal.z == Real(1));
+  CHECK(hit.point.x == Real(2));
+  CHECK(hit.point.y == Real(0));
+  CHECK(hit.point.z == Real(-2));
+  CHECK(hit.leaving.x == Real(2));
+  CHECK(hit.leaving.y == Real(0));
+  CHECK(hit.leaving.z > Real(-2));
+  CHECK(hit.leaving.z <= Real(-2) + Real(200) * unit_roundoff<Real>);
+}
+
+TEST_CASE_TEMPLATE("the normal of a sphere far from the world's origin keeps the digits a texture needs", Real, float, double) {
+  // Center and origin are whole numbers, so that every number holds them; the ray runs along -z, so that Pythagoras gives the rest.
+  for (const double away : {0.0, 1e3, 1e6}) {
+    Exact worst = 0;
+    for (int i = -10; i <= 10; ++i) {
+      const Sphere sphere{{away, -away, 0}, 16};
+      const Ray<Real> ray{{static_cast<Real>(away + i), static_cast<Real>(-away), 64}, {0, 0, -1}};
+      const Hit<Real> hit = hit_at(sphere, ray, distance_to(sphere, ray));
+      const Exact x = i / Exact{16};
+      worst = std::max({worst, abs(Exact{hit.normal.x} - x), abs(Exact{hit.normal.z} - sqrt(1 - x * x))});
+      REQUIRE(hit.normal.y == Real(0));
+    }
+    CAPTURE(away);
+    MESSAGE("worst: " << static_cast<double>(worst / Exact{unit_roundoff<Real>}) << " unit roundoffs");
+    CHECK(worst <= 8 * Exact{unit_roundoff<Real>});
+  }
+}
+
+#ifdef TEXMAP_HAVE_PACKS
+TEST_CASE_TEMPLATE("a pack meets in each lane what a single ray meets", T, float, double) {
+  using Many = Pack<T>;
+  const Sphere sphere{{0.5, -0.25, 1}, 1.25};
+  for (int i = 0; i < 500; ++i) {
+    const auto x = [i](std::size_t k) { return static_cast<T>(std::sin(i + 0.7 * static_cast<double>(k))) * 2; };
+    const auto dx = [i](std::size_t k) { return static_cast<T>(std::cos(2 * i + static_cast<double>(k)) * 0.2); };
+    const Ray<Many> rays{{from_lanes<Many>(x), Many(0.25), Many(5)}, {from_lanes<Many>(dx), Many(0), Many(-1)}};
+    const Many distances = distance_to(sphere, rays);
+    const Hit<Many> hits = hit_at(sphere, rays, distances);
+    for (std::size_t k = 0; k < lanes<Many>; ++k) {
+      const Ray<T> ray{{x(k), T(0.25), T(5)}, {dx(k), T(0), T(-1)}};
+      const T distance = distance_to(sphere, ray);
+      REQUIRE(lane(distances, k) == distance);
+      if (distance == infinity<T>) continue;
+      const Hit<T> hit = hit_at(sphere, ray, distance);
+      REQUIRE(lane(hits.normal.x, k) == hit.normal.x);
+      REQUIRE(lane(hits.point.z, k) == hit.point.z);
+      REQUIRE(lane(hits.leaving.y, k) == hit.leaving.y);
+    }
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace texmap

@@ -1,0 +1,87 @@
+// The pictures of all chapters as they should be. TEXMAP_COLLECT=1 writes them anew, to be looked at before they are committed.
+#include <doctest.h>
+
+#include <cstdlib>
+
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "pictures.hpp"
+#include "save_png.hpp"
+
+using namespace texmap;
+
+namespace {
+
+/// Two pictures are the same when at most 0.02 % of their pixels are off by more than one level: what another compiler's or
+/// library's last bit may change, and no more.
+bool same(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height &&
+         static_cast<double>(test::count_different(a, b, 1)) <= 0.0002 * static_cast<double>(a.pixels.size());
+}
+
+std::string file_of(const std::string& name) { return std::string(TEXMAP_TESTS_DIR) + "/golden/" + name + ".png"; }
+
+void check_golden(const std::string& name, const Image& drawn) {
+  if (std::getenv("TEXMAP_COLLECT") != nullptr) {
+    save_png(drawn, file_of(name));
+    MESSAGE("wrote " << file_of(name));
+  }
+  const Image golden = load_image(file_of(name));
+  CAPTURE(name);
+  CHECK(same(drawn, golden));
+  if (drawn != golden) MESSAGE(name << ": " << test::count_different(drawn, golden) << " pixels differ by one level or more");
+#ifdef TEXMAP_REFERENCE_PLATFORM
+  CHECK(drawn == golden);
+#endif
+}
+
+Image sheet() {
+  const auto lesson = test::prepared<chapter_04::Lesson>();
+  CommandLine line("test", "");
+  Studio studio("test", line);
+  studio.prefer_size(1600, 796);
+  return chapter_04::sheet_of_conventions(lesson, studio);
+}
+
+Image lecture(const char* highlight) {
+  const auto lesson = test::prepared<chapter_06::Lesson>(
+      {"--scene", "lecture", "--shininess", "20", "--blend", "0.1", "--highlight", highlight});
+  return test::picture(lesson, 400, 200);
+}
+
+}  // namespace
+
+TEST_CASE("every chapter draws its golden picture") {
+  check_golden("01_plain_spheres", test::picture(chapter_01::Lesson{}));
+  check_golden("02_checkerboard_uv", test::picture(chapter_02::Lesson{}));
+  check_golden("03_image_texture", test::picture(test::prepared<chapter_03::Lesson>()));
+  check_golden("04_uv_conventions", sheet());
+  check_golden("05_y_rotation", test::picture(test::prepared<chapter_05::Lesson>()));
+  check_golden("06_phong_texture_blend", test::picture(test::prepared<chapter_06::Lesson>()));
+  check_golden("06_lecture_phong", lecture("phong"));
+  check_golden("06_lecture_slides", lecture("lecture"));
+}
+
+TEST_CASE("the comparison can fail: neighbouring chapters, a mirrored Earth and half a texel are all refused") {
+  const auto golden = [](const std::string& name) { return load_image(file_of(name)); };
+  CHECK_FALSE(same(golden("01_plain_spheres"), golden("02_checkerboard_uv")));
+  CHECK_FALSE(same(golden("02_checkerboard_uv"), golden("03_image_texture")));
+  CHECK_FALSE(same(golden("03_image_texture"), golden("04_uv_conventions")));
+  CHECK_FALSE(same(golden("04_uv_conventions"), golden("05_y_rotation")));
+  CHECK_FALSE(same(golden("03_image_texture"), golden("05_y_rotation")));
+  CHECK_FALSE(same(golden("05_y_rotation"), golden("06_phong_texture_blend")));
+  CHECK_FALSE(same(golden("06_lecture_phong"), golden("06_lecture_slides")));
+  const Image earth = golden("03_image_texture");
+  CHECK_FALSE(same(test::picture(test::prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})), earth));
+  CHECK_FALSE(same(test::picture(test::prepared<chapter_04::Lesson>({"--convention", "daily"})), earth));
+  CHECK_FALSE(same(test::picture(test::prepared<chapter_04::Lesson>({"--rounding", "lecture"})), earth));
+  auto mirrored = test::prepared<chapter_03::Lesson>();
+  auto& texture = std::get<chapter_03::Textured>(mirrored.objects[chapter_03::middle].paint).texture;
+  texture.image = test::mirrored(texture.image);
+  CHECK_FALSE(same(test::picture(mirrored), earth));
+  CHECK(same(earth, earth));
+}

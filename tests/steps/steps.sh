@@ -1,0 +1,94 @@
+#!/bin/sh
+# The step shown in each chapter's README is the literal difference to the lesson before it; lessons and steps stay small.
+# usage: steps.sh ROOT --check|--write|--self-test
+set -eu
+root=${1:?usage: steps.sh ROOT --check|--write|--self-test}
+mode=${2:---check}
+longest_lesson=80
+largest_median=25
+begin='<!-- step: made by ./course steps --write -->'
+end='<!-- end of step -->'
+
+# The changed lines of two lessons, a blank line between places.
+step_of() {
+  diff -U 0 "$1" "$2" | sed -e '1,2d' -e 's/^@@.*@@.*$//' | sed '1{/^$/d;}' || true
+}
+
+# The README on standard input with the step from file $1 between its marks.
+with_step() {
+  awk -v begin="$begin" -v end="$end" -v step="$1" '
+    $0 == begin { print; print "```diff"; while ((getline line < step) > 0) print line; print "```"; skipping = 1; seen++ }
+    $0 == end { skipping = 0; seen++ }
+    !skipping { print }
+    END { if (seen != 2) exit 3 }'
+}
+
+check() {
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  faults=0
+  before=""
+  : >"$work/sizes"
+  echo "lesson                        lines  changed"
+  for folder in "$1"/chapters/[0-9][0-9]_*/; do
+    name=$(basename "$folder")
+    lines=$(wc -l <"$folder/lesson.hpp")
+    changed=-
+    if [ -n "$before" ]; then
+      step_of "$before" "$folder/lesson.hpp" >"$work/step"
+      changed=$(grep -c '^[-+]' "$work/step" || true)
+      echo "$changed" >>"$work/sizes"
+      if ! with_step "$work/step" <"$folder/README.md" >"$work/readme"; then
+        echo "FAIL: $name/README.md lacks the marks of its step: $begin and $end" >&2
+        faults=$((faults + 1))
+      elif ! cmp -s "$work/readme" "$folder/README.md"; then
+        if [ "$2" = --write ]; then
+          cp "$work/readme" "$folder/README.md"
+        else
+          echo "FAIL: $name/README.md shows another step than the lessons have: run ./course steps --write" >&2
+          faults=$((faults + 1))
+        fi
+      fi
+    fi
+    printf '%-28s %6d %8s\n' "$name" "$lines" "$changed"
+    if [ "$lines" -gt "$longest_lesson" ]; then
+      echo "FAIL: $name/lesson.hpp has $lines lines, more than $longest_lesson" >&2
+      faults=$((faults + 1))
+    fi
+    before="$folder/lesson.hpp"
+  done
+  count=$(wc -l <"$work/sizes")
+  if [ "$count" -eq 0 ]; then
+    echo "FAIL: no steps found" >&2
+    return 1
+  fi
+  median=$(sort -n "$work/sizes" | sed -n "$(((count + 1) / 2))p")
+  echo "median step: $median changed lines"
+  if [ "$median" -gt "$largest_median" ]; then
+    echo "FAIL: the median step is larger than $largest_median lines" >&2
+    faults=$((faults + 1))
+  fi
+  [ "$faults" -eq 0 ]
+}
+
+# A tree with one line changed behind the README's back must be refused.
+self_test() {
+  copy=$(mktemp -d)
+  mkdir "$copy/chapters"
+  cp -R "$root"/chapters/0[12]_* "$copy/chapters/"
+  (check "$copy" --check) >/dev/null || { rm -rf "$copy"; echo "FAIL: the untouched copy is refused"; return 1; }
+  echo '// one more line' >>"$copy/chapters/02_checkerboard_uv/lesson.hpp"
+  if (check "$copy" --check) >/dev/null 2>&1; then
+    rm -rf "$copy"
+    echo "FAIL: a changed lesson is not noticed"
+    return 1
+  fi
+  rm -rf "$copy"
+  echo "a changed lesson is noticed"
+}
+
+case "$mode" in
+  --check | --write) check "$root" "$mode" ;;
+  --self-test) self_test ;;
+  *) echo "usage: steps.sh ROOT --check|--write|--self-test" >&2; exit 2 ;;
+esac

@@ -1,0 +1,106 @@
+// What the chapter tests do with pictures: draw a lesson, count differences, average a crop.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "nearest.hpp"
+#include "studio.hpp"
+
+namespace texmap::test {
+
+/// The lesson as its program prepares it when the user types these words.
+template <class Lesson>
+[[nodiscard]] Lesson prepared(std::vector<std::string> words = {}) {
+  Lesson lesson;
+  CommandLine line("test", "");
+  lesson.options(line);
+  Studio studio("test", line);
+  std::vector<const char*> typed = {"test"};
+  for (const std::string& word : words) typed.push_back(word.c_str());
+  if (!line.parse(static_cast<int>(typed.size()), typed.data())) throw std::runtime_error("no picture was asked for");
+  lesson.prepare(studio);
+  return lesson;
+}
+
+template <class Real = double, class Lesson>
+[[nodiscard]] Image picture(const Lesson& lesson, int width = 800, int height = 600) {
+  return render<Real>(lesson, view_of(lesson.stage.camera, width, height));
+}
+
+/// The largest difference of a channel between two pixels.
+[[nodiscard]] inline int levels_apart(Rgb8 a, Rgb8 b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// How many pixels differ by more than `levels`; all of them where the sizes differ.
+[[nodiscard]] inline long count_different(const Image& a, const Image& b, int levels = 0) {
+  if (a.width != b.width || a.height != b.height) return static_cast<long>(std::max(a.pixels.size(), b.pixels.size()));
+  long count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) count += levels_apart(a.pixels[i], b.pixels[i]) > levels ? 1 : 0;
+  return count;
+}
+
+/// The index of the object seen at each pixel's center, -1 for the sky.
+template <class Lesson>
+[[nodiscard]] std::vector<int> objects_seen(const Lesson& lesson, int width = 800, int height = 600) {
+  const View view = view_of(lesson.stage.camera, width, height);
+  std::vector<int> seen;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const Ray<double> ray = ray_through<double>(view, column, row);
+      seen.push_back(static_cast<int>(find_nearest(lesson.objects, ray).index));
+    }
+  }
+  return seen;
+}
+
+/// The step contract: how many pixels differ although the object seen there is not among those that may change.
+template <class Allowed>
+[[nodiscard]] long changed_elsewhere(const Image& before, const Image& after, const std::vector<int>& seen, const Allowed& allowed) {
+  long count = 0;
+  for (std::size_t i = 0; i < before.pixels.size(); ++i) {
+    const bool may_change = std::find(allowed.begin(), allowed.end(), seen[i]) != allowed.end();
+    count += before.pixels[i] != after.pixels[i] && !may_change ? 1 : 0;
+  }
+  return count;
+}
+
+struct Mean {
+  double r = 0, g = 0, b = 0;
+};
+
+/// The mean of each channel, in levels, over a rectangle.
+[[nodiscard]] inline Mean mean_of(const Image& image, int left, int top, int width, int height) {
+  Mean sum;
+  for (int row = top; row < top + height; ++row) {
+    for (int column = left; column < left + width; ++column) {
+      const Rgb8 p = image.at(column, row);
+      sum = {sum.r + p.r, sum.g + p.g, sum.b + p.b};
+    }
+  }
+  const double count = static_cast<double>(width) * height;
+  return {sum.r / count, sum.g / count, sum.b / count};
+}
+
+[[nodiscard]] inline Image upside_down(const Image& image) {
+  Image turned = image;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) turned.at(column, row) = image.at(column, image.height - 1 - row);
+  }
+  return turned;
+}
+
+[[nodiscard]] inline Image mirrored(const Image& image) {
+  Image turned = image;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) turned.at(column, row) = image.at(image.width - 1 - column, row);
+  }
+  return turned;
+}
+
+}  // namespace texmap::test

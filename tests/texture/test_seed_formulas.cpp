@@ -1,0 +1,141 @@
+// Tests of common/texture/seed_formulas.hpp: the seeds' formulas as they are, with the places where they fail.
+#include <doctest.h>
+
+#include "seed_formulas.hpp"
+#include "texel.hpp"
+#include "uv.hpp"
+
+namespace texmap {
+namespace {
+
+template <class Real>
+bool close(const Uv<Real>& uv, double u, double v) {
+  const Real tolerance = Real(2) * std::numeric_limits<Real>::epsilon();
+  return abs(uv.u - static_cast<Real>(u)) <= tolerance && abs(uv.v - static_cast<Real>(v)) <= tolerance;
+}
+
+TEST_CASE_TEMPLATE("the seeds put the axes where their programs do", Real, float, double, long double) {
+  struct Row {
+    Vec3<Real> p;
+    double daily_u, daily_v, book_u, lecture_u, up_v;
+  };
+  const Row table[] = {
+      {{0, 0, 1}, 0.75, 0.5, 0.25, 0, 0.5},
+      {{1, 0, 0}, 0.5, 0.5, 0.5, 0.25, 0.5},
+      {{0, 0, -1}, 0.25, 0.5, 0.75, 0.5, 0.5},
+      {{0, 1, 0}, 0.5, 0, 0.5, 0, 1},
+      {{0, -1, 0}, 0.5, 1, 0.5, 0, 0},
+      {{Real(0.6L), Real(0), Real(0.8L)}, 0.6475836176504333, 0.5, 0.3524163823495667, 0.1024163823495667, 0.5},
+  };
+  for (const Row& row : table) {
+    CAPTURE(row.p.x);
+    CAPTURE(row.p.y);
+    CAPTURE(row.p.z);
+    CHECK(close(seeds::uv_daily(row.p), row.daily_u, row.daily_v));
+    CHECK(close(seeds::uv_one_weekend_2020(row.p), row.book_u, row.up_v));
+    // Seed 2's -z makes a pole's +0 a -0; atan2 then still gives a zero, as x is +0.
+    CHECK(close(seeds::uv_next_week_v4(row.p), row.book_u, row.up_v));
+    CHECK(close(seeds::uv_lecture(row.p), row.lecture_u, row.up_v));
+  }
+  CHECK(close(seeds::uv_lecture(Vec3<Real>{-1, 0, 0}), 0.75, 0.5));
+}
+
+TEST_CASE_TEMPLATE("only seed 0 normalizes its vector", Real, float, double, long double) {
+  const Vec3<Real> p{1, 2, 3};
+  const Uv<Real> uv = uv_rtiow(p);
+  CHECK(abs(seeds::uv_daily(p).u - (Real(1) - uv.u)) <= Real(2) * std::numeric_limits<Real>::epsilon());
+  CHECK(abs(seeds::uv_daily(p).v - (Real(1) - uv.v)) <= Real(2) * std::numeric_limits<Real>::epsilon());
+  const Real next_week = seeds::uv_next_week_v4(p).v;
+  CHECK(next_week != next_week);
+}
+
+TEST_CASE_TEMPLATE("a step beyond the pole seeds 1, 2 and 4 have no v, where the stable formula has one", Real, float, double,
+                   long double) {
+  for (const Real pole : {std::nextafter(Real(1), Real(2)), -std::nextafter(Real(1), Real(2))}) {
+    const Vec3<Real> p{0, pole, 0};
+    const Real book_2020 = seeds::uv_one_weekend_2020(p).v;
+    const Real book_v4 = seeds::uv_next_week_v4(p).v;
+    const Real lecture = seeds::uv_lecture(p).v;
+    CHECK(book_2020 != book_2020);
+    CHECK(book_v4 != book_v4);
+    CHECK(lecture != lecture);
+    CHECK(uv_rtiow(p).v == (pole > Real(0) ? Real(1) : Real(0)));
+  }
+}
+
+TEST_CASE_TEMPLATE("at the seam all seeds reach u = 1, where the stable formula stays below", Real, float, double, long double) {
+  const Real tiny = std::numeric_limits<Real>::denorm_min();
+  CHECK(seeds::uv_daily(Vec3<Real>{-1, 0, 0}).u == Real(1));
+  CHECK(seeds::uv_one_weekend_2020(Vec3<Real>{-1, 0, -Real(0)}).u == Real(1));
+  CHECK(seeds::uv_next_week_v4(Vec3<Real>{-1, 0, -Real(0)}).u == Real(1));
+  CHECK(seeds::uv_lecture(Vec3<Real>{-tiny, 0, 1}).u == Real(1));
+  CHECK(uv_rtiow(Vec3<Real>{-1, 0, -Real(0)}).u == Real(0));
+  CHECK(uv_rtiow(Vec3<Real>{-1, 0, -tiny}).u == below_one<Real>);
+}
+
+TEST_CASE("beside the pole seed 2's rows are quantized in float, and the stable ones are not") {
+  // 1 - 2^-24 is the first float below the pole; with the true x it is a thousandth of a row away, or half a row.
+  const Vec3<float> p{1e-6F, -1, 0};
+  const double exact = 1e-6 / std::numbers::pi;
+  CHECK(seeds::uv_next_week_v4(p).v == 0);
+  CHECK(static_cast<double>(uv_rtiow(p).v) == doctest::Approx(exact).epsilon(1e-6));
+}
+
+TEST_CASE("seed 3 mirrors negative coordinates, where a repeating image goes on") {
+  CHECK(seeds::index_triangle(-0.1, 8192) == 819);
+  CHECK(seeds::index_triangle(-0.1F, 8192) == 819);
+  CHECK(wrapped_index(-0.1, 8192) == 7372);
+  CHECK(seeds::index_triangle(0.1, 8192) == 819);
+  CHECK(seeds::index_triangle(1.1, 8192) == 819);
+  CHECK(seeds::index_triangle(1.0, 8192) == 0);
+  CHECK(seeds::index_triangle(0.5, 3) == 1);
+}
+
+TEST_CASE_TEMPLATE("on the edges between rows seeds 1 and 4 count then turn over, and seed 2 turns over then counts", Real, float,
+                   double, long double) {
+  constexpr int n = 4096;
+  int one_weekend = 0;
+  int next_week = 0;
+  for (int k = 0; k <= n; ++k) {
+    const Real v = static_cast<Real>(k) / Real(n);
+    const int row = n - 1 - static_cast<int>(texel_index(v, n));
+    if (seeds::row_one_weekend_2020(v, n) != row) ++one_weekend;
+    if (seeds::row_next_week_v4(v, n) != row) ++next_week;
+  }
+  CHECK(one_weekend == 0);
+  CHECK(next_week == 4095);
+}
+
+TEST_CASE_TEMPLATE("off the edges seeds 1 and 2 find the same rows", Real, float, double, long double) {
+  constexpr int n = 4096;
+  int different = 0;
+  for (int k = 0; k < n; ++k) {
+    const Real v = (static_cast<Real>(k) + Real(0.5)) / Real(n);
+    if (seeds::row_one_weekend_2020(v, n) != n - 1 - k) ++different;
+    if (seeds::row_next_week_v4(v, n) != n - 1 - k) ++different;
+  }
+  CHECK(different == 0);
+}
+
+TEST_CASE("rows of the seeds obey their table") {
+  CHECK(seeds::row_one_weekend_2020(0.0, 10) == 9);
+  CHECK(seeds::row_one_weekend_2020(1.0, 10) == 0);
+  CHECK(seeds::row_one_weekend_2020(2.0, 10) == 0);
+  CHECK(seeds::row_one_weekend_2020(-1.0, 10) == 9);
+  CHECK(seeds::row_one_weekend_2020(0.5, 10) == 4);
+  // Its 0.001 is too much here: 0.95 of a row up, less than a thousandth below the edge.
+  CHECK(seeds::row_one_weekend_2020(0.49995, 10) == 4);
+  CHECK(seeds::row_one_weekend_2020(0.4998, 10) == 5);
+  CHECK(seeds::row_next_week_v4(0.0, 10) == 9);
+  CHECK(seeds::row_next_week_v4(1.0, 10) == 0);
+  CHECK(seeds::row_next_week_v4(2.0, 10) == 0);
+  CHECK(seeds::row_next_week_v4(-1.0, 10) == 9);
+  CHECK(seeds::row_next_week_v4(0.5, 10) == 5);
+  CHECK(seeds::row_lecture(0.0, 10) == 9);
+  CHECK(seeds::row_lecture(0.5, 10) == 5);
+  CHECK(seeds::row_lecture(below_one<double>, 10) == 1);
+  CHECK(seeds::row_lecture(1.0, 10) == 0);
+}
+
+}  // namespace
+}  // namespace texmap
