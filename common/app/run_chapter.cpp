@@ -1,9 +1,13 @@
 // Runs a chapter: turns what went wrong into a message and an exit status.
 #include "run_chapter.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "standard_streams.hpp"
 
@@ -12,7 +16,17 @@ namespace {
 
 void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_str(), stderr); }
 
+/// Called without an exception when there is not even the memory to throw one.
+[[noreturn]] void give_up() {
+  if (std::current_exception()) std::abort();
+  constexpr std::string_view words = "error: not enough memory\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
+  _exit(1);
+}
+
 }  // namespace
+
+void expect_little_memory() { std::set_terminate(give_up); }
 
 int run_guarded(const CommandLine& line, const std::function<void()>& body) {
   secure_standard_streams();

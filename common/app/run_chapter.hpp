@@ -9,6 +9,10 @@
 
 namespace texmap {
 
+/// Makes running out of memory end with a message and status 1 even where none is left to throw an exception with.
+/// Called before anything else.
+void expect_little_memory();
+
 /// Calls `body` and turns what it throws into a message on stderr and an exit status: 1 for failures, 2 for a wrong command line.
 [[nodiscard]] int run_guarded(const CommandLine& line, const std::function<void()>& body);
 
@@ -21,6 +25,7 @@ namespace texmap {
 ///   show(Studio&)           what to draw and save, if it is not one picture of the lesson.
 template <class Lesson>
 [[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
+  expect_little_memory();
   CommandLine line(chapter, Lesson::idea);
   return run_guarded(line, [&] {
     Lesson lesson;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rotation.hpp"
+#include "save_png.hpp"
 #include "studio.hpp"
 
 namespace texmap {
@@ -32,6 +33,7 @@ struct RotationOptions {
 /// @param rotation  the globe's, inside `lesson`; each picture sets it anew from the first angle, so that no error adds up
 template <class Lesson>
 void save_turntable(Studio& studio, const Lesson& lesson, const RotationOptions& turn, RotationY& rotation) {
+  for (int frame = 0; frame < turn.frames; ++frame) check_output(studio.file_name(numbered(frame)));
   for (int frame = 0; frame < turn.frames; ++frame) {
     rotation = rotation_y(turn.degrees + 360.0 * frame / turn.frames);
     studio.save(studio.draw(lesson), numbered(frame));

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -35,7 +34,7 @@ void for_each_row(int rows, int threads, const std::function<void(int, int)>& fi
   std::vector<std::thread> helpers;
   try {
     while (static_cast<int>(helpers.size()) + 1 < std::min(wanted, rows)) helpers.emplace_back(take_rows);
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     // The system gives no more threads: those there are, this one at least, draw everything.
   }
   take_rows();

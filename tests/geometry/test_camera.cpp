@@ -96,7 +96,8 @@ TEST_CASE("the field of view is the angle between the lower and the upper edge, 
       const Point bottom = ray_through(view, middle, 5.5).direction;
       CAPTURE(fov);
       CAPTURE(width);
-      CHECK(std::atan2(length(cross(top, bottom)), dot(top, bottom)) * 180 / std::numbers::pi == doctest::Approx(fov).epsilon(1e-13));
+      CHECK(std::atan2(length(cross(top, bottom)), dot(top, bottom)) * 180 / std::numbers::pi ==
+            doctest::Approx(fov).epsilon(1e-13));
       CHECK(view.half_width * 6 == doctest::Approx(view.half_height * width).epsilon(1e-15));
     }
   }

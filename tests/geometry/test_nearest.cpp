@@ -17,7 +17,9 @@ struct Thing {
 };
 
 /// Three spheres one behind the other on the z axis, and one beside them.
-std::vector<Thing> row_of_things() { return {{{{0, 0, 0}, 1}, 1}, {{{0, 0, -10}, 2}, 2}, {{{0, 0, 5}, 0.5}, 3}, {{{8, 0, 0}, 1}, 4}}; }
+std::vector<Thing> row_of_things() {
+  return {{{{0, 0, 0}, 1}, 1}, {{{0, 0, -10}, 2}, 2}, {{{0, 0, 5}, 0.5}, 3}, {{{8, 0, 0}, 1}, 4}};
+}
 
 template <class Real>
 const Ray<Real> along_z{{0, 0, 20}, {0, 0, -1}};
@@ -57,8 +59,8 @@ TEST_CASE_TEMPLATE("of two objects in one place the first in the list is seen", 
   CHECK(find_nearest(twins, along_z<Real>).index == Real(0));
 }
 
-TEST_CASE_TEMPLATE("an object is in the way if it begins before the distance, and not if it begins there or beyond", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE("an object is in the way if it begins before the distance, and not if it begins there or beyond", Real,
+                   float, double, long double) {
   const auto things = row_of_things();
   CHECK(is_occluded(things, along_z<Real>, Real(15)));
   CHECK(is_occluded(things, along_z<Real>, infinity<Real>));
@@ -69,7 +71,8 @@ TEST_CASE_TEMPLATE("an object is in the way if it begins before the distance, an
   CHECK(is_occluded(things, Ray<Real>{{0, 0, -20}, {0, 0, 1}}, Real(9)));
 }
 
-TEST_CASE_TEMPLATE("the color along a ray is that of the first object, shaded once at its hit", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the color along a ray is that of the first object, shaded once at its hit", Real, float, double,
+                   long double) {
   int asked = 0;
   const auto background = [](const Ray<Real>&) { return gray(Real(0.25)); };
   const auto shade = [&asked](const Thing& thing, const Hit<Real>& hit) {

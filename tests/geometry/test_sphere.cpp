@@ -13,6 +13,12 @@ namespace {
 
 using Exact = long double;
 
+/// A number with room for the digits of the reference.
+template <class Number>
+Exact widened(Number x) {
+  return static_cast<Exact>(x);
+}
+
 /// The distance from `got` to the exact value in steps of Real.
 template <class Real>
 Exact ulps(Real got, Exact exact) {
@@ -38,7 +44,8 @@ struct Dice {
 
 const Sphere unit_sphere{{0, 0, 0}, 1};
 
-TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, beside and on the sphere", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, beside and on the sphere", Real, float, double,
+                   long double) {
   const Real miss = infinity<Real>;
   struct Row {
     const char* what;
@@ -125,12 +132,21 @@ TEST_CASE_TEMPLATE("distances keep their digits from 1 to 100000 radii away", Re
       const Ray<Real> ray{{0, height, static_cast<Real>(away)}, {0, 0, -1}};
       const Real distance = distance_to(unit_sphere, ray);
       if ((distance < infinity<Real>) != (height < Real(1))) ++wrong;
-      if (height < Real(0.99)) worst = std::max(worst, ulps(distance, from_pythagoras(height, static_cast<Real>(away))));
+      if (height < Real(0.99))
+        worst = std::max(worst, ulps(distance, from_pythagoras(widened(height), widened(static_cast<Real>(away)))));
     }
     CAPTURE(away);
     MESSAGE("worst: " << static_cast<double>(worst) << " ulps at " << away << " radii");
     CHECK(wrong == 0);
     CHECK(worst <= (away < 2 ? 64 : 8));
+  }
+}
+
+TEST_CASE_TEMPLATE("a ray that starts a hair above the sphere knows how thick the hair is", Real, float, double, long double) {
+  for (const long double hair : {1e-1L, 1e-3L, 1e-6L}) {
+    const Real start = static_cast<Real>(1 + hair);
+    CHECK(ulps(distance_to(unit_sphere, Ray<Real>{{0, 0, start}, {0, 0, -1}}), widened(start - Real(1))) <= 2);
+    CHECK(ulps(distance_to(unit_sphere, Ray<Real>{{0, -start, 0}, {0, 1, 0}}), widened(start - Real(1))) <= 2);
   }
 }
 
@@ -197,15 +213,16 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
     const Vec3<Real> center = number_cast<Real>(sphere.center);
     const auto true_radius = static_cast<Exact>(static_cast<Real>(radius));
     const auto height = [&](const Vec3<Real>& p) {
-      const Vec3<Exact> from{Exact{p.x} - Exact{center.x}, Exact{p.y} - Exact{center.y}, Exact{p.z} - Exact{center.z}};
+      const Vec3<Exact> from{widened(p.x) - widened(center.x), widened(p.y) - widened(center.y),
+                             widened(p.z) - widened(center.z)};
       return length(from) - true_radius;
     };
-    const Exact unit = Exact{unit_roundoff<Real>} * (Exact{largest(center)} + 2 * true_radius);
+    const Exact unit = widened(unit_roundoff<Real>) * (widened(largest(center)) + 2 * true_radius);
     const Exact lift = height(hit.leaving);
     seen.lowest = std::min(seen.lowest, lift / unit);
     seen.highest = std::max(seen.highest, lift / unit);
     seen.point_off = std::max(seen.point_off, abs(height(hit.point)) / unit);
-    seen.normal_off = std::max(seen.normal_off, abs(Exact{length(hit.normal)} - 1) / Exact{unit_roundoff<Real>});
+    seen.normal_off = std::max(seen.normal_off, abs(widened(length(hit.normal)) - 1) / widened(unit_roundoff<Real>));
 
     Vec3<Real> outward = number_cast<Real>(dice.direction());
     if (dot(outward, hit.normal) < Real(0)) outward = -outward;
@@ -214,7 +231,7 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
     // The horizon of a point at height h lies sqrt(2 h / r) below the horizontal (sqrt(2 h / r + (h / r)^2) when h is large).
     const Exact h = lift / true_radius;
     const Exact horizon = sqrt(h * (2 + h)) / (1 + h);
-    ++(Exact{dot(outward, hit.normal)} > Exact{1.5L} * horizon ? seen.lost : seen.grazing_lost);
+    ++(widened(dot(outward, hit.normal)) > widened(1.5L) * horizon ? seen.lost : seen.grazing_lost);
   }
   return seen;
 }
@@ -237,7 +254,8 @@ TEST_CASE_TEMPLATE("rays that leave a sphere never meet it, and rays into it fin
       worst.normal_off = std::max(worst.normal_off, seen.normal_off);
     }
   }
-  MESSAGE("lift from " << static_cast<double>(worst.lowest) << " to " << static_cast<double>(worst.highest) << " unit roundoffs");
+  MESSAGE("lift from " << static_cast<double>(worst.lowest) << " to " << static_cast<double>(worst.highest)
+                       << " unit roundoffs");
   MESSAGE("worst: hit point " << static_cast<double>(worst.point_off) << ", normal " << static_cast<double>(worst.normal_off));
   CHECK(worst.lowest >= 12);
   CHECK(worst.highest <= 20);
@@ -262,12 +280,14 @@ TEST_CASE("in float no ray meets the sphere it leaves either, and none is lost b
       worst.highest = std::max(worst.highest, seen.highest);
     }
   }
-  MESSAGE("lift from " << static_cast<double>(worst.lowest) << " to " << static_cast<double>(worst.highest) << " unit roundoffs");
+  MESSAGE("lift from " << static_cast<double>(worst.lowest) << " to " << static_cast<double>(worst.highest)
+                       << " unit roundoffs");
   CHECK(worst.lowest >= 12);
   CHECK(worst.highest <= 20);
 }
 
-TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them", Real, float, double,
+                   long double) {
   const Sphere sphere{{2, 0, -4}, 2};
   const Hit<Real> hit = hit_at(sphere, Ray<Real>{{2, 0, 6}, {0, 0, -2}}, Real(4));
   CHECK(hit.normal.x == Real(0));
@@ -283,20 +303,21 @@ TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where g
 }
 
 TEST_CASE_TEMPLATE("the normal of a sphere far from the world's origin keeps the digits a texture needs", Real, float, double) {
-  // Center and origin are whole numbers, so that every number holds them; the ray runs along -z, so that Pythagoras gives the rest.
+  // Center and origin are whole numbers, so that every number holds them; the ray runs along -z, so that Pythagoras gives the
+  // rest.
   for (const double away : {0.0, 1e3, 1e6}) {
     Exact worst = 0;
     for (int i = -10; i <= 10; ++i) {
-      const Sphere sphere{{away, -away, 0}, 16};
-      const Ray<Real> ray{{static_cast<Real>(away + i), static_cast<Real>(-away), 64}, {0, 0, -1}};
+      const Sphere sphere{{away, -away, away}, 16};
+      const Ray<Real> ray{{static_cast<Real>(away + i), static_cast<Real>(-away), static_cast<Real>(away + 64)}, {0, 0, -1}};
       const Hit<Real> hit = hit_at(sphere, ray, distance_to(sphere, ray));
-      const Exact x = i / Exact{16};
-      worst = std::max({worst, abs(Exact{hit.normal.x} - x), abs(Exact{hit.normal.z} - sqrt(1 - x * x))});
+      const Exact x = i / widened(16);
+      worst = std::max({worst, abs(widened(hit.normal.x) - x), abs(widened(hit.normal.z) - sqrt(1 - x * x))});
       REQUIRE(hit.normal.y == Real(0));
     }
     CAPTURE(away);
-    MESSAGE("worst: " << static_cast<double>(worst / Exact{unit_roundoff<Real>}) << " unit roundoffs");
-    CHECK(worst <= 8 * Exact{unit_roundoff<Real>});
+    MESSAGE("worst: " << static_cast<double>(worst / widened(unit_roundoff<Real>)) << " unit roundoffs");
+    CHECK(worst <= 8 * widened(unit_roundoff<Real>));
   }
 }
 

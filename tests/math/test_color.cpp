@@ -54,7 +54,8 @@ TEST_CASE_TEMPLATE("a color mixed with itself stays itself, to the bit and to th
   CHECK(changed_bytes == 0);
 }
 
-TEST_CASE_TEMPLATE("mix shows the byte of the first color at 0 and of the second at 1, for all pairs", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("mix shows the byte of the first color at 0 and of the second at 1, for all pairs", Real, float, double,
+                   long double) {
   int wrong = 0;
   for (int first = 0; first < 256; ++first) {
     for (int second = 0; second < 256; ++second) {

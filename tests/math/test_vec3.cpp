@@ -44,8 +44,8 @@ TEST_CASE_TEMPLATE("the vector product follows the right-hand rule", Real, float
   CHECK(equal(cross(Vec3<Real>{1, 2, 3}, {4, -5, 6}), {27, 6, -13}));
 }
 
-TEST_CASE_TEMPLATE("the vector product is at a right angle to both, to the last bit for small whole numbers", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("the vector product is at a right angle to both, to the last bit for small whole numbers", Real, float,
+                   double, long double) {
   for (int i = 0; i < 1000; ++i) {
     const auto digit = [i](int k) { return static_cast<Real>((i * k) % 19 - 9); };
     const Vec3<Real> a{digit(1), digit(3), digit(7)};
@@ -69,7 +69,8 @@ TEST_CASE("a length is exact over the range its comment promises") {
   CHECK(length(Point{3e-150, 4e-150, 0}) == doctest::Approx(5e-150).epsilon(1e-15));
 }
 
-TEST_CASE_TEMPLATE("largest finds the largest coordinate in size, whatever its sign and place", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("largest finds the largest coordinate in size, whatever its sign and place", Real, float, double,
+                   long double) {
   const Real max = std::numeric_limits<Real>::max();
   CHECK(largest(Vec3<Real>{-7, 2, 3}) == Real(7));
   CHECK(largest(Vec3<Real>{2, -7, 3}) == Real(7));
@@ -108,7 +109,8 @@ TEST_CASE_TEMPLATE("select takes whole vectors", Real, float, double, long doubl
 }
 
 TEST_CASE_TEMPLATE("number_cast keeps each coordinate in its place and rounds once", Real, float, double, long double) {
-  CHECK(equal(number_cast<Real>(Point{0.1, 0.2, 0.3}), {static_cast<Real>(0.1), static_cast<Real>(0.2), static_cast<Real>(0.3)}));
+  CHECK(
+      equal(number_cast<Real>(Point{0.1, 0.2, 0.3}), {static_cast<Real>(0.1), static_cast<Real>(0.2), static_cast<Real>(0.3)}));
 }
 
 }  // namespace

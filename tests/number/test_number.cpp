@@ -48,8 +48,8 @@ TEST_CASE_TEMPLATE("larger and smaller obey their table", Real, float, double, l
     Real a, b, large, small;
   };
   const Row table[] = {
-      {1, 2, 2, 1},       {2, 1, 2, 1},         {-1, 1, 1, -1},    {-2, -1, -1, -2},
-      {3, 3, 3, 3},       {-inf, inf, inf, -inf}, {0, inf, inf, 0}, {-inf, 0, 0, -inf},
+      {1, 2, 2, 1}, {2, 1, 2, 1},           {-1, 1, 1, -1},   {-2, -1, -1, -2},
+      {3, 3, 3, 3}, {-inf, inf, inf, -inf}, {0, inf, inf, 0}, {-inf, 0, 0, -inf},
   };
   for (const Row& row : table) {
     CHECK(larger(row.a, row.b) == row.large);

@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long 
     char square;
   };
   const Row table[] = {
-      {0, 0, 'e'},      {0.125, 0.125, 'e'}, {0.25, 0, 'o'},   {0, 0.25, 'o'},      {0.25, 0.25, 'e'},  {0.375, 0.125, 'o'},
+      {0, 0, 'e'},      {0.125, 0.125, 'e'}, {0.25, 0, 'o'},   {0, 0.25, 'o'},      {0.25, 0.25, 'e'},   {0.375, 0.125, 'o'},
       {0.5, 0.25, 'o'}, {0.5, 0.5, 'e'},     {0.75, 0.5, 'o'}, {0.875, 0.875, 'e'}, {0.125, 0.875, 'o'}, {1, 0, 'e'},
   };
   for (const Row& row : table) {
@@ -64,8 +64,8 @@ TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Rea
   CHECK(square_at(board, Real(-0.5), Real(-1.5)) == 'o');
 }
 
-TEST_CASE_TEMPLATE("an even number of squares alternates across the seam, and an odd one puts two alike side by side", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE("an even number of squares alternates across the seam, and an odd one puts two alike side by side", Real,
+                   float, double, long double) {
   for (int squares = 1; squares <= 40; ++squares) {
     const Checkerboard board{even, odd, static_cast<double>(squares)};
     CAPTURE(squares);

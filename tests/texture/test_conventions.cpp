@@ -1,8 +1,10 @@
-// Tests of common/texture/conventions.hpp: how the seeds lay (u, v) on a sphere, and how one way becomes another.
+// Tests of common/texture/conventions.hpp and rotated.hpp: how the seeds lay (u, v) on a sphere, and how one way becomes
+// another.
 #include <doctest.h>
 
 #include "conventions.hpp"
 #include "pack.hpp"
+#include "rotated.hpp"
 #include "seed_formulas.hpp"
 
 namespace texmap {
@@ -37,9 +39,9 @@ TEST_CASE_TEMPLATE("the axes have their exact places in each convention", Real, 
     Place daily, rtiow, lecture;
   };
   const Row table[] = {
-      {{-1, 0, 0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}},  {{0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
+      {{-1, 0, 0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}},    {{0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
       {{1, 0, 0}, {0.5, 0.5}, {0.5, 0.5}, {0.25, 0.5}}, {{0, 0, -1}, {0.25, 0.5}, {0.75, 0.5}, {0.5, 0.5}},
-      {{0, 1, 0}, {0.5, 0}, {0.5, 1}, {0.25, 1}},     {{0, -1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 0}},
+      {{0, 1, 0}, {0.5, 0}, {0.5, 1}, {0.25, 1}},       {{0, -1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 0}},
       {{-1, 0, -0.0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}}, {{-0.0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
   };
   for (const Row& row : table) {
@@ -144,7 +146,8 @@ TEST_CASE("a quarter turn moves every texel center by a quarter of the picture, 
         for (int row = 0; row < rows; ++row) {
           const double longitude = 2 * std::numbers::pi * (column + 0.5) / n;
           const double latitude = std::numbers::pi * ((row + 0.5) / rows - 0.5);
-          const Point p{-std::cos(latitude) * std::cos(longitude), std::sin(latitude), std::cos(latitude) * std::sin(longitude)};
+          const Point p{-std::cos(latitude) * std::cos(longitude), std::sin(latitude),
+                        std::cos(latitude) * std::sin(longitude)};
           const int before = static_cast<int>(texel_index(uv_of(convention, p).u, n));
           const int after = static_cast<int>(texel_index(turned(p).u, n));
           if (after != (before + (direction * quarter + 4) * (n / 4)) % n) ++wrong;

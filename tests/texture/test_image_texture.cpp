@@ -96,12 +96,13 @@ TEST_CASE_TEMPLATE("a picture of one texel is that color everywhere", Real, floa
   }
 }
 
-TEST_CASE_TEMPLATE("rows are found first and turned over then, so every edge between rows belongs to the row above it in v", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE("rows are found first and turned over then, so every edge between rows belongs to the row above it in v",
+                   Real, float, double, long double) {
   // A column of 4096 texels that tell their row.
   constexpr int rows = 4096;
   Image image(1, rows);
-  for (int row = 0; row < rows; ++row) image.at(0, row) = {static_cast<std::uint8_t>(row / 256), static_cast<std::uint8_t>(row % 256), 0};
+  for (int row = 0; row < rows; ++row)
+    image.at(0, row) = {static_cast<std::uint8_t>(row / 256), static_cast<std::uint8_t>(row % 256), 0};
   const auto row_at = [](const Color<Real>& color) {
     return static_cast<int>(std::lround(color.r * Real(255))) * 256 + static_cast<int>(std::lround(color.g * Real(255)));
   };
@@ -124,8 +125,10 @@ TEST_CASE_TEMPLATE("a pack reads its own texel in each lane", T, float, double) 
     for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
       const ImageTexture texture{image, axis, rounding};
       for (int start = 0; start < 60; ++start) {
-        const auto u = from_lanes<Pack<T>>([start](std::size_t i) { return static_cast<T>((start + 7 * static_cast<int>(i)) % 61) / T(60); });
-        const auto v = from_lanes<Pack<T>>([start](std::size_t i) { return static_cast<T>((3 * start + 23 * static_cast<int>(i)) % 61) / T(60); });
+        const auto u = from_lanes<Pack<T>>(
+            [start](std::size_t i) { return static_cast<T>((start + 7 * static_cast<int>(i)) % 61) / T(60); });
+        const auto v = from_lanes<Pack<T>>(
+            [start](std::size_t i) { return static_cast<T>((3 * start + 23 * static_cast<int>(i)) % 61) / T(60); });
         const Color<Pack<T>> colors = texture(Uv<Pack<T>>{u, v});
         for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
           const Color<T> color = texture(Uv<T>{lane(u, i), lane(v, i)});

@@ -30,8 +30,8 @@ TEST_CASE_TEMPLATE("texels are half-open: each holds its lower edge", Real, floa
     int n, index;
   };
   const Row table[] = {
-      {0, 4, 0},     {0.125, 4, 0}, {0.25, 4, 1},   {0.375, 4, 1}, {0.5, 4, 2}, {0.75, 4, 3},
-      {0.875, 4, 3}, {0, 1, 0},     {0.999, 1, 0},  {0.5, 2, 1},   {0.5, 3, 1}, {0.75, 3, 2},
+      {0, 4, 0},     {0.125, 4, 0}, {0.25, 4, 1},  {0.375, 4, 1}, {0.5, 4, 2}, {0.75, 4, 3},
+      {0.875, 4, 3}, {0, 1, 0},     {0.999, 1, 0}, {0.5, 2, 1},   {0.5, 3, 1}, {0.75, 3, 2},
   };
   for (const Row& row : table) {
     CAPTURE(row.u);
@@ -67,7 +67,8 @@ TEST_CASE("every pattern of 32 bits is a coordinate that is safe to index with")
     bits = bits * 1664525U + 1013904223U;
     const auto u = std::bit_cast<float>(bits);
     // The conversions themselves are what the sanitizer watches.
-    const int indices[] = {static_cast<int>(texel_index(u, 8192)), static_cast<int>(texel_index(u, 8192, TexelRounding::lecture)),
+    const int indices[] = {static_cast<int>(texel_index(u, 8192)),
+                           static_cast<int>(texel_index(u, 8192, TexelRounding::lecture)),
                            static_cast<int>(wrapped_index(u, 8192))};
     for (const int index : indices) {
       if (index < 0 || index > 8191) ++outside;
@@ -86,12 +87,14 @@ TEST_CASE("every texel has the same share of the coordinates, first and last too
   }
 }
 
-TEST_CASE_TEMPLATE("the lecture's rounding gives n - 1 texels a share and the last one none", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the lecture's rounding gives n - 1 texels a share and the last one none", Real, float, double,
+                   long double) {
   struct Row {
     double u;
     int n, index;
   };
-  const Row table[] = {{0, 5, 0}, {0.25, 5, 1}, {0.2, 5, 0}, {0.5, 5, 2}, {0.99, 5, 3}, {1, 5, 4}, {0.5, 1, 0}, {1, 1, 0}, {0.5, 2, 0}, {1, 2, 1}};
+  const Row table[] = {{0, 5, 0}, {0.25, 5, 1}, {0.2, 5, 0}, {0.5, 5, 2}, {0.99, 5, 3},
+                       {1, 5, 4}, {0.5, 1, 0},  {1, 1, 0},   {0.5, 2, 0}, {1, 2, 1}};
   for (const Row& row : table) {
     CAPTURE(row.u);
     CHECK(texel_index(static_cast<Real>(row.u), row.n, TexelRounding::lecture) == static_cast<Real>(row.index));
@@ -111,7 +114,7 @@ TEST_CASE_TEMPLATE("a repeating image has u and u + 1 at one place", Real, float
     double u;
     int index;
   };
-  const Row table[] = {{-0.1, 7372}, {1.1, 819},  {-1e-9, 8191}, {0, 0},        {1, 0},         {-1, 0},
+  const Row table[] = {{-0.1, 7372}, {1.1, 819},   {-1e-9, 8191}, {0, 0},        {1, 0},           {-1, 0},
                        {0.5, 4096},  {-0.5, 4096}, {2.25, 2048},  {-3.75, 2048}, {1000000.5, 4096}};
   for (const Row& row : table) {
     CAPTURE(row.u);

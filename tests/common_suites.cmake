@@ -1,0 +1,27 @@
+# The suites that prove the common code: one file a header, grouped by layer as common/ is.
+
+add_suite(number/test_number USES number LABELS common)
+add_suite(number/test_pack USES number LABELS common)
+
+add_suite(math/test_vec3 USES math LABELS common)
+add_suite(math/test_color USES render LABELS common)  # a mixed color is also followed to its byte
+add_suite(math/test_rotation USES texture LABELS common)  # and a rotation to its u
+
+add_suite(geometry/test_sphere USES texture LABELS common)  # a far sphere's error shows in (u, v)
+add_suite(geometry/test_camera USES geometry LABELS common)
+add_suite(geometry/test_nearest USES geometry LABELS common)
+
+add_suite(texture/test_uv USES texture LABELS common)
+add_suite(texture/test_texel USES texture LABELS common)
+add_suite(texture/test_checkerboard USES texture LABELS common)
+add_suite(texture/test_image_texture USES texture LABELS common)
+add_suite(texture/test_conventions USES texture LABELS common)
+add_suite(texture/test_seed_formulas USES texture LABELS common)
+
+add_suite(shading/test_light USES shading LABELS common)
+add_suite(shading/test_phong USES shading LABELS common)
+add_suite(shading/test_sky USES shading LABELS common)
+add_suite(shading/test_painted USES shading texture LABELS common)
+
+add_suite(render/test_render USES render LABELS common)
+add_suite(render/test_threads USES render LABELS common)
