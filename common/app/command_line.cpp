@@ -104,8 +104,18 @@ void CommandLine::flag(std::string_view name, bool& value, std::string_view help
   add({std::string(name), "", std::string(help), "", [&value](std::string_view) { value = true; }});
 }
 
+void CommandLine::positional(std::string_view name, std::string& value, std::string_view help) {
+  positionals_.push_back({std::string(name), "", std::string(help), "", [&value, name = std::string(name)](std::string_view typed) {
+                            if (typed.empty()) throw UsageError(name + " must not be empty");
+                            value = typed;
+                          }});
+}
+
+void CommandLine::statuses(std::string_view text) { statuses_ = text; }
+
 bool CommandLine::parse(int argc, const char* const* argv) const {
   typed_.clear();
+  auto awaited = positionals_.begin();
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--help" || word == "-h") {
@@ -115,6 +125,12 @@ bool CommandLine::parse(int argc, const char* const* argv) const {
     if (word == "--version") {
       print(program_ + " " TEXMAP_VERSION " (Texture Mapping, Step by Step)\n");
       return false;
+    }
+    if (awaited != positionals_.end() && word.substr(0, 1) != "-") {
+      awaited->read(word);
+      typed_.push_back(awaited->name);
+      ++awaited;
+      continue;
     }
     // --name=value is accepted as well as --name value.
     const auto equals = word.substr(0, 2) == "--" ? word.find('=') : std::string_view::npos;
@@ -136,15 +152,22 @@ bool CommandLine::parse(int argc, const char* const* argv) const {
       throw UsageError(option->name + " needs a value: " + option->name + " " + option->placeholder);
     }
   }
+  if (awaited != positionals_.end()) throw UsageError(awaited->name + " is missing");
   return true;
 }
 
 bool CommandLine::typed(std::string_view name) const { return std::find(typed_.begin(), typed_.end(), name) != typed_.end(); }
 
-std::string CommandLine::usage() const { return "usage: " + program_ + " [options]     (" + program_ + " --help lists them)"; }
+std::string CommandLine::call() const {
+  std::string text = "usage: " + program_;
+  for (const Option& word : positionals_) text += " " + word.name;
+  return text + " [options]";
+}
+
+std::string CommandLine::usage() const { return call() + "     (" + program_ + " --help lists them)"; }
 
 std::string CommandLine::help() const {
-  std::string text = program_ + ": " + purpose_ + "\n\nusage: " + program_ + " [options]\n\n";
+  std::string text = program_ + ": " + purpose_ + "\n\n" + call() + "\n\n";
   constexpr std::size_t indent = 34;
   const auto line = [&text](std::string left, const std::string& right) {
     left = "  " + left;
@@ -155,13 +178,14 @@ std::string CommandLine::help() const {
     left.resize(indent, ' ');
     text += left + right + "\n";
   };
+  for (const Option& word : positionals_) line(word.name, word.help);
   for (const Option& option : options_) {
     const std::string preset = option.preset.empty() ? "" : " (default: " + option.preset + ")";
     line(option.placeholder.empty() ? option.name : option.name + " " + option.placeholder, option.help + preset);
   }
   line("--help", "show this help and stop");
   line("--version", "show the version and stop");
-  text += "\nexit status: 0 the picture is on disk; 1 it could not be made; 2 the command line is wrong\n";
+  text += "\nexit status: " + statuses_ + "\n";
   return text;
 }
 

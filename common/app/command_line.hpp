@@ -63,6 +63,14 @@ class CommandLine {
          }});
   }
 
+  /// A word without an option, such as a file to read; they are typed in the order of these calls, and none may be missing.
+  ///
+  /// @param name  how the usage line calls it
+  void positional(std::string_view name, std::string& value, std::string_view help);
+
+  /// What the help says about exit statuses, for programs whose result is not a picture.
+  void statuses(std::string_view text);
+
   /// Reads what the user typed.
   ///
   /// @return  false when --help or --version was asked for and answered on stdout: nothing is left to do
@@ -85,11 +93,14 @@ class CommandLine {
     std::function<void(std::string_view)> read;
   };
   void add(Option option);
+  [[nodiscard]] std::string call() const;
   [[noreturn]] static void refuse(std::string_view option, std::string_view expected, std::string_view typed);
 
   std::string program_;
   std::string purpose_;
+  std::string statuses_ = "0 the picture is on disk; 1 it could not be made; 2 the command line is wrong";
   std::vector<Option> options_;
+  std::vector<Option> positionals_;
   mutable std::vector<std::string> typed_;
 };
 

@@ -15,6 +15,19 @@
 namespace texmap {
 namespace {
 
+// Adds the name of the file to what goes wrong with it.
+template <class Work>
+void with_name(const std::string& path, Work work) {
+  try {
+    work();
+  } catch (const Refusal& refusal) {
+    // Up to a zero byte, if the name has one: what() ends there.
+    throw ImageError(std::string("cannot write '") + path.c_str() + "': " + refusal.what());
+  }
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> encode_png(const Image& image) {
   if (image.width < 0 || image.height < 0) throw Refusal("its size is negative");
   // stb_image_write counts bytes in an int, which the limits on the size keep from overflowing.
@@ -32,19 +45,6 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   }
   return bytes;
 }
-
-// Adds the name of the file to what goes wrong with it.
-template <class Work>
-void with_name(const std::string& path, Work work) {
-  try {
-    work();
-  } catch (const Refusal& refusal) {
-    // Up to a zero byte, if the name has one: what() ends there.
-    throw ImageError(std::string("cannot write '") + path.c_str() + "': " + refusal.what());
-  }
-}
-
-}  // namespace
 
 void check_output(const std::string& path) {
   with_name(path, [&] { check_writable(path); });

@@ -1,6 +1,8 @@
 // From a picture to a PNG file.
 #pragma once
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "image.hpp"
 #include "image_error.hpp"
@@ -12,6 +14,12 @@ namespace texmap {
 /// @param path  a new file in a folder that exists, a file to replace, or a device
 /// Errors: ImageError `cannot write 'F': why`.
 void check_output(const std::string& path);
+
+/// The bytes of a picture as a PNG file of 8 bits a channel.
+///
+/// @param image  1 to 16384 pixels a side, 2^26 in all
+/// Errors: Refusal with the reason; std::bad_alloc.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image);
 
 /// Writes a picture as a PNG file of 8 bits a channel; the file is there as a whole or not at all.
 ///

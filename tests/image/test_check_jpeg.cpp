@@ -214,14 +214,12 @@ TEST_CASE("a code that ends several blocks at once ends exactly as many as it sa
 }
 
 TEST_CASE("a coefficient that was sent takes a bit each time its block is made finer") {
-  // The first scan sends one coefficient, 10 and a bit, then ends the block. Finer: the end, 0, and the bit of the one.
-  const File before = joined({scan(0, 0, 0, {0x00}), scan(1, 63, 1, {0x80})});
-  const auto finer = [&](const File& bits) {
-    return outcome(coded(0x01, 0x70, 0xC2, 1, joined({before, scan(1, 63, 0x10, bits)})));
-  };
-  CHECK(finer({0x00}) != "the JPEG file is cut short or damaged: its pixels end too early");
-  // 110 and seven bits end 128 blocks or more: two bytes with the end, and the bit for the coefficient is the eleventh.
-  CHECK(finer({0xDF}) == "the JPEG file is cut short or damaged: its pixels end too early");
+  // Each block sends one coefficient, 10 and a bit, and its end, 0. Made finer it takes two bits: a byte is enough for 4
+  // blocks.
+  const File before = joined({scan(0, 0, 0, {0x00}), scan(1, 63, 1, {0xAA, 0xAA, 0xA0})});
+  const File all = joined({before, scan(1, 63, 0x10, {0x00})});
+  CHECK(outcome(coded(0x01, 2, 0xC2, 4, all)).substr(0, 8) == "it loads");
+  CHECK(outcome(coded(0x01, 2, 0xC2, 5, all)) == "the JPEG file is cut short or damaged: its pixels end too early");
 }
 
 TEST_CASE("a file that visits more blocks than its size can need is refused") {
@@ -246,6 +244,13 @@ TEST_CASE("a restart marker begins the constant part and the empty blocks anew")
   const File file = joined(
       {start, quantization(), wide_codes(15, 1, 2), frame(0xC0, 8, 16), segment(0xDD, {0, 1}), scan(0, 63, 0, data), end});
   CHECK(outcome(file) == "it loads, but not as grey");
+  // The first block says that the next ones are empty too, and the restart takes that back: the second needs a code.
+  for (const bool complete : {true, false}) {
+    const File second = complete ? File{0x00} : File{};
+    const File scans = joined({scan(0, 0, 0, {0x7F, 0xFF, 0xD0, 0x7F}), scan(1, 63, 0, joined({{0x80, 0xFF, 0xD0}, second}))});
+    const std::string said = outcome(coded(0x20, 2, 0xC2, 2, joined({segment(0xDD, {0, 1}), scans})));
+    CHECK(said == (complete ? "it loads" : "the JPEG file is cut short or damaged: its pixels end too early"));
+  }
   // A whole byte before the marker that no code has used.
   const File spare =
       joined({start, tables, frame(0xC0, 8, 16), segment(0xDD, {0, 1}), scan(0, 63, 0, {0x3F, 0x3F, 0xFF, 0xD0, 0x3F}), end});

@@ -133,6 +133,8 @@ TEST_CASE("a name that is nowhere is an error that lists every place in order") 
   const std::string without = error_of_finding(name);
   CHECK(without.find("/an/empty/place") == std::string::npos);
   CHECK(said.substr(0, without.size()) == without);
+  setenv(variable, "", 1);
+  CHECK(error_of_finding(name) == without);
 }
 
 TEST_CASE("the assets of the build come first of all assets") {

@@ -54,13 +54,14 @@ TEST_CASE_TEMPLATE("a color mixed with itself stays itself, to the bit and to th
   CHECK(changed_bytes == 0);
 }
 
-TEST_CASE_TEMPLATE("mix shows the byte of the first color at 0 and of the second at 1, for all pairs", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("mix is the first color at 0 and the second at 1, to the bit and to the byte, for all pairs", Real, float,
+                   double, long double) {
   int wrong = 0;
   for (int first = 0; first < 256; ++first) {
     for (int second = 0; second < 256; ++second) {
       const Color<Real> a = gray(static_cast<Real>(first) / Real(255));
       const Color<Real> b = gray(static_cast<Real>(second) / Real(255));
+      if (!equal(mix(a, b, Real(0)), a) || !equal(mix(a, b, Real(1)), b)) ++wrong;
       if (byte_of(static_cast<double>(mix(a, b, Real(0)).r)) != first) ++wrong;
       if (byte_of(static_cast<double>(mix(a, b, Real(1)).r)) != second) ++wrong;
     }

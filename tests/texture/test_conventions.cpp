@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, 
     const Uv<Real> daily = uv_of(Convention::daily, p);
     const Uv<Real> lecture = uv_of(Convention::lecture, p);
     // In long double these are exact, and one rounding to Real is all that may differ.
-    const long double u = book.u;
+    const auto u = static_cast<long double>(book.u);
     const long double flipped = u == 0 ? 0 : 1 - u;
     const long double turned = u < 0.25L ? u + 0.75L : u - 0.25L;
     if (daily.u != std::min(static_cast<Real>(flipped), below_one<Real>)) ++wrong;
