@@ -1,4 +1,4 @@
-// Chapter 01: four plain spheres, a lamp, its shadows and a sky.
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Chapter 02: texture coordinates (u, v), made visible by a checkerboard.
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-// Chapter 03: a picture wrapped round the middle sphere.
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <array>
 #include <vector>
@@ -38,12 +38,8 @@ struct Lesson {
   };
   TextureFile texture{"earth.png"};
 
-  void options(CommandLine& line) {
-    texture.declare(line);
-  }
-  void prepare(Studio&) {
-    objects[middle].paint = Textured{{}, {texture.load()}};
-  }
+  void options(CommandLine& line) { texture.declare(line); }
+  void prepare(Studio&) { objects[middle].paint = Textured{{}, {texture.load()}}; }
 
   /// The color seen along a ray.
   template <class Real>

@@ -1,4 +1,4 @@
-// Chapter 04: where a picture begins on the sphere, and which way it runs.
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <array>
 #include <vector>
@@ -46,9 +46,7 @@ struct Lesson {
     texture.declare(line);
     layout.declare(line);
   }
-  void prepare(Studio&) {
-    objects[middle].paint = Textured{{layout.convention}, layout.lay_out(texture)};
-  }
+  void prepare(Studio&) { objects[middle].paint = Textured{{layout.convention}, layout.lay_out(texture)}; }
   void show(Studio& studio) const {
     if (studio.typed("--convention") || studio.typed("--rounding")) return studio.save(studio.draw(*this));
     show_conventions(*this, studio);

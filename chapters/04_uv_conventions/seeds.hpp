@@ -34,8 +34,8 @@ inline constexpr std::array<Seed, 4> seeds_compared = {{
   return {-std::cos(longitude) * std::cos(latitude), std::sin(latitude), std::sin(longitude) * std::cos(latitude)};
 }
 
-/// +1 where a picture laid on by `formula` reads as printed, -1 where it is mirrored: the sign of the Jacobian of (u, up) against
-/// (east, north) at one place, by differences. `up` is v, or -v where v runs down the picture.
+/// +1 where a picture laid on by `formula` reads as printed, -1 where it is mirrored: the sign of the Jacobian of (u, up)
+/// against (east, north) at one place, by differences. `up` is v, or -v where v runs down the picture.
 [[nodiscard]] inline int handedness(const Seed& seed) {
   constexpr double east = 0.4;
   constexpr double north = 0.6;
@@ -51,14 +51,19 @@ inline constexpr std::array<Seed, 4> seeds_compared = {{
 /// A relation between two conventions, and the largest error with which it holds.
 struct Relation {
   std::string text;
-  double residual = 0;   ///< in turns for u, in half turns for v
+  double residual = 0;  ///< in turns for u, in half turns for v
 };
 
 /// The exact relations, measured with the seeds' own formulas in double on 100,000 directions spread evenly over the sphere.
 /// Between u = 0 and u = 1, which are one meridian, the distance is counted the short way round.
 [[nodiscard]] inline std::array<Relation, 6> measure_relations() {
   std::array<Relation, 6> relations = {{
-      {"u1 = u2"}, {"u2 = 1 - u0"}, {"u4 = frac(u2 - 1/4)"}, {"v1 = v2"}, {"v2 = 1 - v0"}, {"v4 = v2"},
+      {"u1 = u2"},
+      {"u2 = 1 - u0"},
+      {"u4 = frac(u2 - 1/4)"},
+      {"v1 = v2"},
+      {"v2 = 1 - v0"},
+      {"v4 = v2"},
   }};
   const auto round_the_circle = [](double a, double b) { return std::abs((a - b) - std::round(a - b)); };
   constexpr int count = 100000;
@@ -72,9 +77,9 @@ struct Relation {
     const Uv<double> s1 = seeds::uv_one_weekend_2020(p);
     const Uv<double> s2 = seeds::uv_next_week_v4(p);
     const Uv<double> s4 = seeds::uv_lecture(p);
-    const std::array<double, 6> errors = {round_the_circle(s1.u, s2.u),     round_the_circle(s2.u, 1 - s0.u),
+    const std::array<double, 6> errors = {round_the_circle(s1.u, s2.u),        round_the_circle(s2.u, 1 - s0.u),
                                           round_the_circle(s4.u, s2.u - 0.25), std::abs(s1.v - s2.v),
-                                          std::abs(s2.v - (1 - s0.v)),     std::abs(s4.v - s2.v)};
+                                          std::abs(s2.v - (1 - s0.v)),         std::abs(s4.v - s2.v)};
     for (std::size_t k = 0; k < errors.size(); ++k) relations[k].residual = std::max(relations[k].residual, errors[k]);
   }
   return relations;

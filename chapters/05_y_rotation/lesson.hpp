@@ -1,4 +1,4 @@
-// Chapter 05: the globe turns about its axis.
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-// Chapter 06: a highlight on the globe, and its picture blended with the light.
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <array>
 #include <vector>

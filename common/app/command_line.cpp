@@ -74,7 +74,8 @@ double parse_decimal(std::string_view option, std::string_view text, double low,
   return value;
 }
 
-CommandLine::CommandLine(std::string program, std::string purpose) : program_(std::move(program)), purpose_(std::move(purpose)) {}
+CommandLine::CommandLine(std::string program, std::string purpose)
+    : program_(std::move(program)), purpose_(std::move(purpose)) {}
 
 void CommandLine::add(Option option) { options_.push_back(std::move(option)); }
 
@@ -89,7 +90,9 @@ void CommandLine::whole(std::string_view name, int& value, int low, int high, st
 
 void CommandLine::decimal(std::string_view name, double& value, double low, double high, std::string_view help) {
   add({std::string(name), "X", std::string(help), shown(value),
-       [&value, low, high, name = std::string(name)](std::string_view typed) { value = parse_decimal(name, typed, low, high); }});
+       [&value, low, high, name = std::string(name)](std::string_view typed) {
+         value = parse_decimal(name, typed, low, high);
+       }});
 }
 
 void CommandLine::text(std::string_view name, std::string_view placeholder, std::string& value, std::string_view help) {
@@ -105,10 +108,11 @@ void CommandLine::flag(std::string_view name, bool& value, std::string_view help
 }
 
 void CommandLine::positional(std::string_view name, std::string& value, std::string_view help) {
-  positionals_.push_back({std::string(name), "", std::string(help), "", [&value, name = std::string(name)](std::string_view typed) {
-                            if (typed.empty()) throw UsageError(name + " must not be empty");
-                            value = typed;
-                          }});
+  positionals_.push_back(
+      {std::string(name), "", std::string(help), "", [&value, name = std::string(name)](std::string_view typed) {
+         if (typed.empty()) throw UsageError(name + " must not be empty");
+         value = typed;
+       }});
 }
 
 void CommandLine::statuses(std::string_view text) { statuses_ = text; }

@@ -52,7 +52,8 @@ class CommandLine {
       listed += word;
       if (meaning == value) preset = word;
     }
-    add({std::string(name), listed, std::string(help), preset, [&value, words, listed, name = std::string(name)](std::string_view typed) {
+    add({std::string(name), listed, std::string(help), preset,
+         [&value, words, listed, name = std::string(name)](std::string_view typed) {
            for (const auto& [word, meaning] : words) {
              if (typed == word) {
                value = meaning;
@@ -87,9 +88,9 @@ class CommandLine {
  private:
   struct Option {
     std::string name;
-    std::string placeholder;   // empty for a flag
+    std::string placeholder;  // empty for a flag
     std::string help;
-    std::string preset;        // the default, for the help; may be empty
+    std::string preset;  // the default, for the help; may be empty
     std::function<void(std::string_view)> read;
   };
   void add(Option option);

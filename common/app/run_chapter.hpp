@@ -13,7 +13,8 @@ namespace texmap {
 /// Called before anything else.
 void expect_little_memory();
 
-/// Calls `body` and turns what it throws into a message on stderr and an exit status: 1 for failures, 2 for a wrong command line.
+/// Calls `body` and turns what it throws into a message on stderr and an exit status: 1 for failures, 2 for a wrong command
+/// line.
 [[nodiscard]] int run_guarded(const CommandLine& line, const std::function<void()>& body);
 
 /// A chapter's whole main program.

@@ -64,9 +64,8 @@ std::string Studio::file_name(std::string_view suffix) const {
 Image Studio::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
   Progress progress(!quiet);
   const auto start = std::chrono::steady_clock::now();
-  Image image = work({.samples = samples, .threads = threads, .progress = [&progress](int done, int total) {
-                        progress.report(done, total);
-                      }});
+  Image image = work(
+      {.samples = samples, .threads = threads, .progress = [&progress](int done, int total) { progress.report(done, total); }});
   milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   rays_ += rays;
   return image;

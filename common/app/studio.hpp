@@ -17,13 +17,13 @@ class Studio {
   /// @param chapter  its folder's name, such as 02_checkerboard_uv; the picture's default name comes from it
   Studio(std::string_view chapter, CommandLine& line);
 
-  std::string out;      ///< where the picture goes
-  int width = 800;      ///< pixels
-  int height = 600;     ///< pixels
-  int samples = 1;      ///< rays a pixel
-  int threads = 0;      ///< 0: all cores
+  std::string out;   ///< where the picture goes
+  int width = 800;   ///< pixels
+  int height = 600;  ///< pixels
+  int samples = 1;   ///< rays a pixel
+  int threads = 0;   ///< 0: all cores
   Number number = Number::double_;
-  bool quiet = false;   ///< no progress and no line on success
+  bool quiet = false;  ///< no progress and no line on success
 
   /// True when the user gave this option.
   [[nodiscard]] bool typed(std::string_view option) const { return line_.typed(option); }
@@ -60,8 +60,8 @@ class Studio {
 
   std::string default_out_;
   CommandLine& line_;
-  double milliseconds_ = 0;   // spent drawing since the last save
-  double rays_ = 0;           // drawn since the last save
+  double milliseconds_ = 0;  // spent drawing since the last save
+  double rays_ = 0;          // drawn since the last save
 };
 
 }  // namespace texmap

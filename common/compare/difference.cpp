@@ -31,16 +31,39 @@ struct Sums {
   }
 };
 
-/// The mean over the compared pixels of what `rows` gives row by row.
-template <class Rows>
-double mean_of(const Image& mask, double pixels_compared, const Rows& rows) {
+/// Sums of one row of values a time, so that the rounding of long sums stays small.
+struct Mean {
   double sum = 0;
-  rows([&](int row, std::span<const double> values) {
+  std::size_t count = 0;
+
+  /// Adds the compared values from column `first` up to, not including, `end`.
+  void add(const Image& mask, int row, std::span<const double> values, int first, int end) {
     double sum_of_row = 0;
-    for (std::size_t x = 0; x < values.size(); ++x) sum_of_row += is_compared(mask, static_cast<int>(x), row) ? values[x] : 0;
+    for (int x = first; x < end; ++x) {
+      if (!is_compared(mask, x, row)) continue;
+      sum_of_row += values[static_cast<std::size_t>(x)];
+      ++count;
+    }
     sum += sum_of_row;
+  }
+  [[nodiscard]] double value() const { return sum / static_cast<double>(count); }
+};
+
+double mean_ssim(const Image& a, const Image& b, const Image& mask) {
+  Mean all, inside;
+  ssim_rows(a, b, [&](int row, std::span<const double> values) {
+    all.add(mask, row, values, 0, a.width);
+    if (row < ssim_window_radius || row >= a.height - ssim_window_radius) return;
+    inside.add(mask, row, values, ssim_window_radius, a.width - ssim_window_radius);
   });
-  return sum / pixels_compared;
+  return inside.count > 0 ? inside.value() : all.value();
+}
+
+double mean_flip(const Image& a, const Image& b, const Image& mask) {
+  Mean all;
+  flip_rows(a, b, usual_pixels_per_degree,
+            [&](int row, std::span<const double> values) { all.add(mask, row, values, 0, a.width); });
+  return all.value();
 }
 
 /// `b` with the pixels of `a` where they are not compared.
@@ -112,8 +135,8 @@ Figures measure(const Image& a, const Image& b, const Image& mask) {
   figures.peak_signal_to_noise = 20 * std::log10(255 / figures.root_mean_square_error);
   figures.box = {left, top, right - left + 1, bottom - top + 1};
   const Image second = with_left_out_equal(a, b, mask);
-  figures.structural_similarity = mean_of(mask, pixels, [&](const TakeRow& take) { ssim_rows(a, second, take); });
-  figures.flip = mean_of(mask, pixels, [&](const TakeRow& take) { flip_rows(a, second, usual_pixels_per_degree, take); });
+  figures.structural_similarity = mean_ssim(a, second, mask);
+  figures.flip = mean_flip(a, second, mask);
   return figures;
 }
 

@@ -41,7 +41,7 @@ struct Figures {
   double mean_absolute_error = 0;     ///< levels, mean of |a - b| over pixels and channels
   double root_mean_square_error = 0;  ///< levels, the root of the mean of (a - b)^2 over pixels and channels
   double peak_signal_to_noise = 0;    ///< dB, 20 log10(255 / root_mean_square_error); infinity if the pictures are equal
-  double structural_similarity = 1;   ///< mean of ssim_rows, -1 to 1; 1 if equal
+  double structural_similarity = 1;   ///< mean of ssim_rows over windows inside the picture, -1 to 1; 1 if equal
   double flip = 0;                    ///< mean of flip_rows at usual_pixels_per_degree, 0 to 1; 0 if equal
   double mean_a = 0, mean_b = 0;      ///< levels, mean over pixels and channels of each picture
 
@@ -60,6 +60,10 @@ struct Figures {
 void check_sizes(const Image& a, const Image& b, const Image& mask = {});
 
 /// Compares two pictures.
+///
+/// SSIM is, as in its paper, the mean over the compared pixels whose window lies inside the picture, those at least 5 pixels
+/// from its edges: the figure of scikit-image's structural_similarity with gaussian_weights, sigma 1.5 and without sample
+/// covariance. If there are no such pixels, as in a picture of 10 by 10, it is the mean over all compared pixels.
 ///
 /// What is left out by the mask is equal by every figure: for SSIM and FLIP, whose values depend on the pixels around, the left
 /// out pixels of `b` are taken from `a`, and their own values are not in the mean.

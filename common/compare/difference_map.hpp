@@ -4,7 +4,7 @@
 
 namespace texmap {
 
-/// The color for a difference, on a scale from nearly black through blue, grey and olive to bright yellow.
+/// The color for a difference, on a scale from a dark blue through grey and sand to bright yellow.
 ///
 /// Each doubling of `levels` + 1 is one eighth of the scale, so that one level is seen on black, and every map has the same
 /// scale and can be held against any other. In L*a*b* the scale is a straight line walked at constant speed: equal steps look

@@ -50,7 +50,7 @@ Matrix xyz_from_rgb() {
   const Triple blue = xyz_of_chromaticity(0.15, 0.06);
   Matrix matrix{};
   for (std::size_t i = 0; i < 3; ++i) matrix[i] = {red[i], green[i], blue[i]};
-  const Triple amounts = times(inverse(matrix), xyz_of_chromaticity(0.3127, 0.3290));
+  const Triple amounts = times(inverse(matrix), xyz_of_chromaticity(0.31271, 0.32902));
   for (Triple& row : matrix) {
     for (std::size_t j = 0; j < 3; ++j) row[j] *= amounts[j];
   }

@@ -7,7 +7,6 @@
 namespace texmap {
 namespace {
 
-constexpr int window_radius = 5;      // pixels
 constexpr double window_sigma = 1.5;  // pixels
 constexpr double stabilizer_1 = (0.01 * 255) * (0.01 * 255);
 constexpr double stabilizer_2 = (0.03 * 255) * (0.03 * 255);
@@ -16,12 +15,12 @@ constexpr std::array<std::uint8_t Rgb8::*, 3> channels = {&Rgb8::r, &Rgb8::g, &R
 }  // namespace
 
 void ssim_rows(const Image& a, const Image& b, const TakeRow& take) {
-  const Kernel window = bell(window_sigma, window_radius);
+  const Kernel window = bell(window_sigma, ssim_window_radius);
   const auto blurred = [&window](const Plane& plane) { return filtered_down(filtered_across(plane, window), window); };
-  const std::vector<int> columns = with_repeated_edges(0, a.width, window_radius, a.width);
+  const std::vector<int> columns = with_repeated_edges(0, a.width, ssim_window_radius, a.width);
   const auto wide = static_cast<int>(columns.size());
 
-  for_each_band(a.height, window_radius, [&](const Band& band) {
+  for_each_band(a.height, ssim_window_radius, [&](const Band& band) {
     const std::vector<int> rows = with_repeated_edges(band.first, band.rows, band.margin, a.height);
     const auto high = static_cast<int>(rows.size());
     Plane similarity(a.width, band.rows);

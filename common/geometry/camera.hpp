@@ -11,7 +11,7 @@ enum class PixelAnchor { center, corner };
 struct Camera {
   Point eye;
   Point target;
-  double fov_y_degrees = 60;                    ///< angle from the lower to the upper edge of the picture, 0 to 180
+  double fov_y_degrees = 60;  ///< angle from the lower to the upper edge of the picture, 0 to 180
   PixelAnchor anchor = PixelAnchor::center;
 };
 
@@ -21,11 +21,11 @@ struct View {
   Point forward;
   Point right;
   Point up;
-  double half_width = 1;    ///< tangent of half the horizontal angle of view
-  double half_height = 1;   ///< tangent of half the vertical one
+  double half_width = 1;   ///< tangent of half the horizontal angle of view
+  double half_height = 1;  ///< tangent of half the vertical one
   int width = 0;
   int height = 0;
-  double anchor = 0.5;      ///< from a pixel's corner to the point its coordinates name, in pixels
+  double anchor = 0.5;  ///< from a pixel's corner to the point its coordinates name, in pixels
 };
 
 /// @param width, height  of the picture, in pixels, at least 1

@@ -7,8 +7,8 @@ namespace texmap {
 /// The first object that a ray meets.
 template <class Real>
 struct Nearest {
-  Real distance = infinity<Real>;   ///< +infinity for a miss
-  Real index = Real(-1);            ///< its place in the list of objects, -1 for a miss; a number, so that packs can compare it
+  Real distance = infinity<Real>;  ///< +infinity for a miss
+  Real index = Real(-1);           ///< its place in the list of objects, -1 for a miss; a number, so that packs can compare it
 };
 
 /// @param objects  a list of objects, each with a `sphere`

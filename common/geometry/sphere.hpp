@@ -58,9 +58,10 @@ template <class Real>
 ///
 /// The normal is formed from the center and never from the point in the world: subtracting a far center from a point near it
 /// would leave few of the digits that a texture needs. The point in the world is formed on the way that rounds less: along the
-/// ray, or from the center outward. `leaving` is lifted by 8 unit roundoffs of |center| + 2 radius, more than all roundings
+/// ray, or from the center outward. `leaving` is lifted by 16 unit roundoffs of |center| + 2 radius, more than all roundings
 /// since could move it: a bound, where a fixed 0.001 is too much for a small sphere and too little for a large one.
-/// Source: hit points relative to the object after pbrt-v4, section 6.8; the bound is measured in tests/geometry/test_sphere.cpp.
+/// Source: hit points relative to the object after pbrt-v4, section 6.8; the bound is measured in
+/// tests/geometry/test_sphere.cpp.
 template <class Real>
 [[nodiscard]] Hit<Real> hit_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
   const Real radius = Real(sphere.radius);

@@ -15,7 +15,8 @@ struct Vec3 {
   }
 };
 
-/// A point or direction of a scene. Scenes are written in double; `number_cast` turns them into the number a picture is drawn with.
+/// A point or direction of a scene. Scenes are written in double; `number_cast` turns them into the number a picture is drawn
+/// with.
 using Point = Vec3<double>;
 
 template <class Real>

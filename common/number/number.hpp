@@ -19,9 +19,9 @@ using std::sqrt;
 /// What differs between one number and a pack of numbers.
 template <class Real>
 struct NumberTraits {
-  using Scalar = Real;                      ///< the number in one lane
-  using Mask = bool;                        ///< what a comparison gives
-  static constexpr std::size_t lanes = 1;   ///< numbers worked on at once
+  using Scalar = Real;                     ///< the number in one lane
+  using Mask = bool;                       ///< what a comparison gives
+  static constexpr std::size_t lanes = 1;  ///< numbers worked on at once
 };
 
 template <class Real>

@@ -10,15 +10,15 @@ namespace texmap {
 
 /// The scenes that can be drawn with a highlight.
 enum class PhongScene {
-  stage,     ///< seed 0's four spheres
-  lecture,   ///< seed 4's globe over a yellow ground
+  stage,    ///< seed 0's four spheres
+  lecture,  ///< seed 4's globe over a yellow ground
 };
 
 /// What the user can say about light and texture.
 struct PhongOptions {
-  double blend = 0.3;      ///< weight of the texture where it is blended with the light, 0 to 1
-  bool blends = false;     ///< false: the light multiplies the texture, as in the chapters before
-  double shininess = 50;   ///< Phong's exponent of the globe
+  double blend = 0.3;     ///< weight of the texture where it is blended with the light, 0 to 1
+  bool blends = false;    ///< false: the light multiplies the texture, as in the chapters before
+  double shininess = 50;  ///< Phong's exponent of the globe
   PhongScene scene = PhongScene::stage;
   HighlightFormula formula = HighlightFormula::phong;
 

@@ -13,7 +13,7 @@ namespace texmap {
 /// How far the globe is turned about its axis, as the user chooses.
 struct RotationOptions {
   double degrees = 90;
-  int frames = 0;   ///< of a turntable, 0 for a single picture
+  int frames = 0;  ///< of a turntable, 0 for a single picture
 
   void declare(CommandLine& line) {
     line.decimal("--degrees", degrees, -1e300, 1e300, "turn of the globe about its axis, any angle");

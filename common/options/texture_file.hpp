@@ -10,7 +10,7 @@ namespace texmap {
 
 /// A texture that the user can replace by a picture of their own.
 struct TextureFile {
-  std::string name;   ///< a path, or the name of a file in assets/
+  std::string name;  ///< a path, or the name of a file in assets/
 
   void declare(CommandLine& line) {
     line.text("--texture", "FILE", name, "the picture on the globe, a PNG or JPEG twice as wide as high");

@@ -26,7 +26,7 @@ class Progress {
   std::mutex lock_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
-  int written_ = 0;   // characters on the line
+  int written_ = 0;  // characters on the line
 };
 
 }  // namespace texmap

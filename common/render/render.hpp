@@ -13,9 +13,9 @@ namespace texmap {
 
 /// How a picture is drawn; nothing here changes what it shows, but for `samples`.
 struct RenderSettings {
-  int samples = 1;   ///< rays a pixel, at least 1
-  int threads = 0;   ///< 0 takes all cores
-  std::function<void(int done, int total)> progress = {};   ///< called after each finished row, from any thread
+  int samples = 1;                                         ///< rays a pixel, at least 1
+  int threads = 0;                                         ///< 0 takes all cores
+  std::function<void(int done, int total)> progress = {};  ///< called after each finished row, from any thread
 };
 
 /// A color channel as a byte, by truncation of 255 times the value, as the seeds do.
@@ -33,7 +33,8 @@ struct PixelOffset {
 
 /// The color of one pixel (one pack of neighbouring pixels): the mean of its samples.
 template <class Real, class Lesson>
-[[nodiscard]] Color<Real> pixel_color(const Lesson& lesson, const View& view, const Real& column, const Real& row, int samples) {
+[[nodiscard]] Color<Real> pixel_color(const Lesson& lesson, const View& view, const Real& column, const Real& row,
+                                      int samples) {
   Color<Real> sum{};
   for (int i = 0; i < samples; ++i) {
     const PixelOffset offset = pixel_offset(i);

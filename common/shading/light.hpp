@@ -11,15 +11,15 @@ struct PointLight {
 
 /// A surface that looks alike from every side.
 struct Matt {
-  double ambient = 0.2;   ///< share of its color that is seen even in shadow, 0 to 1
-  double diffuse = 0.8;   ///< share that the lamp adds where it shines straight down, 0 to 1
+  double ambient = 0.2;  ///< share of its color that is seen even in shadow, 0 to 1
+  double diffuse = 0.8;  ///< share that the lamp adds where it shines straight down, 0 to 1
 };
 
 /// How the lamp stands over a hit point.
 template <class Real>
 struct Illumination {
-  Vec3<Real> to_light;   ///< unit vector from the hit point to the lamp
-  Real cosine;           ///< of the angle between `to_light` and the normal, or 0 where the lamp is hidden or behind the surface
+  Vec3<Real> to_light;  ///< unit vector from the hit point to the lamp
+  Real cosine;          ///< of the angle between `to_light` and the normal, or 0 where the lamp is hidden or behind the surface
 };
 
 /// The lamp as seen from a hit point, with the shadows of all objects.

@@ -8,8 +8,8 @@ namespace texmap {
 /// A matt surface with a gloss on it.
 struct Finish {
   Matt matt;
-  double specular = 0;     ///< strength of the highlight, 0 to 1
-  double shininess = 50;   ///< Phong's exponent, 0 to 1e30: the larger, the smaller the highlight
+  double specular = 0;    ///< strength of the highlight, 0 to 1
+  double shininess = 50;  ///< Phong's exponent, 0 to 1e30: the larger, the smaller the highlight
 };
 
 /// An object of a scene with a finish of its own.
@@ -22,18 +22,18 @@ struct Glossy {
 
 /// Whose formula gives the highlight.
 enum class HighlightFormula {
-  phong,     ///< towards the eye, and only where the lamp shines
-  lecture,   ///< as seed 4's slides have it: away from the eye, wherever that happens to be positive
+  phong,    ///< towards the eye, and only where the lamp shines
+  lecture,  ///< as seed 4's slides have it: away from the eye, wherever that happens to be positive
 };
 
 /// How bright the mirror image of the lamp is: the finish's specular times cos^shininess, for the angle between the mirrored
 /// light and the direction to the eye.
 ///
 /// @param to_eye  unit vector from the hit point to the eye
-/// @return  0 to specular; 0 where the lamp is hidden or behind the surface, and where the directions are 90 degrees apart or more
-/// The power is taken as exp(n log1p(-|r - e|^2 / 2)), because cos = 1 - |r - e|^2 / 2: a cosine near 1 has lost the digits that
-/// say how far from 1 it is, and the power multiplies what is lost by n. Any exponent gives a number.
-/// Source: Phong, "Illumination for Computer Generated Pictures" (1975); seed 4 with the sign of the eye's direction mended.
+/// @return  0 to specular; 0 where the lamp is hidden or behind the surface, and where the directions are 90 degrees apart or
+/// more The power is taken as exp(n log1p(-|r - e|^2 / 2)), because cos = 1 - |r - e|^2 / 2: a cosine near 1 has lost the
+/// digits that say how far from 1 it is, and the power multiplies what is lost by n. Any exponent gives a number. Source:
+/// Phong, "Illumination for Computer Generated Pictures" (1975); seed 4 with the sign of the eye's direction mended.
 template <class Real>
 [[nodiscard]] Real highlight(const Finish& finish, const Illumination<Real>& lamp, const Vec3<Real>& normal,
                              const Vec3<Real>& to_eye) {
@@ -44,8 +44,8 @@ template <class Real>
   return Real(finish.specular) * select(lamp.cosine > Real(0) && versine < Real(1), power, Real(0));
 }
 
-/// Seed 4's highlight as its slides have it: specular (r . d)^shininess with d from the eye to the surface, the wrong way round.
-/// Domain: an even whole exponent; others give negative light or NaN, which is the point of showing it.
+/// Seed 4's highlight as its slides have it: specular (r . d)^shininess with d from the eye to the surface, the wrong way
+/// round. Domain: an even whole exponent; others give negative light or NaN, which is the point of showing it.
 template <class Real>
 [[nodiscard]] Real highlight_of_the_slides(const Finish& finish, const Illumination<Real>& lamp, const Vec3<Real>& normal,
                                            const Vec3<Real>& to_eye) {

@@ -7,8 +7,8 @@ namespace texmap {
 
 /// A sky that fades with the height of the line of sight.
 struct GradientSky {
-  Rgb below;   ///< seen straight down
-  Rgb above;   ///< seen straight up
+  Rgb below;  ///< seen straight down
+  Rgb above;  ///< seen straight up
 
   /// @param ray  with a direction of unit length
   template <class Real>

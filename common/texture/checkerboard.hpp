@@ -15,9 +15,9 @@ template <class Real>
 
 /// Squares in two colors, alternating in u and in v.
 struct Checkerboard {
-  Rgb even;              ///< the square at (0, 0)
+  Rgb even;  ///< the square at (0, 0)
   Rgb odd;
-  double squares = 10;   ///< along u and along v; an odd number puts two like squares side by side at the seam
+  double squares = 10;  ///< along u and along v; an odd number puts two like squares side by side at the seam
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {

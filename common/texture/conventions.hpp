@@ -7,9 +7,9 @@ namespace texmap {
 
 /// Who says where on the sphere a texture begins and which way it runs. Seed 1's convention is seed 2's.
 enum class Convention {
-  daily,     ///< seed 0: u runs west from -x, v runs down from the north pole
-  rtiow,     ///< seeds 1 and 2: u runs east from -x, v runs up from the south pole
-  lecture,   ///< seed 4: u runs east from +z, v runs up from the south pole
+  daily,    ///< seed 0: u runs west from -x, v runs down from the north pole
+  rtiow,    ///< seeds 1 and 2: u runs east from -x, v runs up from the south pole
+  lecture,  ///< seed 4: u runs east from +z, v runs up from the south pole
 };
 
 /// Which way v runs over a picture in this convention.
@@ -21,9 +21,9 @@ enum class Convention {
 ///
 /// @param p  any finite vector; only its direction matters
 /// @return   u in [0, 1), v in [0, 1]
-/// All are made from one formula by exact steps: u_daily = 1 - u, v_daily = 1 - v, u_lecture = frac(u - 1/4), with (u, v) in the
-/// convention rtiow. Four formulas would be four times the roundings.
-/// Source: the seeds; the relations are proved in docs/conventions.md.
+/// All are made from one formula by exact steps: u_daily = 1 - u, v_daily = 1 - v, u_lecture = frac(u - 1/4), with (u, v) in
+/// the convention rtiow. Four formulas would be four times the roundings. Source: the seeds; the relations are proved in
+/// docs/conventions.md.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_of(Convention convention, const Vec3<Real>& p) {
   const Uv<Real> uv = uv_rtiow(p);
@@ -35,7 +35,8 @@ template <class Real>
       const Real u = uv.u - Real(0.25);
       return {clamp_u(select(u < Real(0), u + Real(1), u)), uv.v};
     }
-    case Convention::rtiow: break;
+    case Convention::rtiow:
+      break;
   }
   return uv;
 }

@@ -11,13 +11,13 @@ namespace texmap {
 
 /// Which way v runs over a picture, whose first row is at the top.
 enum class VAxis {
-  up,     ///< v = 0 is the bottom row
-  down,   ///< v = 0 is the top row
+  up,    ///< v = 0 is the bottom row
+  down,  ///< v = 0 is the top row
 };
 
 /// The color of the texel that holds (u, v): no filter, so a texel seen close is a square.
 struct ImageTexture {
-  Image image;   ///< an empty one is black; load_image never gives one
+  Image image;  ///< an empty one is black; load_image never gives one
   VAxis v_axis = VAxis::up;
   TexelRounding rounding = TexelRounding::floor;
 
@@ -36,7 +36,7 @@ struct ImageTexture {
   /// Each lane of a pack reads its own texel.
   template <class Real>
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
-    const auto channel = [&](std::uint8_t Rgb8::* which) {
+    const auto channel = [&](std::uint8_t Rgb8::*which) {
       const Real byte = from_lanes<Real>([&](std::size_t i) {
         return static_cast<Scalar<Real>>(image.at(static_cast<int>(lane(column, i)), static_cast<int>(lane(row, i))).*which);
       });

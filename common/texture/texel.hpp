@@ -6,8 +6,8 @@ namespace texmap {
 
 /// How a coordinate becomes a texel.
 enum class TexelRounding {
-  floor,     ///< floor(u n): every texel has the same share of the surface
-  lecture,   ///< (int)((n - 1) u), seed 4: half a texel off on average, and the last row and column have no share at all
+  floor,    ///< floor(u n): every texel has the same share of the surface
+  lecture,  ///< (int)((n - 1) u), seed 4: half a texel off on average, and the last row and column have no share at all
 };
 
 /// `x` brought to a whole number from 0 to n - 1 that is safe to index with: below 0 and NaN give 0, n and above give n - 1.

@@ -22,14 +22,13 @@ template <class Real>
 /// @return   u in [0, 1), 0 at -x and growing through +z, +x, -z; v in [0, 1], 0 at -y and 1 at +y
 /// Errors: none. The zero vector gives (0.5, 0.5); at the poles, where every u is right, u is 0.5.
 /// v is the angle from -y as atan2(sine, cosine), not acos(-y): acos loses half the digits near the poles, where its slope is
-/// infinite, and gives NaN when rounding made |y| larger than 1. Both sides are divided by the larger of |x| and |z|, so that no
-/// length overflows or vanishes and `p` need not be a unit vector.
-/// Source: seed 2's convention; the form of the polar angle as in Kahan, "How Futile are Mindless Assessments of Roundoff"
-/// (2006), on angles between vectors.
+/// infinite, and gives NaN when rounding made |y| larger than 1. Both sides are divided by the larger of |x| and |z|, so that
+/// no length overflows or vanishes and `p` need not be a unit vector. Source: seed 2's convention; the form of the polar angle
+/// as in Kahan, "How Futile are Mindless Assessments of Roundoff" (2006), on angles between vectors.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_rtiow(const Vec3<Real>& p) {
   // Adding 0 turns -0 into +0, or the two ends of the seam would differ at z = -0.
-  const Real x = p.x + Real(0);
+  const Real x = p.x;
   const Real z = p.z + Real(0);
   const Real wide = larger(abs(x), abs(z));
   const Mask<Real> off_axis = wide > Real(0);

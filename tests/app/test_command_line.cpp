@@ -80,20 +80,20 @@ TEST_CASE("a whole number is digits and nothing else, within its range") {
 
 TEST_CASE("a decimal number has one exact reading") {
   const std::array<std::pair<const char*, double>, 9> readings = {{{"0", 0.0},
-                                                                  {"-0.25", -0.25},
-                                                                  {"+3", 3.0},
-                                                                  {".5", 0.5},
-                                                                  {"5.", 5.0},
-                                                                  {"1e3", 1000.0},
-                                                                  {"1E-3", 0.001},
-                                                                  {"0.1", 0.1},
-                                                                  {"1e300", 1e300}}};
+                                                                   {"-0.25", -0.25},
+                                                                   {"+3", 3.0},
+                                                                   {".5", 0.5},
+                                                                   {"5.", 5.0},
+                                                                   {"1e3", 1000.0},
+                                                                   {"1E-3", 0.001},
+                                                                   {"0.1", 0.1},
+                                                                   {"1e300", 1e300}}};
   for (const auto& reading : readings) {
     CAPTURE(reading.first);
     CHECK(read("--weight", reading.first).weight == reading.second);
   }
-  for (const char* bad : {"", ".", "-", "e3", "1e", "1e+", "nan", "NAN", "inf", "-inf", "infinity", "1e400", "0x1p3", "1,5", " 1", "1 ",
-                          "1..2", "--1", "1.2.3", "abc", "1e3.5", "1e301"}) {
+  for (const char* bad : {"",      ".",     "-",   "e3", "1e", "1e+",  "nan", "NAN",   "inf", "-inf",  "infinity",
+                          "1e400", "0x1p3", "1,5", " 1", "1 ", "1..2", "--1", "1.2.3", "abc", "1e3.5", "1e301"}) {
     CAPTURE(bad);
     CHECK(complaint("--weight", bad) == "--weight takes a number from -1e+300 to 1e+300, not '" + std::string(bad) + "'");
   }
@@ -120,8 +120,8 @@ TEST_CASE("the message says what is wrong and what would be right") {
 TEST_CASE("the help names every option with its default") {
   Fruit fruit;
   const std::string help = line_for(fruit).help();
-  for (const char* part : {"--count N", "(default: 3)", "--weight X", "(default: 0.5)", "--name NAME", "(default: apple)", "--ripe",
-                           "--color red|green", "(default: red)", "--help", "--version", "exit status"}) {
+  for (const char* part : {"--count N", "(default: 3)", "--weight X", "(default: 0.5)", "--name NAME", "(default: apple)",
+                           "--ripe", "--color red|green", "(default: red)", "--help", "--version", "exit status"}) {
     CAPTURE(part);
     CHECK(help.find(part) != std::string::npos);
   }

@@ -32,7 +32,8 @@ TEST_CASE("an image of the checkerboard draws chapter 02 within half a texel") {
   const Rgb8 odd{204, 204, 204};
   Image board(1000, 1000);
   for (int row = 0; row < 1000; ++row) {
-    for (int column = 0; column < 1000; ++column) board.at(column, row) = (column / 100 + (999 - row) / 100) % 2 == 0 ? even : odd;
+    for (int column = 0; column < 1000; ++column)
+      board.at(column, row) = (column / 100 + (999 - row) / 100) % 2 == 0 ? even : odd;
   }
   chapter_02::Lesson checkered;
   checkered.objects[chapter_02::middle].paint =

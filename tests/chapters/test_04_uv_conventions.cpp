@@ -20,7 +20,8 @@ Image flat(const chapter_04::Seed& seed) {
   Image map(333, 167);
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
-      map.at(column, row) = {static_cast<std::uint8_t>(column % 251), static_cast<std::uint8_t>(row), static_cast<std::uint8_t>(column / 251)};
+      map.at(column, row) = {static_cast<std::uint8_t>(column % 251), static_cast<std::uint8_t>(row),
+                             static_cast<std::uint8_t>(column / 251)};
     }
   }
   const ImageTexture texture{map, v_axis_of(seed.convention)};

@@ -14,8 +14,8 @@ struct Choices {
   double degrees = 0;
   double blend = 0.3;
   double shininess = 500;
-  bool texel_of_the_slides = true;    ///< (int)((n - 1) u) instead of floor(u n)
-  bool sign_of_the_slides = false;    ///< the highlight with the primary ray's direction instead of its opposite
+  bool texel_of_the_slides = true;  ///< (int)((n - 1) u) instead of floor(u n)
+  bool sign_of_the_slides = false;  ///< the highlight with the primary ray's direction instead of its opposite
 };
 
 inline Image draw(const Image& map, const Choices& choices) {
@@ -108,7 +108,8 @@ inline Image draw(const Image& map, const Choices& choices) {
           out[k] = static_cast<int>(picture[k] * choices.blend + out[k] * (1 - choices.blend));
         }
       }
-      image.at(i, j) = {static_cast<std::uint8_t>(out[0]), static_cast<std::uint8_t>(out[1]), static_cast<std::uint8_t>(out[2])};
+      image.at(i, j) = {static_cast<std::uint8_t>(out[0]), static_cast<std::uint8_t>(out[1]),
+                        static_cast<std::uint8_t>(out[2])};
     }
   }
   return image;

@@ -61,7 +61,8 @@ template <class Lesson>
 
 /// The step contract: how many pixels differ although the object seen there is not among those that may change.
 template <class Allowed>
-[[nodiscard]] long changed_elsewhere(const Image& before, const Image& after, const std::vector<int>& seen, const Allowed& allowed) {
+[[nodiscard]] long changed_elsewhere(const Image& before, const Image& after, const std::vector<int>& seen,
+                                     const Allowed& allowed) {
   long count = 0;
   for (std::size_t i = 0; i < before.pixels.size(); ++i) {
     const bool may_change = std::find(allowed.begin(), allowed.end(), seen[i]) != allowed.end();

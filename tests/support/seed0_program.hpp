@@ -1,5 +1,5 @@
-// Seed 0's program told again without any of the common code: its left-handed world, its formulas, plain doubles. An oracle must
-// not share the mistakes of what it judges.
+// Seed 0's program told again without any of the common code: its left-handed world, its formulas, plain doubles. An oracle
+// must not share the mistakes of what it judges.
 #pragma once
 #include <algorithm>
 #include <array>

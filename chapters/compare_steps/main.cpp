@@ -1,0 +1,138 @@
+// Compares two steps of the course: draws both, writes a page and a report, and says whether only what may change has changed.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <span>
+#include <sstream>
+
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "comparison.hpp"
+#include "run_chapter.hpp"
+#include "standard_streams.hpp"
+#include "write_file.hpp"
+
+namespace {
+
+using namespace texmap;
+using steps::DrawnStep;
+
+struct Size {
+  int width = 800;
+  int height = 600;
+  int threads = 0;
+};
+
+/// A chapter that can be compared.
+struct Chapter {
+  const char* name;
+  DrawnStep (*draw)(const Size&);
+};
+
+template <class Lesson, const char* Name>
+DrawnStep draw_chapter(const Size& size) {
+  return steps::draw_step<Lesson>(Name, size.width, size.height, size.threads);
+}
+
+constexpr char name_01[] = "01_plain_spheres";
+constexpr char name_02[] = "02_checkerboard_uv";
+constexpr char name_03[] = "03_image_texture";
+constexpr char name_04[] = "04_uv_conventions";
+constexpr char name_05[] = "05_y_rotation";
+constexpr char name_06[] = "06_phong_texture_blend";
+
+constexpr std::array<Chapter, 6> chapters = {{
+    {name_01, draw_chapter<chapter_01::Lesson, name_01>},
+    {name_02, draw_chapter<chapter_02::Lesson, name_02>},
+    {name_03, draw_chapter<chapter_03::Lesson, name_03>},
+    {name_04, draw_chapter<chapter_04::Lesson, name_04>},
+    {name_05, draw_chapter<chapter_05::Lesson, name_05>},
+    {name_06, draw_chapter<chapter_06::Lesson, name_06>},
+}};
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw std::runtime_error("cannot read '" + path + "'");
+  return text.str();
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  try {
+    write_file_atomically(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  } catch (const Refusal& refusal) {
+    throw std::runtime_error("cannot write '" + path + "': " + refusal.what());
+  }
+}
+
+/// Compares chapters[from] with chapters[to] and writes the page; true when only what may change has changed.
+bool compare_pair(std::size_t from, std::size_t to, const Size& size, const std::string& folder, const std::string& source) {
+  DrawnStep before = chapters[from].draw(size);
+  DrawnStep after = chapters[to].draw(size);
+  std::vector<int> may_change;
+  for (std::size_t i = std::min(from, to) + 1; i <= std::max(from, to); ++i) {
+    const DrawnStep step = i == to ? after : i == from ? before : chapters[i].draw({8, 6, 1});
+    may_change.insert(may_change.end(), step.may_change.begin(), step.may_change.end());
+  }
+  std::sort(may_change.begin(), may_change.end());
+  may_change.erase(std::unique(may_change.begin(), may_change.end()), may_change.end());
+
+  const steps::Comparison result = steps::compare(std::move(before), std::move(after), may_change);
+  const std::string place = folder + "/" + std::string(chapters[from].name, 2) + "-" + std::string(chapters[to].name, 2);
+  std::filesystem::create_directories(place);
+  const auto lesson = [&](std::size_t i) { return text_of(source + "/" + chapters[i].name + "/lesson.hpp"); };
+  write_text(place + "/report.json", steps::report_json(result));
+  write_text(place + "/index.html", steps::report_page(result, lesson(from), lesson(to)));
+  print(steps::summary(result, place + "/index.html"));
+  return result.changed_elsewhere == 0;
+}
+
+std::size_t chapter_at(const std::string& number) {
+  const auto found = std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& chapter) {
+    return number.size() <= 2 && !number.empty() &&
+           parse_whole("a chapter", number, 0, 99) == parse_whole("", std::string(chapter.name, 2), 0, 99);
+  });
+  if (found == chapters.end()) throw UsageError("there is no chapter '" + number + "' to compare");
+  return static_cast<std::size_t>(found - chapters.begin());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string before;
+  std::string after;
+  std::string folder = "out/diff";
+  std::string source = TEXMAP_CHAPTERS_DIR;
+  Size size;
+  CommandLine line("compare_steps", "what changed between two steps of the course; without chapters, between all neighbours");
+  line.text("--from", "MM", before, "the chapter before");
+  line.text("--to", "NN", after, "the chapter after");
+  line.text("--out", "FOLDER", folder, "where the pages go, in a folder MM-NN each");
+  line.text("--source", "FOLDER", source, "where the lessons' code is");
+  line.whole("--width", size.width, 1, 4096, "columns of pixels");
+  line.whole("--height", size.height, 1, 4096, "rows of pixels");
+  line.whole("--threads", size.threads, 0, 1024, "threads to draw with, 0 for one per core");
+  line.statuses("0 only what may change has changed; 1 something else has, too; 2 the comparison could not be made");
+  bool as_declared = true;
+  const int status = run_guarded(line, [&] {
+    if (!line.parse(argc, argv)) return;
+    if (before.empty() != after.empty())
+      throw UsageError("--from and --to go together: name two chapters to compare, or none for all neighbours");
+    if (!before.empty()) {
+      as_declared = compare_pair(chapter_at(before), chapter_at(after), size, folder, source);
+      return;
+    }
+    for (std::size_t i = 0; i + 1 < chapters.size(); ++i)
+      as_declared = compare_pair(i, i + 1, size, folder, source) && as_declared;
+  });
+  if (status != 0) return 2;
+  return as_declared ? 0 : 1;
+}
