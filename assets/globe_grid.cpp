@@ -107,9 +107,10 @@ std::vector<double> GlobeGrid::distance_to_other(const std::vector<bool>& marks)
       nearest.sweep(0, rows_ - 1);
       nearest.sweep(rows_ - 1, 0);
     }
-    for (int row = 0; row < rows_; ++row)
+    for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column)
         if (const std::size_t i = place(column, row); marks[i] != source) distances[i] = nearest.kilometres(column, row);
+    }
   }
   return distances;
 }

@@ -55,13 +55,15 @@ Coast ring_of(const Json& arc_numbers, const std::vector<Coast>& arcs) {
 std::vector<Coast> rings_of(const Json& topology) {
   const std::vector<Coast> arcs = arcs_of(topology);
   std::vector<Coast> rings;
-  for (const Json& part : topology.at("objects").at("land").at("geometries"))
-    for (const Json& polygon : part.at("arcs"))
+  for (const Json& part : topology.at("objects").at("land").at("geometries")) {
+    for (const Json& polygon : part.at("arcs")) {
       for (const Json& arc_numbers : polygon) {
         Coast ring = ring_of(arc_numbers, arcs);
         if (std::any_of(ring.begin(), ring.end(), [](CoastPoint p) { return p.latitude > -89.99; }))
           rings.push_back(std::move(ring));
       }
+    }
+  }
   return rings;
 }
 
@@ -93,7 +95,9 @@ class Crossings {
     const auto count = static_cast<double>(latitudes_.size());
     constexpr double first = (samples_along_side - 1) / 2.0;
     const double west = a.turns * count + first, east = b.turns * count + first;
-    for (double k = std::ceil(west); k < east; ++k) {
+    const auto last = static_cast<long>(std::ceil(east));
+    for (auto meridian = static_cast<long>(std::ceil(west)); meridian < last; ++meridian) {
+      const auto k = static_cast<double>(meridian);
       const double latitude = a.latitude + (b.latitude - a.latitude) * ((k - west) / (east - west));
       const double wrapped = k - std::floor(k / count) * count;
       latitudes_[static_cast<std::size_t>(wrapped)].push_back(latitude);

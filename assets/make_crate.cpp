@@ -75,7 +75,7 @@ Image stencil() {
 
   constexpr int reach = 3;
   Image smooth(side, side);
-  for (int y = reach; y < side - reach; ++y)
+  for (int y = reach; y < side - reach; ++y) {
     for (int x = reach; x < side - reach; ++x) {
       int covered = 0;
       for (int dy = -reach; dy <= reach; ++dy)
@@ -83,6 +83,7 @@ Image stencil() {
       const double share = covered / ((2.0 * reach + 1) * (2.0 * reach + 1));
       smooth.at(x, y) = rounded(scaled({255, 255, 255}, smooth_step((share - 0.3) / 0.28)));
     }
+  }
   return smooth;
 }
 
@@ -109,7 +110,7 @@ Paint frame_color(int x, int y) {
 
 void drive_nail(Image& image, int column, int row) {
   constexpr int radius = 5;
-  for (int y = -radius - 2; y <= radius + 2; ++y)
+  for (int y = -radius - 2; y <= radius + 2; ++y) {
     for (int x = -radius - 2; x <= radius + 2; ++x) {
       Rgb8& pixel = image.at(column + x, row + y);
       const double out = std::sqrt(static_cast<double>(x * x + y * y));
@@ -119,6 +120,7 @@ void drive_nail(Image& image, int column, int row) {
       const Paint rim = mix(paint_of(pixel), shadow, 0.75);
       pixel = rounded(mix(head, rim, smooth_step((out - radius + 1) / 1.4)));
     }
+  }
 }
 
 }  // namespace
@@ -126,7 +128,7 @@ void drive_nail(Image& image, int column, int row) {
 Image make_crate() {
   Image image(side, side);
   const Image ink = stencil();
-  for (int y = 0; y < side; ++y)
+  for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const bool in_frame = x < frame || x >= side - frame || y < frame || y >= side - frame;
       const double off = from_brace(x + 0.5, y + 0.5);
@@ -147,6 +149,7 @@ Image make_crate() {
       }
       image.at(x, y) = rounded(color);
     }
+  }
 
   const int near = frame / 2, far = side - frame / 2;
   for (const int at : {near, side * 3 / 10, side / 2, side * 7 / 10, far}) {

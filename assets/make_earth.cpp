@@ -123,7 +123,7 @@ Survey survey(const GlobeGrid& grid, const std::filesystem::path& topology) {
   s.coast_km = grid.distance_to_other(s.land);
   s.relief.resize(grid.size());
   s.climate.resize(grid.size());
-  for (int row = 0; row < grid.rows(); ++row)
+  for (int row = 0; row < grid.rows(); ++row) {
     for (int column = 0; column < grid.columns(); ++column) {
       const std::size_t i = grid.place(column, row);
       if (s.coverage[i] == 0) continue;
@@ -141,6 +141,7 @@ Survey survey(const GlobeGrid& grid, const std::filesystem::path& topology) {
       const double near_coast = smooth_step(s.coast_km[i] / 80);
       s.relief[i] = (s.climate[i].height * (0.5 + 0.5 * ridge) + 0.05 * rolling) * (0.3 + 0.7 * near_coast);
     }
+  }
   return s;
 }
 
@@ -154,9 +155,9 @@ double hill_shade(const GlobeGrid& grid, const std::vector<double>& relief, int 
 
 }  // namespace
 
-Image make_earth(const std::filesystem::path& topology) {
+Image make_earth(const std::filesystem::path& land) {
   const GlobeGrid grid(width - 1, height);
-  const Survey s = survey(grid, topology);
+  const Survey s = survey(grid, land);
   Image image(width, height);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < grid.columns(); ++column) {

@@ -32,18 +32,20 @@ void fill(Image& image, int left, int top, int right, int bottom, Rgb8 color) {
 }
 
 void fill_disc(Image& image, int column, int row, int radius, Rgb8 color) {
-  for (int y = -radius; y <= radius; ++y)
+  for (int y = -radius; y <= radius; ++y) {
     for (int x = -radius; x <= radius; ++x)
       if (x * x + y * y <= radius * radius) fill(image, column + x, row + y, column + x + 1, row + y + 1, color);
+  }
 }
 
 /// Four quadrants, chequered every 15 degrees so that stretching shows.
 void draw_quadrants(Image& image) {
-  for (int y = 0; y < height; ++y)
+  for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const int shade = (x * 24 / width + y * 12 / height) % 2;
       image.at(x, y) = quadrants[y >= height / 2][x >= width / 2][shade];
     }
+  }
 }
 
 /// A line every 30 degrees; the equator and the prime meridian are thick.
@@ -107,7 +109,7 @@ std::string latitude_label(int latitude) {
 
 /// Longitude and latitude beside every crossing, on the side of the equator so that the poles' rows stay free.
 void draw_labels(Image& image) {
-  for (int longitude = -180; longitude < 180; longitude += 30)
+  for (int longitude = -180; longitude < 180; longitude += 30) {
     for (int latitude = -60; latitude <= 60; latitude += 30) {
       if (latitude == 0 && std::abs(longitude) == 90) continue;     // a compass letter is there
       const int aside = longitude == 0 && latitude == 30 ? 15 : 0;  // out of the way of the arrow
@@ -116,6 +118,7 @@ void draw_labels(Image& image) {
       draw_text(image, column, row, longitude_label(longitude), ink, 2);
       draw_text(image, column, row + 17, latitude_label(latitude), ink, 2);
     }
+  }
 }
 
 /// A tag for a value of u or v, dark so that it is not taken for a label of the graticule.

@@ -89,11 +89,12 @@ std::string text_of(Rgb8 color) {
   return out.str();
 }
 
-/// Six digits, with a point.
-std::string text_of(double value) {
+/// Some digits, with a point.
+std::string text_of(double value, int digits = 6) {
   if (std::isinf(value)) return "infinite";
   std::ostringstream out;
   out.imbue(std::locale::classic());
+  out.precision(digits);
   out << value;
   return out.str();
 }
@@ -116,7 +117,7 @@ std::string table(const Figures& f) {
   line("mean absolute error", text_of(f.mean_absolute_error) + " levels");
   line("RMSE", text_of(f.root_mean_square_error) + " levels");
   line("PSNR", text_of(f.peak_signal_to_noise) + " dB");
-  line("SSIM", text_of(f.structural_similarity) + " (1: equal)");
+  line("SSIM", text_of(f.structural_similarity, 10) + " (1: equal)");
   line("FLIP", text_of(f.flip) + " (0: equal, 1: most)");
   line("mean value", text_of(f.mean_a) + " and " + text_of(f.mean_b) + " levels");
   return text;

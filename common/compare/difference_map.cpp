@@ -17,8 +17,8 @@ namespace {
 constexpr int doublings = 8;  // of levels + 1, from 1 to 256
 
 // L*, a*, b* at both ends: a blue nearly black, and a yellow nearly white. All colors between them can be shown.
-constexpr std::array<double, 3> dark_end = {12, 12, -34};
-constexpr std::array<double, 3> bright_end = {94, -10, 70};
+constexpr std::array<double, 3> dark_end = {14, 9, -31};
+constexpr std::array<double, 3> bright_end = {93, -10, 66};
 
 constexpr Rgb8 paper{24, 24, 24};
 constexpr Rgb8 ink{230, 230, 230};

@@ -42,8 +42,8 @@ Triple xyz_of_chromaticity(double x, double y) { return {x / y, 1, (1 - x - y) /
 
 /// From light in sRGB's primaries to X, Y, Z with Y = 1 for white.
 ///
-/// Source: the chromaticities of ITU-R BT.709, table 1, items 1.3 and 1.4; the amounts of the primaries are those that make
-/// white.
+/// Source: the primaries of ITU-R BT.709, table 1, item 1.3, in the amounts that make white, which is D65 to five digits as in
+/// the authors' own program; BT.709's four digits change a figure by about a hundred-thousandth of itself.
 Matrix xyz_from_rgb() {
   const Triple red = xyz_of_chromaticity(0.64, 0.33);
   const Triple green = xyz_of_chromaticity(0.30, 0.60);
@@ -67,7 +67,7 @@ class Colors {
     rgb_from_xyz_ = inverse(xyz_from_rgb_);
   }
 
-  /// Lightness, red against green, blue against yellow, all linear in the light, so that they may be blurred (4.1.1).
+  /// Lightness, red against green, blue against yellow, all linear in the light, so that they may be blurred (4.1).
   [[nodiscard]] Triple ycxcz(const Triple& rgb) const {
     const auto [x, y, z] = times(xyz_from_rgb_, rgb);
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
@@ -78,7 +78,7 @@ class Colors {
     return times(rgb_from_xyz_, {y + ycxcz[1] / 500, y, y - ycxcz[2] / 200});
   }
 
-  /// L*a*b* with a* and b* multiplied by L* / 100: what is dark looks less colorful (4.1.2).
+  /// L*a*b* with a* and b* multiplied by L* / 100: what is dark looks less colorful (4.1).
   [[nodiscard]] Triple hunt_lab(const Triple& rgb) const {
     const auto [x, y, z] = times(xyz_from_rgb_, rgb);
     const double fx = compressed(x), fy = compressed(y), fz = compressed(z);
@@ -99,11 +99,11 @@ class Colors {
   Matrix rgb_from_xyz_{};
 };
 
-/// The distance of two colors: as far in lightness plus as far in color (4.1.3).
+/// The distance of two colors: as far in lightness plus as far in color (4.1).
 double hyab(const Triple& p, const Triple& q) { return std::abs(p[0] - q[0]) + std::hypot(p[1] - q[1], p[2] - q[2]); }
 
 /// Spreads distances over 0 to 1: large ones are all much the same to a viewer, so they get the small rest of the range
-/// (4.1.3).
+/// (4.1).
 class Spread {
  public:
   explicit Spread(const Colors& colors)
@@ -123,7 +123,7 @@ class Spread {
 };
 
 /// An opponent channel's contrast sensitivity as a filter: one bell or the sum of two, exp(-pi^2 x^2 / b) with x in degrees and
-/// the weight a sqrt(pi / b) each (4.1.1, table 1).
+/// the weight a sqrt(pi / b) each (4.1).
 struct Sensitivity {
   struct Part {
     double share;
@@ -167,7 +167,7 @@ Kernel balanced(Kernel kernel) {
 
 /// The filters for one distance of the viewer.
 struct Filters {
-  int color_radius;      // three times the widest bell of table 1
+  int color_radius;      // three times the widest bell
   double feature_sigma;  // half the width of the smallest feature that counts, 0.082 degrees (4.2)
   int feature_radius;
   int margin;
@@ -246,7 +246,7 @@ Seen seen(const Image& image, const Band& band, const Filters& filters, const Co
   Plane points = length_of(filtered_down(filtered_across(unblurred, filters.curvature), filters.smooth),
                            filtered_down(smooth, filters.curvature));
 
-  // Color, blurred as the eye does it and brought back to what a screen can show (4.1.1), then to L*a*b* (4.1.2).
+  // Color, blurred as the eye does it and brought back to what a screen can show (4.1), then to L*a*b* (4.1).
   const int rest = band.margin - filters.color_radius;
   Plane lightness = filters.lightness(without_margin(y_plane, rest));
   Plane red_green = filters.red_green(without_margin(cx_plane, rest));
@@ -282,8 +282,8 @@ void flip_rows(const Image& a, const Image& b, double pixels_per_degree, const T
         const double color = spread(hyab(lab(of_a), lab(of_b)));
         const double feature = std::max(std::abs(of_a.edges.row(y)[x] - of_b.edges.row(y)[x]),
                                         std::abs(of_a.points.row(y)[x] - of_b.points.row(y)[x]));
-        // Two responses of at most 1 each have a length of at most the square root of 2, but for rounding (4.2, 4.3).
-        values[static_cast<std::size_t>(x)] = std::pow(color, 1 - std::sqrt(std::min(1.0, feature / std::numbers::sqrt2)));
+        // Two responses of at most 1 each have a length below the square root of 2 (4.2, 4.3).
+        values[static_cast<std::size_t>(x)] = std::pow(color, 1 - std::sqrt(feature / std::numbers::sqrt2));
       }
       take(band.first + y, values);
     }

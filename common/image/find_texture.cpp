@@ -44,9 +44,10 @@ std::string find_texture(const std::string& name) {
   if (name.empty() || name.find('/') != std::string::npos || is_there(name)) return name;
   std::string tried = name;
   for (const std::string& folder : asset_folders()) {
-    const std::string path = folder + "/" + name;
+    std::string path = folder;
+    path.append("/").append(name);
     if (is_there(path)) return path;
-    tried += ", " + path;
+    tried.append(", ").append(path);
   }
   throw ImageError("cannot load texture '" + name + "': not found; looked for " + tried);
 }

@@ -160,10 +160,12 @@ int text_width(std::string_view text, int scale) {
 void draw_text(Image& image, int column, int row, std::string_view text, Rgb8 color, int scale) {
   for (const char32_t character : characters_of(text)) {
     const std::string_view rows = rows_of(character);
-    for (int y = 0; y < letter_rows; ++y)
-      for (int x = 0; x < ink_columns; ++x)
+    for (int y = 0; y < letter_rows; ++y) {
+      for (int x = 0; x < ink_columns; ++x) {
         if (rows[static_cast<std::size_t>(y * (ink_columns + 1) + x)] == '#')
           fill_square(image, column + x * scale, row + y * scale, scale, color);
+      }
+    }
     column += letter_columns * scale;
   }
 }

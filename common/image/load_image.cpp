@@ -11,7 +11,8 @@ Image load_image(const std::string& path) {
     return decode_image(read_file(path));
   } catch (const Refusal& refusal) {
     // Up to a zero byte, if the name has one: what() ends there.
-    throw ImageError(std::string("cannot load texture '") + path.c_str() + "': " + refusal.what());
+    const char* name = path.c_str();
+    throw ImageError(std::string("cannot load texture '") + name + "': " + refusal.what());
   }
 }
 

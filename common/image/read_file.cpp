@@ -52,7 +52,7 @@ std::vector<std::uint8_t> read_file(const std::string& path) {
   }
 
   // One byte more than the size, to notice a file that grows.
-  const std::size_t expected = static_cast<std::size_t>(status.st_size);
+  const auto expected = static_cast<std::size_t>(status.st_size);
   std::vector<std::uint8_t> bytes(expected + 1);
   std::size_t have = 0;
   while (have < bytes.size()) {

@@ -22,7 +22,8 @@ void with_name(const std::string& path, Work work) {
     work();
   } catch (const Refusal& refusal) {
     // Up to a zero byte, if the name has one: what() ends there.
-    throw ImageError(std::string("cannot write '") + path.c_str() + "': " + refusal.what());
+    const char* name = path.c_str();
+    throw ImageError(std::string("cannot write '") + name + "': " + refusal.what());
   }
 }
 

@@ -135,3 +135,69 @@ TEST_CASE("typed says which options the user gave") {
   CHECK(line.typed("--count"));
   CHECK_FALSE(line.typed("--weight"));
 }
+
+namespace {
+
+struct Basket {
+  std::string first, second;
+  int count = 3;
+};
+
+template <class... Words>
+std::string filled(Basket& basket, Words... words) {
+  CommandLine line("basket", "holds two fruits");
+  line.positional("FIRST", basket.first, "on the left");
+  line.whole("--count", basket.count, 1, 9, "how many");
+  line.positional("SECOND", basket.second, "on the right");
+  line.statuses("0 it fits; 5 it does not");
+  const std::array<const char*, sizeof...(words) + 1> typed = {"basket", words...};
+  try {
+    const bool goes_on = line.parse(static_cast<int>(typed.size()), typed.data());
+    CHECK(goes_on);
+    CHECK(line.typed("FIRST"));
+    CHECK(line.typed("SECOND"));
+  } catch (const UsageError& error) {
+    return std::string(error.what()) + "\n" + line.usage();
+  }
+  return line.help();
+}
+
+}  // namespace
+
+TEST_CASE("words without an option are taken in their order, among options or not") {
+  for (int order = 0; order < 3; ++order) {
+    Basket basket;
+    if (order == 0) (void)filled(basket, "pear", "fig", "--count", "7");
+    if (order == 1) (void)filled(basket, "--count=7", "pear", "fig");
+    if (order == 2) (void)filled(basket, "pear", "--count", "7", "fig");
+    CHECK(basket.first == "pear");
+    CHECK(basket.second == "fig");
+    CHECK(basket.count == 7);
+  }
+}
+
+TEST_CASE("a missing word, one too many and an empty one are refused, with the call that would be right") {
+  const std::string call = "\nusage: basket FIRST SECOND [options]     (basket --help lists them)";
+  Basket basket;
+  CHECK(filled(basket) == "FIRST is missing" + call);
+  CHECK(filled(basket, "pear") == "SECOND is missing" + call);
+  CHECK(filled(basket, "pear", "--count", "7") == "SECOND is missing" + call);
+  CHECK(filled(basket, "pear", "fig", "plum") == "'plum' is not an option; options begin with --" + call);
+  CHECK(filled(basket, "pear", "") == "SECOND must not be empty" + call);
+  CHECK(filled(basket, "pear", "-fig") == "there is no option -fig" + call);
+}
+
+TEST_CASE("the help shows the words, and the statuses the program has") {
+  Basket basket;
+  const std::string help = filled(basket, "pear", "fig");
+  for (const char* part : {"usage: basket FIRST SECOND [options]\n", "  FIRST ", "on the left\n", "  SECOND ", "on the right\n",
+                           "\nexit status: 0 it fits; 5 it does not\n"}) {
+    CAPTURE(part);
+    CHECK(help.find(part) != std::string::npos);
+  }
+  Fruit fruit;
+  CHECK(line_for(fruit).help().find("usage: fruit [options]\n") != std::string::npos);
+  CHECK(line_for(fruit).usage() == "usage: fruit [options]     (fruit --help lists them)");
+  CHECK(line_for(fruit).help().find("0 the picture is on disk; 1 it could not be made; 2 the command line is wrong") !=
+        std::string::npos);
+}
