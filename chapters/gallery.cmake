@@ -11,6 +11,7 @@ function(escape_html text out)
 endfunction()
 
 set(figures "")
+set(before "")
 foreach(chapter IN LISTS CHAPTERS)
   # A README begins with "# title", then the idea in one line, then ![alternative text](picture).
   file(STRINGS "${FOLDER}/${chapter}/README.md" lines ENCODING UTF-8)
@@ -33,6 +34,13 @@ foreach(chapter IN LISTS CHAPTERS)
     escape_html("${${part}}" ${part})
   endforeach()
 
+  set(step "")
+  string(SUBSTRING "${chapter}" 0 2 number)
+  if(before AND EXISTS "${GALLERY}/diff/${before}-${number}/index.html")
+    set(step "<p><a href=\"diff/${before}-${number}/index.html\">What changed from chapter ${before} to chapter ${number}</a></p>")
+  endif()
+  set(before "${number}")
+
   file(GLOB frames RELATIVE "${GALLERY}" "${GALLERY}/${chapter}_[0-9][0-9][0-9].png")
   list(SORT frames)
   set(turn "")
@@ -47,7 +55,7 @@ foreach(chapter IN LISTS CHAPTERS)
 <a href=\"${chapter}.png\"><img src=\"${chapter}.png\" alt=\"${alt}\" loading=\"lazy\"></a>
 <figcaption>${idea}</figcaption>
 </figure>
-${turn}
+${step}${turn}
 </section>")
 endforeach()
 

@@ -30,6 +30,14 @@ struct Size {
   int threads = 0;
 };
 
+/// What the user chose.
+struct Choices {
+  Size size;
+  std::string folder = "out/diff";
+  std::string source = TEXMAP_CHAPTERS_DIR;
+  bool quiet = false;
+};
+
 /// A chapter that can be compared.
 struct Chapter {
   const char* name;
@@ -74,9 +82,9 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 /// Compares chapters[from] with chapters[to] and writes the page; true when only what may change has changed.
-bool compare_pair(std::size_t from, std::size_t to, const Size& size, const std::string& folder, const std::string& source) {
-  DrawnStep before = chapters[from].draw(size);
-  DrawnStep after = chapters[to].draw(size);
+bool compare_pair(std::size_t from, std::size_t to, const Choices& choices) {
+  DrawnStep before = chapters[from].draw(choices.size);
+  DrawnStep after = chapters[to].draw(choices.size);
   std::vector<int> may_change;
   for (std::size_t i = std::min(from, to) + 1; i <= std::max(from, to); ++i) {
     const DrawnStep step = i == to ? after : i == from ? before : chapters[i].draw({8, 6, 1});
@@ -86,12 +94,13 @@ bool compare_pair(std::size_t from, std::size_t to, const Size& size, const std:
   may_change.erase(std::unique(may_change.begin(), may_change.end()), may_change.end());
 
   const steps::Comparison result = steps::compare(std::move(before), std::move(after), may_change);
-  const std::string place = folder + "/" + std::string(chapters[from].name, 2) + "-" + std::string(chapters[to].name, 2);
+  const std::string place =
+      choices.folder + "/" + std::string(chapters[from].name, 2) + "-" + std::string(chapters[to].name, 2);
   std::filesystem::create_directories(place);
-  const auto lesson = [&](std::size_t i) { return text_of(source + "/" + chapters[i].name + "/lesson.hpp"); };
+  const auto lesson = [&](std::size_t i) { return text_of(choices.source + "/" + chapters[i].name + "/lesson.hpp"); };
   write_text(place + "/report.json", steps::report_json(result));
   write_text(place + "/index.html", steps::report_page(result, lesson(from), lesson(to)));
-  print(steps::summary(result, place + "/index.html"));
+  if (!choices.quiet || result.changed_elsewhere > 0) print(steps::summary(result, place + "/index.html"));
   return result.changed_elsewhere == 0;
 }
 
@@ -109,17 +118,16 @@ std::size_t chapter_at(const std::string& number) {
 int main(int argc, char** argv) {
   std::string before;
   std::string after;
-  std::string folder = "out/diff";
-  std::string source = TEXMAP_CHAPTERS_DIR;
-  Size size;
+  Choices choices;
   CommandLine line("compare_steps", "what changed between two steps of the course; without chapters, between all neighbours");
   line.text("--from", "MM", before, "the chapter before");
   line.text("--to", "NN", after, "the chapter after");
-  line.text("--out", "FOLDER", folder, "where the pages go, in a folder MM-NN each");
-  line.text("--source", "FOLDER", source, "where the lessons' code is");
-  line.whole("--width", size.width, 1, 4096, "columns of pixels");
-  line.whole("--height", size.height, 1, 4096, "rows of pixels");
-  line.whole("--threads", size.threads, 0, 1024, "threads to draw with, 0 for one per core");
+  line.text("--out", "FOLDER", choices.folder, "where the pages go, in a folder MM-NN each");
+  line.text("--source", "FOLDER", choices.source, "where the lessons' code is");
+  line.whole("--width", choices.size.width, 1, 4096, "columns of pixels");
+  line.whole("--height", choices.size.height, 1, 4096, "rows of pixels");
+  line.whole("--threads", choices.size.threads, 0, 1024, "threads to draw with, 0 for one per core");
+  line.flag("--quiet", choices.quiet, "nothing printed unless something changed that should not have");
   line.statuses("0 only what may change has changed; 1 something else has, too; 2 the comparison could not be made");
   bool as_declared = true;
   const int status = run_guarded(line, [&] {
@@ -127,11 +135,10 @@ int main(int argc, char** argv) {
     if (before.empty() != after.empty())
       throw UsageError("--from and --to go together: name two chapters to compare, or none for all neighbours");
     if (!before.empty()) {
-      as_declared = compare_pair(chapter_at(before), chapter_at(after), size, folder, source);
+      as_declared = compare_pair(chapter_at(before), chapter_at(after), choices);
       return;
     }
-    for (std::size_t i = 0; i + 1 < chapters.size(); ++i)
-      as_declared = compare_pair(i, i + 1, size, folder, source) && as_declared;
+    for (std::size_t i = 0; i + 1 < chapters.size(); ++i) as_declared = compare_pair(i, i + 1, choices) && as_declared;
   });
   if (status != 0) return 2;
   return as_declared ? 0 : 1;

@@ -1,0 +1,106 @@
+// What ./course diff says about two steps.
+#include <doctest.h>
+
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "code_difference.hpp"
+#include "comparison.hpp"
+
+using namespace texmap;
+using steps::Change;
+using steps::DrawnStep;
+
+namespace {
+
+const DrawnStep& first() {
+  static const DrawnStep step = steps::draw_step<chapter_01::Lesson>("01_plain_spheres", 200, 150, 1);
+  return step;
+}
+const DrawnStep& second() {
+  static const DrawnStep step = steps::draw_step<chapter_02::Lesson>("02_checkerboard_uv", 200, 150, 1);
+  return step;
+}
+
+}  // namespace
+
+TEST_CASE("a step that changes what it declares, and nothing else, has nothing elsewhere") {
+  const steps::Comparison result = steps::compare(first(), second(), second().may_change);
+  CHECK(result.changed_elsewhere == 0);
+  CHECK(result.changed_inside == result.figures.pixels_different);
+  CHECK(result.changed_inside > 5000);
+  CHECK(result.stray_column == -1);
+  CHECK(steps::report_json(result).find("\"only_declared_changed\": true") != std::string::npos);
+  CHECK(steps::report_page(result, "", "").find("Only what may change has changed") != std::string::npos);
+}
+
+TEST_CASE("one stray pixel outside the declared objects is found, with its place") {
+  DrawnStep stray = second();
+  stray.picture.at(7, 3).g ^= 1;
+  const steps::Comparison result = steps::compare(first(), stray, stray.may_change);
+  CHECK(result.changed_elsewhere == 1);
+  CHECK(result.stray_column == 7);
+  CHECK(result.stray_row == 3);
+  CHECK(steps::report_json(result).find("\"first_changed_elsewhere\": {\"column\": 7, \"row\": 3}") != std::string::npos);
+  CHECK(steps::report_page(result, "", "").find("1 pixels changed that should not have") != std::string::npos);
+  CHECK(steps::summary(result, "page").find("elsewhere  1 pixels") != std::string::npos);
+}
+
+TEST_CASE("an object that is not declared counts as elsewhere, with every pixel of it that changed") {
+  const steps::Comparison all = steps::compare(first(), second(), {0, 2, 3});
+  const steps::Comparison fewer = steps::compare(first(), second(), {0, 2});
+  CHECK(fewer.changed_elsewhere > 1000);
+  CHECK(fewer.changed_inside + fewer.changed_elsewhere == all.changed_inside);
+}
+
+TEST_CASE("an object that moved may change the pixels that it left") {
+  DrawnStep before = first();
+  DrawnStep after = first();
+  after.picture.at(5, 5) = {1, 2, 3};
+  before.objects[5 * 200 + 5] = chapter_01::left;
+  CHECK(steps::compare(before, after, {chapter_01::left}).changed_elsewhere == 0);
+  CHECK(steps::compare(before, after, {chapter_01::right}).changed_elsewhere == 1);
+}
+
+TEST_CASE("a quarter turn is a quarter of u and nothing of v, wherever both steps have texture coordinates") {
+  const DrawnStep turned = steps::draw_step<chapter_05::Lesson>("05_y_rotation", 200, 150, 1);
+  const steps::Comparison result = steps::compare(second(), turned, turned.may_change);
+  CHECK(result.largest_du == doctest::Approx(0.25).epsilon(1e-12));
+  CHECK(result.largest_dv < 1e-12);
+  CHECK(result.pixels_with_uv > 10000);
+  CHECK(steps::compare(first(), second(), {}).pixels_with_uv == 0);
+}
+
+TEST_CASE("the difference of two texts keeps all that can be kept") {
+  const auto changes = steps::difference_of("a\nb\nc\nd\n", "a\nx\nc\nd\ne\n");
+  const std::array<std::pair<Change, const char*>, 6> expected = {{{Change::kept, "a"},
+                                                                   {Change::removed, "b"},
+                                                                   {Change::added, "x"},
+                                                                   {Change::kept, "c"},
+                                                                   {Change::kept, "d"},
+                                                                   {Change::added, "e"}}};
+  REQUIRE(changes.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CHECK(changes[i].change == expected[i].first);
+    CHECK(changes[i].text == expected[i].second);
+  }
+  CHECK(steps::difference_of("", "").empty());
+  CHECK(steps::difference_of("same\n", "same\n").front().change == Change::kept);
+}
+
+TEST_CASE("code on the page cannot become part of the page") {
+  const steps::Comparison result = steps::compare(first(), first(), {});
+  const std::string page = steps::report_page(result, "<script>alert(1)</script>\n", "a && b\n");
+  CHECK(page.find("<script>alert") == std::string::npos);
+  CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;") != std::string::npos);
+  CHECK(page.find("a &amp;&amp; b") != std::string::npos);
+}
+
+TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {
+  Image picture(3, 3, {10, 20, 30});
+  picture.at(0, 0) = {200, 100, 50};
+  const Image enlarged = steps::zoom(picture, 0, 0);
+  CHECK(enlarged.at(enlarged.width / 2, enlarged.height / 2) == Rgb8{200, 100, 50});
+  CHECK(enlarged.at(enlarged.width / 2 + 20, enlarged.height / 2) == Rgb8{10, 20, 30});
+  CHECK(enlarged.at(2, 2) == Rgb8{128, 128, 128});
+}
