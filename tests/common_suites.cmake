@@ -25,3 +25,5 @@ add_suite(shading/test_painted USES shading texture LABELS common)
 
 add_suite(render/test_render USES render LABELS common)
 add_suite(render/test_threads USES render LABELS common)
+add_suite(geometry/test_seed_sphere USES geometry LABELS common)
+add_suite(math/test_seed_blend USES math LABELS common)
