@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "exact.hpp"
 #include "pack.hpp"
 #include "seed_sphere.hpp"
 #include "sphere.hpp"
@@ -10,14 +11,6 @@
 
 namespace texmap {
 namespace {
-
-using Exact = long double;
-
-/// A number with room for the digits of the reference.
-template <class Number>
-Exact widened(Number x) {
-  return static_cast<Exact>(x);
-}
 
 /// The distance from `got` to the exact value in steps of Real.
 template <class Real>

@@ -1,19 +1,12 @@
 // Tests of common/shading/phong.hpp: the highlight, and what the slides' formula makes of it.
 #include <doctest.h>
 
+#include "exact.hpp"
 #include "pack.hpp"
 #include "phong.hpp"
 
 namespace texmap {
 namespace {
-
-using Exact = long double;
-
-/// A number with room for the digits of the reference.
-template <class Number>
-Exact widened(Number x) {
-  return static_cast<Exact>(x);
-}
 
 /// The highlight on a surface that faces up, for the mirror image of a lamp straight above and an eye at an angle to it.
 template <class Real>

@@ -4,19 +4,13 @@
 #include <bit>
 #include <cstdint>
 
+#include "exact.hpp"
 #include "pack.hpp"
 #include "uv.hpp"
 
 namespace texmap {
 namespace {
 
-using Exact = long double;
-
-/// A number with room for the digits of the reference.
-template <class Number>
-Exact widened(Number x) {
-  return static_cast<Exact>(x);
-}
 constexpr Exact exact_pi = 3.14159265358979323846264338327950288L;
 
 /// The largest difference from (u, v) in any lane, in epsilons.
