@@ -1,6 +1,6 @@
 // A point or a direction in space: three numbers and the operations the course needs on them.
 #pragma once
-#include "number.hpp"
+#include "compensated.hpp"
 
 namespace texmap {
 
@@ -69,6 +69,26 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Vec3<Real> normalize(const Vec3<Real>& a) {
   return a * (Real(1) / length(a));
+}
+
+/// dot(a, b), rounded about once: what cancels between the three products is kept. Domain: as two_product.
+template <class Real>
+[[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+  CompensatedSum<Real> sum;
+  sum.add_product(a.x, b.x);
+  sum.add_product(a.y, b.y);
+  sum.add_product(a.z, b.z);
+  return sum.value();
+}
+
+/// cross(a, b), each coordinate within 2 unit roundoffs of itself, however nearly parallel the two are. Domain: as two_product.
+template <class Real>
+[[nodiscard]] Vec3<Real> precise_cross(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return {
+      difference_of_products(a.y, b.z, a.z, b.y),
+      difference_of_products(a.z, b.x, a.x, b.z),
+      difference_of_products(a.x, b.y, a.y, b.x),
+  };
 }
 
 }  // namespace texmap

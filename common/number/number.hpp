@@ -13,6 +13,7 @@ using std::abs;
 using std::atan2;
 using std::exp;
 using std::floor;
+using std::ldexp;
 using std::log1p;
 using std::sqrt;
 
@@ -98,6 +99,23 @@ template <class Real>
 template <class Real>
 [[nodiscard]] inline Real square(const Real& x) {
   return x * x;
+}
+
+/// `x` to the power of a plain number, as std::pow has it.
+template <class Real>
+[[nodiscard]] inline Real power(const Real& x, Scalar<Real> exponent) {
+  return from_lanes<Real>([&](std::size_t i) { return std::pow(lane(x, i), exponent); });
+}
+
+/// The entry of a table at a place given by whole numbers; each lane of a pack reads its own.
+///
+/// @param table        callable with two int, gives a plain number
+/// @param column, row  whole numbers that the table knows
+template <class Real, class Table>
+[[nodiscard]] inline Real look_up(const Table& table, const Real& column, const Real& row) {
+  return from_lanes<Real>([&](std::size_t i) {
+    return static_cast<Scalar<Real>>(table(static_cast<int>(lane(column, i)), static_cast<int>(lane(row, i))));
+  });
 }
 
 }  // namespace texmap

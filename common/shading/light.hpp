@@ -32,7 +32,7 @@ template <class Real, class Objects>
   const Vec3<Real> to_light = path * (Real(1) / distance);
   const Real cosine = larger(dot(hit.normal, to_light), Real(0));
   if (!any(cosine > Real(0))) return {to_light, cosine};
-  const Mask<Real> hidden = is_occluded(objects, Ray<Real>{hit.leaving, to_light}, distance);
+  const Mask<Real> hidden = is_occluded(objects, Ray<Real>{hit.outside, to_light}, distance);
   return {to_light, select(hidden, Real(0), cosine)};
 }
 

@@ -15,7 +15,7 @@ struct Thing {
 
 /// A point of the ground, which faces up.
 template <class Real>
-const Hit<Real> ground{.normal = {0, 1, 0}, .point = {0, 0, 0}, .leaving = {0, 0, 0}};
+const Hit<Real> ground{.normal = {0, 1, 0}, .point = {0, 0, 0}, .outside = {0, 0, 0}, .inside = {0, 0, 0}};
 
 const std::vector<Thing> nothing;
 
@@ -128,7 +128,7 @@ TEST_CASE_TEMPLATE("the shadow ray starts at the lifted point, and the light's d
   const std::vector<Thing> things = {{{{0, 2, 0}, 1}}};
   const PointLight above{{0, 9, 0}};
   Hit<Real> hit = ground<Real>;
-  hit.leaving = {0, Real(3.5), 0};  // already past the thing
+  hit.outside = {0, Real(3.5), 0};  // already past the thing
   CHECK(illumination(above, things, hit).cosine == Real(1));
   CHECK(illumination(above, things, ground<Real>).cosine == Real(0));
 }
@@ -140,10 +140,10 @@ TEST_CASE_TEMPLATE("each lane of a pack has its own shadow", T, float, double) {
   const PointLight above{{0, 4, 0}};
   const auto x = from_lanes<Many>([](std::size_t i) { return i % 2 == 0 ? T(0) : T(3); });
   const Vec3<Many> at{x, Many(0), Many(0)};
-  const Illumination<Many> lamps = illumination(above, things, Hit<Many>{{Many(0), Many(1), Many(0)}, at, at});
+  const Illumination<Many> lamps = illumination(above, things, Hit<Many>{{Many(0), Many(1), Many(0)}, at, at, at});
   for (std::size_t i = 0; i < lanes<Many>; ++i) {
     const Vec3<T> one{lane(x, i), 0, 0};
-    const Illumination<T> lamp = illumination(above, things, Hit<T>{{0, 1, 0}, one, one});
+    const Illumination<T> lamp = illumination(above, things, Hit<T>{{0, 1, 0}, one, one, one});
     CHECK(lane(lamps.cosine, i) == lamp.cosine);
     CHECK(lane(lamps.to_light.x, i) == lamp.to_light.x);
     CHECK((lamp.cosine > T(0)) == (i % 2 == 1));

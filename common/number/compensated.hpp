@@ -1,0 +1,125 @@
+// Arithmetic that keeps what rounding drops: sums and products as a number and its rounding error.
+#pragma once
+#include <array>
+#include <bit>
+
+#include "number.hpp"
+
+namespace texmap {
+
+/// A number in two parts: `high + low` with |low| at most half a unit in the last place of `high`.
+template <class Real>
+struct TwoParts {
+  Real high, low;
+};
+
+/// a + b without an error: `high` is the rounded sum, `low` what rounding dropped.
+///
+/// Domain: finite, no overflow. Source: Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B.
+template <class Real>
+[[nodiscard]] TwoParts<Real> two_sum(const Real& a, const Real& b) {
+  const Real sum = a + b;
+  const Real b_kept = sum - a;
+  const Real a_kept = sum - b_kept;
+  return {sum, (a - a_kept) + (b - b_kept)};
+}
+
+/// `x` as two numbers of half the digits each, whose products are exact.
+///
+/// Domain: |x| below the largest number / 2^(digits / 2 + 1). Source: Veltkamp, after Dekker, "A Floating-Point Technique for
+/// Extending the Available Precision" (1971).
+template <class Real>
+[[nodiscard]] TwoParts<Real> split(const Real& x) {
+  constexpr int digits = std::numeric_limits<Scalar<Real>>::digits;
+  const Real factor = Real(ldexp(Scalar<Real>(1), (digits + 1) / 2) + Scalar<Real>(1));
+  const Real shifted = factor * x;
+  const Real high = shifted - (shifted - x);
+  return {high, x - high};
+}
+
+/// a b without an error: `high` is the rounded product, `low` what rounding dropped.
+///
+/// A fused multiply-add would give `low` in one step, but not every machine has one; both ways give the same number.
+/// Domain: no overflow in `split`, and |a b| above the smallest normal number times 2^digits. Source: Dekker (1971).
+template <class Real>
+[[nodiscard]] TwoParts<Real> two_product(const Real& a, const Real& b) {
+  const Real product = a * b;
+  const TwoParts<Real> p = split(a);
+  const TwoParts<Real> q = split(b);
+  return {product, ((p.high * q.high - product) + p.high * q.low + p.low * q.high) + p.low * q.low};
+}
+
+/// a b - c d with a relative error of at most 2 unit roundoffs, however much of the two products cancels.
+///
+/// Domain: as two_product, for both products. Source: Kahan's determinant; the bound by Jeannerod, Louvet and Muller, "Further
+/// Analysis of Kahan's Algorithm for the Accurate Computation of 2x2 Determinants" (2013), for its form with fused operations;
+/// here both products' errors are kept, and the bound is tested in tests/number/test_compensated.cpp.
+template <class Real>
+[[nodiscard]] Real difference_of_products(const Real& a, const Real& b, const Real& c, const Real& d) {
+  const TwoParts<Real> ab = two_product(a, b);
+  const TwoParts<Real> cd = two_product(c, d);
+  const TwoParts<Real> difference = two_sum(ab.high, -cd.high);
+  return difference.high + (difference.low + (ab.low - cd.low));
+}
+
+/// A sum whose error is that of one rounding of the result, as long as no more than half the digits cancel twice over.
+template <class Real>
+class CompensatedSum {
+ public:
+  void add(const Real& x) {
+    const TwoParts<Real> next = two_sum(sum_, x);
+    sum_ = next.high;
+    rest_ = rest_ + next.low;
+  }
+  void add_product(const Real& a, const Real& b) {
+    const TwoParts<Real> product = two_product(a, b);
+    add(product.high);
+    rest_ = rest_ + product.low;
+  }
+  [[nodiscard]] Real value() const { return sum_ + rest_; }
+
+ private:
+  Real sum_ = Real(0);
+  Real rest_ = Real(0);
+};
+
+/// 2^step and 2^-step for step = 1, 2, 4, ... up to half of the largest exponent of `Number`.
+template <class Number>
+struct PowersOfTwo {
+  static constexpr std::size_t count = std::bit_width(static_cast<unsigned>(std::numeric_limits<Number>::max_exponent)) - 1;
+  std::array<Number, count> up;
+  std::array<Number, count> down;
+
+  PowersOfTwo() {
+    for (std::size_t i = 0; i < count; ++i) {
+      up[i] = ldexp(Number(1), 1 << i);
+      down[i] = ldexp(Number(1), -(1 << i));
+    }
+  }
+};
+
+/// The power of two that brings `size` into [1, 2); 1 for zero, NaN and infinities. Multiplying by it rounds nothing.
+///
+/// @param size  not negative; a subnormal number is brought as far as the range allows
+/// Done by comparisons and products alone, so that packs, whose lanes need different powers, can do it too.
+template <class Real>
+[[nodiscard]] Real power_of_two_scale(const Real& size) {
+  using Limits = std::numeric_limits<Scalar<Real>>;
+  static const PowersOfTwo<Scalar<Real>> powers;
+  const Mask<Real> ordinary = size > Real(0) && size <= Real(Limits::max());
+  Real rest = select(ordinary, size, Real(1));
+  Real scale = Real(1);
+  for (std::size_t i = powers.count; i-- > 0;) {
+    const Real up = Real(powers.up[i]);
+    const Real down = Real(powers.down[i]);
+    const Mask<Real> large = rest >= up;
+    rest = select(large, rest * down, rest);
+    scale = select(large, scale * down, scale);
+    const Mask<Real> small = rest < Real(2) * down;
+    rest = select(small, rest * up, rest);
+    scale = select(small, scale * up, scale);
+  }
+  return scale;
+}
+
+}  // namespace texmap
