@@ -10,10 +10,13 @@ add_suite(math/test_rotation USES texture LABELS common)  # and a rotation to it
 add_suite(geometry/test_sphere USES texture LABELS common)  # a far sphere's error shows in (u, v)
 add_suite(geometry/test_camera USES geometry LABELS common)
 add_suite(geometry/test_nearest USES geometry LABELS common)
+add_suite(geometry/test_triangle USES geometry LABELS common)
+add_suite(geometry/test_plane USES texture LABELS common)  # what its exact height is good for shows in a checkerboard
 
 add_suite(texture/test_uv USES texture LABELS common)
 add_suite(texture/test_texel USES texture LABELS common)
 add_suite(texture/test_checkerboard USES texture LABELS common)
+add_suite(texture/test_solid_checkerboard USES texture LABELS common)
 add_suite(texture/test_image_texture USES texture LABELS common)
 add_suite(texture/test_conventions USES texture LABELS common)
 add_suite(texture/test_seed_formulas USES texture LABELS common)

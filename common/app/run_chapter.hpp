@@ -32,9 +32,13 @@ template <class Lesson>
     Lesson lesson;
     if constexpr (requires { lesson.options(line); }) lesson.options(line);
     Studio studio(chapter, line);
+    if constexpr (requires { lesson.objects; }) studio.offer_forms();
     if (!line.parse(argc, argv)) return;
     if constexpr (requires { lesson.prepare(studio); }) lesson.prepare(studio);
     studio.check();
+    if constexpr (requires { lesson.objects; }) {
+      for (auto& object : lesson.objects) object.sphere.form = studio.spheres;
+    }
     if constexpr (requires { lesson.show(studio); }) {
       lesson.show(studio);
     } else {

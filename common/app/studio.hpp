@@ -6,6 +6,7 @@
 
 #include "command_line.hpp"
 #include "draw.hpp"
+#include "sphere_forms.hpp"
 
 namespace texmap {
 
@@ -23,8 +24,11 @@ class Studio {
   int samples = 1;   ///< rays a pixel
   int threads = 0;   ///< 0: all cores
   Number number = Number::double_;
-  bool quiet = false;  ///< no progress and no line on success
+  SphereForm spheres = SphereForm::robust;  ///< for all spheres of the lesson
+  bool quiet = false;                       ///< no progress and no line on success
 
+  /// Adds the option --spheres, for lessons that have a list of objects.
+  void offer_forms();
   /// True when the user gave this option.
   [[nodiscard]] bool typed(std::string_view option) const { return line_.typed(option); }
   /// Another size for users who did not choose one; for pictures that have a shape of their own.
@@ -55,9 +59,10 @@ class Studio {
   /// The name save() would give.
   [[nodiscard]] std::string file_name(std::string_view suffix) const;
 
- private:
+  /// What `work` draws with the settings that the user chose; its time and rays are told when the picture is saved.
   [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);
 
+ private:
   std::string default_out_;
   CommandLine& line_;
   double milliseconds_ = 0;  // spent drawing since the last save

@@ -18,51 +18,67 @@ struct Sphere {
 /// be a unit vector. Errors: none; a zero or NaN direction is a miss. Domain and bounds: those of the sphere's form.
 template <class Real>
 [[nodiscard]] Real distance_to(const Sphere& sphere, const Ray<Real>& ray) {
-  const SeenSphere<Real> seen = {ray.origin - number_cast<Real>(sphere.center), ray.direction, Real(sphere.radius)};
+  const Vec3<Real> center = number_cast<Real>(sphere.center);
+  const Real radius = Real(sphere.radius);
   switch (sphere.form) {
     case SphereForm::plain:
-      return plain_distance(seen);
+      return plain_distance(ray.origin - center, ray.direction, radius);
     case SphereForm::hybrid:
-      return hybrid_meeting(seen).distance;
+      return hybrid_meeting(center, radius, ray).distance;
     case SphereForm::robust:
       break;
   }
-  return robust_distance(seen);
+  return robust_distance(ray.origin - center, ray.direction, radius);
+}
+
+/// The outward unit normal at a distance that `distance_to` gave.
+///
+/// It is formed from the center and never from the point in the world, but for the plain form, as the seeds do it: subtracting
+/// a far center from a point near it leaves few of the digits that a texture needs. The robust form mends the length, which is
+/// 1 but for roundings, by a step of Newton's instead of a square root and a division.
+/// Source: hit points relative to the object after pbrt-v4, section 6.8.
+template <class Real>
+[[nodiscard]] Vec3<Real> normal_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
+  const Vec3<Real> center = number_cast<Real>(sphere.center);
+  const Real radius = Real(sphere.radius);
+  const Vec3<Real> along = ray.direction * distance;
+  switch (sphere.form) {
+    case SphereForm::plain:
+      return (ray.origin + along - center) * (Real(1) / radius);
+    case SphereForm::hybrid:
+      return hybrid_meeting(center, radius, ray).normal;
+    case SphereForm::robust:
+      break;
+  }
+  const Vec3<Real> normal = (ray.origin - center + along) * (Real(1) / radius);
+  return normal * (Real(1.5) - Real(0.5) * dot(normal, normal));
 }
 
 /// The hit at a distance that `distance_to` gave.
 ///
-/// The normal is formed from the center and never from the point in the world (but for the plain form, as the seeds do it):
-/// subtracting a far center from a point near it would leave few of the digits that a texture needs. The point in the world is
-/// formed on the way that rounds less: along the ray, or from the center outward. `outside` and `inside` are lifted by 16 unit
-/// roundoffs of |center| + 2 radius, more than all roundings since could move them: a bound, where a fixed 0.001 is too much
-/// for a small sphere and too little for a large one.
+/// The point in the world is formed on the way that rounds less: along the ray, or from the center outward. `outside` and
+/// `inside` lie off the surface by 16 times the rounding errors that the point and the next ray's look at the sphere may have:
+/// a bound, where a fixed 0.001 is too much for a small sphere and too little for a large one. The hybrid form sees the next
+/// ray's origin without an error, so that its bound is smaller.
 /// Domain: |center| / radius up to 1 / (32 unit roundoffs): beyond, the number cannot tell the sphere's inside.
-/// Source: hit points relative to the object after pbrt-v4, section 6.8; the bound is measured in tests/extremes.
+/// Errors, measured in tests/extremes: no ray from `outside` outward meets the sphere, every ray from `inside` inward does.
 template <class Real>
 [[nodiscard]] Hit<Real> hit_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
+  const Real u = unit_roundoff<Real>;
   const Real radius = Real(sphere.radius);
   const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Vec3<Real> along = ray.direction * distance;
-  const Vec3<Real> normal = [&] {
-    switch (sphere.form) {
-      case SphereForm::plain:
-        return (ray.origin + along - center) * (Real(1) / radius);
-      case SphereForm::hybrid:
-        return hybrid_meeting(SeenSphere<Real>{ray.origin - center, ray.direction, radius}).normal;
-      case SphereForm::robust:
-        break;
-    }
-    const Vec3<Real> n = (ray.origin - center + along) * (Real(1) / radius);
-    return n * (Real(1.5) - Real(0.5) * dot(n, n));
-  }();
+  const Vec3<Real> normal = normal_at(sphere, ray, distance);
 
   const Real size_from_center = largest(center) + radius;
   const Real size_along_ray = largest(ray.origin) + largest(along);
   const Vec3<Real> point = select(size_along_ray < size_from_center, ray.origin + along, center + normal * radius);
 
-  const Real lift = Real(16) * unit_roundoff<Real> * (size_from_center + radius);
-  return {normal, point, center + normal * (radius + lift), center + normal * (radius - lift)};
+  const Real seen_with = size_from_center + radius;
+  const Real formed_with = smaller(size_along_ray, size_from_center);
+  const Vec3<Real> lift =
+      normal * (Real(16) * u * (sphere.form == SphereForm::hybrid ? formed_with + u * seen_with : seen_with));
+  return {normal, point, point + lift, point - lift};
 }
 
 }  // namespace texmap

@@ -12,24 +12,19 @@ enum class SphereForm {
   hybrid,  ///< compensated and scaled: any distance, any unit of length, any length of direction
 };
 
-/// A sphere as a ray sees it: all that its formulas need.
-template <class Real>
-struct SeenSphere {
-  Vec3<Real> from_center;  ///< the ray's origin as seen from the sphere's center
-  Vec3<Real> direction;    ///< the ray's, of any length
-  Real radius;
-};
-
-/// The first distance ahead by the quadratic formula: a t^2 - 2 b t + c = 0 with discriminant b^2 - a c.
+/// The first distance ahead by the quadratic formula: a t^2 - 2 b t + c = 0 with discriminant b^2 - a c; +infinity for a miss.
 ///
+/// @param f       the ray's origin as seen from the sphere's center
+/// @param d       the ray's direction, of any length
+/// @param radius  the sphere's
 /// For a sphere far away b^2 and a c are alike in nearly all digits, and for an origin near the surface b and the root are.
 /// Domain: sizes and direction lengths whose fourth power is in the number's range.
 /// Source: seeds 1 and 2, with a bound that lifts the origin in place of their 0.001.
 template <class Real>
-[[nodiscard]] inline Real plain_distance(const SeenSphere<Real>& seen) {
-  const Real a = dot(seen.direction, seen.direction);
-  const Real b = -dot(seen.from_center, seen.direction);
-  const Real c = dot(seen.from_center, seen.from_center) - square(seen.radius);
+[[nodiscard]] inline Real plain_distance(const Vec3<Real>& f, const Vec3<Real>& d, const Real& radius) {
+  const Real a = dot(d, d);
+  const Real b = -dot(f, d);
+  const Real c = dot(f, f) - square(radius);
   const Real discriminant = b * b - a * c;
   const Mask<Real> met = discriminant >= Real(0);
   if (!any(met)) return infinity<Real>;
@@ -55,23 +50,24 @@ template <class Real>
   return select(t > Real(0), t, infinity<Real>);
 }
 
-/// The first distance ahead, by the distance of the ray's line from the center.
+/// The first distance ahead, by the distance of the ray's line from the center; +infinity for a miss.
 ///
+/// @param f, d, radius  as for plain_distance
 /// |f x d| / |d| is that distance; comparing it with the radius subtracts two lengths of the sphere's own size, where b^2 - a c
 /// subtracts two squares of the distance to it. No division is done before it is known that the line meets the sphere.
 /// Domain: sizes and direction lengths whose fourth power is in the number's range: 1e-9 to 1e9 in float, 1e-75 to 1e75 in
 /// double. Source: the idea of Haines, Guenther and Akenine-Moller, "Precision Improvements for Ray/Sphere Intersection", Ray
 /// Tracing Gems (2019), chapter 7, with Lagrange's identity in place of their projected point, which needs a division.
 template <class Real>
-[[nodiscard]] inline Real robust_distance(const SeenSphere<Real>& seen) {
-  const Real a = dot(seen.direction, seen.direction);
-  const Vec3<Real> moment = cross(seen.from_center, seen.direction);
-  const Real discriminant = a * square(seen.radius) - dot(moment, moment);
+[[nodiscard]] inline Real robust_distance(const Vec3<Real>& f, const Vec3<Real>& d, const Real& radius) {
+  const Real a = dot(d, d);
+  const Vec3<Real> moment = cross(f, d);
+  const Real discriminant = a * square(radius) - dot(moment, moment);
   const Mask<Real> met = discriminant >= Real(0);
   if (!any(met)) return infinity<Real>;
 
-  const Real b = -dot(seen.from_center, seen.direction);
-  const Real c = dot(seen.from_center, seen.from_center) - square(seen.radius);
+  const Real b = -dot(f, d);
+  const Real c = dot(f, f) - square(radius);
   return select(met, root_ahead(a, b, c, sqrt(larger(discriminant, Real(0)))), infinity<Real>);
 }
 
@@ -84,38 +80,44 @@ struct Meeting {
 
 /// The first point ahead, with every digit the number has.
 ///
-/// All lengths are scaled by powers of two, so that nothing leaves the number's range. Far from the sphere (more than its
-/// diameter or so from the center) the discriminant is that of the robust form, its cross product made of compensated
+/// The way from the center to the origin is kept without an error, in two parts: an origin close above a large or far sphere
+/// knows its height. All lengths are scaled by powers of two, so that nothing leaves the number's range. Far from the sphere
+/// (more than 1.4 radii from the center) the discriminant is that of the robust form, its cross product made of compensated
 /// determinants, and the hit is reached from the line's nearest point to the center: its error is a few roundings of the
 /// radius, however far the origin. Near the sphere, and inside it, b, c and b^2 - a c are compensated instead, and the hit is
 /// reached along the ray.
-/// Domain: any finite sizes and lengths whose ratio stays in range, and a `from_center` that is exact: a difference of two far
-/// points may have been rounded before it gets here. Source: this course; determinants after Kahan.
+/// Domain: any finite sizes and lengths whose ratio stays in range. Source: this course; determinants after Kahan.
 template <class Real>
-[[nodiscard]] Meeting<Real> hybrid_meeting(const SeenSphere<Real>& seen) {
-  const Real scale = power_of_two_scale(larger(largest(seen.from_center), seen.radius));
-  const Real direction_scale = power_of_two_scale(largest(seen.direction));
-  const Vec3<Real> f = seen.from_center * scale;
-  const Vec3<Real> d = seen.direction * direction_scale;
-  const Real r = seen.radius * scale;
+[[nodiscard]] Meeting<Real> hybrid_meeting(const Vec3<Real>& center, const Real& radius, const Ray<Real>& ray) {
+  const TwoParts<Real> x = two_sum(ray.origin.x, -center.x);
+  const TwoParts<Real> y = two_sum(ray.origin.y, -center.y);
+  const TwoParts<Real> z = two_sum(ray.origin.z, -center.z);
+  const Real size = larger(larger(abs(x.high), larger(abs(y.high), abs(z.high))), radius);
+  const Real scale = power_of_two_scale(size);
+  const Real direction_scale = power_of_two_scale(largest(ray.direction));
+  const Vec3<Real> f = Vec3<Real>{x.high, y.high, z.high} * scale;
+  const Vec3<Real> f_rest = Vec3<Real>{x.low, y.low, z.low} * scale;
+  const Vec3<Real> d = ray.direction * direction_scale;
+  const Real r = radius * scale;
 
   const Real a = precise_dot(d, d);
-  const Real b = -precise_dot(f, d);
+  const Real b = -precise_dot(f, d, dot(f_rest, d));
   CompensatedSum<Real> power;
   power.add_product(f.x, f.x);
   power.add_product(f.y, f.y);
   power.add_product(f.z, f.z);
   power.add_product(-r, r);
+  power.add(Real(2) * dot(f, f_rest));
   const Real c = power.value();
 
   const Mask<Real> far = c > square(r);
-  const Vec3<Real> moment = precise_cross(f, d);
+  const Vec3<Real> moment = precise_cross(f, d) + cross(f_rest, d);
   const Real discriminant = select(far, a * square(r) - dot(moment, moment), difference_of_products(b, b, a, c));
   const Real root = sqrt(larger(discriminant, Real(0)));
   const Real t = root_ahead(a, b, c, root);
 
-  const Vec3<Real> nearest = cross(d, moment);  // times a
-  const Vec3<Real> from_center = select(far, nearest - d * root, f + d * t);
+  const Vec3<Real> from_foot = cross(d, moment) - d * root;  // times a
+  const Vec3<Real> from_center = select(far, from_foot, f + (f_rest + d * t));
   const Mask<Real> met = discriminant >= Real(0) && a > Real(0);
   return {select(met, t * (direction_scale / scale), infinity<Real>), normalize(from_center)};
 }

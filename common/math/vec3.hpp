@@ -71,10 +71,11 @@ template <class Real>
   return a * (Real(1) / length(a));
 }
 
-/// dot(a, b), rounded about once: what cancels between the three products is kept. Domain: as two_product.
+/// dot(a, b) + rest, rounded about once: what cancels between the products is kept. Domain: as two_product.
 template <class Real>
-[[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+[[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b, const Real& rest = Real(0)) {
   CompensatedSum<Real> sum;
+  sum.add(rest);
   sum.add_product(a.x, b.x);
   sum.add_product(a.y, b.y);
   sum.add_product(a.z, b.z);

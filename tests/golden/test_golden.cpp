@@ -9,6 +9,7 @@
 #include "04_uv_conventions/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "14_numerical_extremes/lesson.hpp"
 #include "pictures.hpp"
 #include "save_png.hpp"
 
@@ -47,6 +48,13 @@ Image sheet() {
   return chapter_04::sheet_of_conventions(lesson, studio);
 }
 
+Image extremes() {
+  CommandLine line("test", "");
+  Studio studio("test", line);
+  studio.prefer_size(1680, 1330);
+  return chapter_14::draw_sheet(chapter_14::Lesson{}.exhibits(), studio).picture;
+}
+
 Image lecture(const char* highlight) {
   const auto lesson = test::prepared<chapter_06::Lesson>(
       {"--scene", "lecture", "--shininess", "20", "--blend", "0.1", "--highlight", highlight});
@@ -64,6 +72,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_phong_texture_blend", test::picture(test::prepared<chapter_06::Lesson>()));
   check_golden("06_lecture_phong", lecture("phong"));
   check_golden("06_lecture_slides", lecture("lecture"));
+  check_golden("14_numerical_extremes", extremes());
 }
 
 TEST_CASE("the comparison can fail: neighbouring chapters, a mirrored Earth and half a texel are all refused") {

@@ -36,18 +36,18 @@ bool equal(const Color<Real>& a, const Color<Real>& b) {
 
 TEST_CASE_TEMPLATE("a solid paint is one color wherever it is hit", Real, float, double, long double) {
   const Solid paint{{0.25, 0.5, 1}};
-  CHECK(equal(paint(Hit<Real>{{0, 1, 0}, {1, 2, 3}, {1, 2, 3}}), {Real(0.25), Real(0.5), 1}));
-  CHECK(equal(paint(Hit<Real>{{1, 0, 0}, {}, {}}), {Real(0.25), Real(0.5), 1}));
+  CHECK(equal(paint(Hit<Real>{{0, 1, 0}, {1, 2, 3}, {1, 2, 3}, {}}), {Real(0.25), Real(0.5), 1}));
+  CHECK(equal(paint(Hit<Real>{{1, 0, 0}, {}, {}, {}}), {Real(0.25), Real(0.5), 1}));
 }
 
 TEST_CASE_TEMPLATE("a mapped texture is asked at the place of the normal, not of the point", Real, float, double, long double) {
   const Mapped<RtiowMapping, UvTexture> paint;
-  CHECK(equal(paint(Hit<Real>{{0, 0, 1}, {5, 6, 7}, {8, 9, 10}}), {Real(0.25), Real(0.5), 0}));
-  CHECK(equal(paint(Hit<Real>{{0, 1, 0}, {5, 6, 7}, {8, 9, 10}}), {Real(0.5), 1, 0}));
+  CHECK(equal(paint(Hit<Real>{{0, 0, 1}, {5, 6, 7}, {8, 9, 10}, {}}), {Real(0.25), Real(0.5), 0}));
+  CHECK(equal(paint(Hit<Real>{{0, 1, 0}, {5, 6, 7}, {8, 9, 10}, {}}), {Real(0.5), 1, 0}));
 }
 
 TEST_CASE_TEMPLATE("of several paints the one that is there is asked", Real, float, double, long double) {
-  const Hit<Real> hit{{0, 0, -1}, {1, 1, 1}, {1, 1, 1}};
+  const Hit<Real> hit{{0, 0, -1}, {1, 1, 1}, {1, 1, 1}, {}};
   CHECK(equal(Either{Solid{{0.25, 0.5, 1}}}(hit), {Real(0.25), Real(0.5), 1}));
   CHECK(equal(Either{NormalPaint{}}(hit), {0, 0, -1}));
   CHECK(equal(Either{Mapped<RtiowMapping, UvTexture>{}}(hit), {Real(0.75), Real(0.5), 0}));
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("of several paints the one that is there is asked", Real, flo
 
 TEST_CASE("a painted object can change its paint for another kind") {
   Painted<Either> object{{{1, 2, 3}, 4}, NormalPaint{}};
-  const Hit<double> hit{{0, 1, 0}, {}, {}};
+  const Hit<double> hit{{0, 1, 0}, {}, {}, {}};
   CHECK(equal(object.paint(hit), {0, 1, 0}));
   object.paint = Solid{{0.5, 0.5, 0.5}};
   CHECK(equal(object.paint(hit), {0.5, 0.5, 0.5}));
@@ -66,7 +66,7 @@ TEST_CASE("a painted object can change its paint for another kind") {
 
 TEST_CASE("a list of objects keeps each with its own paint") {
   const std::vector<Painted<Either>> scene = {{{}, Solid{{1, 0, 0}}}, {{}, NormalPaint{}}, {{}, Solid{{0, 0, 1}}}};
-  const Hit<double> hit{{0.6, 0.8, 0}, {}, {}};
+  const Hit<double> hit{{0.6, 0.8, 0}, {}, {}, {}};
   CHECK(equal(scene[0].paint(hit), {1, 0, 0}));
   CHECK(equal(scene[1].paint(hit), {0.6, 0.8, 0}));
   CHECK(equal(scene[2].paint(hit), {0, 0, 1}));
@@ -75,7 +75,7 @@ TEST_CASE("a list of objects keeps each with its own paint") {
 #ifdef TEXMAP_HAVE_PACKS
 TEST_CASE_TEMPLATE("one paint colors all lanes of a pack", T, float, double) {
   const auto x = from_lanes<Pack<T>>([](std::size_t i) { return static_cast<T>(i); });
-  const Hit<Pack<T>> hit{{x, Pack<T>(0), Pack<T>(1)}, {}, {}};
+  const Hit<Pack<T>> hit{{x, Pack<T>(0), Pack<T>(1)}, {}, {}, {}};
   const Color<Pack<T>> normals = Either{NormalPaint{}}(hit);
   const Color<Pack<T>> solid = Either{Solid{{0.5, 0.25, 1}}}(hit);
   for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
