@@ -129,7 +129,7 @@ template <class Exhibit>
   return studio.timed(1.0 * studio.width * studio.height * studio.samples, [&](const RenderSettings& settings) {
     if (studio.number == Number::float_) return render<float>(lesson, view, settings);
     if (studio.number == Number::extended) return render<long double>(lesson, view, settings);
-    if (studio.number == Number::double_) return render<double>(lesson, view, settings);
+    if (studio.number == Number::double_ || !studio.typed("--number")) return render<double>(lesson, view, settings);
     throw UsageError("--number takes float, double or extended here: the seeds' formulas branch, and packs cannot");
   });
 }

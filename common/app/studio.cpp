@@ -33,6 +33,10 @@ Studio::Studio(std::string_view chapter, CommandLine& line)
                        {"float-pack", Number::float_pack},
                        {"double-pack", Number::double_pack}},
                       "the number to calculate with");
+  line.choice<Instructions>(
+      "--instructions", instructions,
+      {{"baseline", Instructions::baseline}, {"avx2", Instructions::avx2}, {"avx512", Instructions::avx512}},
+      "what packs are made of; the machine's widest unless given");
   line.flag("--quiet", quiet, "no progress, nothing printed on success");
 }
 
@@ -49,6 +53,10 @@ void Studio::prefer_size(int columns, int rows) {
 }
 
 void Studio::check() const {
+  if (!machine_has(instructions)) {
+    throw UsageError(
+        "--instructions: this machine cannot run them; without the option the program takes the widest that it can");
+  }
   if (static_cast<long>(width) * height > most_pixels) {
     throw UsageError("--width " + std::to_string(width) + " times --height " + std::to_string(height) +
                      " must be at most 67108864 (2^26) pixels");
@@ -71,8 +79,10 @@ std::string Studio::file_name(std::string_view suffix) const {
 Image Studio::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
   Progress progress(!quiet);
   const auto start = std::chrono::steady_clock::now();
-  Image image = work(
-      {.samples = samples, .threads = threads, .progress = [&progress](int done, int total) { progress.report(done, total); }});
+  Image image =
+      work({.samples = samples, .threads = threads, .instructions = instructions, .progress = [&progress](int done, int total) {
+              progress.report(done, total);
+            }});
   milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   rays_ += rays;
   return image;

@@ -23,9 +23,10 @@ class Studio {
   int height = 600;  ///< pixels
   int samples = 1;   ///< rays a pixel
   int threads = 0;   ///< 0: all cores
-  Number number = Number::double_;
-  SphereForm spheres = SphereForm::robust;  ///< for all spheres of the lesson
-  bool quiet = false;                       ///< no progress and no line on success
+  Number number = default_number;
+  Instructions instructions = widest_instructions();  ///< what packs are made of
+  SphereForm spheres = SphereForm::robust;            ///< for all spheres of the lesson
+  bool quiet = false;                                 ///< no progress and no line on success
 
   /// Adds the option --spheres, for lessons that have a list of objects.
   void offer_forms();

@@ -11,10 +11,13 @@ namespace texmap {
 // Unqualified calls find these for plain numbers and, by argument-dependent lookup, the pack's or the reference number's own.
 using std::abs;
 using std::atan2;
+using std::cos;
 using std::exp;
 using std::floor;
 using std::ldexp;
 using std::log1p;
+using std::pow;
+using std::sin;
 using std::sqrt;
 
 /// What differs between one number and a pack of numbers.
@@ -104,7 +107,7 @@ template <class Real>
 /// `x` to the power of a plain number, as std::pow has it.
 template <class Real>
 [[nodiscard]] inline Real power(const Real& x, Scalar<Real> exponent) {
-  return from_lanes<Real>([&](std::size_t i) { return std::pow(lane(x, i), exponent); });
+  return from_lanes<Real>([&](std::size_t i) { return pow(lane(x, i), exponent); });
 }
 
 /// The entry of a table at a place given by whole numbers; each lane of a pack reads its own.

@@ -17,11 +17,15 @@ namespace texmap {
 /// double wherever the functions below round alike. Comparisons give a mask with one truth per lane.
 /// Bounds, measured in tests/number/test_pack.cpp: atan2 4 ulp, exp and log1p 2 ulp of the C library's; exp gives 0 where the
 /// result is near or below the smallest normal number. atan2(0, 0) is NaN.
-template <class T>
+///
+/// @tparam Arch  the instructions it is made of. They are part of the type's name: a program holds packs of several widths,
+/// each
+///               in files compiled for it, and functions for one must never be taken for functions for another
+template <class T, class Arch = xsimd::default_arch>
 class Pack {
  public:
-  using Batch = xsimd::batch<T>;
-  using Mask = xsimd::batch_bool<T>;
+  using Batch = xsimd::batch<T, Arch>;
+  using Mask = xsimd::batch_bool<T, Arch>;
 
   Pack() = default;
   Pack(const Batch& values) : values_(values) {}  // NOLINT(google-explicit-constructor): a pack is its values
@@ -67,17 +71,17 @@ class Pack {
 
 using xsimd::any;
 
-template <class T>
-struct NumberTraits<Pack<T>> {
+template <class T, class Arch>
+struct NumberTraits<Pack<T, Arch>> {
   using Scalar = T;
-  using Mask = typename Pack<T>::Mask;
-  static constexpr std::size_t lanes = Pack<T>::Batch::size;
+  using Mask = typename Pack<T, Arch>::Mask;
+  static constexpr std::size_t lanes = Pack<T, Arch>::Batch::size;
 
   template <class Value>
-  [[nodiscard]] static Pack<T> from_lanes(Value value) {
+  [[nodiscard]] static Pack<T, Arch> from_lanes(Value value) {
     alignas(64) std::array<T, lanes> values;
     for (std::size_t i = 0; i < lanes; ++i) values[i] = value(i);
-    return typename Pack<T>::Batch(xsimd::load_aligned(values.data()));
+    return Pack<T, Arch>::Batch::load_aligned(values.data());
   }
 };
 

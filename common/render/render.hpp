@@ -6,6 +6,7 @@
 #include "camera.hpp"
 #include "color.hpp"
 #include "image.hpp"
+#include "instructions.hpp"
 #include "progress.hpp"
 #include "threads.hpp"
 
@@ -15,6 +16,7 @@ namespace texmap {
 struct RenderSettings {
   int samples = 1;                                         ///< rays a pixel, at least 1
   int threads = 0;                                         ///< 0 takes all cores
+  Instructions instructions = widest_instructions();       ///< that packs are made of, at most
   std::function<void(int done, int total)> progress = {};  ///< called after each finished row, from any thread
 };
 

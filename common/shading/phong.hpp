@@ -51,8 +51,7 @@ template <class Real>
                                            const Vec3<Real>& to_eye) {
   const Vec3<Real> mirrored = normal * (Real(2) * dot(normal, lamp.to_light)) - lamp.to_light;
   const Real cosine = -dot(mirrored, to_eye);
-  const auto exponent = static_cast<Scalar<Real>>(finish.shininess);
-  return Real(finish.specular) * from_lanes<Real>([&](std::size_t i) { return std::pow(lane(cosine, i), exponent); });
+  return Real(finish.specular) * power(cosine, static_cast<Scalar<Real>>(finish.shininess));
 }
 
 /// The highlight by the formula of that name.

@@ -33,14 +33,10 @@ struct ImageTexture {
   }
 
  private:
-  /// Each lane of a pack reads its own texel.
   template <class Real>
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
     const auto channel = [&](std::uint8_t Rgb8::*which) {
-      const Real byte = from_lanes<Real>([&](std::size_t i) {
-        return static_cast<Scalar<Real>>(image.at(static_cast<int>(lane(column, i)), static_cast<int>(lane(row, i))).*which);
-      });
-      return byte / Real(255);
+      return look_up([&](int x, int y) { return image.at(x, y).*which; }, column, row) / Real(255);
     };
     return {channel(&Rgb8::r), channel(&Rgb8::g), channel(&Rgb8::b)};
   }

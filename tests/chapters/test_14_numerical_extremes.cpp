@@ -129,6 +129,8 @@ TEST_CASE("the judge of every exhibit, extended precision, sees what fifty digit
 TEST_CASE("an exhibit drawn alone is the one of the sheet, and a wrong name is told the right ones") {
   CommandLine line("test", "");
   Studio studio("test", line);
+  const std::array<const char*, 3> chosen = {"test", "--number", "double"};
+  REQUIRE(line.parse(3, chosen.data()));
   studio.width = 201;
   studio.height = 156;
   studio.out = "/nowhere/x.png";
@@ -145,6 +147,9 @@ TEST_CASE("an exhibit drawn alone is the one of the sheet, and a wrong name is t
   CHECK(test::count_different(pole, draw_alone(std::get<4>(exhibits), Care::plain, studio), 1) == 0);
   studio.number = Number::float_;
   CHECK(test::count_different(pole, draw_alone(std::get<4>(exhibits), Care::plain, studio), 1) > 1000);
-  studio.number = Number::float_pack;
-  CHECK_THROWS_AS((void)draw_alone(std::get<4>(exhibits), Care::robust, studio), UsageError);
+  CommandLine packs("test", "");
+  Studio with_packs("test", packs);
+  const std::array<const char*, 3> typed = {"test", "--number", "float-pack"};
+  REQUIRE(packs.parse(3, typed.data()));
+  CHECK_THROWS_AS((void)draw_alone(std::get<4>(exhibits), Care::robust, with_packs), UsageError);
 }

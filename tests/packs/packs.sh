@@ -1,0 +1,62 @@
+#!/bin/sh
+# Packs of every width draw the pictures that plain double draws, and the program's other functions run on every machine.
+# usage: packs.sh BIN [CHAPTER...]      BIN holds the chapters' programs and compare
+#        packs.sh --self-test BIN       shows that a difference would be noticed
+set -eu
+if [ "${1:-}" = --self-test ]; then
+  self_test=yes
+  shift
+fi
+bin=${1:?usage: packs.sh [--self-test] BIN [CHAPTER...]}
+shift
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+tried=0
+
+fail() {
+  echo "FAIL: $1" >&2
+  failed=$((failed + 1))
+}
+
+draw() { "$bin/$1" --quiet --width 400 --height 300 --out "$2" --number "$3" --instructions "$4"; }
+
+# wide_functions PROGRAM: functions with wide instructions that are not named after them.
+wide_functions() {
+  objdump -d --no-show-raw-insn "$1" |
+    awk '/^[0-9a-f]+ </ { name = $2 } /%[yz]mm/ && name !~ /avx|draw_wide_packs/ { print name }' | sort -u
+}
+
+if [ -n "${self_test:-}" ]; then
+  draw 02_checkerboard_uv "$work/double.png" double baseline
+  draw 02_checkerboard_uv "$work/float.png" float baseline
+  if "$bin/compare" "$work/double.png" "$work/float.png" >/dev/null; then
+    echo "FAIL: a picture drawn in float is taken for the one in double"
+    exit 1
+  fi
+  echo "a difference of rounding is noticed"
+  exit 0
+fi
+
+for chapter in "$@"; do
+  draw "$chapter" "$work/double.png" double baseline
+  for instructions in baseline avx2 avx512; do
+    draw "$chapter" "$work/packs.png" double-pack "$instructions" 2>"$work/refusal" || {
+      grep -q "this machine cannot" "$work/refusal" || fail "$chapter with $instructions: $(cat "$work/refusal")"
+      echo "$instructions: not on this machine"
+      continue
+    }
+    "$bin/compare" "$work/double.png" "$work/packs.png" >/dev/null || fail "$chapter: packs of double with $instructions differ from double"
+    draw "$chapter" "$work/float-$instructions.png" float-pack "$instructions"
+    "$bin/compare" "$work/float-baseline.png" "$work/float-$instructions.png" >/dev/null ||
+      fail "$chapter: packs of float with $instructions differ from those with baseline"
+    tried=$((tried + 1))
+  done
+  if command -v objdump >/dev/null 2>&1; then
+    wide=$(wide_functions "$bin/$chapter")
+    [ -z "$wide" ] || fail "$chapter: wide instructions where every machine goes: $wide"
+  fi
+done
+[ "$tried" -gt 0 ] || fail "nothing was tried"
+echo "$tried pictures with packs, $failed failed"
+[ "$failed" -eq 0 ]
