@@ -2,6 +2,7 @@
 
 add_suite(number/test_number USES number LABELS common)
 add_suite(number/test_pack USES number LABELS common)
+add_suite(number/test_interval USES number LABELS common)
 
 add_suite(math/test_vec3 USES math LABELS common)
 add_suite(math/test_color USES render LABELS common)  # a mixed color is also followed to its byte
@@ -27,6 +28,7 @@ add_suite(shading/test_sky USES shading LABELS common)
 add_suite(shading/test_painted USES shading texture LABELS common)
 
 add_suite(render/test_render USES render LABELS common)
+add_suite(render/test_sureness USES options LABELS extremes)
 add_suite(render/test_threads USES render LABELS common)
 add_suite(geometry/test_seed_sphere USES geometry LABELS common)
 add_suite(math/test_seed_blend USES math LABELS common)

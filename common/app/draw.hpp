@@ -5,6 +5,7 @@
 #include "number.hpp"
 #include "pack.hpp"
 #include "render.hpp"
+#include "sureness.hpp"
 
 namespace texmap {
 
@@ -15,6 +16,7 @@ enum class Number {
   extended,     ///< long double: 64 on x86
   float_pack,   ///< several floats at once
   double_pack,  ///< several doubles at once
+  interval,     ///< two doubles with the true number between them: draws how sure each pixel is, not the picture
 };
 
 /// The fastest number that draws, in every chapter, the very picture that double draws (tests/packs): packs of double where
@@ -50,6 +52,8 @@ template <class Lesson>
       return render<float>(lesson, view, settings);
     case Number::extended:
       return render<long double>(lesson, view, settings);
+    case Number::interval:
+      return render_sureness(lesson, view, settings);
     case Number::float_pack:
     case Number::double_pack:
 #ifdef TEXMAP_HAVE_PACKS

@@ -26,13 +26,16 @@ Studio::Studio(std::string_view chapter, CommandLine& line)
   line.whole("--height", height, 1, longest_side, "rows of pixels");
   line.whole("--samples", samples, 1, 65536, "rays a pixel: 1 looks through its center, more smooth the edges");
   line.whole("--threads", threads, 0, 1024, "threads to draw with, 0 for one per core; the picture is the same");
-  line.choice<Number>("--number", number,
-                      {{"float", Number::float_},
-                       {"double", Number::double_},
-                       {"extended", Number::extended},
-                       {"float-pack", Number::float_pack},
-                       {"double-pack", Number::double_pack}},
-                      "the number to calculate with");
+  line.choice<Number>(
+      "--number", number,
+      {{"float", Number::float_},
+       {"double", Number::double_},
+       {"extended", Number::extended},
+       {"float-pack", Number::float_pack},
+       {"double-pack", Number::double_pack},
+       {"interval", Number::interval}},
+      "the number to calculate with; interval draws how sure each pixel is: gray where no rounding can change its "
+      "bytes, yellow to violet for 1 to 255 levels of doubt");
   line.choice<Instructions>(
       "--instructions", instructions,
       {{"baseline", Instructions::baseline}, {"avx2", Instructions::avx2}, {"avx512", Instructions::avx512}},

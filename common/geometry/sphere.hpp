@@ -78,7 +78,7 @@ template <class Real>
   const Real formed_with = smaller(size_along_ray, size_from_center);
   const Vec3<Real> lift =
       normal * (Real(16) * u * (sphere.form == SphereForm::hybrid ? formed_with + u * seen_with : seen_with));
-  return {normal, point, point + lift, point - lift};
+  return {normal, point, point + lift, point - lift, &sphere};
 }
 
 }  // namespace texmap

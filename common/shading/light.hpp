@@ -24,6 +24,8 @@ struct Illumination {
 
 /// The lamp as seen from a hit point, with the shadows of all objects.
 ///
+/// Bound: `to_light` within 4 unit roundoffs, for a path whose square is in range; no point in its own shadow, by any form of
+/// the sphere that the hit's domain holds; docs/numbers.md.
 /// No shadow ray is traced for a surface that faces away: there the answer is 0 anyway.
 template <class Real, class Objects>
 [[nodiscard]] Illumination<Real> illumination(const PointLight& light, const Objects& objects, const Hit<Real>& hit) {
@@ -32,13 +34,13 @@ template <class Real, class Objects>
   const Vec3<Real> to_light = path * (Real(1) / distance);
   const Real cosine = larger(dot(hit.normal, to_light), Real(0));
   if (!any(cosine > Real(0))) return {to_light, cosine};
-  const Mask<Real> hidden = is_occluded(objects, Ray<Real>{hit.outside, to_light}, distance);
+  const Mask<Real> hidden = is_occluded(objects, Ray<Real>{hit.outside, to_light}, distance, hit.sphere);
   return {to_light, select(hidden, Real(0), cosine)};
 }
 
 /// The brightness of a matt surface, by Lambert's cosine law: ambient + diffuse cos.
 ///
-/// @return  the factor on the surface's color, 0 to 1 when ambient + diffuse <= 1
+/// @return  the factor on the surface's color, 0 to 1 when ambient + diffuse <= 1, within 2.5 unit roundoffs of itself
 template <class Real>
 [[nodiscard]] Real lambert(const Matt& matt, const Illumination<Real>& lamp) {
   return Real(matt.ambient) + Real(matt.diffuse) * lamp.cosine;

@@ -11,10 +11,11 @@ struct GradientSky {
   Rgb above;  ///< seen straight up
 
   /// @param ray  with a direction of unit length
+  /// Bound: 2 unit roundoffs of 1, for colors of 0 to 1; docs/numbers.md.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
     const Real height = (ray.direction.y + Real(1)) * Real(0.5);
-    return number_cast<Real>(below) * (Real(1) - height) + number_cast<Real>(above) * height;
+    return mix(number_cast<Real>(below), number_cast<Real>(above), height);
   }
 };
 

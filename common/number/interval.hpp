@@ -1,0 +1,350 @@
+// Intervals: numbers known only to lie between two bounds. A lesson computed with them gives bounds that are guaranteed.
+#pragma once
+#include <bit>
+#include <cfloat>
+#include <concepts>
+#include <cstdint>
+
+#include "compensated.hpp"
+
+namespace texmap {
+
+/// A truth that need not be known: whether a comparison can come out true, and whether it can come out false.
+///
+/// A comparison of intervals gives one or both, never neither. `&&`, `||` and `!` keep to that; both sides are always computed.
+struct Maybe {
+  bool can_be_true = false;
+  bool can_be_false = true;
+
+  friend constexpr Maybe operator!(const Maybe& a) { return {a.can_be_false, a.can_be_true}; }
+  friend constexpr Maybe operator&&(const Maybe& a, const Maybe& b) {
+    return {a.can_be_true && b.can_be_true, a.can_be_false || b.can_be_false};
+  }
+  friend constexpr Maybe operator||(const Maybe& a, const Maybe& b) {
+    return {a.can_be_true || b.can_be_true, a.can_be_false && b.can_be_false};
+  }
+  /// Work is skipped only where nothing can need it.
+  [[nodiscard]] friend constexpr bool any(const Maybe& a) { return a.can_be_true; }
+};
+
+class Interval;
+
+template <>
+struct NumberTraits<Interval> {
+  using Scalar = double;  ///< whose constants and digits an interval has: its bounds
+  using Mask = Maybe;
+  static constexpr std::size_t lanes = 1;
+};
+
+/// All numbers from `low()` to `high()`, both included; either may be infinite.
+///
+/// The law: if x lies in X and y in Y, then the exact x + y lies in X + Y, and so for every function here. A formula computed
+/// with intervals therefore gives bounds on what it would give without rounding, and on what it gives in double and in every
+/// number with more digits.
+///
+/// Rounding: each operation is computed rounded to nearest, and its bounds moved outward to the next number, because the exact
+/// result lies between the two neighbours of the rounded one. Nothing is moved where a sum, or a product or quotient by a power
+/// of two, is exact: a checkerboard asks whether half of a whole number is whole, and could not be told otherwise. atan2, exp,
+/// log1p and power are moved by 4 numbers. The GNU C library lists known errors, not proven ones; the largest found among 2e7
+/// arguments each is 0.82 ulp (log1p, version 2.36). No rounding mode is switched, so no compiler flag is needed; the processor
+/// must round to nearest, which is what it starts with, and must not flush tiny numbers to zero.
+///
+/// NaN: an operation that is undefined for some of its numbers, such as 0 / 0, 0 times infinity or the root of a negative
+/// number, gives the whole line, and so does every function of the whole line: it stands for anything, NaN included. As with
+/// NaN, only `select`, `larger`, `smaller` and `clamp` lead back. A zero has no sign here: a division by zero gives the whole
+/// line, and so does one by an interval that holds zero.
+/// What is undecided is hulled: `select` gives one side where the mask is certain, else the smallest interval with both.
+/// Source: Moore, Kearfott and Cloud, Introduction to Interval Analysis (2009).
+class Interval {
+ public:
+  using Mask = Maybe;
+
+  constexpr Interval() = default;
+  /// The one number `number`, or its two neighbours in double where it has more digits than a double. NaN gives the whole line.
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  constexpr explicit Interval(Number number)
+      : low_(lower(static_cast<double>(number), exact(number))), high_(upper(static_cast<double>(number), exact(number))) {}
+  /// @param low, high  low <= high; a NaN means that there is no bound on that side
+  constexpr Interval(double low, double high) : low_(lower(low, true)), high_(upper(high, true)) {}
+
+  /// The whole line: anything.
+  [[nodiscard]] static constexpr Interval anything() { return {-infinite, infinite}; }
+
+  [[nodiscard]] constexpr double low() const { return low_; }
+  [[nodiscard]] constexpr double high() const { return high_; }
+  [[nodiscard]] constexpr bool is_point() const { return low_ == high_; }
+  [[nodiscard]] constexpr bool is_anything() const { return low_ == -infinite && high_ == infinite; }
+  [[nodiscard]] constexpr bool is_unbounded() const { return low_ == -infinite || high_ == infinite; }
+  /// True for infinity itself, not for an interval that merely has no bound.
+  [[nodiscard]] constexpr bool is_infinite() const { return low_ == infinite || high_ == -infinite; }
+  [[nodiscard]] constexpr bool may_be_zero() const { return low_ <= 0 && high_ >= 0; }
+  /// True where x lies in the interval; a NaN lies in the whole line alone.
+  template <std::floating_point Number>
+  [[nodiscard]] constexpr bool contains(Number x) const {
+    return (low_ <= x && x <= high_) || is_anything();
+  }
+  /// The smallest interval that holds both.
+  [[nodiscard]] friend constexpr Interval hull(const Interval& a, const Interval& b) {
+    return {a.low_ < b.low_ ? a.low_ : b.low_, a.high_ > b.high_ ? a.high_ : b.high_};
+  }
+
+  friend constexpr Interval operator+(const Interval& a, const Interval& b) {
+    const double low = a.low_ + b.low_;
+    const double high = a.high_ + b.high_;
+    return {lower(low, is_exact_sum(low, a.low_, b.low_)), upper(high, is_exact_sum(high, a.high_, b.high_))};
+  }
+  friend constexpr Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
+  friend constexpr Interval operator-(const Interval& a) { return {-a.high_, -a.low_}; }
+
+  friend constexpr Interval operator*(const Interval& a, const Interval& b) {
+    // By the signs, one product is the smallest and one the largest; only two intervals that both hold zero need four.
+    double low = 0;
+    double high = 0;
+    if (a.low_ >= 0) {
+      low = (b.low_ >= 0 ? a.low_ : a.high_) * b.low_;
+      high = (b.high_ >= 0 ? a.high_ : a.low_) * b.high_;
+    } else if (a.high_ <= 0) {
+      low = (b.high_ >= 0 ? a.low_ : a.high_) * b.high_;
+      high = (b.low_ >= 0 ? a.high_ : a.low_) * b.low_;
+    } else if (b.low_ >= 0) {
+      low = a.low_ * b.high_;
+      high = a.high_ * b.high_;
+    } else if (b.high_ <= 0) {
+      low = a.high_ * b.low_;
+      high = a.low_ * b.low_;
+    } else {
+      low = least(a.low_ * b.high_, a.high_ * b.low_);
+      high = most(a.low_ * b.low_, a.high_ * b.high_);
+    }
+    if (a.is_unbounded() || b.is_unbounded()) {
+      if ((a.is_unbounded() && b.may_be_zero()) || (b.is_unbounded() && a.may_be_zero())) return anything();
+      if (a.is_infinite() || b.is_infinite()) return {low, high};
+    }
+    return outward(low, high, is_power_of_two(a) || is_power_of_two(b), sign_of(a, b));
+  }
+  friend constexpr Interval operator/(const Interval& a, const Interval& b) {
+    if (b.may_be_zero()) return anything();
+    if (a.is_unbounded() && b.is_unbounded()) return anything();
+    const double smallest = b.low_ > 0 ? a.low_ : a.high_;
+    const double largest = b.low_ > 0 ? a.high_ : a.low_;
+    const double low = smallest / (smallest >= 0 ? b.high_ : b.low_);
+    const double high = largest / (largest >= 0 ? b.low_ : b.high_);
+    if (a.is_infinite() || b.is_infinite()) return {low, high};
+    return outward(low, high, is_power_of_two(b), sign_of(a, b));
+  }
+
+  // A NaN makes every comparison false, and the whole line may be one.
+  friend constexpr Maybe operator<(const Interval& a, const Interval& b) { return {a.low_ < b.high_, !(a.high_ < b.low_)}; }
+  friend constexpr Maybe operator<=(const Interval& a, const Interval& b) {
+    return {a.low_ <= b.high_, !(a.high_ <= b.low_) || a.is_anything() || b.is_anything()};
+  }
+  friend constexpr Maybe operator>(const Interval& a, const Interval& b) { return b < a; }
+  friend constexpr Maybe operator>=(const Interval& a, const Interval& b) { return b <= a; }
+  friend constexpr Maybe operator==(const Interval& a, const Interval& b) {
+    return {a.low_ <= b.high_ && b.low_ <= a.high_, !(a.high_ == b.low_ && a.low_ == b.high_)};
+  }
+
+  /// The certain one of the two, or the hull of both. A side that cannot be taken may be the whole line and does no harm; one
+  /// that merely need not be taken makes the hull the whole line.
+  friend constexpr Interval select(const Maybe& mask, const Interval& yes, const Interval& no) {
+    if (!mask.can_be_false) return yes;
+    if (!mask.can_be_true) return no;
+    return hull(yes, no);
+  }
+  /// The larger of two numbers, without the hull that select(a > b, a, b) gives: [1, 4] and [2, 3] give [2, 4], not [1, 4].
+  friend constexpr Interval larger(const Interval& a, const Interval& b) {
+    if (b.is_anything()) return b;
+    return {a.low_ > b.low_ ? a.low_ : b.low_, a.high_ > b.high_ ? a.high_ : b.high_};
+  }
+  friend constexpr Interval smaller(const Interval& a, const Interval& b) {
+    if (b.is_anything()) return b;
+    return {a.low_ < b.low_ ? a.low_ : b.low_, a.high_ < b.high_ ? a.high_ : b.high_};
+  }
+
+  friend constexpr Interval abs(const Interval& a) {
+    if (a.low_ >= 0 || a.is_anything()) return a;
+    if (a.high_ <= 0) return -a;
+    return {0.0, -a.low_ > a.high_ ? -a.low_ : a.high_};
+  }
+  friend Interval floor(const Interval& a) { return {std::floor(a.low_), std::floor(a.high_)}; }
+  /// x * x for one x: never below 0, where [-1, 2] * [-1, 2] reaches down to -2.
+  friend constexpr Interval square(const Interval& a) {
+    if (a.is_anything()) return a;
+    const Interval size = abs(a);
+    return outward(size.low_ * size.low_, size.high_ * size.high_, is_power_of_two(a), {.never_negative = true});
+  }
+  friend Interval sqrt(const Interval& a) {
+    if (!(a.low_ >= 0)) return anything();
+    // Only 0, 1 and infinity are their own roots, and are exactly that.
+    const double low = std::sqrt(a.low_);
+    const double high = std::sqrt(a.high_);
+    return {lower(low, low == a.low_), upper(high, high == a.high_)};
+  }
+  friend Interval exp(const Interval& a) {
+    if (a.is_anything()) return a;
+    const Interval wide = widened_by_4(std::exp(a.low_), std::exp(a.high_));
+    return {wide.low_ > 0 ? wide.low_ : 0, wide.high_};
+  }
+  friend Interval log1p(const Interval& a) {
+    if (!(a.low_ >= -1)) return anything();
+    return widened_by_4(std::log1p(a.low_), std::log1p(a.high_));
+  }
+  /// The angle of the points (x, y) of a box. A box that touches the negative x axis or the origin gives [-pi, pi]: the angle
+  /// jumps there by a whole turn, and a zero that has no sign does not say to which side.
+  friend Interval atan2(const Interval& y, const Interval& x) {
+    if (y.is_anything() || x.is_anything()) return anything();
+    const double half_turn = next_up(std::numbers::pi);
+    if (y.low_ <= 0 && y.high_ >= 0 && x.low_ <= 0) return {-half_turn, half_turn};
+    // Nowhere in the box does the angle jump, so it is smallest and largest at corners; which ones, the signs say.
+    const double last_x = y.low_ >= 0 ? x.high_ : x.low_;
+    const double last_y = last_x >= 0 ? y.low_ : y.high_;
+    const double first_x = y.high_ >= 0 ? x.low_ : x.high_;
+    const double first_y = first_x >= 0 ? y.high_ : y.low_;
+    const Interval wide = widened_by_4(std::atan2(last_y, last_x), std::atan2(first_y, first_x));
+    return {wide.low_ > -half_turn ? wide.low_ : -half_turn, wide.high_ < half_turn ? wide.high_ : half_turn};
+  }
+  /// x to the power of a plain number; see number.hpp. Negative x have powers with whole exponents only.
+  friend Interval power(const Interval& x, double exponent) {
+    if (exponent < 0) return Interval(1) / power(x, -exponent);
+    const bool whole = std::floor(exponent) == exponent;
+    const bool even = whole && std::floor(exponent / 2) == exponent / 2;
+    if (x.is_anything() || (x.low_ < 0 && !whole)) return anything();
+    const Interval base = even ? abs(x) : x;
+    const Interval wide = widened_by_4(std::pow(base.low_, exponent), std::pow(base.high_, exponent));
+    return {base.low_ >= 0 && !(wide.low_ >= 0) ? 0 : wide.low_, wide.high_};
+  }
+  /// The hull of all entries of a table in whose column and row the place may lie; see number.hpp.
+  template <class Table>
+  friend Interval look_up(const Table& table, const Interval& column, const Interval& row) {
+    const auto first = table(static_cast<int>(column.low_), static_cast<int>(row.low_));
+    auto least = first;
+    auto most = first;
+    for (int y = static_cast<int>(row.low_); y <= static_cast<int>(row.high_); ++y) {
+      for (int x = static_cast<int>(column.low_); x <= static_cast<int>(column.high_); ++x) {
+        const auto entry = table(x, y);
+        least = entry < least ? entry : least;
+        most = entry > most ? entry : most;
+      }
+    }
+    return {static_cast<double>(least), static_cast<double>(most)};
+  }
+
+ private:
+  static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
+                "a double operation must round once, as a double");
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  /// The next number below x. For -infinity and NaN, NaN, which a constructed interval reads as no bound.
+  [[nodiscard]] static constexpr double next_down(double x) {
+    // The numbers of one sign follow each other as whole numbers do. 0 is turned into -0 first, below which -5e-324 follows.
+    const auto bits = std::bit_cast<std::int64_t>(-(0.0 - x));
+    return std::bit_cast<double>(bits < 0 ? bits + 1 : bits - 1);
+  }
+  /// The next number above x. For infinity and NaN, NaN.
+  [[nodiscard]] static constexpr double next_up(double x) { return -next_down(-x); }
+
+  /// A lower bound of what rounded to x: x itself where it is known not to be too large. A NaN gives -infinity.
+  [[nodiscard]] static constexpr double lower(double x, bool not_too_large) {
+    if (!not_too_large) return next_down(x);
+    return x >= -infinite ? x : -infinite;
+  }
+  [[nodiscard]] static constexpr double upper(double x, bool not_too_small) { return -lower(-x, not_too_small); }
+
+  /// True when nothing was rounded in `sum`, the rounded a + b.
+  ///
+  /// Taking the larger of the two from the sum rounds nothing, and gives the smaller one back if nothing was lost. Source:
+  /// Dekker, "A Floating-Point Technique for Extending the Available Precision" (1971).
+  [[nodiscard]] static constexpr bool is_exact_sum(double sum, double a, double b) {
+    return (sum - a == b && sum - b == a) || (sum - sum != 0 && (sum == a || sum == b));
+  }
+
+  [[nodiscard]] static constexpr bool is_power_of_two(const Interval& a) {
+    const auto bits = std::bit_cast<std::uint64_t>(a.low_);
+    const auto exponent = (bits >> 52U) & 0x7FFU;
+    return bits << 12U == 0 && a.is_point() && exponent != 0 && exponent != 0x7FFU;
+  }
+  /// The sign of all products and quotients of two intervals, where they have one.
+  struct Sign {
+    bool never_negative = false;
+    bool never_positive = false;
+  };
+  [[nodiscard]] static constexpr Sign sign_of(const Interval& a, const Interval& b) {
+    const bool zero = (a.low_ == 0 && a.high_ == 0) || (b.low_ == 0 && b.high_ == 0);
+    return {zero || (a.low_ >= 0 && b.low_ >= 0) || (a.high_ <= 0 && b.high_ <= 0),
+            zero || (a.low_ >= 0 && b.high_ <= 0) || (a.high_ <= 0 && b.low_ >= 0)};
+  }
+  /// The bounds of what rounded to `low` and `high`, without losing the sign.
+  ///
+  /// @param scaled  that a factor was a power of two: a result in the range of numbers with all digits is exact then
+  [[nodiscard]] static constexpr Interval outward(double low, double high, bool scaled, Sign sign) {
+    const double below = lower(low, scaled && has_all_digits(low));
+    const double above = upper(high, scaled && has_all_digits(high));
+    return {sign.never_negative && below < 0 ? 0 : below, sign.never_positive && above > 0 ? 0 : above};
+  }
+  [[nodiscard]] static constexpr bool has_all_digits(double x) {
+    const double size = x < 0 ? -x : x;
+    return size >= std::numeric_limits<double>::min() && size < infinite;
+  }
+  [[nodiscard]] static constexpr double least(double a, double b) { return a < b ? a : b; }
+  [[nodiscard]] static constexpr double most(double a, double b) { return a > b ? a : b; }
+
+  [[nodiscard]] static constexpr Interval widened_by_4(double low, double high) {
+    for (int i = 0; i < 4; ++i) {
+      low = next_down(low);
+      high = next_up(high);
+    }
+    return {low, high};
+  }
+
+  /// True when a double holds every digit of `number`.
+  template <class Number>
+  [[nodiscard]] static constexpr bool exact(Number number) {
+    if constexpr (std::numeric_limits<Number>::digits <= std::numeric_limits<double>::digits) {
+      return true;
+    } else if constexpr (std::floating_point<Number>) {
+      return static_cast<Number>(static_cast<double>(number)) == number;
+    } else {
+      constexpr auto largest = Number(1) << std::numeric_limits<double>::digits;
+      return number <= largest && (std::is_unsigned_v<Number> || number >= -largest);
+    }
+  }
+
+  double low_ = 0;
+  double high_ = 0;
+};
+
+/// The real circle constant lies between the two doubles nearest to it.
+template <>
+inline constexpr Interval pi<Interval>{0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};
+
+/// What [0, 1) ends with depends on the digits; this holds the answer of double and of every number with more.
+template <>
+inline constexpr Interval below_one<Interval>{0x1.fffffffffffffp-1, 1.0};
+
+/// Half of the last place of whatever number of an interval, on either side of 0; nothing for a single number.
+[[nodiscard]] inline Interval rounding_error_in(const Interval& a) {
+  return a.is_point() ? Interval(0) : abs(a) * Interval(-0x1p-53, 0x1p-53);
+}
+
+/// a + b and what rounding may have dropped. The general form (compensated.hpp) would count the width of a and b thrice.
+[[nodiscard]] inline TwoParts<Interval> two_sum(const Interval& a, const Interval& b) {
+  const Interval sum = a + b;
+  return {sum, rounding_error_in(sum)};
+}
+
+/// a b and what rounding may have dropped.
+[[nodiscard]] inline TwoParts<Interval> two_product(const Interval& a, const Interval& b) {
+  const Interval product = a * b;
+  return {product, rounding_error_in(product)};
+}
+
+/// A power of two that brings the upper end of `size` into [1, 2), and not the hull of all that some number in it would get:
+/// what is scaled is scaled back, so that any one will do.
+[[nodiscard]] inline Interval power_of_two_scale(const Interval& size) {
+  if (!(size.high() > 0 && size.high() <= std::numeric_limits<double>::max())) return Interval(1);
+  const int exponent = -std::ilogb(size.high());
+  return Interval(ldexp(1.0, exponent < 1023 ? exponent : 1023));
+}
+
+}  // namespace texmap

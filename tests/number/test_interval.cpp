@@ -1,0 +1,495 @@
+// Tests of common/number/interval.hpp: what an interval promises holds for numbers of all sizes, and its bounds are close.
+#include <doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "interval.hpp"
+
+#if __has_include(<boost/multiprecision/cpp_bin_float.hpp>) && __has_include(<boost/numeric/interval.hpp>)
+#define TEXMAP_HAVE_BOOST
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/numeric/interval.hpp>
+#endif
+
+namespace texmap {
+namespace {
+
+using Limits = std::numeric_limits<double>;
+constexpr double inf = Limits::infinity();
+constexpr double nan = Limits::quiet_NaN();
+constexpr double tiny = Limits::denorm_min();
+constexpr double huge = Limits::max();
+constexpr Interval anything = Interval::anything();
+
+constexpr Maybe yes{.can_be_true = true, .can_be_false = false};
+constexpr Maybe no{.can_be_true = false, .can_be_false = true};
+constexpr Maybe unknown{.can_be_true = true, .can_be_false = true};
+
+bool same(const Interval& a, const Interval& b) { return a.low() == b.low() && a.high() == b.high(); }
+bool same(const Maybe& a, const Maybe& b) { return a.can_be_true == b.can_be_true && a.can_be_false == b.can_be_false; }
+bool can_be(const Maybe& mask, bool truth) { return truth ? mask.can_be_true : mask.can_be_false; }
+
+/// Where a number stands among all doubles: neighbours are 1 apart, both zeros are 0.
+std::int64_t place(double x) {
+  const auto size = std::bit_cast<std::int64_t>(std::abs(x));
+  return std::signbit(x) ? -size : size;
+}
+double at_place(std::int64_t place) { return place < 0 ? -std::bit_cast<double>(-place) : std::bit_cast<double>(place); }
+/// How many steps from number to number the bounds are apart.
+std::int64_t steps(const Interval& a) { return place(a.high()) - place(a.low()); }
+
+/// Numbers of every size, and more often than chance would have it those at which arithmetic is apt to go wrong.
+class Numbers {
+ public:
+  double next() {
+    static constexpr double corners[] = {0, -0.0, tiny, -tiny, Limits::min(), 1, -1, 0.5, 3, huge, -huge, inf, -inf};
+    const auto kind = below(10);
+    if (kind == 0) return corners[below(std::size(corners))];
+    const double size = std::ldexp(1 + static_cast<double>(random_() >> 11U) * 0x1p-53, exponent(kind));
+    return below(2) == 0 ? size : -size;
+  }
+  double next_finite() {
+    double x = next();
+    while (std::isinf(x)) x = next();
+    return x;
+  }
+  /// A single number, some neighbours, or any two ends.
+  Interval interval(bool finite = false) {
+    const double a = finite ? next_finite() : next();
+    const auto kind = below(4);
+    double b = finite ? next_finite() : next();
+    if (kind == 0) b = a;
+    if (kind == 1) b = at_place(std::min(place(a) + static_cast<std::int64_t>(below(1000)), place(finite ? huge : inf)));
+    return {std::min(a, b), std::max(a, b)};
+  }
+  /// A number in the interval, often one of its ends.
+  double in(const Interval& a) {
+    const auto kind = below(6);
+    if (kind == 0) return a.low();
+    if (kind == 1) return a.high();
+    if (kind == 2 && a.contains(0.0)) return below(2) == 0 ? 0.0 : -0.0;
+    const auto low = place(a.low());
+    const std::uint64_t width = static_cast<std::uint64_t>(place(a.high())) - static_cast<std::uint64_t>(low);
+    return at_place(static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + random_() % (width + 1)));
+  }
+
+ private:
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+  int exponent(std::size_t kind) {
+    if (kind < 6) return static_cast<int>(below(9)) - 4;        // near 1
+    if (kind < 8) return static_cast<int>(below(2098)) - 1074;  // anywhere
+    return kind == 8 ? static_cast<int>(below(60)) - 1074 : static_cast<int>(below(60)) + 964;
+  }
+
+  std::mt19937_64 random_{20240229};
+};
+
+constexpr int trials = 200000;
+
+// The law, judged by the number itself: what double gives is inside, and a NaN only in the whole line.
+
+/// How many results of an operation on numbers lie outside the operation on intervals that hold them.
+template <class Number, class Operation>
+long outside(const Operation& operation) {
+  Numbers numbers;
+  long count = 0;
+  for (int i = 0; i < trials; ++i) {
+    const Interval a = numbers.interval();
+    const Interval b = numbers.interval();
+    const double x = numbers.in(a);
+    const double y = numbers.in(b);
+    const Interval bounds = operation(a, b);
+    const Number result = operation(static_cast<Number>(x), static_cast<Number>(y));
+    const bool is_inside = bounds.contains(result) && bounds.low() <= bounds.high();
+    if (!is_inside && ++count == 1) {
+      MESSAGE("first: [" << a.low() << ", " << a.high() << "] and [" << b.low() << ", " << b.high() << "] give ["
+                         << bounds.low() << ", " << bounds.high() << "], but " << x << " and " << y << " give " << result);
+    }
+  }
+  return count;
+}
+
+TEST_CASE_TEMPLATE("what numbers give lies in what intervals around them give, and NaN only in the whole line", Number, double,
+                   long double) {
+  CHECK(outside<Number>([](auto a, auto b) { return a + b; }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return a - b; }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return a * b; }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return a / b; }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return -a; }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return abs(a); }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return floor(a); }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return square(a); }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return sqrt(a); }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return exp(a); }) == 0);
+  CHECK(outside<Number>([](auto a, auto) { return log1p(a); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return atan2(a, b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return larger(a, b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return smaller(a, b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return clamp(a, decltype(a)(-1), abs(b)); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return select(a < b, a, b); }) == 0);
+}
+
+TEST_CASE_TEMPLATE("functions of a NaN on the way give bounds again only by comparing, and then hold what the numbers hold",
+                   Number, double, long double) {
+  CHECK(outside<Number>([](auto a, auto b) { return square(a - b) + abs(b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return exp(floor(abs(sqrt(a)))) + b; }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return larger(sqrt(a), b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return larger(b, sqrt(a)); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return smaller(a * b, b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return smaller(b, a / b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return clamp(a * b, decltype(a)(0), decltype(a)(1)); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return select(a / b <= decltype(a)(inf), a, b); }) == 0);
+  CHECK(outside<Number>([](auto a, auto b) { return select(!(log1p(a) >= decltype(a)(-inf)), a, b); }) == 0);
+}
+
+TEST_CASE("powers of numbers lie in the powers of intervals around them") {
+  for (const double exponent : {0.0, 1.0, 2.0, 3.0, 10.0, 51.0, 50.0, 0.5, 2.5, -1.0, -2.0, -0.5}) {
+    CAPTURE(exponent);
+    CHECK(outside<double>([exponent](auto a, auto) { return power(a, exponent); }) == 0);
+  }
+  CHECK(same(power(Interval(-1, 2), 2), power(Interval(0, 2), 2)));
+  CHECK(same(power(Interval(-1, 2), 0.5), anything));
+  CHECK(same(power(Interval(-1, 2), -1), anything));
+}
+
+TEST_CASE("comparisons say what can be true and what can be false, and are certain where the intervals are apart") {
+  Numbers numbers;
+  long wrong = 0;
+  long hesitant = 0;
+  for (int i = 0; i < trials; ++i) {
+    const Interval a = numbers.interval();
+    const Interval b = numbers.interval();
+    const double x = numbers.in(a);
+    const double y = numbers.in(b);
+    wrong += can_be(a < b, x < y) && can_be(a <= b, x <= y) && can_be(a > b, x > y) && can_be(a >= b, x >= y) ? 0 : 1;
+    wrong += can_be(a == b, x == y) && can_be(!(a < b) && a > b, !(x < y) && x > y) ? 0 : 1;
+    if (a.high() < b.low()) hesitant += same(a < b, yes) && same(a <= b, yes) && same(b < a, no) && same(a == b, no) ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(hesitant == 0);
+  CHECK(same(Interval(1, 2) < Interval(2, 3), unknown));
+  CHECK(same(Interval(1, 2) <= Interval(2, 3), yes));
+  CHECK(same(Interval(2, 3) >= Interval(1, 2), yes));
+  CHECK(same(Interval(2) == Interval(2), yes));
+  CHECK(same(Interval(0.0) == Interval(-0.0), yes));
+  CHECK(same(Interval(1, 2) == Interval(1, 2), unknown));
+  // The whole line may be NaN, which no comparison finds true.
+  CHECK(same(anything <= Interval(inf), unknown));
+  CHECK(same(Interval(-inf) <= anything, unknown));
+}
+
+TEST_CASE("masks follow the truth tables of what can be") {
+  for (const Maybe& a : {yes, no, unknown}) {
+    for (const Maybe& b : {yes, no, unknown}) {
+      Maybe negated{false, false};
+      Maybe both{false, false};
+      Maybe either{false, false};
+      // Try every truth that the two can have.
+      for (const bool x : {false, true}) {
+        if (!can_be(a, x)) continue;
+        (!x ? negated.can_be_true : negated.can_be_false) = true;
+        for (const bool y : {false, true}) {
+          if (!can_be(b, y)) continue;
+          (x && y ? both.can_be_true : both.can_be_false) = true;
+          (x || y ? either.can_be_true : either.can_be_false) = true;
+        }
+      }
+      CHECK(same(!a, negated));
+      CHECK(same(a && b, both));
+      CHECK(same(a || b, either));
+    }
+  }
+  CHECK(any(yes));
+  CHECK(any(unknown));
+  CHECK_FALSE(any(no));
+}
+
+TEST_CASE("select gives the certain side, or the hull of both") {
+  CHECK(same(select(yes, Interval(1, 2), anything), Interval(1, 2)));
+  CHECK(same(select(no, anything, Interval(1, 2)), Interval(1, 2)));
+  CHECK(same(select(unknown, Interval(1, 2), Interval(5)), Interval(1, 5)));
+  CHECK(same(select(unknown, Interval(1), anything), anything));
+}
+
+TEST_CASE("larger and smaller are closer than the hull that a select would give") {
+  CHECK(same(larger(Interval(1, 4), Interval(2, 3)), Interval(2, 4)));
+  CHECK(same(smaller(Interval(1, 4), Interval(2, 3)), Interval(1, 3)));
+  CHECK(same(clamp(anything, Interval(0), Interval(1)), Interval(0, 1)));
+}
+
+TEST_CASE("a square is never negative, where a product of two intervals may be") {
+  CHECK(square(Interval(-1, 2)).low() == 0);
+  CHECK(square(Interval(-1, 2)).high() == doctest::Approx(4));
+  CHECK((Interval(-1, 2) * Interval(-1, 2)).low() == doctest::Approx(-2));
+  CHECK(square(Interval(-tiny, tiny)).low() == 0);
+}
+
+TEST_CASE("a product or quotient does not lose its sign to the widening") {
+  Numbers numbers;
+  long lost = 0;
+  for (int i = 0; i < trials; ++i) {
+    const Interval a = abs(numbers.interval(true));
+    const Interval b = abs(numbers.interval(true));
+    lost += (a * b).low() >= 0 && (-a * b).high() <= 0 && (-a * -b).low() >= 0 ? 0 : 1;
+    if (b.low() > 0) lost += (a / b).low() >= 0 && (-a / b).high() <= 0 && (a / -b).high() <= 0 ? 0 : 1;
+  }
+  CHECK(lost == 0);
+  CHECK(same(Interval(0) * Interval(-3, 5), Interval(0)));
+  CHECK(same(Interval(0) / Interval(3, 5), Interval(0)));
+}
+
+TEST_CASE("arithmetic with whole numbers and powers of two is exact") {
+  for (int i = -1000; i <= 1000; i += 7) {
+    const Interval x(i);
+    CHECK(same(x + Interval(999), Interval(i + 999)));
+    CHECK(same(x - Interval(0.25), Interval(i - 0.25)));
+    CHECK(same(x * Interval(0.5), Interval(i * 0.5)));
+    CHECK(same(Interval(-4) * x, Interval(-4 * i)));
+    CHECK(same(x / Interval(2), Interval(i * 0.5)));
+    CHECK(same(floor(x * Interval(0.5)), Interval(std::floor(i * 0.5))));
+  }
+  CHECK(same(sqrt(Interval(0, 1)), Interval(0, 1)));
+  // Not where digits drop off the end of the range.
+  CHECK((Interval(3 * tiny) * Interval(0.5)).contains(1.5L * static_cast<long double>(tiny)));
+  CHECK_FALSE((Interval(3 * tiny) * Interval(0.5)).is_point());
+  CHECK(same(Interval(huge) * Interval(2), Interval(huge, inf)));
+  CHECK(same(Interval(huge) + Interval(huge), Interval(huge, inf)));
+}
+
+TEST_CASE("infinity stays infinity") {
+  CHECK(same(Interval(inf) + Interval(5), Interval(inf)));
+  CHECK(same(Interval(inf) * Interval(-3, -0.1), Interval(-inf)));
+  CHECK(same(Interval(inf) / Interval(0.3), Interval(inf)));
+  CHECK(same(Interval(0.3) / Interval(inf), Interval(0)));
+  CHECK(same(Interval(-1, inf) * Interval(2), Interval(-2, inf)));
+}
+
+TEST_CASE("what is undefined gives the whole line") {
+  CHECK(same(Interval(0) * Interval(inf), anything));
+  CHECK(same(Interval(0, 1) * Interval(5, inf), anything));
+  CHECK(same(Interval(inf) - Interval(inf), anything));
+  CHECK(same(Interval(inf) / Interval(1, inf), anything));
+  CHECK(same(Interval(0) / Interval(0), anything));
+  CHECK(same(Interval(1) / Interval(-1, 1), anything));
+  CHECK(same(Interval(1) / Interval(0, 1), anything));
+  CHECK(same(sqrt(Interval(-tiny, 4)), anything));
+  CHECK(same(log1p(Interval(-2, 4)), anything));
+  CHECK(same(Interval(nan), anything));
+  for (const Interval& result : {abs(anything), square(anything), exp(anything), floor(anything), -anything,
+                                 anything + Interval(1), atan2(anything, Interval(1)), atan2(Interval(1), anything)})
+    CHECK(same(result, anything));
+}
+
+TEST_CASE("a box that touches the negative x axis or the origin has every angle") {
+  for (const auto& [y, x] : {std::pair(Interval(-1, 1), Interval(-2, -1)), std::pair(Interval(0, 1), Interval(-2, -1)),
+                             std::pair(Interval(-1, 0), Interval(-2, -1)), std::pair(Interval(0), Interval(-1)),
+                             std::pair(Interval(0), Interval(0)), std::pair(Interval(-1, 1), Interval(-1, 1)),
+                             std::pair(Interval(0, 1), Interval(0, 1)), std::pair(Interval(-1, 1), Interval(0, 3))}) {
+    const Interval angle = atan2(y, x);
+    CHECK(angle.low() == -pi<Interval>.high());
+    CHECK(angle.high() == pi<Interval>.high());
+  }
+}
+
+TEST_CASE("a box beside the jump has the angles between two of its corners") {
+  const auto between = [](const Interval& y, const Interval& x, double low, double high) {
+    const Interval angle = atan2(y, x);
+    CHECK(angle.low() == doctest::Approx(low));
+    CHECK(angle.high() == doctest::Approx(high));
+  };
+  const double turn = std::numbers::pi * 2;
+  between({1, 1}, {-1, 1}, turn / 8, turn * 3 / 8);
+  between({1, 2}, {1, 2}, std::atan2(1, 2), std::atan2(2, 1));
+  between({1, 2}, {-2, -1}, std::atan2(2, -1), std::atan2(1, -2));
+  between({-2, -1}, {-2, -1}, std::atan2(-1, -2), std::atan2(-2, -1));
+  between({-2, -1}, {1, 2}, std::atan2(-2, 1), std::atan2(-1, 2));
+  between({-1, 1}, {1, 2}, -turn / 8, turn / 8);
+  between({tiny, 1}, {-1, -1}, turn * 3 / 8, turn / 2);
+  CHECK(atan2(Interval(tiny, 1), Interval(-1)).high() == pi<Interval>.high());
+  CHECK(atan2(Interval(tiny, 1), Interval(-1)).low() > 0);
+}
+
+TEST_CASE("the constants hold the real ones, and a number that double cannot show lies between its neighbours") {
+  CHECK(pi<Interval>.contains(std::numbers::pi_v<long double>));
+  CHECK_FALSE(pi<Interval>.contains(std::nextafter(std::numbers::pi, 0)));
+  CHECK(steps(pi<Interval>) == 1);
+  CHECK(below_one<Interval>.contains(below_one<double>));
+  CHECK(below_one<Interval>.contains(below_one<long double>));
+  CHECK(same(infinity<Interval>, Interval(inf)));
+  CHECK(same(unit_roundoff<Interval>, Interval(unit_roundoff<double>)));
+  CHECK(same(Interval(0.1), Interval(0.1, 0.1)));
+  CHECK(Interval(0.1L).contains(0.1L));
+  CHECK(steps(Interval(0.1L)) == (Limits::digits == std::numeric_limits<long double>::digits ? 0 : 2));
+  CHECK(same(Interval(0.5L), Interval(0.5)));
+  CHECK(same(Interval(std::int64_t{1} << 53), Interval(0x1p53)));
+  const Interval odd((std::int64_t{1} << 53) + 1);
+  CHECK((odd.low() == 0x1p53 - 1 || odd.low() == 0x1p53));
+  CHECK(odd.high() >= 0x1p53 + 2);
+}
+
+TEST_CASE("a table looked up at an uncertain place gives the hull of all entries there") {
+  const auto table = [](int column, int row) { return 10 * row + column; };
+  CHECK(same(look_up(table, Interval(2), Interval(3)), Interval(32)));
+  CHECK(same(look_up(table, Interval(2, 4), Interval(1, 3)), Interval(12, 34)));
+  const auto valley = [](int column, int) { return (column - 5) * (column - 5); };
+  CHECK(same(look_up(valley, Interval(3, 9), Interval(0)), Interval(0, 16)));
+  CHECK(look_up(table, 2.0, 3.0) == 32);
+}
+
+TEST_CASE("sums and products in two parts hold those of double, part by part") {
+  Numbers numbers;
+  long outside_parts = 0;
+  const auto tame = [&] {
+    double x = numbers.next_finite();
+    while (std::abs(x) > 1e100 || std::abs(x) < 1e-100) x = numbers.next_finite();
+    return x;
+  };
+  for (int i = 0; i < trials; ++i) {
+    const double x = tame();
+    const double y = tame();
+    const Interval around_x(x, at_place(place(x) + i % 3));
+    const Interval around_y(at_place(place(y) - i % 5), y);
+    const auto judge = [&](const TwoParts<Interval>& bounds, const TwoParts<double>& parts) {
+      outside_parts += bounds.high.contains(parts.high) && bounds.low.contains(parts.low) ? 0 : 1;
+    };
+    judge(two_sum(around_x, around_y), two_sum(x, y));
+    judge(two_product(around_x, around_y), two_product(x, y));
+  }
+  CHECK(outside_parts == 0);
+  CHECK(same(two_sum(Interval(1), Interval(2)).low, Interval(0)));
+}
+
+TEST_CASE("the scale of an interval is one power of two that brings its upper end near 1") {
+  for (const double size : {1.0, 0.7, 3.0, 1e300, huge, Limits::min(), 1e-310}) {
+    const Interval scale = power_of_two_scale(Interval(size / 2, size));
+    CHECK(scale.is_point());
+    CHECK(scale.low() == power_of_two_scale(size));
+  }
+  CHECK(same(power_of_two_scale(Interval(0)), Interval(1)));
+  CHECK(same(power_of_two_scale(anything), Interval(1)));
+}
+
+TEST_CASE("around a single number the bounds are close") {
+  Numbers numbers;
+  std::int64_t basic = 0;
+  std::int64_t library = 0;
+  for (int i = 0; i < trials; ++i) {
+    const double a = numbers.next_finite();
+    const double b = numbers.next_finite();
+    const Interval x(a);
+    const Interval y(b);
+    basic = std::max({basic, steps(x + y), steps(x - y), steps(x * y), steps(sqrt(abs(x))), steps(square(x))});
+    if (b != 0) basic = std::max(basic, steps(x / y));
+    library = std::max({library, steps(exp(x)), steps(log1p(abs(x)))});
+    if (b != 0) library = std::max(library, steps(atan2(y, x)));
+  }
+  CHECK(basic == 2);
+  CHECK(library == 8);
+}
+
+#ifndef TEXMAP_HAVE_BOOST
+
+TEST_CASE("without Boost the number with 50 digits does not judge") {
+  MESSAGE("skipped: Boost is not installed, so intervals are judged by long double only");
+  CHECK(Interval(1).is_point());
+}
+
+#else
+
+// The law, judged by 50 digits.
+
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
+
+bool holds(const Interval& bounds, const Digits50& exact) {
+  return Digits50(bounds.low()) <= exact && exact <= Digits50(bounds.high());
+}
+
+/// How many exact results of an operation on finite numbers lie outside the operation on intervals that hold them.
+///
+/// @param in_domain  says which pairs of numbers have a result
+template <class Operation, class InDomain>
+long exactly_outside(int count, const Operation& operation, const InDomain& in_domain) {
+  Numbers numbers;
+  long found = 0;
+  for (int i = 0; i < count;) {
+    const Interval a = numbers.interval();
+    const Interval b = numbers.interval();
+    const double x = numbers.in(a);
+    const double y = numbers.in(b);
+    if (!std::isfinite(x) || !std::isfinite(y) || !in_domain(x, y)) continue;
+    ++i;
+    if (!holds(operation(a, b), operation(Digits50(x), Digits50(y))) && ++found == 1)
+      MESSAGE("first: [" << a.low() << ", " << a.high() << "], [" << b.low() << ", " << b.high() << "] at " << x << ", " << y);
+  }
+  return found;
+}
+
+TEST_CASE("the exact result lies between the bounds") {
+  const auto all = [](double, double) { return true; };
+  CHECK(exactly_outside(
+            trials, [](auto a, auto b) -> decltype(a) { return a + b; }, all) == 0);
+  CHECK(exactly_outside(
+            trials, [](auto a, auto b) -> decltype(a) { return a - b; }, all) == 0);
+  CHECK(exactly_outside(
+            trials, [](auto a, auto b) -> decltype(a) { return a * b; }, all) == 0);
+  CHECK(exactly_outside(
+            trials, [](auto a, auto b) -> decltype(a) { return a / b; }, [](double, double y) { return y != 0; }) == 0);
+  CHECK(exactly_outside(
+            trials, [](auto a, auto) -> decltype(a) { return square(a); }, all) == 0);
+  CHECK(exactly_outside(
+            trials, [](auto a, auto) -> decltype(a) { return sqrt(a); }, [](double x, double) { return x >= 0; }) == 0);
+}
+
+TEST_CASE("the exact value of a library function lies between the bounds") {
+  constexpr int few = 5000;  // 50 digits take their time
+  CHECK(exactly_outside(
+            few, [](auto y, auto x) -> decltype(x) { return atan2(y, x); },
+            [](double y, double x) { return x != 0 || y != 0; }) == 0);
+  CHECK(exactly_outside(
+            few, [](auto a, auto) -> decltype(a) { return exp(a); }, [](double x, double) { return std::abs(x) < 1000; }) == 0);
+  CHECK(exactly_outside(
+            few, [](auto a, auto) -> decltype(a) { return log1p(a); },
+            [](double x, double) { return x > -1 && std::abs(x) < 1e300; }) == 0);
+  CHECK(holds(exp(Interval(-huge, -1000)), Digits50("1e-400000")));
+  CHECK(holds(exp(Interval(1000, huge)), Digits50("1e400000")));
+}
+
+// Another's intervals: Boost.Interval, which switches the rounding mode. docs/packages.md says why it is not used.
+
+using Checking = boost::numeric::interval_lib::checking_base<double>;
+using Rounding = boost::numeric::interval_lib::rounded_math<double>;
+using Theirs = boost::numeric::interval<double, boost::numeric::interval_lib::policies<Rounding, Checking> >;
+
+TEST_CASE("Boost.Interval's bounds lie within ours, and ours at most two steps beyond them") {
+  Numbers numbers;
+  long outside_ours = 0;
+  long far = 0;
+  const auto judge = [&](const Interval& ours, const Theirs& theirs) {
+    outside_ours += ours.low() <= theirs.lower() && theirs.upper() <= ours.high() ? 0 : 1;
+    far += place(theirs.lower()) - place(ours.low()) <= 2 && place(ours.high()) - place(theirs.upper()) <= 2 ? 0 : 1;
+  };
+  for (int i = 0; i < trials; ++i) {
+    const Interval a = numbers.interval(true);
+    const Interval b = numbers.interval(true);
+    const Theirs x(a.low(), a.high());
+    const Theirs y(b.low(), b.high());
+    judge(a + b, x + y);
+    judge(a - b, x - y);
+    judge(a * b, x * y);
+    if (!b.may_be_zero()) judge(a / b, x / y);
+    if (a.low() >= 0) judge(sqrt(a), boost::numeric::sqrt(x));
+    judge(square(a), boost::numeric::square(x));
+    judge(abs(a), boost::numeric::abs(x));
+  }
+  CHECK(outside_ours == 0);
+  CHECK(far == 0);
+}
+
+#endif
+
+}  // namespace
+}  // namespace texmap
