@@ -53,7 +53,11 @@ template <class Lesson>
     case Number::extended:
       return render<long double>(lesson, view, settings);
     case Number::interval:
-      return render_sureness(lesson, view, settings);
+      if constexpr (requires { lesson.gathering; }) {
+        throw std::runtime_error("--number interval bounds one ray a pixel; this chapter's pictures are a matter of chance");
+      } else {
+        return render_sureness(lesson, view, settings);
+      }
     case Number::float_pack:
     case Number::double_pack:
 #ifdef TEXMAP_HAVE_PACKS

@@ -2,7 +2,6 @@
 #include "studio.hpp"
 
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -55,6 +54,10 @@ void Studio::prefer_size(int columns, int rows) {
   if (!line_.typed("--height")) height = rows;
 }
 
+void Studio::prefer_samples(int count) {
+  if (!line_.typed("--samples")) samples = count;
+}
+
 void Studio::check() const {
   if (!machine_has(instructions)) {
     throw UsageError(
@@ -81,26 +84,31 @@ std::string Studio::file_name(std::string_view suffix) const {
 
 Image Studio::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
   Progress progress(!quiet);
-  const auto start = std::chrono::steady_clock::now();
+  if (before_drawing_) load_ = before_drawing_->milliseconds();
+  before_drawing_.reset();
+  const Stopwatch drawing;
   Image image =
       work({.samples = samples, .threads = threads, .instructions = instructions, .progress = [&progress](int done, int total) {
               progress.report(done, total);
             }});
-  milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  render_ += drawing.milliseconds();
   rays_ += rays;
   return image;
 }
 
 void Studio::save(const Image& image, std::string_view suffix) {
   const std::string file = file_name(suffix);
-  save_png(image, file);
+  const SavingTime saving = save_png(image, file);
   if (!quiet) {
-    std::array<char, 120> figures{};
-    std::snprintf(figures.data(), figures.size(), ": %d x %d pixels, %.1f ms, %.1f million rays/s\n", image.width, image.height,
-                  milliseconds_, rays_ / milliseconds_ / 1000);
+    std::array<char, 200> figures{};
+    std::snprintf(figures.data(), figures.size(),
+                  ": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f), %.1f million rays/s\n",
+                  image.width, image.height, load_ + render_ + saving.encode + saving.write, load_, render_, saving.encode,
+                  saving.write, rays_ / render_ / 1000);
     print(file + figures.data());
   }
-  milliseconds_ = 0;
+  load_ = 0;
+  render_ = 0;
   rays_ = 0;
 }
 

@@ -1,12 +1,14 @@
 // What every chapter's user can choose, and the way from a lesson to a picture on disk.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "command_line.hpp"
 #include "draw.hpp"
 #include "sphere_forms.hpp"
+#include "stopwatch.hpp"
 
 namespace texmap {
 
@@ -34,6 +36,8 @@ class Studio {
   [[nodiscard]] bool typed(std::string_view option) const { return line_.typed(option); }
   /// Another size for users who did not choose one; for pictures that have a shape of their own.
   void prefer_size(int columns, int rows);
+  /// Another number of samples for users who did not choose one.
+  void prefer_samples(int count);
   /// After parsing: refuses pictures that are too large, makes the default folder out/, and checks that the picture can be
   /// written, before anything long begins.
   void check() const;
@@ -51,8 +55,11 @@ class Studio {
     });
   }
 
-  /// Writes a picture and prints one line about it: file, size, milliseconds of drawing, rays a second.
+  /// Writes a picture and prints one line about it: file, size, milliseconds, what they went into, rays a second.
   ///
+  /// The milliseconds are the sum of the four in brackets: load is all that comes before the first ray, textures above all, and
+  /// counts for the first picture only; render is drawing, to which the rays a second refer; encode makes a PNG file of the
+  /// pixels; write lasts until the disk has it.
   /// @param suffix  stands before the file's ending, for chapters that write several pictures
   /// Errors: ImageError; the old file is then untouched.
   void save(const Image& image, std::string_view suffix = "");
@@ -66,8 +73,10 @@ class Studio {
  private:
   std::string default_out_;
   CommandLine& line_;
-  double milliseconds_ = 0;  // spent drawing since the last save
-  double rays_ = 0;          // drawn since the last save
+  std::optional<Stopwatch> before_drawing_{Stopwatch()};  // until the first ray
+  double load_ = 0;                                       // milliseconds before the first ray, until they are told
+  double render_ = 0;                                     // milliseconds spent drawing since the last save
+  double rays_ = 0;                                       // drawn since the last save
 };
 
 }  // namespace texmap

@@ -10,7 +10,7 @@ namespace texmap {
 ///
 /// @param encoded  0 to 1, a byte of a file divided by 255
 /// @return         0 to 1, linear: twice the number is twice the light. Below 0 and above 1 the curve goes on; NaN gives NaN
-/// Errors: none.
+/// Errors: none. Bound: 8 ulp for 1e-18 to 1; docs/numbers.md.
 /// Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real srgb_decode(Real encoded) {
@@ -23,7 +23,7 @@ template <class Real>
 ///
 /// @param linear  0 to 1, an amount of light
 /// @return        0 to 1; times 255 and rounded it is the byte of a file. Below 0 and above 1 the curve goes on; NaN gives NaN
-/// Errors: none.
+/// Errors: none. Bound: 5 ulp for 1e-18 to 1; every byte comes back from its light; docs/numbers.md.
 /// Source: IEC 61966-2-1:1999, section 5.2. The two curves of the standard meet within 1e-7 of each other, not exactly.
 template <class Real>
 [[nodiscard]] Real srgb_encode(Real linear) {

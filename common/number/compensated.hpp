@@ -53,7 +53,7 @@ template <class Real>
 ///
 /// Domain: as two_product, for both products. Source: Kahan's determinant; the bound by Jeannerod, Louvet and Muller, "Further
 /// Analysis of Kahan's Algorithm for the Accurate Computation of 2x2 Determinants" (2013), for its form with fused operations;
-/// here both products' errors are kept, and the bound is tested in tests/number/test_compensated.cpp.
+/// here both products' errors are kept, and the bound is measured in tests/extremes.
 template <class Real>
 [[nodiscard]] Real difference_of_products(const Real& a, const Real& b, const Real& c, const Real& d) {
   const TwoParts<Real> ab = two_product(a, b);

@@ -214,20 +214,22 @@ class Interval {
     const Interval wide = widened_by_4(std::pow(base.low_, exponent), std::pow(base.high_, exponent));
     return {base.low_ >= 0 && !(wide.low_ >= 0) ? 0 : wide.low_, wide.high_};
   }
-  /// The hull of all entries of a table in whose column and row the place may lie; see number.hpp.
+  /// The hull of all entries of a table in whose column and row the place may lie, channel by channel; see number.hpp.
   template <class Table>
-  friend Interval look_up(const Table& table, const Interval& column, const Interval& row) {
-    const auto first = table(static_cast<int>(column.low_), static_cast<int>(row.low_));
-    auto least = first;
-    auto most = first;
+  friend std::array<Interval, 3> look_up(const Table& table, const Interval& column, const Interval& row) {
+    auto least = table(static_cast<int>(column.low_), static_cast<int>(row.low_));
+    auto most = least;
     for (int y = static_cast<int>(row.low_); y <= static_cast<int>(row.high_); ++y) {
       for (int x = static_cast<int>(column.low_); x <= static_cast<int>(column.high_); ++x) {
         const auto entry = table(x, y);
-        least = entry < least ? entry : least;
-        most = entry > most ? entry : most;
+        for (std::size_t k = 0; k < 3; ++k) {
+          least[k] = entry[k] < least[k] ? entry[k] : least[k];
+          most[k] = entry[k] > most[k] ? entry[k] : most[k];
+        }
       }
     }
-    return {static_cast<double>(least), static_cast<double>(most)};
+    const auto channel = [&](std::size_t k) { return Interval(static_cast<double>(least[k]), static_cast<double>(most[k])); };
+    return {channel(0), channel(1), channel(2)};
   }
 
  private:

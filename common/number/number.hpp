@@ -1,6 +1,7 @@
 // What the course asks of a number. float, double and long double have it all; packs of them learn it in pack.hpp.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -110,15 +111,31 @@ template <class Real>
   return from_lanes<Real>([&](std::size_t i) { return pow(lane(x, i), exponent); });
 }
 
+/// The numbers of all lanes at once: asking lane by lane would put the pack into memory each time.
+template <class Real>
+[[nodiscard]] inline std::array<Scalar<Real>, lanes<Real>> all_lanes(const Real& x) {
+  if constexpr (lanes<Real> == 1) {
+    return {x};
+  } else {
+    return NumberTraits<Real>::all_lanes(x);
+  }
+}
+
 /// The entry of a table at a place given by whole numbers; each lane of a pack reads its own.
 ///
-/// @param table        callable with two int, gives a plain number
+/// @param table        callable with two int, gives three plain numbers: a color's channels
 /// @param column, row  whole numbers that the table knows
 template <class Real, class Table>
-[[nodiscard]] inline Real look_up(const Table& table, const Real& column, const Real& row) {
-  return from_lanes<Real>([&](std::size_t i) {
-    return static_cast<Scalar<Real>>(table(static_cast<int>(lane(column, i)), static_cast<int>(lane(row, i))));
-  });
+[[nodiscard]] inline std::array<Real, 3> look_up(const Table& table, const Real& column, const Real& row) {
+  const auto columns = all_lanes(column);
+  const auto rows = all_lanes(row);
+  std::array<std::array<Scalar<Real>, lanes<Real>>, 3> channels;
+  for (std::size_t i = 0; i < lanes<Real>; ++i) {
+    const auto entry = table(static_cast<int>(columns[i]), static_cast<int>(rows[i]));
+    for (std::size_t k = 0; k < 3; ++k) channels[k][i] = static_cast<Scalar<Real>>(entry[k]);
+  }
+  const auto packed = [&](std::size_t k) { return from_lanes<Real>([&](std::size_t i) { return channels[k][i]; }); };
+  return {packed(0), packed(1), packed(2)};
 }
 
 }  // namespace texmap

@@ -35,6 +35,7 @@ class Pack {
   explicit Pack(Number number) : values_(static_cast<T>(number)) {}
 
   [[nodiscard]] T get(std::size_t i) const { return values_.get(i); }
+  [[nodiscard]] const Batch& batch() const { return values_; }
 
   friend Pack operator+(const Pack& a, const Pack& b) { return a.values_ + b.values_; }
   friend Pack operator-(const Pack& a, const Pack& b) { return a.values_ - b.values_; }
@@ -77,6 +78,11 @@ struct NumberTraits<Pack<T, Arch>> {
   using Mask = typename Pack<T, Arch>::Mask;
   static constexpr std::size_t lanes = Pack<T, Arch>::Batch::size;
 
+  [[nodiscard]] static std::array<T, lanes> all_lanes(const Pack<T, Arch>& x) {
+    std::array<T, lanes> values;
+    x.batch().store_unaligned(values.data());
+    return values;
+  }
   template <class Value>
   [[nodiscard]] static Pack<T, Arch> from_lanes(Value value) {
     alignas(64) std::array<T, lanes> values;

@@ -58,11 +58,14 @@ template <class Real, class Lesson>
       const auto first = static_cast<Scalar<Real>>(column);
       const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
       const Color<Real> color = pixel_color<Real>(lesson, view, columns, Real(row), settings.samples);
+      const auto r = all_lanes(color.r);
+      const auto g = all_lanes(color.g);
+      const auto b = all_lanes(color.b);
       // The last pack of a row may stick out of the picture.
       for (int i = 0; i < step && column + i < view.width; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const auto byte = [at](const Real& channel) { return byte_of(static_cast<double>(lane(channel, at))); };
-        image.at(column + i, row) = {byte(color.r), byte(color.g), byte(color.b)};
+        const auto byte = [](Scalar<Real> channel) { return byte_of(static_cast<double>(channel)); };
+        image.at(column + i, row) = {byte(r[at]), byte(g[at]), byte(b[at])};
       }
     }
   });

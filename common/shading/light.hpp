@@ -24,9 +24,9 @@ struct Illumination {
 
 /// The lamp as seen from a hit point, with the shadows of all objects.
 ///
-/// Bound: `to_light` within 4 unit roundoffs, for a path whose square is in range; no point in its own shadow, by any form of
-/// the sphere that the hit's domain holds; docs/numbers.md.
-/// No shadow ray is traced for a surface that faces away: there the answer is 0 anyway.
+/// Bound: `to_light` within 4 unit roundoffs, for a path whose square is in range; no point of seed 0's ground in its own
+/// shadow, by any form of sphere; docs/numbers.md. No shadow ray is traced for a surface that faces away: there the answer is 0
+/// anyway.
 template <class Real, class Objects>
 [[nodiscard]] Illumination<Real> illumination(const PointLight& light, const Objects& objects, const Hit<Real>& hit) {
   const Vec3<Real> path = number_cast<Real>(light.position) - hit.point;

@@ -10,6 +10,9 @@ struct GradientSky {
   Rgb below;  ///< seen straight down
   Rgb above;  ///< seen straight up
 
+  /// True if it looks alike everywhere: then nobody need ask where a ray goes.
+  [[nodiscard]] bool is_constant() const { return below.r == above.r && below.g == above.g && below.b == above.b; }
+
   /// @param ray  with a direction of unit length
   /// Bound: 2 unit roundoffs of 1, for colors of 0 to 1; docs/numbers.md.
   template <class Real>

@@ -9,6 +9,7 @@
 #include "04_uv_conventions/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
 #include "14_numerical_extremes/lesson.hpp"
 #include "pictures.hpp"
 #include "save_png.hpp"
@@ -55,6 +56,15 @@ Image extremes() {
   return chapter_14::draw_sheet(chapter_14::Lesson{}.exhibits(), studio).picture;
 }
 
+Image sampled() {
+  auto lesson = test::prepared<chapter_07::Lesson>();
+  Film film(400, 225);
+  lesson.gathering = {Sampler(SamplerKind::sobol, 100), 50, &film};
+  (void)render<double>(lesson, view_of(lesson.stage.camera, 400, 225), {});
+  film.count(50, 50);
+  return develop(film, Transfer::srgb);
+}
+
 Image lecture(const char* highlight) {
   const auto lesson = test::prepared<chapter_06::Lesson>(
       {"--scene", "lecture", "--shininess", "20", "--blend", "0.1", "--highlight", highlight});
@@ -72,6 +82,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_phong_texture_blend", test::picture(test::prepared<chapter_06::Lesson>()));
   check_golden("06_lecture_phong", lecture("phong"));
   check_golden("06_lecture_slides", lecture("lecture"));
+  check_golden("07_earth_by_sampling", sampled());
   check_golden("14_numerical_extremes", extremes());
 }
 

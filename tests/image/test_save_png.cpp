@@ -1,6 +1,7 @@
 // Writing a picture: whole or not at all.
 #include <doctest.h>
 #include <signal.h>
+#include <stb_image.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -17,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "compare/running.hpp"
+#include "decode_image.hpp"
 #include "load_image.hpp"
 #include "save_png.hpp"
 #include "support/image_errors.hpp"
@@ -27,6 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using texmap::check_output;
+using texmap::encode_png;
 using texmap::Image;
 using texmap::load_image;
 using texmap::Rgb8;
@@ -46,6 +50,52 @@ Image colorful(int width, int height) {
       *channel = static_cast<std::uint8_t>(number >> 24);
     }
   }
+  return image;
+}
+
+// The picture that `color(column, row)` gives.
+template <class ColorAt>
+Image painted(int width, int height, ColorAt color) {
+  Image image(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) image.at(column, row) = color(column, row);
+  }
+  return image;
+}
+
+std::uint8_t byte(int number) { return static_cast<std::uint8_t>(number & 0xFF); }
+
+// Pictures of every kind that a row of filtered bytes can be: noise, flat, smooth, striped, and both in one.
+std::vector<Image> kinds(int width, int height) {
+  return {
+      colorful(width, height),
+      Image(width, height),
+      Image(width, height, {255, 254, 1}),
+      painted(width, height,
+              [](int column, int row) {
+                return Rgb8{byte(column), byte(row), byte(column + row)};
+              }),
+      painted(width, height,
+              [](int column, int row) {
+                return (column / 5 + row / 3) % 2 == 0 ? Rgb8{255, 0, 0} : Rgb8{};
+              }),
+      painted(width, height,
+              [noise = colorful(width, height)](int column, int row) {
+                return column < row ? noise.at(column, row) : Rgb8{byte(row), byte(row), 255};
+              }),
+  };
+}
+
+// What stb_image, which checks no sums, makes of a file in memory.
+Image decoded_by_stb(const std::vector<std::uint8_t>& file) {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  stbi_uc* const pixels = stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &width, &height, &channels, 3);
+  REQUIRE(pixels != nullptr);
+  const Image image = painted(width, height, [at = pixels](int, int) mutable { return Rgb8{*at++, *at++, *at++}; });
+  stbi_image_free(pixels);
+  CHECK(channels == 3);
   return image;
 }
 
@@ -95,6 +145,78 @@ TEST_CASE("a picture comes back from its file as it was") {
     CHECK(load_image(folder / "picture.png") == image);
   }
   CHECK(folder.size() == 1);
+}
+
+TEST_CASE("pictures of every kind and shape come back from their bytes, by stb_image and by our own checks of the sums") {
+  const std::vector<std::pair<int, int>> sizes = {{1, 1},    {1, 2},    {2, 1},     {1, 301},  {301, 1}, {3, 3},
+                                                  {16, 1},   {16, 9},   {17, 5},    {86, 86},  {85, 87}, {87, 85},
+                                                  {101, 67}, {341, 33}, {4097, 11}, {11, 4097}};
+  for (const auto& size : sizes) {
+    CAPTURE(size.first);
+    CAPTURE(size.second);
+    for (const Image& image : kinds(size.first, size.second)) {
+      const std::vector<std::uint8_t> file = encode_png(image);
+      CHECK(decoded_by_stb(file) == image);
+      CHECK(texmap::decode_image(file) == image);
+    }
+  }
+}
+
+TEST_CASE("the bytes are the same however many threads encode at once") {
+  const std::vector<Image> images = kinds(257, 129);
+  std::vector<std::vector<std::uint8_t>> alone;
+  for (const Image& image : images) alone.push_back(encode_png(image));
+  std::array<bool, 8> same{};
+  std::vector<std::thread> threads;
+  for (bool& mine : same) {
+    threads.emplace_back([&] {
+      mine = true;
+      for (std::size_t i = 0; i < images.size(); ++i) mine = mine && encode_png(images[i]) == alone[i];
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const bool mine : same) CHECK(mine);
+}
+
+// A flat row is a match after another; noise takes nine bits for 112 of 256 bytes, and eight for the others.
+TEST_CASE("flat pictures are small, and noise is hardly larger than its pixels") {
+  CHECK(encode_png(Image(800, 600, {120, 130, 140})).size() < 16000);
+  CHECK(encode_png(colorful(800, 600)).size() < 800 * 600 * 3 * 107 / 100);
+}
+
+// The bytes that stb_image_write itself made of the golden pictures, with the settings it comes with.
+TEST_CASE("the course's pictures take at most a quarter more than with stb's own compressor") {
+  const std::vector<std::pair<std::string, std::size_t>> table = {
+      {"01_plain_spheres", 61705}, {"02_checkerboard_uv", 71857}, {"03_image_texture", 89188},
+      {"05_y_rotation", 91021},    {"04_uv_conventions", 256430}, {"06_phong_texture_blend", 91137},
+  };
+  for (const auto& row : table) {
+    CAPTURE(row.first);
+    CHECK(encode_png(load_image(TEXMAP_TESTS_DIR "/golden/" + row.first + ".png")).size() * 4 <= row.second * 5);
+  }
+}
+
+TEST_CASE("ImageMagick reads the files without a warning and sees the same pixels") {
+  if (texmap::test::run("identify -version && compare -version").status != 0) {
+    MESSAGE("skipped: there is no ImageMagick here");
+    return;
+  }
+  const TemporaryFolder folder;
+  int number = 0;
+  for (const Image& image : kinds(101, 67)) {
+    const std::string name = folder / std::to_string(number++);
+    save_png(image, name + ".png");
+    const auto identified = texmap::test::run("identify -regard-warnings '" + name + ".png'");
+    CHECK(identified.status == 0);
+    CHECK(identified.err == "");
+    // The same pixels in the simplest of all formats, which needs no decoder.
+    std::string plain = "P6 101 67 255\n";
+    for (const Rgb8& pixel : image.pixels) {
+      for (const std::uint8_t channel : {pixel.r, pixel.g, pixel.b}) plain.push_back(static_cast<char>(channel));
+    }
+    put(name + ".ppm", {plain.begin(), plain.end()});
+    CHECK(texmap::test::run("compare -metric AE '" + name + ".png' '" + name + ".ppm' null:").err == "0");
+  }
 }
 
 TEST_CASE("rows run from the top and channels from red") {

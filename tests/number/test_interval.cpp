@@ -332,12 +332,15 @@ TEST_CASE("the constants hold the real ones, and a number that double cannot sho
 }
 
 TEST_CASE("a table looked up at an uncertain place gives the hull of all entries there") {
-  const auto table = [](int column, int row) { return 10 * row + column; };
-  CHECK(same(look_up(table, Interval(2), Interval(3)), Interval(32)));
-  CHECK(same(look_up(table, Interval(2, 4), Interval(1, 3)), Interval(12, 34)));
-  const auto valley = [](int column, int) { return (column - 5) * (column - 5); };
-  CHECK(same(look_up(valley, Interval(3, 9), Interval(0)), Interval(0, 16)));
-  CHECK(look_up(table, 2.0, 3.0) == 32);
+  const auto table = [](int column, int row) { return std::array{10 * row + column, 7, (column - 5) * (column - 5)}; };
+  const auto point = look_up(table, Interval(2), Interval(3));
+  CHECK(same(point[0], Interval(32)));
+  CHECK(same(point[1], Interval(7)));
+  const auto box = look_up(table, Interval(2, 4), Interval(1, 3));
+  CHECK(same(box[0], Interval(12, 34)));
+  CHECK(same(box[1], Interval(7)));
+  CHECK(same(look_up(table, Interval(3, 9), Interval(0))[2], Interval(0, 16)));
+  CHECK(look_up(table, 2.0, 3.0)[0] == 32);
 }
 
 TEST_CASE("sums and products in two parts hold those of double, part by part") {

@@ -1,0 +1,58 @@
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "camera.hpp"
+#include "gather.hpp"
+#include "image_texture.hpp"
+#include "lens_options.hpp"
+#include "mapped.hpp"
+#include "painted.hpp"
+#include "path.hpp"
+#include "sampling_options.hpp"
+#include "sky.hpp"
+#include "studio.hpp"
+#include "texture_file.hpp"
+
+namespace texmap::chapter_07 {
+
+using Textured = Mapped<RtiowMapping, ImageTexture>;
+using Object = Painted<Textured>;
+
+struct Lesson {
+  static constexpr const char* idea = "many samples a pixel, and light that comes from everywhere";
+
+  struct {
+    GradientSky sky{.below = {0.7, 0.8, 1.0}, .above = {0.7, 0.8, 1.0}};
+    Camera camera{.eye = {0, 0, 12}, .target = {0, 0, 0}, .fov_y_degrees = 20};
+  } stage;
+  std::vector<Object> objects = {{{{0.0, 0.0, 0.0}, 2.0}, {}}};
+  TextureFile texture{"earth.png"};
+  SamplingOptions sampling;
+  LensOptions lens;
+  Gathering gathering;
+
+  void options(CommandLine& line) {
+    texture.declare(line);
+    sampling.declare(line);
+    lens.declare(line);
+  }
+  void prepare(Studio& studio) {
+    studio.prefer_size(400, 225);
+    studio.prefer_samples(100);
+    objects[0].paint = {{}, {.image = texture.load(), .light = sampling.decoding}};
+    if (lens.gradient) stage.sky = {.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
+  }
+  void show(Studio& studio) { studio.save(sampling.gather(studio, *this)); }
+
+  /// The light of one sample of a pixel.
+  template <class Real, class Numbers>
+  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+    const Ray<Real> ray = lens.ray(view, column, row, numbers);
+    const auto albedo = [](const Object& object, const Hit<Real>& hit) { return object.paint(hit); };
+    return light_along(objects, ray, stage.sky, albedo, sampling.bounces, numbers);
+  }
+};
+
+}  // namespace texmap::chapter_07

@@ -1,0 +1,187 @@
+// Chapter 07: the light of a globe under the sky, against what can be known without drawing it.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "07_earth_by_sampling/lesson.hpp"
+#include "pictures.hpp"
+
+using namespace texmap;
+using chapter_07::Lesson;
+
+namespace {
+
+/// The lesson as its program prepares it, with one color in place of the picture if one is given.
+Lesson lesson_with(std::vector<std::string> words, const Rgb8* paint = nullptr) {
+  Lesson lesson = test::prepared<Lesson>(std::move(words));
+  if (paint != nullptr) lesson.objects[0].paint.texture.image = Image(1, 1, *paint);
+  return lesson;
+}
+
+/// The film of a lesson: `samples` of a kind for each pixel.
+template <class Real>
+Film film_of(Lesson lesson, SamplerKind kind, int samples, int width = 64, int height = 36, int threads = 0,
+             std::uint32_t seed = 0) {
+  Film film(width, height);
+  lesson.gathering = {Sampler(kind, samples, seed), samples / 2, &film};
+  (void)render<Real>(lesson, view_of(lesson.stage.camera, width, height), {.threads = threads});
+  film.count(samples / 2, samples - samples / 2);
+  return film;
+}
+
+/// Root mean square difference of two films, over pixels and channels.
+double apart(const Film& a, const Film& b) {
+  double sum = 0;
+  for (int row = 0; row < a.height(); ++row) {
+    for (int column = 0; column < a.width(); ++column) {
+      const Rgb p = a.light(column, row);
+      const Rgb q = b.light(column, row);
+      sum += square(p.r - q.r) + square(p.g - q.g) + square(p.b - q.b);
+    }
+  }
+  return std::sqrt(sum / (3.0 * a.width() * a.height()));
+}
+
+/// Numbers for one path after another, the same whoever draws them.
+struct Numbers {
+  Sampler sampler;
+  std::uint32_t sample = 0;
+  std::uint32_t dimension = 0;
+  template <class Real>
+  [[nodiscard]] Sample2<Real> pair() {
+    return sampler.pair<Real>(Bits<Real>(7), sample, dimension++);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a white globe under a constant sky cannot be told from the sky") {
+  const Rgb8 white{255, 255, 255};
+  const Film film = film_of<double>(lesson_with({}, &white), SamplerKind::random, 4);
+  for (int row = 0; row < film.height(); ++row) {
+    for (int column = 0; column < film.width(); ++column) {
+      const Rgb light = film.light(column, row);
+      REQUIRE(std::abs(light.r - 0.7) < 1e-12);
+      REQUIRE(std::abs(light.b - 1.0) < 1e-12);
+    }
+  }
+  const Rgb8 gray_paint{188, 188, 188};
+  CHECK(apart(film, film_of<double>(lesson_with({}, &gray_paint), SamplerKind::random, 4)) > 0.1);
+}
+
+TEST_CASE("white globes that light each other are as bright as the sky too, if paths may bounce long enough") {
+  const Rgb8 white{255, 255, 255};
+  Lesson lesson = lesson_with({"--bounces", "1000"}, &white);
+  lesson.objects.push_back(lesson.objects[0]);
+  lesson.objects[1].sphere = {{0, -2.5, 0}, 0.5};
+  const Film film = film_of<double>(lesson, SamplerKind::sobol, 8);
+  double darkest = 1;
+  for (int row = 0; row < film.height(); ++row) {
+    for (int column = 0; column < film.width(); ++column) darkest = std::min(darkest, film.light(column, row).r);
+  }
+  CHECK(darkest == doctest::Approx(0.7).epsilon(1e-12));
+
+  lesson.sampling.bounces = 1;  // a path cut off brings no light
+  const Film cut = film_of<double>(lesson, SamplerKind::sobol, 8);
+  CHECK(apart(film, cut) > 0.001);
+}
+
+TEST_CASE("under a sky that fades with height the light is the closed form: the sky's mean weighed by Lambert's cosine") {
+  // The sky is a + b y for a direction's y, and the mean of y weighed by the cosine about n is 2/3 of n's y.
+  const Rgb8 paint{188, 128, 64};
+  Lesson lesson = lesson_with({"--sky", "gradient"}, &paint);
+  const auto albedo = [](const auto& object, const auto& hit) { return object.paint(hit); };
+  const int samples = 4096;
+  for (const Point aim : {Point{0, 0, 2}, Point{0.7, 1.5, 1.1}, Point{-1.2, -1.4, 0.8}}) {
+    const Ray<double> ray{{0, 0, 12}, normalize(aim - Point{0, 0, 12})};
+    const Vec3<double> n = hit_at(lesson.objects[0].sphere, ray, distance_to(lesson.objects[0].sphere, ray)).normal;
+    Numbers numbers{Sampler(SamplerKind::sobol, samples)};
+    Rgb sum{};
+    for (int i = 0; i < samples; ++i) {
+      numbers.sample = static_cast<std::uint32_t>(i);
+      numbers.dimension = 0;
+      sum = sum + light_along(lesson.objects, ray, lesson.stage.sky, albedo, 50, numbers);
+    }
+    const double height = (2.0 / 3 * n.y + 1) / 2;
+    CHECK(sum.r / samples == doctest::Approx(srgb_decode(188 / 255.0) * (1 - 0.5 * height)).epsilon(2e-4));
+    CHECK(sum.g / samples == doctest::Approx(srgb_decode(128 / 255.0) * (1 - 0.3 * height)).epsilon(2e-4));
+    CHECK(sum.b / samples == doctest::Approx(srgb_decode(64 / 255.0)).epsilon(2e-4));
+  }
+}
+
+TEST_CASE("what the scene does not require changes nothing: paths that are followed bring what is known without them") {
+  const Lesson alone = lesson_with({});
+  Lesson followed = alone;  // a second globe that nobody sees makes the first one's paths be followed
+  followed.objects.push_back(followed.objects[0]);
+  followed.objects[1].sphere = {{0, 0, 1000}, 0.001};
+  CHECK(apart(film_of<double>(alone, SamplerKind::sobol, 8), film_of<double>(followed, SamplerKind::sobol, 8)) < 1e-12);
+}
+
+TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
+  const Lesson lesson = lesson_with({"--sky", "gradient"});
+  for (const SamplerKind kind : {SamplerKind::random, SamplerKind::stratified, SamplerKind::multi_jitter, SamplerKind::sobol}) {
+    const Film one = film_of<double>(lesson, kind, 9, 61, 33, 1);
+    CHECK(apart(one, film_of<double>(lesson, kind, 9, 61, 33, 3)) == 0);
+#ifdef TEXMAP_HAVE_PACKS
+    CHECK(apart(one, film_of<Pack<double>>(lesson, kind, 9, 61, 33)) < 1e-4);
+    CHECK(apart(film_of<float>(lesson, kind, 9, 61, 33), film_of<Pack<float>>(lesson, kind, 9, 61, 33)) < 1e-3);
+#endif
+    CHECK(apart(one, film_of<double>(lesson, kind, 9, 61, 33, 1, 1)) > 1e-3);  // another seed
+  }
+}
+
+TEST_CASE("the error falls as each sampler promises, and even patterns are worth many random samples") {
+  const Lesson lesson = lesson_with({});
+  const Film truth = film_of<float>(lesson, SamplerKind::sobol, 8192, 64, 36, 0, 99);
+  const auto error = [&](SamplerKind kind, int samples) { return apart(truth, film_of<float>(lesson, kind, samples)); };
+  const double random_16 = error(SamplerKind::random, 16);
+  const double random_64 = error(SamplerKind::random, 64);
+  CHECK(random_16 / random_64 == doctest::Approx(2).epsilon(0.1));
+  for (const SamplerKind kind : {SamplerKind::stratified, SamplerKind::multi_jitter, SamplerKind::sobol}) {
+    const double even_64 = error(kind, 64);
+    const double worth = square(random_64 / even_64);
+    MESSAGE("sampler " << static_cast<int>(kind) << ": 64 samples are worth " << 64 * worth << " random ones");
+    CHECK(worth > 4);
+    CHECK(error(kind, 16) / even_64 > 2.2);
+  }
+}
+
+TEST_CASE("the film's estimate of its error is about right for random samples, and not too small for patterns") {
+  const Lesson lesson = lesson_with({});
+  const Film truth = film_of<float>(lesson, SamplerKind::sobol, 8192, 64, 36, 0, 99);
+  for (const SamplerKind kind : {SamplerKind::random, SamplerKind::multi_jitter, SamplerKind::sobol}) {
+    const Film film = film_of<float>(lesson, kind, 64);
+    const double ratio = film.error() / apart(film, truth);
+    CHECK(ratio > 0.85);
+    if (kind == SamplerKind::random) CHECK(ratio < 1.15);
+  }
+  CHECK(film_of<float>(lesson, SamplerKind::random, 1).error() == infinity<double>);
+}
+
+TEST_CASE("a lens blurs what is out of focus and nothing else, and an exposure blurs what moves") {
+  const Lesson sharp = lesson_with({});
+  const Film pinhole = film_of<float>(sharp, SamplerKind::sobol, 64);
+  const double in_focus =
+      apart(pinhole, film_of<float>(lesson_with({"--defocus", "2", "--focus", "11"}), SamplerKind::sobol, 64));
+  const double out_of_focus =
+      apart(pinhole, film_of<float>(lesson_with({"--defocus", "2", "--focus", "4"}), SamplerKind::sobol, 64));
+  CHECK(out_of_focus > 2 * in_focus);
+  CHECK(apart(pinhole, film_of<float>(lesson_with({"--shift", "0.5"}), SamplerKind::sobol, 64)) > in_focus);
+}
+
+TEST_CASE("light becomes bytes by the curve that was asked for") {
+  for (int byte = 0; byte < 256; ++byte) {
+    const double light = srgb_decode(byte / 255.0);
+    REQUIRE(byte_of_light(light, Transfer::srgb) == byte);
+    REQUIRE(byte_of_light(std::pow(byte / 255.0, 2.2), Transfer::stb) == byte);
+  }
+  CHECK(byte_of_light(0.25, Transfer::sqrt) == 128);
+  CHECK(byte_of_light(2, Transfer::sqrt) == 255);
+  CHECK(byte_of_light(std::nan(""), Transfer::srgb) == 0);
+  // Seed 2's bytes of light: 184 of 256 remain, and codes 1 to 20 are black.
+  const auto& kept = light_of_bytes<double>(TexelLight::stb);
+  CHECK(std::count(kept.begin(), kept.end(), 0.0) == 21);
+  int levels = 1;
+  for (std::size_t i = 1; i < kept.size(); ++i) levels += kept[i] != kept[i - 1] ? 1 : 0;
+  CHECK(levels == 184);
+}
