@@ -8,6 +8,10 @@ add_suite(math/test_vec3 USES math LABELS common)
 add_suite(math/test_color USES render LABELS common)  # a mixed color is also followed to its byte
 add_suite(math/test_rotation USES texture LABELS common)  # and a rotation to its u
 
+foreach(suite bits hash samplers directions)
+  add_suite(sampling/test_${suite} USES sampling LABELS common)
+endforeach()
+
 add_suite(geometry/test_sphere USES texture LABELS common)  # a far sphere's error shows in (u, v)
 add_suite(geometry/test_camera USES geometry LABELS common)
 add_suite(geometry/test_nearest USES geometry LABELS common)

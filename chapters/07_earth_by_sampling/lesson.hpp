@@ -1,8 +1,9 @@
 // The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
-#include <array>
+#include <optional>
 #include <vector>
 
+#include "budget_options.hpp"
 #include "camera.hpp"
 #include "gather.hpp"
 #include "image_texture.hpp"
@@ -11,13 +12,14 @@
 #include "painted.hpp"
 #include "path.hpp"
 #include "sampling_options.hpp"
+#include "screen_bounds.hpp"
 #include "sky.hpp"
 #include "studio.hpp"
 #include "texture_file.hpp"
 
 namespace texmap::chapter_07 {
 
-using Textured = Mapped<RtiowMapping, ImageTexture>;
+using Textured = Mapped<BudgetMapping, ImageTexture>;
 using Object = Painted<Textured>;
 
 struct Lesson {
@@ -31,21 +33,30 @@ struct Lesson {
   TextureFile texture{"earth.png"};
   SamplingOptions sampling;
   LensOptions lens;
+  BudgetOptions budget;
   Gathering gathering;
 
   void options(CommandLine& line) {
     texture.declare(line);
     sampling.declare(line);
     lens.declare(line);
+    budget.declare(line);
   }
   void prepare(Studio& studio) {
     studio.prefer_size(400, 225);
     studio.prefer_samples(100);
-    objects[0].paint = {{}, {.image = texture.load(), .light = sampling.decoding}};
+    const Image image = texture.load();
+    objects[0].paint = {budget.settle(studio, image), {.image = image, .light = sampling.decoding}};
     if (lens.gradient) stage.sky = {.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   }
   void show(Studio& studio) { studio.save(sampling.gather(studio, *this)); }
 
+  /// The sky's light, where the sky is alike everywhere and the globe cannot be seen.
+  [[nodiscard]] std::optional<Rgb> certain_light(const View& view, int first, int last, int row) const {
+    if (lens.blurs() || !stage.sky.is_constant() || objects.size() != 1) return {};
+    if (!screen_bounds(view, objects[0].sphere).miss(first, last, row)) return {};
+    return stage.sky.below;
+  }
   /// The light of one sample of a pixel.
   template <class Real, class Numbers>
   [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {

@@ -46,6 +46,7 @@ template <class Real>
 /// `a` at t = 0, `b` at t = 1, and on the straight line between them in between.
 ///
 /// @param t  weight of `b`, 0 to 1, one for all channels
+/// Domain: channels below half of the largest number. Bound: 2 unit roundoffs of the larger end; docs/numbers.md.
 /// Both ends are met to the bit, and a color mixed with itself stays itself to the bit: the step of t (b - a) is taken from the
 /// nearer end. The usual a (1 - t) + b t changes a byte mixed with itself for 41 of 256 bytes at t = 0.3.
 template <class Real>

@@ -41,19 +41,20 @@ template <class Real>
   return {a.x * s, a.y * s, a.z * s};
 }
 
-/// The scalar product: |a| |b| times the cosine of the angle between them.
+/// The scalar product: |a| |b| times the cosine of the angle between them, within 3 unit roundoffs of |a| |b|.
 template <class Real>
 [[nodiscard]] Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The vector product: at a right angle to both, by the right-hand rule.
+/// The vector product: at a right angle to both, by the right-hand rule; within 2 unit roundoffs of |a| |b|.
 template <class Real>
 [[nodiscard]] Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The length of `a`. Its square must not leave the number's range: about 1e-150 to 1e150 in double.
+/// The length of `a`, within 2 unit roundoffs of itself. Its square must stay in the number's range: about 1e-150 to 1e150 in
+/// double.
 template <class Real>
 [[nodiscard]] Real length(const Vec3<Real>& a) {
   return sqrt(dot(a, a));
@@ -65,13 +66,14 @@ template <class Real>
   return larger(abs(a.x), larger(abs(a.y), abs(a.z)));
 }
 
-/// `a` made one unit long. The zero vector has no direction: it gives NaN.
+/// `a` made one unit long, within 4 unit roundoffs; domain as `length`. The zero vector has no direction: it gives NaN.
 template <class Real>
 [[nodiscard]] Vec3<Real> normalize(const Vec3<Real>& a) {
   return a * (Real(1) / length(a));
 }
 
-/// dot(a, b) + rest, rounded about once: what cancels between the products is kept. Domain: as two_product.
+/// dot(a, b) + rest, rounded about once: what cancels between the products is kept. Within 2 unit roundoffs of itself while the
+/// result is above 16 unit roundoffs of |a| |b|. Domain: as two_product.
 template <class Real>
 [[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b, const Real& rest = Real(0)) {
   CompensatedSum<Real> sum;

@@ -50,6 +50,10 @@ class Pack {
   friend Mask operator==(const Pack& a, const Pack& b) { return a.values_ == b.values_; }
 
   friend Pack select(const Mask& mask, const Pack& yes, const Pack& no) { return xsimd::select(mask, yes.values_, no.values_); }
+#if defined(__x86_64__)  // whose instructions give `b` for a NaN in `a`, as number.hpp promises; others give the NaN
+  friend Pack larger(const Pack& a, const Pack& b) { return xsimd::max(a.values_, b.values_); }
+  friend Pack smaller(const Pack& a, const Pack& b) { return xsimd::min(a.values_, b.values_); }
+#endif
   friend Pack abs(const Pack& a) { return xsimd::abs(a.values_); }
   friend Pack sqrt(const Pack& a) { return xsimd::sqrt(a.values_); }
   friend Pack floor(const Pack& a) {

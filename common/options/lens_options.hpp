@@ -21,6 +21,9 @@ struct LensOptions {
                       "alike everywhere, or white below and blue above");
   }
 
+  /// True if rays start elsewhere than at the eye.
+  [[nodiscard]] bool blurs() const { return defocus_degrees > 0 || shift != 0; }
+
   /// The ray of one sample of a pixel: anywhere in the pixel, on the lens and in the exposure, as far as there are any.
   template <class Real, class Numbers>
   [[nodiscard]] Ray<Real> ray(const View& view, const Real& column, const Real& row, Numbers& numbers) const {

@@ -1,5 +1,8 @@
 // Gathers light: many samples a pixel, each a path of its own.
 #pragma once
+#include <algorithm>
+#include <optional>
+
 #include "film.hpp"
 #include "render.hpp"
 #include "samplers.hpp"
@@ -42,6 +45,7 @@ concept GathersLight = requires(const Lesson& lesson) {
 /// Draws the samples of a lesson that gathers light, and adds them to its film. Found by `draw` in place of the `render` for
 /// plain lessons.
 ///
+/// A lesson may have certain_light(view, first column, last column, row): the light of these pixels if it is known beforehand.
 /// @return  an empty picture: what the film shows is asked of the film
 template <class Real, GathersLight Lesson>
 [[nodiscard]] Image render(const Lesson& lesson, const View& view, const RenderSettings& settings) {
@@ -52,9 +56,19 @@ template <class Real, GathersLight Lesson>
     for (int column = 0; column < view.width; column += step) {
       const auto first = static_cast<Scalar<Real>>(column);
       const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
-      const auto place =
-          static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(view.width) + static_cast<std::uint32_t>(column);
-      const auto pixels = bits_from_lanes<Real>([place](std::size_t i) { return place + static_cast<std::uint32_t>(i); });
+      if constexpr (requires { lesson.certain_light(view, column, column, row); }) {
+        // What is known without a sample needs none.
+        const std::optional<Rgb> light = lesson.certain_light(view, column, column + step - 1, row);
+        if (light) {
+          const int samples = gathering.sampler.samples();
+          for (int i = column; i < std::min(column + step, view.width); ++i) {
+            film.add(i, row, *light * static_cast<double>(gathering.in_first_half),
+                     *light * static_cast<double>(samples - gathering.in_first_half));
+          }
+          continue;
+        }
+      }
+      const Bits<Real> pixels = pixel_bits<Real>(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
       Color<Real> first_half{}, second_half{};
       for (int i = 0; i < gathering.sampler.samples(); ++i) {
         SampleNumbers<Real> numbers(gathering.sampler, pixels, i);

@@ -14,15 +14,16 @@ namespace texmap {
 /// The compiler's own vector of `Count` numbers.
 template <class Number, std::size_t Count>
 struct VectorOf {
-  typedef Number Type __attribute__((vector_size(sizeof(Number) * Count)));  // GCC 12 ignores the attribute of a dependent alias
+  typedef Number Type
+      __attribute__((vector_size(sizeof(Number) * Count)));  // GCC 12 ignores the attribute of a dependent alias
 };
 #endif
 
 /// `Count` unsigned 32-bit integers that are worked on at once, each modulo 2^32.
 ///
-/// GCC and Clang have such vectors in the language, for any power of two and without one intrinsic; other compilers get an array
-/// and what they make of its loops. xsimd's integers do not serve: its release 8.1 multiplies them one by one on SSE2, and it
-/// has no half register for the lanes of a pack of double. Shifts are by the same count, 0 to 31, in all lanes.
+/// GCC and Clang have such vectors in the language, for any power of two and without one intrinsic; other compilers get an
+/// array and what they make of its loops. xsimd's integers do not serve: its release 8.1 multiplies them one by one on SSE2,
+/// and it has no half register for the lanes of a pack of double. Shifts are by the same count, 0 to 31, in all lanes.
 template <std::size_t Count>
 class LaneBits {
  public:
@@ -63,15 +64,33 @@ class LaneBits {
     return {a.values_ < b.values_ ? yes.values_ : no.values_, 0};
   }
 #else
-  friend LaneBits operator+(const LaneBits& a, const LaneBits& b) { return each([&](auto i) { return a[i] + b[i]; }); }
-  friend LaneBits operator-(const LaneBits& a, const LaneBits& b) { return each([&](auto i) { return a[i] - b[i]; }); }
-  friend LaneBits operator*(const LaneBits& a, const LaneBits& b) { return each([&](auto i) { return a[i] * b[i]; }); }
-  friend LaneBits operator^(const LaneBits& a, const LaneBits& b) { return each([&](auto i) { return a[i] ^ b[i]; }); }
-  friend LaneBits operator&(const LaneBits& a, const LaneBits& b) { return each([&](auto i) { return a[i] & b[i]; }); }
-  friend LaneBits operator|(const LaneBits& a, const LaneBits& b) { return each([&](auto i) { return a[i] | b[i]; }); }
-  friend LaneBits operator~(const LaneBits& a) { return each([&](auto i) { return ~a[i]; }); }
-  friend LaneBits operator<<(const LaneBits& a, int count) { return each([&](auto i) { return a[i] << count; }); }
-  friend LaneBits operator>>(const LaneBits& a, int count) { return each([&](auto i) { return a[i] >> count; }); }
+  friend LaneBits operator+(const LaneBits& a, const LaneBits& b) {
+    return each([&](auto i) { return a[i] + b[i]; });
+  }
+  friend LaneBits operator-(const LaneBits& a, const LaneBits& b) {
+    return each([&](auto i) { return a[i] - b[i]; });
+  }
+  friend LaneBits operator*(const LaneBits& a, const LaneBits& b) {
+    return each([&](auto i) { return a[i] * b[i]; });
+  }
+  friend LaneBits operator^(const LaneBits& a, const LaneBits& b) {
+    return each([&](auto i) { return a[i] ^ b[i]; });
+  }
+  friend LaneBits operator&(const LaneBits& a, const LaneBits& b) {
+    return each([&](auto i) { return a[i] & b[i]; });
+  }
+  friend LaneBits operator|(const LaneBits& a, const LaneBits& b) {
+    return each([&](auto i) { return a[i] | b[i]; });
+  }
+  friend LaneBits operator~(const LaneBits& a) {
+    return each([&](auto i) { return ~a[i]; });
+  }
+  friend LaneBits operator<<(const LaneBits& a, int count) {
+    return each([&](auto i) { return a[i] << count; });
+  }
+  friend LaneBits operator>>(const LaneBits& a, int count) {
+    return each([&](auto i) { return a[i] >> count; });
+  }
 
   /// `yes` in the lanes where a < b, else `no`.
   friend LaneBits select_less(const LaneBits& a, const LaneBits& b, const LaneBits& yes, const LaneBits& no) {

@@ -6,7 +6,7 @@
 namespace texmap {
 
 /// True where a whole number is even, negative ones included. No integer is made of it, so it holds for 1e12 as for 1.
-/// Domain: whole numbers below 2^24 in float, 2^53 in double; above, every number is even.
+/// Domain: any whole number, without an error; from 2^24 in float, 2^53 in double, every number is even.
 template <class Real>
 [[nodiscard]] Mask<Real> is_even(const Real& whole) {
   const Real half = whole * Real(0.5);
@@ -14,6 +14,8 @@ template <class Real>
 }
 
 /// Squares in two colors, alternating in u and in v.
+///
+/// Bound: the right square for u and v in [0, 1), but within 1 unit roundoff of 1 from its edge; docs/numbers.md.
 struct Checkerboard {
   Rgb even;  ///< the square at (0, 0)
   Rgb odd;

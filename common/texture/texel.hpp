@@ -22,6 +22,7 @@ template <class Real>
 ///
 /// @param u  texture coordinate, 0 to 1; anything else is clamped to the nearest texel, and NaN gives 0
 /// @param n  number of texels along the coordinate, 1 to 2^24
+/// Bound: for u in [0, 1) the texel holds u but for 1 unit roundoff of 1; docs/numbers.md.
 /// Errors: none. The clamp comes before any conversion to an integer, so that no NaN and no infinity reaches one.
 /// Source: seeds 2 (floor) and 4 (lecture).
 template <class Real>
@@ -31,8 +32,9 @@ template <class Real>
 
 /// The texel of a coordinate on an image that repeats: u and u + 1 are one place, negative ones included.
 ///
-/// @param u  any finite coordinate
+/// @param u  any finite coordinate; NaN and infinities give a texel too
 /// @param n  number of texels, 1 to 2^24
+/// Bound: the texel holds u but for 1.5 unit roundoffs of 1, for u to 1e12 and beyond; docs/numbers.md.
 template <class Real>
 [[nodiscard]] Real wrapped_index(const Real& u, int n) {
   return clamp_index((u - floor(u)) * Real(n), n);

@@ -21,6 +21,8 @@ template <class Real>
 /// @param p  any finite vector; only its direction matters
 /// @return   u in [0, 1), 0 at -x and growing through +z, +x, -z; v in [0, 1], 0 at -y and 1 at +y
 /// Errors: none. The zero vector gives (0.5, 0.5); at the poles, where every u is right, u is 0.5.
+/// Bound: any length, any exponents: u (round the circle) and v within 0.001 texel of 8192 by 4096 in float, 2e-12 in double;
+/// v within 4 ulp of itself at the lower pole; docs/numbers.md.
 /// v is the angle from -y as atan2(sine, cosine), not acos(-y): acos loses half the digits near the poles, where its slope is
 /// infinite, and gives NaN when rounding made |y| larger than 1. Both sides are divided by the larger of |x| and |z|, so that
 /// no length overflows or vanishes and `p` need not be a unit vector. Source: seed 2's convention; the form of the polar angle

@@ -49,7 +49,7 @@ struct Numbers {
   std::uint32_t dimension = 0;
   template <class Real>
   [[nodiscard]] Sample2<Real> pair() {
-    return sampler.pair<Real>(Bits<Real>(7), sample, dimension++);
+    return sampler.pair<Real>(pixel_bits<Real>(7, 3), sample, dimension++);
   }
 };
 
@@ -115,6 +115,42 @@ TEST_CASE("what the scene does not require changes nothing: paths that are follo
   followed.objects.push_back(followed.objects[0]);
   followed.objects[1].sphere = {{0, 0, 1000}, 0.001};
   CHECK(apart(film_of<double>(alone, SamplerKind::sobol, 8), film_of<double>(followed, SamplerKind::sobol, 8)) < 1e-12);
+}
+
+TEST_CASE("where the globe cannot be seen no sample is drawn, and the picture is that of drawing them") {
+  Lesson lesson = lesson_with({});
+  const View view = view_of(lesson.stage.camera, 64, 36);
+  const ScreenBounds bounds = screen_bounds(view, lesson.objects[0].sphere);
+  CHECK(bounds.left > 10);
+  CHECK(bounds.right < 54);
+  CHECK(lesson.certain_light(view, 0, 7, 18).has_value());
+  CHECK_FALSE(lesson.certain_light(view, 24, 31, 18).has_value());
+  // The outline is closed by tangents: no ray through a pixel outside meets the globe, and some through each edge inside do.
+  const auto met = [&](double column, double row) {
+    return distance_to(lesson.objects[0].sphere, ray_through(view, column, row)) < infinity<double>;
+  };
+  bool touched = false;
+  for (double row = -0.5; row <= 35.5; row += 0.125) {
+    for (double column = -0.5; column <= 63.5; column += 0.125) {
+      if (column < bounds.left + 0.5 || column > bounds.right - 0.5) REQUIRE_FALSE(met(column, row));
+      touched = touched || (column < bounds.left + 1.5 && met(column, row));
+    }
+  }
+  CHECK(touched);
+  Lesson everywhere = lesson;
+  everywhere.lens.shift = 1e-300;  // asks for what is not known beforehand, and moves nothing
+  const Film film = film_of<double>(lesson, SamplerKind::random, 4);
+  const Film drawn = film_of<double>(everywhere, SamplerKind::random, 4);
+  CHECK(apart(film, drawn) < 1e-12);
+}
+
+TEST_CASE("a budget changes no more of the picture than it allows") {
+  const Film exact = film_of<double>(lesson_with({}), SamplerKind::sobol, 16);
+  const double off = apart(exact, film_of<double>(lesson_with({"--budget", "texels=0.01", "--quiet"}), SamplerKind::sobol, 16));
+  CHECK(off > 0);
+  CHECK(off < 1e-3);
+  CHECK(apart(exact, film_of<double>(lesson_with({"--budget", "texels=5", "--quiet"}), SamplerKind::sobol, 16)) > 3 * off);
+  CHECK_THROWS_AS((void)lesson_with({"--budget", "texels=none"}), UsageError);
 }
 
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {

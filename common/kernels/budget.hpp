@@ -1,0 +1,129 @@
+// The error budget: how far off a picture may be, and the cheapest kernels that keep to it.
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "power_kernel.hpp"
+#include "srgb_kernel.hpp"
+#include "turns.hpp"
+
+namespace texmap {
+
+/// How far off a picture may be.
+struct Budget {
+  enum class Unit {
+    exact,   ///< as the reference formulas have it
+    texels,  ///< a place on the texture
+    levels,  ///< a channel of a color, of 255
+  };
+  Unit unit = Unit::exact;
+  double limit = 0;  ///< 0 for `exact`, otherwise above 0
+};
+
+/// Reads `exact`, `texels=0.01` or `levels=1`: the unit in small letters, and a decimal number above 0 and up to 255.
+///
+/// Errors: std::invalid_argument, with what was expected and what was given.
+[[nodiscard]] Budget parse_budget(std::string_view text);
+
+/// The budget as parse_budget reads it.
+[[nodiscard]] std::string to_text(const Budget& budget);
+
+/// What is known of the directions that a mapping will be given.
+enum class Directions {
+  any,   ///< of any length: FastMapping
+  unit,  ///< of length 1: FastUnitMapping
+};
+
+/// The number that a kernel works with.
+enum class KernelNumber {
+  single,     ///< float
+  twice,      ///< double
+  reference,  ///< double, by the reference formula of the C library
+};
+
+/// The kernel that a budget allows for (u, v).
+struct UvChoice {
+  Directions directions;
+  KernelNumber number;
+  int degree;           ///< of the arc tangent; 0 for the reference
+  double worst_texels;  ///< stated; 0 for the reference, by which the others are judged
+  double worst_levels;  ///< 255 a texel, in u and v together: black beside white, filtered
+  double cost;          ///< time, as a part of the reference's; measured with eight floats or four doubles at once
+  std::string text;     ///< one sentence that says all this
+};
+
+/// The cheapest kernel whose stated worst case on a texture of this size keeps to the budget.
+///
+/// @param width, height  in texels, 1 or more
+/// The worst case in texels is the larger of those in u and in v. Levels are counted for a filtered texture. A texture read at
+/// its nearest texel jumps at edges: there every kernel but the exact one can pick the neighbour, where a place lies within the
+/// stated number of texels of the edge.
+/// Errors: std::invalid_argument for a size below 1.
+[[nodiscard]] UvChoice choose_uv_kernel(const Budget& budget, int width, int height, Directions directions = Directions::any);
+
+/// A choice of polynomial for colors.
+struct ColorChoice {
+  int terms;            ///< 0 for the exact formula
+  double worst_levels;  ///< stated; 0 for the exact formula
+  std::string text;
+};
+
+/// The cheapest way to sRGB bytes that keeps to the budget: 3 or 4 terms of srgb_byte, or srgb_byte_exact.
+///
+/// Bytes are off by whole levels or not at all. A budget in texels speaks of places alone: colors stay exact.
+[[nodiscard]] ColorChoice choose_srgb_kernel(const Budget& budget);
+
+/// The cheapest Phong power that keeps to the budget, for a full highlight on packs of float: a PowerKernel of 3, 4, 6 or 8
+/// terms, or the formula of `highlight`.
+[[nodiscard]] ColorChoice choose_power_kernel(const Budget& budget);
+
+/// draw(mapping) with the mapping of the choice; its results must be of one type.
+///
+/// @tparam directions  those that the choice was made for
+template <Directions directions, class Draw>
+decltype(auto) with_uv_mapping(const UvChoice& choice, const Draw& draw) {
+  const auto with_degree = [&]<int Degree>() -> decltype(auto) {
+    if constexpr (directions == Directions::unit) {
+      return draw(FastUnitMapping<Degree>{});
+    } else {
+      return draw(FastMapping<Degree>{});
+    }
+  };
+  switch (choice.degree) {
+    case 5:
+      return with_degree.template operator()<5>();
+    case 7:
+      return with_degree.template operator()<7>();
+    case 9:
+      return with_degree.template operator()<9>();
+    case 11:
+      return with_degree.template operator()<11>();
+    case 13:
+      return with_degree.template operator()<13>();
+    case 15:
+      return with_degree.template operator()<15>();
+    case 17:
+      return with_degree.template operator()<17>();
+    case 23:
+      return with_degree.template operator()<23>();
+    case 29:
+      return with_degree.template operator()<29>();
+    case 35:
+      return with_degree.template operator()<35>();
+    default:
+      return draw(RtiowMapping{});
+  }
+}
+
+/// The mapping of a choice for unit directions, to be handed to a paint.
+struct BudgetMapping {
+  UvChoice choice = choose_uv_kernel({}, 1, 1, Directions::unit);
+
+  template <class Real>
+  [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
+    return with_uv_mapping<Directions::unit>(choice, [&p](const auto& mapping) { return mapping(p); });
+  }
+};
+
+}  // namespace texmap

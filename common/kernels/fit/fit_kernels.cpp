@@ -1,0 +1,281 @@
+// Makes common/kernels/coefficients.hpp: polynomials of best worst case for the kernels.
+//
+// Method: the exchange algorithm of Remez, in long double. A polynomial of n coefficients is best where its weighted error
+// takes its largest size n + 1 times with alternating signs. From the extrema of the Chebyshev polynomial on, each round solves
+// for the polynomial whose error alternates with equal size on the n + 1 points at hand and moves the points to where that
+// error really peaks; a few rounds meet to the last digits. Polynomials are solved for in Chebyshev's basis, where nothing
+// cancels, and written in powers, as Horner's rule wants them. The worst case is then measured anew, on the coefficients as
+// they are printed, at 40000 points. The libraries' functions it stands on are those of long double, so it needs one of 64 bits
+// or more.
+//
+// Usage: fit_kernels FILE           writes the file
+//        fit_kernels --check FILE   fails unless the file is what would be written
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <locale>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Wide = long double;
+constexpr Wide pi = std::numbers::pi_v<Wide>;
+constexpr Wide ln2 = std::numbers::ln2_v<Wide>;
+
+/// A function to be approximated on [low, high], and how much an error counts at each place.
+struct Problem {
+  Wide low, high;
+  std::function<Wide(Wide)> value;
+  std::function<Wide(Wide)> weight;
+};
+
+/// A polynomial's coefficients by powers, and the largest weighted error.
+struct Fit {
+  std::vector<Wide> powers;
+  Wide worst;
+};
+
+/// The place in [low, high] of x in [-1, 1].
+Wide place(const Problem& problem, Wide x) { return (problem.low + problem.high + (problem.high - problem.low) * x) / 2; }
+
+/// Gauss's elimination with the largest pivot.
+std::vector<Wide> solve(std::vector<std::vector<Wide>> rows) {
+  const std::size_t n = rows.size();
+  for (std::size_t column = 0; column < n; ++column) {
+    std::size_t pivot = column;
+    for (std::size_t row = column; row < n; ++row) {
+      if (std::abs(rows[row][column]) > std::abs(rows[pivot][column])) pivot = row;
+    }
+    std::swap(rows[column], rows[pivot]);
+    for (std::size_t row = column + 1; row < n; ++row) {
+      const Wide factor = rows[row][column] / rows[column][column];
+      for (std::size_t k = column; k <= n; ++k) rows[row][k] -= factor * rows[column][k];
+    }
+  }
+  std::vector<Wide> x(n);
+  for (std::size_t row = n; row-- > 0;) {
+    Wide rest = rows[row][n];
+    for (std::size_t k = row + 1; k < n; ++k) rest -= rows[row][k] * x[k];
+    x[row] = rest / rows[row][row];
+  }
+  return x;
+}
+
+/// The sum of c[k] T_k(x), by Clenshaw's rule.
+Wide chebyshev_sum(const std::vector<Wide>& c, Wide x) {
+  Wide next = 0;
+  Wide after = 0;
+  for (std::size_t k = c.size(); k-- > 1;) {
+    const Wide now = 2 * x * next - after + c[k];
+    after = next;
+    next = now;
+  }
+  return x * next - after + c[0];
+}
+
+/// The same polynomial by powers of the place.
+std::vector<Wide> by_powers(const Problem& problem, const std::vector<Wide>& c) {
+  const Wide scale = 2 / (problem.high - problem.low);
+  const Wide shift = -(problem.high + problem.low) / (problem.high - problem.low);
+  std::vector<Wide> sum(c.size(), 0);
+  std::vector<Wide> before(c.size(), 0);
+  std::vector<Wide> now(c.size(), 0);
+  now[0] = 1;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    for (std::size_t i = 0; i < c.size(); ++i) sum[i] += c[k] * now[i];
+    // T_1 = x T_0, and T_(k+1) = 2 x T_k - T_(k-1) from there on.
+    const Wide factor = k == 0 ? 1 : 2;
+    std::vector<Wide> next(c.size(), 0);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      next[i] = factor * (shift * now[i] + (i > 0 ? scale * now[i - 1] : 0)) - before[i];
+    }
+    before = now;
+    now = next;
+  }
+  return sum;
+}
+
+/// The best polynomial with `count` coefficients.
+Fit best(const Problem& problem, std::size_t count) {
+  constexpr int grid = 20000;
+  // Points crowd towards the ends as the peaks of the error do.
+  const auto grid_point = [](int i) { return -std::cos(pi * i / grid); };
+  std::vector<Wide> points(count + 1);
+  for (std::size_t i = 0; i <= count; ++i) {
+    points[i] = -std::cos(pi * (static_cast<Wide>(i) + Wide(0.5)) / static_cast<Wide>(count + 1));
+  }
+  std::vector<Wide> c(count);
+  const auto error = [&](Wide x) {
+    const Wide at = place(problem, x);
+    return problem.weight(at) * (chebyshev_sum(c, x) - problem.value(at));
+  };
+  for (int round = 0; round < 30; ++round) {
+    std::vector<std::vector<Wide>> rows;
+    for (std::size_t i = 0; i <= count; ++i) {
+      const Wide at = place(problem, points[i]);
+      std::vector<Wide> row{1, points[i]};
+      while (row.size() < count) row.push_back(2 * points[i] * row.back() - row[row.size() - 2]);
+      row.resize(count);
+      row.push_back((i % 2 == 0 ? 1 : -1) / problem.weight(at));
+      row.push_back(problem.value(at));
+      rows.push_back(row);
+    }
+    const std::vector<Wide> solution = solve(rows);
+    c.assign(solution.begin(), solution.end() - 1);
+
+    // Between two changes of sign the error has one peak; the largest place of each is the next point.
+    std::vector<Wide> peaks;
+    std::vector<Wide> heights;
+    for (int i = 0; i <= grid; ++i) {
+      const Wide x = grid_point(i);
+      const Wide e = error(x);
+      if (e == 0) continue;
+      if (heights.empty() || (e > 0) != (heights.back() > 0)) {
+        peaks.push_back(x);
+        heights.push_back(e);
+      } else if (std::abs(e) > std::abs(heights.back())) {
+        peaks.back() = x;
+        heights.back() = e;
+      }
+    }
+    // Too many when rounding adds a change of sign where the weight is 0: the lower of the two ends goes.
+    while (peaks.size() > count + 1) {
+      const bool front = std::abs(heights.front()) < std::abs(heights.back());
+      peaks.erase(front ? peaks.begin() : peaks.end() - 1);
+      heights.erase(front ? heights.begin() : heights.end() - 1);
+    }
+    if (peaks.size() < count + 1) break;  // the error is down to rounding: nothing more to gain
+    if (peaks == points) break;
+    points = peaks;
+  }
+
+  Fit fit{by_powers(problem, c), 0};
+  for (int i = 0; i <= 2 * grid; ++i) {
+    const Wide at = place(problem, -std::cos(pi * i / (2 * grid)));
+    Wide sum = 0;
+    for (std::size_t k = count; k-- > 0;) sum = sum * at + fit.powers[k];
+    fit.worst = std::max(fit.worst, std::abs(problem.weight(at) * (sum - problem.value(at))));
+  }
+  return fit;
+}
+
+/// atan(t) / t in turns as a function of t^2; an error counts as it shows in the angle.
+const Problem arc_tangent{0, 1,
+                          [](Wide z) { return z == 0 ? 1 / (2 * pi) : std::atan(std::sqrt(z)) / std::sqrt(z) / (2 * pi); },
+                          [](Wide z) { return std::sqrt(z); }};
+
+/// acos(y) / sqrt(1 - y^2) in half turns; an error counts as it shows in the angle.
+const Problem arc_cosine{0, 1,
+                         [](Wide y) {
+                           const Wide s = std::sqrt((1 - y) * (1 + y));
+                           return s == 0 ? 1 / pi : std::atan2(s, y) / s / pi;
+                         },
+                         [](Wide y) { return std::sqrt((1 - y) * (1 + y)); }};
+
+/// log2(1 - w) / w; an error counts relative to the logarithm.
+const Problem logarithm{0, Wide(0.5), [](Wide w) { return w == 0 ? -1 / ln2 : std::log1p(-w) / w / ln2; },
+                        [](Wide w) { return w == 0 ? ln2 : -w * ln2 / std::log1p(-w); }};
+
+/// (2^y - 1) / y for the sixteenth root of a power. An error e of the root is 16 2^(15 y) e of the power.
+const Problem exponential{-1, 0, [](Wide y) { return y == 0 ? ln2 : std::expm1(y * ln2) / y; },
+                          [](Wide y) { return -y * 16 * std::exp2(15 * y); }};
+
+/// The sRGB curve above its straight part, times 255, as a function of the root of the light: errors in levels of a byte.
+const Problem srgb_curve{std::sqrt(Wide(0.0031308L)), 1,
+                         [](Wide r) { return 255 * (Wide(1.055L) * std::pow(r, Wide(5) / 6) - Wide(0.055L)); },
+                         [](Wide) { return Wide(1); }};
+
+/// `x` with as many digits as bring the same number back.
+std::string shown(Wide x, int digits) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::scientific << std::setprecision(digits - 1) << x;
+  return out.str();
+}
+
+/// Two digits, the last one rounded up: a bound stays a bound.
+std::string shown_bound(Wide x) {
+  const Wide unit = std::pow(Wide(10), std::floor(std::log10(x)) - 1);
+  return shown(std::ceil(x / unit) * unit, 2);
+}
+
+void write_family(std::ostream& out, const std::string& name, const std::string& comment, const Problem& problem,
+                  const std::vector<std::size_t>& counts) {
+  out << "\n" << comment << "template <int Terms>\nstruct " << name << ";\n";
+  for (const std::size_t count : counts) {
+    const Fit fit = best(problem, count);
+    out << "template <>\nstruct " << name << "<" << count << "> {\n  static constexpr double worst = " << shown_bound(fit.worst)
+        << ";\n  static constexpr std::array<long double, " << count << "> powers = {\n";
+    for (const Wide c : fit.powers) out << "      " << shown(c, std::numeric_limits<Wide>::max_digits10) << "L,\n";
+    out << "  };\n};\n";
+  }
+}
+
+std::string coefficients() {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << "// Polynomials for the kernels. Written by fit/fit_kernels.cpp, which says how: change that file, not this one.\n"
+         "#pragma once\n#include <array>\n\n"
+         "// clang-format off\n"
+         "namespace texmap::fits {\n\n"
+         "// Each `powers` holds the coefficients from the lowest power on; `worst` is the largest error with exact "
+         "arithmetic.\n";
+  write_family(out, "ArcTangent",
+               "/// atan(t) / (2 pi t) by powers of t^2, for t from 0 to 1. `worst` is in turns of the angle.\n", arc_tangent,
+               {3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 18});
+  write_family(out, "ArcCosine",
+               "/// acos(y) / (pi sqrt(1 - y^2)) by powers of y, for y from 0 to 1. `worst` is in half turns of the angle.\n",
+               arc_cosine, {4, 5, 6, 7, 8, 9, 10, 11, 15, 18, 21});
+  write_family(out, "Logarithm", "/// log2(1 - w) / w by powers of w, for w from 0 to 1/2. `worst` is relative.\n", logarithm,
+               {3, 4, 6, 8});
+  write_family(
+      out, "Exponential",
+      "/// (2^y - 1) / y by powers of y, for y from -1 to 0. `worst` is that of (2^y)^16, where the result is at most 1.\n",
+      exponential, {2, 3, 4});
+  write_family(
+      out, "SrgbCurve",
+      "/// 255 (1.055 r^(5/6) - 0.055) by powers of r, for r from the root of 0.0031308 to 1. `worst` is in levels of a "
+      "byte.\n",
+      srgb_curve, {3, 4, 6});
+  out << "\n}  // namespace texmap::fits\n// clang-format on\n";
+  return out.str();
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    const bool check = count == 3 && std::string(arguments[1]) == "--check";
+    if (count != 2 && !check) throw std::invalid_argument("Usage: fit_kernels [--check] FILE");
+    static_assert(std::numeric_limits<Wide>::digits >= 64, "the fit needs a long double of 64 bits or more");
+    const std::string path = arguments[count - 1];
+    const std::string text = coefficients();
+    if (check) {
+      std::ifstream file(path, std::ios::binary);
+      std::ostringstream found;
+      found << file.rdbuf();
+      if (!file) throw std::runtime_error(path + ": cannot be read");
+      if (found.str() != text) throw std::runtime_error(path + " is not what this program writes");
+      return 0;
+    }
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw std::runtime_error(path + ": cannot be written");
+  } catch (const std::exception& error) {
+    std::cerr << "fit_kernels: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

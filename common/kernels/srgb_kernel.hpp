@@ -1,0 +1,66 @@
+// From light to bytes by the sRGB curve, without a power. The way back, from bytes, is the table in srgb.hpp: it is exact.
+#pragma once
+#include "polynomial.hpp"
+#include "srgb.hpp"
+
+namespace texmap {
+
+/// The curve at `linear`, times 255 and not yet rounded.
+///
+/// @tparam Terms  of the polynomial: 3, 4 or 6
+/// @param linear  light; below 0, above 1 and NaN are brought into [0, 1] first, NaN to 0
+/// @return        -1.5 to 256.5
+/// Worst error: SrgbCurve<Terms>::worst levels and 64 epsilons, which is 1.5, 0.49 and 0.083 levels. Source: the curve is that
+/// of srgb_encode; above its straight part it is 1.055 r^(5/6) - 0.055 with the root r of the light, where r^(5/6) bends
+/// little.
+template <int Terms, class Real>
+[[nodiscard]] Real srgb_level(const Real& linear) {
+  const Real light = clamp(linear, Real(0), Real(1));
+  return select(light <= Real(0.0031308), light * Real(255 * 12.92), polynomial<fits::SrgbCurve<Terms>>(sqrt(light)));
+}
+
+/// The byte of `linear`, as a whole number from 0 to 255: with 4 or 6 terms at most one from that of the exact curve, with 3
+/// two.
+template <int Terms, class Real>
+[[nodiscard]] Real srgb_byte(const Real& linear) {
+  return clamp(floor(srgb_level<Terms>(linear) + Real(0.5)), Real(0), Real(255));
+}
+
+/// Where bytes begin: place b holds the least amount of light, as a number of type `T`, whose byte is b or more; place 256
+/// holds infinity. Computed once, at the first call.
+template <class T>
+[[nodiscard]] const std::array<T, 257>& srgb_thresholds() {
+  static const std::array<T, 257> table = [] {
+    std::array<T, 257> least{};
+    least[0] = -std::numeric_limits<T>::infinity();
+    least[256] = std::numeric_limits<T>::infinity();
+    for (std::size_t byte = 1; byte < 256; ++byte) {
+      const long double light = srgb_decode((static_cast<long double>(byte) - 0.5L) / 255);
+      least[byte] = static_cast<T>(light);
+      if (static_cast<long double>(least[byte]) < light) least[byte] = std::nextafter(least[byte], T(1));
+    }
+    return least;
+  }();
+  return table;
+}
+
+/// The byte of `linear` by the exact curve, as a whole number: srgb_encode times 255, rounded to the nearest.
+///
+/// @param linear  below 0 and NaN give 0, above 1 gives 255. In long double the thresholds themselves are rounded: a number
+/// within
+///                8 epsilons of one may go either way
+/// The polynomial is at most one off, and the two thresholds around its byte tell which way: no table needs to be searched.
+template <class Real>
+[[nodiscard]] Real srgb_byte_exact(const Real& linear) {
+  const auto& thresholds = srgb_thresholds<Scalar<Real>>();
+  const Real light = clamp(linear, Real(0), Real(1));
+  const Real near = srgb_byte<6>(light);
+  const auto threshold = [&](std::size_t step) {
+    return from_lanes<Real>([&](std::size_t i) { return thresholds[static_cast<std::size_t>(lane(near, i)) + step]; });
+  };
+  const Real least = threshold(0);
+  const Real next = threshold(1);
+  return near - select(light < least, Real(1), Real(0)) + select(light >= next, Real(1), Real(0));
+}
+
+}  // namespace texmap

@@ -1,0 +1,108 @@
+// Inputs: numbers and vectors drawn log-uniformly, so that every exponent is as likely as any other, and the hard corners.
+#pragma once
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "vec3.hpp"
+
+namespace texmap::extremes {
+
+/// Draws that are the same on every machine: splitmix64.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() {
+    state_ += 0x9e3779b97f4a7c15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
+  /// 0 to n - 1.
+  int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
+  int within(int low, int high) { return low + below(high - low + 1); }
+  /// True once in n draws.
+  bool once_in(int n) { return below(n) == 0; }
+  /// -1 or 1.
+  int sign() { return once_in(2) ? -1 : 1; }
+  /// [low, high), each place as likely as any other.
+  long double uniform(long double low, long double high) {
+    return low + (high - low) * static_cast<long double>(bits() >> 11) * 0x1p-53L;
+  }
+  /// 10^low to 10^high, each power as likely as any other.
+  long double power_of_ten(long double low, long double high) { return std::pow(10.0L, uniform(low, high)); }
+
+  /// A positive number in [2^low, 2^high), each exponent as likely as any other, each digit of T in use.
+  template <class T>
+  T number(int low, int high) {
+    using Limits = std::numeric_limits<T>;
+    const T mantissa = static_cast<T>(1) + static_cast<T>(bits() >> (65 - Limits::digits)) * Limits::epsilon();
+    return std::ldexp(mantissa, within(low, high - 1));
+  }
+  /// Any finite number, subnormal ones included, and once in 16 draws a zero with either sign.
+  template <class T>
+  T finite() {
+    using Limits = std::numeric_limits<T>;
+    const T size = once_in(16) ? T(0) : number<T>(Limits::min_exponent - Limits::digits, Limits::max_exponent);
+    return sign() < 0 ? -size : size;
+  }
+  /// Anything that the type can hold: also infinities, NaN, the ends of its range, whole numbers and their neighbours.
+  template <class T>
+  T anything() {
+    using Limits = std::numeric_limits<T>;
+    switch (below(16)) {
+      case 0:
+        return Limits::infinity();
+      case 1:
+        return -Limits::infinity();
+      case 2:
+        return Limits::quiet_NaN();
+      case 3:
+        return static_cast<T>(sign()) * Limits::max();
+      case 4:
+        return static_cast<T>(sign()) * Limits::denorm_min();
+      case 5:
+        return std::nextafter(static_cast<T>(within(-2, 2)), static_cast<T>(sign()) * T(9));
+      case 6:
+        return static_cast<T>(within(-3, 3));
+      case 7:
+        return static_cast<T>(sign()) * number<T>(-4, 90);
+      default:
+        return finite<T>();
+    }
+  }
+  /// A direction, each as likely as any other, one unit long but for rounding.
+  Vec3<long double> direction() {
+    for (;;) {
+      const Vec3<long double> p{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+      const long double square_of_length = dot(p, p);
+      if (square_of_length < 1 && square_of_length > 1e-4L) return p * (1 / std::sqrt(square_of_length));
+    }
+  }
+  /// A direction at a right angle to `p`.
+  Vec3<long double> across(const Vec3<long double>& p) {
+    for (;;) {
+      const Vec3<long double> q = cross(p, direction());
+      if (dot(q, q) > 1e-2L) return q * (1 / std::sqrt(dot(q, q)));
+    }
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+template <class T>
+[[nodiscard]] Vec3<T> rounded(const Vec3<long double>& p) {
+  return {static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
+}
+
+template <class T>
+[[nodiscard]] Vec3<T> scaled(const Vec3<T>& p, int power_of_two) {
+  return {std::ldexp(p.x, power_of_two), std::ldexp(p.y, power_of_two), std::ldexp(p.z, power_of_two)};
+}
+
+}  // namespace texmap::extremes

@@ -1,0 +1,30 @@
+// The page docs/numbers.md: one table a family, one row a claim.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "claims.hpp"
+
+namespace texmap::extremes {
+
+/// The two cells of a row that are measured.
+struct Cells {
+  std::string worst;
+  std::string cost;
+};
+
+/// The page. A claim's last two cells are what `measured` says of it.
+[[nodiscard]] std::string page_of(const std::vector<Family>& families, const std::function<Cells(const Claim&)>& measured);
+
+/// The page without its measured cells: what must not differ between the page and the claims. Rows of packs are left out where
+/// the machine has none.
+[[nodiscard]] std::string without_measured_cells(const std::string& page);
+
+/// A number with two digits, such as 0.00071 or 3.4.
+[[nodiscard]] std::string two_digits(double number);
+
+/// How much longer a function's work takes than its reference's: both are run by turns, and the shortest time of each counts.
+[[nodiscard]] double cost_ratio(const Cost& cost, int rounds);
+
+}  // namespace texmap::extremes

@@ -1,0 +1,100 @@
+// Tests that docs/numbers.md says what the claims say: its functions, domains and bounds, not what was measured.
+#include <doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "page.hpp"
+
+namespace texmap::extremes {
+namespace {
+
+std::string committed_page() {
+  std::ifstream file(TEXMAP_TESTS_DIR "/../docs/numbers.md", std::ios::binary);
+  REQUIRE_MESSAGE(file, "docs/numbers.md is missing; ./course numbers writes it");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Cells unmeasured(const Claim&) { return {"1", "2"}; }
+
+/// The first line in which two pages differ.
+std::string first_difference(const std::string& page, const std::string& expected) {
+  std::istringstream one(page);
+  std::istringstream other(expected);
+  for (;;) {
+    std::string line;
+    std::string wanted;
+    const bool more = static_cast<bool>(std::getline(one, line));
+    const bool more_wanted = static_cast<bool>(std::getline(other, wanted));
+    if (!more && !more_wanted) return "";
+    if (line != wanted) return "page: " + line + "\nclaims: " + wanted;
+  }
+}
+
+TEST_CASE("the page has the functions, domains and bounds of the claims") {
+  const std::string difference =
+      first_difference(without_measured_cells(committed_page()), without_measured_cells(page_of(all_claims(), unmeasured)));
+  CHECK_MESSAGE(difference.empty(), difference << "\n./course numbers writes the page anew");
+}
+
+TEST_CASE("a changed bound, domain or function is noticed, a changed measurement is not") {
+  std::vector<Family> families = all_claims();
+  const std::string page = without_measured_cells(page_of(families, unmeasured));
+  const auto same = [&](const std::string& other) { return first_difference(without_measured_cells(other), page).empty(); };
+  CHECK(same(page_of(families, [](const Claim&) { return Cells{"3", "4"}; })));
+
+  Claim& claim = families.back().claims.back();
+  const Claim kept = claim;
+  claim.bound *= 2;
+  CHECK_FALSE(same(page_of(families, unmeasured)));
+  claim = kept;
+  claim.domain += " or so";
+  CHECK_FALSE(same(page_of(families, unmeasured)));
+  claim = kept;
+  claim.function = "another";
+  CHECK_FALSE(same(page_of(families, unmeasured)));
+  claim = kept;
+  CHECK(same(page_of(families, unmeasured)));
+  families.back().claims.pop_back();
+  CHECK_FALSE(same(page_of(families, unmeasured)));
+}
+
+TEST_CASE("every cell of the page stays in its column") {
+  for (const Family& family : all_claims()) {
+    for (const Claim& claim : family.claims) {
+      CAPTURE(claim.function);
+      CHECK((claim.function + claim.number + claim.domain + claim.unit + claim.cost.relative_to).find('|') ==
+            std::string::npos);
+      CHECK_FALSE(claim.number.empty());
+      CHECK_FALSE(claim.domain.empty());
+      CHECK_FALSE(claim.unit.empty());
+    }
+  }
+}
+
+TEST_CASE("measured numbers have two digits") {
+  CHECK(two_digits(0) == "0");
+  CHECK(two_digits(0.000714) == "0.00071");
+  CHECK(two_digits(3.4159) == "3.4");
+  CHECK(two_digits(12.7) == "13");
+  CHECK(two_digits(31849) == "32000");
+  CHECK(two_digits(2.5e18) == "2.5e+18");
+}
+
+TEST_CASE("a cost is the ratio of two times") {
+  const auto count_to = [](int n) {
+    return [n] {
+      volatile double sum = 0;
+      for (int i = 0; i < n; ++i) sum = sum + i;
+      return static_cast<double>(sum);
+    };
+  };
+  const double ratio = cost_ratio({"a tenth", count_to(200000), count_to(20000)}, 20);
+  CHECK(ratio > 5);
+  CHECK(ratio < 20);
+}
+
+}  // namespace
+}  // namespace texmap::extremes

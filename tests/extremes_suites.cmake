@@ -1,0 +1,38 @@
+# The suites that measure errors against 50 and 100 digits, and the program that writes docs/numbers.md from the same claims.
+
+find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
+mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
+if(NOT boost_multiprecision_INCLUDE_DIR)
+  message(STATUS "Boost.Multiprecision not found: no tests against 50 digits (Debian libboost-dev, Fedora boost-devel, Arch boost, brew boost)")
+  return()
+endif()
+
+# A library, because four programs share it and Boost's numbers take long to compile.
+add_library(claims STATIC extremes/page.cpp)
+foreach(family arithmetic rotation secondary_rays shading spheres textures triangles uv)
+  target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
+endforeach()
+target_link_libraries(claims PUBLIC shading texture PRIVATE project_options)
+target_include_directories(claims PUBLIC extremes)
+target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(claims PRIVATE -Wno-double-promotion)  # references have more digits than what they judge
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(claims PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
+endif()
+
+# Sanitizers and builds without optimisation are some ten times slower: they look for other faults, with fewer inputs.
+set(extremes_inputs 2000)
+if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(extremes_inputs 500)
+endif()
+foreach(suite extremes references numbers_page)
+  add_suite(extremes/test_${suite} USES claims LABELS extremes)
+  target_compile_definitions(test_${suite} PRIVATE TEXMAP_EXTREMES_INPUTS=${extremes_inputs})
+endforeach()
+
+# ./course numbers runs it.
+add_executable(numbers_page extremes/numbers_page.cpp)
+target_link_libraries(numbers_page PRIVATE claims project_options)
+add_custom_target(numbers COMMAND numbers_page "${CMAKE_SOURCE_DIR}/docs/numbers.md" USES_TERMINAL)

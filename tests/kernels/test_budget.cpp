@@ -1,0 +1,129 @@
+// Tests of common/kernels/budget.hpp: what a budget reads as, and what it buys.
+#include "budget.hpp"
+
+#include <doctest.h>
+
+namespace texmap {
+namespace {
+
+TEST_CASE("a budget is exact, a number of texels or a number of levels") {
+  CHECK(parse_budget("exact").unit == Budget::Unit::exact);
+  CHECK(parse_budget("texels=0.01").unit == Budget::Unit::texels);
+  CHECK(parse_budget("texels=0.01").limit == 0.01);
+  CHECK(parse_budget("levels=1").unit == Budget::Unit::levels);
+  CHECK(parse_budget("levels=1").limit == 1);
+  CHECK(parse_budget("levels=.5").limit == 0.5);
+  CHECK(parse_budget("texels=1e-6").limit == 1e-6);
+  CHECK(parse_budget("levels=255").limit == 255);
+}
+
+TEST_CASE("anything else is refused, with what would do and what was given") {
+  for (const char* text : {"",           "Exact",      "exact ",     " exact",     "exact=1",       "texels",
+                           "texels=",    "texels=0",   "texels=-1",  "texels=+1",  "texels= 1",     "texels=1 ",
+                           "texels=1x",  "texels=0x1", "texels=inf", "texels=nan", "texels=1e999",  "texels=1,5",
+                           "levels=256", "levels=",    "pixels=1",   "TEXELS=1",   "levels=1e-999", "levels=1\n"}) {
+    CAPTURE(text);
+    const std::string expected =
+        std::string("a budget is 'exact', 'texels=X' or 'levels=X' with a number X above 0 and up to 255, not '") + text + "'";
+    CHECK_THROWS_WITH_AS(static_cast<void>(parse_budget(text)), expected.c_str(), std::invalid_argument);
+  }
+}
+
+TEST_CASE("the text of a budget reads as the same budget") {
+  for (const char* text : {"exact", "texels=0.01", "levels=1", "texels=1e-06", "levels=0.1", "texels=0.3333333333333333"}) {
+    CHECK(to_text(parse_budget(text)) == text);
+  }
+}
+
+TEST_CASE("a choice keeps to its budget, and the kernel before it does not") {
+  for (const Directions directions : {Directions::any, Directions::unit}) {
+    for (const int width : {16, 256, 1024, 8192, 16384}) {
+      int dearest = 0;
+      for (const double texels : {100.0, 1.0, 0.1, 0.01, 0.001, 1e-6, 1e-9, 1e-14}) {
+        const Budget budget{Budget::Unit::texels, texels};
+        const UvChoice choice = choose_uv_kernel(budget, width, width / 2, directions);
+        CHECK(choice.worst_texels <= texels);
+        const int rank = choice.degree == 0 ? 1000 : choice.degree;
+        CHECK(rank >= dearest);
+        dearest = rank;
+      }
+    }
+  }
+}
+
+TEST_CASE("known budgets buy known kernels") {
+  struct Row {
+    const char* budget;
+    int width, height;
+    Directions directions;
+    KernelNumber number;
+    int degree;
+  };
+  const Row table[] = {
+      {"texels=0.01", 8192, 4096, Directions::any, KernelNumber::single, 11},
+      {"texels=0.001", 8192, 4096, Directions::any, KernelNumber::single, 13},
+      {"texels=0.001", 8192, 4096, Directions::unit, KernelNumber::single, 13},
+      {"texels=0.01", 1024, 512, Directions::any, KernelNumber::single, 9},
+      {"texels=0.5", 1024, 512, Directions::any, KernelNumber::single, 5},
+      {"levels=1", 1024, 512, Directions::any, KernelNumber::single, 11},
+      {"levels=1", 8192, 4096, Directions::any, KernelNumber::single, 13},
+      {"texels=0.0001", 8192, 4096, Directions::any, KernelNumber::twice, 23},
+      {"texels=1e-9", 8192, 4096, Directions::any, KernelNumber::twice, 29},
+      {"texels=1e-14", 8192, 4096, Directions::any, KernelNumber::reference, 0},
+      {"exact", 2, 1, Directions::any, KernelNumber::reference, 0},
+  };
+  for (const Row& row : table) {
+    const UvChoice choice = choose_uv_kernel(parse_budget(row.budget), row.width, row.height, row.directions);
+    CAPTURE(choice.text);
+    CHECK(choice.number == row.number);
+    CHECK(choice.degree == row.degree);
+  }
+}
+
+TEST_CASE("the text says the budget, the size, the kernel, its worst case and its cost") {
+  CHECK(choose_uv_kernel(parse_budget("texels=0.01"), 8192, 4096).text ==
+        "(u, v) for texels=0.01 on 8192x4096: polynomials in float, arc tangent of degree 11; at worst 0.0028 texels and 1.4 "
+        "levels; 0.037 of the reference's time");
+  CHECK(choose_uv_kernel(parse_budget("exact"), 64, 32).text ==
+        "(u, v) for exact on 64x32: the reference formula in double, by the C library, at cost 1");
+  CHECK(choose_srgb_kernel(parse_budget("levels=1")).text ==
+        "sRGB bytes for levels=1: a polynomial of 4 terms; at worst 1 levels");
+}
+
+TEST_CASE("the mapping drawn with is the chosen one") {
+  const Point p{0.6, 0.48, -0.64};
+  for (const Directions directions : {Directions::any, Directions::unit}) {
+    for (const double texels : {50.0, 0.5, 0.1, 0.02, 0.01, 0.002, 0.001, 0.0008, 1e-6, 1e-9, 1e-12, 1e-14}) {
+      const UvChoice choice = choose_uv_kernel({Budget::Unit::texels, texels}, 8192, 4096, directions);
+      CAPTURE(choice.text);
+      const Uv<double> exact = uv_rtiow(p);
+      const auto map = [&](const auto& mapping) { return mapping(p); };
+      const Uv<double> uv = directions == Directions::unit ? with_uv_mapping<Directions::unit>(choice, map)
+                                                           : with_uv_mapping<Directions::any>(choice, map);
+      CHECK(abs(uv.u - exact.u) * 8192 <= texels);
+      CHECK(abs(uv.v - exact.v) * 4096 <= texels);
+      if (choice.degree == 0) CHECK(uv.u == exact.u);
+    }
+  }
+}
+
+TEST_CASE("colors are exact where the budget is none of levels, and otherwise as cheap as it allows") {
+  for (const char* text : {"exact", "texels=100", "levels=0.0001"}) {
+    CHECK(choose_srgb_kernel(parse_budget(text)).terms == 0);
+    CHECK(choose_power_kernel(parse_budget(text)).terms == 0);
+  }
+  CHECK(choose_srgb_kernel(parse_budget("levels=0.99")).terms == 0);
+  CHECK(choose_srgb_kernel(parse_budget("levels=1")).terms == 4);
+  CHECK(choose_srgb_kernel(parse_budget("levels=2")).terms == 3);
+  CHECK(choose_power_kernel(parse_budget("levels=1")).terms == 3);
+  CHECK(choose_power_kernel(parse_budget("levels=0.1")).terms == 4);
+  CHECK(choose_power_kernel(parse_budget("levels=0.01")).terms == 6);
+}
+
+TEST_CASE("a texture without a size is refused") {
+  CHECK_THROWS_WITH_AS(static_cast<void>(choose_uv_kernel({}, 0, 4)), "a texture is at least 1x1, not 0x4",
+                       std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace texmap

@@ -1,0 +1,78 @@
+// What the suites of the kernels share: references with more digits, and inputs that look for the worst.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "pack.hpp"
+#include "vec3.hpp"
+
+#if __has_include(<boost/multiprecision/cpp_bin_float.hpp>)
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#define TEXMAP_HAVE_REFERENCE
+#endif
+
+#ifdef TEXMAP_HAVE_PACKS
+#define TEXMAP_KERNEL_NUMBERS float, double, long double, Pack<float>, Pack<double>
+#else
+#define TEXMAP_KERNEL_NUMBERS float, double, long double
+#endif
+
+namespace texmap {
+
+#ifdef TEXMAP_HAVE_REFERENCE
+using Reference = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+#else
+using Reference = long double;
+#endif
+
+/// Pseudo-random numbers, the same in every run.
+class Dice {
+ public:
+  /// Evenly from `low` to `high`.
+  double between(double low, double high) {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * static_cast<double>(state_ >> 11) * 0x1p-53;
+  }
+  /// Evenly over the powers of ten from 10^low to 10^high, with either sign.
+  double any_size(double low, double high) { return (between(0, 1) < 0.5 ? -1 : 1) * std::pow(10.0, between(low, high)); }
+
+ private:
+  unsigned long long state_ = 1;
+};
+
+/// Unit vectors of T, once rounded from more digits and once made by `normalize`: on axes and diagonals, all over the globe,
+/// and at all distances from poles and seams.
+template <class T>
+std::vector<Vec3<T>> unit_vectors(int count) {
+  std::vector<Vec3<T>> all;
+  const auto add = [&all](long double x, long double y, long double z) {
+    const long double length = std::sqrt(x * x + y * y + z * z);
+    all.push_back({static_cast<T>(x / length), static_cast<T>(y / length), static_cast<T>(z / length)});
+    all.push_back(normalize(Vec3<T>{static_cast<T>(x), static_cast<T>(y), static_cast<T>(z)}));
+  };
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
+      for (int z = -2; z <= 2; ++z) {
+        if (x != 0 || z != 0) add(x, y, z);
+      }
+    }
+  }
+  Dice dice;
+  for (int i = 0; i < count; ++i) {
+    const long double a = dice.between(0, 6.283185307179586);
+    const long double y = dice.between(-1, 1);
+    const long double s = std::sqrt((1 - y) * (1 + y));
+    add(s * std::cos(a), y, s * std::sin(a));
+    add(dice.any_size(-12, 0), dice.any_size(-12, 0), dice.any_size(-12, 0));
+    // Where the polynomials end: the diagonals, a hair's breadth to either side.
+    const double off = 1 + dice.any_size(-9, -1);
+    add(std::cos(a), off, std::sin(a));
+    add(1, y, off);
+    add(y < 0 ? -1 : 1, off, -1);
+  }
+  return all;
+}
+
+}  // namespace texmap

@@ -1,0 +1,9 @@
+// The numbers over which the tests of common/sampling run: all of them must give the same.
+#pragma once
+#include "pack.hpp"
+
+#ifdef TEXMAP_HAVE_PACKS
+#define TEXMAP_SAMPLED_NUMBERS float, double, long double, texmap::Pack<float>, texmap::Pack<double>
+#else
+#define TEXMAP_SAMPLED_NUMBERS float, double, long double
+#endif
