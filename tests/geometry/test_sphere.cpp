@@ -136,7 +136,8 @@ TEST_CASE_TEMPLATE("distances keep their digits from 1 to 100000 radii away", Re
   }
 }
 
-TEST_CASE_TEMPLATE("a ray that starts a hair above the sphere knows how thick the hair is, by the hybrid form", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a ray that starts a hair above the sphere knows how thick the hair is, by the hybrid form", Real, float,
+                   double, long double) {
   for (const long double hair : {1e-1L, 1e-3L, 1e-6L}) {
     const Real start = static_cast<Real>(1 + hair);
     CHECK(ulps(distance_to(hybrid_sphere, Ray<Real>{{0, 0, start}, {0, 0, -1}}), widened(start - Real(1))) <= 2);

@@ -56,7 +56,8 @@ void check_bounds(const Lesson& lesson) {
 
 }  // namespace
 
-TEST_CASE("double and extended precision stay inside the bounds of every chapter at every pixel, and another picture does not") {
+TEST_CASE(
+    "double and extended precision stay inside the bounds of every chapter at every pixel, and another picture does not") {
   check_bounds(chapter_02::Lesson{});
   check_bounds(test::prepared<chapter_03::Lesson>());
   check_bounds(test::prepared<chapter_05::Lesson>({"--degrees", "37"}));
