@@ -17,6 +17,8 @@ target_include_directories(claims PUBLIC extremes)
 target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(claims PRIVATE -Wno-double-promotion)  # references have more digits than what they judge
+  # A cost is that of one call after another, as in a picture, and not of a loop that the compiler turned into packs.
+  target_compile_options(claims PRIVATE -fno-tree-vectorize -fno-tree-slp-vectorize)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(claims PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
