@@ -16,7 +16,7 @@ add_suite(geometry/test_sphere USES texture LABELS common)  # a far sphere's err
 add_suite(geometry/test_camera USES geometry LABELS common)
 add_suite(geometry/test_nearest USES geometry LABELS common)
 add_suite(geometry/test_triangle USES geometry LABELS common)
-add_suite(geometry/test_plane USES texture LABELS common)  # what its exact height is good for shows in a checkerboard
+add_suite(geometry/test_floor USES texture LABELS common)  # what its exact height is good for shows in a checkerboard
 
 add_suite(texture/test_uv USES texture LABELS common)
 add_suite(texture/test_texel USES texture LABELS common)

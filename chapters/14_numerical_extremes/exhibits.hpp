@@ -4,11 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "floor.hpp"
 #include "image_texture.hpp"
 #include "mapped.hpp"
 #include "painted.hpp"
 #include "phong.hpp"
-#include "plane.hpp"
 #include "rotation.hpp"
 #include "seed_formulas.hpp"
 #include "seed_sphere.hpp"

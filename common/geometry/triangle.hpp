@@ -109,7 +109,8 @@ template <class Real>
 /// 1e6 from the origin in float, 5e14 in double. Triangles that are thin along an axis are told apart at any width. Degenerate
 /// is also said of a p that is not finite, or so far outside that no digit of its weights is left. Errors: none. Domain:
 /// coordinates below half of the largest number. Source: signed areas after Ericson, Real-Time Collision Detection (2005),
-/// section 3.4; determinants by Kahan, see compensated.hpp; errors are measured in tests/geometry/test_triangle.cpp.
+/// section 3.4; determinants by Kahan, see compensated.hpp; errors are measured in tests/geometry/test_triangle.cpp
+/// and tests/extremes: 3 u (largest weight)^2.
 template <class Real>
 [[nodiscard]] Barycentric<Real> barycentric(const Triangle& triangle, const Vec3<Real>& p) {
   const Vec3<Real> a = number_cast<Real>(triangle.a);

@@ -32,8 +32,9 @@ enum class HighlightFormula {
 /// @param to_eye  unit vector from the hit point to the eye
 /// @return  0 to specular; 0 where the lamp is hidden or behind the surface, and where the directions are 90 degrees apart or
 /// more The power is taken as exp(n log1p(-|r - e|^2 / 2)), because cos = 1 - |r - e|^2 / 2: a cosine near 1 has lost the
-/// digits that say how far from 1 it is, and the power multiplies what is lost by n. Any exponent gives a number. Source:
-/// Phong, "Illumination for Computer Generated Pictures" (1975); seed 4 with the sign of the eye's direction mended.
+/// digits that say how far from 1 it is, and the power multiplies what is lost by n. Any exponent gives a number: within 6 u
+/// sqrt(1 + n) where the cosine is above 0.1, in [0, specular] everywhere; docs/numbers.md. Source: Phong, "Illumination for
+/// Computer Generated Pictures" (1975); seed 4 with the sign of the eye's direction mended.
 template <class Real>
 [[nodiscard]] Real highlight(const Finish& finish, const Illumination<Real>& lamp, const Vec3<Real>& normal,
                              const Vec3<Real>& to_eye) {

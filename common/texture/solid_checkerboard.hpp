@@ -17,6 +17,8 @@ template <class Real>
 }
 
 /// Cubes in two colors, alternating in x, in y and in z.
+///
+/// Bound: the right cube for every point farther than 1 u of itself from a face, for coordinates to 1e12; docs/numbers.md.
 struct SolidCheckerboard {
   Rgb even;  ///< the cube from (0, 0, 0) to (cell, cell, cell)
   Rgb odd;

@@ -2,7 +2,7 @@
 #include "claims.hpp"
 #include "describe.hpp"
 #include "dice.hpp"
-#include "plane.hpp"
+#include "floor.hpp"
 #include "references.hpp"
 #include "seed_triangle.hpp"
 #include "triangle.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "floor.hpp"
 #include "pack.hpp"
-#include "plane.hpp"
 #include "solid_checkerboard.hpp"
 
 namespace texmap {
