@@ -45,7 +45,7 @@ Studio::Studio(std::string_view chapter, CommandLine& line)
 void Studio::offer_forms() {
   line_.choice<SphereForm>(
       "--spheres", spheres, {{"plain", SphereForm::plain}, {"robust", SphereForm::robust}, {"hybrid", SphereForm::hybrid}},
-      "formulas for meeting a sphere: robust draws every scene of the course; hybrid, some 4 times slower, is for float beyond "
+      "formulas for meeting a sphere: robust draws every scene of the course; hybrid, some 6 times slower, is for float beyond "
       "100 radii, an eye close above a surface, or tiny and huge units; plain shows how the textbook's fails");
 }
 

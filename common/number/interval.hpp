@@ -82,7 +82,8 @@ class Interval {
   /// True where x lies in the interval; a NaN lies in the whole line alone.
   template <std::floating_point Number>
   [[nodiscard]] constexpr bool contains(Number x) const {
-    return (low_ <= x && x <= high_) || is_anything();
+    using Wider = std::common_type_t<Number, double>;
+    return (Wider{low_} <= Wider{x} && Wider{x} <= Wider{high_}) || is_anything();
   }
   /// The smallest interval that holds both.
   [[nodiscard]] friend constexpr Interval hull(const Interval& a, const Interval& b) {
