@@ -65,7 +65,7 @@ template <class Real, class Texture>
 [[nodiscard]] Sight<Real> sight_of_globe(const Sphere& globe, const Texture& texture, const Ray<Real>& ray, Care care) {
   const Sphere sphere{globe.center, globe.radius, care == Care::plain ? SphereForm::plain : SphereForm::hybrid};
   const Real distance = distance_to(sphere, ray);
-  if (!(distance < infinity<Real>)) return {number_cast<Real>(background)};
+  if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
   const Hit<Real> hit = hit_at(sphere, ray, distance);
   const Uv<Real> uv = care == Care::plain ? seeds::uv_next_week_v4(hit.normal) : uv_rtiow(hit.normal);
   const bool on_texture = uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1);
@@ -116,7 +116,7 @@ struct Shadows {
           });
       return sight;
     }
-    Real nearest = infinity<Real>;
+    Real nearest = infinity<Real>();
     const Painted<Solid>* seen = nullptr;
     for (const auto& object : objects) {
       const Real distance = seeds::distance_half_b(object.sphere, ray);
@@ -199,7 +199,7 @@ struct ManyTurns {
   template <class Real>
   [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
     static const Real sum = sum_of_steps<Real>();
-    static const Real radians = sum * pi<Real> / Real(180);
+    static const Real radians = sum * pi<Real>() / Real(180);
     static const SineCosine<Real> plain{sin(radians), cos(radians)};
     // A million tenths are 100,000 degrees, and that is 280 beyond whole turns.
     static const SineCosine<Real> robust = sine_cosine_of_degrees(Real(1000000) / Real(10));
@@ -207,7 +207,7 @@ struct ManyTurns {
 
     const Sphere globe{{}, 1};
     const Real distance = distance_to(globe, ray);
-    if (!(distance < infinity<Real>)) return {number_cast<Real>(background)};
+    if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
     const Vec3<Real> n = hit_at(globe, ray, distance).normal;
     const Uv<Real> uv = uv_rtiow(Vec3<Real>{n.x * turn.cosine + n.z * turn.sine, n.y, n.z * turn.cosine - n.x * turn.sine});
     return {texture(uv), uv, true, true};
@@ -225,7 +225,7 @@ struct OddExponent {
   [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
     const std::array<Painted<Solid>, 1> globe{{{{{}, 1}, {{0.75, 0.45, 0.1}}}}};
     const Real distance = distance_to(globe[0].sphere, ray);
-    if (!(distance < infinity<Real>)) return {number_cast<Real>(background)};
+    if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
     const Hit<Real> hit = hit_at(globe[0].sphere, ray, distance);
     const Illumination<Real> lamp = illumination(PointLight{{3, 2, 2}}, globe, hit);
     const HighlightFormula formula = care == Care::plain ? HighlightFormula::lecture : HighlightFormula::phong;

@@ -56,7 +56,7 @@ template <class Lesson>
   if constexpr (requires { Lesson::changed_objects; }) {
     for (const int object : Lesson::changed_objects) step.may_change.push_back(object);
   }
-  step.milliseconds = infinity<double>;
+  step.milliseconds = infinity<double>();
   for (int repeat = 0; repeat < 3; ++repeat) {
     const auto start = std::chrono::steady_clock::now();
     step.picture = studio.draw(lesson);

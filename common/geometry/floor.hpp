@@ -17,7 +17,7 @@ struct Floor {
 template <class Real>
 [[nodiscard]] Real distance_to(const Floor& floor, const Ray<Real>& ray) {
   const Real distance = (Real(floor.height) - ray.origin.y) / ray.direction.y;
-  return select(distance > Real(0), distance, infinity<Real>);
+  return select(distance > Real(0), distance, infinity<Real>());
 }
 
 /// The point of the floor at a distance that `distance_to` gave.

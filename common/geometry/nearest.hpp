@@ -7,8 +7,8 @@ namespace texmap {
 /// The first object that a ray meets.
 template <class Real>
 struct Nearest {
-  Real distance = infinity<Real>;  ///< +infinity for a miss
-  Real index = Real(-1);           ///< its place in the list of objects, -1 for a miss; a number, so that packs can compare it
+  Real distance = infinity<Real>();  ///< +infinity for a miss
+  Real index = Real(-1);  ///< its place in the list of objects, -1 for a miss; a number, so that packs can compare it
 };
 
 /// @param objects  a list of objects, each with a `sphere`
@@ -33,7 +33,7 @@ template <class Real, class Objects>
 template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray, const Real& distance,
                                      const Sphere* leaving = nullptr) {
-  Real first = infinity<Real>;
+  Real first = infinity<Real>();
   for (const auto& object : objects) {
     if (&object.sphere != leaving) first = smaller(distance_to(object.sphere, ray), first);
   }

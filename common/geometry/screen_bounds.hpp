@@ -21,7 +21,7 @@ struct ScreenBounds {
 /// @param radius  its radius
 /// @return  -infinity and +infinity where it is around the eye or reaches behind it
 struct SeenTangents {
-  double low = -infinity<double>, high = infinity<double>;
+  double low = -infinity<double>(), high = infinity<double>();
 };
 [[nodiscard]] inline SeenTangents seen_tangents(double x, double z, double radius) {
   const double away = std::hypot(x, z);

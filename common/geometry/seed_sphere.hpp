@@ -12,11 +12,11 @@ template <class Real>
   const Real b = Real(2) * dot(oc, ray.direction);
   const Real c = dot(oc, oc) - square(Real(sphere.radius));
   const Real discriminant = b * b - Real(4) * a * c;
-  if (discriminant < Real(0)) return infinity<Real>;
+  if (discriminant < Real(0)) return infinity<Real>();
   const Real root = sqrt(discriminant);
   const Real near = (-b - root) / (Real(2) * a);
   const Real far = (-b + root) / (Real(2) * a);
-  return near > Real(0.001) ? near : far > Real(0.001) ? far : infinity<Real>;
+  return near > Real(0.001) ? near : far > Real(0.001) ? far : infinity<Real>();
 }
 
 /// Seeds 1 and 2's first distance beyond 0.001: from h^2 - ac with half of seed 0's b, which halves the products and none of
@@ -28,11 +28,11 @@ template <class Real>
   const Real half_b = dot(oc, ray.direction);
   const Real c = dot(oc, oc) - square(Real(sphere.radius));
   const Real discriminant = half_b * half_b - a * c;
-  if (!(discriminant > Real(0))) return infinity<Real>;
+  if (!(discriminant > Real(0))) return infinity<Real>();
   const Real root = sqrt(discriminant);
   const Real near = (-half_b - root) / a;
   const Real far = (-half_b + root) / a;
-  return near > Real(0.001) ? near : far > Real(0.001) ? far : infinity<Real>;
+  return near > Real(0.001) ? near : far > Real(0.001) ? far : infinity<Real>();
 }
 
 }  // namespace texmap::seeds

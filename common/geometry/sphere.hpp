@@ -66,7 +66,7 @@ template <class Real>
 /// `inside` inward does; the plain form keeps neither; docs/numbers.md.
 template <class Real>
 [[nodiscard]] Hit<Real> hit_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
-  const Real u = unit_roundoff<Real>;
+  const Real u = unit_roundoff<Real>();
   const Real radius = Real(sphere.radius);
   const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Vec3<Real> along = ray.direction * distance;

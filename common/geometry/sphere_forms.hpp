@@ -28,13 +28,13 @@ template <class Real>
   const Real c = dot(f, f) - square(radius);
   const Real discriminant = b * b - a * c;
   const Mask<Real> met = discriminant >= Real(0);
-  if (!any(met)) return infinity<Real>;
+  if (!any(met)) return infinity<Real>();
 
   const Real root = sqrt(larger(discriminant, Real(0)));
   const Real entry = (b - root) / a;
   const Real exit = (b + root) / a;
-  const Real ahead = select(entry > Real(0), entry, select(exit > Real(0), exit, infinity<Real>));
-  return select(met, ahead, infinity<Real>);
+  const Real ahead = select(entry > Real(0), entry, select(exit > Real(0), exit, infinity<Real>()));
+  return select(met, ahead, infinity<Real>());
 }
 
 /// The first of the two roots of a t^2 - 2 b t + c = 0 that is ahead, +infinity if none is.
@@ -48,7 +48,7 @@ template <class Real>
   const Real q = b + select(back, -root, root);
   const Mask<Real> by_c = c > Real(0) || back;
   const Real t = select(by_c, c, q) / select(by_c, q, a);
-  return select(t > Real(0), t, infinity<Real>);
+  return select(t > Real(0), t, infinity<Real>());
 }
 
 /// The first distance ahead, by the distance of the ray's line from the center; +infinity for a miss.
@@ -67,11 +67,11 @@ template <class Real>
   const Vec3<Real> moment = cross(f, d);
   const Real discriminant = a * square(radius) - dot(moment, moment);
   const Mask<Real> met = discriminant >= Real(0);
-  if (!any(met)) return infinity<Real>;
+  if (!any(met)) return infinity<Real>();
 
   const Real b = -dot(f, d);
   const Real c = dot(f, f) - square(radius);
-  return select(met, root_ahead(a, b, c, sqrt(larger(discriminant, Real(0)))), infinity<Real>);
+  return select(met, root_ahead(a, b, c, sqrt(larger(discriminant, Real(0)))), infinity<Real>());
 }
 
 /// Where a ray meets a sphere, by the form that needs both at once.
@@ -133,7 +133,7 @@ template <class Real>
   const Mask<Real> up = unscale > Real(1);
   const Mask<Real> alike = (direction_up && up) || (!direction_up && !up);
   const Real distance = select(alike, (t * direction_scale) * unscale, t * (direction_scale * unscale));
-  return {select(met, distance, infinity<Real>), normalize(from_center)};
+  return {select(met, distance, infinity<Real>()), normalize(from_center)};
 }
 
 }  // namespace texmap

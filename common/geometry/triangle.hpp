@@ -71,7 +71,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Mask<Real> may_be_flat(const Vec3<Real>& normal, const ExactDifference<Real>& ab, const ExactDifference<Real>& ac,
                                      const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {
-  const Real relative = Real(2) * larger(unit_roundoff<Real>, Real(unit_roundoff<double>));
+  const Real relative = Real(2) * larger(unit_roundoff<Real>(), Real(unit_roundoff<double>()));
   const auto grain = [&](const Real& from, const Real& to) {
     return relative * (abs(from) + abs(to));  // by how much their difference can change
   };

@@ -24,7 +24,7 @@ template <class Real>
   using std::sin;
   const Real turn = fmod(degrees, Real(360));
   const Real quarter = floor(turn / Real(90) + Real(0.5));
-  const Real rest = (turn - quarter * Real(90)) * pi<Real> / Real(180);
+  const Real rest = (turn - quarter * Real(90)) * pi<Real>() / Real(180);
   const Real s = sin(rest);
   const Real c = cos(rest);
   const Real quadrant = quarter - Real(4) * floor(quarter / Real(4));

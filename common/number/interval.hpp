@@ -319,11 +319,15 @@ class Interval {
 
 /// The real circle constant lies between the two doubles nearest to it.
 template <>
-inline constexpr Interval pi<Interval>{0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};
+[[nodiscard]] inline Interval pi<Interval>() {
+  return {0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};
+}
 
 /// What [0, 1) ends with depends on the digits; this holds the answer of double and of every number with more.
 template <>
-inline constexpr Interval below_one<Interval>{0x1.fffffffffffffp-1, 1.0};
+[[nodiscard]] inline Interval below_one<Interval>() {
+  return {0x1.fffffffffffffp-1, 1.0};
+}
 
 /// Half of the last place of whatever number of an interval, on either side of 0; nothing for a single number.
 [[nodiscard]] inline Interval rounding_error_in(const Interval& a) {

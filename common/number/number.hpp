@@ -36,21 +36,32 @@ using Mask = typename NumberTraits<Real>::Mask;
 template <class Real>
 inline constexpr std::size_t lanes = NumberTraits<Real>::lanes;
 
+// Constants are functions: a variable would be made when the program starts, and one for wide packs with instructions that the
+// machine may not have.
+
 /// The circle constant to every digit of `Real`.
 template <class Real>
-inline const Real pi = Real(std::numbers::pi_v<Scalar<Real>>);
+[[nodiscard]] inline Real pi() {
+  return Real(std::numbers::pi_v<Scalar<Real>>);
+}
 
 /// Plus infinity: the distance of a ray that hits nothing.
 template <class Real>
-inline const Real infinity = Real(std::numeric_limits<Scalar<Real>>::infinity());
+[[nodiscard]] inline Real infinity() {
+  return Real(std::numeric_limits<Scalar<Real>>::infinity());
+}
 
 /// The largest number below one: the end of the half-open range [0, 1) of texture coordinates.
 template <class Real>
-inline const Real below_one = Real(1) - Real(std::numeric_limits<Scalar<Real>>::epsilon()) / Real(2);
+[[nodiscard]] inline Real below_one() {
+  return Real(Scalar<Real>(1) - std::numeric_limits<Scalar<Real>>::epsilon() / Scalar<Real>(2));
+}
 
 /// Half the distance from 1 to the next number: the largest relative error of one rounded operation.
 template <class Real>
-inline const Real unit_roundoff = Real(std::numeric_limits<Scalar<Real>>::epsilon()) / Real(2);
+[[nodiscard]] inline Real unit_roundoff() {
+  return Real(std::numeric_limits<Scalar<Real>>::epsilon() / Scalar<Real>(2));
+}
 
 /// `yes` where the mask is true, else `no`. Both sides are computed: a pack cannot branch.
 template <class Real>

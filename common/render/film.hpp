@@ -42,7 +42,7 @@ class Film {
   }
   /// The estimated error: root mean square over pixels and channels, in units of light; +infinity before both halves have some.
   [[nodiscard]] double error() const {
-    if (first_ == 0 || second_ == 0) return infinity<double>;
+    if (first_ == 0 || second_ == 0) return infinity<double>();
     double sum = 0;
     const double a = 1.0 / static_cast<double>(first_);
     const double b = 1.0 / static_cast<double>(second_);

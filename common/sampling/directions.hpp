@@ -20,7 +20,7 @@ template <class Real>
 [[nodiscard]] inline OnCircle<Real> on_circle_eighth(const Real& x) {
   constexpr int digits = std::numeric_limits<Scalar<Real>>::digits;
   constexpr int terms = digits <= 24 ? 5 : digits <= 53 ? 9 : 12;
-  const Real angle = x * (Real(2) * pi<Real>);
+  const Real angle = x * (Real(2) * pi<Real>());
   const Real squared = angle * angle;
   Real sine = Real(1);
   Real cosine = Real(1);

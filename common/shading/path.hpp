@@ -28,7 +28,7 @@ template <class Real, class Objects, class Sky, class Albedo, class Numbers>
   Mask<Real> under_way = Real(0) < Real(1);
   for (int bounce = 0;; ++bounce) {
     const Nearest<Real> nearest = find_nearest(objects, ray);
-    const Mask<Real> met = under_way && nearest.distance < infinity<Real>;
+    const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
     light = select(under_way && !met, carried * sky(ray), light);
     under_way = met;
     if (bounce == bounces || !any(under_way)) return light;

@@ -41,7 +41,7 @@ template <class Real>
   const Vec3<Real> mirrored = normal * (Real(2) * dot(normal, lamp.to_light)) - lamp.to_light;
   const Vec3<Real> apart = mirrored - to_eye;
   const Real versine = dot(apart, apart) * Real(0.5);
-  const Real power = exp(Real(finish.shininess) * log1p(-clamp(versine, Real(0), below_one<Real>)));
+  const Real power = exp(Real(finish.shininess) * log1p(-clamp(versine, Real(0), below_one<Real>())));
   return Real(finish.specular) * select(lamp.cosine > Real(0) && versine < Real(1), power, Real(0));
 }
 

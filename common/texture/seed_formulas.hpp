@@ -9,21 +9,21 @@ template <class Real>
 [[nodiscard]] Uv<Real> uv_daily(const Vec3<Real>& point) {
   using std::asin;
   const Vec3<Real> p = normalize(point);
-  return {Real(0.5) + atan2(p.z, p.x) / (Real(2) * pi<Real>), Real(0.5) - asin(p.y) / pi<Real>};
+  return {Real(0.5) + atan2(p.z, p.x) / (Real(2) * pi<Real>()), Real(0.5) - asin(p.y) / pi<Real>()};
 }
 
 /// Seed 1: u = 1 - (atan2(z, x) + pi) / 2 pi, v = (asin(y) + pi / 2) / pi. Domain: a unit vector; |y| > 1 gives NaN.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_one_weekend_2020(const Vec3<Real>& p) {
   using std::asin;
-  return {Real(1) - (atan2(p.z, p.x) + pi<Real>) / (Real(2) * pi<Real>), (asin(p.y) + pi<Real> / Real(2)) / pi<Real>};
+  return {Real(1) - (atan2(p.z, p.x) + pi<Real>()) / (Real(2) * pi<Real>()), (asin(p.y) + pi<Real>() / Real(2)) / pi<Real>()};
 }
 
 /// Seed 2: u = (atan2(-z, x) + pi) / 2 pi, v = acos(-y) / pi. Domain: a unit vector; |y| > 1 gives NaN.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_next_week_v4(const Vec3<Real>& p) {
   using std::acos;
-  return {(atan2(-p.z, p.x) + pi<Real>) / (Real(2) * pi<Real>), acos(-p.y) / pi<Real>};
+  return {(atan2(-p.z, p.x) + pi<Real>()) / (Real(2) * pi<Real>()), acos(-p.y) / pi<Real>()};
 }
 
 /// Seed 4: u = atan2(x, z) / 2 pi, plus 1 if negative, v = 1 - acos(y) / pi. Domain: a unit vector; |y| > 1 gives NaN.
@@ -31,8 +31,8 @@ template <class Real>
 [[nodiscard]] Uv<Real> uv_lecture(const Vec3<Real>& p) {
   using std::acos;
   Real phi = atan2(p.x, p.z);
-  if (phi < Real(0)) phi = phi + Real(2) * pi<Real>;
-  return {phi / (Real(2) * pi<Real>), Real(1) - acos(p.y) / pi<Real>};
+  if (phi < Real(0)) phi = phi + Real(2) * pi<Real>();
+  return {phi / (Real(2) * pi<Real>()), Real(1) - acos(p.y) / pi<Real>()};
 }
 
 /// Seed 1's row, counted from the top: (int)((1 - v) n - 0.001), clamped. Domain: finite v.

@@ -13,7 +13,7 @@ struct Uv {
 /// Brings `u` into [0, 1): values that rounding lifted to 1 get the largest number below 1, a NaN gets 0.
 template <class Real>
 [[nodiscard]] Real clamp_u(const Real& u) {
-  return clamp(u, Real(0), below_one<Real>);
+  return clamp(u, Real(0), below_one<Real>());
 }
 
 /// Texture coordinates of a direction, in the convention of "Ray Tracing: The Next Week".
@@ -36,13 +36,13 @@ template <class Real>
   const Mask<Real> off_axis = wide > Real(0);
 
   const Real turn = atan2(select(off_axis, z, Real(0)), select(off_axis, x, Real(1)));
-  const Real u = Real(0.5) - turn / (Real(2) * pi<Real>);
+  const Real u = Real(0.5) - turn / (Real(2) * pi<Real>());
 
   const Real ratio = smaller(abs(x), abs(z)) / select(off_axis, wide, Real(1));
   const Real sine = select(off_axis, sqrt(Real(1) + square(ratio)), Real(0));
   const Real cosine = p.y / select(off_axis, wide, Real(1));
   const Mask<Real> zero = !off_axis && cosine == Real(0);
-  const Real v = atan2(select(zero, Real(1), sine), -cosine) / pi<Real>;
+  const Real v = atan2(select(zero, Real(1), sine), -cosine) / pi<Real>();
   return {clamp_u(u), clamp(v, Real(0), Real(1))};
 }
 

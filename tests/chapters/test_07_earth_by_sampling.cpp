@@ -127,7 +127,7 @@ TEST_CASE("where the globe cannot be seen no sample is drawn, and the picture is
   CHECK_FALSE(lesson.certain_light(view, 24, 31, 18).has_value());
   // The outline is closed by tangents: no ray through a pixel outside meets the globe, and some through each edge inside do.
   const auto met = [&](double column, double row) {
-    return distance_to(lesson.objects[0].sphere, ray_through(view, column, row)) < infinity<double>;
+    return distance_to(lesson.objects[0].sphere, ray_through(view, column, row)) < infinity<double>();
   };
   bool touched = false;
   for (double row = -0.5; row <= 35.5; row += 0.125) {
@@ -191,7 +191,7 @@ TEST_CASE("the film's estimate of its error is about right for random samples, a
     CHECK(ratio > 0.85);
     if (kind == SamplerKind::random) CHECK(ratio < 1.15);
   }
-  CHECK(film_of<float>(lesson, SamplerKind::random, 1).error() == infinity<double>);
+  CHECK(film_of<float>(lesson, SamplerKind::random, 1).error() == infinity<double>());
 }
 
 TEST_CASE("a lens blurs what is out of focus and nothing else, and an exposure blurs what moves") {

@@ -13,8 +13,9 @@
 #define TEXMAP_HAVE_BOOST
 
 template <>
-inline const texmap::extremes::Digits50 texmap::pi<texmap::extremes::Digits50> =
-    texmap::extremes::circle<texmap::extremes::Digits50>();
+inline texmap::extremes::Digits50 texmap::pi<texmap::extremes::Digits50>() {
+  return texmap::extremes::circle<texmap::extremes::Digits50>();
+}
 #endif
 
 using namespace texmap;

@@ -106,7 +106,7 @@ auto worst_shift(int largest) {
 /// Sine and cosine as most programs have them.
 template <class T>
 SineCosine<T> through_radians(T degrees) {
-  const T radians = degrees * pi<T> / T(180);
+  const T radians = degrees * pi<T>() / T(180);
   return {std::sin(radians), std::cos(radians)};
 }
 

@@ -60,7 +60,7 @@ auto count_faults(SphereForm form, Spheres spheres, Fault fault) {
     for (int i = 0; i < 20 * inputs; ++i) {
       const Scene<T> scene = draw_scene<T>(dice, form, spheres.farthest);
       const T distance = distance_to(scene.sphere, scene.ray);
-      if (!(distance < infinity<T>)) continue;
+      if (!(distance < infinity<T>())) continue;
       const Hit<T> hit = hit_at(scene.sphere, scene.ray, distance);
       const Vec3<T> direction = outward(dice, hit.normal);
       const auto where = [&] {
@@ -68,11 +68,11 @@ auto count_faults(SphereForm form, Spheres spheres, Fault fault) {
                described(scene.ray) + ", outward " + described(direction);
       };
       if (fault == Fault::self_hit) {
-        worst.count(distance_to(scene.sphere, ray_from(hit, direction)) < infinity<T>, where);
+        worst.count(distance_to(scene.sphere, ray_from(hit, direction)) < infinity<T>(), where);
       } else {
         const Vec3<T> inward = -direction;
         if (!(dot(hit.normal, inward) < T(0))) continue;  // exactly along the surface: that is outward
-        worst.count(!(distance_to(scene.sphere, ray_from(hit, inward)) < infinity<T>), where);
+        worst.count(!(distance_to(scene.sphere, ray_from(hit, inward)) < infinity<T>()), where);
       }
     }
     return worst;
@@ -124,7 +124,7 @@ auto count_acne(SphereForm form, Start start) {
       const auto row = static_cast<T>(dice.uniform(0, 600));
       const Ray<T> ray = ray_through(view, column, row);
       const T distance = distance_to(ground[0].sphere, ray);
-      if (!(distance < infinity<T>)) continue;
+      if (!(distance < infinity<T>())) continue;
       Hit<T> hit = hit_at(ground[0].sphere, ray, distance);
       hit.sphere = nullptr;  // or the ground would not be asked at all, and the lift not be tried
       if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;

@@ -24,7 +24,7 @@ double ratio_of(const Shot<T>& shot) {
 /// How far from grazing (impact 1) a ray was that was missed or met wrongly, in unit roundoffs times (distance / radius)^power.
 template <class T, int power>
 double misjudged_off(const Shot<T>& shot, const ExactMeeting<Digits50>& exact, T distance, const Vec3<T>&) {
-  if ((distance < infinity<T>) == exact.meets) return 0;
+  if ((distance < infinity<T>()) == exact.meets) return 0;
   const auto grazing = static_cast<double>(abs(exact.impact - 1) / roundoff<T>());
   return grazing / std::pow(ratio_of(shot), power);
 }
@@ -40,12 +40,12 @@ const char* const grazing_band<long double> = "1e-18";
 template <class T>
 double misjudged(const Shot<T>&, const ExactMeeting<Digits50>& exact, T distance, const Vec3<T>&) {
   static const Digits50 band(grazing_band<T>);
-  return (distance < infinity<T>) != exact.meets && abs(exact.impact - 1) > band ? 1 : 0;
+  return (distance < infinity<T>()) != exact.meets && abs(exact.impact - 1) > band ? 1 : 0;
 }
 /// Rays that both find, and that do not graze.
 template <class T>
 bool is_judged(const ExactMeeting<Digits50>& exact, T distance) {
-  return exact.meets && distance < infinity<T> && exact.impact < 0.99;
+  return exact.meets && distance < infinity<T>() && exact.impact < 0.99;
 }
 template <class T>
 double distance_off(const Shot<T>&, const ExactMeeting<Digits50>& exact, T distance, const Vec3<T>&) {

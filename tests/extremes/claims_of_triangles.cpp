@@ -159,7 +159,7 @@ auto worst_floor() {
       const Digits50 exact = (Digits50(floor.height) - Digits50(ray.origin.y)) / Digits50(ray.direction.y);
       const T got = distance_to(floor, ray);
       if (exact <= 0) {
-        worst.see(got == infinity<T> ? 0 : 1e30, [&] { return described(ray); });
+        worst.see(got == infinity<T>() ? 0 : 1e30, [&] { return described(ray); });
       } else {
         worst.see(ulps_off(got, exact), [&] { return described(ray); });
       }
@@ -178,7 +178,7 @@ auto count_off_floor() {
       const Floor floor{static_cast<double>(static_cast<float>(dice.uniform(-2, 2)))};
       const Ray<T> ray = draw_downward<T>(dice);
       const T distance = distance_to(floor, ray);
-      if (!(distance < infinity<T>)) continue;
+      if (!(distance < infinity<T>())) continue;
       worst.count(point_on(floor, ray, distance).y != static_cast<T>(floor.height), [&] { return described(ray); });
     }
     return worst;

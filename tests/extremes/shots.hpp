@@ -84,7 +84,7 @@ Shot<T> draw_shot(Dice& dice, const Shots& shots, const Shared& shared) {
         return 1 + dice.sign() * dice.power_of_ten(-1 - std::numeric_limits<T>::digits10, -0.5L);
       case 1: {  // as nearly grazing as one form or another can see at this distance
         const long double seen = std::pow(std::max(1.0L, ratio), static_cast<long double>(dice.below(3)));
-        return 1 + dice.uniform(-3, 3) * static_cast<long double>(unit_roundoff<T>) * seen;
+        return 1 + dice.uniform(-3, 3) * static_cast<long double>(unit_roundoff<T>()) * seen;
       }
       default:
         return dice.uniform(0, 1.2L);

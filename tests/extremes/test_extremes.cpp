@@ -51,7 +51,7 @@ TEST_CASE("a NaN is worse than any number, and the first input that fails is kep
   worst.see(1, [] { return "one"; });
   worst.see(std::numeric_limits<double>::quiet_NaN(), [] { return "no number"; });
   worst.see(2, [] { return "two"; });
-  CHECK(worst.off == infinity<double>);
+  CHECK(worst.off == infinity<double>());
   CHECK(worst.where == "no number");
   Worst count;
   count.count(false, [] { return "never"; });

@@ -21,7 +21,7 @@ TEST_CASE("the units of a number are its own") {
   CHECK(ulp_at<long double>(2) == 2 * Digits50(std::numeric_limits<long double>::epsilon()));
   CHECK(ulps_off(1.0F, Digits50(1)) == 0);
   CHECK(ulps_off(std::nextafter(1.0F, 2.0F), Digits50(1)) == 1);
-  CHECK(ulps_off(std::numeric_limits<double>::quiet_NaN(), Digits50(1)) == infinity<double>);
+  CHECK(ulps_off(std::numeric_limits<double>::quiet_NaN(), Digits50(1)) == infinity<double>());
 }
 
 TEST_CASE("(u, v) by angles is (u, v) by inverse cosines") {

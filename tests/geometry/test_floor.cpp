@@ -22,7 +22,7 @@ struct Dice {
 
 TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, beside and on it", Real, float, double,
                    long double) {
-  const Real miss = infinity<Real>;
+  const Real miss = infinity<Real>();
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   struct Row {
     const char* what;
@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("a hit lies on the floor to the bit, and along the ray", Real
     const Floor floor{dice.next()};
     const Ray<Real> ray{{Real(dice.next()), Real(1.5), Real(dice.next())}, {Real(dice.next()), Real(-1), Real(dice.next())}};
     const Real distance = distance_to(floor, ray);
-    REQUIRE(distance < infinity<Real>);
+    REQUIRE(distance < infinity<Real>());
     const Vec3<Real> p = point_on(floor, ray, distance);
     REQUIRE(p.y == Real(floor.height));
     REQUIRE(p.x == ray.origin.x + ray.direction.x * distance);
@@ -134,7 +134,7 @@ TEST_CASE_TEMPLATE("a pack meets the floor in each lane where a single ray meets
       const T distance = distance_to(floor, ray);
       REQUIRE(lane(distances, k) == distance);
       REQUIRE(lane(points.y, k) == T(0.25));
-      if (distance == infinity<T>) continue;
+      if (distance == infinity<T>()) continue;
       REQUIRE(lane(points.x, k) == point_on(floor, ray, distance).x);
       REQUIRE(lane(points.z, k) == point_on(floor, ray, distance).z);
     }

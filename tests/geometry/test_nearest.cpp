@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("the nearest object is found wherever it stands in the list",
 TEST_CASE_TEMPLATE("a ray that meets nothing has no nearest object", Real, float, double, long double) {
   for (const Ray<Real>& ray : {Ray<Real>{{0, 0, 20}, {0, 0, 1}}, Ray<Real>{{0, 3, 20}, {0, 0, -1}}}) {
     const Nearest<Real> nearest = find_nearest(row_of_things(), ray);
-    CHECK(nearest.distance == infinity<Real>);
+    CHECK(nearest.distance == infinity<Real>());
     CHECK(nearest.index == Real(-1));
   }
   CHECK(find_nearest(std::vector<Thing>{}, along_z<Real>).index == Real(-1));
@@ -63,11 +63,11 @@ TEST_CASE_TEMPLATE("an object is in the way if it begins before the distance, an
                    float, double, long double) {
   const auto things = row_of_things();
   CHECK(is_occluded(things, along_z<Real>, Real(15)));
-  CHECK(is_occluded(things, along_z<Real>, infinity<Real>));
+  CHECK(is_occluded(things, along_z<Real>, infinity<Real>()));
   CHECK_FALSE(is_occluded(things, along_z<Real>, Real(14.5)));
   CHECK_FALSE(is_occluded(things, along_z<Real>, Real(14)));
-  CHECK_FALSE(is_occluded(things, Ray<Real>{{0, 0, 20}, {0, 0, 1}}, infinity<Real>));
-  CHECK_FALSE(is_occluded(std::vector<Thing>{}, along_z<Real>, infinity<Real>));
+  CHECK_FALSE(is_occluded(things, Ray<Real>{{0, 0, 20}, {0, 0, 1}}, infinity<Real>()));
+  CHECK_FALSE(is_occluded(std::vector<Thing>{}, along_z<Real>, infinity<Real>()));
   CHECK(is_occluded(things, Ray<Real>{{0, 0, -20}, {0, 0, 1}}, Real(9)));
 }
 

@@ -28,7 +28,7 @@ int wrong_answers(double away, Formula formula) {
     const double held = static_cast<double>(Real(impact));
     const bool hits = held < 1;
     const Real got = formula(unit, ray_from<Real>(away, impact));
-    const bool answered = got < infinity<Real>;
+    const bool answered = got < infinity<Real>();
     const double expected = away - std::sqrt(hits ? (1 - held) * (1 + held) : 0);
     wrong += answered != hits || (hits && std::abs(static_cast<double>(got) - expected) > 0.01) ? 1 : 0;
   }
@@ -55,13 +55,13 @@ TEST_CASE("a tangent is a hit for us and for seed 0, and a miss for seed 1") {
   const Ray<double> tangent{{1, 0, -5}, {0, 0, 1}};
   CHECK(distance_to(unit, tangent) == doctest::Approx(5).epsilon(1e-15));
   CHECK(seeds::distance_daily(unit, tangent) == 5);
-  CHECK(seeds::distance_half_b(unit, tangent) == infinity<double>);
+  CHECK(seeds::distance_half_b(unit, tangent) == infinity<double>());
 }
 
 TEST_CASE("the seeds do not see the far side of a sphere smaller than their 0.001") {
   const Sphere small{{0, 0, 0}, 1e-4};
   const Ray<double> inside{{0, 0, 0}, {0, 0, 1}};
-  CHECK(seeds::distance_daily(small, inside) == infinity<double>);
-  CHECK(seeds::distance_half_b(small, inside) == infinity<double>);
+  CHECK(seeds::distance_daily(small, inside) == infinity<double>());
+  CHECK(seeds::distance_half_b(small, inside) == infinity<double>());
   CHECK(distance_to(small, inside) == doctest::Approx(1e-4).epsilon(1e-15));
 }

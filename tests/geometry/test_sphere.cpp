@@ -16,7 +16,7 @@ namespace {
 template <class Real>
 Exact ulps(Real got, Exact exact) {
   const Real magnitude = abs(static_cast<Real>(exact));
-  return abs(static_cast<Exact>(got) - exact) / static_cast<Exact>(std::nextafter(magnitude, infinity<Real>) - magnitude);
+  return abs(static_cast<Exact>(got) - exact) / static_cast<Exact>(std::nextafter(magnitude, infinity<Real>()) - magnitude);
 }
 
 /// Numbers from -1 to 1 that are the same on every machine.
@@ -40,7 +40,7 @@ const Sphere hybrid_sphere{{0, 0, 0}, 1, SphereForm::hybrid};
 
 TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, beside and on the sphere", Real, float, double,
                    long double) {
-  const Real miss = infinity<Real>;
+  const Real miss = infinity<Real>();
   struct Row {
     const char* what;
     Sphere sphere;
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("a tangent counts as a hit", Real, float, double, long double
   const Ray<Real> touching{{1, 0, -5}, {0, 0, 1}};
   CHECK(ulps(distance_to(unit_sphere, touching), 5) <= 2);
   const Ray<Real> passing{{std::nextafter(Real(1), Real(2)), 0, -5}, {0, 0, 1}};
-  CHECK(distance_to(unit_sphere, passing) == infinity<Real>);
+  CHECK(distance_to(unit_sphere, passing) == infinity<Real>());
   const Hit<Real> hit = hit_at(unit_sphere, touching, distance_to(unit_sphere, touching));
   CHECK(abs(hit.normal.x - Real(1)) <= std::numeric_limits<Real>::epsilon());
 }
@@ -125,7 +125,7 @@ TEST_CASE_TEMPLATE("distances keep their digits from 1 to 100000 radii away", Re
       const auto height = static_cast<Real>((i + 0.5) / 2000 * 1.1);
       const Ray<Real> ray{{0, height, static_cast<Real>(away)}, {0, 0, -1}};
       const Real distance = distance_to(unit_sphere, ray);
-      if ((distance < infinity<Real>) != (height < Real(1))) ++wrong;
+      if ((distance < infinity<Real>()) != (height < Real(1))) ++wrong;
       if (height < Real(0.99))
         worst = std::max(worst, ulps(distance, from_pythagoras(widened(height), widened(static_cast<Real>(away)))));
     }
@@ -151,7 +151,7 @@ TEST_CASE("seed 0's formula in float loses the sphere from far away, and the sta
     for (int i = 0; i < 2000; ++i) {
       const auto height = static_cast<float>((i + 0.5) / 2000 * 1.1);
       const Ray<float> ray{{0, height, static_cast<float>(away)}, {0, 0, -1}};
-      if ((distance_by(unit_sphere, ray) < infinity<float>) != (height < 1)) ++wrong;
+      if ((distance_by(unit_sphere, ray) < infinity<float>()) != (height < 1)) ++wrong;
     }
     return wrong;
   };
@@ -169,7 +169,7 @@ TEST_CASE("seed 0's formula in float loses the sphere from far away, and the sta
 }
 
 TEST_CASE_TEMPLATE("seed 0's formula agrees with the stable one nearby", Real, float, double, long double) {
-  const Real miss = infinity<Real>;
+  const Real miss = infinity<Real>();
   CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 0, 5}, {0, 0, -1}}) == Real(4));
   CHECK(seeds::distance_daily(unit_sphere, Ray<Real>{{0, 0, 5}, {0, 0, -2}}) == Real(2));
   CHECK(seeds::distance_daily({{1, 0, 0}, 2}, Ray<Real>{{1, 0, 0}, {0, 1, 0}}) == Real(2));
@@ -199,7 +199,7 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
     const Point aim = sphere.center + dice.direction() * (radius * 0.7);
     const Ray<Real> ray{number_cast<Real>(eye), normalize(number_cast<Real>(aim) - number_cast<Real>(eye))};
     const Real distance = distance_to(sphere, ray);
-    if (!(distance < infinity<Real>)) continue;
+    if (!(distance < infinity<Real>())) continue;
     ++seen.hits;
     const Hit<Real> hit = hit_at(sphere, ray, distance);
 
@@ -211,17 +211,17 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
                              widened(p.z) - widened(center.z)};
       return length(from) - true_radius;
     };
-    const Exact unit = widened(unit_roundoff<Real>) * (widened(largest(center)) + 2 * true_radius);
+    const Exact unit = widened(unit_roundoff<Real>()) * (widened(largest(center)) + 2 * true_radius);
     const Exact lift = height(hit.outside);
     seen.lowest = std::min(seen.lowest, lift / unit);
     seen.highest = std::max(seen.highest, lift / unit);
     seen.point_off = std::max(seen.point_off, abs(height(hit.point)) / unit);
-    seen.normal_off = std::max(seen.normal_off, abs(widened(length(hit.normal)) - 1) / widened(unit_roundoff<Real>));
+    seen.normal_off = std::max(seen.normal_off, abs(widened(length(hit.normal)) - 1) / widened(unit_roundoff<Real>()));
 
     Vec3<Real> outward = number_cast<Real>(dice.direction());
     if (dot(outward, hit.normal) < Real(0)) outward = -outward;
-    if (distance_to(sphere, ray_from(hit, outward)) < infinity<Real>) ++seen.self_hits;
-    if (!(distance_to(sphere, ray_from(hit, -outward)) < infinity<Real>)) ++seen.lost;
+    if (distance_to(sphere, ray_from(hit, outward)) < infinity<Real>()) ++seen.self_hits;
+    if (!(distance_to(sphere, ray_from(hit, -outward)) < infinity<Real>())) ++seen.lost;
   }
   return seen;
 }
@@ -287,7 +287,7 @@ TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where g
   CHECK(hit.outside.x == Real(2));
   CHECK(hit.outside.y == Real(0));
   CHECK(hit.outside.z > Real(-2));
-  CHECK(hit.outside.z <= Real(-2) + Real(200) * unit_roundoff<Real>);
+  CHECK(hit.outside.z <= Real(-2) + Real(200) * unit_roundoff<Real>());
 }
 
 TEST_CASE_TEMPLATE("the normal of a sphere far from the world's origin keeps the digits a texture needs", Real, float, double) {
@@ -304,8 +304,8 @@ TEST_CASE_TEMPLATE("the normal of a sphere far from the world's origin keeps the
       REQUIRE(hit.normal.y == Real(0));
     }
     CAPTURE(away);
-    MESSAGE("worst: " << static_cast<double>(worst / widened(unit_roundoff<Real>)) << " unit roundoffs");
-    CHECK(worst <= 8 * widened(unit_roundoff<Real>));
+    MESSAGE("worst: " << static_cast<double>(worst / widened(unit_roundoff<Real>())) << " unit roundoffs");
+    CHECK(worst <= 8 * widened(unit_roundoff<Real>()));
   }
 }
 
@@ -323,7 +323,7 @@ TEST_CASE_TEMPLATE("a pack meets in each lane what a single ray meets", T, float
       const Ray<T> ray{{x(k), T(0.25), T(5)}, {dx(k), T(0), T(-1)}};
       const T distance = distance_to(sphere, ray);
       REQUIRE(lane(distances, k) == distance);
-      if (distance == infinity<T>) continue;
+      if (distance == infinity<T>()) continue;
       const Hit<T> hit = hit_at(sphere, ray, distance);
       REQUIRE(lane(hits.normal.x, k) == hit.normal.x);
       REQUIRE(lane(hits.point.z, k) == hit.point.z);

@@ -122,8 +122,9 @@ TEST_CASE_TEMPLATE("P24: at the centroid each weight is the number nearest to 1/
     worst = std::max({worst, abs(w.a - third), abs(w.b - third), abs(w.c - third)});
     if (w.a != third || w.b != third || w.c != third) ++different;
   }
-  MESSAGE(different << " of 10000 differ, by up to " << static_cast<double>(worst / unit_roundoff<Real>) << " unit roundoffs");
-  CHECK(worst <= Real(0.5) * unit_roundoff<Real>);  // one step of the numbers from 1/4 to 1/2
+  MESSAGE(different << " of 10000 differ, by up to " << static_cast<double>(worst / unit_roundoff<Real>())
+                    << " unit roundoffs");
+  CHECK(worst <= Real(0.5) * unit_roundoff<Real>());  // one step of the numbers from 1/4 to 1/2
 }
 
 TEST_CASE_TEMPLATE("P25: beyond a side a weight is negative, not folded back inside", Real, float, double, long double) {
@@ -205,12 +206,12 @@ TEST_CASE_TEMPLATE("a triangle of size 1 is one up to 1e6 from the origin in flo
 
 TEST_CASE_TEMPLATE("a point that is no number or at no place has weights that are numbers", Real, float, double, long double) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
-  for (const Real bad : {nan, infinity<Real>, -infinity<Real>}) {
+  for (const Real bad : {nan, infinity<Real>(), -infinity<Real>()}) {
     CHECK(is_degenerate(barycentric(right_triangle, Vec3<Real>{bad, 0, 0})));
     CHECK(is_degenerate(barycentric(right_triangle, Vec3<Real>{0, bad, 0})));
     CHECK(is_degenerate(barycentric(right_triangle, Vec3<Real>{bad, bad, bad})));
   }
-  const double infinite = infinity<double>;
+  const double infinite = infinity<double>();
   CHECK(is_degenerate(barycentric({{0, 0, 0}, {infinite, 0, 0}, {0, 1, 0}}, Vec3<Real>{0, 0, 0})));
   CHECK(is_degenerate(barycentric({{std::nan(""), 0, 0}, {1, 0, 0}, {0, 1, 0}}, Vec3<Real>{0, 0, 0})));
   for (Real far = 1; far < Real(1e36L); far = far * Real(10))
@@ -309,14 +310,14 @@ TEST_CASE_TEMPLATE("seed 3's weights agree with ours inside an ordinary triangle
     const Barycentric<Real> heron = seeds::barycentric_heron(t, p);
     worst = std::max({worst, abs(heron.a - ours.a), abs(heron.b - ours.b), abs(heron.c - ours.c)});
   }
-  MESSAGE("worst: " << static_cast<double>(worst / unit_roundoff<Real>) << " unit roundoffs");
-  CHECK(worst <= Real(512) * unit_roundoff<Real>);
+  MESSAGE("worst: " << static_cast<double>(worst / unit_roundoff<Real>()) << " unit roundoffs");
+  CHECK(worst <= Real(512) * unit_roundoff<Real>());
 }
 
 TEST_CASE_TEMPLATE("seed 3 takes a point beyond a side for one inside, because areas have no sign", Real, float, double,
                    long double) {
   const Barycentric<Real> w = seeds::barycentric_heron(right_triangle, Vec3<Real>{-1, 0, 0});
-  const Real tolerance = Real(4) * unit_roundoff<Real>;
+  const Real tolerance = Real(4) * unit_roundoff<Real>();
   CHECK(abs(w.a - Real(2)) <= tolerance);
   CHECK(abs(w.b - Real(1)) <= tolerance);  // -1 in truth
   CHECK(abs(w.c + Real(2)) <= tolerance);  // 0 in truth
@@ -421,7 +422,7 @@ TEST_CASE("Kahan's needle: in float Heron's formula finds no area at all where K
 }
 
 TEST_CASE_TEMPLATE("sides that rounding left without a triangle have no area by Kahan's formula either", Real, float, double) {
-  const Real longest = Real(2) + Real(8) * unit_roundoff<Real>;
+  const Real longest = Real(2) + Real(8) * unit_roundoff<Real>();
   CHECK(std::isnan(seeds::heron_area_kahan(longest, Real(1), Real(1))));
 }
 
@@ -453,7 +454,7 @@ Vec3<Reference> true_weights(const Triangle& triangle, const Vec3<Real>& p) {
 template <class Real>
 double error_of(const Barycentric<Real>& w, const Vec3<Reference>& truth) {
   const Vec3<Reference> off = Vec3<Reference>{Reference(w.a), Reference(w.b), Reference(w.c)} - truth;
-  return static_cast<double>(largest(off) / Reference(unit_roundoff<Real>));
+  return static_cast<double>(largest(off) / Reference(unit_roundoff<Real>()));
 }
 
 TEST_CASE_TEMPLATE("inside a triangle of any shape, anywhere, the weights are right to 3 unit roundoffs", Real, float, double,
@@ -543,12 +544,12 @@ TEST_CASE_TEMPLATE(
         continue;
       const Reference truth = true_area(x, y, z);
       const auto error = [&](Real area) {
-        return static_cast<double>(abs(Reference(area) - truth) / truth / Reference(unit_roundoff<Real>));
+        return static_cast<double>(abs(Reference(area) - truth) / truth / Reference(unit_roundoff<Real>()));
       };
       worst_kahan = std::max({worst_kahan, error(seeds::heron_area_kahan(x, y, z)), error(seeds::heron_area_kahan(y, z, x)),
                               error(seeds::heron_area_kahan(z, x, y)), error(seeds::heron_area_kahan(z, y, x))});
       const Real heron = seeds::heron_area(x, y, z);
-      worst_heron = std::max(worst_heron, std::isnan(heron) ? 1 / static_cast<double>(unit_roundoff<Real>) : error(heron));
+      worst_heron = std::max(worst_heron, std::isnan(heron) ? 1 / static_cast<double>(unit_roundoff<Real>()) : error(heron));
     }
     CAPTURE(aspect);
     MESSAGE("Heron's worst at " << aspect << " to 1: " << worst_heron << " unit roundoffs");

@@ -19,7 +19,7 @@ template <class Real>
 Real ulps(Real got, long double exact) {
   const auto rounded = static_cast<Real>(exact);
   const Real magnitude = abs(rounded);
-  return abs(got - rounded) / (std::nextafter(magnitude, infinity<Real>) - magnitude);
+  return abs(got - rounded) / (std::nextafter(magnitude, infinity<Real>()) - magnitude);
 }
 
 TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, float, double, long double) {
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("a negative angle turns the other way", Real, float, double, 
 }
 
 TEST_CASE_TEMPLATE("an angle that is no number gives no number", Real, float, double, long double) {
-  for (const Real degrees : {std::numeric_limits<Real>::quiet_NaN(), infinity<Real>, -infinity<Real>}) {
+  for (const Real degrees : {std::numeric_limits<Real>::quiet_NaN(), infinity<Real>(), -infinity<Real>()}) {
     const SineCosine<Real> angle = sine_cosine_of_degrees(degrees);
     CHECK(angle.sine != angle.sine);
     CHECK(angle.cosine != angle.cosine);

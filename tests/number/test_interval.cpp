@@ -290,8 +290,8 @@ TEST_CASE("a box that touches the negative x axis or the origin has every angle"
                              std::pair(Interval(0), Interval(0)), std::pair(Interval(-1, 1), Interval(-1, 1)),
                              std::pair(Interval(0, 1), Interval(0, 1)), std::pair(Interval(-1, 1), Interval(0, 3))}) {
     const Interval angle = atan2(y, x);
-    CHECK(angle.low() == -pi<Interval>.high());
-    CHECK(angle.high() == pi<Interval>.high());
+    CHECK(angle.low() == -pi<Interval>().high());
+    CHECK(angle.high() == pi<Interval>().high());
   }
 }
 
@@ -309,18 +309,18 @@ TEST_CASE("a box beside the jump has the angles between two of its corners") {
   between({-2, -1}, {1, 2}, std::atan2(-2, 1), std::atan2(-1, 2));
   between({-1, 1}, {1, 2}, -turn / 8, turn / 8);
   between({tiny, 1}, {-1, -1}, turn * 3 / 8, turn / 2);
-  CHECK(atan2(Interval(tiny, 1), Interval(-1)).high() == pi<Interval>.high());
+  CHECK(atan2(Interval(tiny, 1), Interval(-1)).high() == pi<Interval>().high());
   CHECK(atan2(Interval(tiny, 1), Interval(-1)).low() > 0);
 }
 
 TEST_CASE("the constants hold the real ones, and a number that double cannot show lies between its neighbours") {
-  CHECK(pi<Interval>.contains(std::numbers::pi_v<long double>));
-  CHECK_FALSE(pi<Interval>.contains(std::nextafter(std::numbers::pi, 0)));
-  CHECK(steps(pi<Interval>) == 1);
-  CHECK(below_one<Interval>.contains(below_one<double>));
-  CHECK(below_one<Interval>.contains(below_one<long double>));
-  CHECK(same(infinity<Interval>, Interval(inf)));
-  CHECK(same(unit_roundoff<Interval>, Interval(unit_roundoff<double>)));
+  CHECK(pi<Interval>().contains(std::numbers::pi_v<long double>));
+  CHECK_FALSE(pi<Interval>().contains(std::nextafter(std::numbers::pi, 0)));
+  CHECK(steps(pi<Interval>()) == 1);
+  CHECK(below_one<Interval>().contains(below_one<double>()));
+  CHECK(below_one<Interval>().contains(below_one<long double>()));
+  CHECK(same(infinity<Interval>(), Interval(inf)));
+  CHECK(same(unit_roundoff<Interval>(), Interval(unit_roundoff<double>())));
   CHECK(same(Interval(0.1), Interval(0.1, 0.1)));
   CHECK(Interval(0.1L).contains(0.1L));
   CHECK(steps(Interval(0.1L)) == (Limits::digits == std::numeric_limits<long double>::digits ? 0 : 2));

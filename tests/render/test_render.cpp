@@ -44,7 +44,7 @@ TEST_CASE("bytes obey their table") {
       {0.9999 / 255, 0},
       {1.0001 / 255, 1},
       {1e-300, 0},
-      {below_one<double>, 254},
+      {below_one<double>(), 254},
       {0.2, 51},
       {128.5 / 255, 128},
       {-1e-300, 0},

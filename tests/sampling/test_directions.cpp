@@ -34,7 +34,7 @@ std::vector<Sample2<Real>> hard_samples() {
     for (const double v : {0.0, 0x1p-24, 0.25, 0.5 - 0x1p-24, 0.5, 0.5 + 0x1p-24, 0.75, last})
       all.push_back({Real(u), Real(v)});
   }
-  const Real below = below_one<Real>;
+  const Real below = below_one<Real>();
   all.push_back({below, below});
   all.push_back({below, Real(0)});
   all.push_back({(Real(1) - Real(0x1p-24)) * Real(0.5), (Real(1) - Real(0x1p-24)) * Real(0.5)});

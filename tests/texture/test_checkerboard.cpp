@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("an even number of squares alternates across the seam, and an
   for (int squares = 1; squares <= 40; ++squares) {
     const Checkerboard board{even, odd, static_cast<double>(squares)};
     CAPTURE(squares);
-    const bool alike = square_at(board, Real(0), Real(0.01)) == square_at(board, below_one<Real>, Real(0.01));
+    const bool alike = square_at(board, Real(0), Real(0.01)) == square_at(board, below_one<Real>(), Real(0.01));
     CHECK(alike == (squares % 2 == 1));
   }
 }

@@ -108,9 +108,9 @@ TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, 
     const auto u = static_cast<long double>(book.u);
     const long double flipped = u == 0 ? 0 : 1 - u;
     const long double turned = u < 0.25L ? u + 0.75L : u - 0.25L;
-    if (daily.u != std::min(static_cast<Real>(flipped), below_one<Real>)) ++wrong;
+    if (daily.u != std::min(static_cast<Real>(flipped), below_one<Real>())) ++wrong;
     if (daily.v != Real(1) - book.v) ++wrong;
-    if (abs(static_cast<long double>(lecture.u) - turned) > static_cast<long double>(unit_roundoff<Real>)) ++wrong;
+    if (abs(static_cast<long double>(lecture.u) - turned) > static_cast<long double>(unit_roundoff<Real>())) ++wrong;
     if (lecture.v != book.v) ++wrong;
     const Uv<Real> plain = uv_rtiow(p);
     if (book.u != plain.u || book.v != plain.v) ++wrong;

@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("each texel is shown at its center and from its lower corner 
 
 TEST_CASE_TEMPLATE("the corners of the coordinates show the corners of the picture", Real, float, double, long double) {
   const Image image = small_image();
-  for (const Real one : {below_one<Real>, Real(1), Real(7), infinity<Real>}) {
+  for (const Real one : {below_one<Real>(), Real(1), Real(7), infinity<Real>()}) {
     CHECK(shows(ImageTexture{image, VAxis::down}(Uv<Real>{0, 0}), image.at(0, 0)));
     CHECK(shows(ImageTexture{image, VAxis::down}(Uv<Real>{one, one}), image.at(2, 1)));
     CHECK(shows(ImageTexture{image, VAxis::up}(Uv<Real>{0, 0}), image.at(0, 1)));
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("the lecture's rounding reaches the last row and column at 1 
   const ImageTexture up{image, VAxis::up, TexelRounding::lecture};
   CHECK(shows(down(Uv<Real>{0, 0}), image.at(0, 0)));
   CHECK(shows(down(Uv<Real>{Real(0.5), Real(0.75)}), image.at(1, 0)));
-  CHECK(shows(down(Uv<Real>{below_one<Real>, below_one<Real>}), image.at(1, 0)));
+  CHECK(shows(down(Uv<Real>{below_one<Real>(), below_one<Real>()}), image.at(1, 0)));
   CHECK(shows(down(Uv<Real>{1, 1}), image.at(2, 1)));
   CHECK(shows(up(Uv<Real>{0, 0}), image.at(0, 1)));
   CHECK(shows(up(Uv<Real>{Real(0.25), Real(0.75)}), image.at(0, 1)));
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("an empty picture is black, for every size that is empty", Re
 
 TEST_CASE_TEMPLATE("a picture of one texel is that color everywhere", Real, float, double, long double) {
   const ImageTexture texture{Image(1, 1, {12, 34, 56})};
-  for (const Real u : {Real(0), Real(0.3), below_one<Real>, Real(1), Real(-5)}) {
+  for (const Real u : {Real(0), Real(0.3), below_one<Real>(), Real(1), Real(-5)}) {
     CHECK(shows(texture(Uv<Real>{u, u}), {12, 34, 56}));
   }
 }

@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("at the seam all seeds reach u = 1, where the stable formula 
   CHECK(seeds::uv_next_week_v4(Vec3<Real>{-1, 0, -Real(0)}).u == Real(1));
   CHECK(seeds::uv_lecture(Vec3<Real>{-tiny, 0, 1}).u == Real(1));
   CHECK(uv_rtiow(Vec3<Real>{-1, 0, -Real(0)}).u == Real(0));
-  CHECK(uv_rtiow(Vec3<Real>{-1, 0, -tiny}).u == below_one<Real>);
+  CHECK(uv_rtiow(Vec3<Real>{-1, 0, -tiny}).u == below_one<Real>());
 }
 
 TEST_CASE("beside the pole seed 2's rows are quantized in float, and the stable ones are not") {
@@ -134,7 +134,7 @@ TEST_CASE("rows of the seeds obey their table") {
   CHECK(seeds::row_next_week_v4(0.5, 10) == 5);
   CHECK(seeds::row_lecture(0.0, 10) == 9);
   CHECK(seeds::row_lecture(0.5, 10) == 5);
-  CHECK(seeds::row_lecture(below_one<double>, 10) == 1);
+  CHECK(seeds::row_lecture(below_one<double>(), 10) == 1);
   CHECK(seeds::row_lecture(1.0, 10) == 0);
 }
 

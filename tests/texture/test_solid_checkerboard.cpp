@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("a cube's lower faces belong to it, and its upper ones to its
   for (int i = -1000; i <= 1000; ++i) {
     const Real face = static_cast<Real>(i) * Real(0.25);
     REQUIRE(cube_at(board, face, Real(0), Real(0)) == (i % 2 == 0 ? 'e' : 'o'));
-    REQUIRE(cube_at(board, std::nextafter(face, -infinity<Real>), Real(0), Real(0)) == (i % 2 == 0 ? 'o' : 'e'));
+    REQUIRE(cube_at(board, std::nextafter(face, -infinity<Real>()), Real(0), Real(0)) == (i % 2 == 0 ? 'o' : 'e'));
   }
 }
 
@@ -143,8 +143,8 @@ TEST_CASE_TEMPLATE("a point at no place has one of the two colors", Real, float,
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   CHECK(cube_at(board, nan, Real(0), Real(0)) == 'o');
   CHECK(cube_at(board, nan, nan, Real(0)) == 'e');
-  CHECK(cube_at(board, infinity<Real>, Real(0), Real(0)) == 'e');
-  CHECK(cube_at(board, -infinity<Real>, Real(0), Real(0)) == 'e');
+  CHECK(cube_at(board, infinity<Real>(), Real(0), Real(0)) == 'e');
+  CHECK(cube_at(board, -infinity<Real>(), Real(0), Real(0)) == 'e');
   CHECK(cube_at(board, Real(1e30L), Real(0), Real(1)) == 'o');
 }
 

@@ -19,7 +19,7 @@ TEST_CASE_TEMPLATE("a coordinate of 1 is in the last texel", Real, float, double
 TEST_CASE_TEMPLATE("the coordinate below 1 is in the last texel for every size", Real, float, double, long double) {
   int wrong = 0;
   for (int n = 1; n <= 65536; ++n) {
-    if (texel_index(below_one<Real>, n) != static_cast<Real>(n - 1)) ++wrong;
+    if (texel_index(below_one<Real>(), n) != static_cast<Real>(n - 1)) ++wrong;
   }
   CHECK(wrong == 0);
 }
@@ -47,12 +47,12 @@ TEST_CASE_TEMPLATE("no coordinate leaves the image: NaN gives 0 and the rest is 
   for (const int n : {1, 2, 8192, 1 << 24}) {
     for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
       CHECK(texel_index(nan, n, rounding) == Real(0));
-      CHECK(texel_index(-infinity<Real>, n, rounding) == Real(0));
+      CHECK(texel_index(-infinity<Real>(), n, rounding) == Real(0));
       CHECK(texel_index(Real(-1e30L), n, rounding) == Real(0));
       CHECK(texel_index(Real(-0.1L), n, rounding) == Real(0));
     }
     const auto last = static_cast<Real>(n - 1);
-    CHECK(texel_index(infinity<Real>, n) == last);
+    CHECK(texel_index(infinity<Real>(), n) == last);
     CHECK(texel_index(Real(1e30L), n) == last);
     CHECK(texel_index(Real(1.5), n) == last);
     CHECK(clamp_index(nan, n) == Real(0));
@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE("the lecture's rounding gives n - 1 texels a share and the la
     CAPTURE(row.u);
     CHECK(texel_index(static_cast<Real>(row.u), row.n, TexelRounding::lecture) == static_cast<Real>(row.index));
   }
-  CHECK(texel_index(below_one<Real>, 8192, TexelRounding::lecture) == Real(8190));
+  CHECK(texel_index(below_one<Real>(), 8192, TexelRounding::lecture) == Real(8190));
 }
 
 TEST_CASE("the lecture's rounding is seed 4's own") {
@@ -132,7 +132,8 @@ TEST_CASE_TEMPLATE("a repeating image has u and u + 1 at one place", Real, float
 #ifdef TEXMAP_HAVE_PACKS
 TEST_CASE_TEMPLATE("a pack finds in each lane the texel that a single number finds", T, float, double) {
   const T nan = std::numeric_limits<T>::quiet_NaN();
-  const std::vector<T> table = {nan, 0, 1, below_one<T>, T(0.25), T(-0.1), T(1.1), infinity<T>, -infinity<T>, T(0.7), T(1e30)};
+  const std::vector<T> table = {nan,    0,      1, below_one<T>(), T(0.25), T(-0.1), T(1.1), infinity<T>(), -infinity<T>(),
+                                T(0.7), T(1e30)};
   for (std::size_t start = 0; start < table.size(); ++start) {
     const auto at = [&](std::size_t i) { return table[(start + i) % table.size()]; };
     const auto u = from_lanes<Pack<T>>(at);

@@ -100,8 +100,8 @@ TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, the smalles
                           -Limits::min(),
                           Limits::max(),
                           -Limits::max(),
-                          infinity<Real>,
-                          -infinity<Real>,
+                          infinity<Real>(),
+                          -infinity<Real>(),
                           Limits::quiet_NaN(),
                           Limits::epsilon()};
   for (const Real x : corners) {
@@ -169,7 +169,7 @@ TEST_CASE_TEMPLATE("only the direction matters", Real, float, double, long doubl
 TEST_CASE("both sides of the seam keep their digits") {
   CHECK(abs(uv_rtiow(Point{-1, 0, 1e-9}).u - 1.5915494309189534e-10) <= 1.2e-16);
   CHECK(abs(uv_rtiow(Point{-1, 0, -1e-9}).u - 0.99999999984084506) <= 1.2e-16);
-  CHECK(uv_rtiow(Point{-1, 0, -1e-30}).u == below_one<double>);
+  CHECK(uv_rtiow(Point{-1, 0, -1e-30}).u == below_one<double>());
   CHECK(uv_rtiow(Point{-1, 0, 1e-30}).u == 0);
 }
 
@@ -224,7 +224,7 @@ TEST_CASE_TEMPLATE("clamp_u brings every number into the half-open range", Real,
   CHECK(clamped(1) == std::nextafter(T(1), T(0)));
   CHECK(clamped(2) == std::nextafter(T(1), T(0)));
   CHECK(clamped(std::numeric_limits<double>::quiet_NaN()) == T(0));
-  CHECK(lane(clamp_u(below_one<Real>), 0) == below_one<T>);
+  CHECK(lane(clamp_u(below_one<Real>()), 0) == below_one<T>());
 }
 
 TEST_CASE("the mapping as a value is the function") {
