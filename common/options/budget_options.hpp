@@ -26,7 +26,7 @@ struct BudgetOptions {
     } catch (const std::invalid_argument& error) {
       throw UsageError("--budget: " + std::string(error.what()));
     }
-    const BudgetMapping mapping{choose_uv_kernel(budget, texture.width, texture.height, Directions::unit)};
+    BudgetMapping mapping{choose_uv_kernel(budget, texture.width, texture.height, Directions::unit)};
 #ifdef TEXMAP_HAVE_PACKS
     if (mapping.choice.number == KernelNumber::single && !studio.typed("--number")) studio.number = Number::float_pack;
 #endif

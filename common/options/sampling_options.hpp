@@ -80,7 +80,7 @@ struct SamplingOptions {
     const bool limited = time_limit > 0 || target_error > 0;
     const int most = limited && !studio.typed("--samples") ? 1 << 20 : studio.samples;
     Film film(studio.width, studio.height);
-    std::uint32_t pattern = static_cast<std::uint32_t>(seed);
+    auto pattern = static_cast<std::uint32_t>(seed);
     const auto draw = [&](int count, int in_first_half) {
       lesson.gathering = {Sampler(sampler, count, pattern++), in_first_half, &film};
       studio.samples = count;
@@ -88,7 +88,7 @@ struct SamplingOptions {
       film.count(in_first_half, count - in_first_half);
     };
     if (!limited) draw(most, most / 2);
-    for (int pair = 8; limited && film.samples() + 2 * pair <= most; pair = std::min(2 * pair, most_samples)) {
+    for (int pair = 8; limited && film.samples() + 2L * pair <= most; pair = std::min(2 * pair, most_samples)) {
       draw(pair, pair);
       draw(pair, 0);
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -14,8 +14,8 @@ namespace texmap {
 /// The compiler's own vector of `Count` numbers.
 template <class Number, std::size_t Count>
 struct VectorOf {
-  typedef Number Type
-      __attribute__((vector_size(sizeof(Number) * Count)));  // GCC 12 ignores the attribute of a dependent alias
+  // NOLINTNEXTLINE(modernize-use-using): GCC 12 ignores the attribute of a dependent alias
+  typedef Number Type __attribute__((vector_size(sizeof(Number) * Count)));
 };
 #endif
 
@@ -109,7 +109,7 @@ class LaneBits {
       return Real(std::bit_cast<typename Real::Batch>(numbers));
     }
 #endif
-    const Lanes lanes = std::bit_cast<Lanes>(values_);
+    const auto lanes = std::bit_cast<Lanes>(values_);
     return texmap::from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(lanes.lanes[i]); });
   }
 
