@@ -8,6 +8,8 @@ add_suite(math/test_vec3 USES math LABELS common)
 add_suite(math/test_color USES render LABELS common)  # a mixed color is also followed to its byte
 add_suite(math/test_rotation USES texture LABELS common)  # and a rotation to its u
 
+add_suite(measure/test_interleaved USES measure LABELS common)
+
 foreach(suite bits hash samplers directions)
   add_suite(sampling/test_${suite} USES sampling LABELS common)
 endforeach()

@@ -1,0 +1,44 @@
+// Timing by turns: the order, the counts and the shortest time; never how long anything takes on this machine.
+#include "interleaved.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+TEST_CASE("works take turns, and each is run once more than it is timed") {
+  std::string order;
+  const auto times = texmap::shortest_times({[&] { order += 'a'; }, [&] { order += 'b'; }}, 3);
+  CHECK(order == "abababab");
+  REQUIRE(times.size() == 2);
+  for (const double time : times) CHECK((time >= 0 && time < 1e9));  // a clock that goes forward, and no infinity left
+}
+
+TEST_CASE("the run before the first round is not timed, and the shortest time stays") {
+  // The first run, a wait that no round repeats, would be the longest; the third, empty, is the shortest.
+  int run = 0;
+  const texmap::Stopwatch all;
+  const auto wait_until = [&](double milliseconds) {
+    const texmap::Stopwatch watch;
+    while (watch.milliseconds() < milliseconds) {
+    }
+  };
+  double first = 0, second = 0;
+  const auto times = texmap::shortest_times({[&] {
+                                              const texmap::Stopwatch watch;
+                                              wait_until(run == 0 ? 20 : 2);
+                                              (run == 0 ? first : second) = watch.milliseconds();
+                                              ++run;
+                                            }},
+                                            1);
+  CHECK(run == 2);
+  CHECK(times[0] >= second);                      // at least what the work itself took the second time,
+  CHECK(times[0] <= all.milliseconds() - first);  // at most what was left after the first
+}
+
+TEST_CASE("progress is told after every turn, up to the whole") {
+  std::vector<std::pair<int, int>> told;
+  (void)texmap::shortest_times({[] {}, [] {}}, 1, [&](int done, int total) { told.emplace_back(done, total); });
+  CHECK(told == std::vector<std::pair<int, int>>{{1, 4}, {2, 4}, {3, 4}, {4, 4}});
+}
+
+TEST_CASE("nothing to time takes no time") { CHECK(texmap::shortest_times({}, 5).empty()); }
