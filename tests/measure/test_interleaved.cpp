@@ -1,7 +1,7 @@
 // Timing by turns: the order, the counts and the shortest time; never how long anything takes on this machine.
 #include "interleaved.hpp"
 
-#include <doctest/doctest.h>
+#include <doctest.h>
 
 #include <string>
 
