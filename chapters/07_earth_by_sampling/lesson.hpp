@@ -12,7 +12,6 @@
 #include "painted.hpp"
 #include "path.hpp"
 #include "sampling_options.hpp"
-#include "screen_bounds.hpp"
 #include "sky.hpp"
 #include "studio.hpp"
 #include "texture_file.hpp"
@@ -52,14 +51,13 @@ struct Lesson {
   void show(Studio& studio) { studio.save(sampling.gather(studio, *this)); }
 
   /// The sky's light, where the sky is alike everywhere and the globe cannot be seen.
-  [[nodiscard]] std::optional<Rgb> certain_light(const View& view, int first, int last, int row) const {
+  [[nodiscard]] std::optional<CertainLight> certain_light(const View& view) const {
     if (lens.blurs() || !stage.sky.is_constant() || objects.size() != 1) return {};
-    if (!screen_bounds(view, objects[0].sphere).miss(first, last, row)) return {};
-    return stage.sky.below;
+    return CertainLight{stage.sky.below, screen_bounds(view, objects[0].sphere)};
   }
   /// The light of one sample of a pixel.
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
     const Ray<Real> ray = lens.ray(view, column, row, numbers);
     const auto albedo = [](const Object& object, const Hit<Real>& hit) { return object.paint(hit); };
     return light_along(objects, ray, stage.sky, albedo, sampling.bounces, numbers);

@@ -5,24 +5,35 @@
 
 namespace texmap {
 
+/// Neighbouring columns of a row: from `first` on, `end` is the first that is not among them.
+struct Span {
+  int first, end;
+};
+
 /// A rectangle of the picture, in pixels from its left and upper edge; may reach beyond the picture.
 struct ScreenBounds {
   double left, right, top, bottom;
 
-  /// True if none of the pixels from `first` to `last` of a row can show what is inside.
-  [[nodiscard]] bool miss(int first, int last, int row) const {
-    return last < left || first > right || row < top || row > bottom;
+  /// The columns of a row that can show what is inside; none is {width, width}.
+  ///
+  /// @param width  of the picture, in pixels
+  [[nodiscard]] Span columns(int row, int width) const {
+    const auto within = [width](double column) { return static_cast<int>(clamp(column, 0.0, static_cast<double>(width))); };
+    if (row < top || row > bottom || right < 0 || left >= width) return {width, width};
+    return {within(std::ceil(left)), within(std::floor(right) + 1)};
   }
+};
+
+/// The tangents of two angles.
+struct SeenTangents {
+  double low = -infinity<double>(), high = infinity<double>();
 };
 
 /// The tangents of the angles between which a circle is seen from the origin, looking along z.
 ///
 /// @param x, z    its center
-/// @param radius  its radius
+/// @param radius  its radius, above 0
 /// @return  -infinity and +infinity where it is around the eye or reaches behind it
-struct SeenTangents {
-  double low = -infinity<double>(), high = infinity<double>();
-};
 [[nodiscard]] inline SeenTangents seen_tangents(double x, double z, double radius) {
   const double away = std::hypot(x, z);
   if (!(away > radius)) return {};
@@ -46,8 +57,8 @@ struct SeenTangents {
   const double z = dot(center, view.forward);
   const SeenTangents across = seen_tangents(dot(center, view.right), z, sphere.radius);
   const SeenTangents up = seen_tangents(dot(center, view.up), z, sphere.radius);
-  const auto column = [&](double tangent) { return (tangent / view.half_width + 1) / 2 * view.width - view.anchor; };
-  const auto row = [&](double tangent) { return (1 - tangent / view.half_height) / 2 * view.height - view.anchor; };
+  const auto column = [&](double tangent) { return view.center_column + tangent / view.pixel; };
+  const auto row = [&](double tangent) { return view.center_row - tangent / view.pixel; };
   return {column(across.low) - 1, column(across.high) + 1, row(up.high) - 1, row(up.low) + 1};
 }
 

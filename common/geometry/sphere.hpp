@@ -51,7 +51,8 @@ template <class Real>
     case SphereForm::robust:
       break;
   }
-  const Vec3<Real> normal = (ray.origin - center + along) * (Real(1) / radius);
+  const Real inverse_radius = Real(Scalar<Real>(1) / static_cast<Scalar<Real>>(sphere.radius));
+  const Vec3<Real> normal = (ray.origin - center + along) * inverse_radius;
   return normal * (Real(1.5) - Real(0.5) * dot(normal, normal));
 }
 

@@ -1,5 +1,7 @@
 // A point or a direction in space: three numbers and the operations the course needs on them.
 #pragma once
+#include <type_traits>
+
 #include "compensated.hpp"
 
 namespace texmap {
@@ -19,9 +21,19 @@ struct Vec3 {
 /// with.
 using Point = Vec3<double>;
 
-template <class Real>
-[[nodiscard]] Vec3<Real> number_cast(const Point& p) {
-  return {Real(p.x), Real(p.y), Real(p.z)};
+/// A number as another kind of number, rounded to it; as it is, if it is of that kind.
+template <class Real, class Number>
+[[nodiscard]] Real number_cast(const Number& x) {
+  if constexpr (std::is_same_v<Real, Number>) {
+    return x;
+  } else {
+    return Real(x);
+  }
+}
+/// The same for each coordinate.
+template <class Real, class Number>
+[[nodiscard]] Vec3<Real> number_cast(const Vec3<Number>& p) {
+  return {number_cast<Real>(p.x), number_cast<Real>(p.y), number_cast<Real>(p.z)};
 }
 
 template <class Real>

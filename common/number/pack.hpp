@@ -57,6 +57,7 @@ class Pack {
   friend Pack abs(const Pack& a) { return xsimd::abs(a.values_); }
   friend Pack sqrt(const Pack& a) { return xsimd::sqrt(a.values_); }
   friend Pack floor(const Pack& a) {
+    if constexpr (rounds) return xsimd::floor(a.values_);
     // xsimd goes through an integer where the machine has no instruction. Numbers this large are whole; NaN stays NaN.
     const Mask small = xsimd::abs(a.values_) < Batch(T(1) / std::numeric_limits<T>::epsilon());
     return xsimd::select(small, xsimd::floor(xsimd::select(small, a.values_, Batch(T(0)))), a.values_);
@@ -71,6 +72,11 @@ class Pack {
   friend Pack log1p(const Pack& a) { return xsimd::log1p(a.values_); }
 
  private:
+#if defined(__SSE4_1__)
+  static constexpr bool rounds = true;  // the instructions that the file is compiled for have one for floor
+#else
+  static constexpr bool rounds = false;
+#endif
   Batch values_;
 };
 

@@ -25,20 +25,20 @@ struct LensOptions {
   [[nodiscard]] bool blurs() const { return defocus_degrees > 0 || shift != 0; }
 
   /// The ray of one sample of a pixel: anywhere in the pixel, on the lens and in the exposure, as far as there are any.
+  ///
+  /// @return  any length of direction: 1 along the view
   template <class Real, class Numbers>
-  [[nodiscard]] Ray<Real> ray(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
-    const auto in_pixel = numbers.template pair<Real>();
-    Ray<Real> ray = ray_through(view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)));
+  [[nodiscard]] Ray<Real> ray(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
+    const auto in_pixel = numbers.pair();
+    Ray<Real> ray = {view.eye, direction_through(view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)))};
     if (defocus_degrees > 0) {
-      const auto on_lens = uniform_disk(numbers.template pair<Real>());
+      const auto on_lens = uniform_disk(numbers.pair());
       const double radius = focus_distance * std::tan(defocus_degrees * std::numbers::pi / 360);
-      const Vec3<Real> offset =
-          number_cast<Real>(view.right) * (on_lens.x * Real(radius)) + number_cast<Real>(view.up) * (on_lens.y * Real(radius));
-      const Vec3<Real> in_focus = ray.direction * (Real(focus_distance) / dot(ray.direction, number_cast<Real>(view.forward)));
-      ray = {ray.origin + offset, normalize(in_focus - offset)};
+      const Vec3<Real> offset = view.right * (on_lens.x * Real(radius)) + view.up * (on_lens.y * Real(radius));
+      ray = {ray.origin + offset, ray.direction * Real(focus_distance) - offset};
     }
     // A globe that moves up and an eye that moves down see the same.
-    if (shift != 0) ray.origin.y = ray.origin.y - Real(shift) * numbers.template pair<Real>().u;
+    if (shift != 0) ray.origin.y = ray.origin.y - Real(shift) * numbers.pair().u;
     return ray;
   }
 };

@@ -6,6 +6,7 @@
 #include "film.hpp"
 #include "render.hpp"
 #include "samplers.hpp"
+#include "screen_bounds.hpp"
 
 namespace texmap {
 
@@ -16,27 +17,32 @@ struct Gathering {
   Film* film = nullptr;
 };
 
+/// What is known of a picture without a sample.
+struct CertainLight {
+  Rgb light;             ///< of every pixel outside of
+  ScreenBounds outside;  ///< this part of the picture
+};
+
 /// The numbers of one sample in a pack of pixels: dimension after dimension.
-template <class Real>
+///
+/// @tparam Pattern  one of the sampler's
+template <class Real, class Pattern>
 class SampleNumbers {
  public:
-  SampleNumbers(const Sampler& sampler, const Bits<Real>& pixels, int sample)
-      : sampler_(sampler), pixels_(pixels), sample_(static_cast<std::uint32_t>(sample)) {}
+  SampleNumbers(const Pattern& pattern, const Bits<Real>& pixels, int sample)
+      : pattern_(pattern), pixels_(pixels), sample_(static_cast<std::uint32_t>(sample)) {}
 
   /// The next two numbers in [0, 1): every use in a sample has a dimension of its own.
-  template <class>
-  [[nodiscard]] Sample2<Real> pair() {
-    return sampler_.template pair<Real>(pixels_, sample_, dimension_++);
-  }
+  [[nodiscard]] Sample2<Real> pair() { return pattern_.template pair<Real>(pixels_, sample_, dimension_++); }
 
  private:
-  const Sampler& sampler_;
+  const Pattern& pattern_;
   const Bits<Real>& pixels_;
   std::uint32_t sample_;
   std::uint32_t dimension_ = 0;
 };
 
-/// A lesson whose color along a ray is a matter of chance: called with a view, a place on the picture and numbers.
+/// A lesson whose color along a ray is a matter of chance: called with a ViewIn<Real>, a place on the picture and numbers.
 template <class Lesson>
 concept GathersLight = requires(const Lesson& lesson) {
   lesson.gathering;
@@ -45,48 +51,55 @@ concept GathersLight = requires(const Lesson& lesson) {
 /// Draws the samples of a lesson that gathers light, and adds them to its film. Found by `draw` in place of the `render` for
 /// plain lessons.
 ///
-/// A lesson may have certain_light(view, first column, last column, row): the light of these pixels if it is known beforehand.
+/// A lesson may have certain_light(view), an optional CertainLight: those pixels get no samples.
 /// @return  an empty picture: what the film shows is asked of the film
 template <class Real, GathersLight Lesson>
 [[nodiscard]] Image render(const Lesson& lesson, const View& view, const RenderSettings& settings) {
   constexpr int step = static_cast<int>(lanes<Real>);
   const Gathering& gathering = lesson.gathering;
   Film& film = *gathering.film;
-  for_each_row(view.height, settings.threads, settings.progress, [&](int row) {
-    for (int column = 0; column < view.width; column += step) {
-      const auto first = static_cast<Scalar<Real>>(column);
-      const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
-      if constexpr (requires { lesson.certain_light(view, column, column, row); }) {
-        // What is known without a sample needs none.
-        const std::optional<Rgb> light = lesson.certain_light(view, column, column + step - 1, row);
-        if (light) {
-          const int samples = gathering.sampler.samples();
-          for (int i = column; i < std::min(column + step, view.width); ++i) {
-            film.add(i, row, *light * static_cast<double>(gathering.in_first_half),
-                     *light * static_cast<double>(samples - gathering.in_first_half));
-          }
-          continue;
+  const int samples = gathering.sampler.samples();
+  const ViewIn<Real> view_here = number_cast<Real>(view);
+  std::optional<CertainLight> certain;
+  if constexpr (requires { lesson.certain_light(view); }) certain = lesson.certain_light(view);
+
+  gathering.sampler.visit([&](const auto& pattern) {
+    const auto add_samples = [&](const Real& columns, const Real& row, const Bits<Real>& pixels, int first, int end,
+                                 Color<Real>& result) __attribute__((flatten)) {
+      Color<Real> sum{};
+      for (int i = first; i < end; ++i) {
+        SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
+        sum = sum + lesson(view_here, columns, row, numbers);
+      }
+      result = sum;
+    };
+    for_each_row(view.height, settings.threads, settings.progress, [&](int row) {
+      const Span open = certain ? certain->outside.columns(row, view.width) : Span{0, view.width};
+      for (int column = 0; column < view.width; ++column) {
+        if (column == open.first) column = open.end;
+        if (column >= view.width) break;
+        film.add(column, row, certain->light * static_cast<double>(gathering.in_first_half),
+                 certain->light * static_cast<double>(samples - gathering.in_first_half));
+      }
+      for (int column = open.first; column < open.end; column += step) {
+        const auto first = static_cast<Scalar<Real>>(column);
+        const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
+        const Bits<Real> pixels = pixel_bits<Real>(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+        const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
+        Color<Real> first_half, second_half;
+        add_samples(columns, Real(row), pixels, 0, gathering.in_first_half, first_half);
+        add_samples(columns, Real(row), pixels, gathering.in_first_half, samples, second_half);
+        const auto firsts = lanes_of(first_half);
+        const auto seconds = lanes_of(second_half);
+        for (int i = 0; i < step && column + i < open.end; ++i) {
+          const auto in_lane = [at = static_cast<std::size_t>(i)](const auto& channels) {
+            return Rgb{static_cast<double>(channels[0][at]), static_cast<double>(channels[1][at]),
+                       static_cast<double>(channels[2][at])};
+          };
+          film.add(column + i, row, in_lane(firsts), in_lane(seconds));
         }
       }
-      const Bits<Real> pixels = pixel_bits<Real>(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-      Color<Real> first_half{}, second_half{};
-      for (int i = 0; i < gathering.sampler.samples(); ++i) {
-        SampleNumbers<Real> numbers(gathering.sampler, pixels, i);
-        const Color<Real> light = lesson(view, columns, Real(row), numbers);
-        Color<Real>& half = i < gathering.in_first_half ? first_half : second_half;
-        half = half + light;
-      }
-      const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
-      const auto firsts = lanes_of(first_half);
-      const auto seconds = lanes_of(second_half);
-      for (int i = 0; i < step && column + i < view.width; ++i) {
-        const auto in_lane = [at = static_cast<std::size_t>(i)](const auto& channels) {
-          return Rgb{static_cast<double>(channels[0][at]), static_cast<double>(channels[1][at]),
-                     static_cast<double>(channels[2][at])};
-        };
-        film.add(column + i, row, in_lane(firsts), in_lane(seconds));
-      }
-    }
+    });
   });
   return {};
 }

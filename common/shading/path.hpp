@@ -8,21 +8,41 @@
 
 namespace texmap {
 
+/// The light that arrives along a ray from a lone Lambertian sphere under a bright sky; see light_along.
+///
+/// Only what the scene requires: a sphere is convex, so that what leaves it meets nothing but the sky; under a constant sky it
+/// does not matter where it goes, and no direction is drawn; and only rays that reach a changing sky need unit length.
+template <class Real, class Object, class Sky, class Albedo, class Numbers>
+[[nodiscard]] Color<Real> light_past_one(const Object& object, const Ray<Real>& ray, const Sky& sky, const Albedo& albedo,
+                                         Numbers& numbers) {
+  const Real distance = distance_to(object.sphere, ray);
+  const Mask<Real> met = distance < infinity<Real>();
+  const bool anywhere = sky.is_constant();
+  Color<Real> light = gray(Real(0));
+  if (any(!met)) light = sky(anywhere ? ray : Ray<Real>{ray.origin, normalize(ray.direction)});
+  if (!any(met)) return light;
+
+  const Hit<Real> hit = hit_at(object.sphere, ray, select(met, distance, Real(1)));
+  const Ray<Real> next = anywhere ? ray : Ray<Real>{hit.outside, cosine_direction(hit.normal, numbers.pair())};
+  return select(met, albedo(object, hit) * sky(next), light);
+}
+
 /// The light that arrives along a ray from a scene of Lambertian surfaces under a bright sky.
 ///
+/// @param ray      any length of direction
 /// @param sky      called with a ray of unit length that leaves the scene, gives its light; says if it is_constant()
 /// @param albedo   called with (object, hit), gives the share of light that the surface sends back, 0 to 1 in each channel
 /// @param bounces  the most that a path may make, 1 or more; a path cut off there brings no light
-/// @param numbers  called for each bounce, gives two numbers in [0, 1)
+/// @param numbers  its pair() gives two numbers in [0, 1), for each bounce new ones
+/// @return  0 or more in each channel, at most the sky's brightest
 /// One path is followed: at each surface it goes on in one direction, drawn in proportion to the cosine that Lambert's law
 /// weighs it with, so that the weight and the chance cancel and only the albedo is left. The mean of many paths is the light.
-/// Only what the scene requires: a lone sphere is convex, and what leaves it meets nothing but the sky; under a constant sky it
-/// does not matter where it goes, and no direction is drawn.
 /// Source: Kajiya, "The Rendering Equation" (1986); Lambertian scattering as in seeds 1 and 2.
 template <class Real, class Objects, class Sky, class Albedo, class Numbers>
 [[nodiscard]] Color<Real> light_along(const Objects& objects, Ray<Real> ray, const Sky& sky, const Albedo& albedo, int bounces,
                                       Numbers& numbers) {
-  const bool lone = std::size(objects) == 1;
+  if (std::size(objects) == 1) return light_past_one(*std::begin(objects), ray, sky, albedo, numbers);
+  ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
   Color<Real> light = gray(Real(0));
   Mask<Real> under_way = Real(0) < Real(1);
@@ -33,8 +53,7 @@ template <class Real, class Objects, class Sky, class Albedo, class Numbers>
     under_way = met;
     if (bounce == bounces || !any(under_way)) return light;
 
-    const bool anywhere = lone && sky.is_constant();
-    const Sample2<Real> sample = anywhere ? Sample2<Real>{} : numbers.template pair<Real>();
+    const Sample2<Real> sample = numbers.pair();
     Ray<Real> next = ray;
     double index = 0;
     for (const auto& object : objects) {
@@ -43,12 +62,10 @@ template <class Real, class Objects, class Sky, class Albedo, class Numbers>
       if (!any(here)) continue;
       const Hit<Real> hit = hit_at(object.sphere, ray, select(here, nearest.distance, Real(1)));
       carried = select(here, carried * albedo(object, hit), carried);
-      if (anywhere) continue;
       next.origin = select(here, hit.outside, next.origin);
       next.direction = select(here, cosine_direction(hit.normal, sample), next.direction);
     }
     ray = next;
-    if (lone) return select(under_way, light + carried * sky(ray), light);
   }
 }
 

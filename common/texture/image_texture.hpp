@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "color.hpp"
+#include "fetch.hpp"
 #include "image.hpp"
 #include "srgb.hpp"
 #include "texel.hpp"
@@ -23,11 +24,16 @@ enum class TexelLight {
   stb,      ///< amounts of light as seed 2 has them: by stb_image's power 2.2, kept in bytes, of which 184 of 256 remain
 };
 
-/// The amount of light of every byte.
+/// What every byte stands for: place b holds that of the byte b, 0 to 1.
 ///
-/// @param light  linear or stb
+/// Errors: none; each entry is the formula's, rounded by it. Each table is computed once, at the first call.
 template <class Number>
 [[nodiscard]] const std::array<Number, 256>& light_of_bytes(TexelLight light) {
+  static const std::array<Number, 256> as_they_are = [] {
+    std::array<Number, 256> table{};
+    for (std::size_t byte = 0; byte < table.size(); ++byte) table[byte] = static_cast<Number>(byte) / Number(255);
+    return table;
+  }();
   static const std::array<Number, 256> by_stb = [] {
     std::array<Number, 256> table{};
     for (int byte = 0; byte < 256; ++byte) {
@@ -36,7 +42,15 @@ template <class Number>
     }
     return table;
   }();
-  return light == TexelLight::stb ? by_stb : srgb_decode_table<Number>();
+  switch (light) {
+    case TexelLight::linear:
+      return srgb_decode_table<Number>();
+    case TexelLight::stb:
+      return by_stb;
+    case TexelLight::encoded:
+      break;
+  }
+  return as_they_are;
 }
 
 /// The color of the texel that holds (u, v): no filter, so a texel seen close is a square.
@@ -60,6 +74,9 @@ struct ImageTexture {
  private:
   template <class Real>
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
+    if constexpr (can_fetch<Real>) {
+      if (image.pixels.size() > 1) return fetched_texel(column, row);
+    }
     if (light != TexelLight::encoded) {
       const auto& levels = light_of_bytes<Scalar<Real>>(light);
       const auto linear = look_up(
@@ -77,6 +94,21 @@ struct ImageTexture {
         },
         column, row);
     return {bytes[0] / Real(255), bytes[1] / Real(255), bytes[2] / Real(255)};
+  }
+
+  /// The same, all lanes at once. Four bytes are read where three are needed, but at the last texel, where the fourth would lie
+  /// behind the picture, from one byte before.
+  template <class Real>
+  [[nodiscard]] Color<Real> fetched_texel(const Real& column, const Real& row) const {
+    using Integers = Bits<Real>;
+    const Integers texel = bits_from_real(row) * static_cast<std::uint32_t>(image.width) + bits_from_real(column);
+    const Integers place = texel * 3U;
+    const Integers last = static_cast<std::uint32_t>(3 * image.pixels.size() - 4);
+    const Integers four = fetch_four_bytes<Real>(&image.pixels.data()->r, select_less(last, place, last, place));
+    const Integers bytes = select_less(last, place, four >> 8, four);
+    const Scalar<Real>* const levels = light_of_bytes<Scalar<Real>>(light).data();
+    return {fetch<Real>(levels, bytes & 255U), fetch<Real>(levels, (bytes >> 8) & 255U),
+            fetch<Real>(levels, (bytes >> 16) & 255U)};
   }
 };
 

@@ -98,6 +98,19 @@ class LaneBits {
   }
 #endif
 
+  /// The whole numbers of a pack. Domain: 0 to 2^31 - 1; fractions are cut off.
+  template <class Real>
+  [[nodiscard]] static LaneBits from_real(const Real& x) {
+#if defined(__GNUC__)
+    if constexpr (stored == Count) {
+      using Signed = typename VectorOf<std::int32_t, Count>::Type;
+      using Numbers = typename VectorOf<Scalar<Real>, Count>::Type;
+      return {std::bit_cast<Vector>(__builtin_convertvector(std::bit_cast<Numbers>(x.batch()), Signed)), 0};
+    }
+#endif
+    const auto numbers = all_lanes(x);
+    return from_lanes([&](std::size_t i) { return static_cast<std::uint32_t>(numbers[i]); });
+  }
   /// The lanes as a pack of as many numbers. Exact. Domain: values below 2^24, or below 2^31 for packs of double.
   template <class Real>
   [[nodiscard]] Real to_real() const {
@@ -136,9 +149,15 @@ class LaneBits {
   Vector values_{};
 };
 
+/// What Bits<Real> is.
+template <class Real>
+struct BitsOf {
+  using Type = std::conditional_t<lanes<Real> == 1, std::uint32_t, LaneBits<lanes<Real>>>;
+};
+
 /// Unsigned 32-bit integers, one for each lane of Real: a plain std::uint32_t for plain numbers.
 template <class Real>
-using Bits = std::conditional_t<lanes<Real> == 1, std::uint32_t, LaneBits<lanes<Real>>>;
+using Bits = typename BitsOf<Real>::Type;
 
 /// `yes` where a < b, else `no`.
 [[nodiscard]] inline std::uint32_t select_less(std::uint32_t a, std::uint32_t b, std::uint32_t yes, std::uint32_t no) {
@@ -172,6 +191,16 @@ template <class Real>
     return static_cast<Real>(bits);
   } else {
     return bits.template to_real<Real>();
+  }
+}
+
+/// The whole numbers of all lanes as integers. Domain: 0 to 2^31 - 1; fractions are cut off.
+template <class Real>
+[[nodiscard]] inline Bits<Real> bits_from_real(const Real& x) {
+  if constexpr (lanes<Real> == 1) {
+    return static_cast<std::uint32_t>(x);
+  } else {
+    return Bits<Real>::from_real(x);
   }
 }
 

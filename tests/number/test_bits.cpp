@@ -1,4 +1,4 @@
-// Tests of common/sampling/bits.hpp: lanes of 32-bit integers compute as single ones do.
+// Tests of common/number/bits.hpp: lanes of 32-bit integers compute as single ones do.
 #include <doctest.h>
 
 #include <array>

@@ -1,0 +1,72 @@
+// Reading many places of memory at once: one for each lane of a pack, where the machine has instructions for it.
+#pragma once
+#include "paired.hpp"
+
+#if defined(TEXMAP_HAVE_PACKS) && defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace texmap {
+
+/// True for packs that can fetch: those made of AVX2 or wider instructions. Others read lane by lane (look_up).
+template <class Real>
+inline constexpr bool can_fetch = false;
+
+#if defined(TEXMAP_HAVE_PACKS) && defined(__AVX2__)
+template <class T, class Arch>
+inline constexpr bool can_fetch<Pack<T, Arch>> = lanes<Pack<T, Arch>> >= 4;
+template <class Half>
+inline constexpr bool can_fetch<Paired<Half>> = can_fetch<Half>;
+
+/// Four bytes from each of many places, the first of them in the lowest 8 bits.
+///
+/// @param bytes   where places are counted from; need not be aligned
+/// @param places  0 to 2^31 - 1, each with 4 bytes of the same array from there on
+template <class Real>
+[[nodiscard]] inline Bits<Real> fetch_four_bytes(const std::uint8_t* bytes, const Bits<Real>& places) {
+  const void* const from = bytes;
+  if constexpr (requires(Real x) { x.first; }) {
+    using Half = decltype(Real::first);
+    return {fetch_four_bytes<Half>(bytes, places.first), fetch_four_bytes<Half>(bytes, places.second)};
+  } else if constexpr (lanes<Real> == 4) {
+    return std::bit_cast<Bits<Real>>(_mm_i32gather_epi32(static_cast<const int*>(from), std::bit_cast<__m128i>(places), 1));
+  } else if constexpr (lanes<Real> == 8) {
+    return std::bit_cast<Bits<Real>>(_mm256_i32gather_epi32(static_cast<const int*>(from), std::bit_cast<__m256i>(places), 1));
+  } else {
+#if defined(__AVX512F__)
+    return std::bit_cast<Bits<Real>>(_mm512_i32gather_epi32(std::bit_cast<__m512i>(places), from, 1));
+#endif
+  }
+}
+
+/// The entries of a table at many places.
+///
+/// @param places  0 to the table's last, below 2^31
+template <class Real>
+[[nodiscard]] inline Real fetch(const Scalar<Real>* table, const Bits<Real>& places) {
+  if constexpr (requires(Real x) { x.first; }) {
+    using Half = decltype(Real::first);
+    return {fetch<Half>(table, places.first), fetch<Half>(table, places.second)};
+  } else if constexpr (std::is_same_v<Scalar<Real>, float>) {
+    if constexpr (lanes<Real> == 4) {
+      return typename Real::Batch(_mm_i32gather_ps(table, std::bit_cast<__m128i>(places), 4));
+    } else if constexpr (lanes<Real> == 8) {
+      return typename Real::Batch(_mm256_i32gather_ps(table, std::bit_cast<__m256i>(places), 4));
+    } else {
+#if defined(__AVX512F__)
+      return typename Real::Batch(_mm512_i32gather_ps(std::bit_cast<__m512i>(places), table, 4));
+#endif
+    }
+  } else {
+    if constexpr (lanes<Real> == 4) {
+      return typename Real::Batch(_mm256_i32gather_pd(table, std::bit_cast<__m128i>(places), 8));
+    } else {
+#if defined(__AVX512F__)
+      return typename Real::Batch(_mm512_i32gather_pd(std::bit_cast<__m256i>(places), table, 8));
+#endif
+    }
+  }
+}
+#endif
+
+}  // namespace texmap
