@@ -19,11 +19,17 @@ struct Vec3 {
 /// with.
 using Point = Vec3<double>;
 
+/// The point in the number a picture is drawn with, each coordinate rounded once. Errors: none; beyond the number's range a
+/// coordinate is infinite.
 template <class Real>
 [[nodiscard]] Vec3<Real> number_cast(const Point& p) {
   return {Real(p.x), Real(p.y), Real(p.z)};
 }
 
+/// Sum, difference and multiple, coordinate by coordinate.
+///
+/// Domain: any coordinates. Bound: each is rounded once, so that it is within 1 unit roundoff of itself; a multiple only as
+/// long as it stays in the range of normal numbers. Errors: none; beyond the range a coordinate is infinite.
 template <class Real>
 [[nodiscard]] Vec3<Real> operator+(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -32,6 +38,7 @@ template <class Real>
 [[nodiscard]] Vec3<Real> operator-(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+/// The opposite way, without an error.
 template <class Real>
 [[nodiscard]] Vec3<Real> operator-(const Vec3<Real>& a) {
   return {-a.x, -a.y, -a.z};
