@@ -257,6 +257,46 @@ TEST_CASE("in float no ray meets the sphere it leaves either, and none is lost t
   CHECK(worst.highest <= 20);
 }
 
+TEST_CASE_TEMPLATE("the root ahead is within 2 unit roundoffs of that of its four numbers, and none is ahead of no number",
+                   Real, float, double) {
+  Dice dice;
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Real a = dice.number<Real>(-10, 10);
+    const Real b = static_cast<Real>(dice.sign()) * dice.number<Real>(-10, 10);
+    const Real c = static_cast<Real>(dice.sign()) * dice.number<Real>(-20, 20);
+    const Real root = dice.number<Real>(-10, 10);
+    // From outside, ahead: c over the sum. From inside: the one root above 0.
+    const Exact sum = abs(widened(b)) + widened(root);
+    const bool ahead = c > 0 ? b > 0 : true;
+    const Exact exact = c > 0 || b < 0 ? abs(widened(c)) / sum : sum / widened(a);
+    const Real got = root_ahead(a, b, c, root);
+    REQUIRE((got < infinity<Real>()) == ahead);
+    if (ahead) worst = std::max(worst, static_cast<double>(abs(widened(got) / exact - 1) / widened(unit_roundoff<Real>())));
+  }
+  CHECK(worst <= 2);
+  CHECK(worst > 1.5);
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  CHECK(root_ahead(Real(0), Real(0), Real(1), Real(0)) == infinity<Real>());
+  CHECK(root_ahead(Real(0), Real(0), Real(-1), Real(0)) == infinity<Real>());
+  CHECK(root_ahead(Real(1), nan, Real(1), Real(1)) == infinity<Real>());
+  CHECK(root_ahead(Real(1), Real(1), Real(1), nan) == infinity<Real>());
+}
+
+TEST_CASE_TEMPLATE("a ray without a direction, or with one that is no number, leaves from outside and meets nothing", Real,
+                   float, double, long double) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
+    const Sphere sphere{{0, 0, 0}, 1, form};
+    const Hit<Real> hit = hit_at(sphere, Ray<Real>{{0, 0, 5}, {0, 0, -1}}, Real(4));
+    for (const Vec3<Real>& direction : {Vec3<Real>{}, Vec3<Real>{nan, nan, nan}, Vec3<Real>{0, nan, 0}}) {
+      const Ray<Real> ray = ray_from(hit, direction);
+      CHECK(ray.origin.z == hit.outside.z);
+      CHECK(distance_to(sphere, ray) == infinity<Real>());
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them", Real, float, double,
                    long double) {
   const Sphere sphere{{2, 0, -4}, 2};
