@@ -10,7 +10,8 @@
 namespace texmap {
 namespace {
 
-/// A camera and a sphere somewhere in front of it, wholly or partly in the picture.
+/// A camera and a sphere, most often in front of it and wholly or partly in the picture, else anywhere near the eye or round
+/// it.
 struct Scene {
   Camera camera;
   Sphere sphere;
@@ -19,6 +20,10 @@ struct Scene {
 Scene any_scene(Dice& dice) {
   const Point eye = dice.direction<double>() * dice.between(0, 5);
   const Point forward = dice.direction<double>();
+  if (dice.once_in(4)) {
+    const Point center = eye + dice.direction<double>() * dice.between(0, 3);
+    return {{.eye = eye, .target = eye + forward, .fov_y_degrees = dice.between(20, 90)}, {center, dice.between(0.5, 2)}};
+  }
   const double away = dice.between(2, 20);
   const Point aside = dice.direction<double>() * (away * dice.between(0, 0.6));
   return {{.eye = eye, .target = eye + forward, .fov_y_degrees = dice.between(20, 90)},
