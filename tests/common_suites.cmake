@@ -20,6 +20,7 @@ endforeach()
 add_suite(geometry/test_sphere USES texture LABELS common)  # a far sphere's error shows in (u, v)
 add_suite(geometry/test_camera USES geometry LABELS common)
 add_suite(geometry/test_nearest USES geometry LABELS common)
+add_suite(geometry/test_screen_bounds USES geometry LABELS common)
 add_suite(geometry/test_triangle USES geometry LABELS common)
 add_suite(geometry/test_floor USES texture LABELS common)  # what its exact height is good for shows in a checkerboard
 

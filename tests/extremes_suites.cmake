@@ -16,7 +16,7 @@ foreach(family arithmetic rotation secondary_rays shading spheres textures trian
   target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
 endforeach()
 target_link_libraries(claims PUBLIC shading texture PRIVATE project_options)
-target_include_directories(claims PUBLIC extremes)
+target_include_directories(claims PUBLIC extremes support)
 target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
 set_target_properties(claims PROPERTIES WIDER_REFERENCES ON)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

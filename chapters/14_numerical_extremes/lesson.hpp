@@ -13,6 +13,8 @@ namespace texmap::chapter_14 {
 struct Lesson {
   static constexpr const char* idea = "what breaks at the limits of a number, and the formulas that hold";
 
+  static constexpr bool single_numbers = true;  // the seeds' formulas branch, and packs cannot
+
   TextureFile texture{"earth.png"};
   TextureFile label{"uv_map.png"};
 

@@ -129,8 +129,7 @@ template <class Exhibit>
   return studio.timed(1.0 * studio.width * studio.height * studio.samples, [&](const RenderSettings& settings) {
     if (studio.number == Number::float_) return render<float>(lesson, view, settings);
     if (studio.number == Number::extended) return render<long double>(lesson, view, settings);
-    if (studio.number == Number::double_ || !studio.typed("--number")) return render<double>(lesson, view, settings);
-    throw UsageError("--number takes float, double or extended here: the seeds' formulas branch, and packs cannot");
+    return render<double>(lesson, view, settings);
   });
 }
 
@@ -201,14 +200,15 @@ template <class... Exhibit>
       std::snprintf(text.data(), text.size(), "%9d%8d%9s%s", mistakes.wrong, mistakes.missed, texels.c_str(),
                     way % 2 == 0 ? " " : "\n");
       sheet.table += text.data();
-      std::snprintf(text.data(), text.size(), "%d wrong, %s tx", mistakes.wrong, texels.c_str());
+      const bool textured = texels != "-";
+      const std::string verdict = std::to_string(mistakes.wrong) + " wrong" + (textured ? ", " + texels + " tx" : "");
       const int left = layout.left(i, static_cast<int>(way));
       const int top = layout.top(i) + layout.line;
       const int below = top + layout.panel_height + 2 * layout.scale;
       paste(sheet.picture, row[way].image, left, top);
       draw_text(sheet.picture, left, below, way_names[way], {70, 70, 70}, layout.scale);
-      draw_text(sheet.picture, left, below + layout.line, text.data(),
-                mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20}, layout.scale);
+      draw_text(sheet.picture, left, below + layout.line, verdict, mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20},
+                layout.scale);
     }
   };
   std::apply([&](const auto&... each) { (describe(each), ...); }, exhibits);

@@ -65,6 +65,8 @@ constexpr std::array<Chapter, 6> chapters = {{
     {name_06, draw_chapter<chapter_06::Lesson, name_06>},
 }};
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 std::string text_of(const std::string& path) {
   std::ifstream in(path);
   std::ostringstream text;
@@ -104,13 +106,40 @@ bool compare_pair(std::size_t from, std::size_t to, const Choices& choices) {
   return result.changed_elsewhere == 0;
 }
 
-std::size_t chapter_at(const std::string& number) {
-  const auto found = std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& chapter) {
-    return number.size() <= 2 && !number.empty() &&
-           parse_whole("a chapter", number, 0, 99) == parse_whole("", std::string(chapter.name, 2), 0, 99);
-  });
-  if (found == chapters.end()) throw UsageError("there is no chapter '" + number + "' to compare");
+/// True for the number of a chapter, as the user types it: "7" and "07" are those of 07_earth_by_sampling.
+bool is_number_of(const std::string& typed, const std::string& name) {
+  return typed.size() <= 2 && !typed.empty() &&
+         parse_whole("a chapter", typed, 0, 99) == parse_whole("", name.substr(0, 2), 0, 99);
+}
+
+/// Where the chapter stands among those that can be compared; their number if it is none of them.
+std::size_t place_of(const std::string& typed) {
+  const auto found =
+      std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& chapter) { return is_number_of(typed, chapter.name); });
   return static_cast<std::size_t>(found - chapters.begin());
+}
+
+/// The chapter's folder, whether it can be compared or not.
+/// Errors: UsageError if there is none.
+std::string name_of(const std::string& typed, const std::string& source) {
+  for (const auto& entry : std::filesystem::directory_iterator(source)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_chapter = name.size() > 3 && is_digit(name[0]) && is_digit(name[1]) && name[2] == '_';
+    if (is_chapter && is_number_of(typed, name)) return name;
+  }
+  throw UsageError("there is no chapter '" + typed + "' to compare");
+}
+
+/// What to say of two chapters with different scenes: where their difference can be read.
+std::string why_not(const std::string& before, const std::string& after, const Choices& choices) {
+  const std::string from = name_of(before, choices.source);
+  const std::string to = name_of(after, choices.source);
+  const std::string new_scene = place_of(after) == chapters.size() ? to : from;
+  const std::string folder = std::filesystem::proximate(choices.source).string();
+  return "chapter " + new_scene.substr(0, 2) +
+         " begins a new scene, and pictures of different scenes have no pixels to compare.\nThe step is told in " + folder +
+         "/" + new_scene + "/README.md; its code is shown by:\n  git diff --no-index " + folder + "/" + from + "/lesson.hpp " +
+         folder + "/" + to + "/lesson.hpp";
 }
 
 }  // namespace
@@ -135,7 +164,10 @@ int main(int argc, char** argv) {
     if (before.empty() != after.empty())
       throw UsageError("--from and --to go together: name two chapters to compare, or none for all neighbours");
     if (!before.empty()) {
-      as_declared = compare_pair(chapter_at(before), chapter_at(after), choices);
+      const std::size_t from = place_of(before);
+      const std::size_t to = place_of(after);
+      if (std::max(from, to) == chapters.size()) throw std::runtime_error(why_not(before, after, choices));
+      as_declared = compare_pair(from, to, choices);
       return;
     }
     for (std::size_t i = 0; i + 1 < chapters.size(); ++i) as_declared = compare_pair(i, i + 1, choices) && as_declared;

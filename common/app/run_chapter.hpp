@@ -23,7 +23,8 @@ void expect_little_memory();
 /// A lesson has an `idea`, a `stage` with a camera, and operator()(Ray) that gives a Color. Beyond that it may have
 ///   options(CommandLine&)   its own options,
 ///   prepare(Studio&)        what to do once they are known, such as loading a texture,
-///   show(Studio&)           what to draw and save, if it is not one picture of the lesson.
+///   show(Studio&)           what to draw and save, if it is not one picture of the lesson,
+///   single_numbers          a constant, if its code cannot run on packs or intervals: the user is then not offered them.
 template <class Lesson>
 [[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
   expect_little_memory();
@@ -31,7 +32,8 @@ template <class Lesson>
   return run_guarded(line, [&] {
     Lesson lesson;
     if constexpr (requires { lesson.options(line); }) lesson.options(line);
-    Studio studio(chapter, line);
+    constexpr bool single = requires { Lesson::single_numbers; };
+    Studio studio(chapter, line, single ? Offered::single : Offered::all);
     if constexpr (requires { lesson.objects; }) studio.offer_forms();
     if (!line.parse(argc, argv)) return;
     if constexpr (requires { lesson.prepare(studio); }) lesson.prepare(studio);

@@ -18,14 +18,26 @@ constexpr long most_pixels = 1L << 26;
 
 }  // namespace
 
-Studio::Studio(std::string_view chapter, CommandLine& line)
+Studio::Studio(std::string_view chapter, CommandLine& line, Offered numbers)
     : out("out/" + std::string(chapter) + ".png"), default_out_(out), line_(line) {
   line.text("--out", "FILE", out, "where to put the picture, a PNG");
   line.whole("--width", width, 1, longest_side, "columns of pixels");
   line.whole("--height", height, 1, longest_side, "rows of pixels");
   line.whole("--samples", samples, 1, 65536, "rays a pixel: 1 looks through its center, more smooth the edges");
   line.whole("--threads", threads, 0, 1024, "threads to draw with, 0 for one per core; the picture is the same");
-  line.choice<Number>(
+  if (numbers == Offered::all) {
+    offer_all_numbers();
+  } else {
+    number = Number::double_;
+    line.choice<Number>("--number", number,
+                        {{"float", Number::float_}, {"double", Number::double_}, {"extended", Number::extended}},
+                        "the number to calculate with");
+  }
+  line.flag("--quiet", quiet, "no progress, nothing printed on success");
+}
+
+void Studio::offer_all_numbers() {
+  line_.choice<Number>(
       "--number", number,
       {{"float", Number::float_},
        {"double", Number::double_},
@@ -35,11 +47,10 @@ Studio::Studio(std::string_view chapter, CommandLine& line)
        {"interval", Number::interval}},
       "the number to calculate with; interval draws how sure each pixel is: gray where no rounding can change its "
       "bytes, yellow to violet for 1 to 255 levels of doubt");
-  line.choice<Instructions>(
+  line_.choice<Instructions>(
       "--instructions", instructions,
       {{"baseline", Instructions::baseline}, {"avx2", Instructions::avx2}, {"avx512", Instructions::avx512}},
       "what packs are made of; the machine's widest unless given");
-  line.flag("--quiet", quiet, "no progress, nothing printed on success");
 }
 
 void Studio::offer_forms() {

@@ -12,13 +12,20 @@
 
 namespace texmap {
 
+/// The numbers that a user may choose for a lesson.
+enum class Offered {
+  all,     ///< every Number
+  single,  ///< float, double and extended: one number at a time, so no instructions for packs either
+};
+
 /// What every chapter lets the user choose, and the way from a lesson to a file.
 class Studio {
  public:
   /// Adds the options that all chapters have to `line`, which must live as long as the studio.
   ///
   /// @param chapter  its folder's name, such as 02_checkerboard_uv; the picture's default name comes from it
-  Studio(std::string_view chapter, CommandLine& line);
+  /// @param numbers  what the lesson can be drawn with
+  Studio(std::string_view chapter, CommandLine& line, Offered numbers = Offered::all);
 
   std::string out;   ///< where the picture goes
   int width = 800;   ///< pixels
@@ -71,6 +78,8 @@ class Studio {
   [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);
 
  private:
+  void offer_all_numbers();
+
   std::string default_out_;
   CommandLine& line_;
   std::optional<Stopwatch> before_drawing_{Stopwatch()};  // until the first ray

@@ -18,6 +18,13 @@ struct Hit {
 
 /// The ray that goes on from a hit point in some direction: it starts on the side of the surface that it goes to, and cannot
 /// meet the surface again where it started.
+///
+/// @param hit        as `hit_at` gives it, in the domain stated there
+/// @param direction  of any length, along the surface too; that counts as outward
+/// @return           from `hit.outside` or `hit.inside`, in that direction
+/// Errors: none; a direction that is zero or NaN gives a ray from outside that meets nothing.
+/// Bound: no ray outward meets its own sphere, and every ray inward finds the far side, where the sphere's form is robust or
+/// hybrid; the plain form keeps neither; docs/numbers.md. Source: as for `hit_at`.
 template <class Real>
 [[nodiscard]] Ray<Real> ray_from(const Hit<Real>& hit, const Vec3<Real>& direction) {
   return {select(dot(hit.normal, direction) < Real(0), hit.inside, hit.outside), direction};

@@ -64,7 +64,8 @@ template <class Real>
 /// ray's origin without an error, so that its bound is smaller.
 /// Domain: radius 1e-6 to 1e6, |center| / radius up to 1e5 in float, 1e13 in double: beyond, the number cannot tell the
 /// sphere's inside. Bound: by the robust and the hybrid form no ray from `outside` outward meets the sphere and every ray from
-/// `inside` inward does; the plain form keeps neither; docs/numbers.md.
+/// `inside` inward does; the plain form keeps neither; docs/numbers.md. Source: bounds in place of a fixed number after
+/// pbrt-v4, section 6.8.
 template <class Real>
 [[nodiscard]] Hit<Real> hit_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
   const Real u = unit_roundoff<Real>();

@@ -39,9 +39,14 @@ template <class Real>
 
 /// The first of the two roots of a t^2 - 2 b t + c = 0 that is ahead, +infinity if none is.
 ///
+/// @param a     above 0
+/// @param c     above 0 where the ray starts outside the sphere, 0 on it, below inside
 /// @param root  the square root of b^2 - a c, 0 or more
-/// The roots are c / q and q / a with q = b +- root, whose sign makes it a sum: no like numbers are subtracted. From outside
-/// (c > 0) the first is c / q; from inside it is the only one ahead. Source: Press et al., Numerical Recipes, section 5.6.
+/// Domain: no quotient leaves the range. Bound: 2 u of the root that the four numbers have, for the sum q and the quotient;
+/// what they lost before they came here is each form's matter. Errors: none; a NaN, and a direction without a length (a = b =
+/// 0), is a miss. The roots are c / q and q / a with q = b +- root, whose sign makes it a sum: no like numbers are subtracted.
+/// From outside (c > 0) the first is c / q; from inside it is the only one ahead. Source: Press et al., Numerical Recipes,
+/// section 5.6.
 template <class Real>
 [[nodiscard]] Real root_ahead(const Real& a, const Real& b, const Real& c, const Real& root) {
   const Mask<Real> back = b < Real(0);

@@ -26,15 +26,23 @@ struct ExactDifference {
   [[nodiscard]] Real size() const { return larger(abs(x.high), larger(abs(y.high), abs(z.high))); }
 };
 
+/// to - from, without an error.
+///
+/// Domain: as two_sum: finite, coordinates below half of the largest number. Errors: none; beyond, a part is NaN.
 template <class Real>
 [[nodiscard]] ExactDifference<Real> exact_difference(const Vec3<Real>& to, const Vec3<Real>& from) {
   return {two_sum(to.x, -from.x), two_sum(to.y, -from.y), two_sum(to.z, -from.z)};
 }
 
+/// Both parts scaled, without an error.
+///
+/// @param power_of_two  as power_of_two_scale gives it
+/// Domain: no part leaves the range of normal numbers; below it, the low part loses digits. Errors: none.
 template <class Real>
 [[nodiscard]] TwoParts<Real> operator*(const TwoParts<Real>& a, const Real& power_of_two) {
   return {a.high * power_of_two, a.low * power_of_two};
 }
+/// The same for each coordinate.
 template <class Real>
 [[nodiscard]] ExactDifference<Real> operator*(const ExactDifference<Real>& a, const Real& power_of_two) {
   return {a.x * power_of_two, a.y * power_of_two, a.z * power_of_two};
@@ -56,6 +64,8 @@ template <class Real>
 }
 
 /// The vector product of two exact differences, with the error of `difference_of_products` in each coordinate.
+///
+/// Domain: as two_product. Errors: none; swapping the two changes the sign and nothing else.
 template <class Real>
 [[nodiscard]] Vec3<Real> cross(const ExactDifference<Real>& a, const ExactDifference<Real>& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
@@ -68,6 +78,7 @@ template <class Real>
 /// @param normal   cross(ab, ac)
 /// @param ab, ac   the sides from a to b and from a to c
 /// @param a, b, c  the corners, in the same scale as the sides
+/// Domain: as two_product for the sides' coordinates, which barycentric brings to about 1. Errors: none; a NaN gives false.
 template <class Real>
 [[nodiscard]] Mask<Real> may_be_flat(const Vec3<Real>& normal, const ExactDifference<Real>& ab, const ExactDifference<Real>& ac,
                                      const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {

@@ -40,7 +40,10 @@ struct RotationY {
   double cosine = 1;
 
   /// The rotated point: x' = x cos + z sin, z' = z cos - x sin.
-  /// Bound: its length changes by 2 unit roundoffs at most, those of double in every number with more digits.
+  ///
+  /// @param p  any point or direction with coordinates below half of the largest number
+  /// Errors: none; y stays to the bit, and a NaN in x or z makes both NaN.
+  /// Bound: its length changes by 2 unit roundoffs at most, those of double in every number with more digits; docs/numbers.md.
   /// Source: seed 4, whose matrix multiplies from the right.
   template <class Real>
   [[nodiscard]] Vec3<Real> operator()(const Vec3<Real>& p) const {
@@ -50,7 +53,11 @@ struct RotationY {
   }
 };
 
+/// The rotation by an angle.
+///
 /// @param degrees  any finite angle; positive angles carry +z towards +x and add degrees / 360 to the u of every rtiow place
+/// @return         sine and cosine within 3 ulp, as sine_cosine_of_degrees gives them
+/// Errors: none; an angle that is not finite gives a rotation to NaN.
 [[nodiscard]] inline RotationY rotation_y(double degrees) {
   const SineCosine<double> angle = sine_cosine_of_degrees(degrees);
   return {angle.sine, angle.cosine};

@@ -21,7 +21,8 @@ struct Vec3 {
 /// with.
 using Point = Vec3<double>;
 
-/// A number as another kind of number, rounded to it; as it is, if it is of that kind.
+/// A number as another kind of number, rounded once; as it is, if it is of that kind. Errors: none; beyond the other's range it
+/// is infinite.
 template <class Real, class Number>
 [[nodiscard]] Real number_cast(const Number& x) {
   if constexpr (std::is_same_v<Real, Number>) {
@@ -36,6 +37,10 @@ template <class Real, class Number>
   return {number_cast<Real>(p.x), number_cast<Real>(p.y), number_cast<Real>(p.z)};
 }
 
+/// Sum, difference and multiple, coordinate by coordinate.
+///
+/// Domain: any coordinates. Bound: each is rounded once, so that it is within 1 unit roundoff of itself; a multiple only as
+/// long as it stays in the range of normal numbers. Errors: none; beyond the range a coordinate is infinite.
 template <class Real>
 [[nodiscard]] Vec3<Real> operator+(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -44,6 +49,7 @@ template <class Real>
 [[nodiscard]] Vec3<Real> operator-(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+/// The opposite way, without an error.
 template <class Real>
 [[nodiscard]] Vec3<Real> operator-(const Vec3<Real>& a) {
   return {-a.x, -a.y, -a.z};

@@ -14,11 +14,15 @@ struct Painted {
   Paint paint;
 };
 
-/// One of several kinds of paint. It is asked once per object, for all lanes of a pack together.
+/// One of several kinds of paint, for lists of objects that are painted differently.
 template <class... Paints>
 struct AnyOf : std::variant<Paints...> {
   using std::variant<Paints...>::variant;
 
+  /// The color that the paint in use gives for a hit. Which one that is, is asked once for all lanes of a pack together.
+  ///
+  /// @param hit  in the domain of every one of the paints, which all give the same type of color
+  /// Errors: those of the paint.
   template <class Real>
   [[nodiscard]] auto operator()(const Hit<Real>& hit) const {
     return std::visit([&hit](const auto& paint) { return paint(hit); }, static_cast<const std::variant<Paints...>&>(*this));

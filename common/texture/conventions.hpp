@@ -12,7 +12,7 @@ enum class Convention {
   lecture,  ///< seed 4: u runs east from +z, v runs up from the south pole
 };
 
-/// Which way v runs over a picture in this convention.
+/// Which way v runs over a picture in this convention: down in daily, up in the others. Errors: none.
 [[nodiscard]] constexpr VAxis v_axis_of(Convention convention) {
   return convention == Convention::daily ? VAxis::down : VAxis::up;
 }
@@ -20,7 +20,9 @@ enum class Convention {
 /// Texture coordinates of a direction in any of the conventions.
 ///
 /// @param p  any finite vector; only its direction matters
-/// @return   u in [0, 1), v in [0, 1], with the bound of uv_rtiow: 0.001 texel in float, 2e-12 in double
+/// @return   u in [0, 1), v in [0, 1]
+/// Errors: none. The zero vector gives (0.5, 0.5), in lecture (0.25, 0.5); vectors that are not finite have a place too.
+/// Bound: that of uv_rtiow, 0.001 texel of 8192 by 4096 in float, 2e-12 in double; docs/numbers.md.
 /// All are made from one formula by exact steps: u_daily = 1 - u, v_daily = 1 - v, u_lecture = frac(u - 1/4), with (u, v) in
 /// the convention rtiow. Four formulas would be four times the roundings. Source: the seeds; the relations are proved in
 /// docs/conventions.md.
@@ -41,7 +43,7 @@ template <class Real>
   return uv;
 }
 
-/// A convention as a mapping for a paint.
+/// uv_of as a value, to be handed to a paint: domain, range and bound are those of uv_of.
 struct ConventionMapping {
   Convention convention = Convention::rtiow;
 

@@ -12,7 +12,10 @@ enum class TexelRounding {
 
 /// `x` brought to a whole number from 0 to n - 1 that is safe to index with: below 0 and NaN give 0, n and above give n - 1.
 ///
-/// @param n  number of texels, 1 to 2^24
+/// @param x  anything the type can hold, infinities too
+/// @param n  number of texels, 1 to 2^24: beyond, float does not hold every index
+/// @return   floor(x) for x in [0, n), without an error
+/// Errors: none.
 template <class Real>
 [[nodiscard]] Real clamp_index(const Real& x, int n) {
   return floor(clamp(x, Real(0), Real(n - 1)));

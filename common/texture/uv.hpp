@@ -11,6 +11,10 @@ struct Uv {
 };
 
 /// Brings `u` into [0, 1): values that rounding lifted to 1 get the largest number below 1, a NaN gets 0.
+///
+/// @param u  anything the type can hold; it does not wrap: below 0 it becomes 0, from 1 on the largest number below 1
+/// @return   `u` itself, to the bit, where it is in [0, 1)
+/// Errors: none.
 template <class Real>
 [[nodiscard]] Real clamp_u(const Real& u) {
   return clamp(u, Real(0), below_one<Real>());
@@ -22,7 +26,7 @@ template <class Real>
 /// @return   u in [0, 1), 0 at -x and growing through +z, +x, -z; v in [0, 1], 0 at -y and 1 at +y
 /// Errors: none. The zero vector gives (0.5, 0.5); at the poles, where every u is right, u is 0.5.
 /// Bound: any length, any exponents: u (round the circle) and v within 0.001 texel of 8192 by 4096 in float, 2e-12 in double;
-/// v within 4 ulp of itself at the lower pole; docs/numbers.md.
+/// v within 4 ulp of itself at the lower pole, 5 in packs; docs/numbers.md.
 /// v is the angle from -y as atan2(sine, cosine), not acos(-y): acos loses half the digits near the poles, where its slope is
 /// infinite, and gives NaN when rounding made |y| larger than 1. Both sides are divided by the larger of |x| and |z|, so that
 /// no length overflows or vanishes and `p` need not be a unit vector. Source: seed 2's convention; the form of the polar angle

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "07_earth_by_sampling/lesson.hpp"
+#include "compare/running.hpp"
 #include "pictures.hpp"
 
 using namespace texmap;
@@ -40,6 +41,23 @@ double apart(const Film& a, const Film& b) {
     }
   }
   return std::sqrt(sum / (3.0 * a.width() * a.height()));
+}
+
+/// How many samples the program says that it drew, and what error it states, in levels of 255.
+struct Stated {
+  long samples = 0;
+  double error = 0;
+};
+Stated stated_by_program(const std::string& options) {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome =
+      test::run(std::string(TEXMAP_CHAPTER) + " --width 64 --height 36 --out '" + (folder / "x.png") + "' " + options);
+  REQUIRE(outcome.status == 0);
+  const std::size_t error = outcome.out.find("about ");
+  REQUIRE(error != std::string::npos);
+  const std::size_t samples = outcome.out.find_last_of('\n', error);
+  return {std::stol(outcome.out.substr(samples == std::string::npos ? 0 : samples + 1)),
+          std::stod(outcome.out.substr(error + 6))};
 }
 
 /// Numbers for one path after another, the same whoever draws them.
@@ -200,6 +218,64 @@ TEST_CASE("a lens blurs what is out of focus and nothing else, and an exposure b
       apart(pinhole, film_of<float>(lesson_with({"--defocus", "2", "--focus", "4"}), SamplerKind::sobol, 64));
   CHECK(out_of_focus > 2 * in_focus);
   CHECK(apart(pinhole, film_of<float>(lesson_with({"--shift", "0.5"}), SamplerKind::sobol, 64)) > in_focus);
+}
+
+TEST_CASE("rays start anywhere on the lens, which is as wide as its angle says, and meet in the point in focus") {
+  const View view = view_of(Lesson{}.stage.camera, 64, 36);
+  const LensOptions lens{.defocus_degrees = 3, .focus_distance = 8};
+  const double radius = 8 * std::tan(1.5 * std::numbers::pi / 180);
+  const double pixel = 2 * view.half_width / 64 * 8;  // as wide as this at that distance
+  const Ray<double> pinhole = ray_through(view, 20.0, 30.0);
+  const auto at_focus = [&](const Ray<double>& ray) {
+    return ray.origin + ray.direction * (8 / dot(ray.direction, view.forward));
+  };
+  Numbers numbers{Sampler(SamplerKind::sobol, 1024)};
+  double widest = 0;
+  Point sum{};
+  for (std::uint32_t i = 0; i < 1024; ++i) {
+    numbers.sample = i;
+    numbers.dimension = 0;
+    const Ray<double> ray = lens.ray(view, 20.0, 30.0, numbers);
+    const Point offset = ray.origin - view.eye;
+    widest = std::max(widest, length(offset));
+    sum = sum + offset;
+    REQUIRE(std::abs(dot(offset, view.forward)) < 1e-12);
+    REQUIRE(length(ray.direction) == doctest::Approx(1));
+    REQUIRE(largest(at_focus(ray) - at_focus(pinhole)) < 0.51 * pixel);
+  }
+  CHECK(widest < radius * (1 + 1e-12));
+  CHECK(widest > 0.99 * radius);
+  CHECK(length(sum) / 1024 < 0.01 * radius);
+}
+
+TEST_CASE("a scene that moves up is seen by an eye that moves down as far") {
+  const View view = view_of(Lesson{}.stage.camera, 64, 36);
+  const LensOptions lens{.shift = 0.5};
+  Numbers numbers{Sampler(SamplerKind::sobol, 1024)};
+  double sum = 0;
+  for (std::uint32_t i = 0; i < 1024; ++i) {
+    numbers.sample = i;
+    numbers.dimension = 0;
+    const double fallen = view.eye.y - lens.ray(view, 20.0, 30.0, numbers).origin.y;
+    REQUIRE(fallen >= 0);
+    REQUIRE(fallen <= 0.5);
+    sum += fallen;
+  }
+  CHECK(sum / 1024 == doctest::Approx(0.25).epsilon(0.01));
+}
+
+TEST_CASE("the program draws as many samples as were asked for, or stops at the error that was") {
+  const Stated sixteen = stated_by_program("--samples 16");
+  CHECK(sixteen.samples == 16);
+  CHECK(sixteen.error > 0);
+  CHECK(sixteen.error < 20);
+  const Stated coarse = stated_by_program("--samples 4096 --target-error 3");
+  const Stated fine = stated_by_program("--samples 4096 --target-error 1");
+  CHECK(coarse.error <= 3.005);  // it is told with two decimals
+  CHECK(fine.error <= 1.005);
+  CHECK(coarse.samples < fine.samples);
+  CHECK(fine.samples < 4000);
+  CHECK(stated_by_program("--samples 100 --target-error 0.001").samples == 48);  // 16 and 32; the next pair would be beyond
 }
 
 TEST_CASE("light becomes bytes by the curve that was asked for") {

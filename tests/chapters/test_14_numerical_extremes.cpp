@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "14_numerical_extremes/lesson.hpp"
+#include "compare/running.hpp"
 #include "pictures.hpp"
 
 #if __has_include(<boost/multiprecision/cpp_bin_float.hpp>)
@@ -148,9 +149,62 @@ TEST_CASE("an exhibit drawn alone is the one of the sheet, and a wrong name is t
   CHECK(test::count_different(pole, draw_alone(std::get<4>(exhibits), Care::plain, studio), 1) == 0);
   studio.number = Number::float_;
   CHECK(test::count_different(pole, draw_alone(std::get<4>(exhibits), Care::plain, studio), 1) > 1000);
-  CommandLine packs("test", "");
-  Studio with_packs("test", packs);
-  const std::array<const char*, 3> typed = {"test", "--number", "float-pack"};
-  REQUIRE(packs.parse(3, typed.data()));
-  CHECK_THROWS_AS((void)draw_alone(std::get<4>(exhibits), Care::robust, with_packs), UsageError);
+}
+
+TEST_CASE("alone, an exhibit is drawn with the number that was chosen, extended too") {
+  CommandLine line("test", "");
+  Studio studio("test", line, Offered::single);
+  studio.width = 201;
+  studio.height = 156;
+  const auto from_1e7 = std::get<3>(Lesson{}.exhibits());
+  const Image in_double = draw_alone(from_1e7, Care::plain, studio);
+  studio.number = Number::extended;
+  CHECK(test::count_different(in_double, draw_alone(from_1e7, Care::plain, studio), 1) > 1000);
+  CHECK(test::count_different(draw_alone(from_1e7, Care::robust, studio), draw_alone(from_1e7, Care::plain, studio), 1) < 100);
+}
+
+TEST_CASE("the seam's other name, u = 1, is outside the texture, and the course's formula never gives it") {
+  const Globe<Graticule> globe{"", "", {}, {{0, 0, 0}, 1}, {}};
+  const Ray<double> to_the_seam{{-5, 0, -0.0}, {1, 0, -0.0}};
+  const Sight<double> plain = globe(to_the_seam, Care::plain);
+  REQUIRE(plain.hit);
+  CHECK(plain.uv.u == 1);
+  CHECK_FALSE(plain.mapped);
+  CHECK(plain.color.g == no_texel.g);
+  CHECK(globe(to_the_seam, Care::robust).mapped);
+}
+
+TEST_CASE("what only one exhibit has a use for is refused for the sheet") {
+  for (const char* const option : {"--number float", "--samples 2", "--formulas seeds"}) {
+    CAPTURE(option);
+    const test::TemporaryFolder folder;
+    const test::Outcome outcome = test::run(std::string(TEXMAP_CHAPTER) + " --quiet --width 20 --height 20 " + option +
+                                            " --out '" + (folder / "x.png") + "'");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("need --exhibit NAME") != std::string::npos);
+  }
+}
+
+TEST_CASE("the chapter offers the numbers that its formulas can calculate with, and nothing for packs") {
+  const std::string program = std::string(TEXMAP_CHAPTER) + " --quiet --exhibit pole --formulas seeds --width 80 --height 60 ";
+  const test::TemporaryFolder folder;
+  using test::bytes_of;
+  for (const char* const number : {"float", "double", "extended"}) {
+    CAPTURE(number);
+    CHECK(test::run(program + "--number " + number + " --out '" + (folder / number) + ".png'").status == 0);
+  }
+  CHECK(test::run(program + "--out '" + (folder / "unsaid.png") + "'").status == 0);
+  CHECK(bytes_of(folder / "unsaid.png") == bytes_of(folder / "double.png"));
+  CHECK_FALSE(bytes_of(folder / "float.png") == bytes_of(folder / "double.png"));
+  for (const char* const option : {"--number float-pack", "--number double-pack", "--number interval"}) {
+    CAPTURE(option);
+    const test::Outcome outcome = test::run(program + option);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("float|double|extended,") != std::string::npos);
+  }
+  CHECK(test::run(program + "--instructions baseline").status == 2);
+  const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
+  CHECK(help.find("--number") != std::string::npos);
+  CHECK(help.find("--instructions") == std::string::npos);
+  CHECK(help.find("pack") == std::string::npos);
 }

@@ -5,6 +5,7 @@
 #include "02_checkerboard_uv/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "code_difference.hpp"
+#include "compare/running.hpp"
 #include "comparison.hpp"
 
 using namespace texmap;
@@ -103,4 +104,43 @@ TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {
   CHECK(enlarged.at(enlarged.width / 2, enlarged.height / 2) == Rgb8{200, 100, 50});
   CHECK(enlarged.at(enlarged.width / 2 + 20, enlarged.height / 2) == Rgb8{10, 20, 30});
   CHECK(enlarged.at(2, 2) == Rgb8{128, 128, 128});
+}
+
+TEST_CASE("a chapter with a scene of its own is not compared, and the message says where its step can be read") {
+  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
+  const auto contains = [](const test::Outcome& outcome, const std::string& words) {
+    return outcome.err.find(words) != std::string::npos;
+  };
+  for (const char* const numbers : {"06 --to 07", "6 --to 7", "07 --to 06"}) {
+    CAPTURE(numbers);
+    const test::Outcome outcome = test::run(program + numbers);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome, "error: chapter 07 begins a new scene, and pictures of different scenes have no pixels"));
+    CHECK(contains(outcome, "07_earth_by_sampling/README.md"));
+    CHECK(contains(outcome, "git diff --no-index "));
+    CHECK_FALSE(contains(outcome, "usage:"));
+  }
+  CHECK(contains(test::run(program + "07 --to 14"), "chapter 14 begins a new scene"));
+
+  // The command that it names shows the two lessons' lines.
+  if (test::run("command -v git").status != 0) return;
+  const test::Outcome refused = test::run(program + "06 --to 07");
+  const std::size_t command = refused.err.find("git diff");
+  REQUIRE(command != std::string::npos);
+  const test::Outcome shown = test::run(refused.err.substr(command, refused.err.find('\n', command) - command));
+  CHECK(shown.status == 1);  // of git: there are differences
+  CHECK(shown.out.find("-namespace texmap::chapter_06") != std::string::npos);
+  CHECK(shown.out.find("+namespace texmap::chapter_07") != std::string::npos);
+}
+
+TEST_CASE("a chapter that does not exist is called missing, also beside one with a scene of its own") {
+  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
+  for (const char* const numbers : {"06 --to 99", "99 --to 06", "07 --to 99", "06 --to 007"}) {
+    CAPTURE(numbers);
+    const test::Outcome outcome = test::run(program + numbers);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("error: there is no chapter '") != std::string::npos);
+    CHECK(outcome.err.find("begins a new scene") == std::string::npos);
+  }
 }

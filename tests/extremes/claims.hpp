@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dice.hpp"
 #include "number.hpp"
 #include "pack.hpp"
 
@@ -30,6 +31,33 @@ struct Worst {
     if (where.empty()) where = describe();
   }
 };
+
+/// A claim's measurement: `one_input(dice, worst)` draws an input from the domain and reports what it sees there.
+///
+/// @param times  how many to draw for each input that is asked for, more than 1 where they cost little
+template <class OneInput>
+[[nodiscard]] auto worst_over(int times, OneInput one_input) {
+  return [=](int inputs, std::uint64_t seed) {
+    Dice dice(seed);
+    Worst worst;
+    for (int i = 0; i < times * inputs; ++i) one_input(dice, worst);
+    return worst;
+  };
+}
+template <class OneInput>
+[[nodiscard]] auto worst_over(OneInput one_input) {
+  return worst_over(1, one_input);
+}
+
+/// How many of the 256 bytes are `changed(byte)`; their domain is too small to draw from.
+template <class Changed>
+[[nodiscard]] auto count_bytes(Changed changed) {
+  return [=](int, std::uint64_t) {
+    Worst worst;
+    for (int byte = 0; byte < 256; ++byte) worst.count(changed(byte), [&] { return std::to_string(byte); });
+    return worst;
+  };
+}
 
 /// Two programs that do the same amount of work, the function's and that of something well known. Each gives a number that
 /// depends on all of its work, so that none of it can be left out.
@@ -101,7 +129,13 @@ template <class Inputs, class Function>
   };
 }
 
-/// How many numbers a cost is measured with.
-constexpr std::size_t cost_inputs = 2048;
+/// Inputs for a cost: `draw(dice)` as often as makes 2048 numbers, packs counting for as many as they hold.
+template <class Real, class Draw>
+[[nodiscard]] auto inputs_of_cost(const Draw& draw) {
+  Dice dice(1);
+  std::vector<decltype(draw(dice))> inputs;
+  for (std::size_t i = 0; i < 2048 / lanes<Real>; ++i) inputs.push_back(draw(dice));
+  return inputs;
+}
 
 }  // namespace texmap::extremes

@@ -42,82 +42,66 @@ Real lanes_of(const Each& each, std::size_t which) {
 
 template <class Real, class Function>
 auto worst_determinant(Function function) {
-  return [=](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] { return alike_products<T>(dice); });
-      const Real got =
-          function(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1), lanes_of<Real>(each, 2), lanes_of<Real>(each, 3));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const auto& [a, b, c, d] = each[k];
-        const Digits50 exact = Digits50(a) * Digits50(b) - Digits50(c) * Digits50(d);
-        const auto where = [&each, k] {
-          return described(each[k][0]) + " " + described(each[k][1]) + " " + described(each[k][2]) + " " +
-                 described(each[k][3]);
-        };
-        if (exact == 0) {
-          worst.see(lane(got, k) == 0 ? 0 : 1e30, where);
-        } else {
-          worst.see(units_off(lane(got, k), exact, abs(exact) * roundoff<T>()), where);
-        }
+  using T = Scalar<Real>;
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] { return alike_products<T>(dice); });
+    const Real got =
+        function(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1), lanes_of<Real>(each, 2), lanes_of<Real>(each, 3));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const auto& [a, b, c, d] = each[k];
+      const Digits50 exact = Digits50(a) * Digits50(b) - Digits50(c) * Digits50(d);
+      const auto where = [&each, k] {
+        return described(each[k][0]) + " " + described(each[k][1]) + " " + described(each[k][2]) + " " + described(each[k][3]);
+      };
+      if (exact == 0) {
+        worst.see(lane(got, k) == 0 ? 0 : 1e30, where);
+      } else {
+        worst.see(units_off(lane(got, k), exact, abs(exact) * roundoff<T>()), where);
       }
     }
-    return worst;
-  };
+  });
 }
 
 /// Sums and products whose two parts are not the exact result.
 template <class Real>
 auto count_inexact() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] { return std::array<T, 2>{signed_number<T>(dice), signed_number<T>(dice)}; });
-      const TwoParts<Real> sum = two_sum(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1));
-      const TwoParts<Real> product = two_product(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        // 50 digits hold a product, but not a sum of far exponents: the parts are taken off one by one.
-        const Digits50 a = each[k][0];
-        const Digits50 b = each[k][1];
-        const Digits50 high = lane(product.high, k);
-        const Digits50 low = lane(product.low, k);
-        const bool larger_a = abs(a) > abs(b);
-        const Digits50 left = (larger_a ? a : b) - Digits50(lane(sum.high, k));
-        const bool right = high + low == a * b && left + (larger_a ? b : a) == Digits50(lane(sum.low, k));
-        worst.count(!right, [&] { return described(each[k][0]) + " " + described(each[k][1]); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] { return std::array<T, 2>{signed_number<T>(dice), signed_number<T>(dice)}; });
+    const TwoParts<Real> sum = two_sum(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1));
+    const TwoParts<Real> product = two_product(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      // 50 digits hold a product, but not a sum of far exponents: the parts are taken off one by one.
+      const Digits50 a = each[k][0];
+      const Digits50 b = each[k][1];
+      const Digits50 high = lane(product.high, k);
+      const Digits50 low = lane(product.low, k);
+      const bool larger_a = abs(a) > abs(b);
+      const Digits50 left = (larger_a ? a : b) - Digits50(lane(sum.high, k));
+      const bool right = high + low == a * b && left + (larger_a ? b : a) == Digits50(lane(sum.low, k));
+      worst.count(!right, [&] { return described(each[k][0]) + " " + described(each[k][1]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Scales that are no power of two or miss [1, 2).
 template <class Real>
 auto count_wrong_scales() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    using Limits = std::numeric_limits<T>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] {
-        return std::array<T, 1>{dice.once_in(8) ? static_cast<T>(1) - Limits::epsilon() * static_cast<T>(dice.within(-1, 1))
-                                                : dice.number<T>(Limits::min_exponent - 1, Limits::max_exponent)};
-      });
-      const Real scale = power_of_two_scale(lanes_of<Real>(each, 0));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const T size = each[k][0] * lane(scale, k);
-        int exponent = 0;
-        const bool right = size >= 1 && size < 2 && std::frexp(lane(scale, k), &exponent) == static_cast<T>(0.5);
-        worst.count(!right, [&] { return described(each[k][0]); });
-      }
+  using T = Scalar<Real>;
+  using Limits = std::numeric_limits<T>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] {
+      return std::array<T, 1>{dice.once_in(8) ? static_cast<T>(1) - Limits::epsilon() * static_cast<T>(dice.within(-1, 1))
+                                              : dice.number<T>(Limits::min_exponent - 1, Limits::max_exponent)};
+    });
+    const Real scale = power_of_two_scale(lanes_of<Real>(each, 0));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const T size = each[k][0] * lane(scale, k);
+      int exponent = 0;
+      const bool right = size >= 1 && size < 2 && std::frexp(lane(scale, k), &exponent) == static_cast<T>(0.5);
+      worst.count(!right, [&] { return described(each[k][0]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Two vectors, nearly at a right angle or nearly parallel, often.
@@ -137,25 +121,20 @@ Pair<T> draw_pair(Dice& dice) {
 
 template <class Real, class Function>
 auto worst_pair(Function off) {
-  return [=](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      std::array<Vec3<T>, lanes<Real>> a;
-      std::array<Vec3<T>, lanes<Real>> b;
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Pair<T> pair = draw_pair<T>(dice);
-        a[k] = pair.a;
-        b[k] = pair.b;
-      }
-      const auto got = off(gathered<Real>(a), gathered<Real>(b));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        worst.see(got(a[k], b[k], k), [&] { return described(a[k]) + " " + described(b[k]); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([=](Dice& dice, Worst& worst) {
+    std::array<Vec3<T>, lanes<Real>> a;
+    std::array<Vec3<T>, lanes<Real>> b;
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Pair<T> pair = draw_pair<T>(dice);
+      a[k] = pair.a;
+      b[k] = pair.b;
     }
-    return worst;
-  };
+    const auto got = off(gathered<Real>(a), gathered<Real>(b));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      worst.see(got(a[k], b[k], k), [&] { return described(a[k]) + " " + described(b[k]); });
+    }
+  });
 }
 
 template <class T>
@@ -250,15 +229,12 @@ void add_vectors(std::vector<Claim>& claims) {
 
 /// Four numbers each, of size about 1, for the cost.
 template <class Real>
-std::vector<std::array<Real, 4>> fours() {
-  Dice dice(1);
-  std::vector<std::array<Real, 4>> inputs;
-  for (std::size_t i = 0; i < cost_inputs / lanes<Real>; ++i) {
+auto fours() {
+  return inputs_of_cost<Real>([](Dice& dice) {
     std::array<Real, 4> four;
     for (Real& x : four) x = from_lanes<Real>([&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(-1, 1)); });
-    inputs.push_back(four);
-  }
-  return inputs;
+    return four;
+  });
 }
 
 constexpr auto plain_determinant = [](const auto& a, const auto& b, const auto& c, const auto& d) { return a * b - c * d; };

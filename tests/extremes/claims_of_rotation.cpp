@@ -21,86 +21,62 @@ T any_angle(Dice& dice, int largest) {
   return dice.sign() < 0 ? -degrees : degrees;
 }
 
-template <class T, class Function>
-auto worst_angle(Function function, int largest) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const T degrees = any_angle<T>(dice, largest);
-      const SineCosine<T> got = function(degrees);
-      const ExactAngle<Digits50> exact = exact_angle(degrees);
-      worst.see(std::max(ulps_off(got.sine, exact.sine), ulps_off(got.cosine, exact.cosine)),
-                [&] { return described(degrees); });
-    }
-    return worst;
-  };
+/// Sine and cosine in units in the last place.
+template <class T>
+double ulps(const SineCosine<T>& got, const ExactAngle<Digits50>& exact) {
+  return std::max(ulps_off(got.sine, exact.sine), ulps_off(got.cosine, exact.cosine));
+}
+/// The angle itself in texels on the equator: what a wrong one does to a picture.
+template <class T>
+double texels(const SineCosine<T>& got, const ExactAngle<Digits50>& exact) {
+  const Digits50 off = atan2(exact.sine, exact.cosine) - atan2(Digits50(got.sine), Digits50(got.cosine));
+  return static_cast<double>(around(Digits50(abs(off) / (2 * circle<Digits50>())), Digits50(0)) * 8192);
 }
 
-/// The same in texels on the equator: what a wrong angle does to a picture.
 template <class T, class Function>
-auto worst_angle_in_texels(Function function, int largest) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const T degrees = any_angle<T>(dice, largest);
-      const SineCosine<T> got = function(degrees);
-      const ExactAngle<Digits50> exact = exact_angle(degrees);
-      const Digits50 off = atan2(exact.sine, exact.cosine) - atan2(Digits50(got.sine), Digits50(got.cosine));
-      worst.see(static_cast<double>(around(Digits50(abs(off) / (2 * circle<Digits50>())), Digits50(0)) * 8192),
-                [&] { return described(degrees); });
-    }
-    return worst;
-  };
+auto worst_angle(Function function, int largest, double (*off)(const SineCosine<T>&, const ExactAngle<Digits50>&)) {
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const T degrees = any_angle<T>(dice, largest);
+    worst.see(off(function(degrees), exact_angle(degrees)), [&] { return described(degrees); });
+  });
 }
 
 /// What a whole turn by one angle does to the length of a vector.
 template <class Real>
 auto worst_length() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto degrees = any_angle<double>(dice, 1000);
-      const auto each = drawn<Real>([&] { return rounded<T>(dice.direction()); });
-      const Vec3<Real> turned = rotation_y(degrees)(gathered<Real>(each));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Vec3<Digits50> before = exactly<Digits50>(each[k]);
-        const Vec3<Digits50> after = exactly<Digits50>(lane_of(turned, k));
-        const Digits50 drift = abs(sqrt(dot(after, after) / dot(before, before)) - 1);
-        worst.see(static_cast<double>(drift / roundoff<T>()), [&] { return described(degrees) + " " + described(each[k]); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto degrees = any_angle<double>(dice, 1000);
+    const auto each = drawn<Real>([&] { return rounded<T>(dice.direction()); });
+    const Vec3<Real> turned = rotation_y(degrees)(gathered<Real>(each));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Vec3<Digits50> before = exactly<Digits50>(each[k]);
+      const Vec3<Digits50> after = exactly<Digits50>(lane_of(turned, k));
+      const Digits50 drift = abs(sqrt(dot(after, after) / dot(before, before)) - 1);
+      worst.see(static_cast<double>(drift / roundoff<T>()), [&] { return described(degrees) + " " + described(each[k]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// u of a turned direction against the exact u plus the exact part of a turn. The angle is the picture's, a double.
 template <class Real>
 auto worst_shift(int largest) {
-  return [largest](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const bool whole_texels = dice.once_in(2);
-      const double degrees = whole_texels ? 360.0 / 8192 * dice.within(-100000, 100000) : any_angle<double>(dice, largest);
-      const ExactAngle<Digits50> angle = exact_angle(degrees);
-      const auto each = drawn<Real>([&] { return rounded<T>(dice.direction()); });
-      const Uv<Real> uv = uv_rtiow(rotation_y(degrees)(gathered<Real>(each)));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 before = exact_uv(exactly<Digits50>(each[k])).u;
-        const Digits50 turn = atan2(angle.sine, angle.cosine) / (2 * circle<Digits50>());
-        Digits50 expected = before + turn;
-        expected -= floor(expected);
-        const auto off = static_cast<double>(around(Digits50(lane(uv.u, k)), expected) * 8192);
-        worst.see(off, [&] { return described(degrees) + " degrees, " + described(each[k]); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([largest](Dice& dice, Worst& worst) {
+    const bool whole_texels = dice.once_in(2);
+    const double degrees = whole_texels ? 360.0 / 8192 * dice.within(-100000, 100000) : any_angle<double>(dice, largest);
+    const ExactAngle<Digits50> angle = exact_angle(degrees);
+    const auto each = drawn<Real>([&] { return rounded<T>(dice.direction()); });
+    const Uv<Real> uv = uv_rtiow(rotation_y(degrees)(gathered<Real>(each)));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 before = exact_uv(exactly<Digits50>(each[k])).u;
+      const Digits50 turn = atan2(angle.sine, angle.cosine) / (2 * circle<Digits50>());
+      Digits50 expected = before + turn;
+      expected -= floor(expected);
+      const auto off = static_cast<double>(around(Digits50(lane(uv.u, k)), expected) * 8192);
+      worst.see(off, [&] { return described(degrees) + " degrees, " + described(each[k]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Sine and cosine as most programs have them.
@@ -112,9 +88,7 @@ SineCosine<T> through_radians(T degrees) {
 
 template <class T>
 Cost cost_of_angle() {
-  std::vector<T> angles;
-  Dice dice(1);
-  for (std::size_t i = 0; i < cost_inputs; ++i) angles.push_back(static_cast<T>(dice.uniform(-720, 720)));
+  const auto angles = inputs_of_cost<T>([](Dice& dice) { return static_cast<T>(dice.uniform(-720, 720)); });
   const std::vector<double> doubles(angles.begin(), angles.end());
   return {"sin and cos of degrees pi / 180, double",
           working_through(angles,
@@ -136,8 +110,20 @@ void add_angle(std::vector<Claim>& claims, int largest, const char* range, doubl
                               " degrees; whole degrees; quarter turns and their neighbours",
                     .bound = bound,
                     .unit = "ulp",
-                    .worst = worst_angle<T>([](T degrees) { return sine_cosine_of_degrees(degrees); }, largest),
+                    .worst = worst_angle<T>([](T degrees) { return sine_cosine_of_degrees(degrees); }, largest, ulps<T>),
                     .cost = cost_of_angle<T>()});
+}
+
+/// What most programs' form does where ours keeps its bound.
+template <class T>
+void add_radians(std::vector<Claim>& claims, double bound) {
+  claims.push_back({.function = "sine and cosine of degrees pi / 180",
+                    .number = name_of<T>,
+                    .domain = "any angle from the smallest number to 1e9 degrees",
+                    .bound = bound,
+                    .unit = "texel",
+                    .worst = worst_angle<T>([](T degrees) { return through_radians(degrees); }, 30, texels<T>),
+                    .expect = Expect::beyond});
 }
 
 template <class Real>
@@ -174,21 +160,8 @@ Family claims_of_rotation() {
   add_turn<Pack<float>>(claims, 2, 1e-3);
   add_turn<Pack<double>>(claims, 2, 2e-12);
 #endif
-  const int largest = 30;
-  claims.push_back({.function = "sine and cosine of degrees pi / 180",
-                    .number = name_of<float>,
-                    .domain = "any angle from the smallest number to 1e9 degrees",
-                    .bound = 1e-3,
-                    .unit = "texel",
-                    .worst = worst_angle_in_texels<float>([](float degrees) { return through_radians(degrees); }, largest),
-                    .expect = Expect::beyond});
-  claims.push_back({.function = "sine and cosine of degrees pi / 180",
-                    .number = name_of<double>,
-                    .domain = "any angle from the smallest number to 1e9 degrees",
-                    .bound = 2e-12,
-                    .unit = "texel",
-                    .worst = worst_angle_in_texels<double>([](double degrees) { return through_radians(degrees); }, largest),
-                    .expect = Expect::beyond});
+  add_radians<float>(claims, 1e-3);
+  add_radians<double>(claims, 2e-12);
   return family;
 }
 

@@ -54,29 +54,24 @@ enum class Fault { self_hit, lost };
 /// side.
 template <class T>
 auto count_faults(SphereForm form, Spheres spheres, Fault fault) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const Scene<T> scene = draw_scene<T>(dice, form, spheres.farthest);
-      const T distance = distance_to(scene.sphere, scene.ray);
-      if (!(distance < infinity<T>())) continue;
-      const Hit<T> hit = hit_at(scene.sphere, scene.ray, distance);
-      const Vec3<T> direction = outward(dice, hit.normal);
-      const auto where = [&] {
-        return "center " + described(scene.sphere.center) + ", radius " + described(scene.sphere.radius) + ", ray " +
-               described(scene.ray) + ", outward " + described(direction);
-      };
-      if (fault == Fault::self_hit) {
-        worst.count(distance_to(scene.sphere, ray_from(hit, direction)) < infinity<T>(), where);
-      } else {
-        const Vec3<T> inward = -direction;
-        if (!(dot(hit.normal, inward) < T(0))) continue;  // exactly along the surface: that is outward
-        worst.count(!(distance_to(scene.sphere, ray_from(hit, inward)) < infinity<T>()), where);
-      }
+  return worst_over(20, [=](Dice& dice, Worst& worst) {
+    const Scene<T> scene = draw_scene<T>(dice, form, spheres.farthest);
+    const T distance = distance_to(scene.sphere, scene.ray);
+    if (!(distance < infinity<T>())) return;
+    const Hit<T> hit = hit_at(scene.sphere, scene.ray, distance);
+    const Vec3<T> direction = outward(dice, hit.normal);
+    const auto where = [&] {
+      return "center " + described(scene.sphere.center) + ", radius " + described(scene.sphere.radius) + ", ray " +
+             described(scene.ray) + ", outward " + described(direction);
+    };
+    if (fault == Fault::self_hit) {
+      worst.count(distance_to(scene.sphere, ray_from(hit, direction)) < infinity<T>(), where);
+    } else {
+      const Vec3<T> inward = -direction;
+      if (!(dot(hit.normal, inward) < T(0))) return;  // exactly along the surface: that is outward
+      worst.count(!(distance_to(scene.sphere, ray_from(hit, inward)) < infinity<T>()), where);
     }
-    return worst;
-  };
+  });
 }
 
 const char* name(SphereForm form) {
@@ -113,51 +108,41 @@ enum class Start { lifted, from_point };
 /// Points of seed 0's ground, seen from the stage's camera, that lie in their own shadow: acne.
 template <class T>
 auto count_acne(SphereForm form, Start start) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    const Stage stage;
-    const View view = view_of(stage.camera, 800, 600);
-    const Ground ground[] = {{{{0, -1001, 0}, 1000, form}}};
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const auto column = static_cast<T>(dice.uniform(0, 800));
-      const auto row = static_cast<T>(dice.uniform(0, 600));
-      const Ray<T> ray = ray_through(view, column, row);
-      const T distance = distance_to(ground[0].sphere, ray);
-      if (!(distance < infinity<T>())) continue;
-      Hit<T> hit = hit_at(ground[0].sphere, ray, distance);
-      hit.sphere = nullptr;  // or the ground would not be asked at all, and the lift not be tried
-      if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;
-      const Illumination<T> lamp = illumination(stage.light, ground, hit);
-      // The lamp stands clearly above the horizon of the point.
-      const bool lit = dot(hit.normal, lamp.to_light) > T(1e-3L);
-      worst.count(lit && !(lamp.cosine > T(0)), [&] { return described(ray); });
-    }
-    return worst;
-  };
+  const Stage stage;
+  const View view = view_of(stage.camera, 800, 600);
+  const Ground ground[] = {{{{0, -1001, 0}, 1000, form}}};
+  return worst_over(20, [=](Dice& dice, Worst& worst) {
+    const auto column = static_cast<T>(dice.uniform(0, 800));
+    const auto row = static_cast<T>(dice.uniform(0, 600));
+    const Ray<T> ray = ray_through(view, column, row);
+    const T distance = distance_to(ground[0].sphere, ray);
+    if (!(distance < infinity<T>())) return;
+    Hit<T> hit = hit_at(ground[0].sphere, ray, distance);
+    hit.sphere = nullptr;  // or the ground would not be asked at all, and the lift not be tried
+    if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;
+    const Illumination<T> lamp = illumination(stage.light, ground, hit);
+    // The lamp stands clearly above the horizon of the point.
+    const bool lit = dot(hit.normal, lamp.to_light) > T(1e-3L);
+    worst.count(lit && !(lamp.cosine > T(0)), [&] { return described(ray); });
+  });
 }
 
 /// Which way the lamp is, from what the hit point says.
 template <class T>
 auto worst_to_light() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    const std::vector<Ground> nothing;
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const Vec3<T> point = rounded<T>(dice.direction() * dice.power_of_ten(-6, 6));
-      const Vec3<long double> lamp = dice.direction() * dice.power_of_ten(-6, 6);
-      const PointLight light{{static_cast<double>(static_cast<float>(lamp.x)), static_cast<double>(static_cast<float>(lamp.y)),
-                              static_cast<double>(static_cast<float>(lamp.z))}};
-      const Hit<T> hit{{T(0), T(1), T(0)}, point, point, point};
-      const Vec3<T> got = illumination(light, nothing, hit).to_light;
-      Vec3<Digits50> path = exactly<Digits50>(light.position) - exactly<Digits50>(point);
-      path = path * Digits50(1 / sqrt(dot(path, path)));
-      const Vec3<Digits50> off = exactly<Digits50>(got) - path;
-      worst.see(static_cast<double>(sqrt(dot(off, off)) / roundoff<T>()), [&] { return described(point); });
-    }
-    return worst;
-  };
+  const std::vector<Ground> nothing;
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const Vec3<T> point = rounded<T>(dice.direction() * dice.power_of_ten(-6, 6));
+    const Vec3<long double> lamp = dice.direction() * dice.power_of_ten(-6, 6);
+    const PointLight light{{static_cast<double>(static_cast<float>(lamp.x)), static_cast<double>(static_cast<float>(lamp.y)),
+                            static_cast<double>(static_cast<float>(lamp.z))}};
+    const Hit<T> hit{{T(0), T(1), T(0)}, point, point, point};
+    const Vec3<T> got = illumination(light, nothing, hit).to_light;
+    Vec3<Digits50> path = exactly<Digits50>(light.position) - exactly<Digits50>(point);
+    path = path * Digits50(1 / sqrt(dot(path, path)));
+    const Vec3<Digits50> off = exactly<Digits50>(got) - path;
+    worst.see(static_cast<double>(sqrt(dot(off, off)) / roundoff<T>()), [&] { return described(point); });
+  });
 }
 
 template <class T>

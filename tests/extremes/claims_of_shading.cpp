@@ -18,6 +18,12 @@ struct Gloss {
   Vec3<T> normal, to_light, to_eye;
 };
 
+template <class T>
+std::string gloss_described(const Gloss<T>& gloss, double shininess) {
+  return "shininess " + described(shininess) + ", normal " + described(gloss.normal) + ", light " + described(gloss.to_light) +
+         ", eye " + described(gloss.to_eye);
+}
+
 /// Unit vectors but for rounding; the eye often near the mirrored lamp, as near as visible highlights of any exponent are.
 template <class T>
 Gloss<T> draw_gloss(Dice& dice) {
@@ -63,36 +69,29 @@ Real shone(const Finish& finish, const std::array<Gloss<Scalar<Real>>, lanes<Rea
 /// The highlight's difference from that of the exactly normalized vectors, in unit roundoffs times sqrt(1 + shininess).
 template <class Real>
 auto worst_highlight() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const double shininess =
-          dice.once_in(4) ? static_cast<double>(dice.within(0, 1000)) : static_cast<double>(dice.number<float>(-10, 60));
-      const Finish finish{{}, 1, shininess};
-      const auto each = drawn<Real>([&] { return draw_gloss<T>(dice); });
-      const Real got = shone<Real>(finish, each, Real(1));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const auto unit = [](const Vec3<T>& p) {
-          const Vec3<Digits50> q = exactly<Digits50>(p);
-          return q * Digits50(1 / sqrt(dot(q, q)));
-        };
-        const Vec3<Digits50> n = unit(each[k].normal);
-        const Vec3<Digits50> l = unit(each[k].to_light);
-        // The cosine itself: with 50 digits, nothing is lost beside 1.
-        const Digits50 cosine = 2 * dot(n, l) * dot(n, unit(each[k].to_eye)) - dot(l, unit(each[k].to_eye));
-        const Digits50 exact = cosine > 0 ? Digits50(pow(cosine, Digits50(shininess))) : Digits50(0);
-        // At exponents below 1 the highlight ends with a step, or steeply, at 90 degrees.
-        if (shininess < 1 && abs(cosine) < 0.1) continue;
-        worst.see(units_off(lane(got, k), exact, roundoff<T>() * sqrt(Digits50(1 + shininess))), [&] {
-          return "shininess " + described(shininess) + ", normal " + described(each[k].normal) + ", light " +
-                 described(each[k].to_light) + ", eye " + described(each[k].to_eye);
-        });
-      }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const double shininess =
+        dice.once_in(4) ? static_cast<double>(dice.within(0, 1000)) : static_cast<double>(dice.number<float>(-10, 60));
+    const Finish finish{{}, 1, shininess};
+    const auto each = drawn<Real>([&] { return draw_gloss<T>(dice); });
+    const Real got = shone<Real>(finish, each, Real(1));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const auto unit = [](const Vec3<T>& p) {
+        const Vec3<Digits50> q = exactly<Digits50>(p);
+        return q * Digits50(1 / sqrt(dot(q, q)));
+      };
+      const Vec3<Digits50> n = unit(each[k].normal);
+      const Vec3<Digits50> l = unit(each[k].to_light);
+      // The cosine itself: with 50 digits, nothing is lost beside 1.
+      const Digits50 cosine = 2 * dot(n, l) * dot(n, unit(each[k].to_eye)) - dot(l, unit(each[k].to_eye));
+      const Digits50 exact = cosine > 0 ? Digits50(pow(cosine, Digits50(shininess))) : Digits50(0);
+      // At exponents below 1 the highlight ends with a step, or steeply, at 90 degrees.
+      if (shininess < 1 && abs(cosine) < 0.1) continue;
+      worst.see(units_off(lane(got, k), exact, roundoff<T>() * sqrt(Digits50(1 + shininess))),
+                [&] { return gloss_described(each[k], shininess); });
     }
-    return worst;
-  };
+  });
 }
 
 enum class Which { ours, slides };
@@ -100,46 +99,32 @@ enum class Which { ours, slides };
 /// Highlights that are negative, above specular, or no number.
 template <class Real>
 auto count_wrong_highlights(Which which) {
-  return [which](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 10 * inputs; ++i) {
-      const double shininess =
-          dice.once_in(16) ? 0 : static_cast<double>(dice.power_of_ten(-30, which == Which::ours ? 30 : 3));
-      const double specular = dice.once_in(4) ? 1 : static_cast<double>(dice.uniform(0, 1));
-      const Finish finish{{}, specular, shininess};
-      const auto each = drawn<Real>([&] { return draw_gloss<T>(dice); });
-      const Real got = which == Which::ours ? shone<Real>(finish, each, Real(1)) : from_lanes<Real>([&](std::size_t k) {
-        const Illumination<T> lamp{each[k].to_light, T(1)};
-        return highlight_of_the_slides(finish, lamp, each[k].normal, each[k].to_eye);
-      });
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const T x = lane(got, k);
-        worst.count(!(x >= 0 && x <= static_cast<T>(specular)), [&] {
-          return "shininess " + described(shininess) + ", normal " + described(each[k].normal) + ", light " +
-                 described(each[k].to_light) + ", eye " + described(each[k].to_eye);
-        });
-      }
+  using T = Scalar<Real>;
+  return worst_over(10, [which](Dice& dice, Worst& worst) {
+    const double shininess = dice.once_in(16) ? 0 : static_cast<double>(dice.power_of_ten(-30, which == Which::ours ? 30 : 3));
+    const double specular = dice.once_in(4) ? 1 : static_cast<double>(dice.uniform(0, 1));
+    const Finish finish{{}, specular, shininess};
+    const auto each = drawn<Real>([&] { return draw_gloss<T>(dice); });
+    const Real got = which == Which::ours ? shone<Real>(finish, each, Real(1)) : from_lanes<Real>([&](std::size_t k) {
+      const Illumination<T> lamp{each[k].to_light, T(1)};
+      return highlight_of_the_slides(finish, lamp, each[k].normal, each[k].to_eye);
+    });
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const T x = lane(got, k);
+      worst.count(!(x >= 0 && x <= static_cast<T>(specular)), [&] { return gloss_described(each[k], shininess); });
     }
-    return worst;
-  };
+  });
 }
 
 template <class T>
 auto worst_lambert() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const Matt matt{static_cast<double>(dice.uniform(0, 1)), static_cast<double>(dice.uniform(0, 1))};
-      const T cosine = dice.once_in(8) ? T(0) : dice.number<T>(-60, 0);
-      const T got = lambert(matt, Illumination<T>{{}, cosine});
-      const Digits50 exact = Digits50(matt.ambient) + Digits50(matt.diffuse) * Digits50(cosine);
-      worst.see(units_off(got, exact, exact * roundoff<T>()), [&] { return described(cosine); });
-    }
-    return worst;
-  };
+  return worst_over([](Dice& dice, Worst& worst) {
+    const Matt matt{static_cast<double>(dice.uniform(0, 1)), static_cast<double>(dice.uniform(0, 1))};
+    const T cosine = dice.once_in(8) ? T(0) : dice.number<T>(-60, 0);
+    const T got = lambert(matt, Illumination<T>{{}, cosine});
+    const Digits50 exact = Digits50(matt.ambient) + Digits50(matt.diffuse) * Digits50(cosine);
+    worst.see(units_off(got, exact, exact * roundoff<T>()), [&] { return described(cosine); });
+  });
 }
 
 template <class Real>
@@ -149,95 +134,73 @@ Real mixed(const Real& a, const Real& b, const Real& t) {
 
 template <class Real>
 auto worst_mix() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] {
-        return std::array<T, 3>{dice.number<T>(-100, 100), dice.number<T>(-100, 100),
-                                dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0)};
-      });
-      const auto part = [&](std::size_t which) { return from_lanes<Real>([&](std::size_t k) { return each[k][which]; }); };
-      const Real got = mixed(part(0), part(1), part(2));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 a = each[k][0];
-        const Digits50 b = each[k][1];
-        const Digits50 exact = a + Digits50(each[k][2]) * (b - a);
-        worst.see(units_off(lane(got, k), exact, (a > b ? a : b) * roundoff<T>()),
-                  [&] { return described(each[k][0]) + " " + described(each[k][1]) + " " + described(each[k][2]); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] {
+      return std::array<T, 3>{dice.number<T>(-100, 100), dice.number<T>(-100, 100),
+                              dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0)};
+    });
+    const auto part = [&](std::size_t which) { return from_lanes<Real>([&](std::size_t k) { return each[k][which]; }); };
+    const Real got = mixed(part(0), part(1), part(2));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 a = each[k][0];
+      const Digits50 b = each[k][1];
+      const Digits50 exact = a + Digits50(each[k][2]) * (b - a);
+      worst.see(units_off(lane(got, k), exact, (a > b ? a : b) * roundoff<T>()),
+                [&] { return described(each[k][0]) + " " + described(each[k][1]) + " " + described(each[k][2]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Mixes that miss an end, or change a color mixed with itself.
 template <class Real>
 auto count_wrong_mixes() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const T a = dice.number<T>(-120, 120);
-      const T b = dice.number<T>(-120, 120);
-      const T t = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
-      const bool right = lane(mixed(Real(a), Real(b), Real(0)), 0) == a && lane(mixed(Real(a), Real(b), Real(1)), 0) == b &&
-                         lane(mixed(Real(a), Real(a), Real(t)), 0) == a;
-      worst.count(!right, [&] { return described(a) + " " + described(b) + " " + described(t); });
-    }
-    return worst;
-  };
+  using T = Scalar<Real>;
+  return worst_over(20, [](Dice& dice, Worst& worst) {
+    const T a = dice.number<T>(-120, 120);
+    const T b = dice.number<T>(-120, 120);
+    const T t = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
+    const bool right = lane(mixed(Real(a), Real(b), Real(0)), 0) == a && lane(mixed(Real(a), Real(b), Real(1)), 0) == b &&
+                       lane(mixed(Real(a), Real(a), Real(t)), 0) == a;
+    worst.count(!right, [&] { return described(a) + " " + described(b) + " " + described(t); });
+  });
 }
 
 /// The lecture's bytes that do not survive being mixed with themselves.
-Worst count_changed_bytes(int, std::uint64_t) {
-  Worst worst;
-  for (int byte = 0; byte < 256; ++byte) {
-    worst.count(seeds::blend_lecture(byte, byte, 0.3) != byte, [&] { return std::to_string(byte); });
-  }
-  return worst;
+auto count_changed_bytes() {
+  return count_bytes([](int byte) { return seeds::blend_lecture(byte, byte, 0.3) != byte; });
 }
 
 /// The direction of a picture's ray against that of the exact sum of the view's exact vectors.
 template <class Real>
 auto worst_camera() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const int width = dice.within(1, 8192);
-      const auto height = static_cast<int>(1 + static_cast<long double>(width) * dice.uniform(0.5L, 2));
-      const double angle = static_cast<double>(dice.uniform(1, 120));
-      const Vec3<long double> eye = dice.direction() * dice.power_of_ten(-3, 3);
-      const Camera camera{
-          {static_cast<double>(eye.x), static_cast<double>(eye.y), static_cast<double>(eye.z)}, {0, 0, 0}, angle};
-      const View view = view_of(camera, width, height);
-      const auto columns = drawn<Real>([&] { return static_cast<T>(dice.within(0, width - 1)); });
-      const auto row = static_cast<T>(dice.within(0, height - 1));
-      const Ray<Real> ray = ray_through(view, from_lanes<Real>([&](std::size_t k) { return columns[k]; }), Real(row));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 x = (2 * (Digits50(columns[k]) + view.anchor) / width - 1) * view.half_width;
-        const Digits50 y = (1 - 2 * (Digits50(row) + view.anchor) / height) * view.half_height;
-        Vec3<Digits50> exact =
-            exactly<Digits50>(view.forward) + exactly<Digits50>(view.right) * x + exactly<Digits50>(view.up) * y;
-        exact = exact * Digits50(1 / sqrt(dot(exact, exact)));
-        const Vec3<Digits50> off = exactly<Digits50>(lane_of(ray.direction, k)) - exact;
-        worst.see(static_cast<double>(sqrt(dot(off, off)) / roundoff<T>()),
-                  [&] { return described(columns[k]) + " " + described(row); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const int width = dice.within(1, 8192);
+    const auto height = static_cast<int>(1 + static_cast<long double>(width) * dice.uniform(0.5L, 2));
+    const double angle = static_cast<double>(dice.uniform(1, 120));
+    const Vec3<long double> eye = dice.direction() * dice.power_of_ten(-3, 3);
+    const Camera camera{{static_cast<double>(eye.x), static_cast<double>(eye.y), static_cast<double>(eye.z)}, {0, 0, 0}, angle};
+    const View view = view_of(camera, width, height);
+    const auto columns = drawn<Real>([&] { return static_cast<T>(dice.within(0, width - 1)); });
+    const auto row = static_cast<T>(dice.within(0, height - 1));
+    const Ray<Real> ray = ray_through(view, gathered_numbers<Real>(columns), Real(row));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 x = (2 * (Digits50(columns[k]) + view.anchor) / width - 1) * view.half_width;
+      const Digits50 y = (1 - 2 * (Digits50(row) + view.anchor) / height) * view.half_height;
+      Vec3<Digits50> exact =
+          exactly<Digits50>(view.forward) + exactly<Digits50>(view.right) * x + exactly<Digits50>(view.up) * y;
+      exact = exact * Digits50(1 / sqrt(dot(exact, exact)));
+      const Vec3<Digits50> off = exactly<Digits50>(lane_of(ray.direction, k)) - exact;
+      worst.see(static_cast<double>(sqrt(dot(off, off)) / roundoff<T>()),
+                [&] { return described(columns[k]) + " " + described(row); });
     }
-    return worst;
-  };
+  });
 }
 
 /// The three vectors of a view against the exact ones: they are double in every picture.
-Worst worst_view(int inputs, std::uint64_t seed) {
-  Dice dice(seed);
-  Worst worst;
-  for (int i = 0; i < inputs; ++i) {
+auto worst_view() {
+  return worst_over([](Dice& dice, Worst& worst) {
     const auto place = [&dice] {
       const Vec3<long double> p = dice.direction() * dice.power_of_ten(-3, 3);
       return Point{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
@@ -258,38 +221,27 @@ Worst worst_view(int inputs, std::uint64_t seed) {
         std::max({off(view.forward, forward), Digits50(off(view.right, right) * level), Digits50(off(view.up, up) * level)});
     worst.see(static_cast<double>(most / roundoff<double>()),
               [&] { return described(camera.eye) + " " + described(camera.target); });
-  }
-  return worst;
+  });
 }
 
 template <class Real>
 auto worst_sky() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    const GradientSky sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] { return rounded<T>(dice.direction()); });
-      const Color<Real> got = sky(Ray<Real>{{}, gathered<Real>(each)});
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 height = (Digits50(each[k].y) + 1) / 2;
-        const Digits50 exact = Digits50(sky.below.g) * (1 - height) + Digits50(sky.above.g) * height;
-        worst.see(units_off(lane(got.g, k), exact, roundoff<T>()), [&] { return described(each[k]); });
-      }
+  using T = Scalar<Real>;
+  const GradientSky sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] { return rounded<T>(dice.direction()); });
+    const Color<Real> got = sky(Ray<Real>{{}, gathered<Real>(each)});
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 height = (Digits50(each[k].y) + 1) / 2;
+      const Digits50 exact = Digits50(sky.below.g) * (1 - height) + Digits50(sky.above.g) * height;
+      worst.see(units_off(lane(got.g, k), exact, roundoff<T>()), [&] { return described(each[k]); });
     }
-    return worst;
-  };
+  });
 }
 
 template <class Real>
-std::vector<std::array<Gloss<Scalar<Real>>, lanes<Real>>> glosses() {
-  Dice dice(1);
-  std::vector<std::array<Gloss<Scalar<Real>>, lanes<Real>>> inputs;
-  for (std::size_t i = 0; i < cost_inputs / lanes<Real>; ++i) {
-    inputs.push_back(drawn<Real>([&] { return draw_gloss<Scalar<Real>>(dice); }));
-  }
-  return inputs;
+auto glosses() {
+  return inputs_of_cost<Real>([](Dice& dice) { return drawn<Real>([&] { return draw_gloss<Scalar<Real>>(dice); }); });
 }
 
 struct Bounds {
@@ -383,7 +335,7 @@ Family claims_of_shading() {
                     .domain = "eye and target 1e-3 to 1e3 from the origin",
                     .bound = 8,
                     .unit = "u over the cosine of the camera's tilt",
-                    .worst = worst_view});
+                    .worst = worst_view()});
   claims.push_back({.function = "seed 4's highlight, range",
                     .number = name_of<double>,
                     .domain = "vectors of unit length but for rounding; shininess to 1000",
@@ -394,7 +346,7 @@ Family claims_of_shading() {
                     .number = "byte",
                     .domain = "every byte, t = 0.3",
                     .unit = "bytes changed",
-                    .worst = count_changed_bytes,
+                    .worst = count_changed_bytes(),
                     .expect = Expect::beyond});
   return family;
 }

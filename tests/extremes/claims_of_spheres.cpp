@@ -77,49 +77,40 @@ enum class Report { worst, count };
 template <class Real>
 auto worst_shot(SphereForm form, Shots shots, Judge<Scalar<Real>> judge, Report report = Report::worst) {
   using T = Scalar<Real>;
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const Shared shared = draw_shared(dice, shots);
-      const auto each = drawn<Real>([&] { return draw_shot<T>(dice, shots, shared); });
-      const Vec3<T> center = each[0].center;
-      const Sphere sphere{{static_cast<double>(center.x), static_cast<double>(center.y), static_cast<double>(center.z)},
-                          static_cast<double>(each[0].radius),
-                          form};
-      const Ray<Real> ray = gathered_rays<Real>(each);
-      const Real distance = distance_to(sphere, ray);
-      const Hit<Real> hit = hit_at(sphere, ray, distance);
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Shot<T>& shot = each[k];
-        const ExactMeeting<Digits50> exact = shot.meeting();
-        if (!is_in_range(shot, exact)) continue;
-        const double off = judge(shot, exact, lane(distance, k), lane_of(hit.normal, k));
-        const auto where = [&] {
-          return "center " + described(shot.center) + ", radius " + described(shot.radius) + ", ray " + described(shot.ray);
-        };
-        if (report == Report::count) {
-          worst.count(off > 0, where);
-        } else {
-          worst.see(off, where);
-        }
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const Shared shared = draw_shared(dice, shots);
+    const auto each = drawn<Real>([&] { return draw_shot<T>(dice, shots, shared); });
+    const Vec3<T> center = each[0].center;
+    const Sphere sphere{{static_cast<double>(center.x), static_cast<double>(center.y), static_cast<double>(center.z)},
+                        static_cast<double>(each[0].radius),
+                        form};
+    const Ray<Real> ray = gathered_rays<Real>(each);
+    const Real distance = distance_to(sphere, ray);
+    const Hit<Real> hit = hit_at(sphere, ray, distance);
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Shot<T>& shot = each[k];
+      const ExactMeeting<Digits50> exact = shot.meeting();
+      if (!is_in_range(shot, exact)) continue;
+      const double off = judge(shot, exact, lane(distance, k), lane_of(hit.normal, k));
+      const auto where = [&] {
+        return "center " + described(shot.center) + ", radius " + described(shot.radius) + ", ray " + described(shot.ray);
+      };
+      if (report == Report::count) {
+        worst.count(off > 0, where);
+      } else {
+        worst.see(off, where);
       }
     }
-    return worst;
-  };
+  });
 }
 
 /// Rays of an ordinary picture: the cost of a form is that of such a ray and its hit.
 template <class Real>
-std::vector<Ray<Real>> ordinary_rays() {
-  Dice dice(1);
+auto ordinary_rays() {
   const Shots shots{.nearest = 0.5L, .farthest = 1.0L, .around_surface = false};
-  std::vector<Ray<Real>> rays;
-  for (std::size_t i = 0; i < cost_inputs / lanes<Real>; ++i) {
-    const auto each = drawn<Real>([&] { return draw_shot<Scalar<Real>>(dice, shots, {1, {}, 0, 0}); });
-    rays.push_back(gathered_rays<Real>(each));
-  }
-  return rays;
+  return inputs_of_cost<Real>([&](Dice& dice) {
+    return gathered_rays<Real>(drawn<Real>([&] { return draw_shot<Scalar<Real>>(dice, shots, {1, {}, 0, 0}); }));
+  });
 }
 
 template <class Real>

@@ -25,47 +25,37 @@ int any_count(Dice& dice) {
 /// Indices that are no whole number from 0 to n - 1.
 template <class Real, class Index>
 auto count_outside(Index index) {
-  return [=](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const int n = any_count(dice);
-      const auto each = drawn<Real>([&] { return dice.anything<T>(); });
-      const Real got = index(from_lanes<Real>([&](std::size_t k) { return each[k]; }), n);
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const T x = lane(got, k);
-        worst.count(!(x >= 0 && x <= static_cast<T>(n - 1) && std::floor(x) == x),
-                    [&] { return described(each[k]) + " of " + std::to_string(n); });
-      }
+  using T = Scalar<Real>;
+  return worst_over(20, [=](Dice& dice, Worst& worst) {
+    const int n = any_count(dice);
+    const auto each = drawn<Real>([&] { return dice.anything<T>(); });
+    const Real got = index(gathered_numbers<Real>(each), n);
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const T x = lane(got, k);
+      worst.count(!(x >= 0 && x <= static_cast<T>(n - 1) && std::floor(x) == x),
+                  [&] { return described(each[k]) + " of " + std::to_string(n); });
     }
-    return worst;
-  };
+  });
 }
 
 /// How far outside of the chosen texel the exact coordinate lies, in unit roundoffs of the whole image.
 template <class Real, class Index, class Draw>
 auto worst_texel(Index index, Draw draw) {
-  return [=](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const int n = any_count(dice);
-      const auto each = drawn<Real>([&] { return draw(dice, n); });
-      const Real got = index(from_lanes<Real>([&](std::size_t k) { return each[k]; }), n);
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 u = each[k];
-        const Digits50 place = (u - floor(u)) * n;
-        const Digits50 low = lane(got, k);
-        Digits50 off = place < low ? Digits50(low - place) : place > low + 1 ? Digits50(place - low - 1) : Digits50(0);
-        if (n - off < off) off = n - off;  // the other way round
-        worst.see(static_cast<double>(off / (n * roundoff<T>())),
-                  [&] { return described(each[k]) + " of " + std::to_string(n); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const int n = any_count(dice);
+    const auto each = drawn<Real>([&] { return draw(dice, n); });
+    const Real got = index(gathered_numbers<Real>(each), n);
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 u = each[k];
+      const Digits50 place = (u - floor(u)) * n;
+      const Digits50 low = lane(got, k);
+      Digits50 off = place < low ? Digits50(low - place) : place > low + 1 ? Digits50(place - low - 1) : Digits50(0);
+      if (n - off < off) off = n - off;  // the other way round
+      worst.see(static_cast<double>(off / (n * roundoff<T>())),
+                [&] { return described(each[k]) + " of " + std::to_string(n); });
     }
-    return worst;
-  };
+  });
 }
 
 /// A coordinate in [0, 1): of any exponent, or at the edge of a texel, or a few numbers beside one.
@@ -80,23 +70,18 @@ T any_coordinate(Dice& dice, int n) {
 /// Whole numbers that are taken for even when they are odd, or the other way.
 template <class Real>
 auto count_wrong_parity() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const auto each = drawn<Real>([&] {
-        const T size = std::floor(dice.number<T>(0, 62));
-        return dice.sign() < 0 ? -size : size;
-      });
-      const Real got = select(is_even(from_lanes<Real>([&](std::size_t k) { return each[k]; })), Real(1), Real(0));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const bool even = static_cast<long long>(each[k]) % 2 == 0;
-        worst.count((lane(got, k) == 1) != even, [&] { return described(each[k]); });
-      }
+  using T = Scalar<Real>;
+  return worst_over(20, [](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] {
+      const T size = std::floor(dice.number<T>(0, 62));
+      return dice.sign() < 0 ? -size : size;
+    });
+    const Real got = select(is_even(gathered_numbers<Real>(each)), Real(1), Real(0));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const bool even = static_cast<long long>(each[k]) % 2 == 0;
+      worst.count((lane(got, k) == 1) != even, [&] { return described(each[k]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Floor of an exact number below 2^63.
@@ -108,160 +93,119 @@ bool is_at_edge(const Digits50& x, const Digits50& rounding) { return abs(x - fl
 /// Colors of the wrong square, but beside its edge.
 template <class Real>
 auto count_wrong_squares() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      // Below the numbers' own grid, or the squares would be finer than u and v.
-      const auto squares = static_cast<double>(std::floor(dice.number<float>(0, std::numeric_limits<T>::digits - 2)));
-      const auto u = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
-      const auto v = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
-      const Checkerboard board{white, black, squares};
-      const Uv<Real> uv{from_lanes<Real>([&](std::size_t k) { return u[k]; }),
-                        from_lanes<Real>([&](std::size_t k) { return v[k]; })};
-      const Real got = board(uv).r;
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 column = Digits50(u[k]) * squares;
-        const Digits50 row = Digits50(v[k]) * squares;
-        const Digits50 rounding = squares * roundoff<T>();
-        if (is_at_edge(column, rounding) || is_at_edge(row, rounding)) continue;
-        const bool even = (cell_of(column) + cell_of(row)) % 2 == 0;
-        worst.count((lane(got, k) == 1) != even,
-                    [&] { return described(u[k]) + " " + described(v[k]) + " of " + described(squares); });
-      }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    // Below the numbers' own grid, or the squares would be finer than u and v.
+    const auto squares = static_cast<double>(std::floor(dice.number<float>(0, std::numeric_limits<T>::digits - 2)));
+    const auto u = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
+    const auto v = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
+    const Checkerboard board{white, black, squares};
+    const Uv<Real> uv{gathered_numbers<Real>(u), gathered_numbers<Real>(v)};
+    const Real got = board(uv).r;
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 column = Digits50(u[k]) * squares;
+      const Digits50 row = Digits50(v[k]) * squares;
+      const Digits50 rounding = squares * roundoff<T>();
+      if (is_at_edge(column, rounding) || is_at_edge(row, rounding)) continue;
+      const bool even = (cell_of(column) + cell_of(row)) % 2 == 0;
+      worst.count((lane(got, k) == 1) != even,
+                  [&] { return described(u[k]) + " " + described(v[k]) + " of " + described(squares); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Colors of the wrong cube, but beside its faces.
 template <class Real>
 auto count_wrong_cubes() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto cell = static_cast<double>(dice.number<float>(-20, 20));
-      const auto each = drawn<Real>([&] {
-        const auto coordinate = [&] { return static_cast<T>(dice.sign() * dice.power_of_ten(-12, 12)); };
-        return Vec3<T>{coordinate(), coordinate(), coordinate()};
-      });
-      const SolidCheckerboard board{white, black, cell};
-      const Real got = board(gathered<Real>(each)).r;
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        long long sum = 0;
-        bool unsure = false;
-        for (const T x : {each[k].x, each[k].y, each[k].z}) {
-          const Digits50 place = Digits50(x) / cell;
-          const Digits50 rounding = abs(place) * roundoff<T>();
-          unsure = unsure || is_at_edge(place, rounding);
-          sum += cell_of(place);
-        }
-        if (unsure) continue;
-        worst.count((lane(got, k) == 1) != (sum % 2 == 0), [&] { return described(each[k]) + " by " + described(cell); });
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto cell = static_cast<double>(dice.number<float>(-20, 20));
+    const auto each = drawn<Real>([&] {
+      const auto coordinate = [&] { return static_cast<T>(dice.sign() * dice.power_of_ten(-12, 12)); };
+      return Vec3<T>{coordinate(), coordinate(), coordinate()};
+    });
+    const SolidCheckerboard board{white, black, cell};
+    const Real got = board(gathered<Real>(each)).r;
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      long long sum = 0;
+      bool unsure = false;
+      for (const T x : {each[k].x, each[k].y, each[k].z}) {
+        const Digits50 place = Digits50(x) / cell;
+        const Digits50 rounding = abs(place) * roundoff<T>();
+        unsure = unsure || is_at_edge(place, rounding);
+        sum += cell_of(place);
       }
+      if (unsure) continue;
+      worst.count((lane(got, k) == 1) != (sum % 2 == 0), [&] { return described(each[k]) + " by " + described(cell); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Cubes by the sign of sin x sin y sin z, as some programs have them.
 auto count_wrong_sines() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const auto x = static_cast<float>(dice.sign() * dice.power_of_ten(5, 6.9L));
-      const float wave = std::sin(3.14159265F * x);
-      const Digits50 place = x;
-      if (is_at_edge(place, abs(place) * roundoff<float>())) continue;
-      worst.count((wave > 0) != (cell_of(place) % 2 == 0), [&] { return described(x); });
-    }
-    return worst;
-  };
+  return worst_over(20, [](Dice& dice, Worst& worst) {
+    const auto x = static_cast<float>(dice.sign() * dice.power_of_ten(5, 6.9L));
+    const float wave = std::sin(3.14159265F * x);
+    const Digits50 place = x;
+    if (is_at_edge(place, abs(place) * roundoff<float>())) return;
+    worst.count((wave > 0) != (cell_of(place) % 2 == 0), [&] { return described(x); });
+  });
 }
 
 /// Texels that come out as another byte than they are, or another texel's, for anything the type can hold as (u, v).
 template <class Real>
 auto count_wrong_bytes() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Image image;
-    image.width = 16;
-    image.height = 16;
-    for (int i = 0; i < 256; ++i) {
-      const auto byte = static_cast<std::uint8_t>(i);
-      image.pixels.push_back({byte, byte, byte});
+  using T = Scalar<Real>;
+  Image image(16, 16);
+  for (std::size_t i = 0; i < 256; ++i) {
+    const auto byte = static_cast<std::uint8_t>(i);
+    image.pixels[i] = {byte, byte, byte};
+  }
+  return worst_over(4, [texture = ImageTexture{image}](Dice& dice, Worst& worst) {
+    const auto coordinate = [&dice] { return dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.anything<T>(); };
+    const auto u = drawn<Real>(coordinate);
+    const auto v = drawn<Real>(coordinate);
+    const Real got = texture(Uv<Real>{gathered_numbers<Real>(u), gathered_numbers<Real>(v)}).g;
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      // Sixteenths are exact, so the texel is known without rounding.
+      const auto cell = [](T x) { return !(x > 0) ? 0 : x >= 1 ? 15 : static_cast<int>(x * 16); };
+      const int byte = (15 - cell(v[k])) * 16 + cell(u[k]);
+      worst.count(!(lane(got, k) == static_cast<T>(byte) / 255), [&] { return described(u[k]) + " " + described(v[k]); });
     }
-    const ImageTexture texture{image};
-    Worst worst;
-    for (int i = 0; i < 4 * inputs; ++i) {
-      const auto u = drawn<Real>([&] { return dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.anything<T>(); });
-      const auto v = drawn<Real>([&] { return dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.anything<T>(); });
-      const Uv<Real> uv{from_lanes<Real>([&](std::size_t k) { return u[k]; }),
-                        from_lanes<Real>([&](std::size_t k) { return v[k]; })};
-      const Real got = texture(uv).g;
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        // Sixteenths are exact, so the texel is known without rounding.
-        const auto cell = [](T x) { return !(x > 0) ? 0 : x >= 1 ? 15 : static_cast<int>(x * 16); };
-        const int byte = (15 - cell(v[k])) * 16 + cell(u[k]);
-        worst.count(!(lane(got, k) == static_cast<T>(byte) / 255), [&] { return described(u[k]) + " " + described(v[k]); });
-      }
-    }
-    return worst;
-  };
+  });
 }
 
 template <class T>
 auto worst_decode() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const T encoded = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
-      // The standard's constants in decimal digits, not this number's.
-      const Digits50 x = encoded;
-      const Digits50 exact = x <= Digits50("0.04045")
-                                 ? Digits50(x / Digits50("12.92"))
-                                 : Digits50(pow((x + Digits50("0.055")) / Digits50("1.055"), Digits50("2.4")));
-      if (is_at_edge(1 + x - Digits50("0.04045"), Digits50("1e-6"))) continue;  // the two curves meet within 1e-7 only
-      worst.see(ulps_off(srgb_decode(encoded), exact), [&] { return described(encoded); });
-    }
-    return worst;
-  };
+  return worst_over([](Dice& dice, Worst& worst) {
+    const T encoded = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
+    // The standard's constants in decimal digits, not this number's.
+    const Digits50 x = encoded;
+    const Digits50 exact = x <= Digits50("0.04045")
+                               ? Digits50(x / Digits50("12.92"))
+                               : Digits50(pow((x + Digits50("0.055")) / Digits50("1.055"), Digits50("2.4")));
+    if (is_at_edge(1 + x - Digits50("0.04045"), Digits50("1e-6"))) return;  // the two curves meet within 1e-7 only
+    worst.see(ulps_off(srgb_decode(encoded), exact), [&] { return described(encoded); });
+  });
 }
 template <class T>
 auto worst_encode() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const T linear = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
-      const Digits50 x = linear;
-      const Digits50 exact = x <= Digits50("0.0031308")
-                                 ? Digits50(x * Digits50("12.92"))
-                                 : Digits50(Digits50("1.055") * pow(x, 1 / Digits50("2.4")) - Digits50("0.055"));
-      if (is_at_edge(1 + x - Digits50("0.0031308"), Digits50("1e-7"))) continue;
-      worst.see(ulps_off(srgb_encode(linear), exact), [&] { return described(linear); });
-    }
-    return worst;
-  };
+  return worst_over([](Dice& dice, Worst& worst) {
+    const T linear = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
+    const Digits50 x = linear;
+    const Digits50 exact = x <= Digits50("0.0031308")
+                               ? Digits50(x * Digits50("12.92"))
+                               : Digits50(Digits50("1.055") * pow(x, 1 / Digits50("2.4")) - Digits50("0.055"));
+    if (is_at_edge(1 + x - Digits50("0.0031308"), Digits50("1e-7"))) return;
+    worst.see(ulps_off(srgb_encode(linear), exact), [&] { return described(linear); });
+  });
 }
 
 /// Bytes that do not come back from light.
 template <class T, class Decode>
 auto count_changed_bytes(Decode decode) {
-  return [decode](int, std::uint64_t) {
-    Worst worst;
-    for (int byte = 0; byte < 256; ++byte) {
-      const auto back = std::lround(T(255) * srgb_encode(decode(static_cast<T>(byte) / 255)));
-      worst.count(back != byte, [&] { return std::to_string(byte); });
-    }
-    return worst;
-  };
+  return count_bytes(
+      [decode](int byte) { return std::lround(T(255) * srgb_encode(decode(static_cast<T>(byte) / 255))) != byte; });
 }
 
 constexpr auto floor_index = [](const auto& u, int n) { return texel_index(u, n); };
@@ -269,13 +213,9 @@ constexpr auto lecture_index = [](const auto& u, int n) { return texel_index(u, 
 constexpr auto wrap = [](const auto& u, int n) { return wrapped_index(u, n); };
 
 template <class Real>
-std::vector<Real> coordinates() {
-  Dice dice(1);
-  std::vector<Real> inputs;
-  for (std::size_t i = 0; i < cost_inputs / lanes<Real>; ++i) {
-    inputs.push_back(from_lanes<Real>([&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(0, 1)); }));
-  }
-  return inputs;
+auto coordinates() {
+  return inputs_of_cost<Real>(
+      [](Dice& dice) { return from_lanes<Real>([&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(0, 1)); }); });
 }
 
 template <class Real, class Function>

@@ -1,4 +1,4 @@
-// Claims of common/geometry/triangle.hpp and plane.hpp: weights in a triangle, and the floor.
+// Claims of common/geometry/triangle.hpp and floor.hpp: weights in a triangle, and the floor.
 #include "claims.hpp"
 #include "describe.hpp"
 #include "dice.hpp"
@@ -65,37 +65,23 @@ Barycentric<Real> weights_of(const Triangle& triangle, const Vec3<Real>& p) {
 /// The weights of all lanes' points in one triangle; the first lane's triangle is everyone's.
 template <class Real, class Function>
 auto worst_weights(Function function, long double aspect, int scale) {
-  return [=](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const Case<T> one = draw_thin<T>(dice, aspect, scale);
-      const Barycentric<Real> got = function(one.triangle, Vec3<Real>{Real(one.p.x), Real(one.p.y), Real(one.p.z)});
-      const std::size_t k = lanes<Real> - 1;
-      worst.see(weights_off<T>({lane(got.a, k), lane(got.b, k), lane(got.c, k), false}, one), [&] {
-        return described(one.triangle.a) + " " + described(one.triangle.b) + " " + described(one.triangle.c) + " at " +
-               described(one.p);
-      });
-    }
-    return worst;
-  };
+  using T = Scalar<Real>;
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const Case<T> one = draw_thin<T>(dice, aspect, scale);
+    const Barycentric<Real> got = function(one.triangle, Vec3<Real>{Real(one.p.x), Real(one.p.y), Real(one.p.z)});
+    const std::size_t k = lanes<Real> - 1;
+    worst.see(weights_off<T>({lane(got.a, k), lane(got.b, k), lane(got.c, k), false}, one),
+              [&] { return described(one.triangle) + " at " + described(one.p); });
+  });
 }
 
 /// Triangles of this shape that are called degenerate although they are far from it.
 template <class T>
 auto count_refused(long double aspect, int scale) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 4 * inputs; ++i) {
-      const Case<T> one = draw_thin<T>(dice, aspect, scale);
-      worst.count(barycentric(one.triangle, one.p).degenerate, [&] {
-        return described(one.triangle.a) + " " + described(one.triangle.b) + " " + described(one.triangle.c);
-      });
-    }
-    return worst;
-  };
+  return worst_over(4, [=](Dice& dice, Worst& worst) {
+    const Case<T> one = draw_thin<T>(dice, aspect, scale);
+    worst.count(barycentric(one.triangle, one.p).degenerate, [&] { return described(one.triangle); });
+  });
 }
 
 /// Corners that are equal or on a line: each a rounded multiple of one vector, or copies.
@@ -110,36 +96,23 @@ Triangle draw_flat(Dice& dice) {
 /// Triangles without an area that are not called so.
 template <class T>
 auto count_missed_flats() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 4 * inputs; ++i) {
-      const Triangle triangle = draw_flat<T>(dice);
-      worst.count(!barycentric(triangle, rounded<T>(dice.direction())).degenerate,
-                  [&] { return described(triangle.a) + " " + described(triangle.b) + " " + described(triangle.c); });
-    }
-    return worst;
-  };
+  return worst_over(4, [](Dice& dice, Worst& worst) {
+    const Triangle triangle = draw_flat<T>(dice);
+    worst.count(!barycentric(triangle, rounded<T>(dice.direction())).degenerate, [&] { return described(triangle); });
+  });
 }
 
 /// Weights that are no number, for any shape and any point.
 template <class T, class Function>
 auto count_nan(Function function) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 4 * inputs; ++i) {
-      Case<T> one = draw_thin<T>(dice, 20, 0);
-      if (dice.once_in(3)) one.triangle = draw_flat<T>(dice);
-      if (dice.once_in(3)) one.p = {dice.anything<T>(), dice.anything<T>(), dice.anything<T>()};
-      const Barycentric<T> got = function(one.triangle, one.p);
-      worst.count(std::isnan(got.a) || std::isnan(got.b) || std::isnan(got.c), [&] {
-        return described(one.triangle.a) + " " + described(one.triangle.b) + " " + described(one.triangle.c) + " at " +
-               described(one.p);
-      });
-    }
-    return worst;
-  };
+  return worst_over(4, [=](Dice& dice, Worst& worst) {
+    Case<T> one = draw_thin<T>(dice, 20, 0);
+    if (dice.once_in(3)) one.triangle = draw_flat<T>(dice);
+    if (dice.once_in(3)) one.p = {dice.anything<T>(), dice.anything<T>(), dice.anything<T>()};
+    const Barycentric<T> got = function(one.triangle, one.p);
+    worst.count(std::isnan(got.a) || std::isnan(got.b) || std::isnan(got.c),
+                [&] { return described(one.triangle) + " at " + described(one.p); });
+  });
 }
 
 /// A ray over a floor.
@@ -150,49 +123,29 @@ Ray<T> draw_downward(Dice& dice) {
 
 template <class T>
 auto worst_floor() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const Floor floor{static_cast<double>(static_cast<float>(dice.sign() * dice.power_of_ten(-6, 6)))};
-      const Ray<T> ray = draw_downward<T>(dice);
-      const Digits50 exact = (Digits50(floor.height) - Digits50(ray.origin.y)) / Digits50(ray.direction.y);
-      const T got = distance_to(floor, ray);
-      if (exact <= 0) {
-        worst.see(got == infinity<T>() ? 0 : 1e30, [&] { return described(ray); });
-      } else {
-        worst.see(ulps_off(got, exact), [&] { return described(ray); });
-      }
+  return worst_over([](Dice& dice, Worst& worst) {
+    const Floor floor{static_cast<double>(static_cast<float>(dice.sign() * dice.power_of_ten(-6, 6)))};
+    const Ray<T> ray = draw_downward<T>(dice);
+    const Digits50 exact = (Digits50(floor.height) - Digits50(ray.origin.y)) / Digits50(ray.direction.y);
+    const T got = distance_to(floor, ray);
+    if (exact <= 0) {
+      worst.see(got == infinity<T>() ? 0 : 1e30, [&] { return described(ray); });
+    } else {
+      worst.see(ulps_off(got, exact), [&] { return described(ray); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Points of the floor that are not on it.
 template <class T>
 auto count_off_floor() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 20 * inputs; ++i) {
-      const Floor floor{static_cast<double>(static_cast<float>(dice.uniform(-2, 2)))};
-      const Ray<T> ray = draw_downward<T>(dice);
-      const T distance = distance_to(floor, ray);
-      if (!(distance < infinity<T>())) continue;
-      worst.count(point_on(floor, ray, distance).y != static_cast<T>(floor.height), [&] { return described(ray); });
-    }
-    return worst;
-  };
-}
-
-template <class Real>
-std::vector<Vec3<Real>> points() {
-  Dice dice(1);
-  std::vector<Vec3<Real>> inputs;
-  for (std::size_t i = 0; i < cost_inputs / lanes<Real>; ++i) {
-    inputs.push_back(gathered<Real>(drawn<Real>([&] { return rounded<Scalar<Real>>(dice.direction()); })));
-  }
-  return inputs;
+  return worst_over(20, [](Dice& dice, Worst& worst) {
+    const Floor floor{static_cast<double>(static_cast<float>(dice.uniform(-2, 2)))};
+    const Ray<T> ray = draw_downward<T>(dice);
+    const T distance = distance_to(floor, ray);
+    if (!(distance < infinity<T>())) return;
+    worst.count(point_on(floor, ray, distance).y != static_cast<T>(floor.height), [&] { return described(ray); });
+  });
 }
 
 constexpr auto ours = [](const Triangle& triangle, const auto& p) { return barycentric(triangle, p); };
@@ -202,12 +155,12 @@ const Triangle ordinary{{0, 0, 0}, {1, 0.25, 0}, {0.5, 1, 0.125}};
 template <class Real>
 Cost cost_of() {
   return {"Heron's formula, double",
-          working_through(points<Real>(),
+          working_through(inputs_of_cost<Real>(drawn_direction<Real>),
                           [](const Vec3<Real>& p) {
                             const Barycentric<Real> w = barycentric(ordinary, p);
                             return w.a + w.b + w.c;
                           }),
-          working_through(points<double>(), [](const Vec3<double>& p) {
+          working_through(inputs_of_cost<double>(drawn_direction<double>), [](const Vec3<double>& p) {
             const Barycentric<double> w = seeds::barycentric_heron(ordinary, p);
             return w.a + w.b + w.c;
           })};

@@ -73,97 +73,66 @@ double texels_off(const Uv<T>& got, const Vec3<T>& p, Convention convention) {
 
 template <class Real, class Mapping, class Draw>
 auto worst_place(Mapping mapping, Convention convention, Draw draw) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] { return draw(dice); });
-      const Uv<Real> uv = mapping(gathered<Real>(each));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Uv<Scalar<Real>> got{lane(uv.u, k), lane(uv.v, k)};
-        worst.see(texels_off(got, each[k], convention), [&] { return described(each[k]); });
-      }
+  return worst_over([=](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] { return draw(dice); });
+    const Uv<Real> uv = mapping(gathered<Real>(each));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Uv<Scalar<Real>> got{lane(uv.u, k), lane(uv.v, k)};
+      worst.see(texels_off(got, each[k], convention), [&] { return described(each[k]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Vectors that have no place in [0, 1) x [0, 1], of all that can be written down.
 template <class Real, class Mapping, class Draw>
 auto count_outside(Mapping mapping, Draw draw) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < 8 * inputs; ++i) {
-      const auto each = drawn<Real>([&] { return draw(dice); });
-      const Uv<Real> uv = mapping(gathered<Real>(each));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const bool inside = lane(uv.u, k) >= 0 && lane(uv.u, k) < 1 && lane(uv.v, k) >= 0 && lane(uv.v, k) <= 1;
-        worst.count(!inside, [&] { return described(each[k]); });
-      }
+  return worst_over(8, [=](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] { return draw(dice); });
+    const Uv<Real> uv = mapping(gathered<Real>(each));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const bool inside = lane(uv.u, k) >= 0 && lane(uv.u, k) < 1 && lane(uv.v, k) >= 0 && lane(uv.v, k) <= 1;
+      worst.count(!inside, [&] { return described(each[k]); });
     }
-    return worst;
-  };
+  });
 }
 
 /// Vectors on an axis or in a plane of two that lie elsewhere when a zero among their coordinates changes its sign.
 template <class Real>
 auto count_signs_of_zero() {
-  return [](int inputs, std::uint64_t seed) {
-    using T = Scalar<Real>;
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] {
-        const auto coordinate = [&] { return dice.once_in(2) ? T(0) : static_cast<T>(dice.uniform(-1, 1)); };
-        return Vec3<T>{coordinate(), coordinate(), coordinate()};
-      });
-      const Vec3<Real> p = gathered<Real>(each);
-      const Uv<Real> uv = uv_rtiow(p);
-      const auto negated = [](const Real& x) { return select(x == Real(0), -x, x); };
-      for (const Vec3<Real>& q :
-           {Vec3<Real>{negated(p.x), p.y, p.z}, Vec3<Real>{p.x, negated(p.y), p.z}, Vec3<Real>{p.x, p.y, negated(p.z)}}) {
-        const Uv<Real> other = uv_rtiow(q);
-        for (std::size_t k = 0; k < lanes<Real>; ++k) {
-          worst.count(lane(uv.u, k) != lane(other.u, k) || lane(uv.v, k) != lane(other.v, k),
-                      [&] { return described(each[k]); });
-        }
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] {
+      const auto coordinate = [&] { return dice.once_in(2) ? T(0) : static_cast<T>(dice.uniform(-1, 1)); };
+      return Vec3<T>{coordinate(), coordinate(), coordinate()};
+    });
+    const Vec3<Real> p = gathered<Real>(each);
+    const Uv<Real> uv = uv_rtiow(p);
+    const auto negated = [](const Real& x) { return select(x == Real(0), -x, x); };
+    for (const Vec3<Real>& q :
+         {Vec3<Real>{negated(p.x), p.y, p.z}, Vec3<Real>{p.x, negated(p.y), p.z}, Vec3<Real>{p.x, p.y, negated(p.z)}}) {
+      const Uv<Real> other = uv_rtiow(q);
+      for (std::size_t k = 0; k < lanes<Real>; ++k) {
+        worst.count(lane(uv.u, k) != lane(other.u, k) || lane(uv.v, k) != lane(other.v, k), [&] { return described(each[k]); });
       }
     }
-    return worst;
-  };
+  });
 }
 
 /// v beside the lower pole, in its own units: it must shrink with the angle and keep all its digits.
 template <class Real>
 auto worst_at_pole() {
-  return [](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < inputs; ++i) {
-      const auto each = drawn<Real>([&] {
-        Vec3<Scalar<Real>> p = near_pole<Scalar<Real>>(dice, -30, -1);
-        p.y = -abs(p.y);
-        return p;
-      });
-      const Uv<Real> uv = uv_rtiow(gathered<Real>(each));
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const Digits50 exact = exact_uv(exactly<Digits50>(each[k])).v;
-        worst.see(ulps_off(lane(uv.v, k), exact), [&] { return described(each[k]); });
-      }
+  return worst_over([](Dice& dice, Worst& worst) {
+    const auto each = drawn<Real>([&] {
+      Vec3<Scalar<Real>> p = near_pole<Scalar<Real>>(dice, -30, -1);
+      p.y = -abs(p.y);
+      return p;
+    });
+    const Uv<Real> uv = uv_rtiow(gathered<Real>(each));
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const Digits50 exact = exact_uv(exactly<Digits50>(each[k])).v;
+      worst.see(ulps_off(lane(uv.v, k), exact), [&] { return described(each[k]); });
     }
-    return worst;
-  };
-}
-
-template <class Real>
-auto unit_vectors() {
-  Dice dice(1);
-  std::vector<Vec3<Real>> inputs;
-  for (std::size_t i = 0; i < cost_inputs / lanes<Real>; ++i) {
-    inputs.push_back(gathered<Real>(drawn<Real>([&] { return rounded<Scalar<Real>>(dice.direction()); })));
-  }
-  return inputs;
+  });
 }
 
 struct Bounds {
@@ -178,12 +147,12 @@ void add_number(std::vector<Claim>& claims, const Bounds& bounds) {
   const auto vectors = [](Dice& dice) { return any_vector<T>(dice); };
   const auto rtiow = [](const auto& p) { return uv_rtiow(p); };
   const Cost cost{"seed 2's acos form, double",
-                  working_through(unit_vectors<Real>(),
+                  working_through(inputs_of_cost<Real>(drawn_direction<Real>),
                                   [](const Vec3<Real>& p) {
                                     const Uv<Real> uv = uv_rtiow(p);
                                     return uv.u + uv.v;
                                   }),
-                  working_through(unit_vectors<double>(), [](const Vec3<double>& p) {
+                  working_through(inputs_of_cost<double>(drawn_direction<double>), [](const Vec3<double>& p) {
                     const Uv<double> uv = seeds::uv_next_week_v4(p);
                     return uv.u + uv.v;
                   })};

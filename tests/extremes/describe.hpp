@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ray.hpp"
+#include "triangle.hpp"
 
 namespace texmap::extremes {
 
@@ -22,6 +23,10 @@ template <class T>
 template <class T>
 [[nodiscard]] std::string described(const Ray<T>& ray) {
   return "{" + described(ray.origin) + ", " + described(ray.direction) + "}";
+}
+
+[[nodiscard]] inline std::string described(const Triangle& triangle) {
+  return described(triangle.a) + " " + described(triangle.b) + " " + described(triangle.c);
 }
 
 }  // namespace texmap::extremes

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dice.hpp"
 #include "number.hpp"
 #include "vec3.hpp"
 
@@ -65,12 +66,24 @@ template <class Real, class Each>
           from_lanes<Real>([&](std::size_t i) { return each[i].z; })};
 }
 
+/// One number for each lane, as one number.
+template <class Real, class Each>
+[[nodiscard]] Real gathered_numbers(const Each& each) {
+  return from_lanes<Real>([&](std::size_t i) { return each[i]; });
+}
+
 /// One drawn thing for each lane.
 template <class Real, class Draw>
 [[nodiscard]] auto drawn(const Draw& draw) {
   std::array<decltype(draw()), lanes<Real>> each;
   for (auto& one : each) one = draw();
   return each;
+}
+
+/// A direction in each lane.
+template <class Real>
+[[nodiscard]] Vec3<Real> drawn_direction(Dice& dice) {
+  return gathered<Real>(drawn<Real>([&] { return rounded<Scalar<Real>>(dice.direction()); }));
 }
 
 template <class Real>

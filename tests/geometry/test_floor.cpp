@@ -1,24 +1,15 @@
-// Tests of common/geometry/plane.hpp: the floor, and what its exact height is good for.
+// Tests of common/geometry/floor.hpp: the floor, and what its exact height is good for.
 #include <doctest.h>
 
 #include <cmath>
-#include <cstdint>
 
+#include "dice.hpp"
 #include "floor.hpp"
 #include "pack.hpp"
 #include "solid_checkerboard.hpp"
 
 namespace texmap {
 namespace {
-
-/// Numbers from -1 to 1 that are the same on every machine.
-struct Dice {
-  std::uint64_t state = 1;
-  double next() {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
-  }
-};
 
 TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, beside and on it", Real, float, double,
                    long double) {
@@ -58,8 +49,9 @@ TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, 
 TEST_CASE_TEMPLATE("a hit lies on the floor to the bit, and along the ray", Real, float, double, long double) {
   Dice dice;
   for (int i = 0; i < 10000; ++i) {
-    const Floor floor{dice.next()};
-    const Ray<Real> ray{{Real(dice.next()), Real(1.5), Real(dice.next())}, {Real(dice.next()), Real(-1), Real(dice.next())}};
+    const Floor floor{dice.between(-1, 1)};
+    const Ray<Real> ray{{Real(dice.between(-1, 1)), Real(1.5), Real(dice.between(-1, 1))},
+                        {Real(dice.between(-1, 1)), Real(-1), Real(dice.between(-1, 1))}};
     const Real distance = distance_to(floor, ray);
     REQUIRE(distance < infinity<Real>());
     const Vec3<Real> p = point_on(floor, ray, distance);
@@ -74,7 +66,7 @@ TEST_CASE("a floor is at 0 unless told otherwise") { CHECK(Floor{}.height == 0);
 /// A ray from above the floor down to it, as a camera sends it.
 template <class Real>
 Ray<Real> ray_down(Dice& dice) {
-  return {{Real(0.3), Real(1.7), Real(4.1)}, {Real(dice.next()), Real(-0.6 + 0.5 * dice.next()), Real(-1)}};
+  return {{Real(0.3), Real(1.7), Real(4.1)}, {Real(dice.between(-1, 1)), Real(-0.6 + 0.5 * dice.between(-1, 1)), Real(-1)}};
 }
 
 /// True where the square of a board on the floor that (x, z) lies in is even: in whole numbers, not by our checkerboard.
@@ -123,7 +115,7 @@ TEST_CASE_TEMPLATE("a pack meets the floor in each lane where a single ray meets
   Dice dice;
   const Floor floor{0.25};
   for (int i = 0; i < 1000; ++i) {
-    const auto any_number = [&](std::size_t) { return static_cast<T>(dice.next()); };
+    const auto any_number = [&](std::size_t) { return static_cast<T>(dice.between(-1, 1)); };
     const Vec3<Many> origin{from_lanes<Many>(any_number), from_lanes<Many>(any_number), from_lanes<Many>(any_number)};
     const Vec3<Many> direction{from_lanes<Many>(any_number), from_lanes<Many>(any_number), from_lanes<Many>(any_number)};
     const Many distances = distance_to(floor, Ray<Many>{origin, direction});

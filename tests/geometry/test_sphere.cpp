@@ -1,8 +1,7 @@
 // Tests of common/geometry/sphere.hpp, and of seed_sphere.hpp where it parts from it.
 #include <doctest.h>
 
-#include <cstdint>
-
+#include "dice.hpp"
 #include "exact.hpp"
 #include "pack.hpp"
 #include "seed_sphere.hpp"
@@ -18,22 +17,6 @@ Exact ulps(Real got, Exact exact) {
   const Real magnitude = abs(static_cast<Real>(exact));
   return abs(static_cast<Exact>(got) - exact) / static_cast<Exact>(std::nextafter(magnitude, infinity<Real>()) - magnitude);
 }
-
-/// Numbers from -1 to 1 that are the same on every machine.
-struct Dice {
-  std::uint64_t state = 1;
-  double next() {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
-  }
-  /// A direction, each as likely as any other.
-  Point direction() {
-    for (;;) {
-      const Point p{next(), next(), next()};
-      if (dot(p, p) < 1 && dot(p, p) > 1e-4) return normalize(p);
-    }
-  }
-};
 
 const Sphere unit_sphere{{0, 0, 0}, 1};
 const Sphere hybrid_sphere{{0, 0, 0}, 1, SphereForm::hybrid};
@@ -183,7 +166,7 @@ struct Secondaries {
   int hits = 0;          ///< points that were met at all
   int self_hits = 0;     ///< rays outward that met their own sphere
   int lost = 0;          ///< rays inward that found no far side
-  Exact lowest = 1e30L;  ///< lift of the leaving point over the true sphere, in unit roundoffs of |center| + 2 radius
+  Exact lowest = 1e30L;  ///< lift of the outside point over the true sphere, in unit roundoffs of |center| + 2 radius
   Exact highest = 0;
   Exact point_off = 0;   ///< distance of the hit point from the true sphere, likewise
   Exact normal_off = 0;  ///< difference of the normal's length from 1, in unit roundoffs
@@ -194,9 +177,9 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
   Dice dice;
   Secondaries seen;
   for (int i = 0; i < rays; ++i) {
-    const Sphere sphere{dice.direction() * away, radius};
-    const Point eye = sphere.center + dice.direction() * (radius * (3 + 2 * dice.next()));
-    const Point aim = sphere.center + dice.direction() * (radius * 0.7);
+    const Sphere sphere{dice.direction<double>() * away, radius};
+    const Point eye = sphere.center + dice.direction<double>() * (radius * (3 + 2 * dice.between(-1, 1)));
+    const Point aim = sphere.center + dice.direction<double>() * (radius * 0.7);
     const Ray<Real> ray{number_cast<Real>(eye), normalize(number_cast<Real>(aim) - number_cast<Real>(eye))};
     const Real distance = distance_to(sphere, ray);
     if (!(distance < infinity<Real>())) continue;
@@ -218,7 +201,7 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
     seen.point_off = std::max(seen.point_off, abs(height(hit.point)) / unit);
     seen.normal_off = std::max(seen.normal_off, abs(widened(length(hit.normal)) - 1) / widened(unit_roundoff<Real>()));
 
-    Vec3<Real> outward = number_cast<Real>(dice.direction());
+    Vec3<Real> outward = number_cast<Real>(dice.direction<double>());
     if (dot(outward, hit.normal) < Real(0)) outward = -outward;
     if (distance_to(sphere, ray_from(hit, outward)) < infinity<Real>()) ++seen.self_hits;
     if (!(distance_to(sphere, ray_from(hit, -outward)) < infinity<Real>())) ++seen.lost;
@@ -272,6 +255,46 @@ TEST_CASE("in float no ray meets the sphere it leaves either, and none is lost t
                        << " unit roundoffs");
   CHECK(worst.lowest >= 12);
   CHECK(worst.highest <= 20);
+}
+
+TEST_CASE_TEMPLATE("the root ahead is within 2 unit roundoffs of that of its four numbers, and none is ahead of no number",
+                   Real, float, double) {
+  Dice dice;
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Real a = dice.number<Real>(-10, 10);
+    const Real b = static_cast<Real>(dice.sign()) * dice.number<Real>(-10, 10);
+    const Real c = static_cast<Real>(dice.sign()) * dice.number<Real>(-20, 20);
+    const Real root = dice.number<Real>(-10, 10);
+    // From outside, ahead: c over the sum. From inside: the one root above 0.
+    const Exact sum = abs(widened(b)) + widened(root);
+    const bool ahead = c > 0 ? b > 0 : true;
+    const Exact exact = c > 0 || b < 0 ? abs(widened(c)) / sum : sum / widened(a);
+    const Real got = root_ahead(a, b, c, root);
+    REQUIRE((got < infinity<Real>()) == ahead);
+    if (ahead) worst = std::max(worst, static_cast<double>(abs(widened(got) / exact - 1) / widened(unit_roundoff<Real>())));
+  }
+  CHECK(worst <= 2);
+  CHECK(worst > 1.5);
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  CHECK(root_ahead(Real(0), Real(0), Real(1), Real(0)) == infinity<Real>());
+  CHECK(root_ahead(Real(0), Real(0), Real(-1), Real(0)) == infinity<Real>());
+  CHECK(root_ahead(Real(1), nan, Real(1), Real(1)) == infinity<Real>());
+  CHECK(root_ahead(Real(1), Real(1), Real(1), nan) == infinity<Real>());
+}
+
+TEST_CASE_TEMPLATE("a ray without a direction, or with one that is no number, leaves from outside and meets nothing", Real,
+                   float, double, long double) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
+    const Sphere sphere{{0, 0, 0}, 1, form};
+    const Hit<Real> hit = hit_at(sphere, Ray<Real>{{0, 0, 5}, {0, 0, -1}}, Real(4));
+    for (const Vec3<Real>& direction : {Vec3<Real>{}, Vec3<Real>{nan, nan, nan}, Vec3<Real>{0, nan, 0}}) {
+      const Ray<Real> ray = ray_from(hit, direction);
+      CHECK(ray.origin.z == hit.outside.z);
+      CHECK(distance_to(sphere, ray) == infinity<Real>());
+    }
+  }
 }
 
 TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them", Real, float, double,

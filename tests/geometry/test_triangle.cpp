@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <type_traits>
 
+#include "dice.hpp"
 #include "pack.hpp"
 #include "seed_triangle.hpp"
 
@@ -18,42 +18,28 @@
 namespace texmap {
 namespace {
 
-/// Numbers from -1 to 1 that are the same on every machine.
-struct Dice {
-  std::uint64_t state = 1;
-  double next() {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
-  }
-  /// A direction, each as likely as any other.
-  Point direction() {
-    for (;;) {
-      const Point p{next(), next(), next()};
-      if (dot(p, p) < 1 && dot(p, p) > 1e-4) return normalize(p);
-    }
-  }
-  /// Three whole numbers from -range to range.
-  Point grid_point(double range) {
-    return {std::round(next() * range), std::round(next() * range), std::round(next() * range)};
-  }
-};
+/// Three whole numbers from -range to range.
+Point grid_point(Dice& dice, int range) {
+  const auto whole = [&] { return static_cast<double>(dice.within(-range, range)); };
+  return {whole(), whole(), whole()};
+}
 
 /// A long thin triangle: a needle has one short side, a cap has none and its third corner above the middle of the longest.
 enum class Thin { needle, cap };
 
 /// A triangle with a side of length 1 and a width of 1 / aspect, turned any way, at a distance `away` from the origin.
 Triangle thin_triangle(Dice& dice, Thin shape, double aspect, double away) {
-  const Point along = dice.direction();
-  const Point across = normalize(cross(along, dice.direction()));
-  const Point a = dice.direction() * away;
-  const double foot = shape == Thin::cap ? 0.5 + 0.3 * dice.next() : 0;
+  const Point along = dice.direction<double>();
+  const Point across = normalize(cross(along, dice.direction<double>()));
+  const Point a = dice.direction<double>() * away;
+  const double foot = shape == Thin::cap ? 0.5 + 0.3 * dice.between(-1, 1) : 0;
   return {a, a + along, a + along * foot + across * (1 / aspect)};
 }
 
 /// A point of the triangle, inside but for rounding.
 Point point_inside(Dice& dice, const Triangle& t) {
-  double r = (dice.next() + 1) / 2;
-  double s = (dice.next() + 1) / 2;
+  double r = (dice.between(-1, 1) + 1) / 2;
+  double s = (dice.between(-1, 1) + 1) / 2;
   if (r + s > 1) {
     r = 1 - r;
     s = 1 - s;
@@ -97,8 +83,8 @@ TEST_CASE_TEMPLATE("P24: in the middle of a side the weights are 1/2, 1/2 and 0,
   Dice dice;
   for (int i = 0; i < 10000; ++i) {
     // Even coordinates, so that every number holds the middles.
-    const double range = i % 2 == 0 ? 16 : 1e6;
-    const Triangle t{dice.grid_point(range) * 2.0, dice.grid_point(range) * 2.0, dice.grid_point(range) * 2.0};
+    const int range = i % 2 == 0 ? 16 : 1000000;
+    const Triangle t{grid_point(dice, range) * 2.0, grid_point(dice, range) * 2.0, grid_point(dice, range) * 2.0};
     if (barycentric(t, number_cast<Real>(t.a)).degenerate) continue;
     REQUIRE(is(barycentric(t, number_cast<Real>((t.a + t.b) * 0.5)), 0.5, 0.5, 0));
     REQUIRE(is(barycentric(t, number_cast<Real>((t.b + t.c) * 0.5)), 0, 0.5, 0.5));
@@ -113,9 +99,9 @@ TEST_CASE_TEMPLATE("P24: at the centroid each weight is the number nearest to 1/
   Real worst = 0;
   int different = 0;
   for (int i = 0; i < 10000; ++i) {
-    const Point center = dice.grid_point(1000);
-    const Point to_a = dice.grid_point(1000);
-    const Point to_b = dice.grid_point(1000);
+    const Point center = grid_point(dice, 1000);
+    const Point to_a = grid_point(dice, 1000);
+    const Point to_b = grid_point(dice, 1000);
     const Triangle t{center + to_a, center + to_b, center - to_a - to_b};
     const Barycentric<Real> w = barycentric(t, number_cast<Real>(center));
     if (w.degenerate) continue;
@@ -174,9 +160,9 @@ TEST_CASE_TEMPLATE("P26: points computed on a line, in double, are degenerate wh
                    long double) {
   Dice dice;
   for (int i = 0; i < 20000; ++i) {
-    const Point start = dice.direction() * std::exp2(10 * dice.next());
-    const Point along = dice.direction();
-    const Triangle t{start, start + along * (3 * dice.next()), start + along * (3 * dice.next())};
+    const Point start = dice.direction<double>() * std::exp2(10 * dice.between(-1, 1));
+    const Point along = dice.direction<double>();
+    const Triangle t{start, start + along * (3 * dice.between(-1, 1)), start + along * (3 * dice.between(-1, 1))};
     REQUIRE(is_degenerate(barycentric(t, number_cast<Real>(point_inside(dice, t)))));
   }
 }
@@ -283,9 +269,9 @@ TEST_CASE_TEMPLATE("a pack finds in each lane the weights that a single number f
     Triangle t = thin_triangle(dice, i % 2 == 0 ? Thin::needle : Thin::cap, i % 3 == 0 ? 1e4 : 1, 1);
     if (i % 10 == 0) t.c = t.a + (t.b - t.a) * 0.3;
     const Many r = from_lanes<Many>([&](std::size_t k) {
-      return k == 1 && i % 5 == 0 ? std::numeric_limits<T>::quiet_NaN() : static_cast<T>(dice.next());
+      return k == 1 && i % 5 == 0 ? std::numeric_limits<T>::quiet_NaN() : static_cast<T>(dice.between(-1, 1));
     });
-    const Many s = from_lanes<Many>([&](std::size_t) { return static_cast<T>(dice.next()); });
+    const Many s = from_lanes<Many>([&](std::size_t) { return static_cast<T>(dice.between(-1, 1)); });
     const Vec3<Many> a = number_cast<Many>(t.a);
     const Vec3<Many> p = a + (number_cast<Many>(t.b) - a) * r + (number_cast<Many>(t.c) - a) * s;
     const Barycentric<Many> all = barycentric(t, p);
@@ -303,7 +289,8 @@ TEST_CASE_TEMPLATE("seed 3's weights agree with ours inside an ordinary triangle
   Dice dice;
   Real worst = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Triangle t{dice.direction(), dice.direction() + Point{3, 0, 0}, dice.direction() + Point{0, 3, 0}};
+    const Triangle t{dice.direction<double>(), dice.direction<double>() + Point{3, 0, 0},
+                     dice.direction<double>() + Point{0, 3, 0}};
     const Point middle = (t.a + t.b + t.c) * (1.0 / 3);
     const Vec3<Real> p = number_cast<Real>((point_inside(dice, t) + middle) * 0.5);  // not near a side
     const Barycentric<Real> ours = barycentric(t, p);
@@ -490,8 +477,8 @@ TEST_CASE_TEMPLATE("outside a triangle the error grows with the square of the la
     double worst = 0;
     for (int i = 0; i < 5000; ++i) {
       const Triangle t = thin_triangle(dice, i % 2 == 0 ? Thin::needle : Thin::cap, i % 3 == 0 ? 100 : 1, 1);
-      const double r = reach * dice.next();
-      const double q = reach * dice.next();
+      const double r = reach * dice.between(-1, 1);
+      const double q = reach * dice.between(-1, 1);
       const Vec3<Real> p = number_cast<Real>(t.a + (t.b - t.a) * r + (t.c - t.a) * q);
       const Vec3<Reference> truth = true_weights(t, p);
       const double size = std::max(1.0, static_cast<double>(largest(truth)));
@@ -536,9 +523,9 @@ TEST_CASE_TEMPLATE(
     double worst_heron = 0;
     for (int i = 0; i < 5000; ++i) {
       // Two sides of about 1 and a short one, within the triangle inequality.
-      const Real x = static_cast<Real>(1.5 + 0.25 * dice.next());
-      const Real z = static_cast<Real>((0.75 + 0.25 * dice.next()) / aspect);
-      const Real y = x + z * static_cast<Real>(0.9 * dice.next());
+      const Real x = static_cast<Real>(1.5 + 0.25 * dice.between(-1, 1));
+      const Real z = static_cast<Real>((0.75 + 0.25 * dice.between(-1, 1)) / aspect);
+      const Real y = x + z * static_cast<Real>(0.9 * dice.between(-1, 1));
       if (!(x < y + z && y < x + z) || Reference(x) - Reference(y) >= Reference(z) ||
           Reference(y) - Reference(x) >= Reference(z))
         continue;

@@ -3,6 +3,9 @@
 
 #include <doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace texmap {
 namespace {
 
@@ -51,6 +54,31 @@ TEST_CASE("a choice keeps to its budget, and the kernel before it does not") {
   }
 }
 
+TEST_CASE("a choice states the error of its own kernel, along the side of the texture where it is worse") {
+  struct Size {
+    int width, height;
+  };
+  for (const Size size : {Size{8192, 4096}, Size{4096, 8192}, Size{1, 8192}, Size{8192, 1}}) {
+    CAPTURE(size.width);
+    CAPTURE(size.height);
+    const auto stated = [&](const UvChoice& choice, const UvError& worst) {
+      CHECK(choice.worst_texels == std::max(worst.u * size.width, worst.v * size.height));
+      CHECK(choice.worst_levels == doctest::Approx(255 * (worst.u * size.width + worst.v * size.height)));
+    };
+    for (const double texels : {100.0, 1.0, 0.1, 0.01, 0.001}) {
+      const Budget budget{Budget::Unit::texels, texels};
+      for (const Directions directions : {Directions::any, Directions::unit}) {
+        const UvChoice choice = choose_uv_kernel(budget, size.width, size.height, directions);
+        const bool any = directions == Directions::any;
+        if (choice.degree == 5) stated(choice, any ? FastMapping<5>::worst<float> : FastUnitMapping<5>::worst<float>);
+        if (choice.degree == 9) stated(choice, any ? FastMapping<9>::worst<float> : FastUnitMapping<9>::worst<float>);
+        if (choice.degree == 11) stated(choice, any ? FastMapping<11>::worst<float> : FastUnitMapping<11>::worst<float>);
+        if (choice.degree == 13) stated(choice, any ? FastMapping<13>::worst<float> : FastUnitMapping<13>::worst<float>);
+      }
+    }
+  }
+}
+
 TEST_CASE("known budgets buy known kernels") {
   struct Row {
     const char* budget;
@@ -84,6 +112,9 @@ TEST_CASE("the text says the budget, the size, the kernel, its worst case and it
   CHECK(choose_uv_kernel(parse_budget("texels=0.01"), 8192, 4096).text ==
         "(u, v) for texels=0.01 on 8192x4096: polynomials in float, arc tangent of degree 11; at worst 0.0028 texels and 1.4 "
         "levels; 0.037 of the reference's time");
+  CHECK(choose_uv_kernel(parse_budget("texels=0.01"), 8192, 4096, Directions::unit).text ==
+        "(u, v) for texels=0.01 on 8192x4096: polynomials in float, arc tangent of degree 11, unit vectors; at worst 0.0037 "
+        "texels and 1.7 levels; 0.029 of the reference's time");
   CHECK(choose_uv_kernel(parse_budget("exact"), 64, 32).text ==
         "(u, v) for exact on 64x32: the reference formula in double, by the C library, at cost 1");
   CHECK(choose_srgb_kernel(parse_budget("levels=1")).text ==
@@ -107,6 +138,45 @@ TEST_CASE("the mapping drawn with is the chosen one") {
   }
 }
 
+/// Whether a choice of this degree draws with the mappings of this degree, to the last bit.
+template <int Degree>
+bool draws_with_its_degree() {
+  const Point p{0.6, 0.48, -0.64};
+  UvChoice choice = choose_uv_kernel({}, 1, 1);
+  choice.degree = Degree;
+  const auto map = [&](const auto& mapping) { return mapping(p); };
+  const Uv<double> any = with_uv_mapping<Directions::any>(choice, map);
+  const Uv<double> unit = with_uv_mapping<Directions::unit>(choice, map);
+  return any.u == FastMapping<Degree>{}(p).u && any.v == FastMapping<Degree>{}(p).v &&
+         unit.u == FastUnitMapping<Degree>{}(p).u && unit.v == FastUnitMapping<Degree>{}(p).v;
+}
+
+TEST_CASE("every degree on offer is drawn with, and no other one in its place") {
+  CHECK(draws_with_its_degree<5>());
+  CHECK(draws_with_its_degree<7>());
+  CHECK(draws_with_its_degree<9>());
+  CHECK(draws_with_its_degree<11>());
+  CHECK(draws_with_its_degree<13>());
+  CHECK(draws_with_its_degree<15>());
+  CHECK(draws_with_its_degree<17>());
+  CHECK(draws_with_its_degree<23>());
+  CHECK(draws_with_its_degree<29>());
+  CHECK(draws_with_its_degree<35>());
+}
+
+TEST_CASE("each power kernel is bought by its stated error, and not by less") {
+  const auto terms_for = [](double levels) { return choose_power_kernel({Budget::Unit::levels, levels}).terms; };
+  const auto check = [&](int terms, int next, double worst) {
+    CHECK(terms_for(worst) == terms);
+    CHECK(terms_for(std::nextafter(worst, 0)) == next);
+    CHECK(choose_power_kernel({Budget::Unit::levels, worst}).worst_levels == worst);
+  };
+  check(3, 4, PowerKernel<3>::worst_levels<float>);
+  check(4, 6, PowerKernel<4>::worst_levels<float>);
+  check(6, 8, PowerKernel<6>::worst_levels<float>);
+  check(8, 0, PowerKernel<8>::worst_levels<float>);
+}
+
 TEST_CASE("colors are exact where the budget is none of levels, and otherwise as cheap as it allows") {
   for (const char* text : {"exact", "texels=100", "levels=0.0001"}) {
     CHECK(choose_srgb_kernel(parse_budget(text)).terms == 0);
@@ -122,6 +192,8 @@ TEST_CASE("colors are exact where the budget is none of levels, and otherwise as
 
 TEST_CASE("a texture without a size is refused") {
   CHECK_THROWS_WITH_AS(static_cast<void>(choose_uv_kernel({}, 0, 4)), "a texture is at least 1x1, not 0x4",
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(choose_uv_kernel({}, 4, 0)), "a texture is at least 1x1, not 4x0",
                        std::invalid_argument);
 }
 

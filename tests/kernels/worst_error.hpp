@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "dice.hpp"
 #include "pack.hpp"
 #include "vec3.hpp"
 
@@ -26,21 +27,6 @@ using Reference = boost::multiprecision::number<boost::multiprecision::cpp_bin_f
 #else
 using Reference = long double;
 #endif
-
-/// Pseudo-random numbers, the same in every run.
-class Dice {
- public:
-  /// Evenly from `low` to `high`.
-  double between(double low, double high) {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * static_cast<double>(state_ >> 11) * 0x1p-53;
-  }
-  /// Evenly over the powers of ten from 10^low to 10^high, with either sign.
-  double any_size(double low, double high) { return (between(0, 1) < 0.5 ? -1 : 1) * std::pow(10.0, between(low, high)); }
-
- private:
-  unsigned long long state_ = 1;
-};
 
 /// Unit vectors of T, once rounded from more digits and once made by `normalize`: on axes and diagonals, all over the globe,
 /// and at all distances from poles and seams.

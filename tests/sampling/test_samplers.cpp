@@ -26,6 +26,17 @@ std::string name_of(SamplerKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+/// Looks at every kind of sampler with each of these numbers of samples.
+void for_all_samplers(std::initializer_list<int> counts, void (*law)(SamplerKind kind, int count)) {
+  for (const SamplerKind kind : all_kinds) {
+    for (const int count : counts) {
+      CAPTURE(name_of(kind));
+      CAPTURE(count);
+      law(kind, count);
+    }
+  }
+}
+
 /// All samples of a pixel.
 std::vector<Sample2<double>> samples_of(const Sampler& sampler, std::uint32_t column, std::uint32_t row,
                                         std::uint32_t dimension) {
@@ -46,28 +57,24 @@ bool one_in_each(const std::vector<Sample2<double>>& samples, std::uint32_t colu
 }
 
 TEST_CASE_TEMPLATE("every number draws the same samples, one pixel at a time or many", Real, TEXMAP_SAMPLED_NUMBERS) {
-  for (const SamplerKind kind : all_kinds) {
-    for (const int count : {1, 2, 3, 7, 16, 64, 97, 100, 256, 1000, most_samples}) {
-      CAPTURE(name_of(kind));
-      CAPTURE(count);
-      const Sampler sampler(kind, count, 11);
-      const int step = count < 300 ? 1 : count / 100;
-      for (std::uint32_t column = 0; column < 32; column += 16) {
-        for (int i = 0; i < count; i += step) {
-          for (const std::uint32_t dimension : {0U, 3U, 50U}) {
-            const auto sample = static_cast<std::uint32_t>(i);
-            const Sample2<Real> pack = sampler.pair<Real>(pixel_bits<Real>(column, 5), sample, dimension);
-            for (std::size_t at = 0; at < lanes<Real>; ++at) {
-              const auto here = column + static_cast<std::uint32_t>(at);
-              const Sample2<double> single = sampler.pair<double>(pixel_bits<double>(here, 5), sample, dimension);
-              REQUIRE(static_cast<double>(lane(pack.u, at)) == single.u);
-              REQUIRE(static_cast<double>(lane(pack.v, at)) == single.v);
-            }
+  for_all_samplers({1, 2, 3, 7, 16, 64, 97, 100, 256, 1000, most_samples}, [](SamplerKind kind, int count) {
+    const Sampler sampler(kind, count, 11);
+    const int step = count < 300 ? 1 : count / 100;
+    for (std::uint32_t column = 0; column < 32; column += 16) {
+      for (int i = 0; i < count; i += step) {
+        for (const std::uint32_t dimension : {0U, 3U, 50U}) {
+          const auto sample = static_cast<std::uint32_t>(i);
+          const Sample2<Real> pack = sampler.pair<Real>(pixel_bits<Real>(column, 5), sample, dimension);
+          for (std::size_t at = 0; at < lanes<Real>; ++at) {
+            const auto here = column + static_cast<std::uint32_t>(at);
+            const Sample2<double> single = sampler.pair<double>(pixel_bits<double>(here, 5), sample, dimension);
+            REQUIRE(static_cast<double>(lane(pack.u, at)) == single.u);
+            REQUIRE(static_cast<double>(lane(pack.v, at)) == single.v);
           }
         }
       }
     }
-  }
+  });
 }
 
 TEST_CASE("samples are the same on every machine") {
@@ -91,18 +98,16 @@ TEST_CASE("samples are the same on every machine") {
 }
 
 TEST_CASE("samples lie in [0, 1) and are multiples of 2^-24") {
-  for (const SamplerKind kind : all_kinds) {
-    for (const int count : {1, 2, 3, 5, 16, 97, 100, 255, 257, 1024, most_samples - 1, most_samples}) {
-      for (const Sample2<double>& at : samples_of(Sampler(kind, count), 3, 4, 5)) {
-        REQUIRE(at.u >= 0);
-        REQUIRE(at.u < 1);
-        REQUIRE(at.v >= 0);
-        REQUIRE(at.v < 1);
-        REQUIRE(at.u * 0x1p24 == std::floor(at.u * 0x1p24));
-        REQUIRE(at.v * 0x1p24 == std::floor(at.v * 0x1p24));
-      }
+  for_all_samplers({1, 2, 3, 5, 16, 97, 100, 255, 257, 1024, most_samples - 1, most_samples}, [](SamplerKind kind, int count) {
+    for (const Sample2<double>& at : samples_of(Sampler(kind, count), 3, 4, 5)) {
+      REQUIRE(at.u >= 0);
+      REQUIRE(at.u < 1);
+      REQUIRE(at.v >= 0);
+      REQUIRE(at.v < 1);
+      REQUIRE(at.u * 0x1p24 == std::floor(at.u * 0x1p24));
+      REQUIRE(at.v * 0x1p24 == std::floor(at.v * 0x1p24));
     }
-  }
+  });
 }
 
 TEST_CASE("a number of samples that is not from 1 to 16384 is refused") {
@@ -285,66 +290,59 @@ TEST_CASE("a scrambling flips a bit only by the bits of larger value, and every 
 }
 
 TEST_CASE("each pixel, each dimension and each seed has samples of its own, spread over the whole square") {
-  for (const SamplerKind kind : all_kinds) {
-    CAPTURE(name_of(kind));
-    for (const int count : {8, 16, 64, 97}) {
-      // One sample over pixels: uniform, and one pixel's tells nothing about the next one's.
-      const Sampler sampler(kind, count, 5);
-      std::array<double, 64> bins{};
-      double pixels = 0, dimensions = 0, seeds = 0, coordinates = 0;
-      const Sampler reseeded(kind, count, 6);
-      constexpr int side = 256;
-      for (std::uint32_t row = 0; row < side; ++row) {
-        for (std::uint32_t column = 0; column < side; ++column) {
-          const auto a = sampler.pair<double>(pixel_bits<double>(column, row), 7, 3);
-          const auto b = sampler.pair<double>(pixel_bits<double>(column + 1, row), 7, 3);
-          const auto c = sampler.pair<double>(pixel_bits<double>(column, row), 7, 4);
-          const auto d = reseeded.pair<double>(pixel_bits<double>(column, row), 7, 3);
-          bins[static_cast<std::size_t>(a.v * 8) * 8 + static_cast<std::size_t>(a.u * 8)] += 1;
-          pixels += (a.u - 0.5) * (b.u - 0.5) + (a.v - 0.5) * (b.v - 0.5);
-          dimensions += (a.u - 0.5) * (c.u - 0.5) + (a.v - 0.5) * (c.v - 0.5);
-          seeds += (a.u - 0.5) * (d.u - 0.5) + (a.v - 0.5) * (d.v - 0.5);
-          coordinates += (a.u - 0.5) * (a.v - 0.5);
-        }
+  for_all_samplers({8, 16, 64, 97}, [](SamplerKind kind, int count) {
+    // One sample over pixels: uniform, and one pixel's tells nothing about the next one's.
+    const Sampler sampler(kind, count, 5);
+    std::array<double, 64> bins{};
+    double pixels = 0, dimensions = 0, seeds = 0, coordinates = 0;
+    const Sampler reseeded(kind, count, 6);
+    constexpr int side = 256;
+    for (std::uint32_t row = 0; row < side; ++row) {
+      for (std::uint32_t column = 0; column < side; ++column) {
+        const auto a = sampler.pair<double>(pixel_bits<double>(column, row), 7, 3);
+        const auto b = sampler.pair<double>(pixel_bits<double>(column + 1, row), 7, 3);
+        const auto c = sampler.pair<double>(pixel_bits<double>(column, row), 7, 4);
+        const auto d = reseeded.pair<double>(pixel_bits<double>(column, row), 7, 3);
+        bins[static_cast<std::size_t>(a.v * 8) * 8 + static_cast<std::size_t>(a.u * 8)] += 1;
+        pixels += (a.u - 0.5) * (b.u - 0.5) + (a.v - 0.5) * (b.v - 0.5);
+        dimensions += (a.u - 0.5) * (c.u - 0.5) + (a.v - 0.5) * (c.v - 0.5);
+        seeds += (a.u - 0.5) * (d.u - 0.5) + (a.v - 0.5) * (d.v - 0.5);
+        coordinates += (a.u - 0.5) * (a.v - 0.5);
       }
-      double chi = 0;
-      for (const double found : bins) chi += (found - side * side / 64.0) * (found - side * side / 64.0) / (side * side / 64.0);
-      CHECK(chi < 63 + 5 * std::sqrt(2 * 63.0));
-      const double bound = 4 * side / 12.0 * std::numbers::sqrt2;
-      CHECK(std::abs(pixels) < bound);
-      CHECK(std::abs(dimensions) < bound);
-      CHECK(std::abs(seeds) < bound);
-      CHECK(std::abs(coordinates) < bound);
     }
-  }
+    double chi = 0;
+    for (const double found : bins) chi += (found - side * side / 64.0) * (found - side * side / 64.0) / (side * side / 64.0);
+    CHECK(chi < 63 + 5 * std::sqrt(2 * 63.0));
+    const double bound = 4 * side / 12.0 * std::numbers::sqrt2;
+    CHECK(std::abs(pixels) < bound);
+    CHECK(std::abs(dimensions) < bound);
+    CHECK(std::abs(seeds) < bound);
+    CHECK(std::abs(coordinates) < bound);
+  });
 }
 
 TEST_CASE("two dimensions of a pixel are paired by chance: products of them have the error of random samples") {
-  for (const SamplerKind kind : all_kinds) {
-    for (const int count : {16, 64, 100, 256}) {
-      CAPTURE(name_of(kind));
-      CAPTURE(count);
-      const Sampler sampler(kind, count, 3);
-      double like = 0, unlike = 0, halves = 0;
-      constexpr int pixels = 2048;
-      for (std::uint32_t p = 0; p < pixels; ++p) {
-        const auto first = samples_of(sampler, p, 0, 3);
-        const auto second = samples_of(sampler, p, 0, 4);
-        double uu = 0, uv = 0, signs = 0;
-        for (std::size_t i = 0; i < first.size(); ++i) {
-          uu += (first[i].u - 0.5) * (second[i].u - 0.5) * 12;
-          uv += (first[i].u - 0.5) * (second[i].v - 0.5) * 12;
-          signs += (first[i].u < 0.5) == (second[i].u < 0.5) ? 1 : -1;
-        }
-        like += uu * uu / count;
-        unlike += uv * uv / count;
-        halves += signs * signs / count;
+  for_all_samplers({16, 64, 100, 256}, [](SamplerKind kind, int count) {
+    const Sampler sampler(kind, count, 3);
+    double like = 0, unlike = 0, halves = 0;
+    constexpr int pixels = 2048;
+    for (std::uint32_t p = 0; p < pixels; ++p) {
+      const auto first = samples_of(sampler, p, 0, 3);
+      const auto second = samples_of(sampler, p, 0, 4);
+      double uu = 0, uv = 0, signs = 0;
+      for (std::size_t i = 0; i < first.size(); ++i) {
+        uu += (first[i].u - 0.5) * (second[i].u - 0.5) * 12;
+        uv += (first[i].u - 0.5) * (second[i].v - 0.5) * 12;
+        signs += (first[i].u < 0.5) == (second[i].u < 0.5) ? 1 : -1;
       }
-      CHECK(std::abs(like / pixels - 1) < 0.25);  // a permutation of 16 gives 16/15, and chance another 0.13
-      CHECK(std::abs(unlike / pixels - 1) < 0.25);
-      CHECK(std::abs(halves / pixels - 1) < 0.25);
+      like += uu * uu / count;
+      unlike += uv * uv / count;
+      halves += signs * signs / count;
     }
-  }
+    CHECK(std::abs(like / pixels - 1) < 0.25);  // a permutation of 16 gives 16/15, and chance another 0.13
+    CHECK(std::abs(unlike / pixels - 1) < 0.25);
+    CHECK(std::abs(halves / pixels - 1) < 0.25);
+  });
 }
 
 TEST_CASE("the pattern inside of visit is the sampler's own") {
@@ -457,26 +455,22 @@ TEST_CASE("multi-jitter and Sobol': 64 samples are worth 10 times as many random
 }
 
 TEST_CASE("no sampler shifts a mean: over many pixels, errors average out") {
-  for (const SamplerKind kind : all_kinds) {
-    for (const int count : {7, 16, 97, 100}) {
-      CAPTURE(name_of(kind));
-      CAPTURE(count);
-      const Sampler sampler(kind, count, 4);
-      double u = 0, v = 0, product = 0;
-      constexpr int pixels = 4096;
-      for (std::uint32_t p = 0; p < pixels; ++p) {
-        for (const Sample2<double>& at : samples_of(sampler, p, 1, 2)) {
-          u += at.u;
-          v += at.v;
-          product += (at.u - 0.5) * (at.v - 0.5);
-        }
+  for_all_samplers({7, 16, 97, 100}, [](SamplerKind kind, int count) {
+    const Sampler sampler(kind, count, 4);
+    double u = 0, v = 0, product = 0;
+    constexpr int pixels = 4096;
+    for (std::uint32_t p = 0; p < pixels; ++p) {
+      for (const Sample2<double>& at : samples_of(sampler, p, 1, 2)) {
+        u += at.u;
+        v += at.v;
+        product += (at.u - 0.5) * (at.v - 0.5);
       }
-      const double all = static_cast<double>(pixels) * count;
-      CHECK(std::abs(u / all - 0.5) < 4 * std::sqrt(1 / 12.0 / all));
-      CHECK(std::abs(v / all - 0.5) < 4 * std::sqrt(1 / 12.0 / all));
-      CHECK(std::abs(product / all) < 4 / 12.0 / std::sqrt(all));
     }
-  }
+    const double all = static_cast<double>(pixels) * count;
+    CHECK(std::abs(u / all - 0.5) < 4 * std::sqrt(1 / 12.0 / all));
+    CHECK(std::abs(v / all - 0.5) < 4 * std::sqrt(1 / 12.0 / all));
+    CHECK(std::abs(product / all) < 4 / 12.0 / std::sqrt(all));
+  });
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ TEST_CASE_TEMPLATE("whole numbers alternate, negative and huge ones included", R
   CHECK(is_even(last - Real(1)));
   CHECK_FALSE(is_even(-last));
   CHECK(is_even(Real(1e30L)));
+  CHECK(is_even(infinity<Real>()));
+  CHECK(is_even(-infinity<Real>()));
+  CHECK_FALSE(is_even(std::numeric_limits<Real>::quiet_NaN()));
 }
 
 TEST_CASE("at a million million the parity is still exact in double") {

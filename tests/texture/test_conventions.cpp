@@ -118,6 +118,16 @@ TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, 
   CHECK(wrong == 0);
 }
 
+TEST_CASE_TEMPLATE("the zero vector has a place in every convention, and v runs down in one of them", Real, float, double,
+                   long double) {
+  for (const Convention convention : {Convention::daily, Convention::rtiow, Convention::lecture}) {
+    const Uv<Real> uv = uv_of(convention, Vec3<Real>{});
+    CHECK(uv.u == (convention == Convention::lecture ? Real(0.25) : Real(0.5)));
+    CHECK(uv.v == Real(0.5));
+    CHECK((v_axis_of(convention) == VAxis::down) == (convention == Convention::daily));
+  }
+}
+
 TEST_CASE_TEMPLATE("u stays below 1 on both sides of every seam", Real, float, double, long double) {
   for (const Real small : {Real(0), std::numeric_limits<Real>::denorm_min(), Real(1e-30L), Real(1e-9L), Real(1e-3L)}) {
     for (const Real sign : {Real(-1), Real(1)}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dice.hpp"
 #include "pack.hpp"
 #include "solid_checkerboard.hpp"
 
@@ -12,15 +13,6 @@ namespace {
 
 const Rgb even{0.25, 0.5, 0.75};
 const Rgb odd{1, 0, 0.125};
-
-/// Numbers from -1 to 1 that are the same on every machine.
-struct Dice {
-  std::uint64_t state = 1;
-  double next() {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1;
-  }
-};
 
 /// 'e' for the even color, 'o' for the odd one, '?' for anything else.
 template <class Real>
@@ -89,9 +81,9 @@ TEST_CASE_TEMPLATE("colors are right for every stored point, up to 1e12 and on a
     CAPTURE(range);
     int wrong = 0;
     for (int i = 0; i < 20000; ++i) {
-      const auto x = static_cast<Real>(range * dice.next());
-      const auto y = static_cast<Real>(range * dice.next());
-      const auto z = static_cast<Real>(10 * dice.next());  // a small one beside the large ones
+      const auto x = static_cast<Real>(range * dice.between(-1, 1));
+      const auto y = static_cast<Real>(range * dice.between(-1, 1));
+      const auto z = static_cast<Real>(10 * dice.between(-1, 1));  // a small one beside the large ones
       if (cube_at(board, x, y, z) != true_cube_at(x, y, z)) ++wrong;
     }
     CHECK(wrong == 0);
@@ -158,7 +150,7 @@ TEST_CASE_TEMPLATE("a pack finds in each lane the cube that a single number find
     const SolidCheckerboard board{even, odd, cell};
     for (const double range : {3.0, 1e6, 1e12}) {
       for (int i = 0; i < 500; ++i) {
-        const auto any_number = [&](std::size_t) { return static_cast<T>(range * dice.next()); };
+        const auto any_number = [&](std::size_t) { return static_cast<T>(range * dice.between(-1, 1)); };
         const Vec3<Many> p{from_lanes<Many>(any_number), from_lanes<Many>(any_number), from_lanes<Many>(any_number)};
         const Color<Many> colors = board(p);
         for (std::size_t k = 0; k < lanes<Many>; ++k) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "exact.hpp"
+#include "hard_vectors.hpp"
 #include "pack.hpp"
 #include "uv.hpp"
 
@@ -89,35 +90,9 @@ TEST_CASE_TEMPLATE("known angles have their places", Real, NUMBERS) {
 
 TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, the smallest, largest and no numbers too", Real, float,
                    double, long double) {
-  using Limits = std::numeric_limits<Real>;
-  const Real corners[] = {0,
-                          -Real(0),
-                          1,
-                          -1,
-                          Limits::denorm_min(),
-                          -Limits::denorm_min(),
-                          Limits::min(),
-                          -Limits::min(),
-                          Limits::max(),
-                          -Limits::max(),
-                          infinity<Real>(),
-                          -infinity<Real>(),
-                          Limits::quiet_NaN(),
-                          Limits::epsilon()};
-  for (const Real x : corners) {
-    for (const Real y : corners) {
-      for (const Real z : corners) {
-        const Uv<Real> uv = uv_rtiow(Vec3<Real>{x, y, z});
-        CAPTURE(x);
-        CAPTURE(y);
-        CAPTURE(z);
-        REQUIRE(uv.u >= Real(0));
-        REQUIRE(uv.u < Real(1));
-        REQUIRE(uv.v >= Real(0));
-        REQUIRE(uv.v <= Real(1));
-      }
-    }
-  }
+  std::vector<Real> coordinates = test::hard_finite_numbers<Real>();
+  coordinates.insert(coordinates.end(), {infinity<Real>(), -infinity<Real>(), std::numeric_limits<Real>::quiet_NaN()});
+  test::check_every_place([](const Vec3<Real>& p) { return uv_rtiow(p); }, coordinates);
 }
 
 TEST_CASE("every pattern of bits is a vector with a place") {

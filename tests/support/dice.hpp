@@ -1,19 +1,22 @@
-// Inputs: numbers and vectors drawn log-uniformly, so that every exponent is as likely as any other, and the hard corners.
+// Chance that is the same on every machine: numbers and directions, spread evenly or over all powers, and the hard corners.
 #pragma once
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "vec3.hpp"
 
-namespace texmap::extremes {
+namespace texmap {
 
-/// Draws that are the same on every machine: splitmix64.
+template <class T>
+[[nodiscard]] Vec3<T> rounded(const Vec3<long double>& p) {
+  return {static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
+}
+
+/// Draws by splitmix64: equal seeds give equal draws.
 class Dice {
  public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  explicit Dice(std::uint64_t seed = 1) : state_(seed) {}
 
   std::uint64_t bits() {
     state_ += 0x9e3779b97f4a7c15U;
@@ -33,8 +36,12 @@ class Dice {
   long double uniform(long double low, long double high) {
     return low + (high - low) * static_cast<long double>(bits() >> 11) * 0x1p-53L;
   }
+  /// The same in double, where rounding may reach `high`.
+  double between(double low, double high) { return static_cast<double>(uniform(low, high)); }
   /// 10^low to 10^high, each power as likely as any other.
   long double power_of_ten(long double low, long double high) { return std::pow(10.0L, uniform(low, high)); }
+  /// The same in double, with either sign.
+  double any_size(double low, double high) { return sign() * static_cast<double>(power_of_ten(low, high)); }
 
   /// A positive number in [2^low, 2^high), each exponent as likely as any other, each digit of T in use.
   template <class T>
@@ -76,11 +83,12 @@ class Dice {
     }
   }
   /// A direction, each as likely as any other, one unit long but for rounding.
-  Vec3<long double> direction() {
+  template <class T = long double>
+  Vec3<T> direction() {
     for (;;) {
       const Vec3<long double> p{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
       const long double square_of_length = dot(p, p);
-      if (square_of_length < 1 && square_of_length > 1e-4L) return p * (1 / std::sqrt(square_of_length));
+      if (square_of_length < 1 && square_of_length > 1e-4L) return rounded<T>(p * (1 / std::sqrt(square_of_length)));
     }
   }
   /// A direction at a right angle to `p`.
@@ -96,13 +104,8 @@ class Dice {
 };
 
 template <class T>
-[[nodiscard]] Vec3<T> rounded(const Vec3<long double>& p) {
-  return {static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
-}
-
-template <class T>
 [[nodiscard]] Vec3<T> scaled(const Vec3<T>& p, int power_of_two) {
   return {std::ldexp(p.x, power_of_two), std::ldexp(p.y, power_of_two), std::ldexp(p.z, power_of_two)};
 }
 
-}  // namespace texmap::extremes
+}  // namespace texmap
