@@ -186,8 +186,8 @@ auto worst_camera() {
     const auto row = static_cast<T>(dice.within(0, height - 1));
     const Ray<Real> ray = ray_through(view, gathered_numbers<Real>(columns), Real(row));
     for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const Digits50 x = (2 * (Digits50(columns[k]) + view.anchor) / width - 1) * view.half_width;
-      const Digits50 y = (1 - 2 * (Digits50(row) + view.anchor) / height) * view.half_height;
+      const Digits50 x = (Digits50(columns[k]) - view.center_column) * view.pixel;
+      const Digits50 y = (view.center_row - Digits50(row)) * view.pixel;
       Vec3<Digits50> exact =
           exactly<Digits50>(view.forward) + exactly<Digits50>(view.right) * x + exactly<Digits50>(view.up) * y;
       exact = exact * Digits50(1 / sqrt(dot(exact, exact)));

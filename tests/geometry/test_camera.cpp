@@ -98,7 +98,9 @@ TEST_CASE("the field of view is the angle between the lower and the upper edge, 
       CAPTURE(width);
       CHECK(std::atan2(length(cross(top, bottom)), dot(top, bottom)) * 180 / std::numbers::pi ==
             doctest::Approx(fov).epsilon(1e-13));
-      CHECK(view.half_width * 6 == doctest::Approx(view.half_height * width).epsilon(1e-15));
+      const Point edge = direction_through(view, width - 0.5, 2.5);  // as much wider as the picture is, in the plane ahead
+      CHECK(dot(edge, view.right) == doctest::Approx(std::tan(fov * std::numbers::pi / 360) * width / 6).epsilon(1e-14));
+      CHECK(dot(edge, view.forward) == doctest::Approx(1).epsilon(1e-14));
     }
   }
 }

@@ -34,6 +34,12 @@ bool is_met(const View& view, const Sphere& sphere, double column, double row) {
   return distance_to(sphere, ray_through(view, column, row)) < infinity<double>();
 }
 
+/// True if none of the pixels from `first` to `last` of a row is among those that can show what is inside.
+bool miss(const ScreenBounds& bounds, int first, int last, int row) {
+  const Span columns = bounds.columns(row, 40);
+  return last < columns.first || first >= columns.end;
+}
+
 TEST_CASE("no ray through a pixel outside the bounds meets the sphere, wherever camera and sphere are") {
   Dice dice;
   int outside = 0;
@@ -47,7 +53,7 @@ TEST_CASE("no ray through a pixel outside the bounds meets the sphere, wherever 
       const int row = dice.below(30);
       const bool seen = is_met(view, scene.sphere, column + dice.between(-0.5, 0.5), row + dice.between(-0.5, 0.5));
       if (seen) ++met;
-      if (!bounds.miss(column, column, row)) continue;
+      if (!miss(bounds, column, column, row)) continue;
       ++outside;
       REQUIRE_FALSE(seen);
     }
@@ -88,8 +94,8 @@ TEST_CASE("the bounds are no more than the pixel that is added from the outline,
 TEST_CASE("round the eye a sphere is everywhere, and one that reaches behind the eye has no edge on that side") {
   const View view = view_of({.eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_y_degrees = 60}, 40, 30);
   const ScreenBounds around = screen_bounds(view, {{0.5, 0, 0}, 1});
-  for (int row = 0; row < 30; ++row) CHECK_FALSE(around.miss(0, 0, row));
-  CHECK_FALSE(around.miss(39, 39, 0));
+  for (int row = 0; row < 30; ++row) CHECK_FALSE(miss(around, 0, 0, row));
+  CHECK_FALSE(miss(around, 39, 39, 0));
 
   const ScreenBounds to_the_right = screen_bounds(view, {{2, 0, -0.5}, 1.9});
   CHECK(to_the_right.right == infinity<double>());
@@ -98,22 +104,33 @@ TEST_CASE("round the eye a sphere is everywhere, and one that reaches behind the
   CHECK(below.bottom == infinity<double>());
   CHECK(below.top > 0);
   CHECK(below.top < 30);
-  CHECK(below.miss(0, 39, 0));
-  CHECK_FALSE(below.miss(0, 39, 29));
+  CHECK(miss(below, 0, 39, 0));
+  CHECK_FALSE(miss(below, 0, 39, 29));
+}
+
+TEST_CASE("the columns of a row are those of the picture, whole numbers between the bounds") {
+  const auto equal = [](Span a, Span b) { return a.first == b.first && a.end == b.end; };
+  CHECK(equal(ScreenBounds{9.5, 20.5, 0, 9}.columns(3, 40), {10, 21}));
+  CHECK(equal(ScreenBounds{-7, 20, 0, 9}.columns(3, 40), {0, 21}));
+  CHECK(equal(ScreenBounds{30, 70, 0, 9}.columns(3, 40), {30, 40}));
+  CHECK(equal(ScreenBounds{-infinity<double>(), infinity<double>(), 0, 9}.columns(3, 40), {0, 40}));
+  CHECK(equal(ScreenBounds{-9, -3, 0, 9}.columns(3, 40), {40, 40}));
+  CHECK(equal(ScreenBounds{41, 50, 0, 9}.columns(3, 40), {40, 40}));
+  CHECK(equal(ScreenBounds{10, 20, 4, 9}.columns(3, 40), {40, 40}));
 }
 
 TEST_CASE("pixels from a first to a last miss the rectangle when all of them do") {
   const ScreenBounds bounds{10, 20, 5, 8};
-  CHECK(bounds.miss(0, 9, 6));
-  CHECK_FALSE(bounds.miss(0, 10, 6));
-  CHECK_FALSE(bounds.miss(12, 13, 6));
-  CHECK_FALSE(bounds.miss(0, 100, 6));
-  CHECK_FALSE(bounds.miss(20, 30, 6));
-  CHECK(bounds.miss(21, 30, 6));
-  CHECK(bounds.miss(12, 13, 4));
-  CHECK_FALSE(bounds.miss(12, 13, 5));
-  CHECK_FALSE(bounds.miss(12, 13, 8));
-  CHECK(bounds.miss(12, 13, 9));
+  CHECK(miss(bounds, 0, 9, 6));
+  CHECK_FALSE(miss(bounds, 0, 10, 6));
+  CHECK_FALSE(miss(bounds, 12, 13, 6));
+  CHECK_FALSE(miss(bounds, 0, 39, 6));
+  CHECK_FALSE(miss(bounds, 20, 30, 6));
+  CHECK(miss(bounds, 21, 30, 6));
+  CHECK(miss(bounds, 12, 13, 4));
+  CHECK_FALSE(miss(bounds, 12, 13, 5));
+  CHECK_FALSE(miss(bounds, 12, 13, 8));
+  CHECK(miss(bounds, 12, 13, 9));
 }
 
 }  // namespace
