@@ -1,0 +1,52 @@
+# What things take: bench_ratios and, where Google Benchmark is installed, bench_kernels. Included by CMakeLists.txt here.
+
+# Everything that is measured: both programs and their tests use it.
+add_library(bench_groups OBJECT bench/all_groups.cpp bench/micro_groups.cpp bench/measure.cpp bench/report.cpp)
+target_include_directories(bench_groups PUBLIC bench PRIVATE "${TEXMAP_CHAPTERS}")
+target_link_libraries(bench_groups PUBLIC options PRIVATE project_options)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
+endif()
+
+# Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as
+# common/app/wide_packs.hpp explains.
+get_directory_property(wide_sets DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION WIDE_PACKS)
+set(wide_objects "")
+if(wide_sets)
+  add_library(bench_wide OBJECT)
+  target_include_directories(bench_wide PRIVATE bench "${TEXMAP_CHAPTERS}")
+  target_link_libraries(bench_wide PRIVATE project_options options)
+  target_compile_definitions(bench_wide PRIVATE TEXMAP_WIDE_PACKS)
+  target_compile_definitions(bench_groups PUBLIC TEXMAP_WIDE_PACKS)
+  set(wide_objects $<TARGET_OBJECTS:bench_wide>)
+endif()
+foreach(instructions IN LISTS wide_sets)
+  get_directory_property(wide_options DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION wide_${instructions})
+  foreach(kind jobs)
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/bench_wide_${kind}_${instructions}.cpp")
+    configure_file(bench/wide_${kind}.cpp.in "${file}" @ONLY)
+    set_source_files_properties("${file}" PROPERTIES COMPILE_OPTIONS "${wide_options}")
+    target_sources(bench_wide PRIVATE "${file}")
+  endforeach()
+endforeach()
+
+set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
+  07_earth_by_sampling)
+list(JOIN chapter_programs "\", \"" chapter_names)
+add_executable(bench_ratios bench/bench_ratios.cpp bench/processes.cpp)
+target_link_libraries(bench_ratios PRIVATE bench_groups project_options)
+target_sources(bench_ratios PRIVATE ${wide_objects})
+set_source_files_properties(bench/processes.cpp PROPERTIES COMPILE_DEFINITIONS
+  "TEXMAP_BIN_DIR=\"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}\";TEXMAP_CHAPTER_NAMES={\"${chapter_names}\"}")
+set_source_files_properties(bench/bench_ratios.cpp PROPERTIES COMPILE_DEFINITIONS "TEXMAP_PROJECT_DIR=\"${CMAKE_SOURCE_DIR}\"")
+add_dependencies(bench_ratios ${chapter_programs})  # --beside runs them
+
+# The small works in Google Benchmark, with its options and its statistics: ./course bench --google.
+find_package(benchmark QUIET)
+if(benchmark_FOUND)
+  add_executable(bench_kernels bench/bench_kernels.cpp)
+  target_link_libraries(bench_kernels PRIVATE bench_groups project_options benchmark::benchmark)
+  target_sources(bench_kernels PRIVATE ${wide_objects})
+else()
+  message(STATUS "Google Benchmark not found: no ./course bench --google (Debian libbenchmark-dev, Fedora google-benchmark-devel)")
+endif()
