@@ -1,9 +1,10 @@
 # What things take: bench_ratios and, where Google Benchmark is installed, bench_kernels. Included by CMakeLists.txt here.
 
 # Everything that is measured: both programs and their tests use it.
-add_library(bench_groups OBJECT bench/all_groups.cpp bench/micro_groups.cpp bench/measure.cpp bench/report.cpp)
-target_include_directories(bench_groups PUBLIC bench PRIVATE "${TEXMAP_CHAPTERS}")
-target_link_libraries(bench_groups PUBLIC options PRIVATE project_options)
+add_library(bench_groups OBJECT bench/all_groups.cpp bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
+  bench/measure.cpp bench/micro_groups.cpp bench/report.cpp bench/stb_alone.cpp)
+target_include_directories(bench_groups PUBLIC bench PRIVATE support "${TEXMAP_CHAPTERS}")
+target_link_libraries(bench_groups PUBLIC options PRIVATE project_options stb_image stb_image_write)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
 endif()
@@ -22,7 +23,7 @@ if(wide_sets)
 endif()
 foreach(instructions IN LISTS wide_sets)
   get_directory_property(wide_options DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION wide_${instructions})
-  foreach(kind jobs)
+  foreach(kind jobs ledger lessons)
     set(file "${CMAKE_CURRENT_BINARY_DIR}/bench_wide_${kind}_${instructions}.cpp")
     configure_file(bench/wide_${kind}.cpp.in "${file}" @ONLY)
     set_source_files_properties("${file}" PROPERTIES COMPILE_OPTIONS "${wide_options}")

@@ -3,6 +3,9 @@
 
 namespace texmap::bench {
 
-std::vector<Group> all_groups() { return {uv_group(), texture_group(), spheres_group(), samplers_group(), colors_group()}; }
+std::vector<Group> all_groups() {
+  return {chapters_group(), ledger_group(),   uv_group(),     texture_group(),
+          spheres_group(),  samplers_group(), colors_group(), encoding_group()};
+}
 
 }  // namespace texmap::bench

@@ -19,7 +19,8 @@ struct Row {
   /// Makes the work, and all that it needs; empty where this machine or this build cannot run it.
   /// Errors: std::runtime_error, where what is to be compared does not come out equal.
   std::function<Work()> prepare;
-  std::string note;  ///< what else is to be said about the line; the same in all rows of a line
+  std::string note = {};                        ///< what else is to be said about the line; the same in all rows of a line
+  std::function<std::string()> find_note = {};  ///< finds the note where it is a result, too; asked after the row was timed
 
   [[nodiscard]] std::string name() const { return line + ", " + column; }
 };

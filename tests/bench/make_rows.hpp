@@ -17,7 +17,12 @@ namespace texmap::bench {
 /// @param make  called when the row's turn comes, makes the job and what it needs: gives a pointer to something with run(way)
 template <class Make>
 [[nodiscard]] Row row_of(std::string line, std::string set, const Way& way, double items, Make make, std::string note = "") {
-  Row row{std::move(line), std::string(way.name), std::move(set), items, {}, std::move(note)};
+  Row row{.line = std::move(line),
+          .column = std::string(way.name),
+          .set = std::move(set),
+          .items = items,
+          .prepare = {},
+          .note = std::move(note)};
   if (is_here(way)) {
     row.prepare = [make, way]() -> Work {
       auto ready = make();

@@ -12,6 +12,7 @@ std::vector<Timing> measure(const Group& group, const Effort& effort, const std:
     if (std::find(sets.begin(), sets.end(), row.set) == sets.end()) sets.push_back(row.set);
   }
   std::vector<Timing> timings(group.rows.size());
+  for (std::size_t i = 0; i < timings.size(); ++i) timings[i].note = group.rows[i].note;
   for (std::size_t set = 0; set < sets.size(); ++set) {
     std::vector<std::size_t> members;
     std::vector<std::size_t> timed;
@@ -35,6 +36,7 @@ std::vector<Timing> measure(const Group& group, const Effort& effort, const std:
 
     for (std::size_t i = 0; i < timed.size(); ++i) {
       const double nanoseconds = shortest[i] * 1e6 / group.rows[timed[i]].items;
+      if (group.rows[timed[i]].find_note) timings[timed[i]].note = group.rows[timed[i]].find_note();
       timings[timed[i]].time = group.unit == "ns" ? nanoseconds : nanoseconds / 1e6;
     }
     const std::size_t base = members.front();

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "bench.hpp"
@@ -18,6 +19,7 @@ struct Effort {
 struct Timing {
   double time = std::numeric_limits<double>::quiet_NaN();   ///< in the group's unit; NaN where this machine cannot run it
   double ratio = std::numeric_limits<double>::quiet_NaN();  ///< to the base, as the group has it; NaN if either was not run
+  std::string note = {};                                    ///< the row's, or what it found
   std::size_t base = 0;                                     ///< the place of the set's first row among the group's rows
 };
 

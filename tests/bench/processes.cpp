@@ -104,8 +104,8 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
     const std::size_t base = measured.timings.size();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const std::string column = by_wall ? "wall clock" : "processor, user and system";
-      measured.group.rows.push_back({names[i], column, column, 1, {}, ""});
-      measured.timings.push_back({times[i], times[0] / times[i], base});
+      measured.group.rows.push_back({.line = names[i], .column = column, .set = column, .prepare = {}});
+      measured.timings.push_back({.time = times[i], .ratio = times[0] / times[i], .base = base});
     }
   }
   return measured;

@@ -95,7 +95,7 @@ std::string markdown_of(const Measured& measured) {
       text += " | ";
       for (std::size_t i = 0; i < group.rows.size(); ++i) {
         if (group.rows[i].line != line || group.rows[i].column != column) continue;
-        note = group.rows[i].note;
+        note = measured.timings[i].note;
         const Timing& timing = measured.timings[i];
         if (std::isnan(timing.time)) {
           text += "–";
@@ -168,7 +168,7 @@ std::string table_of(const Measured& measured) {
     time.insert(0, time.size() < 8 ? 8 - time.size() : 0, ' ');
     std::string ratio = timing.base == i ? "base" : ratio_text(group.ratio, timing.ratio) + "x";
     ratio.insert(0, ratio.size() < 9 ? 9 - ratio.size() : 0, ' ');
-    text += line + time + ratio + (row.note.empty() ? "" : "   " + row.note) + "\n";
+    text += line + time + ratio + (timing.note.empty() ? "" : "   " + timing.note) + "\n";
   }
   return text + "\n";
 }
@@ -188,7 +188,7 @@ std::string json_of(const Circumstances& circumstances, const std::vector<Measur
       const Timing& timing = all[g].timings[i];
       text += std::string(i == 0 ? "" : ",") + "\n  {\"name\": " + quoted(group.rows[i].name()) +
               ", \"time\": " + json_number(timing.time) + ", \"ratio\": " + json_number(timing.ratio) +
-              ", \"base\": " + quoted(group.rows[timing.base].name()) + ", \"note\": " + quoted(group.rows[i].note) + "}";
+              ", \"base\": " + quoted(group.rows[timing.base].name()) + ", \"note\": " + quoted(timing.note) + "}";
     }
     text += "\n]}";
   }
