@@ -37,8 +37,8 @@ struct Circumstances {
 [[nodiscard]] std::string page_of(const Circumstances& circumstances, const std::vector<Measured>& all);
 
 /// The marks between which a chapter's page has its rows of the ledger.
-inline constexpr std::string_view ledger_begin = "<!-- ledger: made by ./course bench --write -->";
-inline constexpr std::string_view ledger_end = "<!-- end of ledger -->";
+inline constexpr std::string_view ledger_begin = "<!-- ledger -->";
+inline constexpr std::string_view ledger_end = "<!-- /ledger -->";
 
 /// The table of a chapter's rows, with the line ends around it: what stands between the marks.
 ///
