@@ -14,7 +14,7 @@ namespace texmap::bench {
 struct Row {
   std::string line;    ///< what is done
   std::string column;  ///< with which number, and with which instructions
-  std::string set;     ///< rows of one set are timed by turns; the first of them is the base of their ratios
+  std::string set;     ///< the first row of a set is the base of the ratios of all its rows
   double items = 1;    ///< how many of the unit's items one run of the work makes, above 0
   /// Makes the work, and all that it needs; empty where this machine or this build cannot run it.
   /// Errors: std::runtime_error, where what is to be compared does not come out equal.
@@ -38,7 +38,7 @@ struct Group {
   std::string text;   ///< what is measured, and with what it is compared: one paragraph, lines of up to 128 columns
   std::string unit;   ///< "ns" for items, "ms" for pictures
   Ratio ratio;
-  double seconds;      ///< time for each of its sets, about
+  double seconds;      ///< to spend on it
   std::string note;    ///< heading of the rows' notes; empty if they have none
   bool micro = false;  ///< works of some microseconds: those that bench_kernels hands to Google Benchmark
   std::vector<Row> rows;

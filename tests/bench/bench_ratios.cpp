@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
     if (writes && !(only.empty() && beside.empty()))
       throw UsageError("--write writes whole pages: not with --only or --beside");
     if (!beside.empty() && !only.empty()) throw UsageError("--beside is a group of its own: not with --only");
-    const Effort effort = quick ? Effort{0.1, 3} : Effort{};
+    const Effort effort = quick ? Effort{0.06, 3} : Effort{};
     const Circumstances where = circumstances(effort);
     if (!beside.empty()) {
       std::vector<Measured> programs;

@@ -61,7 +61,7 @@ Group chapters_group() {
           "The base of each chapter is its picture in double.",
       .unit = "ms",
       .ratio = Ratio::speed,
-      .seconds = 4,
+      .seconds = 35,
       .note = "",
       .micro = false,
       .rows = {},

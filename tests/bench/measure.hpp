@@ -11,7 +11,7 @@ namespace texmap::bench {
 
 /// How long and how often.
 struct Effort {
-  double part = 1;  ///< of the seconds that a group's sets ask for
+  double part = 1;  ///< of the seconds that a group asks for
   int least = 7;    ///< rounds, however long they take
 };
 
@@ -23,9 +23,12 @@ struct Timing {
   std::size_t base = 0;                                     ///< the place of the set's first row among the group's rows
 };
 
-/// Times all rows of a group, set by set: within a set by turns.
+/// The place of the row that a row is compared with: the first of its set.
+[[nodiscard]] std::size_t base_of(const Group& group, std::size_t row);
+
+/// Times all rows of a group by turns.
 ///
-/// @param report  called with (rows of finished sets and turns done, in parts from 0 to 1); may be empty
+/// @param report  called with the part that is done, 0 to 1; may be empty
 /// @return  one timing for each row, in their order
 /// Errors: those of the rows' prepare.
 [[nodiscard]] std::vector<Timing> measure(const Group& group, const Effort& effort,

@@ -236,7 +236,7 @@ void fill_with_parts(Columns& columns) {
 Group colors_group() {
   Group group{
       .name = "colors",
-      .title = "Colors",
+      .title = "Colors and squares",
       .text =
           "Three subjects, each with a base of its own, its first row: bytes of light by the sRGB curve, against its power; "
           "Phong's\n"
@@ -245,7 +245,7 @@ Group colors_group() {
           "trigonometry.",
       .unit = "ns",
       .ratio = Ratio::speed,
-      .seconds = 5,
+      .seconds = 10,
       .note = "worst error",
       .micro = true,
       .rows = {},

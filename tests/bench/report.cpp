@@ -68,6 +68,28 @@ std::vector<std::string> each_once(const std::vector<Row>& rows, Member member) 
   return values;
 }
 
+/// The columns of a group's table: plain numbers first, then packs, the wider the later; others as they come.
+std::vector<std::string> columns_of(const Group& group) {
+  std::vector<std::string> columns = each_once(group.rows, &Row::column);
+  const auto rank = [](const std::string& name) {
+    const std::array plain = {in_double, in_float, in_extended};
+    std::size_t place = 0;
+    for (const Way& way : plain) {
+      if (name == way.name) return place;
+      ++place;
+    }
+    for (const auto& packs : {in_double_packs, in_float_packs}) {
+      for (const Way& way : packs) {
+        if (name == way.name) return place;
+        ++place;
+      }
+    }
+    return place;
+  };
+  std::stable_sort(columns.begin(), columns.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return columns;
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -81,7 +103,7 @@ std::string what_ratios_say(Ratio kind) {
 /// A group's table in Markdown.
 std::string markdown_of(const Measured& measured) {
   const Group& group = measured.group;
-  const std::vector<std::string> columns = each_once(group.rows, &Row::column);
+  const std::vector<std::string> columns = columns_of(group);
   std::string text = "| " + group.unit;
   for (const std::string& column : columns) text += " | " + column;
   if (!group.note.empty()) text += " | " + group.note;
@@ -229,7 +251,7 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
 }
 
 std::string ledger_block(const Measured& ledger, const std::string& chapter) {
-  std::vector<std::string> columns = each_once(ledger.group.rows, &Row::column);
+  const std::vector<std::string> columns = columns_of(ledger.group);
   std::string text = "\n| what the scene does not require, and how many times as long the picture takes with it |";
   std::string rule = "|---|";
   for (const std::string& column : columns) {
