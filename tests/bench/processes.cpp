@@ -103,7 +103,7 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
     const std::vector<double>& times = by_wall ? wall : processor;
     const std::size_t base = measured.timings.size();
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      const std::string column = by_wall ? "wall clock" : "processor, user and system";
+      const std::string column = by_wall ? "wall clock" : "user and system";
       measured.group.rows.push_back({.line = names[i], .column = column, .set = column, .prepare = {}});
       measured.timings.push_back({.time = times[i], .ratio = times[0] / times[i], .base = base});
     }
