@@ -35,7 +35,7 @@ enum class Ratio {
 struct Group {
   std::string name;   ///< one word, for the option --only
   std::string title;  ///< for a heading
-  std::string text;   ///< what is measured, and with what it is compared: one paragraph, lines of up to 128 columns
+  std::string text;   ///< what is measured, and with what it is compared: one paragraph, without line ends
   std::string unit;   ///< "ns" for items, "ms" for pictures
   Ratio ratio;
   double seconds;      ///< to spend on it

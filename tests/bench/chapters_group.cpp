@@ -56,9 +56,8 @@ Group chapters_group() {
       .name = "chapters",
       .title = "The chapters' pictures",
       .text =
-          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapter 07 at 400 × 225 with 8 samples a "
-          "pixel.\n"
-          "The base of each chapter is its picture in double.",
+          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapter 07 at 400 × 225 "
+          "with 8 samples a pixel. The base of each chapter is its picture in double.",
       .unit = "ms",
       .ratio = Ratio::speed,
       .seconds = 35,

@@ -63,10 +63,10 @@ Group encoding_group() {
       .name = "encoding",
       .title = "Files",
       .text =
-          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as pixels. The bases are "
-          "stb_image_write and\n"
-          "stb_image as they come. Our encoder tries one filter instead of five and compresses with less search\n"
-          "([packages](packages.md)); our decoder checks every byte of the file before stb_image sees it.",
+          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as pixels. The "
+          "bases are stb_image_write and stb_image as they come. Our encoder tries one filter instead of five "
+          "and compresses with less search ([packages](packages.md)); our decoder checks every byte of the file "
+          "before stb_image sees it.",
       .unit = "ms",
       .ratio = Ratio::speed,
       .seconds = 8,

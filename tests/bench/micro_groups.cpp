@@ -57,9 +57,9 @@ Group uv_group() {
       .name = "uv",
       .title = "(u, v) of unit vectors",
       .text =
-          "The base is seed 2's formula in double: std::atan2 and std::acos of the C library, one vector at a time. `uv_rtiow` "
-          "is the\n"
-          "chapters' own, safe at the poles; the polynomials are those of `--budget`, with their stated worst error.",
+          "The base is seed 2's formula in double: std::atan2 and std::acos of the C library, one vector at a "
+          "time. `uv_rtiow` is the chapters' own, safe at the poles; the polynomials are those of `--budget`, "
+          "with their stated worst error.",
       .unit = "ns",
       .ratio = Ratio::speed,
       .seconds = 8,
@@ -124,11 +124,9 @@ Group texture_group() {
       .name = "texture",
       .title = "Look-ups in a texture",
       .text =
-          "The nearest texel of a picture of 4096 × 2048, at places one and a half texels apart, 128 in a row and 128 rows, "
-          "as\n"
-          "neighbouring pixels ask for them. Encoded: bytes / 255; linear: amounts of light by the sRGB curve. The base is "
-          "encoded, in\n"
-          "double, one place at a time.",
+          "The nearest texel of a picture of 4096 × 2048, at places one and a half texels apart, 128 in a row "
+          "and 128 rows, as neighbouring pixels ask for them. Encoded: bytes / 255; linear: amounts of light by "
+          "the sRGB curve. The base is encoded, in double, one place at a time.",
       .unit = "ns",
       .ratio = Ratio::speed,
       .seconds = 8,
@@ -151,9 +149,8 @@ Group spheres_group() {
       .name = "spheres",
       .title = "The first point of a sphere along a ray",
       .text =
-          "Rays from 8 radii away, of which about half meet the sphere, in no order: packs have to do both. The base is the "
-          "plain\n"
-          "form in double, one ray at a time; `--spheres` chooses, and its help says when.",
+          "Rays from 8 radii away, of which about half meet the sphere, in no order: packs have to do both. The "
+          "base is the plain form in double, one ray at a time; `--spheres` chooses, and its help says when.",
       .unit = "ns",
       .ratio = Ratio::speed,
       .seconds = 6,
@@ -201,8 +198,8 @@ Group samplers_group() {
       .name = "samplers",
       .title = "Pairs of numbers from the samplers",
       .text =
-          "64 samples a pixel. The base is `random` in float, one pixel at a time; docs of chapter 07 say what the others are "
-          "worth.",
+          "64 samples a pixel. The base is `random` in float, one pixel at a time; docs of chapter 07 say what "
+          "the others are worth.",
       .unit = "ns",
       .ratio = Ratio::speed,
       .seconds = 6,
@@ -238,11 +235,9 @@ Group colors_group() {
       .name = "colors",
       .title = "Colors and squares",
       .text =
-          "Three subjects, each with a base of its own, its first row: bytes of light by the sRGB curve, against its power; "
-          "Phong's\n"
-          "power with exponent 50, against exp and log1p as in `highlight`; the squares of a checkerboard on a globe, against "
-          "(u, v) by\n"
-          "trigonometry.",
+          "Three subjects, each with a base of its own, its first row: bytes of light by the sRGB curve, "
+          "against its power; Phong's power with exponent 50, against exp and log1p as in `highlight`; the "
+          "squares of a checkerboard on a globe, against (u, v) by trigonometry.",
       .unit = "ns",
       .ratio = Ratio::speed,
       .seconds = 10,

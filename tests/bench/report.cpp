@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "ways.hpp"
@@ -26,6 +27,23 @@ std::string two_decimals(double value) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.2f", value);
   return text.data();
+}
+
+/// A paragraph in lines of up to 128 characters, each with its end.
+std::string wrapped(const std::string& paragraph) {
+  std::istringstream words(paragraph);
+  std::string text;
+  std::size_t used = 0;
+  for (std::string word; words >> word;) {
+    // Bytes that go on with a character of UTF-8 take no column.
+    const auto columns = static_cast<std::size_t>(
+        std::count_if(word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    const bool fits = used > 0 && used + 1 + columns <= 128;
+    if (used > 0) text += fits ? ' ' : '\n';
+    used = fits ? used + 1 + columns : columns;
+    text += word;
+  }
+  return text + "\n";
 }
 
 std::string ratio_text(Ratio kind, double ratio) { return kind == Ratio::cost ? two_decimals(ratio) : short_number(ratio); }
@@ -219,33 +237,30 @@ std::string json_of(const Circumstances& circumstances, const std::vector<Measur
 
 std::string page_of(const Circumstances& circumstances, const std::vector<Measured>& all) {
   std::string text =
-      "# Measurements\n"
-      "\n"
-      "How long things take, as ratios. This page is generated: `./course bench --write` measures everything again, on the "
-      "machine that it\n"
-      "runs on, and writes this page and the ledgers in the pages of the chapters; a test holds its tables against the list of "
-      "what is\n"
-      "measured (`./course bench --list`). `./course bench` alone shows the same tables and changes nothing here.\n"
-      "\n"
-      "| | |\n"
-      "|---|---|\n";
+      "# Measurements\n\n" +
+      wrapped(
+          "How long things take, as ratios. This page is generated: `./course bench --write` measures everything "
+          "again, on the machine that it runs on, and writes this page and the ledgers in the pages of the "
+          "chapters; a test holds its tables against the list of what is measured (`./course bench --list`). "
+          "`./course bench` alone shows the same tables and changes nothing here.") +
+      "\n| | |\n|---|---|\n";
   text += "| processor | " + circumstances.processor + " |\n";
   text += "| compiler | " + circumstances.compiler + ", `cmake --preset release` |\n";
   text += "| instructions of packs | " + joined(circumstances.instructions) + " |\n";
   text += "| date | " + circumstances.date + " |\n";
   text += "| rounds | at least " + std::to_string(circumstances.effort.least) + " |\n";
   text +=
-      "\n"
-      "Works that are compared are timed by turns, and the shortest time of each counts: what disturbs a machine can only add "
-      "to a time, and\n"
-      "works that take turns are disturbed alike (`common/measure/interleaved.hpp`). So the ratios, in brackets, hold better "
-      "than the times,\n"
-      "and they too change from run to run by some hundredths. All on one thread. \"–\": not on this machine.\n";
+      "\n" + wrapped(
+                 "Works that are compared are timed by turns, and the shortest time of each counts: what disturbs a machine "
+                 "can only add to a time, and works that take turns are disturbed alike "
+                 "(`common/measure/interleaved.hpp`). So the ratios, in brackets, hold better than the times, and they too "
+                 "change from run to run by some hundredths. All on one thread. \"–\": not on this machine.");
   for (const Measured& measured : all) {
     const Group& group = measured.group;
-    text += "\n## " + group.name + ": " + group.title + "\n\n" + group.text + "\n";
-    text += group.unit == "ns" ? "Nanoseconds for one" : "Milliseconds";
-    text += "; in brackets " + what_ratios_say(group.ratio) + ".\n\n" + markdown_of(measured);
+    text += "\n## " + group.name + ": " + group.title + "\n\n" +
+            wrapped(group.text + (group.unit == "ns" ? " Nanoseconds for one" : " Milliseconds") + "; in brackets " +
+                    what_ratios_say(group.ratio) + ".") +
+            "\n" + markdown_of(measured);
   }
   return text;
 }
