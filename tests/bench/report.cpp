@@ -254,7 +254,8 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
                  "Works that are compared are timed by turns, and the shortest time of each counts: what disturbs a machine "
                  "can only add to a time, and works that take turns are disturbed alike "
                  "(`common/measure/interleaved.hpp`). So the ratios, in brackets, hold better than the times, and they too "
-                 "change from run to run by some hundredths. All on one thread. \"–\": not on this machine.");
+                 "change from run to run by some hundredths, on a busy machine by a tenth. All on one thread. \"–\": not on "
+                 "this machine.");
   for (const Measured& measured : all) {
     const Group& group = measured.group;
     text += "\n## " + group.name + ": " + group.title + "\n\n" +
