@@ -103,6 +103,15 @@ void CommandLine::text(std::string_view name, std::string_view placeholder, std:
        }});
 }
 
+void CommandLine::texts(std::string_view name, std::string_view placeholder, std::vector<std::string>& values,
+                        std::string_view help) {
+  add({std::string(name), std::string(placeholder), std::string(help), "",
+       [&values, name = std::string(name)](std::string_view typed) {
+         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         values.emplace_back(typed);
+       }});
+}
+
 void CommandLine::flag(std::string_view name, bool& value, std::string_view help) {
   add({std::string(name), "", std::string(help), "", [&value](std::string_view) { value = true; }});
 }

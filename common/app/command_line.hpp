@@ -39,6 +39,8 @@ class CommandLine {
   void decimal(std::string_view name, double& value, double low, double high, std::string_view help);
   /// An option with a text that must not be empty, such as a file name.
   void text(std::string_view name, std::string_view placeholder, std::string& value, std::string_view help);
+  /// The same, for an option that may be given several times: each adds a text.
+  void texts(std::string_view name, std::string_view placeholder, std::vector<std::string>& values, std::string_view help);
   /// An option without a value.
   void flag(std::string_view name, bool& value, std::string_view help);
   /// An option with one of a few words, each standing for a value.

@@ -55,10 +55,11 @@ template <class Real>
   return Real(finish.specular) * power(cosine, static_cast<Scalar<Real>>(finish.shininess));
 }
 
-/// The highlight by the formula of that name.
+/// The highlight by the formula of that name; 0 without any formula for a finish that has no gloss.
 template <class Real>
 [[nodiscard]] Real highlight(HighlightFormula formula, const Finish& finish, const Illumination<Real>& lamp,
                              const Vec3<Real>& normal, const Vec3<Real>& to_eye) {
+  if (finish.specular == 0) return Real(0);
   return formula == HighlightFormula::phong ? highlight(finish, lamp, normal, to_eye)
                                             : highlight_of_the_slides(finish, lamp, normal, to_eye);
 }

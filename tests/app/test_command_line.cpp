@@ -4,6 +4,8 @@
 #include <array>
 #include <clocale>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "command_line.hpp"
 
@@ -200,4 +202,16 @@ TEST_CASE("the help shows the words, and the statuses the program has") {
   CHECK(line_for(fruit).usage() == "usage: fruit [options]     (fruit --help lists them)");
   CHECK(line_for(fruit).help().find("0 the picture is on disk; 1 it could not be made; 2 the command line is wrong") !=
         std::string::npos);
+}
+
+TEST_CASE("an option that may be given several times collects its texts in their order, and refuses an empty one") {
+  std::vector<std::string> stones;
+  CommandLine line("fruit", "counts fruit");
+  line.texts("--stone", "NAME", stones, "may be given several times");
+  const std::array<const char*, 4> typed = {"fruit", "--stone", "plum", "--stone=cherry"};
+  CHECK(line.parse(static_cast<int>(typed.size()), typed.data()));
+  CHECK(stones == std::vector<std::string>{"plum", "cherry"});
+  const std::array<const char*, 3> empty = {"fruit", "--stone", ""};
+  CHECK_THROWS_AS((void)line.parse(static_cast<int>(empty.size()), empty.data()), UsageError);
+  CHECK(line.help().find("--stone NAME") != std::string::npos);
 }

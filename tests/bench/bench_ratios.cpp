@@ -1,0 +1,147 @@
+// bench_ratios: measures what things take, as ratios, and writes it down. ./course bench runs it.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "bench.hpp"
+#include "command_line.hpp"
+#include "measure.hpp"
+#include "processes.hpp"
+#include "report.hpp"
+#include "run_chapter.hpp"
+#include "standard_streams.hpp"
+
+using namespace texmap;
+using namespace texmap::bench;
+
+namespace {
+
+const std::filesystem::path project = TEXMAP_PROJECT_DIR;
+
+/// Shows on stderr how far it is, where somebody is there to see it.
+class HowFar {
+ public:
+  explicit HowFar(std::string name) : name_(std::move(name)) {}
+  HowFar(const HowFar&) = delete;
+  HowFar& operator=(const HowFar&) = delete;
+  ~HowFar() {
+    if (shown_ >= 0) std::fputs("\r\033[K", stderr);
+  }
+  void operator()(double part) {
+    const int percent = static_cast<int>(part * 100);
+    if (!terminal_ || percent == shown_) return;
+    shown_ = percent;
+    std::fprintf(stderr, "\r%s %3d %%", name_.c_str(), percent);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::string name_;
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  int shown_ = -1;
+};
+
+[[nodiscard]] std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  file << text << std::flush;
+  if (!file) throw std::runtime_error("cannot write " + path.string());
+  print("wrote " + path.string() + "\n");
+}
+
+/// docs/measurements.md, and the ledger in each chapter's page that has one.
+void write_pages(const Circumstances& where, const std::vector<Measured>& all) {
+  write(project / "docs/measurements.md", page_of(where, all));
+  for (const Measured& measured : all) {
+    if (measured.group.name != "ledger") continue;
+    for (const auto& folder : std::filesystem::directory_iterator(project / "chapters")) {
+      const std::string chapter = folder.path().filename().string().substr(0, 2);
+      const auto is_its = [&](const Row& row) { return row.line.rfind(chapter + ": ", 0) == 0; };
+      if (std::none_of(measured.group.rows.begin(), measured.group.rows.end(), is_its)) continue;
+      const std::filesystem::path page = folder.path() / "README.md";
+      write(page, with_ledger_block(contents(page), ledger_block(measured, chapter)));
+    }
+  }
+}
+
+/// The groups whose names were typed; all if none was.
+std::vector<Group> chosen(const std::vector<std::string>& names) {
+  std::vector<Group> groups = all_groups();
+  if (names.empty()) return groups;
+  std::string known;
+  for (const Group& group : groups) known += (known.empty() ? "" : "|") + group.name;
+  std::vector<Group> some;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
+    if (found == groups.end()) throw UsageError("--only takes " + known + ", and was given '" + name + "'");
+    some.push_back(*found);
+  }
+  return some;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line("bench_ratios", "measures how long things take, by turns, as ratios");
+  line.statuses("0 measured; 1 it could not be, or pictures that must be equal are not; 2 the command line is wrong");
+  std::vector<std::string> only;
+  std::vector<std::string> beside;
+  std::string json = (project / "build/bench/measurements.json").string();
+  bool quick = false;
+  bool list = false;
+  bool writes = false;
+  line.flag("--quick", quick, "fewer rounds: less than half a minute in all");
+  line.texts("--only", "GROUP", only, "measure this group; may be given several times");
+  line.flag("--list", list, "show the groups and their rows, measure nothing");
+  line.flag("--write", writes, "write docs/measurements.md and the ledgers in the pages of the chapters anew");
+  line.text("--json", "FILE", json, "where the figures go");
+  line.texts("--beside", "COMMAND", beside,
+             "time a command of the shell by turns with the chapters' programs, and nothing else; may be given several times");
+  return run_guarded(line, [&] {
+    if (!line.parse(argc, argv)) return;
+    if (writes && !(only.empty() && beside.empty()))
+      throw UsageError("--write writes whole pages: not with --only or --beside");
+    if (!beside.empty() && !only.empty()) throw UsageError("--beside is a group of its own: not with --only");
+    const Effort effort = quick ? Effort{0.06, 3} : Effort{};
+    const Circumstances where = circumstances(effort);
+    if (!beside.empty()) {
+      std::vector<Measured> programs;
+      {
+        HowFar progress("beside");
+        programs.push_back(measure_beside(beside, effort, [&](double part) { progress(part); }));
+      }
+      print(table_of(programs.back()));
+      write(json, json_of(where, programs));
+      return;
+    }
+    const std::vector<Group> groups = chosen(only);
+    if (list) {
+      for (const Group& group : groups) {
+        for (const Row& row : group.rows) print(group.name + " | " + row.line + " | " + row.column + "\n");
+      }
+      return;
+    }
+    std::vector<Measured> all;
+    for (const Group& group : groups) {
+      {
+        HowFar progress(group.name);
+        all.push_back({group, measure(group, effort, [&](double part) { progress(part); })});
+      }
+      print(table_of(all.back()));
+    }
+    write(json, json_of(where, all));
+    if (writes) write_pages(where, all);
+  });
+}

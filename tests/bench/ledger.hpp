@@ -1,0 +1,231 @@
+// Lessons that compute what their scene does not require, and draw the same picture: what chapters 01 to 07 leave out.
+#pragma once
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
+
+namespace texmap::bench {
+
+/// Makes the compiler compute `value`, although nobody uses it.
+template <class Value>
+inline void keep(const Value& value) {
+#if defined(__GNUC__)
+  asm volatile("" : : "m"(value));
+#else
+  static const volatile void* volatile kept;
+  kept = &value;
+#endif
+}
+
+/// The color of a paint, as programs have it whose hits carry a (u, v): plain paint gets one, too.
+template <class Real>
+[[nodiscard]] Color<Real> color_with_uv(const Solid& paint, const Hit<Real>& hit) {
+  keep(uv_rtiow(hit.normal));
+  return paint(hit);
+}
+template <class Mapping, class Texture, class Real>
+[[nodiscard]] Color<Real> color_with_uv(const Mapped<Mapping, Texture>& paint, const Hit<Real>& hit) {
+  return paint(hit);
+}
+template <class... Paints, class Real>
+[[nodiscard]] Color<Real> color_with_uv(const AnyOf<Paints...>& paint, const Hit<Real>& hit) {
+  return std::visit([&hit](const auto& one) { return color_with_uv(one, hit); },
+                    static_cast<const std::variant<Paints...>&>(paint));
+}
+
+/// A lesson of chapters 01 to 05, with a (u, v) in every hit.
+template <class Lesson>
+struct UvAtEveryHit : Lesson {
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(this->objects, ray, this->stage.sky, [&](const auto& object, const Hit<Real>& hit) {
+      const Illumination<Real> lamp = illumination(this->stage.light, this->objects, hit);
+      const Color<Real> color = color_with_uv(object.paint, hit);
+      return color * lambert(this->surface, lamp);
+    });
+  }
+};
+
+/// A lesson of chapters 01 to 05 that makes the whole hit of every object that a ray meets, with its (u, v) and its color, and
+/// forgets all but the nearest.
+template <class Lesson>
+struct HitOfEveryObject : Lesson {
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    Nearest<Real> nearest;
+    Hit<Real> first{};
+    Color<Real> paint{};
+    double index = 0;
+    for (const auto& object : this->objects) {
+      const Real distance = distance_to(object.sphere, ray);
+      const Real place = Real(index);
+      index += 1;
+      if (!any(distance < infinity<Real>())) continue;
+      const Hit<Real> hit = hit_at(object.sphere, ray, select(distance < infinity<Real>(), distance, Real(1)));
+      const Color<Real> color = color_with_uv(object.paint, hit);
+      keep(color);
+      const Mask<Real> nearer = distance < nearest.distance;
+      nearest = {select(nearer, distance, nearest.distance), select(nearer, place, nearest.index)};
+      first.normal = select(nearer, hit.normal, first.normal);
+      first.point = select(nearer, hit.point, first.point);
+      first.outside = select(nearer, hit.outside, first.outside);
+      paint = select(nearer, color, paint);
+    }
+    Color<Real> seen = this->stage.sky(ray);
+    index = 0;
+    for (const auto& object : this->objects) {
+      const Mask<Real> here = nearest.index == Real(index);
+      index += 1;
+      if (!any(here)) continue;
+      first.sphere = &object.sphere;
+      const Illumination<Real> lamp = illumination(this->stage.light, this->objects, first);
+      seen = select(here, paint * lambert(this->surface, lamp), seen);
+    }
+    return seen;
+  }
+};
+
+/// A rotation whose sine and cosine are made anew for every hit.
+struct RotationAnew {
+  double degrees = 0;
+  ConventionMapping mapping;
+
+  template <class Real>
+  [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
+    return mapping(rotation_y(degrees)(p));
+  }
+};
+
+/// Chapter 05's lesson with such a rotation.
+struct SineAtEveryHit {
+  using Textured = Mapped<RotationAnew, ImageTexture>;
+  using Object = Painted<AnyOf<Solid, chapter_05::Checkered, Textured>>;
+
+  Stage stage;
+  Matt surface;
+  std::vector<Object> objects;
+
+  explicit SineAtEveryHit(const chapter_05::Lesson& lesson) : stage(lesson.stage), surface(lesson.surface) {
+    for (const chapter_05::Object& object : lesson.objects) {
+      if (const auto* globe = std::get_if<chapter_05::Textured>(&object.paint)) {
+        objects.push_back({object.sphere, Textured{{lesson.turn.degrees, globe->mapping.mapping}, globe->texture}});
+      } else if (const auto* solid = std::get_if<Solid>(&object.paint)) {
+        objects.push_back({object.sphere, *solid});
+      } else {
+        objects.push_back({object.sphere, std::get<chapter_05::Checkered>(object.paint)});
+      }
+    }
+  }
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky, [&](const Object& object, const Hit<Real>& hit) {
+      const Illumination<Real> lamp = illumination(stage.light, objects, hit);
+      const Color<Real> color = object.paint(hit);
+      return color * lambert(surface, lamp);
+    });
+  }
+};
+
+/// Chapter 06's lesson with a shadow ray from every hit, also from surfaces that face away from the lamp.
+struct ShadowRayAnyway : chapter_06::Lesson {
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
+      const Vec3<Real> path = number_cast<Real>(stage.light.position) - hit.point;
+      const Real distance = length(path);
+      const Vec3<Real> to_light = path * (Real(1) / distance);
+      const Real cosine = larger(dot(hit.normal, to_light), Real(0));
+      const Mask<Real> hidden = is_occluded(phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.sphere);
+      const Illumination<Real> lamp = {to_light, select(hidden, Real(0), cosine)};
+      const Color<Real> color = object.paint(hit);
+      const Real matt = lambert(object.finish.matt, lamp);
+      const Real gloss = highlight(phong.formula, object.finish, lamp, hit.normal, -ray.direction);
+      return color * matt + gray(gloss);
+    });
+  }
+};
+
+/// Chapter 06's lesson with a highlight on every object, of strength 0 on those without gloss.
+struct HighlightAnyway : chapter_06::Lesson {
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
+      const Illumination<Real> lamp = illumination(stage.light, phong.casters(objects), hit);
+      const Color<Real> color = object.paint(hit);
+      const Real matt = lambert(object.finish.matt, lamp);
+      const Real gloss = highlight(object.finish, lamp, hit.normal, -ray.direction);
+      keep(gloss);
+      return color * matt + gray(gloss);
+    });
+  }
+};
+
+/// A sky that does not say that it is alike everywhere.
+struct UnsureSky {
+  GradientSky sky;
+
+  [[nodiscard]] static bool is_constant() { return false; }
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return sky(ray);
+  }
+};
+
+/// Chapter 07's lesson, which follows a path on to a sky that is alike everywhere.
+struct ScatterAnyway : chapter_07::Lesson {
+  template <class Real, class Numbers>
+  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+    const Ray<Real> ray = lens.ray(view, column, row, numbers);
+    const auto albedo = [](const chapter_07::Object& object, const Hit<Real>& hit) { return object.paint(hit); };
+    return light_along(objects, ray, UnsureSky{stage.sky}, albedo, sampling.bounces, numbers);
+  }
+};
+
+/// Chapter 07's lesson, which draws numbers for a lens and for an exposure although it is sharp.
+struct NumbersAnyway : chapter_07::Lesson {
+  template <class Real, class Numbers>
+  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+    const Ray<Real> ray = lens.ray(view, column, row, numbers);
+    keep(numbers.template pair<Real>());
+    keep(numbers.template pair<Real>());
+    const auto albedo = [](const chapter_07::Object& object, const Hit<Real>& hit) { return object.paint(hit); };
+    return light_along(objects, ray, stage.sky, albedo, sampling.bounces, numbers);
+  }
+};
+
+/// Chapter 07's lesson, which traces rays also where the globe cannot be seen.
+struct WithoutBounds {
+  chapter_07::Lesson lesson;
+  Gathering gathering;
+
+  template <class Real, class Numbers>
+  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+    return lesson(view, column, row, numbers);
+  }
+};
+
+/// Draws a lesson's picture on one thread.
+template <class Lesson>
+struct LessonJob {
+  static constexpr bool double_only = true;
+  const Lesson* lesson;
+  const View* view;
+  const RenderSettings* settings;
+  Image* picture;
+
+  template <class Real>
+  void run() const {
+    *picture = render<Real>(*lesson, *view, *settings);
+  }
+};
+
+}  // namespace texmap::bench

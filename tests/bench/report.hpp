@@ -1,0 +1,52 @@
+// What was measured, as text: a table for the terminal, JSON, docs/measurements.md and the blocks in the chapters' pages.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench.hpp"
+#include "measure.hpp"
+
+namespace texmap::bench {
+
+/// A group and its timings, one for each row.
+struct Measured {
+  Group group;
+  std::vector<Timing> timings;
+};
+
+/// On what, and when, and how.
+struct Circumstances {
+  std::string processor;                  ///< its name, as the system has it
+  std::string compiler;                   ///< its name and version
+  std::vector<std::string> instructions;  ///< that packs can be made of here
+  std::string date;                       ///< year-month-day, UTC
+  Effort effort;
+};
+
+/// Those of this program, now.
+[[nodiscard]] Circumstances circumstances(const Effort& effort);
+
+/// A table to be read on a terminal.
+[[nodiscard]] std::string table_of(const Measured& measured);
+
+/// Everything, as JSON; what was not run is null.
+[[nodiscard]] std::string json_of(const Circumstances& circumstances, const std::vector<Measured>& all);
+
+/// docs/measurements.md.
+[[nodiscard]] std::string page_of(const Circumstances& circumstances, const std::vector<Measured>& all);
+
+/// The marks between which a chapter's page has its rows of the ledger.
+inline constexpr std::string_view ledger_begin = "<!-- ledger -->";
+inline constexpr std::string_view ledger_end = "<!-- /ledger -->";
+
+/// The table of a chapter's rows, with the line ends around it: what stands between the marks.
+///
+/// @param chapter  its number, such as 03
+[[nodiscard]] std::string ledger_block(const Measured& ledger, const std::string& chapter);
+
+/// The page with another block between its marks.
+/// Errors: std::runtime_error if the marks are not there, each once and in order.
+[[nodiscard]] std::string with_ledger_block(const std::string& page, const std::string& block);
+
+}  // namespace texmap::bench
