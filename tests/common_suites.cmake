@@ -25,6 +25,7 @@ add_suite(texture/test_texel USES texture LABELS common)
 add_suite(texture/test_checkerboard USES texture LABELS common)
 add_suite(texture/test_solid_checkerboard USES texture LABELS common)
 add_suite(texture/test_image_texture USES texture LABELS common)
+add_suite(texture/test_bilinear USES texture LABELS common)
 add_suite(texture/test_conventions USES texture LABELS common)
 add_suite(texture/test_seed_formulas USES texture LABELS common)
 
