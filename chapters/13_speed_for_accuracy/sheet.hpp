@@ -1,0 +1,3 @@
+#pragma once
+#include "table.hpp"
+#include "standard_streams.hpp"
