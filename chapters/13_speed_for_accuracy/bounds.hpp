@@ -31,8 +31,9 @@ template <class T>
 
 /// How far the ray through a pixel may pass from where it should, at the globe, in radii.
 ///
-/// 6 unit roundoffs of the ray's direction (docs/numbers.md) are 6 u distance / radius at the globe, the eye's own rounding 1 of
-/// these, and the robust form misjudges a ray as if it passed 3 u distance / radius elsewhere: 10 u distance / radius together.
+/// 6 unit roundoffs of the ray's direction (docs/numbers.md) are 6 u distance / radius at the globe, the eye's own rounding 1
+/// of these, and the robust form misjudges a ray as if it passed 3 u distance / radius elsewhere: 10 u distance / radius
+/// together.
 template <class T>
 [[nodiscard]] double ray_bound(const Globe& globe) {
   return 10 * static_cast<double>(unit_roundoff<T>()) * globe.away / globe.sphere.radius;
@@ -65,9 +66,9 @@ template <class T>
 /// What is known of a pixel's ray without looking at a picture, to more digits than any trial has.
 struct Sight {
   bool met = false;
-  double cosine = 0;     ///< of the angle between normal and ray
-  double from_rim = 0;   ///< how far from touching the globe the ray passes, in radii
-  double round = 0;      ///< length of the circle of this v, compared with the equator's
+  double cosine = 0;    ///< of the angle between normal and ray
+  double from_rim = 0;  ///< how far from touching the globe the ray passes, in radii
+  double round = 0;     ///< length of the circle of this v, compared with the equator's
   long double u = 0, v = 0;
 };
 
@@ -90,7 +91,8 @@ template <class T>
 /// Filtered, the color is bilinear between the lines of the texels' centers, and so takes its least and its largest value
 /// where such lines, or the rectangle's sides, cross.
 /// @param unit  the unit roundoff of the number that mixes the texels, whose 8 are allowed for
-[[nodiscard]] inline int levels_bound(const Globe& globe, Filter filter, const Sight& sight, const PlaceBound& off, double unit) {
+[[nodiscard]] inline int levels_bound(const Globe& globe, Filter filter, const Sight& sight, const PlaceBound& off,
+                                      double unit) {
   const Image& image = globe.nearest.image;
   const auto x = static_cast<double>(sight.u) * image.width;
   const auto y = static_cast<double>(sight.v) * image.height;

@@ -21,10 +21,10 @@ inline constexpr std::array<int, 5> sample_counts = {1, 4, 16, 64, 256};
 
 /// Where the views of the noise stand round the globe: each sees another part of the picture.
 inline constexpr int noise_views = 8;
-inline constexpr int noise_width = 160;
-inline constexpr int noise_height = 120;
-/// Samples of the pictures that judge.
-inline constexpr int converged_samples = 4096;
+inline constexpr int noise_width = 96;
+inline constexpr int noise_height = 72;
+/// Samples of the pictures that judge. Their own noise is in all figures, and makes them larger.
+inline constexpr int converged_samples = 1024;
 
 [[nodiscard]] inline View noise_view(const Globe& globe, int view) {
   return globe.view(noise_width, noise_height, 45 * view, view % 2 == 0 ? 25 : -25);
@@ -103,9 +103,8 @@ inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& w
   const View view = noise_view(globe, 0);
   std::vector<Work> works;
   for (const Noise& noise : all) {
-    works.emplace_back([&globe, &view, &way, sampler = Sampler(noise.kind, noise.samples)] {
-      (void)sampled(globe, view, way, sampler, 1);
-    });
+    works.emplace_back(
+        [&globe, &view, &way, sampler = Sampler(noise.kind, noise.samples)] { (void)sampled(globe, view, way, sampler, 1); });
   }
   const auto shortest = shortest_times(works, rounds, [&tick](int, int) { tick(); });
   for (std::size_t i = 0; i < all.size(); ++i) all[i].milliseconds = shortest[i];

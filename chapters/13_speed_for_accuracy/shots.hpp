@@ -26,24 +26,25 @@ enum class Curve {
   three,    ///< by one of 3 terms: at most 2 levels off
 };
 
-/// The globe before an even sky, seen from 6 radii as chapter 07 sees it.
+/// The globe before an even sky, seen from 6 radii as in chapter 07, and so that it fills the picture.
 struct Globe {
   Sphere sphere{{0, 0, 0}, 2};
-  double away = 12;         ///< from the eye to the globe's center
-  Rgb sky{0.72, 0.8, 1};    ///< none of its channels lies on the edge between two bytes
+  double away = 12;          ///< from the eye to the globe's center
+  Rgb sky{0.72, 0.8, 1};     ///< none of its channels lies on the edge between two bytes
   ImageTexture nearest;      ///< the picture's bytes as they are
   ImageTexture light;        ///< the same picture, decoded to light
   BilinearTexture bilinear;  ///< the same picture, filtered
 
   Globe() = default;
-  explicit Globe(const Image& picture) : nearest{picture}, light{.image = picture, .light = TexelLight::linear}, bilinear{picture} {}
+  explicit Globe(const Image& picture)
+      : nearest{picture}, light{.image = picture, .light = TexelLight::linear}, bilinear{picture} {}
 
   /// The view from a place round the globe: degrees to the east of chapter 07's, and above the equator, -89 to 89.
   [[nodiscard]] View view(int width, int height, double east = 0, double up = 0) const {
     const double to_radians = std::numbers::pi / 180;
     const double out = away * std::cos(up * to_radians);
     const Point eye{out * std::sin(east * to_radians), away * std::sin(up * to_radians), out * std::cos(east * to_radians)};
-    return view_of(Camera{.eye = eye, .target = sphere.center, .fov_y_degrees = 20}, width, height);
+    return view_of(Camera{.eye = eye, .target = sphere.center, .fov_y_degrees = 16}, width, height);
   }
 };
 

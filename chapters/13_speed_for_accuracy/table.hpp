@@ -59,15 +59,17 @@ struct Measurements {
       "From light to sRGB bytes: the whole picture's time as a part of plain double's with the power\n"
       "number       instructions  curve        time  pixels off  levels off  at most\n";
   for (const Trial& trial : all.curves) {
-    table += printed("%-12s %-13s %-8s %8.3f %11ld %11d %8d\n", name_of(trial.way.number), name_of(trial.way.instructions),
-                     name_of(trial.way.curve), trial.time, trial.errors.changed, trial.errors.levels, trial.errors.levels_bound);
+    table +=
+        printed("%-12s %-13s %-8s %8.3f %11ld %11d %8d\n", name_of(trial.way.number), name_of(trial.way.instructions),
+                name_of(trial.way.curve), trial.time, trial.errors.changed, trial.errors.levels, trial.errors.levels_bound);
   }
   return table;
 }
 
 [[nodiscard]] inline std::string table_of_noise(const Measurements& all) {
-  std::string table = printed("Samples: root mean square error in levels of 255, and milliseconds for %d x %d pixels (%s, %s)\n",
-                              noise_width, noise_height, name_of(all.exact.number), name_of(all.exact.instructions));
+  std::string table =
+      printed("Samples: root mean square error in levels of 255, and milliseconds for %d x %d pixels (%s, %s)\n", noise_width,
+              noise_height, name_of(all.exact.number), name_of(all.exact.instructions));
   table += "        ";
   for (const SamplerKind kind : sampler_kinds) table += printed("  %-22s", name_of(kind));
   table += "\nsamples ";
@@ -92,9 +94,9 @@ struct Measurements {
 [[nodiscard]] inline std::string json_of(const Measurements& all) {
   const auto trial_json = [](const Trial& trial) {
     const Errors& e = trial.errors;
-    std::string json = printed(
-        R"(    {"number": "%s", "instructions": "%s", "degree": %d, "filter": "%s", "curve": "%s", )", name_of(trial.way.number),
-        name_of(trial.way.instructions), trial.way.degree, name_of(trial.way.filter), name_of(trial.way.curve));
+    std::string json = printed(R"(    {"number": "%s", "instructions": "%s", "degree": %d, "filter": "%s", "curve": "%s", )",
+                               name_of(trial.way.number), name_of(trial.way.instructions), trial.way.degree,
+                               name_of(trial.way.filter), name_of(trial.way.curve));
     json += "\"milliseconds\": " + round_trip(trial.milliseconds) + ", \"time\": " + round_trip(trial.time);
     if (trial.way.curve == Curve::none) {
       json += ", \"worst_texels\": " + round_trip(e.worst_texels) + ", \"mean_texels\": " + round_trip(e.mean_texels) +
@@ -104,11 +106,12 @@ struct Measurements {
   };
   const auto list = [](const auto& all_of_them, const auto& one) {
     std::string json = "[\n";
-    for (std::size_t i = 0; i < all_of_them.size(); ++i) json += one(all_of_them[i]) + (i + 1 < all_of_them.size() ? ",\n" : "\n");
+    for (std::size_t i = 0; i < all_of_them.size(); ++i)
+      json += one(all_of_them[i]) + (i + 1 < all_of_them.size() ? ",\n" : "\n");
     return json + "  ]";
   };
-  return printed("{\n  \"width\": %d,\n  \"height\": %d,\n  \"places\": ", all.width, all.height) + list(all.places, trial_json) +
-         ",\n  \"curves\": " + list(all.curves, trial_json) +
+  return printed("{\n  \"width\": %d,\n  \"height\": %d,\n  \"places\": ", all.width, all.height) +
+         list(all.places, trial_json) + ",\n  \"curves\": " + list(all.curves, trial_json) +
          printed(",\n  \"noise_width\": %d,\n  \"noise_height\": %d,\n  \"noise\": ", noise_width, noise_height) +
          list(all.noise,
               [](const Noise& noise) {

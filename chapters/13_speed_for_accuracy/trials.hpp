@@ -177,8 +177,8 @@ void measure_places(const Globe& globe, const View& view, int degree, const std:
       const auto v = all_lanes(uv.v);
       for (int i = 0; i < step && column + i < view.width; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const Sight& sight = sights[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
-                                    static_cast<std::size_t>(column + i)];
+        const Sight& sight =
+            sights[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(column + i)];
         if (!sight.met || sight.cosine < least_cosine) continue;
         const long double across = std::abs(static_cast<long double>(u[at]) - sight.u);  // u = 0 and u = 1 are one place
         const long double along_u = std::min(across, 1 - across) * static_cast<long double>(sight.round) * width;
@@ -249,27 +249,23 @@ inline void compare_bytes(const Image& image, const Image& judge, Errors& errors
 /// Fills in the errors of all ways. A way that differs from another in its instructions alone has the other's.
 inline void judge_places(std::vector<Trial>& trials, const Globe& globe, const View& view, const Tick& tick) {
   const auto sights = sights_of(globe, view);
-  const auto judge = [&](Filter filter) {
-    return picture_of(globe, view, {.number = Number::extended, .filter = filter}, 0);
-  };
+  const auto judge = [&](Filter filter) { return picture_of(globe, view, {.number = Number::extended, .filter = filter}, 0); };
   const std::array<Image, 2> judges = {judge(Filter::nearest), judge(Filter::bilinear)};
   for (Trial& trial : trials) {
     const auto same = std::find_if(trials.begin(), trials.end(), [&trial](const Trial& other) {
       return other.way.number == trial.way.number && other.way.degree == trial.way.degree &&
              other.way.filter == trial.way.filter;
     });
-    trial.errors = &*same != &trial ? same->errors
-                                    : errors_of_places(globe, view, trial.way, sights,
-                                                       judges[trial.way.filter == Filter::nearest ? 0 : 1]);
+    trial.errors = &*same != &trial
+                       ? same->errors
+                       : errors_of_places(globe, view, trial.way, sights, judges[trial.way.filter == Filter::nearest ? 0 : 1]);
     tick();
   }
 }
 
 /// How far a curve's bytes can be from the exact curve's: stated in srgb_kernel.hpp. The C library's power may round to the
 /// other side of an edge between two bytes.
-[[nodiscard]] inline int curve_bound(Curve curve) {
-  return curve == Curve::exact ? 0 : curve == Curve::three ? 2 : 1;
-}
+[[nodiscard]] inline int curve_bound(Curve curve) { return curve == Curve::exact ? 0 : curve == Curve::three ? 2 : 1; }
 
 /// Fills in how far the bytes of each curve are from those of the exact one, drawn with the same number.
 inline void judge_curves(std::vector<Trial>& trials, const Globe& globe, const View& view, const Tick& tick) {
