@@ -6,11 +6,15 @@
 
 namespace texmap::chapter_13 {
 
+/// The styles of the samplers.
+inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
+
 /// Every number and kernel with the nearest texel: its time, and how far off a place can be at most.
 [[nodiscard]] inline Plot plot_speed_error(const Measurements& all) {
   Plot plot{"Speed against error: places on the texture, one ray a pixel",
             "time, plain double with the reference formula = 1",
             "a place is off by at most, in texels",
+            {},
             {},
             {}};
   std::vector<Tradeoff> tradeoffs;
@@ -26,7 +30,7 @@ namespace texmap::chapter_13 {
     }
     PlotSeries& series = *std::find_if(plot.series.begin(), plot.series.end(), is_named);
     series.points.push_back({trial.time, trial.errors.texels_bound, {}});
-    if (!is_pack(trial.way.number) && trial.way.degree == 0) series.points.back().label = name + ", reference";
+    if (&trial == all.places.data()) series.points.back().label = "plain double";
   }
   for (const Tradeoff& best : front_of(tradeoffs)) {
     const Trial& trial = all.places[best.index];
@@ -35,35 +39,45 @@ namespace texmap::chapter_13 {
   return plot;
 }
 
-/// The noise of each sampler, against its samples or against its time.
-[[nodiscard]] inline Plot plot_noise(const Measurements& all, bool against_time) {
-  Plot plot{against_time ? "Error against seconds" : "Error against samples",
-            against_time
-                ? "seconds for a picture of " + std::to_string(noise_width) + " x " + std::to_string(noise_height) +
-                      " pixels, " + name_of(all.exact.number) +
-                      (is_pack(all.exact.number) ? std::string(" of ") + name_of(all.exact.instructions) : "") + ", one thread"
-                : "samples a pixel",
-            "root mean square error, levels of 255",
-            {},
-            {}};
-  std::vector<Tradeoff> tradeoffs;
-  const std::array<int, 4> styles = {0, 4, 8, 1};
+/// The noise of each sampler against its samples.
+[[nodiscard]] inline Plot plot_error_samples(const Measurements& all) {
+  Plot plot{"Error against samples", "samples a pixel", "root mean square error, levels of 255", {}, {}, {}};
+  for (const int samples : sample_counts) plot.x_ticks.push_back(samples);
   for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
-    PlotSeries mean{name_of(sampler_kinds[k]), styles[k], {}, true};
-    PlotSeries most{mean.name + ", at most", styles[k], {}, true, true};
-    for (std::size_t i = 0; i < all.noise.size(); ++i) {
-      const Noise& noise = all.noise[i];
+    PlotSeries mean{name_of(sampler_kinds[k]), sampler_styles[k], {}, true};
+    PlotSeries most{mean.name + ", at most", sampler_styles[k], {}, true, true};
+    for (const Noise& noise : all.noise) {
       if (noise.kind != sampler_kinds[k]) continue;
-      const double x = against_time ? noise.milliseconds / 1000 : noise.samples;
-      mean.points.push_back({x, noise.rmse, {}});
-      most.points.push_back({x, noise.rmse_bound, {}});
-      tradeoffs.push_back({x, noise.rmse_bound, i});
+      mean.points.push_back({1.0 * noise.samples, noise.rmse, {}});
+      most.points.push_back({1.0 * noise.samples, noise.rmse_bound, {}});
     }
-    if (!against_time) mean.points.back().label = printed("%.2f", mean.points.back().y);
+    mean.points.back().label = printed("%.2f", mean.points.back().y);
     plot.series.push_back(mean);
     plot.series.push_back(most);
   }
-  if (!against_time) return plot;
+  return plot;
+}
+
+/// What the noise of each sampler does not exceed, against the time that it takes.
+[[nodiscard]] inline Plot plot_error_seconds(const Measurements& all) {
+  const std::string size = std::to_string(noise_width) + " x " + std::to_string(noise_height);
+  Plot plot{"Error against seconds",
+            "seconds for " + size + " pixels, " + described(all.exact) + ", one thread",
+            "root mean square error at most, levels of 255",
+            {},
+            {},
+            {}};
+  std::vector<Tradeoff> tradeoffs;
+  for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
+    PlotSeries most{name_of(sampler_kinds[k]), sampler_styles[k], {}, true};
+    for (std::size_t i = 0; i < all.noise.size(); ++i) {
+      const Noise& noise = all.noise[i];
+      if (noise.kind != sampler_kinds[k]) continue;
+      most.points.push_back({noise.milliseconds / 1000, noise.rmse_bound, {}});
+      tradeoffs.push_back({noise.milliseconds / 1000, noise.rmse_bound, i});
+    }
+    plot.series.push_back(most);
+  }
   for (const Tradeoff& best : front_of(tradeoffs)) {
     const Noise& noise = all.noise[best.index];
     plot.front.push_back({best.time, best.error, printed("%s %d", name_of(noise.kind), noise.samples)});

@@ -1,6 +1,7 @@
 // The noise of sampled pictures: every sampler with ever more samples, how far off it is, and how long it takes.
 #pragma once
 #include <cmath>
+#include <span>
 
 #include "trials.hpp"
 
@@ -21,8 +22,8 @@ inline constexpr std::array<int, 5> sample_counts = {1, 4, 16, 64, 256};
 
 /// Where the views of the noise stand round the globe: each sees another part of the picture.
 inline constexpr int noise_views = 8;
-inline constexpr int noise_width = 96;
-inline constexpr int noise_height = 72;
+inline constexpr int noise_width = 80;
+inline constexpr int noise_height = 60;
 /// Samples of the pictures that judge. Their own noise is in all figures, and makes them larger.
 inline constexpr int converged_samples = 1024;
 
@@ -72,8 +73,10 @@ inline constexpr int converged_samples = 1024;
 
 /// The errors of all samplers, each view with a seed of its own.
 ///
-/// @param way  number, instructions and kernel to draw with
-[[nodiscard]] inline std::vector<Noise> measure_noise(const Globe& globe, const Way& way, int threads, const Tick& tick) {
+/// @param way     number, instructions and kernel to draw with
+/// @param counts  of samples a pixel
+[[nodiscard]] inline std::vector<Noise> measure_noise(const Globe& globe, const Way& way, int threads, const Tick& tick,
+                                                      std::span<const int> counts = sample_counts) {
   std::vector<std::vector<double>> judges;
   for (int i = 0; i < noise_views; ++i) {
     const Sampler converged(SamplerKind::sobol, converged_samples, 1000U + static_cast<std::uint32_t>(i));
@@ -82,7 +85,7 @@ inline constexpr int converged_samples = 1024;
   }
   std::vector<Noise> all;
   for (const SamplerKind kind : sampler_kinds) {
-    for (const int samples : sample_counts) {
+    for (const int samples : counts) {
       std::vector<double> errors;
       for (int i = 0; i < noise_views; ++i) {
         const Sampler sampler(kind, samples, static_cast<std::uint32_t>(i));

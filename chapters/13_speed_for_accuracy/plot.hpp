@@ -28,6 +28,7 @@ struct Plot {
   std::string title, x_title, y_title;
   std::vector<PlotSeries> series;
   std::vector<PlotPoint> front;  ///< joined by a line of its own, if there is any
+  std::vector<double> x_ticks;   ///< what the axis is marked at; powers of ten if there are none
 };
 
 namespace plotting {
@@ -72,7 +73,14 @@ struct Axis {
 /// The axis for values, with a little room at both ends.
 [[nodiscard]] inline Axis axis_for(double least, double most, double from, double to) {
   const double span = std::max(std::log10(most / least), 0.3);
-  return {least * std::pow(10.0, -0.06 * span), most * std::pow(10.0, 0.06 * span), from, to};
+  return {least * std::pow(10.0, -0.08 * span), most * std::pow(10.0, 0.08 * span), from, to};
+}
+
+/// The number at a mark: 0.001 to 1000 written out, others as 1e-5.
+[[nodiscard]] inline std::string tick_text(double value) {
+  if (value > 0.0009 && value < 10000) return printed("%g", value);
+  const double exponent = std::floor(std::log10(value) + 1e-9);
+  return printed("%.0fe%.0f", value / std::pow(10.0, exponent), exponent);
 }
 
 [[nodiscard]] inline std::string escaped(const std::string& text) {
@@ -137,16 +145,16 @@ struct Axis {
   svg += "<text x=\"80\" y=\"30\" font-size=\"17\">" + escaped(plot.title) + "</text>\n";
 
   // The axes, with a line of the grid at every mark.
-  for (const double value : across.ticks()) {
+  for (const double value : plot.x_ticks.empty() ? across.ticks() : plot.x_ticks) {
     const double x = across.place(value);
     svg +=
-        printed("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%g</text>\n",
-                x, frame.top, frame.bottom, x, frame.bottom + 18, value);
+        printed("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>\n",
+                x, frame.top, frame.bottom, x, frame.bottom + 18, tick_text(value).c_str());
   }
   for (const double value : up.ticks()) {
     const double y = up.place(value);
-    svg += printed("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n",
-                   frame.left, y, frame.right, frame.left - 8, y + 4, value);
+    svg += printed("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n",
+                   frame.left, y, frame.right, frame.left - 8, y + 4, tick_text(value).c_str());
   }
   svg += printed("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"none\" stroke=\"#555\"/>\n", frame.left,
                  frame.top, frame.right - frame.left, frame.bottom - frame.top);
@@ -155,8 +163,16 @@ struct Axis {
   svg += printed("<text transform=\"translate(22 %.1f) rotate(-90)\" text-anchor=\"middle\" font-size=\"14\">%s</text>\n",
                  (frame.top + frame.bottom) / 2, escaped(plot.y_title).c_str());
 
-  // Lines first, so that no point is under one.
+  // Lines first, so that no point is under one. What they cross is taken, as what points cover is.
+  std::vector<Taken> taken;
   const auto line = [&](const std::vector<PlotPoint>& points, const std::string& look) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      for (double t = 0; t <= 1; t += 0.01) {
+        const double x = across.place(points[i].x) * (1 - t) + across.place(points[i + 1].x) * t;
+        const double y = up.place(points[i].y) * (1 - t) + up.place(points[i + 1].y) * t;
+        taken.push_back({x - 1, y - 1, x + 1, y + 1});
+      }
+    }
     std::string path = "<path fill=\"none\" d=\"";
     for (std::size_t i = 0; i < points.size(); ++i) {
       path += printed("%c%.1f %.1f", i == 0 ? 'M' : 'L', across.place(points[i].x), up.place(points[i].y));
@@ -171,7 +187,6 @@ struct Axis {
   if (!plot.front.empty()) svg += line(plot.front, "stroke=\"#c00\" stroke-width=\"5\" stroke-opacity=\"0.3\"");
 
   // Points, and then the labels that find room between them.
-  std::vector<Taken> taken;
   for (const PlotSeries& series : plot.series) {
     if (series.dashed) continue;
     for (const PlotPoint& point : series.points) {

@@ -63,12 +63,6 @@ namespace texmap::chapter_13 {
   return command + (way.degree == 0 ? "" : " --budget " + budget_for(way.degree, texture));
 }
 
-/// The way in words, such as: float-pack of avx2, degree 9.
-[[nodiscard]] inline std::string described(const Way& way) {
-  return name_of(way.number) + (is_pack(way.number) ? std::string(" of ") + name_of(way.instructions) : "") + ", " +
-         name_of_kernel(way.degree);
-}
-
 /// What to take for a budget, in a few lines of at most 110 columns.
 [[nodiscard]] inline std::string recommendation(const Measurements& all, const Budget& budget, const Image& texture) {
   std::string text = "For " + to_text(budget) + ":\n";

@@ -23,8 +23,8 @@ inline void write_beside(const Studio& studio, const std::string& ending, const 
 
 inline void write_report(const Studio& studio, const Measurements& all) {
   write_beside(studio, "_speed_error.svg", svg_of(plot_speed_error(all)));
-  write_beside(studio, "_error_samples.svg", svg_of(plot_noise(all, false)));
-  write_beside(studio, "_error_seconds.svg", svg_of(plot_noise(all, true)));
+  write_beside(studio, "_error_samples.svg", svg_of(plot_error_samples(all)));
+  write_beside(studio, "_error_seconds.svg", svg_of(plot_error_seconds(all)));
   write_beside(studio, ".json", json_of(all));
 }
 

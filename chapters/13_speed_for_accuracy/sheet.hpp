@@ -21,21 +21,24 @@ struct SheetLayout {
   [[nodiscard]] int top(int panel) const { return 2 * line + gap / 2 + panel / 4 * (panel_height + 3 * line + gap); }
 };
 
-/// Where two pictures differ, each pixel as a square of three so that a lone one is seen; colors as in `compare`'s maps.
-[[nodiscard]] inline Image enlarged_differences(const Image& a, const Image& b) {
-  Image map(a.width, a.height);
+/// Where two pictures differ, in the colors of `compare`'s maps.
+///
+/// @param reach  each pixel is drawn as far to all sides, so that a lone one is seen; where two meet, the larger difference
+/// shows
+[[nodiscard]] inline Image differences(const Image& a, const Image& b, int reach) {
   std::vector<int> levels(a.pixels.size());
   for (int row = 0; row < a.height; ++row) {
     for (int column = 0; column < a.width; ++column) {
       const int apart = channel_difference(a.at(column, row), b.at(column, row));
-      for (int y = std::max(row - 1, 0); apart > 0 && y <= std::min(row + 1, a.height - 1); ++y) {
-        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, a.width - 1); ++x) {
+      for (int y = std::max(row - reach, 0); apart > 0 && y <= std::min(row + reach, a.height - 1); ++y) {
+        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x) {
           int& largest = levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x)];
           largest = std::max(largest, apart);
         }
       }
     }
   }
+  Image map(a.width, a.height);
   for (std::size_t i = 0; i < levels.size(); ++i) map.pixels[i] = difference_color(levels[i]);
   return map;
 }
@@ -71,8 +74,10 @@ struct SheetLayout {
     tick();
   };
   const auto off = [](const Errors& errors) {
-    return errors.changed == 0 ? std::string("no pixel differs")
-                               : printed("%ld pixels differ, by up to %d levels", errors.changed, errors.levels);
+    if (errors.changed == 0) return std::string("no pixel differs");
+    const char* levels = errors.levels == 1 ? "level" : "levels";
+    if (errors.changed == 1) return printed("1 pixel differs, by %d %s", errors.levels, levels);
+    return printed("%ld pixels differ, by up to %d %s", errors.changed, errors.levels, levels);
   };
 
   // Places: the picture, and what numbers and kernels change in it.
@@ -88,7 +93,7 @@ struct SheetLayout {
          {filter == Filter::nearest ? Number::float_ : Number::double_, {}, filter == Filter::nearest ? 9 : 23, filter}}};
     for (const Way& way : ways) {
       const Errors errors = errors_of_places(globe, view, way, sights, judge);
-      show(enlarged_differences(picture_of(globe, view, way, threads), judge),
+      show(differences(picture_of(globe, view, way, threads), judge, 1),
            std::string(name_of(way.number)) + (way.degree == 0 ? ", reference formula" : ", " + name_of_kernel(way.degree)),
            off(errors), printed("%.1e texels off, at most %.1e", errors.worst_texels, errors.texels_bound));
     }
@@ -101,7 +106,7 @@ struct SheetLayout {
     const Image image = picture_of(globe, view, {.curve = curve}, threads);
     Errors errors;
     compare_bytes(image, lit, errors);
-    show(enlarged_differences(image, lit), std::string("sRGB by ") + name_of(curve), off(errors),
+    show(differences(image, lit, 0), std::string("sRGB by ") + name_of(curve), off(errors),
          printed("at most %d level%s", curve_bound(curve), curve_bound(curve) > 1 ? "s" : ""));
   }
 
@@ -116,14 +121,14 @@ struct SheetLayout {
   show(smooth, "sobol, 256 rays a pixel", "what all samplers go to", "");
   for (const SamplerKind kind : sampler_kinds) {
     const Film film = sampled(globe, view, way, Sampler(kind, 16), threads);
-    show(enlarged_differences(developed(film), smooth), std::string(name_of(kind)) + ", 16 rays a pixel",
+    show(differences(developed(film), smooth, 0), std::string(name_of(kind)) + ", 16 rays a pixel",
          printed("%.2f levels off, root mean square", rms_apart(levels_of(film), levels_of(converged))), "");
   }
 
   // What the colors mean.
   int left = layout.gap / 2;
   const int top = layout.line / 2;
-  const std::string words = "Colors of differences, a changed pixel drawn three wide; levels of 255:";
+  const std::string words = "Differences in levels of 255; in the upper two rows a changed pixel is drawn three wide:";
   draw_text(sheet, left, top, words, {0, 0, 0}, layout.scale);
   left += text_width(words, layout.scale) + layout.line;
   for (const int levels : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {

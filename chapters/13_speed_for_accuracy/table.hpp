@@ -38,17 +38,19 @@ struct Measurements {
 }
 
 [[nodiscard]] inline std::string table_of_places(const Measurements& all, Filter filter) {
-  std::string table =
-      std::string(filter == Filter::nearest ? "Nearest texel" : "Bilinear filter") +
-      ": time as a part of plain double's, places in texels, bytes of the picture\n"
-      "                        ----- time (packs: by set) -----  ------ texels off ------  -- pixels --  - levels -\n"
-      "number       kernel      (base)     avx2   avx512    worst     mean  at most   off  at most  off at most\n";
+  std::string table = printed("%s, %d x %d pixels, one ray a pixel; time 1 is plain double's %.1f ms with the nearest texel\n",
+                              filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
+                              all.places.front().milliseconds);
+  table +=
+      printed("%-23s%27s %26s %14s %12s\n", "", "time by instructions", "place off by, texels", "pixels off", "levels off");
+  table += printed("%-12s %-10s%9s%9s%9s %8s %8s %8s %6s %7s %4s %7s\n", "number", "kernel", "baseline", "avx2", "avx512",
+                   "worst", "mean", "at most", "seen", "at most", "seen", "at most");
   for (const Trial& trial : all.places) {
     if (trial.way.filter != filter || trial.way.instructions != Instructions::baseline) continue;
     const Errors& e = trial.errors;
     table += printed("%-12s %-10s", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
     table += times_of(all.places, trial.way);
-    table += printed(" %8.1e %8.1e %8.1e %6ld %7ld %4d %5d\n", e.worst_texels, e.mean_texels, e.texels_bound, e.changed,
+    table += printed(" %8.1e %8.1e %8.1e %6ld %7ld %4d %7d\n", e.worst_texels, e.mean_texels, e.texels_bound, e.changed,
                      e.may_change, e.levels, e.levels_bound);
   }
   return table;

@@ -76,4 +76,10 @@ template <class... Values>
   return degree == 0 ? "reference" : "degree " + std::to_string(degree);
 }
 
+/// The way in words, such as: float-pack of avx2, degree 9.
+[[nodiscard]] inline std::string described(const Way& way) {
+  return name_of(way.number) + (is_pack(way.number) ? std::string(" of ") + name_of(way.instructions) : "") + ", " +
+         name_of_kernel(way.degree);
+}
+
 }  // namespace texmap::chapter_13
