@@ -84,58 +84,76 @@ template <class T>
           (kernel.v + angle + look_up) * globe.nearest.image.height};
 }
 
+/// The largest difference, in levels of 255, between a texel and those that a place can be on as well.
+///
+/// The formula: the place is somewhere in the rectangle of `off` about where it should be, and the pixel may show any texel
+/// that the rectangle touches; it cannot change if the place is farther than `off` from every edge of its texel.
+[[nodiscard]] inline int levels_between_texels(const Image& image, long double x, long double y, const PlaceBound& off) {
+  const auto index = [](long double at) { return static_cast<int>(std::floor(at)); };
+  const int left = index(x - static_cast<long double>(off.columns));
+  const int right = index(x + static_cast<long double>(off.columns));
+  const int low = std::max(index(y - static_cast<long double>(off.rows)), 0);
+  const int high = std::min(index(y + static_cast<long double>(off.rows)), image.height - 1);
+  if (left == right && low == high) return 0;
+
+  const auto texel = [&image](int column, int row) {  // u goes round, v ends; row 0 is at v = 0, the picture's lowest
+    return image.at((column + image.width) % image.width, image.height - 1 - row);
+  };
+  const Rgb8 right_one = texel(index(x), std::min(index(y), image.height - 1));
+  int levels = 0;
+  for (int row = low; row <= high; ++row) {
+    for (int column = left; column <= right; ++column) {
+      const Rgb8 other = texel(column, row);
+      levels = std::max({levels, abs(other.r - right_one.r), abs(other.g - right_one.g), abs(other.b - right_one.b)});
+    }
+  }
+  return levels;
+}
+
+/// The largest difference, in levels of 255 after rounding to bytes, between a filtered color and those of the places around.
+///
+/// Between the lines of the texels' centers the color is bilinear, and so it takes its least and its largest value in the
+/// rectangle of `off` where such lines, or the rectangle's sides, cross.
+/// @param room  levels that the mixing may be off by
+[[nodiscard]] inline int levels_between_places(const BilinearTexture& texture, double x, double y, const PlaceBound& off,
+                                               double room) {
+  const auto lines = [](double at, double reach) {
+    std::vector<double> all = {at - reach};
+    for (double k = std::floor(at - reach - 0.5) + 1.5; k < at + reach; ++k) all.push_back(k);
+    all.push_back(at + reach);
+    return all;
+  };
+  const auto channels_at = [&](double column, double row) {
+    const Rgb color = texture(Uv<double>{column / texture.image.width, row / texture.image.height});
+    return std::array{color.r * 255, color.g * 255, color.b * 255};
+  };
+  const auto right = channels_at(x, y);
+  const auto rows = lines(y, off.rows);
+  int levels = 0;
+  for (const double column : lines(x, off.columns)) {
+    for (const double row : rows) {
+      const auto other = channels_at(column, row);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double byte = std::floor(right[k] + 0.5);
+        levels = std::max({levels, static_cast<int>(byte - std::floor(other[k] - room + 0.5)),
+                           static_cast<int>(std::floor(other[k] + room + 0.5) - byte)});
+      }
+    }
+  }
+  return levels;
+}
+
 /// How many levels of 255 a pixel can be off: 0 if no rounding can change its bytes.
 ///
-/// The place is somewhere in the rectangle of `off` about where it should be. With the nearest texel the pixel may show any
-/// texel that the rectangle touches: the formula is that a pixel may change if its place is within `off` of a texel's edge.
-/// Filtered, the color is bilinear between the lines of the texels' centers, and so takes its least and its largest value
-/// where such lines, or the rectangle's sides, cross.
 /// @param unit  the unit roundoff of the number that mixes the texels, whose 8 are allowed for
 [[nodiscard]] inline int levels_bound(const Globe& globe, Filter filter, const Sight& sight, const PlaceBound& off,
                                       double unit) {
   const Image& image = globe.nearest.image;
-  const auto x = static_cast<double>(sight.u) * image.width;
-  const auto y = static_cast<double>(sight.v) * image.height;
-  if (off.columns >= image.width || off.rows >= image.height) return 255;
-
-  // The lines across which the color is not smooth: edges of texels, or the lines of their centers.
-  const auto lines = [&](double at, double reach) {
-    const double shift = filter == Filter::nearest ? 0 : 0.5;
-    std::vector<double> all = {at - reach};
-    for (double k = std::floor(at - reach - shift) + 1; k + shift <= at + reach; ++k) all.push_back(k + shift);
-    all.push_back(at + reach);
-    return all;
-  };
-  const auto columns = lines(x, off.columns);
-  const auto rows = lines(y, off.rows);
-  if (filter == Filter::nearest && columns.size() == 2 && rows.size() == 2) return 0;
-
-  std::array<double, 3> least = {255, 255, 255}, most = {0, 0, 0};
-  const auto see = [&](const Rgb& color) {
-    const std::array<double, 3> channels = {color.r * 255, color.g * 255, color.b * 255};
-    for (std::size_t k = 0; k < 3; ++k) {
-      least[k] = std::min(least[k], channels[k]);
-      most[k] = std::max(most[k], channels[k]);
-    }
-  };
-  for (const double column : columns) {
-    for (const double row : rows) {
-      const double u = column / image.width;
-      const double v = std::clamp(row / image.height, 0.0, 1.0);
-      see(filter == Filter::nearest ? globe.nearest(Uv<double>{u - std::floor(u), v}) : globe.bilinear(Uv<double>{u, v}));
-    }
-  }
-  const Uv<double> middle{x / image.width, y / image.height};
-  const Rgb color = filter == Filter::nearest ? globe.nearest(middle) : globe.bilinear(middle);
-  const std::array<double, 3> channels = {color.r * 255, color.g * 255, color.b * 255};
-  const double room = filter == Filter::nearest ? 1e-9 : 255 * 8 * unit;
-  int levels = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double byte = std::floor(channels[k] + 0.5);
-    levels = std::max({levels, static_cast<int>(byte - std::floor(least[k] - room + 0.5)),
-                       static_cast<int>(std::floor(most[k] + room + 0.5) - byte)});
-  }
-  return levels;
+  if (2 * off.columns + 1 >= image.width || 2 * off.rows + 1 >= image.height) return 255;
+  const long double x = sight.u * static_cast<long double>(image.width);
+  const long double y = sight.v * static_cast<long double>(image.height);
+  if (filter == Filter::nearest) return levels_between_texels(image, x, y, off);
+  return levels_between_places(globe.bilinear, static_cast<double>(x), static_cast<double>(y), off, 255 * 8 * unit);
 }
 
 }  // namespace texmap::chapter_13
