@@ -17,7 +17,7 @@ struct Lesson {
 
   TextureFile texture{"earth.png"};
   std::string budget;
-  int rounds = 8;
+  int rounds = 20;
 
   void options(CommandLine& line) {
     texture.declare(line);
@@ -52,7 +52,7 @@ struct Lesson {
   void show(Studio& studio) const {
     const std::vector<Budget> budgets = budgets_with(budget);
     refuse_what_is_varied(studio);
-    studio.prefer_size(1680, 1380);
+    studio.prefer_size(1312, 1090);
     const Globe globe(texture.load());
     const SheetLayout layout(studio.width, studio.height);
     const View view = globe.view(layout.panel_width, layout.panel_height);

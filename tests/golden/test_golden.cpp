@@ -59,7 +59,7 @@ Image extremes() {
 
 Image trade() {
   const chapter_13::Globe globe(chapter_13::Lesson{}.texture.load());
-  return chapter_13::draw_sheet(globe, 1680, 1380, 0, [] {});
+  return chapter_13::draw_sheet(globe, 1312, 1090, 0, [] {});
 }
 
 Image sampled() {
