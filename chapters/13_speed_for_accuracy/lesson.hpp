@@ -52,6 +52,7 @@ struct Lesson {
   void show(Studio& studio) const {
     const std::vector<Budget> budgets = budgets_with(budget);
     refuse_what_is_varied(studio);
+    check_report(studio.out);
     studio.prefer_size(1312, 1090);
     const Globe globe(texture.load());
     const SheetLayout layout(studio.width, studio.height);
@@ -68,7 +69,7 @@ struct Lesson {
       print(table_of(all) + "\n");
       for (const Budget& each : budgets) print(recommendation(all, each, globe.nearest.image));
     }
-    write_report(studio, all);
+    write_report(studio.out, all);
     studio.save(sheet);
   }
 };

@@ -37,6 +37,12 @@ struct Measurements {
   return times;
 }
 
+/// The right half of a row: what does not depend on the clock.
+[[nodiscard]] inline std::string errors_text(const Errors& e) {
+  return printed(" %8.1e %8.1e %8.1e %6ld %7ld %4d %7d", e.worst_texels, e.mean_texels, e.texels_bound, e.changed, e.may_change,
+                 e.levels, e.levels_bound);
+}
+
 [[nodiscard]] inline std::string table_of_places(const Measurements& all, Filter filter) {
   std::string table = printed("%s, %d x %d pixels, one ray a pixel; time 1 is plain double's %.1f ms with the nearest texel\n",
                               filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
@@ -47,11 +53,9 @@ struct Measurements {
                    "worst", "mean", "at most", "seen", "at most", "seen", "at most");
   for (const Trial& trial : all.places) {
     if (trial.way.filter != filter || trial.way.instructions != Instructions::baseline) continue;
-    const Errors& e = trial.errors;
     table += printed("%-12s %-10s", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
     table += times_of(all.places, trial.way);
-    table += printed(" %8.1e %8.1e %8.1e %6ld %7ld %4d %7d\n", e.worst_texels, e.mean_texels, e.texels_bound, e.changed,
-                     e.may_change, e.levels, e.levels_bound);
+    table += errors_text(trial.errors) + "\n";
   }
   return table;
 }

@@ -1,6 +1,8 @@
 // Chapter 13: the figures to rely on hold on inputs that nobody has measured, and a smaller figure would not. No clock here.
 #include <doctest.h>
 
+#include <fstream>
+
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "pictures.hpp"
 
@@ -334,6 +336,32 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
   CHECK(count("\"sampler\"") == all.noise.size());
   CHECK(count("{") == count("}"));
   CHECK(count("[") == 3);
+}
+
+#ifdef TEXMAP_REFERENCE_PLATFORM
+TEST_CASE("the errors on the chapter's page are those of its program") {
+  std::ifstream file(std::string(TEXMAP_TESTS_DIR) + "/../chapters/13_speed_for_accuracy/README.md");
+  const SheetLayout layout(1312, 1090);
+  std::vector<Trial> trials = all_places(Instructions::baseline);
+  judge_places(trials, earth(), earth().view(layout.panel_width, layout.panel_height), [] {});
+  int found = 0;
+  for (std::string line; std::getline(file, line);) {
+    for (const Trial& trial : trials) {
+      const std::string start = printed("%-12s %-10s ", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
+      if (trial.way.filter != Filter::nearest || !line.starts_with(start)) continue;
+      CAPTURE(line);
+      CHECK(line.ends_with(errors_text(trial.errors)));
+      ++found;
+    }
+  }
+  CHECK(found == 9);
+}
+#endif
+
+TEST_CASE("a picture that goes to a device has nothing beside it, and others have four files") {
+  CHECK(names_beside("/dev/null").empty());
+  CHECK(names_beside("out/13.png") == std::vector<std::string>{"out/13_speed_error.svg", "out/13_error_samples.svg",
+                                                               "out/13_error_seconds.svg", "out/13.json"});
 }
 
 TEST_CASE("options that choose one of what is tried, and budgets that are none, are refused") {
