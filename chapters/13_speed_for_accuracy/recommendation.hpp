@@ -83,9 +83,11 @@ inline constexpr double same_time = 1.05;
       continue;
     }
     const Trial* plain = find_trial(all.places, {.filter = filter});
-    text += printed("%s: %.1f times faster than plain double\n            at most %.1e texels, %ld pixels, %d levels off\n",
-                    described(trial->way).c_str(), plain->milliseconds / trial->milliseconds, trial->errors.texels_bound,
-                    trial->errors.may_change, trial->errors.levels_bound);
+    text += printed(
+        "%s: %.1f times faster than plain double\n            at most %.1e texels off; pixels that may change: %ld, levels: "
+        "%d\n",
+        described(trial->way).c_str(), plain->milliseconds / trial->milliseconds, trial->errors.texels_bound,
+        trial->errors.may_change, trial->errors.levels_bound);
     if (filter == Filter::nearest) text += "            " + command_of(trial->way, texture) + "\n";
   }
   if (budget.unit != Budget::Unit::levels) return text;

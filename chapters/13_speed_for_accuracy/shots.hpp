@@ -40,7 +40,10 @@ struct Globe {
       : nearest{picture}, light{.image = picture, .light = TexelLight::linear}, bilinear{picture} {}
 
   /// The view from a place round the globe: degrees to the east of chapter 07's, and above the equator, -89 to 89.
-  [[nodiscard]] View view(int width, int height, double east = 0, double up = 0) const {
+  ///
+  /// Unless told otherwise from a little beside: from 0 and 0 a picture's middle row and column, if it has them, look at the
+  /// very edges of texels, which no other picture does.
+  [[nodiscard]] View view(int width, int height, double east = 12, double up = 17) const {
     const double to_radians = std::numbers::pi / 180;
     const double out = away * std::cos(up * to_radians);
     const Point eye{out * std::sin(east * to_radians), away * std::sin(up * to_radians), out * std::cos(east * to_radians)};

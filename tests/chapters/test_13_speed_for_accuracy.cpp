@@ -258,7 +258,7 @@ TEST_CASE("the recommendation is the fastest that keeps to the budget by its bou
 
 TEST_CASE("where a pixel looks at the very edge of a texel only plain double is exact, whatever was measured") {
   std::vector<Trial> trials = all_places(Instructions::baseline);
-  judge_places(trials, earth(), earth().view(33, 25), [] {});  // the middle column looks along x = 0, where u is 3/4
+  judge_places(trials, earth(), earth().view(33, 25, 0, 0), [] {});  // the middle column looks along x = 0, where u is 3/4
   for (const Trial& trial : trials) {
     CAPTURE(described(trial.way));
     if (trial.way.filter != Filter::nearest) continue;
