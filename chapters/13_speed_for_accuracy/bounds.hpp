@@ -119,7 +119,8 @@ template <class T>
                                                double room) {
   const auto lines = [](double at, double reach) {
     std::vector<double> all = {at - reach};
-    for (double k = std::floor(at - reach - 0.5) + 1.5; k < at + reach; ++k) all.push_back(k);
+    const auto first = static_cast<int>(std::floor(at - reach - 0.5)) + 1;
+    for (int k = first; k + 0.5 < at + reach; ++k) all.push_back(k + 0.5);
     all.push_back(at + reach);
     return all;
   };

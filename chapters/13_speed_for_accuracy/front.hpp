@@ -5,6 +5,9 @@
 
 namespace texmap::chapter_13 {
 
+/// Times whose ratio is smaller are the same to the clock.
+inline constexpr double same_time = 1.05;
+
 /// A time and an error, and which of many it belongs to.
 struct Tradeoff {
   double time, error;

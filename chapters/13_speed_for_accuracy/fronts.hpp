@@ -6,6 +6,19 @@
 
 namespace texmap::chapter_13 {
 
+/// The front as a plot shows it: of neighbours that are as fast the most exact alone has a label.
+///
+/// @param label  called with an index, gives what is written there
+template <class Label>
+[[nodiscard]] std::vector<PlotPoint> labelled_front(const std::vector<Tradeoff>& tradeoffs, const Label& label) {
+  std::vector<PlotPoint> points;
+  for (const Tradeoff& next : front_of(tradeoffs)) {
+    if (!points.empty() && next.time < same_time * points.back().x) points.back().label.clear();
+    points.push_back({next.time, next.error, label(next.index)});
+  }
+  return points;
+}
+
 /// The styles of the samplers.
 inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
 
@@ -32,10 +45,7 @@ inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
     series.points.push_back({trial.time, trial.errors.texels_bound, {}});
     if (&trial == all.places.data()) series.points.back().label = "plain double";
   }
-  for (const Tradeoff& best : front_of(tradeoffs)) {
-    const Trial& trial = all.places[best.index];
-    plot.front.push_back({best.time, best.error, name_of_kernel(trial.way.degree)});
-  }
+  plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return name_of_kernel(all.places[i].way.degree); });
   return plot;
 }
 
@@ -78,10 +88,8 @@ inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
     }
     plot.series.push_back(most);
   }
-  for (const Tradeoff& best : front_of(tradeoffs)) {
-    const Noise& noise = all.noise[best.index];
-    plot.front.push_back({best.time, best.error, printed("%s %d", name_of(noise.kind), noise.samples)});
-  }
+  plot.front = labelled_front(
+      tradeoffs, [&all](std::size_t i) { return printed("%s %d", name_of(all.noise[i].kind), all.noise[i].samples); });
   return plot;
 }
 

@@ -105,6 +105,7 @@ inline constexpr int converged_samples = 1024;
 inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& way, int rounds, const Tick& tick) {
   const View view = noise_view(globe, 0);
   std::vector<Work> works;
+  works.reserve(all.size());
   for (const Noise& noise : all) {
     works.emplace_back(
         [&globe, &view, &way, sampler = Sampler(noise.kind, noise.samples)] { (void)sampled(globe, view, way, sampler, 1); });

@@ -106,7 +106,7 @@ struct Axis {
                                        const Taken& inside) {
   const double width = 6.3 * static_cast<double>(label.size()) + 2;
   const double height = 13;
-  for (double away = 9; away < 200; away += 6) {
+  for (int away = 9; away < 200; away += 6) {
     for (const double degrees : {0.0, 180.0, 30.0, -30.0, 150.0, -150.0, 90.0, -90.0, 60.0, -60.0, 120.0, -120.0}) {
       const double to_x = std::cos(degrees * std::numbers::pi / 180);
       const double to_y = -std::sin(degrees * std::numbers::pi / 180);
@@ -167,7 +167,8 @@ struct Axis {
   std::vector<Taken> taken;
   const auto line = [&](const std::vector<PlotPoint>& points, const std::string& look) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      for (double t = 0; t <= 1; t += 0.01) {
+      for (int percent = 0; percent <= 100; ++percent) {
+        const double t = percent / 100.0;
         const double x = across.place(points[i].x) * (1 - t) + across.place(points[i + 1].x) * t;
         const double y = up.place(points[i].y) * (1 - t) + up.place(points[i + 1].y) * t;
         taken.push_back({x - 1, y - 1, x + 1, y + 1});

@@ -1,5 +1,6 @@
 // The recommendation: for a budget, the fastest way whose stated bound keeps to it, and the command that uses it.
 #pragma once
+#include "front.hpp"
 #include "table.hpp"
 
 namespace texmap::chapter_13 {
@@ -20,14 +21,11 @@ namespace texmap::chapter_13 {
   return trial.way.degree == 0 && (trial.way.number == Number::double_ || trial.errors.may_change == 0);
 }
 
-/// Times that differ by less are the same to the clock.
-inline constexpr double same_time = 1.05;
-
 /// Of the trials with a filter that keep to the budget the fastest; of those that are as fast, the most exact. nullptr if none
 /// keeps to it.
 [[nodiscard]] inline const Trial* fastest(const std::vector<Trial>& trials, Filter filter, const Budget& budget) {
   const auto may_do = [&](const Trial& trial) { return trial.way.filter == filter && keeps_to(budget, trial); };
-  double shortest = infinity<double>();
+  auto shortest = infinity<double>();
   for (const Trial& trial : trials) {
     if (may_do(trial)) shortest = std::min(shortest, trial.milliseconds);
   }

@@ -90,7 +90,7 @@ decltype(auto) with_number(Number number, const Work& work) {
 /// Every curve from light to bytes, with the numbers that differ in it.
 [[nodiscard]] inline std::vector<Trial> all_curves(Instructions widest) {
   std::vector<Trial> trials;
-  const Instructions wide = usable_instructions(widest).back();
+  [[maybe_unused]] const Instructions wide = usable_instructions(widest).back();
   std::vector<std::pair<Number, Instructions>> numbers = {{Number::double_, Instructions::baseline},
                                                           {Number::float_, Instructions::baseline}};
 #ifdef TEXMAP_HAVE_PACKS
@@ -204,7 +204,7 @@ void bound_picture(const Globe& globe, const Way& way, const std::vector<Sight>&
     if (sight.from_rim <= past_rim) {
       levels = 255;
     } else if (sight.met) {
-      const double unit = static_cast<double>(unit_roundoff<T>());
+      const auto unit = static_cast<double>(unit_roundoff<T>());
       levels = levels_bound(globe, way.filter, sight, place_bound<T>(globe, way.degree, sight), unit);
     }
     errors.may_change += levels > 0 ? 1 : 0;
@@ -282,9 +282,9 @@ inline void judge_curves(std::vector<Trial>& trials, const Globe& globe, const V
 
 /// Fills in the times of all trials, taken by turns on one thread; `time` is a part of the first one's.
 ///
-/// The first is what all others are measured by, and takes a turn after every tenth of them too, as does its like with the other
-/// filter: were they disturbed in all rounds, every figure would be wrong. With more chances their time is rather too short, so
-/// that nothing is called faster than it is.
+/// The first is what all others are measured by, and takes a turn after every tenth of them too, as does its like with the
+/// other filter: were they disturbed in all rounds, every figure would be wrong. With more chances their time is rather too
+/// short, so that nothing is called faster than it is.
 inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const View& view, int rounds, const Tick& tick) {
   std::vector<Work> works;
   std::vector<std::size_t> whose;

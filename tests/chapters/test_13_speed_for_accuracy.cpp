@@ -224,6 +224,12 @@ TEST_CASE("the front is what nothing else beats, from the fastest to the most ex
   for (const Tradeoff& each : front) kept.push_back(each.index);
   CHECK(kept == std::vector<std::size_t>{1, 3, 0});
   CHECK(front_of({}).empty());
+  // On a plot, what is as fast as something more exact has no label.
+  const auto shown = labelled_front({{1, 5, 7}, {1.04, 4, 8}, {2, 3, 9}}, [](std::size_t i) { return std::to_string(i); });
+  REQUIRE(shown.size() == 3);
+  CHECK(shown[0].label.empty());
+  CHECK(shown[1].label == "8");
+  CHECK(shown[2].label == "9");
 }
 
 TEST_CASE("the recommendation is the fastest that keeps to the budget by its bound, and its command takes that very kernel") {
