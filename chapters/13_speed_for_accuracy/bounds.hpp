@@ -150,7 +150,7 @@ template <class T>
 [[nodiscard]] inline int levels_bound(const Globe& globe, Filter filter, const Sight& sight, const PlaceBound& off,
                                       double unit) {
   const Image& image = globe.nearest.image;
-  if (2 * off.columns + 1 >= image.width || 2 * off.rows + 1 >= image.height) return 255;
+  if (off.columns >= image.width || off.rows >= image.height) return 255;
   const long double x = sight.u * static_cast<long double>(image.width);
   const long double y = sight.v * static_cast<long double>(image.height);
   if (filter == Filter::nearest) return levels_between_texels(image, x, y, off);

@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("the filter is the sum of all texels weighed by how near thei
         const Color<T> color = texture(Uv<T>{u, v});
         // A place 2 roundoffs off is a color off by as many roundoffs of the texels in a unit.
         const double off = apart(color, weighed(image, axis, static_cast<long double>(u), static_cast<long double>(v)));
-        CAPTURE(width);
+        CAPTURE(image.width);
         CAPTURE(i);
         REQUIRE(off <= bound + 2 * static_cast<double>(unit_roundoff<T>()) * (width + height));
       }
