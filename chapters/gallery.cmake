@@ -48,6 +48,19 @@ foreach(chapter IN LISTS CHAPTERS)
     list(JOIN frames " " frame_list)
     set(turn "<p><button type=\"button\" data-frames=\"${frame_list}\" data-still=\"${chapter}.png\">Turn the globe</button></p>")
   endif()
+  # Plots of what the chapter's program measured: NN_name_this_that.svg is linked as "this against that".
+  file(GLOB plots RELATIVE "${GALLERY}" "${GALLERY}/${chapter}_*.svg")
+  list(SORT plots)
+  set(plot_links "")
+  foreach(plot IN LISTS plots)
+    string(REGEX REPLACE "^${chapter}_(.*)\\.svg$" "\\1" name "${plot}")
+    string(REPLACE "_" " against " name "${name}")
+    list(APPEND plot_links "<a href=\"${plot}\">${name}</a>")
+  endforeach()
+  if(plot_links)
+    list(JOIN plot_links ", " plot_links)
+    set(plot_links "<p>Measured on this machine: ${plot_links}</p>")
+  endif()
   string(APPEND figures "
 <section id=\"${chapter}\">
 <h2>${title}</h2>
@@ -55,7 +68,7 @@ foreach(chapter IN LISTS CHAPTERS)
 <a href=\"${chapter}.png\"><img src=\"${chapter}.png\" alt=\"${alt}\" loading=\"lazy\"></a>
 <figcaption>${idea}</figcaption>
 </figure>
-${step}${turn}
+${step}${turn}${plot_links}
 </section>")
 endforeach()
 

@@ -29,6 +29,7 @@ add_suite(texture/test_texel USES texture LABELS common)
 add_suite(texture/test_checkerboard USES texture LABELS common)
 add_suite(texture/test_solid_checkerboard USES texture LABELS common)
 add_suite(texture/test_image_texture USES texture LABELS common)
+add_suite(texture/test_bilinear USES texture LABELS common)
 # Each look-up instruction's own program: it has no other code, and does not run where the machine lacks the instructions.
 get_directory_property(wide_sets DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION WIDE_PACKS)
 foreach(instructions IN LISTS wide_sets)

@@ -50,7 +50,8 @@ TEST_CASE("pixels look where geometry says, for both anchors") {
 
 TEST_CASE("a camera names the centers of its pixels unless told otherwise") {
   CHECK(Camera{}.anchor == PixelAnchor::center);
-  CHECK(view_of(ahead, 4, 2).anchor == 0.5);
+  CHECK(view_of(ahead, 4, 2).center_column == 1.5);
+  CHECK(view_of(ahead, 4, 2).center_row == 0.5);
 }
 
 TEST_CASE("right, up and backward are a right-handed frame of unit vectors, wherever the camera looks") {

@@ -10,6 +10,7 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "13_speed_for_accuracy/lesson.hpp"
 #include "14_numerical_extremes/lesson.hpp"
 #include "pictures.hpp"
 #include "save_png.hpp"
@@ -56,6 +57,11 @@ Image extremes() {
   return chapter_14::draw_sheet(chapter_14::Lesson{}.exhibits(), studio).picture;
 }
 
+Image trade() {
+  const chapter_13::Globe globe(chapter_13::Lesson{}.texture.load());
+  return chapter_13::draw_sheet(globe, 1312, 1090, 0, [] {});
+}
+
 Image sampled() {
   auto lesson = test::prepared<chapter_07::Lesson>();
   Film film(400, 225);
@@ -83,6 +89,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_lecture_phong", lecture("phong"));
   check_golden("06_lecture_slides", lecture("lecture"));
   check_golden("07_earth_by_sampling", sampled());
+  check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }
 

@@ -8,6 +8,7 @@ longest_lesson=80
 largest_median=25
 begin='<!-- step: made by ./course steps --write -->'
 end='<!-- end of step -->'
+alone='<!-- no step: this chapter stands on its own -->'
 
 # The changed lines of two lessons, a blank line between places.
 step_of() {
@@ -36,8 +37,8 @@ check() {
     lines=$(wc -l <"$folder/lesson.hpp")
     changed=-
     number=${name%%_*}
-    # A chapter whose number does not follow the one before has no step: the chapters between come later.
-    if [ "$number" = "$next" ]; then
+    # A chapter whose number does not follow the one before has no step: the chapters between come later. Others say so themselves.
+    if [ "$number" = "$next" ] && ! grep -q -x -F -e "$alone" "$folder/README.md"; then
       step_of "$before" "$folder/lesson.hpp" >"$work/step"
       changed=$(grep -c '^[-+]' "$work/step" || true)
       echo "$changed" >>"$work/sizes"

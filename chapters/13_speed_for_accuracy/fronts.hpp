@@ -1,0 +1,96 @@
+// The three plots of this chapter: speed against error, error against samples, error against seconds.
+#pragma once
+#include "front.hpp"
+#include "plot.hpp"
+#include "table.hpp"
+
+namespace texmap::chapter_13 {
+
+/// The front as a plot shows it: of neighbours that are as fast the most exact alone has a label.
+///
+/// @param label  called with an index, gives what is written there
+template <class Label>
+[[nodiscard]] std::vector<PlotPoint> labelled_front(const std::vector<Tradeoff>& tradeoffs, const Label& label) {
+  std::vector<PlotPoint> points;
+  for (const Tradeoff& next : front_of(tradeoffs)) {
+    if (!points.empty() && next.time < same_time * points.back().x) points.back().label.clear();
+    points.push_back({next.time, next.error, label(next.index)});
+  }
+  return points;
+}
+
+/// The styles of the samplers.
+inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
+
+/// Every number and kernel with the nearest texel: its time, and how far off a place can be at most.
+[[nodiscard]] inline Plot plot_speed_error(const Measurements& all) {
+  Plot plot{"Speed against error: places on the texture, one ray a pixel",
+            "time, plain double with the reference formula = 1",
+            "a place is off by at most, in texels",
+            {},
+            {},
+            {}};
+  std::vector<Tradeoff> tradeoffs;
+  for (std::size_t i = 0; i < all.places.size(); ++i) {
+    const Trial& trial = all.places[i];
+    if (trial.way.filter != Filter::nearest) continue;
+    tradeoffs.push_back({trial.time, trial.errors.texels_bound, i});
+    const std::string name =
+        name_of(trial.way.number) + (is_pack(trial.way.number) ? std::string(", ") + name_of(trial.way.instructions) : "");
+    const auto is_named = [&name](const PlotSeries& each) { return each.name == name; };
+    if (std::none_of(plot.series.begin(), plot.series.end(), is_named)) {
+      plot.series.push_back({name, static_cast<int>(plot.series.size()) % 9, {}});
+    }
+    PlotSeries& series = *std::find_if(plot.series.begin(), plot.series.end(), is_named);
+    series.points.push_back({trial.time, trial.errors.texels_bound, {}});
+    if (&trial == all.places.data()) series.points.back().label = "plain double";
+  }
+  plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return name_of_kernel(all.places[i].way.degree); });
+  return plot;
+}
+
+/// The noise of each sampler against its samples.
+[[nodiscard]] inline Plot plot_error_samples(const Measurements& all) {
+  Plot plot{"Error against samples", "samples a pixel", "root mean square error, levels of 255", {}, {}, {}};
+  for (const int samples : sample_counts) plot.x_ticks.push_back(samples);
+  for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
+    PlotSeries mean{name_of(sampler_kinds[k]), sampler_styles[k], {}, true};
+    PlotSeries most{mean.name + ", at most", sampler_styles[k], {}, true, true};
+    for (const Noise& noise : all.noise) {
+      if (noise.kind != sampler_kinds[k]) continue;
+      mean.points.push_back({1.0 * noise.samples, noise.rmse, {}});
+      most.points.push_back({1.0 * noise.samples, noise.rmse_bound, {}});
+    }
+    mean.points.back().label = printed("%.2f", mean.points.back().y);
+    plot.series.push_back(mean);
+    plot.series.push_back(most);
+  }
+  return plot;
+}
+
+/// What the noise of each sampler does not exceed, against the time that it takes.
+[[nodiscard]] inline Plot plot_error_seconds(const Measurements& all) {
+  const std::string size = std::to_string(noise_width) + " x " + std::to_string(noise_height);
+  Plot plot{"Error against seconds",
+            "seconds for " + size + " pixels, " + described(all.exact) + ", one thread",
+            "root mean square error at most, levels of 255",
+            {},
+            {},
+            {}};
+  std::vector<Tradeoff> tradeoffs;
+  for (std::size_t k = 0; k < sampler_kinds.size(); ++k) {
+    PlotSeries most{name_of(sampler_kinds[k]), sampler_styles[k], {}, true};
+    for (std::size_t i = 0; i < all.noise.size(); ++i) {
+      const Noise& noise = all.noise[i];
+      if (noise.kind != sampler_kinds[k]) continue;
+      most.points.push_back({noise.milliseconds / 1000, noise.rmse_bound, {}});
+      tradeoffs.push_back({noise.milliseconds / 1000, noise.rmse_bound, i});
+    }
+    plot.series.push_back(most);
+  }
+  plot.front = labelled_front(
+      tradeoffs, [&all](std::size_t i) { return printed("%s %d", name_of(all.noise[i].kind), all.noise[i].samples); });
+  return plot;
+}
+
+}  // namespace texmap::chapter_13

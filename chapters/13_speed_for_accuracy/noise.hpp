@@ -1,0 +1,117 @@
+// The noise of sampled pictures: every sampler with ever more samples, how far off it is, and how long it takes.
+#pragma once
+#include <cmath>
+#include <span>
+
+#include "trials.hpp"
+
+namespace texmap::chapter_13 {
+
+/// A sampler with a number of samples a pixel.
+struct Noise {
+  SamplerKind kind = SamplerKind::random;
+  int samples = 1;
+  double rmse = 0;          ///< root mean square error over pixels and channels, levels of 255; the mean of all views
+  double rmse_bound = 0;    ///< not exceeded by another seed and another view; see bound_of
+  double milliseconds = 0;  ///< for one picture, on one thread: the shortest of all rounds
+};
+
+inline constexpr std::array<SamplerKind, 4> sampler_kinds = {SamplerKind::random, SamplerKind::stratified,
+                                                             SamplerKind::multi_jitter, SamplerKind::sobol};
+inline constexpr std::array<int, 5> sample_counts = {1, 4, 16, 64, 256};
+
+/// Where the views of the noise stand round the globe: each sees another part of the picture.
+inline constexpr int noise_views = 8;
+inline constexpr int noise_width = 80;
+inline constexpr int noise_height = 60;
+/// Samples of the pictures that judge. Their own noise is in all figures, and makes them larger.
+inline constexpr int converged_samples = 1024;
+
+[[nodiscard]] inline View noise_view(const Globe& globe, int view) {
+  return globe.view(noise_width, noise_height, 45 * view, view % 2 == 0 ? 25 : -25);
+}
+
+/// The light that a view shows, gathered with a number's packs.
+[[nodiscard]] inline Film sampled(const Globe& globe, const View& view, const Way& way, const Sampler& sampler, int threads) {
+  Film film(view.width, view.height);
+  const int half = sampler.samples() / 2;
+  const SampledShot shot{&globe, mapping_of_degree(way.degree), {sampler, half, &film}};
+  (void)draw_in_way(shot, view, way, threads);
+  film.count(half, sampler.samples() - half);
+  return film;
+}
+
+/// The light of a film as levels of 255 on the sRGB curve, not rounded to bytes.
+[[nodiscard]] inline std::vector<double> levels_of(const Film& film) {
+  std::vector<double> levels;
+  for (int row = 0; row < film.height(); ++row) {
+    for (int column = 0; column < film.width(); ++column) {
+      const Rgb light = film.light(column, row);
+      for (const double channel : {light.r, light.g, light.b}) levels.push_back(255 * srgb_encode(channel));
+    }
+  }
+  return levels;
+}
+
+/// Root mean square difference of two pictures.
+[[nodiscard]] inline double rms_apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += square(a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/// What another view of the globe by another seed does not exceed: the mean of those seen and 6 standard deviations.
+///
+/// For errors that are spread normally, one more than `noise_views` = 8 exceeds it with a chance of 1 in 2600: Student's
+/// distribution with 7 degrees of freedom at 6 / sqrt(1 + 1/8).
+[[nodiscard]] inline double bound_of(const std::vector<double>& errors) {
+  double mean = 0, squares = 0;
+  for (const double error : errors) mean += error / static_cast<double>(errors.size());
+  for (const double error : errors) squares += square(error - mean);
+  return mean + 6 * std::sqrt(squares / static_cast<double>(errors.size() - 1));
+}
+
+/// The errors of all samplers, each view with a seed of its own.
+///
+/// @param way     number, instructions and kernel to draw with
+/// @param counts  of samples a pixel
+[[nodiscard]] inline std::vector<Noise> measure_noise(const Globe& globe, const Way& way, int threads, const Tick& tick,
+                                                      std::span<const int> counts = sample_counts) {
+  std::vector<std::vector<double>> judges;
+  for (int i = 0; i < noise_views; ++i) {
+    const Sampler converged(SamplerKind::sobol, converged_samples, 1000U + static_cast<std::uint32_t>(i));
+    judges.push_back(levels_of(sampled(globe, noise_view(globe, i), way, converged, threads)));
+    tick();
+  }
+  std::vector<Noise> all;
+  for (const SamplerKind kind : sampler_kinds) {
+    for (const int samples : counts) {
+      std::vector<double> errors;
+      for (int i = 0; i < noise_views; ++i) {
+        const Sampler sampler(kind, samples, static_cast<std::uint32_t>(i));
+        const auto levels = levels_of(sampled(globe, noise_view(globe, i), way, sampler, threads));
+        errors.push_back(rms_apart(levels, judges[static_cast<std::size_t>(i)]));
+      }
+      double mean = 0;
+      for (const double error : errors) mean += error / noise_views;
+      all.push_back({kind, samples, mean, bound_of(errors)});
+      tick();
+    }
+  }
+  return all;
+}
+
+/// Fills in the times of all samplers, taken by turns on one thread.
+inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& way, int rounds, const Tick& tick) {
+  const View view = noise_view(globe, 0);
+  std::vector<Work> works;
+  works.reserve(all.size());
+  for (const Noise& noise : all) {
+    works.emplace_back(
+        [&globe, &view, &way, sampler = Sampler(noise.kind, noise.samples)] { (void)sampled(globe, view, way, sampler, 1); });
+  }
+  const auto shortest = shortest_times(works, rounds, [&tick](int, int) { tick(); });
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].milliseconds = shortest[i];
+}
+
+}  // namespace texmap::chapter_13

@@ -1,0 +1,124 @@
+// What this chapter draws over and over: chapter 07's globe, in every way that there is to draw it.
+#pragma once
+#include <optional>
+
+#include "bilinear.hpp"
+#include "budget.hpp"
+#include "camera.hpp"
+#include "gather.hpp"
+#include "screen_bounds.hpp"
+#include "sphere.hpp"
+
+namespace texmap::chapter_13 {
+
+/// How texels become a color.
+enum class Filter {
+  nearest,   ///< the texel that holds the place
+  bilinear,  ///< the four around it, mixed
+};
+
+/// How a color becomes a byte.
+enum class Curve {
+  none,     ///< the texture's bytes are shown as they are, and nothing is calculated with light
+  formula,  ///< the sRGB curve by the C library's power
+  exact,    ///< the same bytes without a power
+  four,     ///< by a polynomial of 4 terms: at most 1 level off
+  three,    ///< by one of 3 terms: at most 2 levels off
+};
+
+/// The globe before an even sky, seen from 6 radii as in chapter 07, and so that it fills the picture.
+struct Globe {
+  Sphere sphere{{0, 0, 0}, 2};
+  double away = 12;          ///< from the eye to the globe's center
+  Rgb sky{0.72, 0.8, 1};     ///< none of its channels lies on the edge between two bytes
+  ImageTexture nearest;      ///< the picture's bytes as they are
+  ImageTexture light;        ///< the same picture, decoded to light
+  BilinearTexture bilinear;  ///< the same picture, filtered
+
+  Globe() = default;
+  explicit Globe(const Image& picture)
+      : nearest{picture}, light{.image = picture, .light = TexelLight::linear}, bilinear{picture} {}
+
+  /// The view from a place round the globe: degrees to the east of chapter 07's, and above the equator, -89 to 89.
+  ///
+  /// Unless told otherwise from a little beside: from 0 and 0 a picture's middle row and column, if it has them, look at the
+  /// very edges of texels, which no other picture does.
+  [[nodiscard]] View view(int width, int height, double east = 12, double up = 17) const {
+    const double to_radians = std::numbers::pi / 180;
+    const double out = away * std::cos(up * to_radians);
+    const Point eye{out * std::sin(east * to_radians), away * std::sin(up * to_radians), out * std::cos(east * to_radians)};
+    return view_of(Camera{.eye = eye, .target = sphere.center, .fov_y_degrees = 16}, width, height);
+  }
+};
+
+/// The (u, v) kernel with an arc tangent of that degree; degree 0 is the reference formula, by the C library.
+[[nodiscard]] inline BudgetMapping mapping_of_degree(int degree) {
+  BudgetMapping mapping;
+  mapping.choice.degree = degree;
+  return mapping;
+}
+
+/// One ray a pixel: a globe that shines by itself, or, with a curve, one under the sky's light.
+struct Shot {
+  const Globe* globe;
+  BudgetMapping mapping;
+  Filter filter = Filter::nearest;
+  Curve curve = Curve::none;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    const Color<Real> sky = number_cast<Real>(globe->sky);
+    const Real distance = distance_to(globe->sphere, ray);
+    const Mask<Real> met = distance < infinity<Real>();
+    if (!any(met)) return to_bytes(sky);
+    const Uv<Real> uv = mapping(normal_at(globe->sphere, ray, select(met, distance, Real(1))));
+    if (curve != Curve::none) return to_bytes(select(met, globe->light(uv) * sky, sky));
+    return to_bytes(select(met, filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv), sky));
+  }
+
+ private:
+  /// The color as the middle between its byte and the next, which is cut off to its byte.
+  template <class Real>
+  [[nodiscard]] Color<Real> to_bytes(const Color<Real>& color) const {
+    return {to_byte(color.r), to_byte(color.g), to_byte(color.b)};
+  }
+  template <class Real>
+  [[nodiscard]] Real to_byte(const Real& channel) const {
+    const Real half = Real(0.5 / 255);
+    if (curve == Curve::none) return channel + half;
+    return byte_of_light(channel) * Real(1.0 / 255) + half;
+  }
+  template <class Real>
+  [[nodiscard]] Real byte_of_light(const Real& light) const {
+    if (curve == Curve::exact) return srgb_byte_exact(light);
+    if (curve == Curve::four) return srgb_byte<4>(light);
+    if (curve == Curve::three) return srgb_byte<3>(light);
+    const Real inside = clamp(light, Real(0), Real(1));
+    return floor(from_lanes<Real>([&](std::size_t i) { return srgb_encode(lane(inside, i)); }) * Real(255) + Real(0.5));
+  }
+};
+
+/// Many rays a pixel, spread by a sampler; what they bring is gathered as light.
+struct SampledShot {
+  const Globe* globe;
+  BudgetMapping mapping;
+  Gathering gathering;
+
+  /// The sky's light, where the globe cannot be seen.
+  [[nodiscard]] std::optional<Rgb> certain_light(const View& view, int first, int last, int row) const {
+    if (!screen_bounds(view, globe->sphere).miss(first, last, row)) return {};
+    return globe->sky;
+  }
+  template <class Real, class Numbers>
+  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+    const auto in_pixel = numbers.template pair<Real>();
+    const Ray<Real> ray = ray_through(view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)));
+    const Color<Real> sky = number_cast<Real>(globe->sky);
+    const Real distance = distance_to(globe->sphere, ray);
+    const Mask<Real> met = distance < infinity<Real>();
+    if (!any(met)) return sky;
+    return select(met, globe->light(mapping(normal_at(globe->sphere, ray, select(met, distance, Real(1))))) * sky, sky);
+  }
+};
+
+}  // namespace texmap::chapter_13

@@ -1,0 +1,131 @@
+// The table: all that was tried, as text to read and as JSON for other programs.
+#pragma once
+#include "figures_json.hpp"
+#include "words.hpp"
+
+namespace texmap::chapter_13 {
+
+/// All that was measured in one run.
+struct Measurements {
+  int width = 0, height = 0;  ///< of the pictures of places and curves, pixels
+  std::vector<Trial> places;  ///< the first is plain double
+  std::vector<Trial> curves;  ///< the first is plain double
+  Way exact;                  ///< the fastest that changes nothing: the samplers draw with it
+  std::vector<Noise> noise;
+};
+
+/// The trial of a way, or nullptr.
+[[nodiscard]] inline const Trial* find_trial(const std::vector<Trial>& trials, const Way& way) {
+  for (const Trial& trial : trials) {
+    const Way& other = trial.way;
+    if (other.number == way.number && other.instructions == way.instructions && other.degree == way.degree &&
+        other.filter == way.filter && other.curve == way.curve) {
+      return &trial;
+    }
+  }
+  return nullptr;
+}
+
+/// The times of a number and a kernel with each set of instructions, as parts of plain double's; - where there is none.
+[[nodiscard]] inline std::string times_of(const std::vector<Trial>& trials, Way way) {
+  std::string times;
+  for (const Instructions instructions : {Instructions::baseline, Instructions::avx2, Instructions::avx512}) {
+    way.instructions = instructions;
+    const Trial* trial = find_trial(trials, way);
+    times += trial == nullptr ? "        -" : printed("%9.3f", trial->time);
+  }
+  return times;
+}
+
+/// The right half of a row: what does not depend on the clock.
+[[nodiscard]] inline std::string errors_text(const Errors& e) {
+  return printed(" %8.1e %8.1e %8.1e %6ld %7ld %4d %7d", e.worst_texels, e.mean_texels, e.texels_bound, e.changed, e.may_change,
+                 e.levels, e.levels_bound);
+}
+
+[[nodiscard]] inline std::string table_of_places(const Measurements& all, Filter filter) {
+  std::string table = printed("%s, %d x %d pixels, one ray a pixel; time 1 is plain double's %.1f ms with the nearest texel\n",
+                              filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
+                              all.places.front().milliseconds);
+  table +=
+      printed("%-23s%27s %26s %14s %12s\n", "", "time by instructions", "place off by, texels", "pixels off", "levels off");
+  table += printed("%-12s %-10s%9s%9s%9s %8s %8s %8s %6s %7s %4s %7s\n", "number", "kernel", "baseline", "avx2", "avx512",
+                   "worst", "mean", "at most", "seen", "at most", "seen", "at most");
+  for (const Trial& trial : all.places) {
+    if (trial.way.filter != filter || trial.way.instructions != Instructions::baseline) continue;
+    table += printed("%-12s %-10s", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
+    table += times_of(all.places, trial.way);
+    table += errors_text(trial.errors) + "\n";
+  }
+  return table;
+}
+
+[[nodiscard]] inline std::string table_of_curves(const Measurements& all) {
+  std::string table =
+      "From light to sRGB bytes: the whole picture's time as a part of plain double's with the power\n"
+      "number       instructions  curve        time  pixels off  levels off  at most\n";
+  for (const Trial& trial : all.curves) {
+    table +=
+        printed("%-12s %-13s %-8s %8.3f %11ld %11d %8d\n", name_of(trial.way.number), name_of(trial.way.instructions),
+                name_of(trial.way.curve), trial.time, trial.errors.changed, trial.errors.levels, trial.errors.levels_bound);
+  }
+  return table;
+}
+
+[[nodiscard]] inline std::string table_of_noise(const Measurements& all) {
+  std::string table =
+      printed("Samples: root mean square error in levels of 255, and milliseconds for %d x %d pixels (%s, %s)\n", noise_width,
+              noise_height, name_of(all.exact.number), name_of(all.exact.instructions));
+  table += "        ";
+  for (const SamplerKind kind : sampler_kinds) table += printed("  %-22s", name_of(kind));
+  table += "\nsamples ";
+  for (std::size_t i = 0; i < sampler_kinds.size(); ++i) table += "   mean at most       ms";
+  table += "\n";
+  for (const int samples : sample_counts) {
+    table += printed("%7d ", samples);
+    for (const Noise& noise : all.noise) {
+      if (noise.samples == samples) table += printed(" %7.2f %7.2f %8.2f", noise.rmse, noise.rmse_bound, noise.milliseconds);
+    }
+    table += "\n";
+  }
+  return table;
+}
+
+[[nodiscard]] inline std::string table_of(const Measurements& all) {
+  return table_of_places(all, Filter::nearest) + "\n" + table_of_places(all, Filter::bilinear) + "\n" + table_of_curves(all) +
+         "\n" + table_of_noise(all);
+}
+
+/// The same as JSON: an object with a list for each part of the table.
+[[nodiscard]] inline std::string json_of(const Measurements& all) {
+  const auto trial_json = [](const Trial& trial) {
+    const Errors& e = trial.errors;
+    std::string json = printed(R"(    {"number": "%s", "instructions": "%s", "degree": %d, "filter": "%s", "curve": "%s", )",
+                               name_of(trial.way.number), name_of(trial.way.instructions), trial.way.degree,
+                               name_of(trial.way.filter), name_of(trial.way.curve));
+    json += "\"milliseconds\": " + round_trip(trial.milliseconds) + ", \"time\": " + round_trip(trial.time);
+    if (trial.way.curve == Curve::none) {
+      json += ", \"worst_texels\": " + round_trip(e.worst_texels) + ", \"mean_texels\": " + round_trip(e.mean_texels) +
+              ", \"texels_bound\": " + round_trip(e.texels_bound) + printed(", \"may_change\": %ld", e.may_change);
+    }
+    return json + printed(R"(, "changed": %ld, "levels": %d, "levels_bound": %d})", e.changed, e.levels, e.levels_bound);
+  };
+  const auto list = [](const auto& all_of_them, const auto& one) {
+    std::string json = "[\n";
+    for (std::size_t i = 0; i < all_of_them.size(); ++i)
+      json += one(all_of_them[i]) + (i + 1 < all_of_them.size() ? ",\n" : "\n");
+    return json + "  ]";
+  };
+  return printed("{\n  \"width\": %d,\n  \"height\": %d,\n  \"places\": ", all.width, all.height) +
+         list(all.places, trial_json) + ",\n  \"curves\": " + list(all.curves, trial_json) +
+         printed(",\n  \"noise_width\": %d,\n  \"noise_height\": %d,\n  \"noise\": ", noise_width, noise_height) +
+         list(all.noise,
+              [](const Noise& noise) {
+                return printed(R"(    {"sampler": "%s", "samples": %d, "rmse": )", name_of(noise.kind), noise.samples) +
+                       round_trip(noise.rmse) + ", \"rmse_bound\": " + round_trip(noise.rmse_bound) +
+                       ", \"milliseconds\": " + round_trip(noise.milliseconds) + "}";
+              }) +
+         "\n}\n";
+}
+
+}  // namespace texmap::chapter_13

@@ -1,0 +1,64 @@
+// A picture as a texture between its texels: the bilinear filter.
+#pragma once
+#include "image_texture.hpp"
+
+namespace texmap {
+
+/// The color at (u, v), mixed from the four texels whose centers are around it.
+///
+/// A texel's color holds at its center, which lies half a texel from its edges: column k's at u = (k + 1/2) / width. Between
+/// centers the color goes straight, first along u and then along v. u wraps: left of the first column is the last, so that a
+/// globe has no seam. v is clamped: within half a texel of the upper and the lower edge, the row of the edge is alone.
+struct BilinearTexture {
+  Image image;  ///< an empty one is black; load_image never gives one
+  VAxis v_axis = VAxis::up;
+  TexelLight light = TexelLight::encoded;  ///< what is mixed; only amounts of light have a mean that the eye agrees with
+
+  /// @param uv  u any number, of which the part after the point counts; v 0 to 1, beyond clamped. NaN and infinities count as 0
+  /// @return    each channel within the range of the four texels; exactly the texel's where u width and v height, less a half,
+  ///            come out whole, and exactly their color where all four are alike
+  /// Bound: the place is (u, v) but for 2 unit roundoffs of 1, the color within 4 unit roundoffs of 1; tested against another
+  /// formula in tests/texture/test_bilinear.cpp.
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    if (image.pixels.empty()) return gray(Real(0));
+    const Real columns = Real(image.width);
+    const Real last_row = Real(image.height - 1);
+    const Real u = clamp(uv.u - floor(uv.u), Real(0), below_one<Real>());
+
+    const Real x = u * columns - Real(0.5);
+    const Real left = floor(x);  // -1 to the last column
+    const Real right = left + Real(1);
+    const Real first = select(left < Real(0), left + columns, left);
+    const Real second = select(right < columns, right, right - columns);
+
+    const Real y = clamp(uv.v * Real(image.height) - Real(0.5), Real(0), last_row);
+    const Real low = floor(y);
+    const Real high = smaller(low + Real(1), last_row);
+
+    const Real across = x - left;
+    const Color<Real> lower = mix(texel(first, low), texel(second, low), across);
+    const Color<Real> upper = mix(texel(first, high), texel(second, high), across);
+    return mix(lower, upper, y - low);
+  }
+
+ private:
+  /// The texel of a column and of a row counted from v = 0.
+  template <class Real>
+  [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
+    const Real row = v_axis == VAxis::down ? from_zero : Real(image.height - 1) - from_zero;
+    const bool decoded = light != TexelLight::encoded;
+    const auto* levels = decoded ? light_of_bytes<Scalar<Real>>(light).data() : nullptr;
+    const auto channels = look_up(
+        [&](int at_column, int at_row) {
+          const Rgb8& bytes = image.at(at_column, at_row);
+          const auto level = [&](std::uint8_t byte) { return decoded ? levels[byte] : static_cast<Scalar<Real>>(byte); };
+          return std::array{level(bytes.r), level(bytes.g), level(bytes.b)};
+        },
+        column, row);
+    const Real unit = Real(decoded ? 1 : 255);
+    return {channels[0] / unit, channels[1] / unit, channels[2] / unit};
+  }
+};
+
+}  // namespace texmap

@@ -1,0 +1,400 @@
+// Chapter 13: the figures to rely on hold on inputs that nobody has measured, and a smaller figure would not. No clock here.
+#include <doctest.h>
+
+#include <fstream>
+
+#include "13_speed_for_accuracy/lesson.hpp"
+#include "pictures.hpp"
+
+using namespace texmap;
+using namespace texmap::chapter_13;
+
+namespace {
+
+const Globe& earth() {
+  static const Globe globe(Lesson{}.texture.load());
+  return globe;
+}
+
+/// A globe of random bytes: every edge between two texels is as sharp as any.
+const Globe& noise_globe() {
+  static const Globe globe = [] {
+    Image image(512, 256);
+    std::uint32_t at = 7;
+    for (Rgb8& texel : image.pixels) {
+      const auto byte = [&at] { return static_cast<std::uint8_t>(hash_bits(at++) >> 24); };
+      texel = {byte(), byte(), byte()};
+    }
+    return Globe(image);
+  }();
+  return globe;
+}
+
+/// Where nobody has stood before: east and up, in degrees; over the poles, before the seam, anywhere.
+constexpr std::array<std::pair<double, double>, 6> fresh_angles = {
+    {{-90, 0}, {13.7, 88.9}, {201.3, -89}, {77.7, 41.3}, {-151, -23.2}, {0, 7.7}}};
+
+struct Seen {
+  Errors errors;
+  Way way;
+};
+
+/// The errors of every number, kernel and filter, from one angle.
+std::vector<Seen> all_errors(const Globe& globe, double east, double up, int width = 211, int height = 157) {
+  const View view = globe.view(width, height, east, up);
+  const auto sights = sights_of(globe, view);
+  std::vector<Seen> all;
+  for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
+    const Image judge = picture_of(globe, view, {.number = Number::extended, .filter = filter}, 0);
+    for (const Trial& trial : all_places(Instructions::baseline)) {
+      if (trial.way.filter == filter) all.push_back({errors_of_places(globe, view, trial.way, sights, judge), trial.way});
+    }
+  }
+  return all;
+}
+
+bool holds(const Errors& seen, const Errors& stated) {
+  return seen.worst_texels <= stated.texels_bound && seen.mean_texels <= stated.texels_bound &&
+         seen.changed <= stated.may_change && seen.levels <= stated.levels_bound;
+}
+
+/// A unit vector of some kind: anywhere, near a pole, near the seam.
+template <class T>
+Vec3<T> direction(std::uint32_t i) {
+  const auto unit = [&i](std::uint32_t k) { return hash_bits(9 * i + k) * 0x1p-32; };
+  const double a = 2 * std::numbers::pi * (i % 5 == 3 ? 0.5 + 1e-5 * (unit(0) - 0.5) : unit(0));
+  const double y = i % 5 == 4 ? 1 - std::pow(10.0, -12 * unit(1)) : 2 * unit(1) - 1;
+  const double s = std::sqrt((1 - y) * (1 + y));
+  return normalize(
+      Vec3<T>{static_cast<T>(s * std::cos(a)), static_cast<T>(i % 2 == 0 ? y : -y), static_cast<T>(s * std::sin(a))});
+}
+
+/// Measurements whose times are made up.
+Measurements made_up() {
+  Measurements all;
+  all.places = all_places(Instructions::baseline);
+  const View view = earth().view(64, 48);
+  judge_places(all.places, earth(), view, [] {});
+  for (std::size_t i = 0; i < all.places.size(); ++i) {
+    Trial& trial = all.places[i];
+    trial.milliseconds = 100 - (is_pack(trial.way.number) ? 50 : 0) -
+                         (trial.way.number == Number::float_ || trial.way.number == Number::float_pack ? 20 : 0) +
+                         trial.way.degree * 0.1 + (trial.way.degree == 0 ? 10 : 0);
+    trial.time = trial.milliseconds / all.places[0].milliseconds;
+  }
+  for (const SamplerKind kind : sampler_kinds) {
+    for (const int samples : sample_counts) {
+      const double rmse = 10 / std::pow(samples, kind == SamplerKind::random ? 0.5 : 0.75);
+      all.noise.push_back({kind, samples, rmse, 1.5 * rmse, samples * (kind == SamplerKind::sobol ? 1.1 : 1.2)});
+    }
+  }
+  all.curves = all_curves(Instructions::baseline);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("from any angle no place is farther off than stated, and no more pixels change, by no more levels") {
+  for (const auto& angles : fresh_angles) {
+    for (const Seen& seen : all_errors(earth(), angles.first, angles.second)) {
+      CAPTURE(angles.first);
+      CAPTURE(described(seen.way));
+      CAPTURE(name_of(seen.way.filter));
+      CAPTURE(seen.errors.worst_texels);
+      CAPTURE(seen.errors.changed);
+      CHECK(holds(seen.errors, seen.errors));
+    }
+  }
+}
+
+TEST_CASE("on a texture where every texel is unlike its neighbours the bounds hold too") {
+  long changed = 0;
+  for (const auto& [east, up] : {std::pair{33.3, 3.0}, std::pair{-60.0, 80.0}}) {
+    for (const Seen& seen : all_errors(noise_globe(), east, up, 320, 240)) {
+      CAPTURE(described(seen.way));
+      CAPTURE(seen.errors.changed);
+      CAPTURE(seen.errors.may_change);
+      CAPTURE(seen.errors.levels);
+      CHECK(holds(seen.errors, seen.errors));
+      changed += seen.errors.changed;
+    }
+  }
+  CHECK(changed > 1000);  // there was something to bound
+}
+
+TEST_CASE("tiny textures: one texel cannot change, and two or three keep to their bounds") {
+  for (const auto& size : {std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 3}, std::pair{3, 2}}) {
+    Image image(size.first, size.second);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = {static_cast<std::uint8_t>(40 * i), 200, 9};
+    for (const Seen& seen : all_errors(Globe(image), 33.3, 3, 64, 48)) {
+      CAPTURE(described(seen.way));
+      CHECK(holds(seen.errors, seen.errors));
+      if (image.pixels.size() == 1) CHECK(seen.errors.may_change == 0);
+    }
+  }
+}
+
+TEST_CASE("the twins fail: half a bound, or the bound of a kernel with more terms, does not hold") {
+  const std::vector<Seen> all = all_errors(earth(), 77.7, 41.3);
+  const auto of = [&all](Number number, int degree, Filter filter) {
+    for (const Seen& seen : all) {
+      if (seen.way.number == number && seen.way.degree == degree && seen.way.filter == filter) return seen.errors;
+    }
+    throw std::runtime_error("not tried");
+  };
+  for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
+    CHECK_FALSE(holds(of(Number::float_, 5, filter), of(Number::float_, 7, filter)));
+    CHECK_FALSE(holds(of(Number::float_, 7, filter), of(Number::float_, 9, filter)));
+    CHECK_FALSE(holds(of(Number::double_, 23, filter), of(Number::double_, 29, filter)));
+    CHECK(of(Number::float_, 5, filter).changed > of(Number::float_, 7, filter).may_change);
+    CHECK(of(Number::float_, 5, Filter::bilinear).levels > of(Number::float_, 7, Filter::bilinear).levels_bound);
+  }
+  for (const auto& [number, degree] : {std::pair{Number::float_, 5}, std::pair{Number::double_, 23}}) {
+    Errors half = of(number, degree, Filter::nearest);
+    CHECK(holds(half, half));
+    half.texels_bound /= 2;
+    CHECK_FALSE(holds(of(number, degree, Filter::nearest), half));
+  }
+}
+
+TEST_CASE_TEMPLATE("in all directions, also by the poles and the seam, a kernel is within what is stated of it", T, float,
+                   double) {
+  for (const int degree : degrees_for(sizeof(T) == sizeof(float) ? Number::float_ : Number::double_)) {
+    const UvError stated = kernel_bound<T>(degree);
+    const BudgetMapping mapping = mapping_of_degree(degree);
+    UvError worst{0, 0};
+    for (std::uint32_t i = 1; i <= 40000; ++i) {
+      const Vec3<T> p = direction<T>(i);
+      const Uv<T> uv = mapping(p);
+      const Uv<long double> exact = uv_rtiow(
+          Vec3<long double>{static_cast<long double>(p.x), static_cast<long double>(p.y), static_cast<long double>(p.z)});
+      const long double across = std::abs(static_cast<long double>(uv.u) - exact.u);
+      worst.u = std::max(worst.u, static_cast<double>(std::min(across, 1 - across)));
+      worst.v = std::max(worst.v, static_cast<double>(std::abs(static_cast<long double>(uv.v) - exact.v)));
+    }
+    CAPTURE(degree);
+    CHECK(worst.u <= stated.u);
+    CHECK(worst.v <= stated.v);
+    // What a fit is off by is nearly reached: half of it would not do.
+    if (degree == 5 || degree == 23) CHECK((worst.u > stated.u / 2 && worst.v > stated.v / 2));
+  }
+}
+
+TEST_CASE("bytes by shorter curves are off by no more levels than stated, from any angle, and by no fewer") {
+  for (const auto& [east, up] : fresh_angles) {
+    std::vector<Trial> curves = all_curves(Instructions::baseline);
+    judge_curves(curves, earth(), earth().view(160, 120, east, up), [] {});
+    for (const Trial& trial : curves) {
+      CAPTURE(name_of(trial.way.curve));
+      CHECK(trial.errors.levels <= trial.errors.levels_bound);
+      if (trial.way.curve == Curve::three) CHECK(trial.errors.levels > curve_bound(Curve::four));
+      if (trial.way.curve == Curve::four) CHECK(trial.errors.levels > curve_bound(Curve::exact));
+    }
+  }
+}
+
+TEST_CASE("the noise of other seeds, seen from other angles, is within its bound; half the bound, or fewer samples, are not") {
+#ifdef TEXMAP_HAVE_PACKS
+  const Way way{.number = Number::double_pack};
+#else
+  const Way way{};
+#endif
+  const std::array<int, 4> counts = {1, 4, 16, 64};  // 256 takes long
+  const std::vector<Noise> stated = measure_noise(
+      earth(), way, 0, [] {}, counts);
+  const auto bound = [&stated](SamplerKind kind, int samples) {
+    for (const Noise& noise : stated) {
+      if (noise.kind == kind && noise.samples == samples) return noise.rmse_bound;
+    }
+    throw std::runtime_error("not tried");
+  };
+  std::uint32_t seed = 555;
+  for (const auto& angles : fresh_angles) {
+    const double up = angles.second;
+    const View view = earth().view(noise_width, noise_height, angles.first, up);
+    const auto judge = levels_of(sampled(earth(), view, way, Sampler(SamplerKind::sobol, 2048, seed++), 0));
+    for (const Noise& noise : stated) {
+      const auto levels = levels_of(sampled(earth(), view, way, Sampler(noise.kind, noise.samples, seed++), 0));
+      CAPTURE(name_of(noise.kind));
+      CAPTURE(noise.samples);
+      CAPTURE(angles.first);
+      CHECK(rms_apart(levels, judge) <= noise.rmse_bound);
+      if (up > 60 || up < -60) continue;  // the poles are plain, and their noise is small
+      CHECK(rms_apart(levels, judge) > noise.rmse_bound / 3);
+      if (noise.samples == 4) CHECK(rms_apart(levels, judge) > bound(noise.kind, 64));
+    }
+  }
+}
+
+TEST_CASE("a bound of noise is the mean and six standard deviations") {
+  CHECK(bound_of({1, 1, 1, 1}) == 1);
+  CHECK(bound_of({1, 3}) == doctest::Approx(2 + 6 * std::sqrt(2.0)));
+}
+
+TEST_CASE("the front is what nothing else beats, from the fastest to the most exact") {
+  const auto front = front_of({{3, 1, 0}, {1, 5, 1}, {2, 5, 2}, {2, 3, 3}, {4, 2, 4}, {2, 4, 5}, {1, 6, 6}, {9, 1, 7}});
+  std::vector<std::size_t> kept;
+  kept.reserve(front.size());
+  for (const Tradeoff& each : front) kept.push_back(each.index);
+  CHECK(kept == std::vector<std::size_t>{1, 3, 0});
+  CHECK(front_of({}).empty());
+  // On a plot, what is as fast as something more exact has no label.
+  const auto shown = labelled_front({{1, 5, 7}, {1.04, 4, 8}, {2, 3, 9}}, [](std::size_t i) { return std::to_string(i); });
+  REQUIRE(shown.size() == 3);
+  CHECK(shown[0].label.empty());
+  CHECK(shown[1].label == "8");
+  CHECK(shown[2].label == "9");
+}
+
+TEST_CASE("the recommendation is the fastest that keeps to the budget by its bound, and its command takes that very kernel") {
+  const Measurements all = made_up();
+  for (const char* text : {"exact", "texels=0.01", "texels=0.1", "texels=1e-8", "texels=1e-10", "levels=1", "levels=9"}) {
+    const Budget budget = parse_budget(text);
+    for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
+      const Trial* best = fastest(all.places, filter, budget);
+      CAPTURE(text);
+      REQUIRE(best != nullptr);
+      CHECK(keeps_to(budget, *best));
+      for (const Trial& trial : all.places) {
+        if (trial.way.filter != filter || !keeps_to(budget, trial)) continue;
+        CHECK(best->milliseconds <= same_time * trial.milliseconds);
+        if (trial.milliseconds <= best->milliseconds) CHECK(trial.errors.texels_bound >= best->errors.texels_bound);
+      }
+    }
+  }
+  CHECK(fastest(all.places, Filter::nearest, parse_budget("texels=1e-16")) == nullptr);
+  CHECK(recommendation(all, parse_budget("texels=1e-16"), earth().nearest.image).find("nothing that was tried") !=
+        std::string::npos);
+  CHECK(fastest(all.noise, 1)->kind == SamplerKind::sobol);
+  CHECK(fastest(all.noise, 1)->samples == 64);
+  CHECK(fastest(all.noise, 0.01) == nullptr);
+#ifdef TEXMAP_HAVE_PACKS
+  CHECK(fastest(all.places, Filter::nearest, {})->way.number == Number::double_pack);
+  CHECK(recommendation(all, {}, earth().nearest.image).find("./course run 07 --number double-pack") != std::string::npos);
+  CHECK(recommendation(all, parse_budget("texels=0.01"), earth().nearest.image).find("--number float-pack --budget texels=") !=
+        std::string::npos);
+#endif
+}
+
+TEST_CASE("where a pixel looks at the very edge of a texel only plain double is exact, whatever was measured") {
+  std::vector<Trial> trials = all_places(Instructions::baseline);
+  judge_places(trials, earth(), earth().view(33, 25, 0, 0), [] {});  // the middle column looks along x = 0, where u is 3/4
+  for (const Trial& trial : trials) {
+    CAPTURE(described(trial.way));
+    if (trial.way.filter != Filter::nearest) continue;
+    CHECK(trial.errors.may_change >= 20);
+    CHECK(keeps_to({}, trial) == (trial.way.number == Number::double_ && trial.way.degree == 0));
+  }
+}
+
+TEST_CASE("the budget of a command takes the kernel it is for, on textures of all sizes") {
+  for (const int width : {2, 64, 1000, 2048, 8192, 16384}) {
+    const Image texture(width, width / 2);
+    for (const int degree : {0, 5, 7, 9, 11, 13, 15, 17, 23, 29, 35}) {
+      const std::string text = budget_for(degree, texture);
+      CAPTURE(text);
+      CHECK(text.size() <= 20);
+      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height, Directions::unit).degree == degree);
+    }
+  }
+}
+
+TEST_CASE("no label of a plot covers another or a point, while there is room") {
+  using plotting::Taken;
+  std::vector<Taken> taken;
+  const Taken frame{0, 0, 700, 500};
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const double x = 20 + 660 * (hash_bits(i) * 0x1p-32);
+    const double y = 20 + 460 * (hash_bits(i + 100) * 0x1p-32);
+    taken.push_back({x - 5, y - 5, x + 5, y + 5});
+  }
+  const std::vector<Taken> points = taken;
+  for (const Taken& point : points) {
+    const Taken box =
+        plotting::place_label((point.left + point.right) / 2, (point.top + point.bottom) / 2, "multi-jitter 64", taken, frame);
+    for (const Taken& other : taken) CHECK_FALSE(box.meets(other));
+    CHECK((box.left >= 0 && box.right <= 700 && box.top >= 0 && box.bottom <= 500));
+    taken.push_back(box);
+  }
+}
+
+TEST_CASE("the plots are whole, name everything in them, and have no number that is none") {
+  const Measurements all = made_up();
+  for (const Plot& plot : {plot_speed_error(all), plot_error_samples(all), plot_error_seconds(all)}) {
+    const std::string svg = svg_of(plot);
+    CHECK(svg.starts_with("<svg "));
+    CHECK(svg.ends_with("</svg>\n"));
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+    CHECK(svg.find(">" + plot.title + "<") != std::string::npos);
+    for (const PlotSeries& series : plot.series) CHECK(svg.find(">" + series.name + "<") != std::string::npos);
+    for (const PlotPoint& point : plot.front) {
+      if (!point.label.empty()) CHECK(svg.find(">" + point.label + "<") != std::string::npos);
+    }
+  }
+  CHECK(plotting::escaped("a<b>&c") == "a&lt;b&gt;&amp;c");
+  CHECK(plotting::tick_text(0.001) == "0.001");
+  CHECK(plotting::tick_text(1e-5) == "1e-5");
+  CHECK(plotting::axis_for(1, 1000, 0, 1).ticks() == std::vector<double>{1, 10, 100, 1000});
+}
+
+TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for everything tried") {
+  const Measurements all = made_up();
+  std::string text = table_of(all);
+  for (const char* budget : {"exact", "texels=0.01", "levels=1"}) {
+    text += recommendation(all, parse_budget(budget), earth().nearest.image);
+  }
+  std::stringstream lines(text);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 110);
+  const std::string json = json_of(all);
+  const auto count = [&json](const std::string& word) {
+    std::size_t found = 0;
+    for (std::size_t at = json.find(word); at != std::string::npos; at = json.find(word, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("\"number\"") == all.places.size() + all.curves.size());
+  CHECK(count("\"sampler\"") == all.noise.size());
+  CHECK(count("{") == count("}"));
+  CHECK(count("[") == 3);
+}
+
+#ifdef TEXMAP_REFERENCE_PLATFORM
+TEST_CASE("the errors on the chapter's page are those of its program") {
+  std::ifstream file(std::string(TEXMAP_TESTS_DIR) + "/../chapters/13_speed_for_accuracy/README.md");
+  const SheetLayout layout(1312, 1090);
+  std::vector<Trial> trials = all_places(Instructions::baseline);
+  judge_places(trials, earth(), earth().view(layout.panel_width, layout.panel_height), [] {});
+  int found = 0;
+  for (std::string line; std::getline(file, line);) {
+    for (const Trial& trial : trials) {
+      const std::string start = printed("%-12s %-10s ", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
+      if (trial.way.filter != Filter::nearest || !line.starts_with(start)) continue;
+      CAPTURE(line);
+      CHECK(line.ends_with(errors_text(trial.errors)));
+      ++found;
+    }
+  }
+  CHECK(found == 9);
+}
+#endif
+
+TEST_CASE("a picture that goes to a device has nothing beside it, and others have four files") {
+  CHECK(names_beside("/dev/null").empty());
+  CHECK(names_beside("out/13.png") == std::vector<std::string>{"out/13_speed_error.svg", "out/13_error_samples.svg",
+                                                               "out/13_error_seconds.svg", "out/13.json"});
+}
+
+TEST_CASE("options that choose one of what is tried, and budgets that are none, are refused") {
+  const auto show = [](std::vector<const char*> words) {
+    Lesson lesson;
+    CommandLine line("test", "");
+    lesson.options(line);
+    Studio studio("test", line);
+    words.insert(words.begin(), "test");
+    REQUIRE(line.parse(static_cast<int>(words.size()), words.data()));
+    lesson.show(studio);
+  };
+  CHECK_THROWS_AS(show({"--number", "float"}), UsageError);
+  CHECK_THROWS_AS(show({"--samples", "4"}), UsageError);
+  CHECK_THROWS_AS(show({"--budget", "levels"}), UsageError);
+}
