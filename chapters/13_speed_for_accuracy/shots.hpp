@@ -105,13 +105,10 @@ struct SampledShot {
   Gathering gathering;
 
   /// The sky's light, where the globe cannot be seen.
-  [[nodiscard]] std::optional<Rgb> certain_light(const View& view, int first, int last, int row) const {
-    if (!screen_bounds(view, globe->sphere).miss(first, last, row)) return {};
-    return globe->sky;
-  }
+  [[nodiscard]] CertainLight certain_light(const View& view) const { return {globe->sky, screen_bounds(view, globe->sphere)}; }
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
-    const auto in_pixel = numbers.template pair<Real>();
+  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
+    const auto in_pixel = numbers.pair();
     const Ray<Real> ray = ray_through(view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)));
     const Color<Real> sky = number_cast<Real>(globe->sky);
     const Real distance = distance_to(globe->sphere, ray);

@@ -183,7 +183,7 @@ struct UnsureSky {
 /// Chapter 07's lesson, which follows a path on to a sky that is alike everywhere.
 struct ScatterAnyway : chapter_07::Lesson {
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
     const Ray<Real> ray = lens.ray(view, column, row, numbers);
     const auto albedo = [](const chapter_07::Object& object, const Hit<Real>& hit) { return object.paint(hit); };
     return light_along(objects, ray, UnsureSky{stage.sky}, albedo, sampling.bounces, numbers);
@@ -193,10 +193,10 @@ struct ScatterAnyway : chapter_07::Lesson {
 /// Chapter 07's lesson, which draws numbers for a lens and for an exposure although it is sharp.
 struct NumbersAnyway : chapter_07::Lesson {
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
     const Ray<Real> ray = lens.ray(view, column, row, numbers);
-    keep(numbers.template pair<Real>());
-    keep(numbers.template pair<Real>());
+    keep(numbers.pair());
+    keep(numbers.pair());
     const auto albedo = [](const chapter_07::Object& object, const Hit<Real>& hit) { return object.paint(hit); };
     return light_along(objects, ray, stage.sky, albedo, sampling.bounces, numbers);
   }
@@ -208,7 +208,7 @@ struct WithoutBounds {
   Gathering gathering;
 
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const View& view, const Real& column, const Real& row, Numbers& numbers) const {
+  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
     return lesson(view, column, row, numbers);
   }
 };

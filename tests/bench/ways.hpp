@@ -56,15 +56,15 @@ template <class Job>
 concept DoubleOnly = Job::double_only;
 
 #ifdef TEXMAP_HAVE_PACKS
-/// Does a job with packs made of the instructions that the file is compiled for.
+/// Does a job with packs made of the instructions that the file is compiled for, two at a time as pictures are drawn.
 ///
 /// @tparam Job  has run<Real>(), which does the work
 template <class Arch, class Job>
 void run_packs(const Job& job, Number number) {
   if (number == Number::double_pack) {
-    job.template run<Pack<double, Arch>>();
+    job.template run<Paired<Pack<double, Arch>>>();
   } else if constexpr (!DoubleOnly<Job>) {
-    job.template run<Pack<float, Arch>>();
+    job.template run<Paired<Pack<float, Arch>>>();
   }
 }
 
