@@ -46,6 +46,7 @@ struct Lesson {
     studio.prefer_samples(100);
     const Image image = texture.load();
     objects[0].paint = {budget.settle(studio, image), {.image = image, .light = sampling.decoding}};
+    sampling.srgb_terms = budget.srgb_terms;
     if (lens.gradient) stage.sky = {.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   }
   void show(Studio& studio) { studio.save(sampling.gather(studio, *this)); }

@@ -94,7 +94,7 @@ std::string Studio::file_name(std::string_view suffix) const {
 }
 
 Image Studio::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
-  Progress progress(!quiet);
+  Progress progress(!quiet, remark);
   if (before_drawing_) load_ = before_drawing_->milliseconds();
   before_drawing_.reset();
   const Stopwatch drawing;

@@ -74,6 +74,9 @@ class Studio {
   /// The name save() would give.
   [[nodiscard]] std::string file_name(std::string_view suffix) const;
 
+  /// What the progress line says besides how much is done; may be empty. Asked from any thread.
+  std::function<std::string()> remark;
+
   /// What `work` draws with the settings that the user chose; its time and rays are told when the picture is saved.
   [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);
 

@@ -144,8 +144,8 @@ UvChoice choose_uv_kernel(const Budget& budget, int width, int height, Direction
 
 ColorChoice choose_srgb_kernel(const Budget& budget) {
   ColorChoice choice{0, 0, {}};
-  if (budget.unit == Budget::Unit::levels && budget.limit >= 1) choice = {4, 1, {}};
-  if (budget.unit == Budget::Unit::levels && budget.limit >= 2) choice = {3, 2, {}};
+  if (budget.unit == Budget::Unit::levels && budget.limit >= 1) choice = {4, 1, {}, fits::SrgbCurve<4>::worst};
+  if (budget.unit == Budget::Unit::levels && budget.limit >= 2) choice = {3, 2, {}, fits::SrgbCurve<3>::worst};
   choice.text = describe("sRGB bytes", budget, choice.terms, choice.worst_levels, "the exact curve, by thresholds");
   return choice;
 }

@@ -67,6 +67,7 @@ struct ColorChoice {
   int terms;            ///< 0 for the exact formula
   double worst_levels;  ///< stated; 0 for the exact formula
   std::string text;
+  double worst_before_rounding = 0;  ///< the same, where levels are rounded to whole ones at the end: before that
 };
 
 /// The cheapest way to sRGB bytes that keeps to the budget: 3 or 4 terms of srgb_byte, or srgb_byte_exact.

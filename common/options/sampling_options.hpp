@@ -7,7 +7,7 @@
 
 #include "gather.hpp"
 #include "image_texture.hpp"
-#include "srgb.hpp"
+#include "srgb_kernel.hpp"
 #include "standard_streams.hpp"
 #include "studio.hpp"
 
@@ -23,21 +23,24 @@ enum class Transfer {
 /// The byte of an amount of light, rounded to the nearest; the books' square root is cut off, as they do it.
 ///
 /// @param light  any number; below 0 and NaN give 0, above 1 gives 255
-[[nodiscard]] inline std::uint8_t byte_of_light(double light, Transfer transfer) {
+/// @param terms  of the polynomial for the sRGB curve: 4, at most a level off, or 3, at most two; 0 for the exact curve
+[[nodiscard]] inline std::uint8_t byte_of_light(double light, Transfer transfer, int terms = 0) {
   const double linear = clamp(light, 0.0, 1.0);
   if (transfer == Transfer::sqrt) return static_cast<std::uint8_t>(256 * std::min(std::sqrt(linear), 0.999));
-  const double encoded = transfer == Transfer::srgb ? srgb_encode(linear) : std::pow(linear, 1 / 2.2);
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
+  if (transfer == Transfer::stb) return static_cast<std::uint8_t>(std::lround(255 * std::pow(linear, 1 / 2.2)));
+  return static_cast<std::uint8_t>(terms == 3   ? srgb_byte<3>(linear)
+                                   : terms == 4 ? srgb_byte<4>(linear)
+                                                : srgb_byte_exact(linear));
 }
 
-/// The picture that a film shows.
-[[nodiscard]] inline Image develop(const Film& film, Transfer transfer) {
+/// The picture that a film shows; `terms` as for byte_of_light.
+[[nodiscard]] inline Image develop(const Film& film, Transfer transfer, int terms = 0) {
   Image image(film.width(), film.height());
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
       const Rgb light = film.light(column, row);
-      image.at(column, row) = {byte_of_light(light.r, transfer), byte_of_light(light.g, transfer),
-                               byte_of_light(light.b, transfer)};
+      image.at(column, row) = {byte_of_light(light.r, transfer, terms), byte_of_light(light.g, transfer, terms),
+                               byte_of_light(light.b, transfer, terms)};
     }
   }
   return image;
@@ -52,6 +55,7 @@ struct SamplingOptions {
   double target_error = 0;  ///< in levels of 255; 0 for none
   TexelLight decoding = TexelLight::linear;
   Transfer transfer = Transfer::srgb;
+  int srgb_terms = 0;  ///< see byte_of_light; a budget may choose fewer than all
 
   void declare(CommandLine& line) {
     line.choice<SamplerKind>("--sampler", sampler,
@@ -81,6 +85,13 @@ struct SamplingOptions {
     const int most = limited && !studio.typed("--samples") ? 1 << 20 : studio.samples;
     Film film(studio.width, studio.height);
     auto pattern = static_cast<std::uint32_t>(seed);
+    studio.remark = [&film]() -> std::string {
+      const double error = film.error_so_far();
+      if (!(error < infinity<double>())) return {};
+      std::array<char, 60> text{};
+      std::snprintf(text.data(), text.size(), ", mean error %.2f levels so far", 255 * error);
+      return text.data();
+    };
     const auto draw = [&](int count, int in_first_half) {
       lesson.gathering = {Sampler(sampler, count, pattern++), in_first_half, &film};
       studio.samples = count;
@@ -95,13 +106,14 @@ struct SamplingOptions {
       if (target_error > 0 && film.error() * 255 <= target_error) break;
       if (time_limit > 0 && 3 * seconds > time_limit) break;  // the next pair takes twice as long as all before
     }
+    studio.remark = {};
     if (!studio.quiet) {
       std::array<char, 100> text{};
       std::snprintf(text.data(), text.size(), "%ld samples a pixel, mean error %s %.2f levels of 255\n", film.samples(),
                     limited ? "about" : "at most about", film.error() * 255);
       print(text.data());
     }
-    return develop(film, transfer);
+    return develop(film, transfer, srgb_terms);
   }
 };
 

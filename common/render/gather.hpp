@@ -60,6 +60,7 @@ template <class Real, GathersLight Lesson>
   Film& film = *gathering.film;
   const int samples = gathering.sampler.samples();
   const ViewIn<Real> view_here = number_cast<Real>(view);
+  film.begin(gathering.in_first_half, samples - gathering.in_first_half);
   std::optional<CertainLight> certain;
   if constexpr (requires { lesson.certain_light(view); }) certain = lesson.certain_light(view);
 
@@ -99,6 +100,7 @@ template <class Real, GathersLight Lesson>
           film.add(column + i, row, in_lane(firsts), in_lane(seconds));
         }
       }
+      film.finish_row(row);
     });
   });
   return {};

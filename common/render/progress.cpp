@@ -5,11 +5,12 @@
 
 #include <array>
 #include <cstdio>
-#include <string>
+#include <utility>
 
 namespace texmap {
 
-Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(bool wanted, std::function<std::string()> remark)
+    : enabled_(wanted && isatty(STDERR_FILENO) == 1), remark_(std::move(remark)) {}
 
 Progress::~Progress() {
   // Spaces and carriage returns only: no colors and no control sequences, so every terminal understands them.
@@ -24,10 +25,11 @@ void Progress::report(int done, int total) {
   if (elapsed < std::chrono::milliseconds(500) || now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   const double left = elapsed.count() * (total - done) / done;
-  std::array<char, 80> line{};
-  const int length =
-      std::snprintf(line.data(), line.size(), "%3d %% done, about %.0f s left", static_cast<int>(100.0 * done / total), left);
-  std::fprintf(stderr, "\r%-*s", written_, line.data());
+  std::array<char, 80> start{};
+  std::snprintf(start.data(), start.size(), "%3d %% done, about %.0f s left", static_cast<int>(100.0 * done / total), left);
+  const std::string line = start.data() + (remark_ ? remark_() : std::string());
+  std::fprintf(stderr, "\r%-*s", written_, line.c_str());
+  const int length = static_cast<int>(line.size());
   if (length > written_) written_ = length;
 }
 

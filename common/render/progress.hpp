@@ -1,7 +1,9 @@
 // How far a long piece of work is, on the terminal.
 #pragma once
 #include <chrono>
+#include <functional>
 #include <mutex>
+#include <string>
 
 namespace texmap {
 
@@ -12,7 +14,8 @@ namespace texmap {
 class Progress {
  public:
   /// @param wanted  false for silence (--quiet)
-  explicit Progress(bool wanted);
+  /// @param remark  what else the line says, asked for each time it is written, from any thread; may be empty
+  explicit Progress(bool wanted, std::function<std::string()> remark = {});
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -23,6 +26,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
   bool enabled_;
+  std::function<std::string()> remark_;
   std::mutex lock_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;

@@ -48,6 +48,9 @@ template <class Real>
 [[nodiscard]] Real load(const Scalar<Real>* from) {
   if constexpr (lanes<Real> == 1) {
     return *from;
+  } else if constexpr (requires(Real x) { x.second; }) {
+    using Half = decltype(Real::first);
+    return {load<Half>(from), load<Half>(from + lanes<Half>)};
   } else {
     return Real::Batch::load_unaligned(from);
   }
@@ -56,6 +59,9 @@ template <class Real>
 void store(const Real& value, Scalar<Real>* to) {
   if constexpr (lanes<Real> == 1) {
     *to = value;
+  } else if constexpr (requires { value.second; }) {
+    store(value.first, to);
+    store(value.second, to + lanes<decltype(value.first)>);
   } else {
     value.batch().store_unaligned(to);
   }

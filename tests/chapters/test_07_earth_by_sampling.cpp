@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "07_earth_by_sampling/lesson.hpp"
 #include "compare/running.hpp"
@@ -166,6 +167,52 @@ TEST_CASE("a budget changes no more of the picture than it allows") {
   CHECK(off < 1e-3);
   CHECK(apart(exact, film_of<double>(lesson_with({"--budget", "texels=5", "--quiet"}), SamplerKind::sobol, 16)) > 3 * off);
   CHECK_THROWS_AS((void)lesson_with({"--budget", "texels=none"}), UsageError);
+}
+
+TEST_CASE("a curve of fewer terms moves a byte by as many levels as it states, and a budget in levels counts it in") {
+  int moved_by_four = 0;
+  int moved_by_three = 0;
+  for (int i = 0; i <= 100000; ++i) {
+    const double light = i / 100000.0;
+    const int exact = byte_of_light(light, Transfer::srgb);
+    const int four = std::abs(byte_of_light(light, Transfer::srgb, 4) - exact);
+    const int three = std::abs(byte_of_light(light, Transfer::srgb, 3) - exact);
+    REQUIRE(exact == std::lround(255 * srgb_encode(light)));
+    REQUIRE(four <= 1);
+    REQUIRE(three <= 2);
+    moved_by_four += four;
+    moved_by_three += three > 1 ? 1 : 0;
+  }
+  CHECK(moved_by_four > 0);
+  CHECK(moved_by_three > 0);
+
+  // What the curve is off by before bytes are rounded, and what the mapping may cost, are together within the budget.
+  for (const auto& [words, terms, limit] :
+       {std::tuple{"levels=0.9", 0, 0.9}, std::tuple{"levels=1", 4, 1.0}, std::tuple{"levels=2", 3, 2.0}}) {
+    const Lesson lesson = lesson_with({"--budget", words, "--quiet"});
+    CHECK(lesson.sampling.srgb_terms == terms);
+    const double curve = terms == 0 ? 0 : terms == 4 ? fits::SrgbCurve<4>::worst : fits::SrgbCurve<3>::worst;
+    const double left = limit - curve;
+    const UvChoice& choice = lesson.objects[0].paint.mapping.choice;
+    CHECK(choice.worst_levels <= left);
+    CHECK(choice.worst_levels > 0.05 * left);  // and not dearer than it has to be
+  }
+  CHECK(lesson_with({"--budget", "texels=1", "--quiet"}).sampling.srgb_terms == 0);
+}
+
+TEST_CASE("the error told while a picture is drawn becomes the one told at the end") {
+  const Lesson lesson = lesson_with({});
+  const Film film = film_of<double>(lesson, SamplerKind::random, 8);
+  CHECK(film.error_so_far() == doctest::Approx(film.error()).epsilon(1e-12));
+
+  Film half_drawn(4, 2);
+  half_drawn.begin(1, 1);
+  CHECK(half_drawn.error_so_far() == infinity<double>());
+  for (int column = 0; column < 4; ++column) half_drawn.add(column, 0, {1, 1, 1}, {0, 0, 0});
+  half_drawn.finish_row(0);
+  CHECK(half_drawn.error_so_far() == doctest::Approx(0.5).epsilon(1e-12));
+  half_drawn.finish_row(1);  // a row without a difference
+  CHECK(half_drawn.error_so_far() == doctest::Approx(std::sqrt(0.125)).epsilon(1e-12));
 }
 
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
