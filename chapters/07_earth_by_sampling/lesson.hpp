@@ -1,6 +1,7 @@
 // The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "budget_options.hpp"
@@ -44,8 +45,8 @@ struct Lesson {
   void prepare(Studio& studio) {
     studio.prefer_size(400, 225);
     studio.prefer_samples(100);
-    const Image image = texture.load();
-    objects[0].paint = {budget.settle(studio, image), {.image = image, .light = sampling.decoding}};
+    Image image = texture.load();
+    objects[0].paint = {budget.settle(studio, image), {.image = std::move(image), .light = sampling.decoding}};
     sampling.srgb_terms = budget.srgb_terms;
     if (lens.gradient) stage.sky = {.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   }

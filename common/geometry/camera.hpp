@@ -73,7 +73,7 @@ template <class Real>
 /// @param column, row  in pixels from the left and the upper edge; whole numbers name a pixel (its center or its corner, as the
 ///                     camera says), fractions the points between
 /// @return  1 long along view.forward; longer where it looks aside
-/// Bound: within 4 unit roundoffs of its length; docs/numbers.md.
+/// Bound: within 6 unit roundoffs of its length, as ray_through, whose bound holds it; docs/numbers.md.
 template <class Real, class Number>
 [[nodiscard]] Vec3<Real> direction_through(const ViewIn<Number>& view, const Real& column, const Real& row) {
   const Real x = (column - number_cast<Real>(view.center_column)) * number_cast<Real>(view.pixel);

@@ -109,8 +109,12 @@ struct SamplingOptions {
     studio.remark = {};
     if (!studio.quiet) {
       std::array<char, 100> text{};
-      std::snprintf(text.data(), text.size(), "%ld samples a pixel, mean error %s %.2f levels of 255\n", film.samples(),
-                    limited ? "about" : "at most about", film.error() * 255);
+      if (film.error() < infinity<double>()) {
+        std::snprintf(text.data(), text.size(), "%ld samples a pixel, mean error %s %.2f levels of 255\n", film.samples(),
+                      limited ? "about" : "at most about", film.error() * 255);
+      } else {
+        std::snprintf(text.data(), text.size(), "%ld sample a pixel, which cannot tell its error\n", film.samples());
+      }
       print(text.data());
     }
     return develop(film, transfer, srgb_terms);

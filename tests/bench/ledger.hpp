@@ -217,6 +217,7 @@ struct WithoutBounds {
 template <class Lesson>
 struct LessonJob {
   static constexpr bool double_only = true;
+  static constexpr bool draws_pictures = true;
   const Lesson* lesson;
   const View* view;
   const RenderSettings* settings;

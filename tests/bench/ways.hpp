@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 #include "draw.hpp"
 
@@ -56,15 +57,23 @@ template <class Job>
 concept DoubleOnly = Job::double_only;
 
 #ifdef TEXMAP_HAVE_PACKS
-/// Does a job with packs made of the instructions that the file is compiled for, two at a time as pictures are drawn.
+/// A job that draws pictures, for which packs are taken by twos.
+template <class Job>
+concept DrawsPictures = Job::draws_pictures;
+
+/// What a job's packs are.
+template <class Job, class Pack>
+using PacksOf = std::conditional_t<DrawsPictures<Job>, Paired<Pack>, Pack>;
+
+/// Does a job with packs made of the instructions that the file is compiled for.
 ///
 /// @tparam Job  has run<Real>(), which does the work
 template <class Arch, class Job>
 void run_packs(const Job& job, Number number) {
   if (number == Number::double_pack) {
-    job.template run<Paired<Pack<double, Arch>>>();
+    job.template run<PacksOf<Job, Pack<double, Arch>>>();
   } else if constexpr (!DoubleOnly<Job>) {
-    job.template run<Paired<Pack<float, Arch>>>();
+    job.template run<PacksOf<Job, Pack<float, Arch>>>();
   }
 }
 
