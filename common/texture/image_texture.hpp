@@ -1,5 +1,6 @@
 // A picture as a texture.
 #pragma once
+#include <type_traits>
 #include <utility>
 
 #include "color.hpp"
@@ -77,7 +78,8 @@ struct ImageTexture {
     if constexpr (can_fetch<Real>) {
       if (image.pixels.size() > 1) return fetched_texel(column, row);
     }
-    if (light != TexelLight::encoded) {
+    // For plain numbers and their packs bytes are a table too: each entry is the quotient, rounded. Others bound the division.
+    if (light != TexelLight::encoded || std::is_floating_point_v<Real> || lanes<Real> != 1) {
       const auto& levels = light_of_bytes<Scalar<Real>>(light);
       const auto linear = look_up(
           [&](int x, int y) {

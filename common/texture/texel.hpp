@@ -1,5 +1,7 @@
 // From a texture coordinate to the row or column of a texel.
 #pragma once
+#include <type_traits>
+
 #include "number.hpp"
 
 namespace texmap {
@@ -18,7 +20,10 @@ enum class TexelRounding {
 /// Errors: none.
 template <class Real>
 [[nodiscard]] Real clamp_index(const Real& x, int n) {
-  return floor(clamp(x, Real(0), Real(n - 1)));
+  const Real inside = clamp(x, Real(0), Real(n - 1));
+  // For 0 and above an integer is the floor; machines without an instruction for floor call a function.
+  if constexpr (std::is_floating_point_v<Real>) return static_cast<Real>(static_cast<int>(inside));
+  return floor(inside);
 }
 
 /// The texel that holds coordinate `u`, as a whole number from 0 to n - 1.
