@@ -8,6 +8,14 @@
 #include "samplers.hpp"
 #include "screen_bounds.hpp"
 
+// All that a sample calls becomes one piece of code: a fifth faster, since what no one asks for falls away. Compilers that
+// watch each step need minutes and gigabytes for it, and are not asked.
+#if defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define TEXMAP_FLATTEN __attribute__((flatten))
+#else
+#define TEXMAP_FLATTEN
+#endif
+
 namespace texmap {
 
 /// Which samples of each pixel to draw.
@@ -66,7 +74,7 @@ template <class Real, GathersLight Lesson>
 
   gathering.sampler.visit([&](const auto& pattern) {
     const auto add_samples = [&](const Real& columns, const Real& row, const Bits<Real>& pixels, int first, int end,
-                                 Color<Real>& result) __attribute__((flatten)) {
+                                 Color<Real>& result) TEXMAP_FLATTEN {
       Color<Real> sum{};
       for (int i = first; i < end; ++i) {
         SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
