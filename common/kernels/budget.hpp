@@ -121,8 +121,13 @@ decltype(auto) with_uv_mapping(const UvChoice& choice, const Draw& draw) {
 struct BudgetMapping {
   UvChoice choice = choose_uv_kernel({}, 1, 1, Directions::unit);
 
+  /// Not inlined: eleven mappings would stand in each of a program's many loops, and take minutes to compile.
   template <class Real>
-  [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
+#if defined(__GNUC__)
+  [[gnu::noinline]]
+#endif
+  [[nodiscard]] Uv<Real>
+  operator()(const Vec3<Real>& p) const {
     return with_uv_mapping<Directions::unit>(choice, [&p](const auto& mapping) { return mapping(p); });
   }
 };
