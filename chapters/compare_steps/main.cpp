@@ -123,7 +123,7 @@ std::size_t place_of(const std::string& typed) {
 /// Errors: UsageError if there is none.
 std::string name_of(const std::string& typed, const std::string& source) {
   for (const auto& entry : std::filesystem::directory_iterator(source)) {
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
     const bool is_chapter = name.size() > 3 && is_digit(name[0]) && is_digit(name[1]) && name[2] == '_';
     if (is_chapter && is_number_of(typed, name)) return name;
   }
