@@ -37,11 +37,15 @@ class Dice {
     return low + (high - low) * static_cast<long double>(bits() >> 11) * 0x1p-53L;
   }
   /// The same in double, where rounding may reach `high`.
-  double between(double low, double high) { return static_cast<double>(uniform(low, high)); }
+  double between(double low, double high) {
+    return static_cast<double>(uniform(static_cast<long double>(low), static_cast<long double>(high)));
+  }
   /// 10^low to 10^high, each power as likely as any other.
   long double power_of_ten(long double low, long double high) { return std::pow(10.0L, uniform(low, high)); }
   /// The same in double, with either sign.
-  double any_size(double low, double high) { return sign() * static_cast<double>(power_of_ten(low, high)); }
+  double any_size(double low, double high) {
+    return sign() * static_cast<double>(power_of_ten(static_cast<long double>(low), static_cast<long double>(high)));
+  }
 
   /// A positive number in [2^low, 2^high), each exponent as likely as any other, each digit of T in use.
   template <class T>
