@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "check_jpeg.hpp"
@@ -19,14 +20,11 @@
 #include "image_size.hpp"
 #include "png_chunks.hpp"
 #include "png_pixels.hpp"
-#include "stored_png.hpp"
 
 namespace texmap {
 namespace {
 
 static_assert(sizeof(Rgb8) == 3 && std::is_trivially_copyable_v<Rgb8>, "the decoder's bytes are copied as they are");
-
-constexpr std::size_t most_rows_to_copy = std::size_t{64} << 20;  // bytes
 
 [[noreturn]] void decoder_refuses() {
   const char* const reason = stbi_failure_reason();
@@ -63,14 +61,10 @@ Image decode_checked(Bytes file, ImageSize size) {
 Image decode_png(Bytes file) {
   const PngChunks png = read_png_chunks(file);
   check_decoding_bytes(file.size() + png_decoding_bytes(png.header));
-  const ImageSize size{png.header.width, png.header.height};
-  std::vector<std::uint8_t> stored;
-  {
-    const std::vector<std::uint8_t> rows = read_png_pixels(png);
-    if (rows.size() <= most_rows_to_copy) stored = stored_png(png, rows);
-  }
-  // A large picture is unpacked a second time: there would be no room for so many copies of its rows.
-  return decode_checked(stored.empty() ? file : Bytes(stored), size);
+  std::vector<std::uint8_t> rows = read_png_pixels(png);
+  if (is_plain(png.header)) return image_of_png_rows(png, std::move(rows));
+  rows = {};  // the decoder needs room
+  return decode_checked(file, {png.header.width, png.header.height});
 }
 
 }  // namespace

@@ -78,19 +78,19 @@ std::uint8_t paeth(int left, int above, int corner) {
   return static_cast<std::uint8_t>(to_above <= to_corner ? above : corner);
 }
 
-// Undoes the filter of one row of single bytes.
-void unfilter(int filter, std::span<std::uint8_t> row, Bytes above) {
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const int left = i > 0 ? row[i - 1] : 0;
-    const int up = above.empty() ? 0 : above[i];
-    const int corner = i > 0 && !above.empty() ? above[i - 1] : 0;
-    int guess = 0;
-    if (filter == 1) guess = left;
-    if (filter == 2) guess = up;
-    if (filter == 3) guess = (left + up) / 2;
-    if (filter == 4) guess = paeth(left, up, corner);
-    row[i] = static_cast<std::uint8_t>(row[i] + guess);
-  }
+// Undoes the filter of one row. `pixel` is the bytes of a pixel, at least 1; above the first row there is one of zeros.
+void unfilter(int filter, std::span<std::uint8_t> row, Bytes above, std::size_t pixel) {
+  const auto add = [&](const auto& guess) {
+    const std::size_t first = std::min(pixel, row.size());
+    for (std::size_t i = 0; i < first; ++i) row[i] = static_cast<std::uint8_t>(row[i] + guess(0, above[i], 0));
+    for (std::size_t i = first; i < row.size(); ++i) {
+      row[i] = static_cast<std::uint8_t>(row[i] + guess(row[i - pixel], above[i], above[i - pixel]));
+    }
+  };
+  if (filter == 1) add([](int left, int, int) { return left; });
+  if (filter == 2) add([](int, int up, int) { return up; });
+  if (filter == 3) add([](int left, int up, int) { return (left + up) / 2; });
+  if (filter == 4) add(paeth);
 }
 
 void check_filters(const PngHeader& header, Bytes rows) {
@@ -121,10 +121,11 @@ void check_palette_indices(const PngHeader& header, std::size_t colors, std::vec
   std::size_t place = 0;
   for (const Pass& pass : passes(header)) {
     const PassSize size = pass_size(header, pass);
-    Bytes above;
+    const std::vector<std::uint8_t> zeros(size.row_bytes);
+    Bytes above = zeros;
     for (std::uint32_t r = 0; r < size.rows; ++r) {
       const std::span<std::uint8_t> row = std::span(rows).subspan(place + 1, size.row_bytes);
-      unfilter(rows[place], row, above);
+      unfilter(rows[place], row, above, 1);
       const std::uint32_t largest = largest_index(row, size.columns, header.bit_depth);
       if (largest >= colors) {
         throw Refusal("the PNG file is damaged: a pixel has color " + std::to_string(largest) + " of a palette with " +
@@ -167,6 +168,36 @@ std::vector<std::uint8_t> read_png_pixels(const PngChunks& png) {
     check_palette_indices(png.header, colors, rows);
   }
   return rows;
+}
+
+bool is_plain(const PngHeader& header) { return header.bit_depth == 8 && !header.interlaced; }
+
+Image image_of_png_rows(const PngChunks& png, std::vector<std::uint8_t> rows) {
+  const std::size_t pixel = png_channels(png.header.color_type);
+  Image image(static_cast<int>(png.header.width), static_cast<int>(png.header.height));
+  const std::size_t columns = png.header.width;
+  const std::vector<std::uint8_t> zeros(columns * pixel);
+  Bytes above = zeros;
+  for (std::size_t r = 0; r < png.header.height; ++r) {
+    const std::size_t place = r * (1 + columns * pixel);
+    const std::span<std::uint8_t> row = std::span(rows).subspan(place + 1, columns * pixel);
+    unfilter(rows[place], row, above, pixel);
+    above = row;
+    Rgb8* const out = &image.pixels[r * columns];
+    const auto fill = [&](const auto& color_of) {
+      for (std::size_t i = 0; i < columns; ++i) out[i] = color_of(&row[i * pixel]);
+    };
+    if (png.header.color_type == 3) {
+      fill([&](const std::uint8_t* at) {
+        return Rgb8{png.palette[3U * *at], png.palette[3U * *at + 1], png.palette[3U * *at + 2]};
+      });
+    } else if (pixel < 3) {
+      fill([](const std::uint8_t* at) { return Rgb8{at[0], at[0], at[0]}; });
+    } else {
+      fill([](const std::uint8_t* at) { return Rgb8{at[0], at[1], at[2]}; });
+    }
+  }
+  return image;
 }
 
 }  // namespace texmap

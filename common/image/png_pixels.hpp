@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "image.hpp"
 #include "png_chunks.hpp"
 
 namespace texmap {
@@ -18,5 +19,18 @@ namespace texmap {
 /// Errors: Refusal, if the stream is damaged, ends early or holds more, if its checksum is wrong, if a row has a filter that
 /// does not exist, or if a pixel asks for a color that the palette has not.
 [[nodiscard]] std::vector<std::uint8_t> read_png_pixels(const PngChunks& png);
+
+/// True for a picture stored in one pass, 8 bits a channel or palette index: most are, and image_of_png_rows can show it.
+[[nodiscard]] bool is_plain(const PngHeader& header);
+
+/// The picture that rows are of. Alpha and transparency are dropped.
+///
+/// The rows had to be unpacked to be checked: the decoder would unpack them once more, and touch six times as much memory,
+/// which takes longer than all the rest.
+/// @param png   a file that has passed read_png_chunks, whose header is_plain
+/// @param rows  what read_png_pixels made of it
+/// Errors: std::bad_alloc.
+/// Source: PNG specification, third edition, section 9.
+[[nodiscard]] Image image_of_png_rows(const PngChunks& png, std::vector<std::uint8_t> rows);
 
 }  // namespace texmap
