@@ -1,7 +1,7 @@
 # The kernels against more digits, and their coefficients against the program that fits them. Included by CMakeLists.txt here, after
 # extremes_suites.cmake, which looks for Boost.
 
-foreach(suite turns reciprocal_root srgb_kernel power_kernel checker_kernel budget)
+foreach(suite turns reciprocal_root srgb_kernel power_kernel checker_kernel root_texture budget)
   add_suite(kernels/test_${suite} USES kernels LABELS common)
   if(boost_multiprecision_INCLUDE_DIR)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")

@@ -1,26 +1,25 @@
 // The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "budget_options.hpp"
 #include "camera.hpp"
 #include "gather.hpp"
-#include "image_texture.hpp"
 #include "lens_options.hpp"
-#include "mapped.hpp"
 #include "painted.hpp"
 #include "path.hpp"
 #include "sampling_options.hpp"
-#include "sky.hpp"
+#include "scene.hpp"
 #include "studio.hpp"
 #include "texture_file.hpp"
 
 namespace texmap::chapter_07 {
 
-using Textured = Mapped<BudgetMapping, ImageTexture>;
+using Textured = Mapped<BudgetMapping, BudgetTexture>;
 using Object = Painted<Textured>;
+template <class Real>
+using Scene = SceneIn<Real, Textured>;
 
 struct Lesson {
   static constexpr const char* idea = "many samples a pixel, and light that comes from everywhere";
@@ -45,24 +44,30 @@ struct Lesson {
   void prepare(Studio& studio) {
     studio.prefer_size(400, 225);
     studio.prefer_samples(100);
-    Image image = texture.load();
-    objects[0].paint = {budget.settle(studio, image), {.image = std::move(image), .light = sampling.decoding}};
+    objects[0].paint = budget.settle(studio, {.image = texture.load(), .light = sampling.decoding});
     sampling.srgb_terms = budget.srgb_terms;
     if (lens.gradient) stage.sky = {.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   }
   void show(Studio& studio) { studio.save(sampling.gather(studio, *this)); }
 
-  /// The sky's light, where the sky is alike everywhere and the globe cannot be seen.
-  [[nodiscard]] std::optional<CertainLight> certain_light(const View& view) const {
-    if (lens.blurs() || !stage.sky.is_constant() || objects.size() != 1) return {};
-    return CertainLight{stage.sky.below, screen_bounds(view, objects[0].sphere)};
+  /// Where the globe may be seen, and what light comes from beside it.
+  [[nodiscard]] std::optional<Foresight> foresight(const View& view) const {
+    if (lens.blurs() || objects.size() != 1) return {};
+    return Foresight{screen_bounds(view, objects[0].sphere),
+                     stage.sky.is_constant() ? std::optional(stage.sky.below) : std::nullopt};
   }
+  /// What all samples have in common.
+  template <class Real>
+  [[nodiscard]] auto ready(const View& view) const {
+    return ready_scene<Real>(view, objects, stage.sky);
+  }
+
   /// The light of one sample of a pixel.
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
-    const Ray<Real> ray = lens.ray(view, column, row, numbers);
-    const auto albedo = [](const Object& object, const Hit<Real>& hit) { return object.paint(hit); };
-    return light_along(objects, ray, stage.sky, albedo, sampling.bounces, numbers);
+  [[nodiscard]] Color<Real> operator()(const Scene<Real>& scene, const Real& column, const Real& row, Numbers& numbers) const {
+    const Ray<Real> ray = lens.ray(scene.view, column, row, numbers);
+    const auto albedo = [](const auto& object, const Hit<Real>& hit) { return object.paint(hit); };
+    return light_along(scene.objects, ray, scene.sky, albedo, sampling.bounces, numbers);
   }
 };
 

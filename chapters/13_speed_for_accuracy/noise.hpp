@@ -35,7 +35,7 @@ inline constexpr int converged_samples = 1024;
 [[nodiscard]] inline Film sampled(const Globe& globe, const View& view, const Way& way, const Sampler& sampler, int threads) {
   Film film(view.width, view.height);
   const int half = sampler.samples() / 2;
-  const SampledShot shot{&globe, mapping_of_degree(way.degree), {sampler, half, &film}};
+  const SampledShot shot(globe, mapping_of_degree(way.degree), {sampler, half, &film});
   (void)draw_in_way(shot, view, way, threads);
   film.count(half, sampler.samples() - half);
   return film;

@@ -1,11 +1,14 @@
 // What this chapter draws over and over: chapter 07's globe, in every way that there is to draw it.
 #pragma once
-#include <optional>
+#include <vector>
 
 #include "bilinear.hpp"
 #include "budget.hpp"
 #include "camera.hpp"
 #include "gather.hpp"
+#include "mapped.hpp"
+#include "path.hpp"
+#include "scene.hpp"
 #include "screen_bounds.hpp"
 #include "sphere.hpp"
 
@@ -100,21 +103,27 @@ struct Shot {
 
 /// Many rays a pixel, spread by a sampler; what they bring is gathered as light.
 struct SampledShot {
-  const Globe* globe;
-  BudgetMapping mapping;
+  using Paint = Mapped<BudgetMapping, ImageTexture>;
+
+  std::vector<Painted<Paint>> objects;
+  GradientSky sky;
   Gathering gathering;
 
-  /// The sky's light, where the globe cannot be seen.
-  [[nodiscard]] CertainLight certain_light(const View& view) const { return {globe->sky, screen_bounds(view, globe->sphere)}; }
+  SampledShot(const Globe& globe, const BudgetMapping& mapping, const Gathering& how)
+      : objects{{globe.sphere, {mapping, globe.light}}}, sky{.below = globe.sky, .above = globe.sky}, gathering(how) {}
+
+  [[nodiscard]] Foresight foresight(const View& view) const { return {screen_bounds(view, objects[0].sphere), sky.below}; }
+  template <class Real>
+  [[nodiscard]] auto ready(const View& view) const {
+    return ready_scene<Real>(view, objects, sky);
+  }
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
+  [[nodiscard]] Color<Real> operator()(const SceneIn<Real, Paint>& scene, const Real& column, const Real& row,
+                                       Numbers& numbers) const {
     const auto in_pixel = numbers.pair();
-    const Ray<Real> ray = ray_through(view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)));
-    const Color<Real> sky = number_cast<Real>(globe->sky);
-    const Real distance = distance_to(globe->sphere, ray);
-    const Mask<Real> met = distance < infinity<Real>();
-    if (!any(met)) return sky;
-    return select(met, globe->light(mapping(normal_at(globe->sphere, ray, select(met, distance, Real(1))))) * sky, sky);
+    const Ray<Real> ray = ray_through(scene.view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)));
+    const auto albedo = [](const auto& object, const Hit<Real>& hit) { return object.paint(hit); };
+    return light_along(scene.objects, ray, scene.sky, albedo, 1, numbers);
   }
 };
 

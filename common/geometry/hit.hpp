@@ -4,16 +4,14 @@
 
 namespace texmap {
 
-struct Sphere;
-
 /// Where a ray meets a surface.
 template <class Real>
 struct Hit {
-  Vec3<Real> normal;   ///< outward, unit length; on a sphere, times the radius, the hit point as seen from the center
-  Vec3<Real> point;    ///< the hit point in the world
-  Vec3<Real> outside;  ///< the hit point lifted off the surface, so far that rounding cannot have left it inside
-  Vec3<Real> inside;   ///< the hit point sunk below the surface, so far that rounding cannot have left it outside
-  const Sphere* sphere = nullptr;  ///< whose surface it is: a ray that leaves a sphere outward cannot meet it again
+  Vec3<Real> normal;             ///< outward, unit length; on a sphere, times the radius, the hit point as seen from the center
+  Vec3<Real> point;              ///< the hit point in the world
+  Vec3<Real> outside;            ///< the hit point lifted off the surface, so far that rounding cannot have left it inside
+  Vec3<Real> inside;             ///< the hit point sunk below the surface, so far that rounding cannot have left it outside
+  const void* sphere = nullptr;  ///< whose surface it is: a ray that leaves a sphere outward cannot meet it again
 };
 
 /// The ray that goes on from a hit point in some direction: it starts on the side of the surface that it goes to, and cannot

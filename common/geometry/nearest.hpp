@@ -29,10 +29,10 @@ template <class Real, class Objects>
 
 /// True where an object lies between the ray's origin and `distance` along it.
 ///
-/// @param leaving  a sphere that the ray leaves outward and cannot meet again, or null: it is not asked
+/// @param leaving  the address of a sphere that the ray leaves outward and cannot meet again, or null: it is not asked
 template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray, const Real& distance,
-                                     const Sphere* leaving = nullptr) {
+                                     const void* leaving = nullptr) {
   Real first = infinity<Real>();
   for (const auto& object : objects) {
     if (&object.sphere != leaving) first = smaller(distance_to(object.sphere, ray), first);

@@ -12,23 +12,49 @@ struct Sphere {
   SphereForm form = SphereForm::robust;  ///< the formulas that find its points
 };
 
+/// A sphere made ready for the number that a picture is drawn with.
+template <class Real>
+struct SphereIn {
+  Vec3<Real> center;
+  Real radius;
+  Real inverse_radius;
+  SphereForm form;
+};
+
+/// A sphere in another number, for those who meet it often: turning it costs a third of looking for its points.
+template <class Real>
+[[nodiscard]] SphereIn<Real> number_cast(const Sphere& sphere) {
+  const Real radius = Real(sphere.radius);
+  Real inverse_radius{};
+  if constexpr (lanes<Real> == 1) {
+    inverse_radius = Real(1) / radius;
+  } else {  // the same in every lane: divided once
+    inverse_radius = Real(Scalar<Real>(1) / static_cast<Scalar<Real>>(sphere.radius));
+  }
+  return {number_cast<Real>(sphere.center), radius, inverse_radius, sphere.form};
+}
+/// The same sphere: it is ready.
+template <class Real>
+[[nodiscard]] const SphereIn<Real>& number_cast(const SphereIn<Real>& sphere) {
+  return sphere;
+}
+
 /// Distance along the ray to the first point of the sphere in front of it, +infinity where there is none.
 ///
+/// @param any  a Sphere, or a SphereIn<Real>, here as below
 /// A ray from inside meets the far side; a tangent counts as a hit. Distances are in lengths of `ray.direction`, which need not
 /// be a unit vector. Errors: none; a zero or NaN direction is a miss. Domain and bounds: those of the sphere's form.
-template <class Real>
-[[nodiscard]] Real distance_to(const Sphere& sphere, const Ray<Real>& ray) {
-  const Vec3<Real> center = number_cast<Real>(sphere.center);
-  const Real radius = Real(sphere.radius);
+template <class Real, class AnySphere>
+[[nodiscard]] Real distance_to(const AnySphere& any, const Ray<Real>& ray) {
+  const SphereIn<Real>& sphere = number_cast<Real>(any);
   switch (sphere.form) {
-    case SphereForm::plain:
-      return plain_distance(ray.origin - center, ray.direction, radius);
-    case SphereForm::hybrid:
-      return hybrid_meeting(center, radius, ray).distance;
+    [[unlikely]] case SphereForm::plain : return plain_distance(ray.origin - sphere.center, ray.direction, sphere.radius);
+    [[unlikely]] case SphereForm::hybrid : return hybrid_meeting(sphere.center, sphere.radius, Ray<Real>(ray))
+                                               .distance;  // a copy, so that `ray` can stay in registers
     case SphereForm::robust:
       break;
   }
-  return robust_distance(ray.origin - center, ray.direction, radius);
+  return robust_distance(ray.origin - sphere.center, ray.direction, sphere.radius);
 }
 
 /// The outward unit normal at a distance that `distance_to` gave.
@@ -38,21 +64,17 @@ template <class Real>
 /// 1 but for roundings, by a step of Newton's instead of a square root and a division.
 /// Bound, robust: 0.0015 texel distance / radius in float, 3e-12 in double; its length within 4 u, in float to 1e3 radii away.
 /// Source: hit points relative to the object after pbrt-v4, section 6.8.
-template <class Real>
-[[nodiscard]] Vec3<Real> normal_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
-  const Vec3<Real> center = number_cast<Real>(sphere.center);
-  const Real radius = Real(sphere.radius);
+template <class Real, class AnySphere>
+[[nodiscard]] Vec3<Real> normal_at(const AnySphere& any, const Ray<Real>& ray, const Real& distance) {
+  const SphereIn<Real>& sphere = number_cast<Real>(any);
   const Vec3<Real> along = ray.direction * distance;
   switch (sphere.form) {
-    case SphereForm::plain:
-      return (ray.origin + along - center) * (Real(1) / radius);
-    case SphereForm::hybrid:
-      return hybrid_meeting(center, radius, ray).normal;
+    [[unlikely]] case SphereForm::plain : return (ray.origin + along - sphere.center) * sphere.inverse_radius;
+    [[unlikely]] case SphereForm::hybrid : return hybrid_meeting(sphere.center, sphere.radius, Ray<Real>(ray)).normal;
     case SphereForm::robust:
       break;
   }
-  const Real inverse_radius = Real(Scalar<Real>(1) / static_cast<Scalar<Real>>(sphere.radius));
-  const Vec3<Real> normal = (ray.origin - center + along) * inverse_radius;
+  const Vec3<Real> normal = (ray.origin - sphere.center + along) * sphere.inverse_radius;
   return normal * (Real(1.5) - Real(0.5) * dot(normal, normal));
 }
 
@@ -66,23 +88,23 @@ template <class Real>
 /// sphere's inside. Bound: by the robust and the hybrid form no ray from `outside` outward meets the sphere and every ray from
 /// `inside` inward does; the plain form keeps neither; docs/numbers.md. Source: bounds in place of a fixed number after
 /// pbrt-v4, section 6.8.
-template <class Real>
-[[nodiscard]] Hit<Real> hit_at(const Sphere& sphere, const Ray<Real>& ray, const Real& distance) {
+template <class Real, class AnySphere>
+[[nodiscard]] Hit<Real> hit_at(const AnySphere& any, const Ray<Real>& ray, const Real& distance) {
+  const SphereIn<Real>& sphere = number_cast<Real>(any);
   const Real u = unit_roundoff<Real>();
-  const Real radius = Real(sphere.radius);
-  const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Vec3<Real> along = ray.direction * distance;
   const Vec3<Real> normal = normal_at(sphere, ray, distance);
 
-  const Real size_from_center = largest(center) + radius;
+  const Real size_from_center = largest(sphere.center) + sphere.radius;
   const Real size_along_ray = largest(ray.origin) + largest(along);
-  const Vec3<Real> point = select(size_along_ray < size_from_center, ray.origin + along, center + normal * radius);
+  const Vec3<Real> point =
+      select(size_along_ray < size_from_center, ray.origin + along, sphere.center + normal * sphere.radius);
 
-  const Real seen_with = size_from_center + radius;
+  const Real seen_with = size_from_center + sphere.radius;
   const Real formed_with = smaller(size_along_ray, size_from_center);
   const Vec3<Real> lift =
       normal * (Real(16) * u * (sphere.form == SphereForm::hybrid ? formed_with + u * seen_with : seen_with));
-  return {normal, point, point + lift, point - lift, &sphere};
+  return {normal, point, point + lift, point - lift, &any};
 }
 
 }  // namespace texmap

@@ -98,9 +98,13 @@ struct Meeting {
 /// misjudged only within 3 u of grazing, which is 2e-7 of the radius in float and 4e-16 in double, at any distance; else the
 /// distance is within 6 ulp and the normal within 0.0015 texel of 8192 by 4096 in float, 3e-12 in double; docs/numbers.md. It
 /// takes some 20 times as long as the plain form, alone, and 6 times in a whole picture. Source: this course; determinants
-/// after Kahan.
+/// after Kahan. Not inlined: it is long, and loops that could call it, but do not, would be slower for it.
 template <class Real>
-[[nodiscard]] Meeting<Real> hybrid_meeting(const Vec3<Real>& center, const Real& radius, const Ray<Real>& ray) {
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+[[nodiscard]] Meeting<Real>
+hybrid_meeting(const Vec3<Real>& center, const Real& radius, const Ray<Real>& ray) {
   const TwoParts<Real> x = two_sum(ray.origin.x, -center.x);
   const TwoParts<Real> y = two_sum(ray.origin.y, -center.y);
   const TwoParts<Real> z = two_sum(ray.origin.z, -center.z);

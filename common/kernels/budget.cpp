@@ -165,4 +165,13 @@ ColorChoice choose_power_kernel(const Budget& budget) {
   return choice;
 }
 
+TexelChoice choose_texel_kernel(const Budget& budget) {
+  const double worst = RootTexture::worst_levels;
+  const std::string start = "texels for " + to_text(budget) + ": ";
+  if (budget.unit == Budget::Unit::levels && 2 * worst <= budget.limit) {
+    return {true, worst, start + "ten bits for the root of light; at worst " + shown(worst) + " levels"};
+  }
+  return {false, 0, start + "as they are, decoded by a table"};
+}
+
 }  // namespace texmap

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "power_kernel.hpp"
+#include "root_texture.hpp"
 #include "srgb_kernel.hpp"
 #include "turns.hpp"
 
@@ -78,6 +79,16 @@ struct ColorChoice {
 /// The cheapest Phong power that keeps to the budget, for a full highlight on packs of float: a PowerKernel of 3, 4, 6 or 8
 /// terms, or the formula of `highlight`.
 [[nodiscard]] ColorChoice choose_power_kernel(const Budget& budget);
+
+/// How texels are kept.
+struct TexelChoice {
+  bool roots;           ///< as a RootTexture; or as they are
+  double worst_levels;  ///< stated; 0 for texels as they are
+  std::string text;
+};
+
+/// The cheapest way to the light of a texel that leaves at least half of the budget to the mapping.
+[[nodiscard]] TexelChoice choose_texel_kernel(const Budget& budget);
 
 /// draw(mapping) with the mapping of the choice; its results must be of one type.
 ///

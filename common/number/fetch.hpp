@@ -20,21 +20,22 @@ inline constexpr bool can_fetch<Paired<Half>> = can_fetch<Half>;
 
 /// Four bytes from each of many places, the first of them in the lowest 8 bits.
 ///
-/// @param bytes   where places are counted from; need not be aligned
+/// @tparam step   bytes from a place to the next, 1 or 4
+/// @param from    where places are counted from; need not be aligned
 /// @param places  0 to 2^31 - 1, each with 4 bytes of the same array from there on
-template <class Real>
-[[nodiscard]] inline Bits<Real> fetch_four_bytes(const std::uint8_t* bytes, const Bits<Real>& places) {
-  const void* const from = bytes;
+template <class Real, int step>
+[[nodiscard]] inline Bits<Real> fetch_four_bytes(const void* from, const Bits<Real>& places) {
   if constexpr (requires(Real x) { x.first; }) {
     using Half = decltype(Real::first);
-    return {fetch_four_bytes<Half>(bytes, places.first), fetch_four_bytes<Half>(bytes, places.second)};
+    return {fetch_four_bytes<Half, step>(from, places.first), fetch_four_bytes<Half, step>(from, places.second)};
   } else if constexpr (lanes<Real> == 4) {
-    return std::bit_cast<Bits<Real>>(_mm_i32gather_epi32(static_cast<const int*>(from), std::bit_cast<__m128i>(places), 1));
+    return std::bit_cast<Bits<Real>>(_mm_i32gather_epi32(static_cast<const int*>(from), std::bit_cast<__m128i>(places), step));
   } else if constexpr (lanes<Real> == 8) {
-    return std::bit_cast<Bits<Real>>(_mm256_i32gather_epi32(static_cast<const int*>(from), std::bit_cast<__m256i>(places), 1));
+    return std::bit_cast<Bits<Real>>(
+        _mm256_i32gather_epi32(static_cast<const int*>(from), std::bit_cast<__m256i>(places), step));
   } else {
 #if defined(__AVX512F__)
-    return std::bit_cast<Bits<Real>>(_mm512_i32gather_epi32(std::bit_cast<__m512i>(places), from, 1));
+    return std::bit_cast<Bits<Real>>(_mm512_i32gather_epi32(std::bit_cast<__m512i>(places), from, step));
 #endif
   }
 }

@@ -1,8 +1,10 @@
 // The option --budget.
 #pragma once
 #include <string>
+#include <utility>
 
 #include "budget.hpp"
+#include "mapped.hpp"
 #include "standard_streams.hpp"
 #include "studio.hpp"
 
@@ -20,21 +22,28 @@ struct BudgetOptions {
   /// Of the curve from light to bytes, once settled; 0 for the exact curve.
   int srgb_terms = 0;
 
-  /// Settles the curve to bytes, and with what it leaves of the budget the mapping on a texture; and the number that the
-  /// mapping was made for, if the user chose none. Errors: UsageError.
-  [[nodiscard]] BudgetMapping settle(Studio& studio, const Image& texture) {
+  /// Settles the curve to bytes, then how texels are kept, and with what both leave of the budget the mapping; and the number
+  /// that the mapping was made for, if the user chose none. Errors: UsageError.
+  [[nodiscard]] Mapped<BudgetMapping, BudgetTexture> settle(Studio& studio, ImageTexture texture) {
     Budget rest = read();
     const ColorChoice curve = choose_srgb_kernel(rest);
     tell(studio, curve.text);
     srgb_terms = curve.terms;
-    // Bytes are rounded once, after both: what counts is by how much the curve is off before.
-    if (rest.unit == Budget::Unit::levels) rest.limit -= curve.worst_before_rounding;
-    BudgetMapping mapping{choose_uv_kernel(rest, texture.width, texture.height, Directions::unit)};
+    // Bytes are rounded once, at the end: what counts is by how much each step is off before.
+    spend(rest, curve.worst_before_rounding);
+    TexelChoice texels = choose_texel_kernel(rest);
+    // Turning a texel into a word takes as long as reading one.
+    const double reads = double{1} * studio.width * studio.height * studio.samples;
+    if (reads < static_cast<double>(texture.image.pixels.size())) texels = choose_texel_kernel({});
+    tell(studio, texels.text);
+    spend(rest, texels.worst_levels);
+    const UvChoice mapping = choose_uv_kernel(rest, texture.image.width, texture.image.height, Directions::unit);
 #ifdef TEXMAP_HAVE_PACKS
-    if (mapping.choice.number == KernelNumber::single && !studio.typed("--number")) studio.number = Number::float_pack;
+    if (mapping.number == KernelNumber::single && !studio.typed("--number")) studio.number = Number::float_pack;
 #endif
-    tell(studio, mapping.choice.text);
-    return mapping;
+    tell(studio, mapping.text);
+    RootTexture roots = texels.roots ? RootTexture(texture) : RootTexture();
+    return {{mapping}, {std::move(texture), std::move(roots)}};
   }
 
  private:
@@ -44,6 +53,9 @@ struct BudgetOptions {
     } catch (const std::invalid_argument& error) {
       throw UsageError("--budget: " + std::string(error.what()));
     }
+  }
+  static void spend(Budget& budget, double levels) {
+    if (budget.unit == Budget::Unit::levels) budget.limit -= levels;
   }
   static void tell(const Studio& studio, const std::string& choice) {
     if (!studio.quiet && studio.typed("--budget")) print(choice + "\n");

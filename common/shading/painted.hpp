@@ -14,6 +14,13 @@ struct Painted {
   Paint paint;
 };
 
+/// An object made ready for the number that a picture is drawn with; its paint is looked at where it is.
+template <class Real, class Paint>
+struct PaintedIn {
+  SphereIn<Real> sphere;
+  const Paint& paint;
+};
+
 /// One of several kinds of paint, for lists of objects that are painted differently.
 template <class... Paints>
 struct AnyOf : std::variant<Paints...> {

@@ -41,6 +41,7 @@ template <class Real, class Object, class Sky, class Albedo, class Numbers>
 template <class Real, class Objects, class Sky, class Albedo, class Numbers>
 [[nodiscard]] Color<Real> light_along(const Objects& objects, Ray<Real> ray, const Sky& sky, const Albedo& albedo, int bounces,
                                       Numbers& numbers) {
+  if (std::empty(objects)) return sky(sky.is_constant() ? ray : Ray<Real>{ray.origin, normalize(ray.direction)});
   if (std::size(objects) == 1) return light_past_one(*std::begin(objects), ray, sky, albedo, numbers);
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));

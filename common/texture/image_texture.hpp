@@ -54,6 +54,22 @@ template <class Number>
   return as_they_are;
 }
 
+/// The column and the row of a texel, whole numbers counted from the left and from the top.
+template <class Real>
+struct TexelPlace {
+  Real column, row;
+};
+
+/// The texel of a picture that holds (u, v).
+///
+/// The row is found first and then counted from the other end, so that every texel holds its lower edge on either axis.
+/// @param width, height  of the picture, 1 to 2^24 texels
+template <class Real>
+[[nodiscard]] TexelPlace<Real> texel_place(const Uv<Real>& uv, int width, int height, VAxis v_axis, TexelRounding rounding) {
+  const Real from_zero = texel_index(uv.v, height, rounding);
+  return {texel_index(uv.u, width, rounding), v_axis == VAxis::down ? from_zero : Real(height - 1) - from_zero};
+}
+
 /// The color of the texel that holds (u, v): no filter, so a texel seen close is a square.
 struct ImageTexture {
   Image image;  ///< an empty one is black; load_image never gives one
@@ -62,14 +78,11 @@ struct ImageTexture {
   TexelLight light = TexelLight::encoded;
 
   /// Each channel is the texel's byte / 255, or the light that it stands for.
-  /// The row is found first and then counted from the other end, so that every texel holds its lower edge on either axis.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (image.pixels.empty()) return {Real(0), Real(0), Real(0)};
-    const Real column = texel_index(uv.u, image.width, rounding);
-    const Real from_zero = texel_index(uv.v, image.height, rounding);
-    const Real row = v_axis == VAxis::down ? from_zero : Real(image.height - 1) - from_zero;
-    return texel(column, row);
+    const TexelPlace<Real> place = texel_place(uv, image.width, image.height, v_axis, rounding);
+    return texel(place.column, place.row);
   }
 
  private:
@@ -106,7 +119,7 @@ struct ImageTexture {
     const Integers texel = bits_from_real(row) * static_cast<std::uint32_t>(image.width) + bits_from_real(column);
     const Integers place = texel * 3U;
     const Integers last = static_cast<std::uint32_t>(3 * image.pixels.size() - 4);
-    const Integers four = fetch_four_bytes<Real>(&image.pixels.data()->r, select_less(last, place, last, place));
+    const Integers four = fetch_four_bytes<Real, 1>(&image.pixels.data()->r, select_less(last, place, last, place));
     const Integers bytes = select_less(last, place, four >> 8, four);
     const Scalar<Real>* const levels = light_of_bytes<Scalar<Real>>(light).data();
     return {fetch<Real>(levels, bytes & 255U), fetch<Real>(levels, (bytes >> 8) & 255U),

@@ -15,7 +15,9 @@ struct Mapped {
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Hit<Real>& hit) const {
-    return texture(mapping(hit.normal));
+    // A copy: a mapping that is a function of its own would want the whole hit in memory, asked for or not.
+    const Vec3<Real> normal = hit.normal;
+    return texture(mapping(normal));
   }
 };
 

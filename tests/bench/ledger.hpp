@@ -170,35 +170,36 @@ struct HighlightAnyway : chapter_06::Lesson {
 };
 
 /// A sky that does not say that it is alike everywhere.
+template <class Real>
 struct UnsureSky {
-  GradientSky sky;
+  GradientSkyIn<Real> sky;
 
   [[nodiscard]] static bool is_constant() { return false; }
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return sky(ray);
-  }
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const { return sky(ray); }
 };
+
+/// The share of light that an object of chapter 07 sends back.
+inline constexpr auto own_color = [](const auto& object, const auto& hit) { return object.paint(hit); };
 
 /// Chapter 07's lesson, which follows a path on to a sky that is alike everywhere.
 struct ScatterAnyway : chapter_07::Lesson {
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
-    const Ray<Real> ray = lens.ray(view, column, row, numbers);
-    const auto albedo = [](const chapter_07::Object& object, const Hit<Real>& hit) { return object.paint(hit); };
-    return light_along(objects, ray, UnsureSky{stage.sky}, albedo, sampling.bounces, numbers);
+  [[nodiscard]] Color<Real> operator()(const chapter_07::Scene<Real>& scene, const Real& column, const Real& row,
+                                       Numbers& numbers) const {
+    const Ray<Real> ray = lens.ray(scene.view, column, row, numbers);
+    return light_along(scene.objects, ray, UnsureSky<Real>{scene.sky}, own_color, sampling.bounces, numbers);
   }
 };
 
 /// Chapter 07's lesson, which draws numbers for a lens and for an exposure although it is sharp.
 struct NumbersAnyway : chapter_07::Lesson {
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
-    const Ray<Real> ray = lens.ray(view, column, row, numbers);
+  [[nodiscard]] Color<Real> operator()(const chapter_07::Scene<Real>& scene, const Real& column, const Real& row,
+                                       Numbers& numbers) const {
+    const Ray<Real> ray = lens.ray(scene.view, column, row, numbers);
     keep(numbers.pair());
     keep(numbers.pair());
-    const auto albedo = [](const chapter_07::Object& object, const Hit<Real>& hit) { return object.paint(hit); };
-    return light_along(objects, ray, stage.sky, albedo, sampling.bounces, numbers);
+    return light_along(scene.objects, ray, scene.sky, own_color, sampling.bounces, numbers);
   }
 };
 
@@ -207,9 +208,14 @@ struct WithoutBounds {
   chapter_07::Lesson lesson;
   Gathering gathering;
 
+  template <class Real>
+  [[nodiscard]] auto ready(const View& view) const {
+    return lesson.ready<Real>(view);
+  }
   template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
-    return lesson(view, column, row, numbers);
+  [[nodiscard]] Color<Real> operator()(const chapter_07::Scene<Real>& scene, const Real& column, const Real& row,
+                                       Numbers& numbers) const {
+    return lesson(scene, column, row, numbers);
   }
 };
 

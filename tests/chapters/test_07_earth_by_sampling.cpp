@@ -16,7 +16,7 @@ namespace {
 /// The lesson as its program prepares it, with one color in place of the picture if one is given.
 Lesson lesson_with(std::vector<std::string> words, const Rgb8* paint = nullptr) {
   Lesson lesson = test::prepared<Lesson>(std::move(words));
-  if (paint != nullptr) lesson.objects[0].paint.texture.image = Image(1, 1, *paint);
+  if (paint != nullptr) lesson.objects[0].paint.texture.exact.image = Image(1, 1, *paint);
   return lesson;
 }
 
@@ -126,11 +126,14 @@ TEST_CASE("under a sky that fades with height the light is the closed form: the 
 }
 
 TEST_CASE("what the scene does not require changes nothing: paths that are followed bring what is known without them") {
-  const Lesson alone = lesson_with({});
-  Lesson followed = alone;  // a second globe that nobody sees makes the first one's paths be followed
-  followed.objects.push_back(followed.objects[0]);
-  followed.objects[1].sphere = {{0, 0, 1000}, 0.001};
-  CHECK(apart(film_of<double>(alone, SamplerKind::sobol, 8), film_of<double>(followed, SamplerKind::sobol, 8)) < 1e-12);
+  for (const std::string sky : {"constant", "gradient"}) {
+    const Lesson alone = lesson_with({"--sky", sky});
+    CHECK(alone.foresight(view_of(alone.stage.camera, 64, 36))->light.has_value() == (sky == "constant"));
+    Lesson followed = alone;  // a second globe that nobody sees makes the first one's paths be followed
+    followed.objects.push_back(followed.objects[0]);
+    followed.objects[1].sphere = {{0, 0, 1000}, 0.001};
+    CHECK(apart(film_of<double>(alone, SamplerKind::sobol, 8), film_of<double>(followed, SamplerKind::sobol, 8)) < 1e-12);
+  }
 }
 
 TEST_CASE("where the globe cannot be seen no sample is drawn, and the picture is that of drawing them") {
@@ -139,8 +142,9 @@ TEST_CASE("where the globe cannot be seen no sample is drawn, and the picture is
   const ScreenBounds bounds = screen_bounds(view, lesson.objects[0].sphere);
   CHECK(bounds.left > 10);
   CHECK(bounds.right < 54);
-  REQUIRE(lesson.certain_light(view).has_value());
-  CHECK(lesson.certain_light(view)->outside.left == bounds.left);
+  REQUIRE(lesson.foresight(view).has_value());
+  CHECK(lesson.foresight(view)->objects.left == bounds.left);
+  CHECK(lesson.foresight(view)->light->r == 0.7);
   // The outline is closed by tangents: no ray through a pixel outside meets the globe, and some through each edge inside do.
   const auto met = [&](double column, double row) {
     return distance_to(lesson.objects[0].sphere, ray_through(view, column, row)) < infinity<double>();

@@ -47,7 +47,7 @@ TEST_CASE_TEMPLATE("near the sphere both formulas of the seeds are right", Real,
 TEST_CASE("4096 radii away in float the seeds lose the sphere and the stable form does not") {
   CHECK(wrong_answers<float>(4096, seeds::distance_daily<float>) > 100);
   CHECK(wrong_answers<float>(4096, seeds::distance_half_b<float>) > 100);
-  CHECK(wrong_answers<float>(4096, distance_to<float>) == 0);
+  CHECK(wrong_answers<float>(4096, distance_to<float, Sphere>) == 0);
   CHECK(wrong_answers<double>(4096, seeds::distance_half_b<double>) == 0);
 }
 

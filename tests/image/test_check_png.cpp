@@ -167,7 +167,9 @@ TEST_CASE("rows of chance, filtered in every way, become the pixels that stb_ima
   File colors(3 * 256);
   for (std::uint8_t& byte : colors) byte = static_cast<std::uint8_t>(dice.bits());
   int compared = 0;
-  for (const auto& [color, channels] : {std::pair<std::uint8_t, int>{0, 1}, {2, 3}, {3, 1}, {4, 2}, {6, 4}}) {
+  for (const std::pair<std::uint8_t, int>& kind : {std::pair<std::uint8_t, int>{0, 1}, {2, 3}, {3, 1}, {4, 2}, {6, 4}}) {
+    const std::uint8_t color = kind.first;
+    const int channels = kind.second;
     for (const int width : {1, 2, 5, 64}) {
       const int height = 20;
       File rows;

@@ -1,0 +1,73 @@
+// A picture as a texture for packs: a texel in one word.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "image_texture.hpp"
+
+namespace texmap {
+
+/// The nearest texel of a picture, as ImageTexture has it, whose texels are words: ten bits a channel for the square root of
+/// its light. A pack reads a word for each lane and squares, where bytes cost three tables more.
+///
+/// Roots of light are spread about as the eye sees them, so that ten bits are enough.
+struct RootTexture {
+  int width = 0;
+  int height = 0;
+  VAxis v_axis = VAxis::up;
+  TexelRounding rounding = TexelRounding::floor;
+  std::vector<std::uint32_t> texels;  ///< row by row from the top; red in the lowest bits
+
+  static constexpr int most = 1023;  ///< of a channel: the root of 1
+
+  /// By how many levels of 255 a color is off at most, shown by the sRGB curve: half a step of the root, where a level is worth
+  /// least light; held in tests/kernels/test_root_texture.cpp.
+  static constexpr double worst_levels = 0.19;
+
+  RootTexture() = default;
+  explicit RootTexture(const ImageTexture& texture)
+      : width(texture.image.width), height(texture.image.height), v_axis(texture.v_axis), rounding(texture.rounding) {
+    std::array<std::uint32_t, 256> roots{};
+    for (std::size_t byte = 0; byte < roots.size(); ++byte) {
+      roots[byte] = static_cast<std::uint32_t>(std::lround(most * std::sqrt(light_of_bytes<double>(texture.light)[byte])));
+    }
+    texels.reserve(texture.image.pixels.size());
+    for (const Rgb8& at : texture.image.pixels) texels.push_back(roots[at.r] | roots[at.g] << 10 | roots[at.b] << 20);
+  }
+
+  /// @return  each channel 0 to 1. Domain: a texture with texels
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    const TexelPlace<Real> place = texel_place(uv, width, height, v_axis, rounding);
+    const auto light = [](const Real& root) { return square(root * Real(1.0 / most)); };
+    if constexpr (can_fetch<Real>) {
+      using Integers = Bits<Real>;
+      const Integers index = bits_from_real(place.row) * static_cast<std::uint32_t>(width) + bits_from_real(place.column);
+      const Integers word = fetch_four_bytes<Real, 4>(texels.data(), index);
+      const auto channel = [&](const Integers& bits) { return light(real_from_bits<Real>(bits & std::uint32_t{most})); };
+      return {channel(word), channel(word >> 10), channel(word >> 20)};
+    }
+    const auto roots = look_up(
+        [&](int column, int row) {
+          const std::uint32_t word =
+              texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+          return std::array{word & most, word >> 10 & most, word >> 20 & most};
+        },
+        place.column, place.row);
+    return {light(roots[0]), light(roots[1]), light(roots[2])};
+  }
+};
+
+/// The texture of a budget: the words, if there are any, or else the picture.
+struct BudgetTexture {
+  ImageTexture exact;
+  RootTexture roots;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    return roots.texels.empty() ? exact(uv) : roots(uv);
+  }
+};
+
+}  // namespace texmap

@@ -1,0 +1,32 @@
+// A scene made ready for the number that a picture is drawn with.
+#pragma once
+#include <vector>
+
+#include "camera.hpp"
+#include "painted.hpp"
+#include "sky.hpp"
+
+namespace texmap {
+
+/// What all samples of a picture have in common. Scenes are written in double; a sample that had to bring them into the lanes
+/// of its packs again would spend a tenth of its time on it.
+template <class Real, class Paint>
+struct SceneIn {
+  ViewIn<Real> view;
+  std::vector<PaintedIn<Real, Paint>> objects;
+  GradientSkyIn<Real> sky;
+
+  /// The same view of the same sky, and nothing else.
+  [[nodiscard]] SceneIn without_objects() const { return {view, {}, sky}; }
+};
+
+/// @param objects  are looked at while the scene is in use: they stay where they are
+template <class Real, class Paint>
+[[nodiscard]] SceneIn<Real, Paint> ready_scene(const View& view, const std::vector<Painted<Paint>>& objects,
+                                               const GradientSky& sky) {
+  SceneIn<Real, Paint> scene{number_cast<Real>(view), {}, number_cast<Real>(sky)};
+  for (const Painted<Paint>& object : objects) scene.objects.push_back({number_cast<Real>(object.sphere), object.paint});
+  return scene;
+}
+
+}  // namespace texmap
