@@ -35,7 +35,7 @@ get_directory_property(wide_sets DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINI
 foreach(instructions IN LISTS wide_sets)
   get_directory_property(wide_options DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION wide_${instructions})
   add_executable(test_fetched_texels_${instructions} texture/test_fetched_texels.cpp)
-  target_link_libraries(test_fetched_texels_${instructions} PRIVATE project_options texture)
+  target_link_libraries(test_fetched_texels_${instructions} PRIVATE project_options kernels)
   target_compile_options(test_fetched_texels_${instructions} PRIVATE ${wide_options})
   set_target_properties(test_fetched_texels_${instructions} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   add_test(NAME test_fetched_texels_${instructions} COMMAND test_fetched_texels_${instructions} ${instructions})

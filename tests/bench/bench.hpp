@@ -37,11 +37,11 @@ struct Group {
   std::string title;  ///< for a heading
   std::string text;   ///< what is measured, and with what it is compared: one paragraph, without line ends
   std::string unit;   ///< "ns" for items, "ms" for pictures
-  Ratio ratio;
-  double seconds;      ///< to spend on it
-  std::string note;    ///< heading of the rows' notes; empty if they have none
-  bool micro = false;  ///< works of some microseconds: those that bench_kernels hands to Google Benchmark
-  std::vector<Row> rows;
+  Ratio ratio = Ratio::speed;
+  double seconds = 8;     ///< to spend on it
+  std::string note = {};  ///< heading of the rows' notes; empty if they have none
+  bool micro = false;     ///< works of some microseconds: those that bench_kernels hands to Google Benchmark
+  std::vector<Row> rows = {};
 };
 
 /// Everything that is measured, in the order of the page. The rows are the same on every machine.

@@ -59,11 +59,7 @@ Group chapters_group() {
           "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapter 07 at 400 × 225 "
           "with 8 samples a pixel. The base of each chapter is its picture in double.",
       .unit = "ms",
-      .ratio = Ratio::speed,
       .seconds = 35,
-      .note = "",
-      .micro = false,
-      .rows = {},
   };
   add_chapter<chapter_01::Lesson>(group, "01", 400, 300);
   add_chapter<chapter_02::Lesson>(group, "02", 400, 300);

@@ -68,11 +68,7 @@ Group encoding_group() {
           "and compresses with less search ([packages](packages.md)); our decoder checks every byte of the file "
           "before stb_image sees it.",
       .unit = "ms",
-      .ratio = Ratio::speed,
-      .seconds = 8,
       .note = "size in bytes",
-      .micro = false,
-      .rows = {},
   };
   const auto add = [&group](const std::string& line, const std::string& set, std::function<Work()> prepare,
                             std::function<std::string()> size = {}) {

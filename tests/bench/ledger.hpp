@@ -42,16 +42,21 @@ template <class... Paints, class Real>
                     static_cast<const std::variant<Paints...>&>(paint));
 }
 
+/// The picture of a lesson of chapters 01 to 05, with another way to the color of its paints: color_of(paint, hit).
+template <class Lesson, class Real, class ColorOf>
+[[nodiscard]] Color<Real> matt_color_along(const Lesson& lesson, const Ray<Real>& ray, const ColorOf& color_of) {
+  return color_along(lesson.objects, ray, lesson.stage.sky, [&](const auto& object, const Hit<Real>& hit) {
+    const Illumination<Real> lamp = illumination(lesson.stage.light, lesson.objects, hit);
+    return color_of(object.paint, hit) * lambert(lesson.surface, lamp);
+  });
+}
+
 /// A lesson of chapters 01 to 05, with a (u, v) in every hit.
 template <class Lesson>
 struct UvAtEveryHit : Lesson {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return color_along(this->objects, ray, this->stage.sky, [&](const auto& object, const Hit<Real>& hit) {
-      const Illumination<Real> lamp = illumination(this->stage.light, this->objects, hit);
-      const Color<Real> color = color_with_uv(object.paint, hit);
-      return color * lambert(this->surface, lamp);
-    });
+    return matt_color_along(*this, ray, [](const auto& paint, const Hit<Real>& hit) { return color_with_uv(paint, hit); });
   }
 };
 
@@ -127,11 +132,7 @@ struct SineAtEveryHit {
   }
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return color_along(objects, ray, stage.sky, [&](const Object& object, const Hit<Real>& hit) {
-      const Illumination<Real> lamp = illumination(stage.light, objects, hit);
-      const Color<Real> color = object.paint(hit);
-      return color * lambert(surface, lamp);
-    });
+    return matt_color_along(*this, ray, [](const auto& paint, const Hit<Real>& hit) { return paint(hit); });
   }
 };
 

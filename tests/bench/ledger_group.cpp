@@ -110,9 +110,6 @@ Group ledger_group() {
       .unit = "ms",
       .ratio = Ratio::cost,
       .seconds = 55,
-      .note = "",
-      .micro = false,
-      .rows = {},
   };
   const auto stage_chapter = [&group]<class Lesson>(std::type_identity<Lesson>, const std::string& number, const auto& make) {
     add_base(group, number + ": as the chapter draws it", number, [make] { return on_stage(make()); });

@@ -61,11 +61,8 @@ Group uv_group() {
           "time. `uv_rtiow` is the chapters' own, safe at the poles; the polynomials are those of `--budget`, "
           "with their stated worst error.",
       .unit = "ns",
-      .ratio = Ratio::speed,
-      .seconds = 8,
       .note = "worst error in texels of 8192 × 4096",
       .micro = true,
-      .rows = {},
   };
   const auto add = [&group](const std::string& line, UvJob::Formula formula, int degree, const std::string& worst,
                             const auto&... ways) {
@@ -128,11 +125,7 @@ Group texture_group() {
           "and 128 rows, as neighbouring pixels ask for them. Encoded: bytes / 255; linear: amounts of light by "
           "the sRGB curve. The base is encoded, in double, one place at a time.",
       .unit = "ns",
-      .ratio = Ratio::speed,
-      .seconds = 8,
-      .note = "",
       .micro = true,
-      .rows = {},
   };
   const auto add = [&group](const std::string& line, TexelLight light) {
     add_line(
@@ -152,11 +145,8 @@ Group spheres_group() {
           "Rays from 8 radii away, of which about half meet the sphere, in no order: packs have to do both. The "
           "base is the plain form in double, one ray at a time; `--spheres` chooses, and its help says when.",
       .unit = "ns",
-      .ratio = Ratio::speed,
       .seconds = 6,
-      .note = "",
       .micro = true,
-      .rows = {},
   };
   const auto add = [&group](const std::string& line, SphereForm form) {
     const auto make = [form] {
@@ -201,11 +191,8 @@ Group samplers_group() {
           "64 samples a pixel. The base is `random` in float, one pixel at a time; docs of chapter 07 say what "
           "the others are worth.",
       .unit = "ns",
-      .ratio = Ratio::speed,
       .seconds = 6,
-      .note = "",
       .micro = true,
-      .rows = {},
   };
   const auto add = [&group](const std::string& line, SamplerKind kind) {
     add_line(
@@ -239,11 +226,9 @@ Group colors_group() {
           "against its power; Phong's power with exponent 50, against exp and log1p as in `highlight`; the "
           "squares of a checkerboard on a globe, against (u, v) by trigonometry.",
       .unit = "ns",
-      .ratio = Ratio::speed,
       .seconds = 10,
       .note = "worst error",
       .micro = true,
-      .rows = {},
   };
   const auto add_encoding = [&group](const std::string& line, int terms, const std::string& worst, const auto&... ways) {
     const auto make = [terms] { return with_columns(EncodeJob{terms, nullptr, nullptr, repeats}, 1, 1, fill_with_parts); };

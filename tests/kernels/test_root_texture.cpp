@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "dice.hpp"
-#include "pack.hpp"
+#include "lanes_of_textures.hpp"
 #include "root_texture.hpp"
 #include "srgb.hpp"
 
@@ -100,20 +100,11 @@ TEST_CASE("a budget's texture is the picture until it has words") {
 }
 
 #ifdef TEXMAP_HAVE_PACKS
-TEST_CASE_TEMPLATE("each lane of a pack reads what a plain number reads", Real, Pack<float>, Pack<double>) {
-  using T = Scalar<Real>;
-  const RootTexture roots(all_bytes(TexelLight::linear));
-  Dice dice;
-  for (int i = 0; i < 500; ++i) {
-    std::array<T, lanes<Real>> us{};
-    for (T& u : us) u = static_cast<T>(dice.between(0, 1));
-    const Color<Real> many = roots(Uv<Real>{from_lanes<Real>([&](std::size_t k) { return us[k]; }), Real(0.5)});
-    for (std::size_t k = 0; k < us.size(); ++k) {
-      const Color<T> one = roots(Uv<T>{us[k], T(0.5)});
-      REQUIRE(lane(many.r, k) == one.r);
-      REQUIRE(lane(many.g, k) == one.g);
-      REQUIRE(lane(many.b, k) == one.b);
-    }
+TEST_CASE_TEMPLATE("each lane of a pack reads what a plain number reads", T, float, double) {
+  for (const VAxis axis : {VAxis::up, VAxis::down}) {
+    ImageTexture texture = all_bytes(TexelLight::linear);
+    texture.v_axis = axis;
+    test::check_each_lane<T>(RootTexture(texture));
   }
 }
 #endif

@@ -3,7 +3,7 @@
 
 #include <doctest.h>
 
-#include "pack.hpp"
+#include "lanes_of_textures.hpp"
 
 namespace texmap {
 namespace {
@@ -157,20 +157,7 @@ TEST_CASE("the mean of black and white is the middle of the light, not of the by
 TEST_CASE_TEMPLATE("a pack filters as its numbers do, each by itself", T, float, double) {
   const Image image = patterned(33, 16);
   for (const TexelLight light : {TexelLight::encoded, TexelLight::linear}) {
-    const BilinearTexture texture{image, VAxis::up, light};
-    for (int start = 0; start < 200; ++start) {
-      const auto u =
-          from_lanes<Pack<T>>([&](std::size_t i) { return static_cast<T>((start * 7 + int(i) * 31) % 211) / T(211); });
-      const auto v =
-          from_lanes<Pack<T>>([&](std::size_t i) { return static_cast<T>((start * 13 + int(i) * 5) % 197) / T(196); });
-      const Color<Pack<T>> colors = texture(Uv<Pack<T>>{u, v});
-      for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
-        const Color<T> color = texture(Uv<T>{lane(u, i), lane(v, i)});
-        REQUIRE(lane(colors.r, i) == color.r);
-        REQUIRE(lane(colors.g, i) == color.g);
-        REQUIRE(lane(colors.b, i) == color.b);
-      }
-    }
+    test::check_each_lane<T>(BilinearTexture{image, VAxis::up, light});
   }
 }
 #endif

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "image_texture.hpp"
 #include "instructions.hpp"
+#include "root_texture.hpp"
 
 namespace texmap {
 namespace {
@@ -12,11 +12,11 @@ namespace {
 int wrong = 0;
 
 /// Looks up a grid of places, some outside of the texture, with packs and with single numbers.
-template <class Real>
-void compare(const ImageTexture& texture, const char* what) {
+template <class Real, class Texture>
+void compare(const Texture& texture, int width, int height, const char* what) {
   using Single = Scalar<Real>;
-  const int columns = 4 * texture.image.width;
-  const int rows = 4 * texture.image.height;
+  const int columns = 4 * width;
+  const int rows = 4 * height;
   for (int row = -2; row <= rows + 2; ++row) {
     for (int first = -2; first <= columns + 2; ++first) {
       const auto u = [&](std::size_t i) {
@@ -28,11 +28,20 @@ void compare(const ImageTexture& texture, const char* what) {
         const Color<Single> one = texture(Uv<Single>{u(i), v});
         if (lane(many.r, i) == one.r && lane(many.g, i) == one.g && lane(many.b, i) == one.b) continue;
         if (++wrong <= 10)
-          std::printf("%s %dx%d: another texel at (%g, %g)\n", what, texture.image.width, texture.image.height,
-                      static_cast<double>(u(i)), static_cast<double>(v));
+          std::printf("%s %dx%d: another texel at (%g, %g)\n", what, width, height, static_cast<double>(u(i)),
+                      static_cast<double>(v));
       }
     }
   }
+}
+
+/// The same with every kind of pack.
+template <class Texture>
+void compare_all(const Texture& texture, int width, int height) {
+  compare<Pack<float>>(texture, width, height, "float");
+  compare<Pack<double>>(texture, width, height, "double");
+  compare<Paired<Pack<float>>>(texture, width, height, "pairs of float");
+  compare<Paired<Pack<double>>>(texture, width, height, "pairs of double");
 }
 
 int run() {
@@ -45,10 +54,8 @@ int run() {
     for (const TexelLight light : {TexelLight::encoded, TexelLight::linear, TexelLight::stb}) {
       for (const VAxis axis : {VAxis::up, VAxis::down}) {
         const ImageTexture texture{.image = image, .v_axis = axis, .light = light};
-        compare<Pack<float>>(texture, "float");
-        compare<Pack<double>>(texture, "double");
-        compare<Paired<Pack<float>>>(texture, "pairs of float");
-        compare<Paired<Pack<double>>>(texture, "pairs of double");
+        compare_all(texture, image.width, image.height);
+        compare_all(RootTexture(texture), image.width, image.height);
       }
     }
   }

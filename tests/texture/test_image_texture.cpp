@@ -2,7 +2,7 @@
 #include <doctest.h>
 
 #include "image_texture.hpp"
-#include "pack.hpp"
+#include "lanes_of_textures.hpp"
 
 namespace texmap {
 namespace {
@@ -123,20 +123,7 @@ TEST_CASE_TEMPLATE("a pack reads its own texel in each lane", T, float, double) 
   const Image image = small_image();
   for (const VAxis axis : {VAxis::up, VAxis::down}) {
     for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
-      const ImageTexture texture{image, axis, rounding};
-      for (int start = 0; start < 60; ++start) {
-        const auto u = from_lanes<Pack<T>>(
-            [start](std::size_t i) { return static_cast<T>((start + 7 * static_cast<int>(i)) % 61) / T(60); });
-        const auto v = from_lanes<Pack<T>>(
-            [start](std::size_t i) { return static_cast<T>((3 * start + 23 * static_cast<int>(i)) % 61) / T(60); });
-        const Color<Pack<T>> colors = texture(Uv<Pack<T>>{u, v});
-        for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
-          const Color<T> color = texture(Uv<T>{lane(u, i), lane(v, i)});
-          REQUIRE(lane(colors.r, i) == color.r);
-          REQUIRE(lane(colors.g, i) == color.g);
-          REQUIRE(lane(colors.b, i) == color.b);
-        }
-      }
+      test::check_each_lane<T>(ImageTexture{image, axis, rounding});
     }
   }
 }
