@@ -1,7 +1,9 @@
 # What things take: bench_ratios and, where Google Benchmark is installed, bench_kernels. Included by CMakeLists.txt here.
+# Nothing of it is built unless asked for: it takes a third as long as all the rest. Its tests have the label bench; the target `bench`
+# builds what they need.
 
 # Everything that is measured: both programs and their tests use it.
-add_library(bench_groups OBJECT bench/all_groups.cpp bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
+add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/all_groups.cpp bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
   bench/measure.cpp bench/micro_groups.cpp bench/report.cpp bench/stb_alone.cpp)
 target_include_directories(bench_groups PUBLIC bench PRIVATE support "${TEXMAP_CHAPTERS}")
 target_link_libraries(bench_groups PUBLIC options PRIVATE project_options stb_image stb_image_write)
@@ -9,21 +11,28 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
 endif()
 
+set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
+  07_earth_by_sampling)
+list(JOIN chapter_programs "\", \"" chapter_names)
+
 # Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as
 # common/app/wide_packs.hpp explains.
 get_directory_property(wide_sets DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION WIDE_PACKS)
 set(bench_objects bench_groups)
 if(wide_sets)
-  add_library(bench_wide OBJECT)
+  add_library(bench_wide OBJECT EXCLUDE_FROM_ALL)
   target_include_directories(bench_wide PRIVATE bench "${TEXMAP_CHAPTERS}")
   target_link_libraries(bench_wide PRIVATE project_options options)
   target_compile_definitions(bench_wide PRIVATE TEXMAP_WIDE_PACKS)
   target_compile_definitions(bench_groups PUBLIC TEXMAP_WIDE_PACKS)
   list(APPEND bench_objects bench_wide)  # after the others
+  foreach(chapter IN LISTS chapter_programs)
+    list(APPEND bench_objects ${chapter}_wide)
+  endforeach()
 endif()
 foreach(instructions IN LISTS wide_sets)
   get_directory_property(wide_options DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION wide_${instructions})
-  foreach(kind jobs ledger lessons)
+  foreach(kind jobs ledger)
     set(file "${CMAKE_CURRENT_BINARY_DIR}/bench_wide_${kind}_${instructions}.cpp")
     configure_file(bench/wide_${kind}.cpp.in "${file}" @ONLY)
     set_source_files_properties("${file}" PROPERTIES COMPILE_OPTIONS "${wide_options}")
@@ -31,10 +40,7 @@ foreach(instructions IN LISTS wide_sets)
   endforeach()
 endforeach()
 
-set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-  07_earth_by_sampling)
-list(JOIN chapter_programs "\", \"" chapter_names)
-add_executable(bench_ratios bench/bench_ratios.cpp bench/processes.cpp)
+add_executable(bench_ratios EXCLUDE_FROM_ALL bench/bench_ratios.cpp bench/processes.cpp)
 target_link_libraries(bench_ratios PRIVATE ${bench_objects} project_options)
 set_source_files_properties(bench/processes.cpp PROPERTIES COMPILE_DEFINITIONS
   "TEXMAP_BIN_DIR=\"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}\";TEXMAP_CHAPTER_NAMES={\"${chapter_names}\"}")
@@ -44,7 +50,7 @@ add_dependencies(bench_ratios ${chapter_programs})  # --beside runs them
 # The small works in Google Benchmark, with its options and its statistics: ./course bench --google.
 find_package(benchmark QUIET)
 if(benchmark_FOUND)
-  add_executable(bench_kernels bench/bench_kernels.cpp)
+  add_executable(bench_kernels EXCLUDE_FROM_ALL bench/bench_kernels.cpp)
   target_link_libraries(bench_kernels PRIVATE ${bench_objects} project_options benchmark::benchmark)
 else()
   message(STATUS "Google Benchmark not found: no ./course bench --google (Debian libbenchmark-dev, Fedora google-benchmark-devel)")
@@ -59,6 +65,11 @@ if(nlohmann_json_INCLUDE_DIR)
   target_include_directories(test_bench_pages SYSTEM PRIVATE "${nlohmann_json_INCLUDE_DIR}")
 endif()
 add_dependencies(test_bench_pages bench_ratios)
+set_target_properties(test_bench_pages PROPERTIES EXCLUDE_FROM_ALL ON)
+add_custom_target(bench DEPENDS test_bench_pages)
+if(benchmark_FOUND)
+  add_dependencies(bench bench_kernels)
+endif()
 if(SH AND wide_sets)
   add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/bench/wide.sh" "$<TARGET_FILE:bench_ratios>")
   set_tests_properties(bench_wide_functions PROPERTIES LABELS bench SKIP_RETURN_CODE 77)

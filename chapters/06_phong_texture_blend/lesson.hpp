@@ -70,7 +70,7 @@ struct Lesson {
       const Illumination<Real> lamp = illumination(stage.light, phong.casters(objects), hit);
       const Color<Real> color = object.paint(hit);
       const Real matt = lambert(object.finish.matt, lamp);
-      const Real gloss = highlight(phong.formula, object.finish, lamp, hit.normal, -ray.direction);
+      const Real gloss = phong.highlight(object.finish, lamp, hit.normal, -ray.direction);
       if (!phong.blends || &object != &objects[middle]) return color * matt + gray(gloss);
       return mix(gray(clamp(matt + gloss, Real(0), Real(1))), color, Real(phong.blend));
     });

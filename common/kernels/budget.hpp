@@ -128,6 +128,27 @@ decltype(auto) with_uv_mapping(const UvChoice& choice, const Draw& draw) {
   }
 }
 
+/// Phong's power of a choice, to be handed to highlight_by.
+struct BudgetPower {
+  int terms = 0;  ///< of the choice; 0 stands for the formula, which is not to be had here
+  double exponent = 0;
+
+  /// @param versine  1 - cos, 0 or more
+  template <class Real>
+  [[nodiscard]] Real operator()(const Real& versine) const {
+    switch (terms) {
+      case 3:
+        return PowerKernel<3>(exponent)(versine);
+      case 4:
+        return PowerKernel<4>(exponent)(versine);
+      case 6:
+        return PowerKernel<6>(exponent)(versine);
+      default:
+        return PowerKernel<8>(exponent)(versine);
+    }
+  }
+};
+
 /// The mapping of a choice for unit directions, to be handed to a paint.
 struct BudgetMapping {
   UvChoice choice = choose_uv_kernel({}, 1, 1, Directions::unit);

@@ -14,9 +14,10 @@ namespace texmap {
 struct BudgetOptions {
   std::string text = "exact";
 
-  void declare(CommandLine& line) {
-    line.text("--budget", "BUDGET", text,
-              "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which kernels it takes");
+  void declare(CommandLine& line, const char* help =
+                                      "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
+                                      "kernels it takes") {
+    line.text("--budget", "BUDGET", text, help);
   }
 
   /// Of the curve from light to bytes, once settled; 0 for the exact curve.
@@ -44,6 +45,13 @@ struct BudgetOptions {
     tell(studio, mapping.text);
     RootTexture roots = texels.roots ? RootTexture(texture) : RootTexture();
     return {{mapping}, {std::move(texture), std::move(roots)}};
+  }
+
+  /// Settles Phong's power with that exponent; of 0 terms where the budget wants the formula. Errors: UsageError.
+  [[nodiscard]] BudgetPower settle_power(const Studio& studio, double exponent) const {
+    const ColorChoice choice = choose_power_kernel(read());
+    tell(studio, choice.text);
+    return {choice.terms, exponent};
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "budget_options.hpp"
 #include "phong.hpp"
 #include "studio.hpp"
 
@@ -21,6 +22,8 @@ struct PhongOptions {
   double shininess = 50;  ///< Phong's exponent of the globe
   PhongScene scene = PhongScene::stage;
   HighlightFormula formula = HighlightFormula::phong;
+  BudgetOptions budget;
+  BudgetPower power;  ///< Phong's, once settled
 
   void declare(CommandLine& line) {
     line.decimal("--blend", blend, 0, 1, "mix texture T with light 1 - T; the stage multiplies them unless this is given");
@@ -29,6 +32,7 @@ struct PhongOptions {
     line.choice<HighlightFormula>("--highlight", formula,
                                   {{"phong", HighlightFormula::phong}, {"lecture", HighlightFormula::lecture}},
                                   "Phong's highlight, or the lecture's with its wrong sign");
+    budget.declare(line, "how far off Phong's highlight may be: exact or levels=1; says which kernel it takes");
   }
 
   /// After parsing: sets what depends on other options. The lecture always blends, and has an exponent of its own.
@@ -38,6 +42,7 @@ struct PhongOptions {
     const bool lecture = scene == PhongScene::lecture;
     blends = lecture || studio.typed("--blend");
     if (lecture && !studio.typed("--shininess")) shininess = 500;
+    power = budget.settle_power(studio, shininess);
     return scene;
   }
 
@@ -45,6 +50,16 @@ struct PhongOptions {
   void polish(Finish& globe) const {
     globe.specular = 0.3;
     globe.shininess = shininess;
+  }
+
+  /// The highlight by the formula and the kernel that were chosen; 0 without any for a finish that has no gloss.
+  template <class Real>
+  [[nodiscard]] Real highlight(const Finish& finish, const Illumination<Real>& lamp, const Vec3<Real>& normal,
+                               const Vec3<Real>& to_eye) const {
+    if (formula == HighlightFormula::lecture || power.terms == 0 || finish.specular == 0) {
+      return texmap::highlight(formula, finish, lamp, normal, to_eye);
+    }
+    return highlight_by(power, finish, lamp, normal, to_eye);
   }
 
   /// The objects that cast shadows: the lecture's scene has none.

@@ -26,8 +26,21 @@ enum class HighlightFormula {
   lecture,  ///< as seed 4's slides have it: away from the eye, wherever that happens to be positive
 };
 
-/// How bright the mirror image of the lamp is: the finish's specular times cos^shininess, for the angle between the mirrored
-/// light and the direction to the eye.
+/// How bright the mirror image of the lamp is: the finish's specular times a power of the cosine of the angle between the
+/// mirrored light and the direction to the eye.
+///
+/// @param power  called with the versine, 1 - cos, 0 or more; gives 0 to 1. `highlight` has the formula, PowerKernels are
+/// faster
+template <class Real, class Power>
+[[nodiscard]] Real highlight_by(const Power& power, const Finish& finish, const Illumination<Real>& lamp,
+                                const Vec3<Real>& normal, const Vec3<Real>& to_eye) {
+  const Vec3<Real> mirrored = normal * (Real(2) * dot(normal, lamp.to_light)) - lamp.to_light;
+  const Vec3<Real> apart = mirrored - to_eye;
+  const Real versine = dot(apart, apart) * Real(0.5);
+  return Real(finish.specular) * select(lamp.cosine > Real(0) && versine < Real(1), power(versine), Real(0));
+}
+
+/// Phong's highlight: specular times cos^shininess; see highlight_by.
 ///
 /// @param to_eye  unit vector from the hit point to the eye
 /// @return  0 to specular; 0 where the lamp is hidden or behind the surface, and where the directions are 90 degrees apart or
@@ -38,11 +51,10 @@ enum class HighlightFormula {
 template <class Real>
 [[nodiscard]] Real highlight(const Finish& finish, const Illumination<Real>& lamp, const Vec3<Real>& normal,
                              const Vec3<Real>& to_eye) {
-  const Vec3<Real> mirrored = normal * (Real(2) * dot(normal, lamp.to_light)) - lamp.to_light;
-  const Vec3<Real> apart = mirrored - to_eye;
-  const Real versine = dot(apart, apart) * Real(0.5);
-  const Real power = exp(Real(finish.shininess) * log1p(-clamp(versine, Real(0), below_one<Real>())));
-  return Real(finish.specular) * select(lamp.cosine > Real(0) && versine < Real(1), power, Real(0));
+  const auto power = [&](const Real& versine) {
+    return exp(Real(finish.shininess) * log1p(-clamp(versine, Real(0), below_one<Real>())));
+  };
+  return highlight_by(power, finish, lamp, normal, to_eye);
 }
 
 /// Seed 4's highlight as its slides have it: specular (r . d)^shininess with d from the eye to the surface, the wrong way

@@ -70,6 +70,37 @@ TEST_CASE("only lit pixels of the globe change from chapter 05") {
   CHECK(found > 0);
 }
 
+TEST_CASE("a budget in levels buys a cheaper highlight, which is off by no more, and only where there is one") {
+  const Lesson exact = test::prepared<Lesson>();
+  CHECK(exact.phong.power.terms == 0);
+  const Image should = test::picture(exact);
+  const std::vector<double> lit = cosines(exact);
+  int terms_before = 0;
+  for (const std::string levels : {"1", "0.1", "0.01"}) {
+    const Lesson cheap = test::prepared<Lesson>({"--budget", "levels=" + levels, "--quiet"});
+    CHECK(cheap.phong.power.terms > terms_before);
+    terms_before = cheap.phong.power.terms;
+    const View view = view_of(cheap.stage.camera, 800, 600);
+    double worst = 0;
+    for (int row = 0; row < 600; row += 2) {
+      for (int column = 0; column < 800; ++column) {
+        const Ray<double> ray = ray_through<double>(view, column, row);
+        const Rgb a = exact(ray);
+        const Rgb b = cheap(ray);
+        worst = std::max({worst, std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+      }
+    }
+    CHECK(255 * worst <= std::stod(levels));
+    CHECK(worst > 0);
+    const Image is = test::picture(cheap);
+    long in_the_dark = 0;
+    for (std::size_t i = 0; i < lit.size(); ++i) in_the_dark += lit[i] <= 0 && is.pixels[i] != should.pixels[i] ? 1 : 0;
+    CHECK(in_the_dark == 0);
+  }
+  CHECK(test::prepared<Lesson>({"--budget", "texels=0.01", "--quiet"}).phong.power.terms == 0);
+  CHECK_THROWS_AS((void)test::prepared<Lesson>({"--budget", "levels"}), UsageError);
+}
+
 TEST_CASE("with weight 1 the texture stands alone, without any light") {
   const Lesson lesson = blended("1", Image(1, 1, {200, 100, 50}));
   const Image drawn = test::picture(lesson);
