@@ -189,7 +189,8 @@ Image image_of_png_rows(const PngChunks& png, std::vector<std::uint8_t> rows) {
     };
     if (png.header.color_type == 3) {
       fill([&](const std::uint8_t* at) {
-        return Rgb8{png.palette[3U * *at], png.palette[3U * *at + 1], png.palette[3U * *at + 2]};
+        const Bytes color = png.palette.subspan(std::size_t{3} * *at, 3);
+        return Rgb8{color[0], color[1], color[2]};
       });
     } else if (pixel < 3) {
       fill([](const std::uint8_t* at) { return Rgb8{at[0], at[0], at[0]}; });

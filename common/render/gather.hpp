@@ -9,8 +9,8 @@
 #include "screen_bounds.hpp"
 
 // All that a sample calls becomes one piece of code: a fifth faster, since what no one asks for falls away. Compilers that
-// watch each step (TEXMAP_INSTRUMENT) need minutes and gigabytes for it, and are not asked.
-#if defined(__GNUC__) && !defined(TEXMAP_INSTRUMENTED)
+// watch each step need minutes and gigabytes for it, and are not asked, nor are tests, which have time.
+#if defined(__GNUC__) && !defined(TEXMAP_NO_FLATTEN)
 #define TEXMAP_FLATTEN __attribute__((flatten))
 #else
 #define TEXMAP_FLATTEN

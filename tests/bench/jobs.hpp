@@ -6,9 +6,9 @@
 
 #include "checker_kernel.hpp"
 #include "checkerboard.hpp"
-#include "image_texture.hpp"
 #include "mapped.hpp"
 #include "power_kernel.hpp"
+#include "root_texture.hpp"
 #include "samplers.hpp"
 #include "seed_formulas.hpp"
 #include "srgb_kernel.hpp"
@@ -126,7 +126,7 @@ struct UvJob {
 
 /// Colors of a texture at given (u, v); their sum is kept.
 struct TextureJob {
-  const ImageTexture* texture;
+  const BudgetTexture* texture;
   Columns* input;  ///< u, v
   Columns* output;
 

@@ -90,11 +90,10 @@ constexpr std::size_t walk_side = 128;  // look-ups along a row, and rows
 
 /// A picture of 4096 by 2048 texels, and a walk over it such as a globe's picture makes: one and a half texels at a step.
 struct TextureWork {
-  ImageTexture texture;
+  BudgetTexture texture;
   Columns input, output;
 
-  explicit TextureWork(TexelLight light)
-      : texture{.image = Image(4096, 2048), .light = light}, input(2, walk_side * walk_side), output(1, walk_side * walk_side) {
+  TextureWork(TexelLight light, bool as_roots) : input(2, walk_side * walk_side), output(1, walk_side * walk_side) {
     Image image(4096, 2048);
     for (int row = 0; row < image.height; ++row) {
       for (int column = 0; column < image.width; ++column) {
@@ -103,7 +102,8 @@ struct TextureWork {
                                  static_cast<std::uint8_t>(bits >> 16)};
       }
     }
-    texture = {.image = image, .light = light};
+    texture.exact = {.image = image, .light = light};
+    if (as_roots) texture.roots = RootTexture(texture.exact);
     for (std::size_t i = 0; i < input.rows(); ++i) {
       const auto along = static_cast<double>(i % walk_side);
       const auto down = static_cast<double>(i / walk_side);
@@ -123,17 +123,20 @@ Group texture_group() {
       .text =
           "The nearest texel of a picture of 4096 × 2048, at places one and a half texels apart, 128 in a row "
           "and 128 rows, as neighbouring pixels ask for them. Encoded: bytes / 255; linear: amounts of light by "
-          "the sRGB curve. The base is encoded, in double, one place at a time.",
+          "the sRGB curve; roots: the same light, kept as its root in ten bits. The base is encoded, in double, one place at a "
+          "time.",
       .unit = "ns",
       .micro = true,
   };
-  const auto add = [&group](const std::string& line, TexelLight light) {
+  const auto add = [&group](const std::string& line, TexelLight light, bool as_roots) {
     add_line(
         group, line, "texture", static_cast<double>(walk_side * walk_side),
-        [light] { return std::make_shared<TextureWork>(light); }, "", in_double, in_float, in_double_packs, in_float_packs);
+        [=] { return std::make_shared<TextureWork>(light, as_roots); }, "", in_double, in_float, in_double_packs,
+        in_float_packs);
   };
-  add("encoded", TexelLight::encoded);
-  add("linear", TexelLight::linear);
+  add("encoded", TexelLight::encoded, false);
+  add("linear", TexelLight::linear, false);
+  add("roots", TexelLight::linear, true);
   return group;
 }
 
