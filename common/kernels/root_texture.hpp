@@ -1,5 +1,6 @@
 // A picture as a texture for packs: a texel in one word.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -32,8 +33,9 @@ struct RootTexture {
     for (std::size_t byte = 0; byte < roots.size(); ++byte) {
       roots[byte] = static_cast<std::uint32_t>(std::lround(most * std::sqrt(light_of_bytes<double>(texture.light)[byte])));
     }
-    texels.reserve(texture.image.pixels.size());
-    for (const Rgb8& at : texture.image.pixels) texels.push_back(roots[at.r] | roots[at.g] << 10 | roots[at.b] << 20);
+    texels.resize(texture.image.pixels.size());
+    std::transform(texture.image.pixels.begin(), texture.image.pixels.end(), texels.begin(),
+                   [&](const Rgb8& at) { return roots[at.r] | roots[at.g] << 10 | roots[at.b] << 20; });
   }
 
   /// @return  each channel 0 to 1. Domain: a texture with texels
@@ -54,7 +56,7 @@ struct RootTexture {
               texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
           return std::array{word & most, word >> 10 & most, word >> 20 & most};
         },
-        place.column, place.row);
+        place);
     return {light(roots[0]), light(roots[1]), light(roots[2])};
   }
 };

@@ -33,9 +33,9 @@ struct BudgetOptions {
     // Bytes are rounded once, at the end: what counts is by how much each step is off before.
     spend(rest, curve.worst_before_rounding);
     TexelChoice texels = choose_texel_kernel(rest);
-    // Turning a texel into a word takes as long as reading one.
+    // Turning a texel into a word takes as long as four reads save.
     const double reads = double{1} * studio.width * studio.height * studio.samples;
-    if (reads < static_cast<double>(texture.image.pixels.size())) texels = choose_texel_kernel({});
+    if (reads < 4 * static_cast<double>(texture.image.pixels.size())) texels = choose_texel_kernel({});
     tell(studio, texels.text);
     spend(rest, texels.worst_levels);
     const UvChoice mapping = choose_uv_kernel(rest, texture.image.width, texture.image.height, Directions::unit);

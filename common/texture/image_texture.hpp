@@ -18,46 +18,48 @@ enum class VAxis {
   down,  ///< v = 0 is the top row
 };
 
-/// What a texel's bytes are taken for.
+/// What a texel's bytes are taken for; in the order of light_of_bytes' tables.
 enum class TexelLight {
   encoded,  ///< the bytes as they are, / 255: what seeds without linear light do
   linear,   ///< amounts of light, by the sRGB curve that the file's bytes follow
   stb,      ///< amounts of light as seed 2 has them: by stb_image's power 2.2, kept in bytes, of which 184 of 256 remain
 };
 
+/// One table for each TexelLight, in its order.
+template <class Number>
+using LightTables = std::array<std::array<Number, 256>, 3>;
+
+/// Makes them; see light_of_bytes. Not inlined, so that what is inlined at each look-up is small.
+template <class Number>
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+[[nodiscard]] LightTables<Number>
+make_light_tables() {
+  LightTables<Number> tables{};
+  auto& [encoded, linear, stb] = tables;
+  linear = srgb_decode_table<Number>();
+  for (std::size_t byte = 0; byte < 256; ++byte) {
+    encoded[byte] = static_cast<Number>(byte) / Number(255);
+    const double decoded = std::pow(static_cast<double>(byte) / 255, 2.2);
+    stb[byte] = static_cast<Number>(std::min(std::floor(256 * decoded), 255.0) / 255);
+  }
+  return tables;
+}
+
 /// What every byte stands for: place b holds that of the byte b, 0 to 1.
 ///
-/// Errors: none; each entry is the formula's, rounded by it. Each table is computed once, at the first call.
+/// Errors: none; each entry is the formula's, rounded by it. Computed once, at the first call.
 template <class Number>
 [[nodiscard]] const std::array<Number, 256>& light_of_bytes(TexelLight light) {
-  static const std::array<Number, 256> as_they_are = [] {
-    std::array<Number, 256> table{};
-    for (std::size_t byte = 0; byte < table.size(); ++byte) table[byte] = static_cast<Number>(byte) / Number(255);
-    return table;
-  }();
-  static const std::array<Number, 256> by_stb = [] {
-    std::array<Number, 256> table{};
-    for (int byte = 0; byte < 256; ++byte) {
-      const double decoded = std::pow(byte / 255.0, 2.2);
-      table[static_cast<std::size_t>(byte)] = static_cast<Number>(std::min(std::floor(256 * decoded), 255.0) / 255);
-    }
-    return table;
-  }();
-  switch (light) {
-    case TexelLight::linear:
-      return srgb_decode_table<Number>();
-    case TexelLight::stb:
-      return by_stb;
-    case TexelLight::encoded:
-      break;
-  }
-  return as_they_are;
+  static const LightTables<Number> tables = make_light_tables<Number>();
+  return tables[static_cast<std::size_t>(light)];
 }
 
 /// The column and the row of a texel, whole numbers counted from the left and from the top.
 template <class Real>
 struct TexelPlace {
-  Real column, row;
+  TexelNumber<Real> column, row;
 };
 
 /// The texel of a picture that holds (u, v).
@@ -66,8 +68,21 @@ struct TexelPlace {
 /// @param width, height  of the picture, 1 to 2^24 texels
 template <class Real>
 [[nodiscard]] TexelPlace<Real> texel_place(const Uv<Real>& uv, int width, int height, VAxis v_axis, TexelRounding rounding) {
-  const Real from_zero = texel_index(uv.v, height, rounding);
-  return {texel_index(uv.u, width, rounding), v_axis == VAxis::down ? from_zero : Real(height - 1) - from_zero};
+  const TexelNumber<Real> from_zero = texel_number(uv.v, height, rounding);
+  return {texel_number(uv.u, width, rounding), v_axis == VAxis::down ? from_zero : TexelNumber<Real>(height - 1) - from_zero};
+}
+
+/// Three plain numbers of a table, such as a color's channels, for a texel.
+///
+/// @param table  as for look_up
+template <class Real, class Table>
+[[nodiscard]] std::array<Real, 3> look_up(const Table& table, const TexelPlace<Real>& place) {
+  if constexpr (std::is_floating_point_v<Real>) {
+    const auto entry = table(place.column, place.row);
+    return {static_cast<Real>(entry[0]), static_cast<Real>(entry[1]), static_cast<Real>(entry[2])};
+  } else {
+    return look_up(table, place.column, place.row);
+  }
 }
 
 /// The color of the texel that holds (u, v): no filter, so a texel seen close is a square.
@@ -82,14 +97,14 @@ struct ImageTexture {
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (image.pixels.empty()) return {Real(0), Real(0), Real(0)};
     const TexelPlace<Real> place = texel_place(uv, image.width, image.height, v_axis, rounding);
-    return texel(place.column, place.row);
+    return texel(place);
   }
 
  private:
   template <class Real>
-  [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
+  [[nodiscard]] Color<Real> texel(const TexelPlace<Real>& place) const {
     if constexpr (can_fetch<Real>) {
-      if (image.pixels.size() > 1) return fetched_texel(column, row);
+      if (image.pixels.size() > 1) return fetched_texel(place.column, place.row);
     }
     // For plain numbers and their packs bytes are a table too: each entry is the quotient, rounded. Others bound the division.
     if (light != TexelLight::encoded || std::is_floating_point_v<Real> || lanes<Real> != 1) {
@@ -99,7 +114,7 @@ struct ImageTexture {
             const Rgb8& bytes = image.at(x, y);
             return std::array{levels[bytes.r], levels[bytes.g], levels[bytes.b]};
           },
-          column, row);
+          place);
       return {linear[0], linear[1], linear[2]};
     }
     const auto bytes = look_up(
@@ -107,7 +122,7 @@ struct ImageTexture {
           const Rgb8& at = image.at(x, y);
           return std::array{at.r, at.g, at.b};
         },
-        column, row);
+        place);
     return {bytes[0] / Real(255), bytes[1] / Real(255), bytes[2] / Real(255)};
   }
 

@@ -12,6 +12,11 @@ enum class TexelRounding {
   lecture,  ///< (int)((n - 1) u), seed 4: half a texel off on average, and the last row and column have no share at all
 };
 
+/// A whole number that says which texel: an integer for one number at a time, which reads memory by it; a number itself in
+/// packs and intervals.
+template <class Real>
+using TexelNumber = std::conditional_t<std::is_floating_point_v<Real>, int, Real>;
+
 /// `x` brought to a whole number from 0 to n - 1 that is safe to index with: below 0 and NaN give 0, n and above give n - 1.
 ///
 /// @param x  anything the type can hold, infinities too
@@ -19,14 +24,21 @@ enum class TexelRounding {
 /// @return   floor(x) for x in [0, n), without an error
 /// Errors: none.
 template <class Real>
-[[nodiscard]] Real clamp_index(const Real& x, int n) {
+[[nodiscard]] TexelNumber<Real> clamp_number(const Real& x, int n) {
   const Real inside = clamp(x, Real(0), Real(n - 1));
-  // For 0 and above an integer is the floor; machines without an instruction for floor call a function.
-  if constexpr (std::is_floating_point_v<Real>) return static_cast<Real>(static_cast<int>(inside));
-  return floor(inside);
+  if constexpr (std::is_floating_point_v<Real>) {
+    return static_cast<int>(inside);  // the floor, for 0 and above
+  } else {
+    return floor(inside);
+  }
+}
+/// The same as a number of that type.
+template <class Real>
+[[nodiscard]] Real clamp_index(const Real& x, int n) {
+  return static_cast<Real>(clamp_number(x, n));
 }
 
-/// The texel that holds coordinate `u`, as a whole number from 0 to n - 1.
+/// The texel that holds coordinate `u`, from 0 to n - 1.
 ///
 /// @param u  texture coordinate, 0 to 1; anything else is clamped to the nearest texel, and NaN gives 0
 /// @param n  number of texels along the coordinate, 1 to 2^24
@@ -34,8 +46,13 @@ template <class Real>
 /// Errors: none. The clamp comes before any conversion to an integer, so that no NaN and no infinity reaches one.
 /// Source: seeds 2 (floor) and 4 (lecture).
 template <class Real>
+[[nodiscard]] TexelNumber<Real> texel_number(const Real& u, int n, TexelRounding rounding) {
+  return clamp_number(u * Real(rounding == TexelRounding::floor ? n : n - 1), n);
+}
+/// The same as a number of that type.
+template <class Real>
 [[nodiscard]] Real texel_index(const Real& u, int n, TexelRounding rounding = TexelRounding::floor) {
-  return clamp_index(u * Real(rounding == TexelRounding::floor ? n : n - 1), n);
+  return static_cast<Real>(texel_number(u, n, rounding));
 }
 
 /// The texel of a coordinate on an image that repeats: u and u + 1 are one place, negative ones included.
