@@ -21,40 +21,49 @@ struct SphereIn {
   SphereForm form;
 };
 
+/// 1 / radius, in the number at hand.
+template <class Real>
+[[nodiscard]] Real inverse_radius_in(const Sphere& sphere) {
+  if constexpr (lanes<Real> == 1) {
+    return Real(1) / Real(sphere.radius);
+  } else {  // the same in every lane: divided once
+    return Real(Scalar<Real>(1) / static_cast<Scalar<Real>>(sphere.radius));
+  }
+}
+template <class Real>
+[[nodiscard]] Real inverse_radius_in(const SphereIn<Real>& sphere) {
+  return sphere.inverse_radius;
+}
 /// A sphere in another number, for those who meet it often: turning it costs a third of looking for its points.
 template <class Real>
 [[nodiscard]] SphereIn<Real> number_cast(const Sphere& sphere) {
-  const Real radius = Real(sphere.radius);
-  Real inverse_radius{};
-  if constexpr (lanes<Real> == 1) {
-    inverse_radius = Real(1) / radius;
-  } else {  // the same in every lane: divided once
-    inverse_radius = Real(Scalar<Real>(1) / static_cast<Scalar<Real>>(sphere.radius));
-  }
-  return {number_cast<Real>(sphere.center), radius, inverse_radius, sphere.form};
+  return {number_cast<Real>(sphere.center), Real(sphere.radius), inverse_radius_in<Real>(sphere), sphere.form};
 }
-/// The same sphere: it is ready.
+
+/// hybrid_meeting, by copies: what a function of its own is shown must be in memory, and so would be all that it is a part of.
 template <class Real>
-[[nodiscard]] const SphereIn<Real>& number_cast(const SphereIn<Real>& sphere) {
-  return sphere;
+[[nodiscard]] Meeting<Real> hybrid_meeting_of(Vec3<Real> center, Real radius, Ray<Real> ray) {
+  return hybrid_meeting(center, radius, ray);
 }
 
 /// Distance along the ray to the first point of the sphere in front of it, +infinity where there is none.
 ///
-/// @param any  a Sphere, or a SphereIn<Real>, here as below
+/// @param sphere  a Sphere, or a SphereIn<Real>; here as below
 /// A ray from inside meets the far side; a tangent counts as a hit. Distances are in lengths of `ray.direction`, which need not
 /// be a unit vector. Errors: none; a zero or NaN direction is a miss. Domain and bounds: those of the sphere's form.
 template <class Real, class AnySphere>
-[[nodiscard]] Real distance_to(const AnySphere& any, const Ray<Real>& ray) {
-  const SphereIn<Real>& sphere = number_cast<Real>(any);
+[[nodiscard]] Real distance_to(const AnySphere& sphere, const Ray<Real>& ray) {
+  const Vec3<Real> center = number_cast<Real>(sphere.center);
+  const Real radius = number_cast<Real>(sphere.radius);
   switch (sphere.form) {
-    [[unlikely]] case SphereForm::plain : return plain_distance(ray.origin - sphere.center, ray.direction, sphere.radius);
-    [[unlikely]] case SphereForm::hybrid : return hybrid_meeting(sphere.center, sphere.radius, Ray<Real>(ray))
-                                               .distance;  // a copy, so that `ray` can stay in registers
+    case SphereForm::plain:
+      return plain_distance(ray.origin - center, ray.direction, radius);
+    case SphereForm::hybrid:
+      return hybrid_meeting_of(center, radius, ray).distance;
     case SphereForm::robust:
       break;
   }
-  return robust_distance(ray.origin - sphere.center, ray.direction, sphere.radius);
+  return robust_distance(ray.origin - center, ray.direction, radius);
 }
 
 /// The outward unit normal at a distance that `distance_to` gave.
@@ -65,16 +74,18 @@ template <class Real, class AnySphere>
 /// Bound, robust: 0.0015 texel distance / radius in float, 3e-12 in double; its length within 4 u, in float to 1e3 radii away.
 /// Source: hit points relative to the object after pbrt-v4, section 6.8.
 template <class Real, class AnySphere>
-[[nodiscard]] Vec3<Real> normal_at(const AnySphere& any, const Ray<Real>& ray, const Real& distance) {
-  const SphereIn<Real>& sphere = number_cast<Real>(any);
+[[nodiscard]] Vec3<Real> normal_at(const AnySphere& sphere, const Ray<Real>& ray, const Real& distance) {
+  const Vec3<Real> center = number_cast<Real>(sphere.center);
   const Vec3<Real> along = ray.direction * distance;
   switch (sphere.form) {
-    [[unlikely]] case SphereForm::plain : return (ray.origin + along - sphere.center) * sphere.inverse_radius;
-    [[unlikely]] case SphereForm::hybrid : return hybrid_meeting(sphere.center, sphere.radius, Ray<Real>(ray)).normal;
+    case SphereForm::plain:
+      return (ray.origin + along - center) * inverse_radius_in<Real>(sphere);
+    case SphereForm::hybrid:
+      return hybrid_meeting_of(center, number_cast<Real>(sphere.radius), ray).normal;
     case SphereForm::robust:
       break;
   }
-  const Vec3<Real> normal = (ray.origin - sphere.center + along) * sphere.inverse_radius;
+  const Vec3<Real> normal = (ray.origin - center + along) * inverse_radius_in<Real>(sphere);
   return normal * (Real(1.5) - Real(0.5) * dot(normal, normal));
 }
 
@@ -89,22 +100,22 @@ template <class Real, class AnySphere>
 /// `inside` inward does; the plain form keeps neither; docs/numbers.md. Source: bounds in place of a fixed number after
 /// pbrt-v4, section 6.8.
 template <class Real, class AnySphere>
-[[nodiscard]] Hit<Real> hit_at(const AnySphere& any, const Ray<Real>& ray, const Real& distance) {
-  const SphereIn<Real>& sphere = number_cast<Real>(any);
+[[nodiscard]] Hit<Real> hit_at(const AnySphere& sphere, const Ray<Real>& ray, const Real& distance) {
+  const Vec3<Real> center = number_cast<Real>(sphere.center);
+  const Real radius = number_cast<Real>(sphere.radius);
   const Real u = unit_roundoff<Real>();
   const Vec3<Real> along = ray.direction * distance;
   const Vec3<Real> normal = normal_at(sphere, ray, distance);
 
-  const Real size_from_center = largest(sphere.center) + sphere.radius;
+  const Real size_from_center = largest(center) + radius;
   const Real size_along_ray = largest(ray.origin) + largest(along);
-  const Vec3<Real> point =
-      select(size_along_ray < size_from_center, ray.origin + along, sphere.center + normal * sphere.radius);
+  const Vec3<Real> point = select(size_along_ray < size_from_center, ray.origin + along, center + normal * radius);
 
-  const Real seen_with = size_from_center + sphere.radius;
+  const Real seen_with = size_from_center + radius;
   const Real formed_with = smaller(size_along_ray, size_from_center);
   const Vec3<Real> lift =
       normal * (Real(16) * u * (sphere.form == SphereForm::hybrid ? formed_with + u * seen_with : seen_with));
-  return {normal, point, point + lift, point - lift, &any};
+  return {normal, point, point + lift, point - lift, &sphere};
 }
 
 }  // namespace texmap
