@@ -3,6 +3,7 @@
 
 #include "dice.hpp"
 #include "exact.hpp"
+#include "interval.hpp"
 #include "pack.hpp"
 #include "seed_sphere.hpp"
 #include "sphere.hpp"
@@ -355,6 +356,19 @@ TEST_CASE_TEMPLATE("a pack meets in each lane what a single ray meets", T, float
   }
 }
 #endif
+
+TEST_CASE("the inverse of a radius is the number's own quotient, and an interval holds the true one") {
+  for (const double radius : {3.0, 0.1, 7e5}) {
+    const Sphere sphere{{0, 0, 0}, radius};
+    CHECK(inverse_radius_in<float>(sphere) == 1.0F / static_cast<float>(radius));
+    CHECK(inverse_radius_in<double>(sphere) == 1.0 / radius);
+    CHECK(number_cast<double>(sphere).inverse_radius == 1.0 / radius);
+    const Interval inverse = inverse_radius_in<Interval>(sphere);
+    CHECK(std::fma(inverse.low(), radius, -1.0) <= 0);  // exact in its sign
+    CHECK(std::fma(inverse.high(), radius, -1.0) >= 0);
+    CHECK(inverse.low() < inverse.high());
+  }
+}
 
 }  // namespace
 }  // namespace texmap
