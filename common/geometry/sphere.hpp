@@ -34,7 +34,7 @@ template <class Real>
 [[nodiscard]] Real inverse_radius_in(const SphereIn<Real>& sphere) {
   return sphere.inverse_radius;
 }
-/// A sphere in another number, for those who meet it often: turning it costs a third of looking for its points.
+/// A sphere in another number, for those who meet it often. Errors: none; each number is rounded once.
 template <class Real>
 [[nodiscard]] SphereIn<Real> number_cast(const Sphere& sphere) {
   return {number_cast<Real>(sphere.center), Real(sphere.radius), inverse_radius_in<Real>(sphere), sphere.form};

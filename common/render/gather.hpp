@@ -85,7 +85,7 @@ template <class Real, GathersLight Lesson>
       }
       result = sum;
     };
-    // The pixels of a row from `first` to before `end`, by samples of what is seen.
+    // The pixels of a row from `begin` to before `end`, by samples of what is seen.
     const auto draw_pixels = [&](const auto& seen, int row, int begin, int end) {
       for (int column = begin; column < end; column += step) {
         const auto first = static_cast<Scalar<Real>>(column);

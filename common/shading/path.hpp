@@ -29,6 +29,7 @@ template <class Real, class Object, class Sky, class Albedo, class Numbers>
 
 /// The light that arrives along a ray from a scene of Lambertian surfaces under a bright sky.
 ///
+/// @param objects  none, one or more; where there are none the light is the sky's
 /// @param ray      any length of direction
 /// @param sky      called with a ray of unit length that leaves the scene, gives its light; says if it is_constant()
 /// @param albedo   called with (object, hit), gives the share of light that the surface sends back, 0 to 1 in each channel
