@@ -47,6 +47,7 @@ add_suite(texture/test_seed_formulas USES texture LABELS common)
 add_suite(shading/test_light USES shading LABELS common)
 add_suite(shading/test_phong USES shading LABELS common)
 add_suite(shading/test_sky USES shading LABELS common)
+add_suite(shading/test_pixel_patch USES shading texture LABELS common)
 add_suite(shading/test_painted USES shading texture LABELS common)
 
 add_suite(render/test_render USES render LABELS common)

@@ -54,7 +54,7 @@ struct Lesson {
   [[nodiscard]] std::optional<Foresight> foresight(const View& view) const {
     if (lens.blurs() || objects.size() != 1) return {};
     return Foresight{screen_bounds(view, objects[0].sphere),
-                     stage.sky.is_constant() ? std::optional(stage.sky.below) : std::nullopt};
+                     stage.sky.is_constant() ? std::optional(stage.sky.below) : std::nullopt, budget.smoothing};
   }
   /// What all samples have in common.
   template <class Real>

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "biquadratic.hpp"
+
 namespace texmap {
 namespace {
 
@@ -54,12 +56,18 @@ std::vector<UvOffer> uv_offers(Directions directions) {
   };
 }
 
+/// The budget as a reader wants it: what is left of one may have many digits.
+std::string brief(const Budget& budget) {
+  const std::string text = to_text(budget);
+  return budget.unit == Budget::Unit::exact ? text : text.substr(0, text.find('=') + 1) + shown(budget.limit);
+}
+
 std::string describe(const UvChoice& choice, const Budget& budget, int width, int height) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   if (choice.degree == 0) {
-    return "(u, v) for " + to_text(budget) + " on " + size + ": the reference formula in double, by the C library, at cost 1";
+    return "(u, v) for " + brief(budget) + " on " + size + ": the reference formula in double, by the C library, at cost 1";
   }
-  return "(u, v) for " + to_text(budget) + " on " + size + ": polynomials in " +
+  return "(u, v) for " + brief(budget) + " on " + size + ": polynomials in " +
          (choice.number == KernelNumber::single ? "float" : "double") + ", arc tangent of degree " +
          std::to_string(choice.degree) + (choice.directions == Directions::unit ? ", unit vectors" : "") + "; at worst " +
          shown(choice.worst_texels) + " texels and " + shown(choice.worst_levels) + " levels; " + shown(choice.cost) +
@@ -79,7 +87,7 @@ bool keeps_to(const Budget& budget, const UvChoice& choice) {
 }
 
 std::string describe(const std::string& what, const Budget& budget, int terms, double worst, const std::string& exact) {
-  const std::string start = what + " for " + to_text(budget) + ": ";
+  const std::string start = what + " for " + brief(budget) + ": ";
   if (terms == 0) return start + exact;
   return start + "a polynomial of " + std::to_string(terms) + " terms; at worst " + shown(worst) + " levels";
 }
@@ -142,10 +150,49 @@ UvChoice choose_uv_kernel(const Budget& budget, int width, int height, Direction
   return choice;
 }
 
+SurfaceChoice choose_surface_kernel(const Budget& budget, int width, int height) {
+  Budget part = budget;
+  part.limit /= 4;
+  SurfaceChoice choice{choose_uv_kernel(part, width, height, Directions::unit), {}, {}};
+  const bool levels = budget.unit == Budget::Unit::levels;
+  const double in_u = width, in_v = height;
+  // One rounding of the sum, and what is left of smaller ones.
+  const double rounding = 0.3 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  const double grown = Biquadratic<double>::worst_growth;
+  double rest = 0;
+  if (levels) {
+    // A direction's error moves the sky by half as much, and a level of light is worth most where light is 1: half of 255 by a
+    // square root, 5/12 of it by the sRGB curve.
+    const double levels_per_tilt = 128 * 0.5 * Smoothing::direction_per_tilt;
+    choice.smoothing.most_tilt = budget.limit / 5 / levels_per_tilt;
+    rest = 0.8 * budget.limit - grown * choice.mapping.worst_levels - 255 * rounding * (in_u + in_v);
+    choice.smoothing.most_bend = rest / (255 * (Smoothing::turns_per_bend * in_u + Smoothing::half_turns_per_bend * in_v));
+  } else {
+    rest = budget.limit - grown * choice.mapping.worst_texels - rounding * std::max(in_u, in_v);
+    choice.smoothing.most_bend = rest / std::max(Smoothing::turns_per_bend * in_u, Smoothing::half_turns_per_bend * in_v);
+  }
+  if (choice.mapping.number != KernelNumber::single || rest <= 0) {
+    choice = {choose_uv_kernel(budget, width, height, Directions::unit), {}, {}};
+    choice.text = choice.mapping.text;
+    return choice;
+  }
+  choice.text = choice.mapping.text + "\npixels for " + brief(budget) +
+                ": polynomials through nine looks for each that bends the picture by less than " +
+                shown(choice.smoothing.most_bend) + "; at worst " +
+                (levels ? shown(budget.limit) + " levels" : shown(budget.limit) + " texels") + " with (u, v)";
+  return choice;
+}
+
 ColorChoice choose_srgb_kernel(const Budget& budget) {
   ColorChoice choice{0, 0, {}};
-  if (budget.unit == Budget::Unit::levels && budget.limit >= 1) choice = {4, 1, {}, fits::SrgbCurve<4>::worst};
-  if (budget.unit == Budget::Unit::levels && budget.limit >= 2) choice = {3, 2, {}, fits::SrgbCurve<3>::worst};
+  const auto try_terms = [&]<int Terms>(double worst_levels) {
+    const double before = fits::SrgbCurve<Terms>::worst;
+    if (budget.unit != Budget::Unit::levels || worst_levels > budget.limit || before > budget.limit / 4) return;
+    choice = {Terms, worst_levels, {}, before};
+  };
+  try_terms.template operator()<6>(1);
+  try_terms.template operator()<4>(1);
+  try_terms.template operator()<3>(2);
   choice.text = describe("sRGB bytes", budget, choice.terms, choice.worst_levels, "the exact curve, by thresholds");
   return choice;
 }
@@ -167,7 +214,7 @@ ColorChoice choose_power_kernel(const Budget& budget) {
 
 TexelChoice choose_texel_kernel(const Budget& budget) {
   const double worst = RootTexture::worst_levels;
-  const std::string start = "texels for " + to_text(budget) + ": ";
+  const std::string start = "texels for " + brief(budget) + ": ";
   if (budget.unit == Budget::Unit::levels && 2 * worst <= budget.limit) {
     return {true, worst, start + "ten bits for the root of light; at worst " + shown(worst) + " levels"};
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "pixel_look.hpp"
 #include "power_kernel.hpp"
 #include "root_texture.hpp"
 #include "srgb_kernel.hpp"
@@ -63,6 +64,23 @@ struct UvChoice {
 /// Errors: std::invalid_argument for a size below 1.
 [[nodiscard]] UvChoice choose_uv_kernel(const Budget& budget, int width, int height, Directions directions = Directions::any);
 
+/// How a budget finds (u, v) on a surface whose pixels have many samples.
+struct SurfaceChoice {
+  UvChoice mapping;     ///< for each sample, or for the nine looks of a patch
+  Smoothing smoothing;  ///< of pixels; none where the mapping leaves nothing of the budget
+  std::string text;     ///< one or two sentences that say all this
+};
+
+/// The mapping of unit directions and the smoothing of pixels that keep to the budget together.
+///
+/// The errors of a patch's nine looks can grow nearly threefold, so that the mapping gets a quarter of the budget, and what it
+/// makes of it is taken off with what patches make of their own roundings. A budget in levels gives a fifth to directions; one
+/// in texels speaks of places alone, and leaves directions as they are.
+/// @param width, height  in texels, 1 or more
+/// Domain, for directions: a sky that is nowhere darker than half of its brightest place.
+/// Errors: std::invalid_argument for a size below 1.
+[[nodiscard]] SurfaceChoice choose_surface_kernel(const Budget& budget, int width, int height);
+
 /// A choice of polynomial for colors.
 struct ColorChoice {
   int terms;            ///< 0 for the exact formula
@@ -71,8 +89,9 @@ struct ColorChoice {
   double worst_before_rounding = 0;  ///< the same, where levels are rounded to whole ones at the end: before that
 };
 
-/// The cheapest way to sRGB bytes that keeps to the budget: 3 or 4 terms of srgb_byte, or srgb_byte_exact.
+/// The cheapest way to sRGB bytes that keeps to the budget: 3, 4 or 6 terms of srgb_byte, or srgb_byte_exact.
 ///
+/// Before rounding it takes at most a quarter of the budget: the rest is for what comes before the curve.
 /// Bytes are off by whole levels or not at all. A budget in texels speaks of places alone: colors stay exact.
 [[nodiscard]] ColorChoice choose_srgb_kernel(const Budget& budget);
 
@@ -156,7 +175,7 @@ struct BudgetMapping {
   /// Not inlined: eleven mappings would stand in each of a program's many loops, and take minutes to compile.
   template <class Real>
 #if defined(__GNUC__)
-  [[gnu::noinline]]
+  [[gnu::noinline, gnu::flatten]]
 #endif
   [[nodiscard]] Uv<Real>
   operator()(const Vec3<Real>& p) const {

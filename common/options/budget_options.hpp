@@ -20,10 +20,12 @@ struct BudgetOptions {
     line.text("--budget", "BUDGET", text, help);
   }
 
-  /// Of the curve from light to bytes, once settled; 0 for the exact curve.
-  int srgb_terms = 0;
+  // Once settled:
+  int srgb_terms = 0;   ///< of the curve from light to bytes; 0 for the exact curve
+  Smoothing smoothing;  ///< of pixels
 
-  /// Settles the curve to bytes, then how texels are kept, and with what both leave of the budget the mapping; and the number
+  /// Settles the curve to bytes, then how texels are kept, and with what both leave of the budget the mapping and how
+  /// smooth pixels may be; and the number
   /// that the mapping was made for, if the user chose none. Errors: UsageError.
   [[nodiscard]] Mapped<BudgetMapping, BudgetTexture> settle(Studio& studio, ImageTexture texture) {
     Budget rest = read();
@@ -38,13 +40,14 @@ struct BudgetOptions {
     if (reads < 4 * static_cast<double>(texture.image.pixels.size())) texels = choose_texel_kernel({});
     tell(studio, texels.text);
     spend(rest, texels.worst_levels);
-    const UvChoice mapping = choose_uv_kernel(rest, texture.image.width, texture.image.height, Directions::unit);
+    const SurfaceChoice surface = choose_surface_kernel(rest, texture.image.width, texture.image.height);
+    smoothing = surface.smoothing;
 #ifdef TEXMAP_HAVE_PACKS
-    if (mapping.number == KernelNumber::single && !studio.typed("--number")) studio.number = Number::float_pack;
+    if (surface.mapping.number == KernelNumber::single && !studio.typed("--number")) studio.number = Number::float_pack;
 #endif
-    tell(studio, mapping.text);
+    tell(studio, surface.text);
     RootTexture roots = texels.roots ? RootTexture(texture) : RootTexture();
-    return {{mapping}, {std::move(texture), std::move(roots)}};
+    return {{surface.mapping}, {std::move(texture), std::move(roots)}};
   }
 
   /// Settles Phong's power with that exponent; of 0 terms where the budget wants the formula. Errors: UsageError.

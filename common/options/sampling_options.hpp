@@ -23,13 +23,14 @@ enum class Transfer {
 /// The byte of an amount of light, rounded to the nearest; the books' square root is cut off, as they do it.
 ///
 /// @param light  any number; below 0 and NaN give 0, above 1 gives 255
-/// @param terms  of the polynomial for the sRGB curve: 4, at most a level off, or 3, at most two; 0 for the exact curve
+/// @param terms  of the polynomial for the sRGB curve: 6 or 4, at most a level off, or 3, at most two; 0 for the exact curve
 [[nodiscard]] inline std::uint8_t byte_of_light(double light, Transfer transfer, int terms = 0) {
   const double linear = clamp(light, 0.0, 1.0);
   if (transfer == Transfer::sqrt) return static_cast<std::uint8_t>(256 * std::min(std::sqrt(linear), 0.999));
   if (transfer == Transfer::stb) return static_cast<std::uint8_t>(std::lround(255 * std::pow(linear, 1 / 2.2)));
   return static_cast<std::uint8_t>(terms == 3   ? srgb_byte<3>(linear)
                                    : terms == 4 ? srgb_byte<4>(linear)
+                                   : terms == 6 ? srgb_byte<6>(linear)
                                                 : srgb_byte_exact(linear));
 }
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "film.hpp"
+#include "pixel_lists.hpp"
 #include "render.hpp"
 #include "samplers.hpp"
-#include "screen_bounds.hpp"
 
 // All that a sample calls becomes one piece of code: a fifth faster, since what no one asks for falls away. Compilers that
 // watch each step need minutes and gigabytes for it, and are not asked, nor are tests, which have time.
@@ -23,12 +23,6 @@ struct Gathering {
   Sampler sampler{SamplerKind::sobol, 1};  ///< all its samples are drawn
   int in_first_half = 0;                   ///< how many of them go to the film's first half; the rest go to the second
   Film* film = nullptr;
-};
-
-/// What is known of a picture before a sample is drawn.
-struct Foresight {
-  ScreenBounds objects;      ///< outside of this part of the picture there is nothing but sky,
-  std::optional<Rgb> light;  ///< of this light, if it is the same for every sample
 };
 
 /// The numbers of one sample in a pack of pixels: dimension after dimension.
@@ -50,6 +44,9 @@ class SampleNumbers {
   std::uint32_t dimension_ = 0;
 };
 
+/// How many rows are drawn together.
+inline constexpr int rows_at_a_time = 4;
+
 /// A lesson whose color along a ray is a matter of chance. Its ready<Real>(view) makes what all samples have in common, in the
 /// number that draws; it is called with that, with a place on the picture and with numbers.
 template <class Lesson>
@@ -60,12 +57,12 @@ concept GathersLight = requires(const Lesson& lesson) {
 /// Draws the samples of a lesson that gathers light, and adds them to its film. Found by `draw` in place of the `render` for
 /// plain lessons.
 ///
-/// A lesson may have foresight(view), an optional Foresight: samples beside all objects do not look for them, and where their
-/// light is known there are none.
+/// A lesson may have foresight(view), an optional Foresight, if its scene has one sphere: samples beside it do not look for it,
+/// where their light is known there are none, and smooth pixels are patches. Pixels of a row that are drawn alike are packed
+/// together, wherever they lie.
 /// @return  an empty picture: what the film shows is asked of the film
 template <class Real, GathersLight Lesson>
 [[nodiscard]] Image render(const Lesson& lesson, const View& view, const RenderSettings& settings) {
-  constexpr int step = static_cast<int>(lanes<Real>);
   const Gathering& gathering = lesson.gathering;
   Film& film = *gathering.film;
   const int samples = gathering.sampler.samples();
@@ -73,55 +70,79 @@ template <class Real, GathersLight Lesson>
   film.begin(gathering.in_first_half, samples - gathering.in_first_half);
   std::optional<Foresight> foresight;
   if constexpr (requires { lesson.foresight(view); }) foresight = lesson.foresight(view);
+  if (samples < least_samples_of_patch && foresight) foresight->smoothing = {};
   const auto sky_alone = scene.without_objects();
 
   gathering.sampler.visit([&](const auto& pattern) {
-    const auto add_samples = [&](const auto& seen, const Real& columns, const Real& row, const Bits<Real>& pixels, int first,
-                                 int end, Color<Real>& result) TEXMAP_FLATTEN {
-      Color<Real> sum{};
-      for (int i = first; i < end; ++i) {
-        SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
-        sum = sum + lesson(seen, columns, row, numbers);
-      }
-      result = sum;
-    };
-    // The pixels of a row from `begin` to before `end`, by samples of what is seen.
-    const auto draw_pixels = [&](const auto& seen, int row, int begin, int end) {
-      for (int column = begin; column < end; column += step) {
-        const auto first = static_cast<Scalar<Real>>(column);
-        const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
-        const Bits<Real> pixels = pixel_bits<Real>(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+    const auto add_samples = [&](const auto& path, const Bits<Real>& pixels, int first, int end, Color<Real>& result)
+                                 TEXMAP_FLATTEN {
+                                   Color<Real> sum{};
+                                   for (int i = first; i < end; ++i) {
+                                     SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
+                                     sum = sum + path(numbers);
+                                   }
+                                   result = sum;
+                                 };
+    // Draws pixels. `path_of` makes of a pack of them what makes the light of one sample of its numbers.
+    const auto draw_pixels = [&](const std::vector<Pixel>& list, const auto& path_of) {
+      for (std::size_t begin = 0; begin < list.size(); begin += lanes<Real>) {
+        // The last pack may have lanes too many: they draw its last pixel again, for no one.
+        const auto pixel = [&](std::size_t i) -> const Pixel& { return list[std::min(begin + i, list.size() - 1)]; };
+        const Real column = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).column); });
+        const Real row = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).row); });
+        const Bits<Real> pixels = bits_of_pixels<Real>(bits_from_real(column), bits_from_real(row));
+        const auto path = path_of(column, row);
         const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
         Color<Real> first_half, second_half;
-        add_samples(seen, columns, Real(row), pixels, 0, gathering.in_first_half, first_half);
-        add_samples(seen, columns, Real(row), pixels, gathering.in_first_half, samples, second_half);
+        add_samples(path, pixels, 0, gathering.in_first_half, first_half);
+        add_samples(path, pixels, gathering.in_first_half, samples, second_half);
         const auto firsts = lanes_of(first_half);
         const auto seconds = lanes_of(second_half);
-        for (int i = 0; i < step && column + i < end; ++i) {
-          const auto in_lane = [at = static_cast<std::size_t>(i)](const auto& channels) {
-            return Rgb{static_cast<double>(channels[0][at]), static_cast<double>(channels[1][at]),
-                       static_cast<double>(channels[2][at])};
+        for (std::size_t i = 0; i < std::min(lanes<Real>, list.size() - begin); ++i) {
+          const auto in_lane = [i](const auto& channels) {
+            return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
+                       static_cast<double>(channels[2][i])};
           };
-          film.add(column + i, row, in_lane(firsts), in_lane(seconds));
+          film.add(pixel(i).column, pixel(i).row, in_lane(firsts), in_lane(seconds));
         }
       }
     };
-    for_each_row(view.height, settings.threads, settings.progress, [&](int row) {
-      Span span{0, view.width};
-      if (foresight) span = foresight->objects.columns(row, view.width);
-      if (foresight && !foresight->light)
-        span = {span.first / step * step, std::min((span.end + step - 1) / step * step, view.width)};
-      const auto draw_sky = [&](int begin, int end) {
-        if (!foresight->light) return draw_pixels(sky_alone, row, begin, end);
-        for (int column = begin; column < end; ++column) {
-          film.add(column, row, *foresight->light * static_cast<double>(gathering.in_first_half),
-                   *foresight->light * static_cast<double>(samples - gathering.in_first_half));
-        }
+    const auto paths_in = [&](const auto& seen) {
+      return [&](const Real& column, const Real& row) {
+        return [&, column, row](auto& numbers) { return lesson(seen, column, row, numbers); };
       };
-      if (foresight) draw_sky(0, span.first);
-      draw_pixels(scene, row, span.first, span.end);
-      if (foresight) draw_sky(span.end, view.width);
-      film.finish_row(row);
+    };
+    // Some rows at a time: lists so long fill their packs.
+    const int blocks = (view.height + rows_at_a_time - 1) / rows_at_a_time;
+    const auto rows_done = [&](int done, int) { settings.progress(std::min(done * rows_at_a_time, view.height), view.height); };
+    for_each_row(blocks, settings.threads, settings.progress ? rows_done : decltype(settings.progress){}, [&](int block) {
+      const int first_row = block * rows_at_a_time;
+      const int end_row = std::min(first_row + rows_at_a_time, view.height);
+      PixelLists lists;
+      for (int row = first_row; row < end_row; ++row) {
+        if (foresight) {
+          add_row<Real>(lists, row, view.width, scene, *foresight);
+        } else {
+          add_row(lists, row, view.width);
+        }
+      }
+      if (foresight && foresight->light) {
+        const Rgb& light = *foresight->light;
+        for (const Pixel& at : lists.beside) {
+          film.add(at.column, at.row, light * static_cast<double>(gathering.in_first_half),
+                   light * static_cast<double>(samples - gathering.in_first_half));
+        }
+      } else if (foresight && foresight->smooths_sky(view)) {
+        draw_pixels(lists.beside, [&](const Real& column, const Real& row) { return scene.sky_patch(column, row); });
+      } else {
+        draw_pixels(lists.beside, paths_in(sky_alone));
+      }
+      if constexpr (requires(Real place) { scene.pixel_patch(place, place); }) {
+        draw_pixels(lists.patches,
+                    [&](const Real& column, const Real& row) TEXMAP_FLATTEN { return scene.pixel_patch(column, row); });
+      }
+      draw_pixels(lists.others, paths_in(scene));
+      for (int row = first_row; row < end_row; ++row) film.finish_row(row);
     });
   });
   return {};

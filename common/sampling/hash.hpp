@@ -20,14 +20,20 @@ template <class Integers>
   return x;
 }
 
-/// The number under which the samplers know a pixel, one for each lane: `lanes` pixels of a row from `column` on.
+/// The number under which the samplers know a pixel, one for each lane.
 ///
-/// @param column, row  of the first pixel, from 0; pixels of a picture up to 65536 wide and high all get different numbers
+/// @param column, row  from 0; pixels of a picture up to 65536 wide and high all get different numbers
 /// @return  hashed already: pictures of any size give a pixel the same number, and neighbours have nothing in common
 template <class Real>
+[[nodiscard]] inline Bits<Real> bits_of_pixels(const Bits<Real>& column, const Bits<Real>& row) {
+  return hash_bits(Bits<Real>(column + ((row << 16) + 0x9e3779b9U)));
+}
+
+/// The same for `lanes` pixels of a row from `column` on.
+template <class Real>
 [[nodiscard]] inline Bits<Real> pixel_bits(std::uint32_t column, std::uint32_t row) {
-  const Bits<Real> columns = bits_from_lanes<Real>([column](std::size_t i) { return column + static_cast<std::uint32_t>(i); });
-  return hash_bits(Bits<Real>(columns + ((row << 16) + 0x9e3779b9U)));
+  const auto columns = bits_from_lanes<Real>([column](std::size_t i) { return column + static_cast<std::uint32_t>(i); });
+  return bits_of_pixels<Real>(columns, Bits<Real>(row));
 }
 
 }  // namespace texmap

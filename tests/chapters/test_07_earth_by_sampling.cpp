@@ -164,6 +164,61 @@ TEST_CASE("where the globe cannot be seen no sample is drawn, and the picture is
   CHECK(apart(film, drawn) < 1e-12);
 }
 
+TEST_CASE("smooth pixels are patches, each pixel is judged by itself, and the light is that of samples by themselves") {
+  // A ramp: the next texel is another color, but not by much.
+  Image ramp(2048, 1024);
+  for (int y = 0; y < ramp.height; ++y) {
+    for (int x = 0; x < ramp.width; ++x) {
+      const auto byte = [](int part, int whole) { return static_cast<std::uint8_t>(64 + 127 * part / whole); };
+      ramp.at(x, y) = {byte(x, ramp.width), byte(y, ramp.height), byte(std::abs(2 * x - ramp.width), ramp.width)};
+    }
+  }
+  for (const std::string sky : {"constant", "gradient"}) {
+    Lesson smooth = lesson_with({"--sky", sky, "--budget", "levels=1", "--quiet"});
+    smooth.objects[0].paint.texture.roots = {};
+    smooth.objects[0].paint.texture.exact = {.image = ramp, .light = TexelLight::linear};
+    Lesson plain = smooth;
+    plain.budget.smoothing = {};
+    const View view = view_of(smooth.stage.camera, 200, 112);
+
+    PixelLists lists;
+    for (int row = 0; row < 112; ++row) {
+      add_row<double>(lists, row, 200, smooth.ready<double>(view), *smooth.foresight(view));
+    }
+    CHECK(lists.beside.size() + lists.patches.size() + lists.others.size() == 200 * 112);
+    CHECK(lists.patches.size() > lists.others.size());
+    PixelLists unsmoothed;
+    for (int row = 0; row < 112; ++row) {
+      add_row<double>(unsmoothed, row, 200, plain.ready<double>(view), *plain.foresight(view));
+    }
+    CHECK(unsmoothed.patches.empty());
+
+    const Film with = film_of<double>(smooth, SamplerKind::random, 32, 200, 112);
+    const Film without = film_of<double>(plain, SamplerKind::random, 32, 200, 112);
+    Lesson coarse = smooth;  // far more than the budget: now places are off
+    coarse.budget.smoothing.most_bend = 0.01;
+    CHECK(apart(film_of<double>(coarse, SamplerKind::random, 32, 200, 112), without) > 10 * apart(with, without));
+    double worst = 0;
+    for (int row = 0; row < 112; ++row) {
+      for (int column = 0; column < 200; ++column) {
+        const Rgb a = with.light(column, row);
+        const Rgb b = without.light(column, row);
+        const auto levels = [](double x, double y) { return std::abs(srgb_encode(x) - srgb_encode(y)) * 255; };
+        worst = std::max({worst, levels(a.r, b.r), levels(a.g, b.g), levels(a.b, b.b)});
+      }
+    }
+    CHECK(worst < 0.2);
+    // Fewer samples than a patch is worth.
+    CHECK(apart(film_of<double>(smooth, SamplerKind::random, 31, 50, 28),
+                film_of<double>(plain, SamplerKind::random, 31, 50, 28)) == 0);
+#ifdef TEXMAP_HAVE_PACKS
+    CHECK(apart(with, film_of<Paired<Pack<double>>>(smooth, SamplerKind::random, 32, 200, 112)) == 0);
+    CHECK(apart(film_of<float>(smooth, SamplerKind::random, 32, 200, 112),
+                film_of<Pack<float>>(smooth, SamplerKind::random, 32, 200, 112)) == 0);
+#endif
+  }
+}
+
 TEST_CASE("a budget changes no more of the picture than it allows") {
   const Film exact = film_of<double>(lesson_with({}), SamplerKind::sobol, 16);
   const double off = apart(exact, film_of<double>(lesson_with({"--budget", "texels=0.01", "--quiet"}), SamplerKind::sobol, 16));
@@ -191,11 +246,14 @@ TEST_CASE("a curve of fewer terms moves a byte by as many levels as it states, a
   CHECK(moved_by_three > 0);
 
   // What the curve is off by before bytes are rounded, and what the mapping may cost, are together within the budget.
-  for (const auto& [words, terms, limit] :
-       {std::tuple{"levels=0.9", 0, 0.9}, std::tuple{"levels=1", 4, 1.0}, std::tuple{"levels=2", 3, 2.0}}) {
+  for (const auto& [words, terms, limit] : {std::tuple{"levels=0.9", 0, 0.9}, std::tuple{"levels=1", 6, 1.0},
+                                            std::tuple{"levels=2", 4, 2.0}, std::tuple{"levels=8", 3, 8.0}}) {
     const Lesson lesson = lesson_with({"--budget", words, "--quiet"});
     CHECK(lesson.sampling.srgb_terms == terms);
-    const double curve = terms == 0 ? 0 : terms == 4 ? fits::SrgbCurve<4>::worst : fits::SrgbCurve<3>::worst;
+    const double curve = terms == 0   ? 0
+                         : terms == 6 ? fits::SrgbCurve<6>::worst
+                         : terms == 4 ? fits::SrgbCurve<4>::worst
+                                      : fits::SrgbCurve<3>::worst;
     const double left = limit - curve;
     const UvChoice& choice = lesson.objects[0].paint.mapping.choice;
     CHECK(choice.worst_levels <= left);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "biquadratic.hpp"
+
 namespace texmap {
 namespace {
 
@@ -118,7 +120,38 @@ TEST_CASE("the text says the budget, the size, the kernel, its worst case and it
   CHECK(choose_uv_kernel(parse_budget("exact"), 64, 32).text ==
         "(u, v) for exact on 64x32: the reference formula in double, by the C library, at cost 1");
   CHECK(choose_srgb_kernel(parse_budget("levels=1")).text ==
-        "sRGB bytes for levels=1: a polynomial of 4 terms; at worst 1 levels");
+        "sRGB bytes for levels=1: a polynomial of 6 terms; at worst 1 levels");
+}
+
+TEST_CASE("a surface's kernel and its smoothing keep to the budget together") {
+  const double growth = Biquadratic<double>::worst_growth;
+  const double epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
+  for (const char* text : {"levels=0.5", "levels=1", "levels=20", "texels=0.001", "texels=0.01", "texels=1"}) {
+    for (const auto& [width, height] : {std::pair{64, 32}, std::pair{2048, 1024}, std::pair{512, 4096}}) {
+      CAPTURE(text);
+      CAPTURE(width);
+      const Budget budget = parse_budget(text);
+      const SurfaceChoice choice = choose_surface_kernel(budget, width, height);
+      const double u = Smoothing::turns_per_bend * choice.smoothing.most_bend + 0.3 * epsilon;
+      const double v = Smoothing::half_turns_per_bend * choice.smoothing.most_bend + 0.3 * epsilon;
+      const double light = Smoothing::direction_per_tilt * choice.smoothing.most_tilt * 64;
+      if (choice.smoothing.most_bend == 0) {
+        CHECK(choice.mapping.degree == choose_uv_kernel(budget, width, height, Directions::unit).degree);
+      } else if (budget.unit == Budget::Unit::levels) {
+        const double places = growth * choice.mapping.worst_levels + 255 * (u * width + v * height);
+        CHECK(places + light <= budget.limit * (1 + 1e-12));
+        CHECK(places + light > 0.9 * budget.limit);
+      } else {
+        CHECK(light == 0);
+        CHECK(growth * choice.mapping.worst_texels + std::max(u * width, v * height) <= budget.limit * (1 + 1e-12));
+      }
+    }
+  }
+  CHECK(choose_surface_kernel(parse_budget("levels=1"), 2048, 1024).smoothing.most_bend > 1e-6);
+  CHECK(choose_surface_kernel(parse_budget("texels=1e-4"), 2048, 1024).smoothing.most_bend == 0);  // float has no more digits
+  CHECK(choose_surface_kernel(parse_budget("exact"), 2048, 1024).smoothing.most_bend == 0);
+  CHECK(choose_surface_kernel(parse_budget("exact"), 2048, 1024).smoothing.most_tilt == 0);
+  CHECK(choose_surface_kernel(parse_budget("levels=1"), 2048, 1024).text.find("\npixels for levels=1: ") != std::string::npos);
 }
 
 TEST_CASE("the mapping drawn with is the chosen one") {
@@ -183,8 +216,9 @@ TEST_CASE("colors are exact where the budget is none of levels, and otherwise as
     CHECK(choose_power_kernel(parse_budget(text)).terms == 0);
   }
   CHECK(choose_srgb_kernel(parse_budget("levels=0.99")).terms == 0);
-  CHECK(choose_srgb_kernel(parse_budget("levels=1")).terms == 4);
-  CHECK(choose_srgb_kernel(parse_budget("levels=2")).terms == 3);
+  CHECK(choose_srgb_kernel(parse_budget("levels=1")).terms == 6);
+  CHECK(choose_srgb_kernel(parse_budget("levels=2")).terms == 4);
+  CHECK(choose_srgb_kernel(parse_budget("levels=8")).terms == 3);
   CHECK(choose_power_kernel(parse_budget("levels=1")).terms == 3);
   CHECK(choose_power_kernel(parse_budget("levels=0.1")).terms == 4);
   CHECK(choose_power_kernel(parse_budget("levels=0.01")).terms == 6);
