@@ -175,7 +175,7 @@ struct BudgetMapping {
   /// Not inlined: eleven mappings would stand in each of a program's many loops, and take minutes to compile.
   template <class Real>
 #if defined(__GNUC__)
-  [[gnu::noinline, gnu::flatten]]
+  [[gnu::noinline]]
 #endif
   [[nodiscard]] Uv<Real>
   operator()(const Vec3<Real>& p) const {

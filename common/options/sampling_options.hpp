@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 
 #include "gather.hpp"
 #include "image_texture.hpp"
@@ -84,10 +85,11 @@ struct SamplingOptions {
     const auto start = std::chrono::steady_clock::now();
     const bool limited = time_limit > 0 || target_error > 0;
     const int most = limited && !studio.typed("--samples") ? 1 << 20 : studio.samples;
-    Film film(studio.width, studio.height);
+    const auto shared = std::make_shared<Film>(studio.width, studio.height);  // the remark may outlive this function
+    Film& film = *shared;
     auto pattern = static_cast<std::uint32_t>(seed);
-    studio.remark = [&film]() -> std::string {
-      const double error = film.error_so_far();
+    studio.remark = [shared]() -> std::string {
+      const double error = shared->error_so_far();
       if (!(error < infinity<double>())) return {};
       std::array<char, 60> text{};
       std::snprintf(text.data(), text.size(), ", mean error %.2f levels so far", 255 * error);

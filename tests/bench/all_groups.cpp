@@ -4,7 +4,7 @@
 namespace texmap::bench {
 
 std::vector<Group> all_groups() {
-  return {chapters_group(), ledger_group(),   uv_group(),     texture_group(),
+  return {chapters_group(), budgets_group(),  ledger_group(), uv_group(),      texture_group(),
           spheres_group(),  samplers_group(), colors_group(), encoding_group()};
 }
 
