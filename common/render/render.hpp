@@ -28,11 +28,15 @@ struct RenderSettings {
 /// @param channel  any number; below 0 and NaN give 0, above 1 gives 255
 template <class Real>
 [[nodiscard]] Bits<Real> bytes_of(const Real& channel) {
+  const Real inside = clamp(channel, Real(0), Real(1));
   if constexpr (std::is_same_v<Scalar<Real>, double>) {
-    return bits_from_real(clamp(channel, Real(0), Real(1)) * Real(255));
-  } else {  // in double: 255 times a float has more digits than a float holds
-    const auto values = all_lanes(channel);
-    return bits_from_lanes<Real>([&](std::size_t i) { return bytes_of(static_cast<double>(values[i])); });
+    return bits_from_real(inside * Real(255));
+  } else if constexpr (std::is_same_v<Scalar<Real>, float>) {
+    // 255 times a float has more digits than a float. Where rounding reached the next level, 256 times less the level tells.
+    const Real level = real_from_bits<Real>(bits_from_real(inside * Real(255)));
+    return bits_from_real(select(inside * Real(256) - level < inside, level - Real(1), level));
+  } else {
+    return bytes_of(static_cast<double>(inside));
   }
 }
 /// The same of one number.
