@@ -42,12 +42,13 @@ template <class Real, class Objects>
 
 /// The color along a ray: that of the first object it meets, or the background's.
 ///
-/// @param background  called with the ray, where it meets nothing
+/// @param background  called with the ray, if some lane of it meets nothing
 /// @param shade       called with (object, hit) once for each object that some lane of the ray meets first
 template <class Real, class Objects, class Background, class Shade>
 [[nodiscard]] auto color_along(const Objects& objects, const Ray<Real>& ray, const Background& background, const Shade& shade) {
   const Nearest<Real> nearest = find_nearest(objects, ray);
-  auto color = background(ray);
+  decltype(background(ray)) color{};
+  if (any(nearest.index < Real(0))) color = background(ray);
   double index = 0;
   for (const auto& object : objects) {
     const Mask<Real> here = nearest.index == Real(index);

@@ -34,7 +34,7 @@ template <class Real>
 
 /// srgb_decode of every byte: place b holds the light, 0 to 1, of the byte b.
 ///
-/// Errors: none. Computed once, at the first call.
+/// Errors: none. Computed once, at the first call: for tables that are asked for at each texel, light_of_bytes.
 template <class Real>
 [[nodiscard]] const std::array<Real, 256>& srgb_decode_table() {
   static const std::array<Real, 256> table = [] {

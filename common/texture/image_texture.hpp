@@ -1,12 +1,13 @@
 // A picture as a texture.
 #pragma once
+#include <array>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "color.hpp"
 #include "fetch.hpp"
 #include "image.hpp"
-#include "srgb.hpp"
 #include "texel.hpp"
 #include "uv.hpp"
 
@@ -29,31 +30,18 @@ enum class TexelLight {
 template <class Number>
 using LightTables = std::array<std::array<Number, 256>, 3>;
 
-/// Makes them; see light_of_bytes. Not inlined, so that what is inlined at each look-up is small.
-template <class Number>
-#if defined(__GNUC__)
-[[gnu::noinline]]
-#endif
-[[nodiscard]] LightTables<Number>
-make_light_tables() {
-  LightTables<Number> tables{};
-  auto& [encoded, linear, stb] = tables;
-  linear = srgb_decode_table<Number>();
-  for (std::size_t byte = 0; byte < 256; ++byte) {
-    encoded[byte] = static_cast<Number>(byte) / Number(255);
-    const double decoded = std::pow(static_cast<double>(byte) / 255, 2.2);
-    stb[byte] = static_cast<Number>(std::min(std::floor(256 * decoded), 255.0) / 255);
-  }
-  return tables;
-}
+/// They for each number that a picture is drawn with.
+using AllLightTables = std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>;
+/// Computed when the program starts, so that nothing may ask for them before main.
+extern const AllLightTables light_tables;
 
 /// What every byte stands for: place b holds that of the byte b, 0 to 1.
 ///
-/// Errors: none; each entry is the formula's, rounded by it. Computed once, at the first call.
+/// @tparam Number  float, double or long double
+/// Errors: none; each entry is the formula's, rounded by it. Not to be called before main.
 template <class Number>
 [[nodiscard]] const std::array<Number, 256>& light_of_bytes(TexelLight light) {
-  static const LightTables<Number> tables = make_light_tables<Number>();
-  return tables[static_cast<std::size_t>(light)];
+  return std::get<LightTables<Number>>(light_tables)[static_cast<std::size_t>(light)];
 }
 
 /// The column and the row of a texel, whole numbers counted from the left and from the top.

@@ -59,6 +59,22 @@ TEST_CASE_TEMPLATE("a byte that becomes a color becomes the same byte again", Re
   for (int byte = 0; byte < 256; ++byte) CHECK(int{byte_of(static_cast<double>(static_cast<Real>(byte) / Real(255)))} == byte);
 }
 
+TEST_CASE_TEMPLATE("a number becomes the byte of the double that it is, next to the edges of the levels, too", T, float,
+                   double) {
+  const auto check = [](T channel) {
+    const std::uint32_t byte = byte_of(static_cast<double>(channel));
+    CHECK(bytes_of(channel) == byte);
+#ifdef TEXMAP_HAVE_PACKS
+    CHECK(lane_of<Pack<T>>(bytes_of(Pack<T>(channel)), lanes<Pack<T>> - 1) == byte);
+#endif
+  };
+  for (int level = -1; level <= 257; ++level) {
+    const T edge = static_cast<T>(level) / T(255);
+    for (const T channel : {std::nextafter(edge, T(-2)), edge, std::nextafter(edge, T(2))}) check(channel);
+  }
+  check(std::numeric_limits<T>::quiet_NaN());
+}
+
 TEST_CASE("the first sample looks through the center of its pixel") {
   CHECK(pixel_offset(0).column == 0);
   CHECK(pixel_offset(0).row == 0);

@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "lanes_of_textures.hpp"
+#include "srgb.hpp"
 
 namespace texmap {
 namespace {
