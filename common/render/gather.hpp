@@ -8,14 +8,6 @@
 #include "render.hpp"
 #include "samplers.hpp"
 
-// All that a sample calls becomes one piece of code: a fifth faster, since what no one asks for falls away. Compilers that
-// watch each step need minutes and gigabytes for it, and are not asked, nor are tests, which have time.
-#if defined(__GNUC__) && !defined(TEXMAP_NO_FLATTEN)
-#define TEXMAP_FLATTEN __attribute__((flatten))
-#else
-#define TEXMAP_FLATTEN
-#endif
-
 namespace texmap {
 
 /// Which samples of each pixel to draw.
