@@ -106,8 +106,9 @@ struct SheetLayout {
     const Image image = picture_of(globe, view, {.curve = curve}, threads);
     Errors errors;
     compare_bytes(image, lit, errors);
+    const int bound = rounded_bound(unrounded_bound<double>(curve, Texels::bytes));
     show(differences(image, lit, 0), std::string("sRGB by ") + name_of(curve), off(errors),
-         printed("at most %d level%s", curve_bound(curve), curve_bound(curve) > 1 ? "s" : ""));
+         printed("at most %d level%s", bound, bound > 1 ? "s" : ""));
   }
 
   // Samples: the picture that all samplers go to, and how far off 16 samples are.
