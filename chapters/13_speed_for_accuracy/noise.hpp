@@ -101,8 +101,11 @@ inline constexpr int converged_samples = 1024;
   return all;
 }
 
+/// How many rounds the samplers are timed: they take longer, and their ratios are larger.
+[[nodiscard]] inline int noise_rounds(int rounds) { return rounds / 4 + 1; }
+
 /// Fills in the times of all samplers, taken by turns on one thread.
-inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& way, int rounds, const Tick& tick) {
+inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& way, Timing& timing) {
   const View view = noise_view(globe, 0);
   std::vector<Work> works;
   works.reserve(all.size());
@@ -110,7 +113,7 @@ inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& w
     works.emplace_back(
         [&globe, &view, &way, sampler = Sampler(noise.kind, noise.samples)] { (void)sampled(globe, view, way, sampler, 1); });
   }
-  const auto shortest = shortest_times(works, rounds, [&tick](int, int) { tick(); });
+  const auto shortest = timed_by_turns(works, noise_rounds(timing.rounds), works.size(), timing);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].milliseconds = shortest[i];
 }
 

@@ -126,4 +126,12 @@ template <class MayBe>
                     name_of(noise->kind), noise->samples, noise->rmse_bound, name_of(noise->kind), noise->samples);
 }
 
+/// The same for several budgets.
+[[nodiscard]] inline std::string recommendations(const Measurements& all, const std::vector<Budget>& budgets,
+                                                 const Image& texture) {
+  std::string text;
+  for (const Budget& each : budgets) text += recommendation(all, each, texture);
+  return text;
+}
+
 }  // namespace texmap::chapter_13

@@ -10,8 +10,9 @@ struct Measurements {
   int width = 0, height = 0;  ///< of the pictures of places and curves, pixels
   std::vector<Trial> places;  ///< the first is plain double
   std::vector<Trial> curves;  ///< the first is plain double
-  Way exact;                  ///< the fastest that changes nothing: the samplers draw with it
-  std::vector<Noise> noise;
+  Way exact = {};             ///< the fastest that changes nothing: the samplers draw with it
+  std::vector<Noise> noise = {};
+  std::vector<Rounds> rounds = {};  ///< of the three timings, in the order above
 };
 
 /// The trial of a way, or nullptr.
@@ -101,6 +102,19 @@ struct Measurements {
 [[nodiscard]] inline std::string table_of(const Measurements& all) {
   return table_of_places(all, Filter::nearest) + "\n" + table_of_places(all, Filter::bilinear) + "\n" + table_of_curves(all) +
          "\n" + table_of_noise(all);
+}
+
+/// What to know of the times if rounds were skipped; empty if none were.
+[[nodiscard]] inline std::string skipped_text(const Measurements& all, int seconds) {
+  std::string counts;
+  bool skipped = false;
+  for (const Rounds& each : all.rounds) {
+    counts += printed("%s%d of %d", counts.empty() ? "" : ", ", each.timed, each.wanted);
+    skipped = skipped || each.timed < each.wanted;
+  }
+  if (!skipped) return "";
+  return printed("A busy or slow machine: timing took more than %d s (--seconds), and rounds were skipped.\n", seconds) +
+         "Rounds timed: " + counts + ". Fewer rounds make times less sure; errors have no part in it.\n\n";
 }
 
 /// The same as JSON: an object with a list for each part of the table.

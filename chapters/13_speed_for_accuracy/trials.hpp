@@ -340,12 +340,43 @@ inline void judge_curves(std::vector<Trial>& trials, const Globe& globe, const V
   }
 }
 
+/// How often things are timed.
+struct Rounds {
+  int wanted = 0, timed = 0;  ///< fewer than wanted where patience ended
+};
+
+/// How the timing of a run goes.
+struct Timing {
+  int rounds;         ///< wanted
+  Patience patience;  ///< with all timings of the run together
+  Tick tick;
+  std::vector<Rounds> done = {};  ///< of the timings so far
+};
+
+/// The shortest times of works that take turns, noted in `timing`, which ticks for the first `ticks` works of every round, and
+/// for rounds that are skipped all at once.
+[[nodiscard]] inline std::vector<double> timed_by_turns(const std::vector<Work>& works, int rounds, std::size_t ticks,
+                                                        Timing& timing) {
+  Rounds& noted = timing.done.emplace_back(Rounds{rounds});
+  const auto shortest = shortest_times(
+      works, rounds,
+      [&](int done, int) {
+        if (static_cast<std::size_t>(done - 1) % works.size() < ticks) timing.tick();
+      },
+      [&](int round) {
+        noted.timed = round;
+        return timing.patience(round);
+      });
+  for (std::size_t i = 0; i < ticks * static_cast<std::size_t>(rounds - noted.timed); ++i) timing.tick();
+  return shortest;
+}
+
 /// Fills in the times of all trials, taken by turns on one thread; `time` is a part of the first one's.
 ///
 /// The first is what all others are measured by, and takes a turn after every tenth of them too, as does its like with the
 /// other filter: were they disturbed in all rounds, every figure would be wrong. With more chances their time is rather too
 /// short, so that nothing is called faster than it is.
-inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const View& view, int rounds, const Tick& tick) {
+inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const View& view, Timing& timing) {
   std::vector<Work> works;
   std::vector<std::size_t> whose;
   const auto add = [&](std::size_t i) {
@@ -360,9 +391,7 @@ inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const Vi
       if (way.number == Number::double_ && way.degree == 0 && way.curve == trials[0].way.curve) add(k);
     }
   }
-  const auto shortest = shortest_times(works, rounds, [&](int done, int) {
-    if (static_cast<std::size_t>(done) % works.size() < trials.size()) tick();
-  });
+  const auto shortest = timed_by_turns(works, timing.rounds, trials.size(), timing);
   for (Trial& trial : trials) trial.milliseconds = infinity<double>();
   for (std::size_t k = 0; k < works.size(); ++k) {
     Trial& trial = trials[whose[k]];
