@@ -41,7 +41,9 @@ struct Lesson {
     time_trials(all.places, globe, view, timing);
     time_trials(all.curves, globe, view, timing);
 
-    // Many samples: with the fastest that changes nothing, since what they are judged by is a picture of many more.
+    // Many samples: texels as bytes and as roots; then the samplers, with the fastest that changes nothing, since what they are
+    // judged by is a picture of many more.
+    all.kept = try_kept(globe, settings.instructions, settings.threads, timing);
     all.exact = fastest(all.places, Filter::nearest, {})->way;
     all.noise = measure_noise(globe, all.exact, settings.threads, tick);
     time_noise(all.noise, globe, all.exact, timing);
@@ -69,8 +71,7 @@ struct Lesson {
       return draw_sheet(globe, studio.width, studio.height, settings.threads, [&] { ticks(settings); });
     });
 
-    const std::string advice = recommendations(all, budgets, globe.nearest.image);
-    if (!studio.quiet) print(table_of(all) + "\n" + skipped_text(all, seconds) + advice);
+    if (!studio.quiet) print(table_of(all) + "\n" + recommendations(all, budgets, globe.nearest.image));
     write_report(studio.out, all);
     studio.save(sheet);
   }

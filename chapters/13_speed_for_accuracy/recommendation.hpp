@@ -90,8 +90,8 @@ template <class MayBe>
   const Trial* trial = fastest_light(all, budget);
   if (trial == nullptr) return "  light     nothing that was tried keeps to it\n";
   const Errors& errors = trial->errors;
-  return printed("  light     %s, texels as %s: %.1f times faster than plain double with the power\n",
-                 described_number(trial->way).c_str(), described_light(trial->way).c_str(), 1 / trial->time) +
+  return printed("  light     %s, texels as %s: %.1f times faster than plain double\n", described_number(trial->way).c_str(),
+                 described_light(trial->way).c_str(), 1 / trial->time) +
          printed("            at most %.2f levels off, not rounded; pixels that may change: %ld, levels: %d\n",
                  errors.unrounded_bound, errors.may_change, errors.levels_bound) +
          "            " + command_of(trial->way, to_text(budget)) + "\n";

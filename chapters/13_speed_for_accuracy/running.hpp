@@ -36,10 +36,12 @@ struct Stage {
   const int places = static_cast<int>(all_places(widest).size());
   const int curves = static_cast<int>(all_curves(widest).size());
   const int samplers = static_cast<int>(sampler_kinds.size() * sample_counts.size());
+  const int kept = static_cast<int>(all_kept(widest).size());
   return {{"errors of places", places},
           {"errors of curves", curves},
           {"times of places", places * (rounds + 1)},
           {"times of curves", curves * (rounds + 1)},
+          {"texels with many rays", kept * (noise_rounds(rounds) + 2)},
           {"errors of samplers", noise_views + samplers},
           {"times of samplers", samplers * (noise_rounds(rounds) + 1)},
           {"sheet", 16}};
@@ -52,7 +54,9 @@ struct Stage {
   const auto runs = [&all](std::size_t timing) { return all.rounds[timing].timed + 2.0; };  // judged and run before, too
   const double pixels = static_cast<double>(all.width) * all.height;
   return pixels * (static_cast<double>(all.places.size()) * runs(0) + static_cast<double>(all.curves.size()) * runs(1)) +
-         noise_width * noise_height * (samples * (noise_views - 1 + runs(2)) + 1.0 * noise_views * converged_samples);
+         noise_width * noise_height *
+             (static_cast<double>(all.kept.size()) * kept_samples * (runs(2) + 1) + samples * (noise_views - 1 + runs(3)) +
+              1.0 * noise_views * converged_samples);
 }
 
 /// Counts the parts of a run that are done, for its progress line.

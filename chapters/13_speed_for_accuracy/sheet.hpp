@@ -43,19 +43,6 @@ struct SheetLayout {
   return map;
 }
 
-/// The picture that a film shows.
-[[nodiscard]] inline Image developed(const Film& film) {
-  Image image(film.width(), film.height());
-  const auto byte = [](double light) { return static_cast<std::uint8_t>(srgb_byte_exact(light)); };
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const Rgb light = film.light(column, row);
-      image.at(column, row) = {byte(light.r), byte(light.g), byte(light.b)};
-    }
-  }
-  return image;
-}
-
 /// Draws the sheet.
 ///
 /// @param threads  as RenderSettings has them

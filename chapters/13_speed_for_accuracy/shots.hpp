@@ -68,6 +68,17 @@ struct Globe {
   return mapping;
 }
 
+/// The globe's light at a place, kept in one of the ways.
+struct KeptLight {
+  const Globe* globe;
+  Texels texels = Texels::bytes;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    return texels == Texels::roots ? globe->roots(uv) : globe->light(uv);
+  }
+};
+
 /// One ray a pixel: a globe that shines by itself, or, with a curve, one under the sky's light.
 struct Shot {
   const Globe* globe;
@@ -90,7 +101,7 @@ struct Shot {
     const Mask<Real> met = distance < infinity<Real>();
     if (!any(met)) return sky;
     const Uv<Real> uv = mapping(normal_at(globe->sphere, ray, select(met, distance, Real(1))));
-    if (curve != Curve::none) return select(met, (texels == Texels::roots ? globe->roots(uv) : globe->light(uv)) * sky, sky);
+    if (curve != Curve::none) return select(met, KeptLight{globe, texels}(uv)*sky, sky);
     return select(met, filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv), sky);
   }
 
@@ -122,14 +133,14 @@ struct Shot {
 
 /// Many rays a pixel, spread by a sampler; what they bring is gathered as light.
 struct SampledShot {
-  using Paint = Mapped<BudgetMapping, ImageTexture>;
+  using Paint = Mapped<BudgetMapping, KeptLight>;
 
   std::vector<Painted<Paint>> objects;
   GradientSky sky;
   Gathering gathering;
 
-  SampledShot(const Globe& globe, const BudgetMapping& mapping, const Gathering& how)
-      : objects{{globe.sphere, {mapping, globe.light}}}, sky{.below = globe.sky, .above = globe.sky}, gathering(how) {}
+  SampledShot(const Globe& globe, const BudgetMapping& mapping, Texels texels, const Gathering& how)
+      : objects{{globe.sphere, {mapping, {&globe, texels}}}}, sky{.below = globe.sky, .above = globe.sky}, gathering(how) {}
 
   [[nodiscard]] Foresight foresight(const View& view) const { return {screen_bounds(view, objects[0].sphere), sky.below}; }
   template <class Real>

@@ -7,12 +7,13 @@ namespace texmap::chapter_13 {
 
 /// All that was measured in one run.
 struct Measurements {
-  int width = 0, height = 0;  ///< of the pictures of places and curves, pixels
-  std::vector<Trial> places;  ///< the first is plain double
-  std::vector<Trial> curves;  ///< the first is plain double
-  Way exact = {};             ///< the fastest that changes nothing: the samplers draw with it
+  int width = 0, height = 0;     ///< of the pictures of places and curves, pixels
+  std::vector<Trial> places;     ///< the first is plain double
+  std::vector<Trial> curves;     ///< the first is plain double
+  std::vector<Trial> kept = {};  ///< the first is plain double's bytes
+  Way exact = {};                ///< the fastest that changes nothing: the samplers draw with it
   std::vector<Noise> noise = {};
-  std::vector<Rounds> rounds = {};  ///< of the three timings, in the order above
+  std::vector<Rounds> rounds = {};  ///< of the four timings, in the order above
 };
 
 /// The trial of a way, or nullptr.
@@ -66,13 +67,13 @@ struct Measurements {
   return printed("%-6s %-8s", name_of(way.texels), name_of(way.curve));
 }
 
-[[nodiscard]] inline std::string table_of_curves(const Measurements& all) {
-  std::string table =
-      "From texels through light to sRGB bytes: the whole picture's time as a part of plain double's with the power\n";
+/// @param title  the line above
+[[nodiscard]] inline std::string table_of_light(const std::vector<Trial>& trials, const std::string& title) {
+  std::string table = title + "\n";
   table += printed("%-51s%26s %14s %12s\n", "", "levels off, not rounded", "pixels off", "levels off");
   table += printed("%-12s %-13s %-6s %-8s %8s %8s %8s %8s %6s %7s %4s %7s\n", "number", "instructions", "texels", "curve",
                    "time", "worst", "mean", "at most", "seen", "at most", "seen", "at most");
-  for (const Trial& trial : all.curves) {
+  for (const Trial& trial : trials) {
     table += printed("%-12s %-13s %s %8.3f", name_of(trial.way.number), name_of(trial.way.instructions),
                      columns_of_light(trial.way).c_str(), trial.time);
     table += errors_text(trial) + "\n";
@@ -99,13 +100,8 @@ struct Measurements {
   return table;
 }
 
-[[nodiscard]] inline std::string table_of(const Measurements& all) {
-  return table_of_places(all, Filter::nearest) + "\n" + table_of_places(all, Filter::bilinear) + "\n" + table_of_curves(all) +
-         "\n" + table_of_noise(all);
-}
-
 /// What to know of the times if rounds were skipped; empty if none were.
-[[nodiscard]] inline std::string skipped_text(const Measurements& all, int seconds) {
+[[nodiscard]] inline std::string skipped_text(const Measurements& all) {
   std::string counts;
   bool skipped = false;
   for (const Rounds& each : all.rounds) {
@@ -113,8 +109,18 @@ struct Measurements {
     skipped = skipped || each.timed < each.wanted;
   }
   if (!skipped) return "";
-  return printed("A busy or slow machine: timing took more than %d s (--seconds), and rounds were skipped.\n", seconds) +
-         "Rounds timed: " + counts + ". Fewer rounds make times less sure; errors have no part in it.\n\n";
+  return "\nThe machine is busy or slow: timing took longer than --seconds allows. Rounds timed: " + counts +
+         ".\nFewer rounds make times less sure; errors have no part in it.\n";
+}
+
+[[nodiscard]] inline std::string table_of(const Measurements& all) {
+  return table_of_places(all, Filter::nearest) + "\n" + table_of_places(all, Filter::bilinear) + "\n" +
+         table_of_light(all.curves, "From texels through light to sRGB bytes; time 1 is that of plain double with the power") +
+         "\n" +
+         table_of_light(all.kept,
+                        printed("The same with %d rays a pixel, %d x %d pixels; time 1 is that of plain double with bytes",
+                                kept_samples, noise_width, noise_height)) +
+         "\n" + table_of_noise(all) + skipped_text(all);
 }
 
 /// The same as JSON: an object with a list for each part of the table.
@@ -145,6 +151,7 @@ struct Measurements {
   };
   return printed("{\n  \"width\": %d,\n  \"height\": %d,\n  \"places\": ", all.width, all.height) +
          list(all.places, trial_json) + ",\n  \"curves\": " + list(all.curves, trial_json) +
+         ",\n  \"kept\": " + list(all.kept, trial_json) +
          printed(",\n  \"noise_width\": %d,\n  \"noise_height\": %d,\n  \"noise\": ", noise_width, noise_height) +
          list(all.noise,
               [](const Noise& noise) {

@@ -106,23 +106,27 @@ void with_real(Number number, const Work& work) {
   return trials;
 }
 
-/// Every curve from light to bytes, with the numbers that differ in it; and with texels kept as roots those curves that add no
-/// level to what roots cost.
-[[nodiscard]] inline std::vector<Trial> all_curves(Instructions widest) {
-  std::vector<Trial> trials;
+/// The numbers that differ in what they make of light, packs of the widest instructions alone.
+[[nodiscard]] inline std::vector<std::pair<Number, Instructions>> numbers_of_light(Instructions widest) {
   [[maybe_unused]] const Instructions wide = usable_instructions(widest).back();
   std::vector<std::pair<Number, Instructions>> numbers = {{Number::double_, Instructions::baseline},
                                                           {Number::float_, Instructions::baseline}};
 #ifdef TEXMAP_HAVE_PACKS
   numbers.insert(numbers.end(), {{Number::double_pack, wide}, {Number::float_pack, wide}});
 #endif
-  for (const auto& [number, instructions] : numbers) {
+  return numbers;
+}
+
+/// Every curve from light to bytes, with the numbers that differ in it; and those with which texels kept as roots are off by no
+/// more than one level.
+[[nodiscard]] inline std::vector<Trial> all_curves(Instructions widest) {
+  std::vector<Trial> trials;
+  for (const auto& [number, instructions] : numbers_of_light(widest)) {
     for (const Curve curve : {Curve::formula, Curve::exact, Curve::four, Curve::three}) {
       trials.push_back({{number, instructions, 0, Filter::nearest, curve}, {}});
-    }
-    for (const Curve curve : {Curve::exact, Curve::four}) {
-      trials.push_back({{number, instructions, 0, Filter::nearest, curve, Texels::roots}, {}});
-    }
+      if (curve == Curve::formula || curve == Curve::three) continue;
+      trials.push_back({{number, instructions, 0, Filter::nearest, curve, Texels::roots}, {}});  // bytes and roots by turns:
+    }  // a picture leaves its texels in the caches
   }
   return trials;
 }
@@ -290,29 +294,47 @@ inline void judge_places(std::vector<Trial>& trials, const Globe& globe, const V
   }
 }
 
-/// Compares the levels that a shot shows, before they are bytes, with the judge's, in numbers of type Real; and counts the
-/// pixels where the bound takes the judge's level across an edge between two bytes.
+/// Takes note of a pixel's levels before they are bytes, red, green and blue; `mean_unrounded` becomes a sum.
+///
+/// @return  true if the bound takes a level that is right across an edge between two bytes
+inline bool note_pixel(const std::array<double, 3>& levels, const std::array<double, 3>& right, Errors& errors) {
+  const double bound = errors.unrounded_bound;
+  bool may_change = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double off = std::abs(levels[i] - right[i]);
+    errors.worst_unrounded = std::max(errors.worst_unrounded, off);
+    errors.mean_unrounded += off;
+    may_change = may_change || std::floor(right[i] - bound + 0.5) < std::floor(right[i] + bound + 0.5);
+  }
+  return may_change;
+}
+
+/// What is stated of a way's levels before it is tried, each the mean of so many rays.
+inline void state_levels(const Way& way, int rays, Errors& errors) {
+  with_number(way.number, [&]<class T>(T) { errors.unrounded_bound = unrounded_bound<T>(way.curve, way.texels, rays); });
+  errors.levels_bound = rounded_bound(errors.unrounded_bound);
+}
+
+/// Compares the levels that a shot shows, before they are bytes, with the judge's, in numbers of type Real.
 template <class Real>
 void measure_levels(const Shot& shot, const Shot& judge, const View& view, Errors& errors) {
-  double sum = 0;
+  const auto levels_of = [](const Shot& how, const Ray<Real>& ray) {
+    const Color<Real> light = how.color_along(ray);
+    return std::array{all_lanes(how.level_of_light(light.r)), all_lanes(how.level_of_light(light.g)),
+                      all_lanes(how.level_of_light(light.b))};
+  };
+  const auto in_lane = [](const auto& channels, std::size_t i) {
+    return std::array{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
+                      static_cast<double>(channels[2][i])};
+  };
   for_each_ray<Real>(view, [&](int, int column, const Ray<Real>& ray) {
-    const Color<Real> is = shot.color_along(ray);
-    const Color<Real> should = judge.color_along(ray);
-    std::array<bool, lanes<Real>> may_change{};
-    for (const auto& [light, right_light] : {std::pair{is.r, should.r}, {is.g, should.g}, {is.b, should.b}}) {
-      const auto level = all_lanes(shot.level_of_light(light));
-      const auto right = all_lanes(judge.level_of_light(right_light));
-      for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i) {
-        const auto at = static_cast<double>(right[i]);
-        const double off = std::abs(static_cast<double>(level[i]) - at);
-        errors.worst_unrounded = std::max(errors.worst_unrounded, off);
-        sum += off;
-        if (std::floor(at - errors.unrounded_bound + 0.5) < std::floor(at + errors.unrounded_bound + 0.5)) may_change[i] = true;
-      }
+    const auto levels = levels_of(shot, ray);
+    const auto right = levels_of(judge, ray);
+    for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i) {
+      errors.may_change += note_pixel(in_lane(levels, i), in_lane(right, i), errors) ? 1 : 0;
     }
-    errors.may_change += std::count(may_change.begin(), may_change.end(), true);
   });
-  errors.mean_unrounded = sum / (3.0 * view.width * view.height);
+  errors.mean_unrounded /= 3.0 * view.width * view.height;
 }
 
 /// How far off a way's levels and bytes are in a view, and how far they can be. The judge is the exact curve of the texels'
@@ -323,8 +345,7 @@ void measure_levels(const Shot& shot, const Shot& judge, const View& view, Error
   exact.curve = Curve::exact;
   exact.texels = Texels::bytes;
   Errors errors;
-  with_number(way.number, [&]<class T>(T) { errors.unrounded_bound = unrounded_bound<T>(way.curve, way.texels); });
-  errors.levels_bound = rounded_bound(errors.unrounded_bound);
+  state_levels(way, 1, errors);
   with_real(way.number, [&]<class Real>(std::type_identity<Real>) {
     measure_levels<Real>(shot_of(globe, way), shot_of(globe, exact), view, errors);
   });
