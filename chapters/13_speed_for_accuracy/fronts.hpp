@@ -65,7 +65,7 @@ inline void add_point(Plot& plot, const Way& way, const PlotPoint& point) {
     const Trial& trial = all.curves[i];
     const double off = 0.5 + trial.errors.unrounded_bound;
     tradeoffs.push_back({trial.time, off, i});
-    add_point(plot, trial.way, {trial.time, off, i == 0 ? "plain double" : ""});
+    add_point(plot, trial.way, {trial.time, off, trial.way.number == Number::double_ ? described_light(trial.way) : ""});
   }
   plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return described_light(all.curves[i].way); });
   return plot;
