@@ -95,7 +95,8 @@ Measurements made_up() {
   }
   judge_curves(all.curves, earth(), view, [] {});
   for (Trial& trial : all.curves) {
-    trial.time = (is_pack(trial.way.number) ? 0.5 : 1) - (trial.way.curve == Curve::four ? 0.2 : 0) -
+    const bool is_float = trial.way.number == Number::float_ || trial.way.number == Number::float_pack;
+    trial.time = (is_pack(trial.way.number) ? 0.5 : 1) - (is_float ? 0.1 : 0) - (trial.way.curve == Curve::four ? 0.2 : 0) -
                  (trial.way.texels == Texels::roots ? 0.1 : 0);
     trial.milliseconds = 100 * trial.time;
   }
