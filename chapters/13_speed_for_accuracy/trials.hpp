@@ -118,15 +118,15 @@ void with_real(Number number, const Work& work) {
 }
 
 /// Every curve from light to bytes, with the numbers that differ in it; and those with which texels kept as roots are off by no
-/// more than one level.
+/// more than one level. Bytes and roots by turns, since a picture leaves its texels in the caches for the next.
 [[nodiscard]] inline std::vector<Trial> all_curves(Instructions widest) {
   std::vector<Trial> trials;
   for (const auto& [number, instructions] : numbers_of_light(widest)) {
     for (const Curve curve : {Curve::formula, Curve::exact, Curve::four, Curve::three}) {
       trials.push_back({{number, instructions, 0, Filter::nearest, curve}, {}});
       if (curve == Curve::formula || curve == Curve::three) continue;
-      trials.push_back({{number, instructions, 0, Filter::nearest, curve, Texels::roots}, {}});  // bytes and roots by turns:
-    }  // a picture leaves its texels in the caches
+      trials.push_back({{number, instructions, 0, Filter::nearest, curve, Texels::roots}, {}});
+    }
   }
   return trials;
 }

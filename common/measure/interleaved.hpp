@@ -13,15 +13,18 @@ namespace texmap {
 /// Something to be timed: does its work once, from beginning to end.
 using Work = std::function<void()>;
 
+/// A clock in milliseconds that starts at 0 now.
+[[nodiscard]] inline std::function<double()> from_now_on() {
+  return [watch = Stopwatch()] { return watch.milliseconds(); };
+}
+
 /// When timing has gone on for long enough: on a busy machine a round may take ten times as long.
 class Patience {
  public:
   /// @param milliseconds  after these no further round begins,
   /// @param least_rounds  unless there were fewer than these
-  /// @param elapsed       the clock, milliseconds; a stopwatch that starts now, unless told otherwise
-  explicit Patience(
-      double milliseconds, int least_rounds = 1,
-      std::function<double()> elapsed = [watch = Stopwatch()] { return watch.milliseconds(); })
+  /// @param elapsed       the clock, milliseconds; starts now, unless told otherwise
+  explicit Patience(double milliseconds, int least_rounds = 1, std::function<double()> elapsed = from_now_on())
       : milliseconds_(milliseconds), least_rounds_(least_rounds), elapsed_(std::move(elapsed)) {}
 
   /// True if so many rounds are enough.
