@@ -157,4 +157,23 @@ template <class T>
   return levels_between_places(globe.bilinear, static_cast<double>(x), static_cast<double>(y), off, 255 * 8 * unit);
 }
 
+/// By how many levels of 255 a channel can be off before it is rounded to a byte, against the exact curve of the texel's bytes
+/// in the same number: what the curve and the kept texels state, and 5000 unit roundoffs. 0 for the exact curve and bytes.
+///
+/// The formula: light has 10 unit roundoffs of table, root, square and sky, and each of its own is at most 112 levels
+/// (255 * 1.055 / 2.4); the curve has 6 of 255 levels, in what is judged and in the judge.
+/// @param rays  that a channel is the mean of, 1 or more; both sums of them have 250 unit roundoffs for each but the first
+template <class T>
+[[nodiscard]] double unrounded_bound(Curve curve, Texels texels, int rays = 1) {
+  if (curve == Curve::exact && texels == Texels::bytes) return 0;
+  const double polynomial = curve == Curve::three  ? fits::SrgbCurve<3>::worst
+                            : curve == Curve::four ? fits::SrgbCurve<4>::worst
+                                                   : 0;
+  const double kept = texels == Texels::roots ? RootTexture::worst_levels : 0;
+  return polynomial + kept + (5000 + 250.0 * (rays - 1)) * static_cast<double>(unit_roundoff<T>());
+}
+
+/// By how many levels bytes can differ whose channels differ by as much before they are rounded.
+[[nodiscard]] inline int rounded_bound(double unrounded) { return static_cast<int>(std::ceil(unrounded)); }
+
 }  // namespace texmap::chapter_13

@@ -1,4 +1,4 @@
-// The three plots of this chapter: speed against error, error against samples, error against seconds.
+// The four plots of this chapter: speed against error of places and of levels, error against samples, error against seconds.
 #pragma once
 #include "front.hpp"
 #include "plot.hpp"
@@ -22,6 +22,16 @@ template <class Label>
 /// The styles of the samplers.
 inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
 
+/// Adds a point to the series of what a way calculates with, and the series to the plot if it is the first.
+inline void add_point(Plot& plot, const Way& way, const PlotPoint& point) {
+  const std::string name = described_number(way);
+  const auto is_named = [&name](const PlotSeries& each) { return each.name == name; };
+  if (std::none_of(plot.series.begin(), plot.series.end(), is_named)) {
+    plot.series.push_back({name, static_cast<int>(plot.series.size()) % 9, {}});
+  }
+  std::find_if(plot.series.begin(), plot.series.end(), is_named)->points.push_back(point);
+}
+
 /// Every number and kernel with the nearest texel: its time, and how far off a place can be at most.
 [[nodiscard]] inline Plot plot_speed_error(const Measurements& all) {
   Plot plot{"Speed against error: places on the texture, one ray a pixel",
@@ -35,17 +45,29 @@ inline constexpr std::array<int, 4> sampler_styles = {0, 4, 8, 1};
     const Trial& trial = all.places[i];
     if (trial.way.filter != Filter::nearest) continue;
     tradeoffs.push_back({trial.time, trial.errors.texels_bound, i});
-    const std::string name =
-        name_of(trial.way.number) + (is_pack(trial.way.number) ? std::string(", ") + name_of(trial.way.instructions) : "");
-    const auto is_named = [&name](const PlotSeries& each) { return each.name == name; };
-    if (std::none_of(plot.series.begin(), plot.series.end(), is_named)) {
-      plot.series.push_back({name, static_cast<int>(plot.series.size()) % 9, {}});
-    }
-    PlotSeries& series = *std::find_if(plot.series.begin(), plot.series.end(), is_named);
-    series.points.push_back({trial.time, trial.errors.texels_bound, {}});
-    if (&trial == all.places.data()) series.points.back().label = "plain double";
+    add_point(plot, trial.way, {trial.time, trial.errors.texels_bound, i == 0 ? "plain double" : ""});
   }
   plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return name_of_kernel(all.places[i].way.degree); });
+  return plot;
+}
+
+/// Every curve and both ways to keep texels: the time, and how far off a channel can be at most, of which the rounding to bytes
+/// is half a level.
+[[nodiscard]] inline Plot plot_speed_levels(const Measurements& all) {
+  Plot plot{"Speed against error: from texels through light to bytes, one ray a pixel",
+            "time, plain double with the power = 1",
+            "a channel is off by at most, in levels of 255, rounding included",
+            {},
+            {},
+            {}};
+  std::vector<Tradeoff> tradeoffs;
+  for (std::size_t i = 0; i < all.curves.size(); ++i) {
+    const Trial& trial = all.curves[i];
+    const double off = 0.5 + trial.errors.unrounded_bound;
+    tradeoffs.push_back({trial.time, off, i});
+    add_point(plot, trial.way, {trial.time, off, trial.way.number == Number::double_ ? described_light(trial.way) : ""});
+  }
+  plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return described_light(all.curves[i].way); });
   return plot;
 }
 

@@ -35,7 +35,7 @@ inline constexpr int converged_samples = 1024;
 [[nodiscard]] inline Film sampled(const Globe& globe, const View& view, const Way& way, const Sampler& sampler, int threads) {
   Film film(view.width, view.height);
   const int half = sampler.samples() / 2;
-  const SampledShot shot(globe, mapping_of_degree(way.degree), {sampler, half, &film});
+  const SampledShot shot(globe, mapping_of_degree(way.degree), way.texels, {sampler, half, &film});
   (void)draw_in_way(shot, view, way, threads);
   film.count(half, sampler.samples() - half);
   return film;
@@ -51,6 +51,19 @@ inline constexpr int converged_samples = 1024;
     }
   }
   return levels;
+}
+
+/// The picture that a film shows.
+[[nodiscard]] inline Image developed(const Film& film) {
+  Image image(film.width(), film.height());
+  const auto byte = [](double light) { return static_cast<std::uint8_t>(srgb_byte_exact(light)); };
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const Rgb light = film.light(column, row);
+      image.at(column, row) = {byte(light.r), byte(light.g), byte(light.b)};
+    }
+  }
+  return image;
 }
 
 /// Root mean square difference of two pictures.
@@ -101,8 +114,11 @@ inline constexpr int converged_samples = 1024;
   return all;
 }
 
+/// How many rounds the samplers are timed: they take longer, and their ratios are larger.
+[[nodiscard]] inline int noise_rounds(int rounds) { return rounds / 4 + 1; }
+
 /// Fills in the times of all samplers, taken by turns on one thread.
-inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& way, int rounds, const Tick& tick) {
+inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& way, Timing& timing) {
   const View view = noise_view(globe, 0);
   std::vector<Work> works;
   works.reserve(all.size());
@@ -110,8 +126,70 @@ inline void time_noise(std::vector<Noise>& all, const Globe& globe, const Way& w
     works.emplace_back(
         [&globe, &view, &way, sampler = Sampler(noise.kind, noise.samples)] { (void)sampled(globe, view, way, sampler, 1); });
   }
-  const auto shortest = shortest_times(works, rounds, [&tick](int, int) { tick(); });
+  const auto shortest = timed_by_turns(works, noise_rounds(timing.rounds), works.size(), timing);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].milliseconds = shortest[i];
+}
+
+/// Samples of the pictures in which both ways to keep texels are tried once more: there texels take more of the time.
+inline constexpr int kept_samples = 64;
+
+/// Both ways to keep texels with every number, the first plain double's bytes.
+[[nodiscard]] inline std::vector<Trial> all_kept(Instructions widest) {
+  std::vector<Trial> trials;
+  for (const auto& [number, instructions] : numbers_of_light(widest)) {
+    for (const Texels texels : {Texels::bytes, Texels::roots}) {
+      trials.push_back({{number, instructions, 0, Filter::nearest, Curve::exact, texels}, {}});
+    }
+  }
+  return trials;
+}
+
+/// How far off the levels and the bytes of a sampled picture are, and how far they can be. The judge is the same picture, by
+/// the same samples in the same number, of texels kept as bytes.
+[[nodiscard]] inline Errors errors_of_kept(const Globe& globe, const View& view, const Way& way, const Sampler& sampler,
+                                           int threads) {
+  Way of_bytes = way;
+  of_bytes.texels = Texels::bytes;
+  const Film film = sampled(globe, view, way, sampler, threads);
+  const Film judge = sampled(globe, view, of_bytes, sampler, threads);
+  const std::vector<double> levels = levels_of(film);
+  const std::vector<double> right = levels_of(judge);
+  Errors errors;
+  state_levels(way, sampler.samples(), errors);
+  for (std::size_t i = 0; i < levels.size(); i += 3) {
+    errors.may_change += note_pixel({levels[i], levels[i + 1], levels[i + 2]}, {right[i], right[i + 1], right[i + 2]}, errors);
+  }
+  errors.mean_unrounded /= static_cast<double>(levels.size());
+  compare_bytes(developed(film), developed(judge), errors);
+  return errors;
+}
+
+/// Both ways to keep texels with their errors in one view.
+[[nodiscard]] inline std::vector<Trial> judged_kept(const Globe& globe, Instructions widest, int threads, const Tick& tick) {
+  std::vector<Trial> trials = all_kept(widest);
+  for (Trial& trial : trials) {
+    trial.errors = errors_of_kept(globe, noise_view(globe, 0), trial.way, Sampler(SamplerKind::sobol, kept_samples), threads);
+    tick();
+  }
+  return trials;
+}
+
+/// Tries both ways to keep texels: judged, and timed by turns on one thread.
+[[nodiscard]] inline std::vector<Trial> try_kept(const Globe& globe, Instructions widest, int threads, Timing& timing) {
+  const View view = noise_view(globe, 0);
+  const Sampler sampler(SamplerKind::sobol, kept_samples);
+  std::vector<Trial> trials = judged_kept(globe, widest, threads, timing.tick);
+  std::vector<Work> works;
+  works.reserve(trials.size());
+  for (const Trial& trial : trials) {
+    works.emplace_back([&globe, &view, &sampler, &way = trial.way] { (void)sampled(globe, view, way, sampler, 1); });
+  }
+  const auto shortest = timed_by_turns(works, noise_rounds(timing.rounds), works.size(), timing);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].milliseconds = shortest[i];
+    trials[i].time = shortest[i] / shortest[0];
+  }
+  return trials;
 }
 
 }  // namespace texmap::chapter_13

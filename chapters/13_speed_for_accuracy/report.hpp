@@ -1,4 +1,4 @@
-// What a run leaves behind beside its picture: three plots and a file for other programs.
+// What a run leaves behind beside its picture: four plots and a file for other programs.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -15,7 +15,8 @@ namespace texmap::chapter_13 {
   std::error_code error;
   if (std::filesystem::exists(out, error) && !std::filesystem::is_regular_file(out, error)) return {};
   const std::string stem = std::filesystem::path(out).replace_extension().string();
-  return {stem + "_speed_error.svg", stem + "_error_samples.svg", stem + "_error_seconds.svg", stem + ".json"};
+  return {stem + "_speed_error.svg", stem + "_speed_levels.svg", stem + "_error_samples.svg", stem + "_error_seconds.svg",
+          stem + ".json"};
 }
 
 /// Checks, before anything long begins, that all of them can be written.
@@ -27,8 +28,8 @@ inline void check_report(const std::string& out) {
 /// Writes them.
 /// Errors: ImageError `cannot write 'F': why`.
 inline void write_report(const std::string& out, const Measurements& all) {
-  const std::array<std::string, 4> texts = {svg_of(plot_speed_error(all)), svg_of(plot_error_samples(all)),
-                                            svg_of(plot_error_seconds(all)), json_of(all)};
+  const std::array<std::string, 5> texts = {svg_of(plot_speed_error(all)), svg_of(plot_speed_levels(all)),
+                                            svg_of(plot_error_samples(all)), svg_of(plot_error_seconds(all)), json_of(all)};
   std::size_t i = 0;
   for (const std::string& file : names_beside(out)) {
     const std::string& text = texts[i++];

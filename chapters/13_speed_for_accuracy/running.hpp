@@ -1,7 +1,7 @@
 // What running this chapter takes: its options checked, its work counted.
 #pragma once
-#include "noise.hpp"
 #include "studio.hpp"
+#include "table.hpp"
 
 namespace texmap::chapter_13 {
 
@@ -25,39 +25,63 @@ inline void refuse_what_is_varied(const Studio& studio) {
   }
 }
 
-/// How many rounds the samplers are timed: they take longer, and their ratios are larger.
-[[nodiscard]] inline int noise_rounds(int rounds) { return rounds / 4 + 1; }
+/// A part of a run that the progress line names.
+struct Stage {
+  const char* name;
+  int parts;  ///< ticks
+};
 
-/// How often a whole run ticks.
-[[nodiscard]] inline int parts_of(int rounds, Instructions widest) {
-  const int trials = static_cast<int>(all_places(widest).size() + all_curves(widest).size());
+/// All of a run, in their order.
+[[nodiscard]] inline std::vector<Stage> stages_of(int rounds, Instructions widest) {
+  const int places = static_cast<int>(all_places(widest).size());
+  const int curves = static_cast<int>(all_curves(widest).size());
   const int samplers = static_cast<int>(sampler_kinds.size() * sample_counts.size());
-  const int panels = 16;
-  return trials * (rounds + 2) + noise_views + samplers * (noise_rounds(rounds) + 2) + panels;
+  const int kept = static_cast<int>(all_kept(widest).size());
+  return {{"errors of places", places},
+          {"errors of curves", curves},
+          {"times of places", places * (rounds + 1)},
+          {"times of curves", curves * (rounds + 1)},
+          {"texels with many rays", kept * (noise_rounds(rounds) + 2)},
+          {"errors of samplers", noise_views + samplers},
+          {"times of samplers", samplers * (noise_rounds(rounds) + 1)},
+          {"sheet", 16}};
 }
 
 /// How many rays a whole run follows, but for those of the sheet.
-[[nodiscard]] inline double rays_of(const View& view, int rounds, Instructions widest) {
-  const double trials = static_cast<double>(all_places(widest).size() + all_curves(widest).size());
+[[nodiscard]] inline double rays_of(const Measurements& all) {
   double samples = 0;
   for (const int count : sample_counts) samples += static_cast<double>(sampler_kinds.size()) * count;
-  const double pixels = static_cast<double>(view.width) * view.height;
-  return pixels * trials * (rounds + 2) +
+  const auto runs = [&all](std::size_t timing) { return all.rounds[timing].timed + 2.0; };  // judged and run before, too
+  const double pixels = static_cast<double>(all.width) * all.height;
+  return pixels * (static_cast<double>(all.places.size()) * runs(0) + static_cast<double>(all.curves.size()) * runs(1)) +
          noise_width * noise_height *
-             (samples * (noise_views + noise_rounds(rounds) + 1) + 1.0 * noise_views * converged_samples);
+             (static_cast<double>(all.kept.size()) * kept_samples * (runs(2) + 1) + samples * (noise_views - 1 + runs(3)) +
+              1.0 * noise_views * converged_samples);
 }
 
-/// Counts the parts of a run that are done.
+/// Counts the parts of a run that are done, for its progress line.
 class Ticks {
  public:
-  Ticks(const RenderSettings& settings, int total) : settings_(settings), total_(total) {}
-  void operator()() {
-    if (settings_.progress) settings_.progress(std::min(++done_, total_), total_);
+  explicit Ticks(std::vector<Stage> stages) : stages_(std::move(stages)) {
+    for (const Stage& stage : stages_) total_ += stage.parts;
+  }
+  void operator()(const RenderSettings& settings) {
+    if (settings.progress) settings.progress(std::min(++done_, total_), total_);
+  }
+
+  /// What the line says at its end: the stage of the next part, none if all are done.
+  [[nodiscard]] std::string remark() const {
+    int before = 0;
+    for (const Stage& stage : stages_) {
+      before += stage.parts;
+      if (done_ < before) return std::string(", ") + stage.name;
+    }
+    return "";
   }
 
  private:
-  const RenderSettings& settings_;
-  int total_;
+  std::vector<Stage> stages_;
+  int total_ = 0;
   int done_ = 0;
 };
 

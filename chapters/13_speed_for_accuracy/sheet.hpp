@@ -43,19 +43,6 @@ struct SheetLayout {
   return map;
 }
 
-/// The picture that a film shows.
-[[nodiscard]] inline Image developed(const Film& film) {
-  Image image(film.width(), film.height());
-  const auto byte = [](double light) { return static_cast<std::uint8_t>(srgb_byte_exact(light)); };
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const Rgb light = film.light(column, row);
-      image.at(column, row) = {byte(light.r), byte(light.g), byte(light.b)};
-    }
-  }
-  return image;
-}
-
 /// Draws the sheet.
 ///
 /// @param threads  as RenderSettings has them
@@ -106,8 +93,9 @@ struct SheetLayout {
     const Image image = picture_of(globe, view, {.curve = curve}, threads);
     Errors errors;
     compare_bytes(image, lit, errors);
+    const int bound = rounded_bound(unrounded_bound<double>(curve, Texels::bytes));
     show(differences(image, lit, 0), std::string("sRGB by ") + name_of(curve), off(errors),
-         printed("at most %d level%s", curve_bound(curve), curve_bound(curve) > 1 ? "s" : ""));
+         printed("at most %d level%s", bound, bound > 1 ? "s" : ""));
   }
 
   // Samples: the picture that all samplers go to, and how far off 16 samples are.

@@ -29,6 +29,12 @@ enum class Curve {
   three,    ///< by one of 3 terms: at most 2 levels off
 };
 
+/// How the light of texels is kept.
+enum class Texels {
+  bytes,  ///< as the picture has them; a table decodes them
+  roots,  ///< as ten-bit roots: root_texture.hpp
+};
+
 /// The globe before an even sky, seen from 6 radii as in chapter 07, and so that it fills the picture.
 struct Globe {
   Sphere sphere{{0, 0, 0}, 2};
@@ -36,11 +42,12 @@ struct Globe {
   Rgb sky{0.72, 0.8, 1};     ///< none of its channels lies on the edge between two bytes
   ImageTexture nearest;      ///< the picture's bytes as they are
   ImageTexture light;        ///< the same picture, decoded to light
+  RootTexture roots;         ///< that light, kept as its roots
   BilinearTexture bilinear;  ///< the same picture, filtered
 
   Globe() = default;
   explicit Globe(const Image& picture)
-      : nearest{picture}, light{.image = picture, .light = TexelLight::linear}, bilinear{picture} {}
+      : nearest{picture}, light{.image = picture, .light = TexelLight::linear}, roots(light), bilinear{picture} {}
 
   /// The view from a place round the globe: degrees to the east of chapter 07's, and above the equator, -89 to 89.
   ///
@@ -61,30 +68,54 @@ struct Globe {
   return mapping;
 }
 
+/// The globe's light at a place, kept in one of the ways.
+struct KeptLight {
+  const Globe* globe;
+  Texels texels = Texels::bytes;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    return texels == Texels::roots ? globe->roots(uv) : globe->light(uv);
+  }
+};
+
 /// One ray a pixel: a globe that shines by itself, or, with a curve, one under the sky's light.
 struct Shot {
   const Globe* globe;
   BudgetMapping mapping;
   Filter filter = Filter::nearest;
   Curve curve = Curve::none;
+  Texels texels = Texels::bytes;
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    const Color<Real> color = color_along(ray);
+    return {to_byte(color.r), to_byte(color.g), to_byte(color.b)};
+  }
+
+  /// What the ray brings: light, or, without a curve, the texture's bytes / 255.
+  template <class Real>
+  [[nodiscard]] Color<Real> color_along(const Ray<Real>& ray) const {
     const Color<Real> sky = number_cast<Real>(globe->sky);
     const Real distance = distance_to(globe->sphere, ray);
     const Mask<Real> met = distance < infinity<Real>();
-    if (!any(met)) return to_bytes(sky);
+    if (!any(met)) return sky;
     const Uv<Real> uv = mapping(normal_at(globe->sphere, ray, select(met, distance, Real(1))));
-    if (curve != Curve::none) return to_bytes(select(met, globe->light(uv) * sky, sky));
-    return to_bytes(select(met, filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv), sky));
+    if (curve != Curve::none) return select(met, KeptLight{globe, texels}(uv)*sky, sky);
+    return select(met, filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv), sky);
+  }
+
+  /// The level of 255 that the curve gives to an amount of light, before it is rounded to a byte.
+  template <class Real>
+  [[nodiscard]] Real level_of_light(const Real& light) const {
+    if (curve == Curve::four) return srgb_level<4>(light);
+    if (curve == Curve::three) return srgb_level<3>(light);
+    const Real inside = clamp(light, Real(0), Real(1));
+    return from_lanes<Real>([&](std::size_t i) { return srgb_encode(lane(inside, i)); }) * Real(255);
   }
 
  private:
-  /// The color as the middle between its byte and the next, which is cut off to its byte.
-  template <class Real>
-  [[nodiscard]] Color<Real> to_bytes(const Color<Real>& color) const {
-    return {to_byte(color.r), to_byte(color.g), to_byte(color.b)};
-  }
+  /// The channel as the middle between its byte and the next, which is cut off to its byte.
   template <class Real>
   [[nodiscard]] Real to_byte(const Real& channel) const {
     const Real half = Real(0.5 / 255);
@@ -96,21 +127,20 @@ struct Shot {
     if (curve == Curve::exact) return srgb_byte_exact(light);
     if (curve == Curve::four) return srgb_byte<4>(light);
     if (curve == Curve::three) return srgb_byte<3>(light);
-    const Real inside = clamp(light, Real(0), Real(1));
-    return floor(from_lanes<Real>([&](std::size_t i) { return srgb_encode(lane(inside, i)); }) * Real(255) + Real(0.5));
+    return floor(level_of_light(light) + Real(0.5));
   }
 };
 
 /// Many rays a pixel, spread by a sampler; what they bring is gathered as light.
 struct SampledShot {
-  using Paint = Mapped<BudgetMapping, ImageTexture>;
+  using Paint = Mapped<BudgetMapping, KeptLight>;
 
   std::vector<Painted<Paint>> objects;
   GradientSky sky;
   Gathering gathering;
 
-  SampledShot(const Globe& globe, const BudgetMapping& mapping, const Gathering& how)
-      : objects{{globe.sphere, {mapping, globe.light}}}, sky{.below = globe.sky, .above = globe.sky}, gathering(how) {}
+  SampledShot(const Globe& globe, const BudgetMapping& mapping, Texels texels, const Gathering& how)
+      : objects{{globe.sphere, {mapping, {&globe, texels}}}}, sky{.below = globe.sky, .above = globe.sky}, gathering(how) {}
 
   [[nodiscard]] Foresight foresight(const View& view) const { return {screen_bounds(view, objects[0].sphere), sky.below}; }
   template <class Real>

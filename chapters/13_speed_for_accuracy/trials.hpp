@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "bounds.hpp"
@@ -18,13 +19,17 @@ struct Way {
   int degree = 0;  ///< of the (u, v) kernel's arc tangent; 0 for the reference formula
   Filter filter = Filter::nearest;
   Curve curve = Curve::none;
+  Texels texels = Texels::bytes;
+
+  bool operator==(const Way&) const = default;
 };
 
 /// How far off a way is: what was measured, and beside each figure the one to rely on, which was known before.
 struct Errors {
   double worst_texels = 0, mean_texels = 0, texels_bound = 0;  ///< hits that are not nearer to the rim than least_cosine
-  long changed = 0, may_change = 0;                            ///< pixels whose bytes are not those of the judge
-  int levels = 0, levels_bound = 0;                            ///< the largest change of a channel, of 255
+  double worst_unrounded = 0, mean_unrounded = 0, unrounded_bound = 0;  ///< with a curve: levels before they are bytes
+  long changed = 0, may_change = 0;                                     ///< pixels whose bytes are not those of the judge
+  int levels = 0, levels_bound = 0;                                     ///< the largest change of a channel, of 255
 };
 
 /// A way that was tried.
@@ -46,6 +51,20 @@ decltype(auto) with_number(Number number, const Work& work) {
   if (number == Number::float_ || number == Number::float_pack) return work(float{});
   if (number == Number::extended) return work(static_cast<long double>(0));
   return work(double{});
+}
+
+/// work(std::type_identity<Real>{}) with the type that a number calculates in. Packs of all widths calculate the same
+/// (tests/packs), and are judged by those that every machine has.
+template <class Work>
+void with_real(Number number, const Work& work) {
+  with_number(number, [&]<class T>(T) {
+#ifdef TEXMAP_HAVE_PACKS
+    if constexpr (sizeof(T) <= sizeof(double)) {
+      if (is_pack(number)) return work(std::type_identity<Pack<T>>{});
+    }
+#endif
+    work(std::type_identity<T>{});
+  });
 }
 
 /// The (u, v) kernels that a number has a use for. Beyond degree 17 rounding is all that is left of float's errors, and below
@@ -87,18 +106,26 @@ decltype(auto) with_number(Number number, const Work& work) {
   return trials;
 }
 
-/// Every curve from light to bytes, with the numbers that differ in it.
-[[nodiscard]] inline std::vector<Trial> all_curves(Instructions widest) {
-  std::vector<Trial> trials;
+/// The numbers that differ in what they make of light, packs of the widest instructions alone.
+[[nodiscard]] inline std::vector<std::pair<Number, Instructions>> numbers_of_light(Instructions widest) {
   [[maybe_unused]] const Instructions wide = usable_instructions(widest).back();
   std::vector<std::pair<Number, Instructions>> numbers = {{Number::double_, Instructions::baseline},
                                                           {Number::float_, Instructions::baseline}};
 #ifdef TEXMAP_HAVE_PACKS
   numbers.insert(numbers.end(), {{Number::double_pack, wide}, {Number::float_pack, wide}});
 #endif
-  for (const auto& [number, instructions] : numbers) {
+  return numbers;
+}
+
+/// Every curve from light to bytes, with the numbers that differ in it; and those with which texels kept as roots are off by no
+/// more than one level. Bytes and roots by turns, since a picture leaves its texels in the caches for the next.
+[[nodiscard]] inline std::vector<Trial> all_curves(Instructions widest) {
+  std::vector<Trial> trials;
+  for (const auto& [number, instructions] : numbers_of_light(widest)) {
     for (const Curve curve : {Curve::formula, Curve::exact, Curve::four, Curve::three}) {
       trials.push_back({{number, instructions, 0, Filter::nearest, curve}, {}});
+      if (curve == Curve::formula || curve == Curve::three) continue;
+      trials.push_back({{number, instructions, 0, Filter::nearest, curve, Texels::roots}, {}});
     }
   }
   return trials;
@@ -125,9 +152,12 @@ template <class Scene>
 #endif
 }
 
+[[nodiscard]] inline Shot shot_of(const Globe& globe, const Way& way) {
+  return {&globe, mapping_of_degree(way.degree), way.filter, way.curve, way.texels};
+}
+
 [[nodiscard]] inline Image picture_of(const Globe& globe, const View& view, const Way& way, int threads = 1) {
-  const Shot shot{&globe, mapping_of_degree(way.degree), way.filter, way.curve};
-  return draw_in_way(shot, view, way, threads);
+  return draw_in_way(shot_of(globe, way), view, way, threads);
 }
 
 /// The judge of places: where each pixel's ray meets the globe, in extended precision, by the reference formula.
@@ -155,41 +185,47 @@ template <class Scene>
   return sights;
 }
 
+/// visit(row, column, ray) for the rays of numbers of type Real through all pixels; of a pack, the first lane's column.
+template <class Real, class Visit>
+void for_each_ray(const View& view, const Visit& visit) {
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; column += static_cast<int>(lanes<Real>)) {
+      const auto first = static_cast<Scalar<Real>>(column);
+      const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
+      visit(row, column, ray_through(view, columns, Real(row)));
+    }
+  }
+}
+
 /// Compares the places that numbers of type Real find with the judge's.
 template <class Real>
 void measure_places(const Globe& globe, const View& view, int degree, const std::vector<Sight>& sights, Errors& errors) {
   const BudgetMapping mapping = mapping_of_degree(degree);
   const auto width = static_cast<long double>(globe.nearest.image.width);
   const auto height = static_cast<long double>(globe.nearest.image.height);
-  constexpr int step = static_cast<int>(lanes<Real>);
   double sum = 0;
   long count = 0;
-  for (int row = 0; row < view.height; ++row) {
-    for (int column = 0; column < view.width; column += step) {
-      const auto first = static_cast<Scalar<Real>>(column);
-      const Real columns = from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
-      const Ray<Real> ray = ray_through(view, columns, Real(row));
-      const Real distance = distance_to(globe.sphere, ray);
-      const Mask<Real> met = distance < infinity<Real>();
-      if (!any(met)) continue;
-      const Uv<Real> uv = mapping(normal_at(globe.sphere, ray, select(met, distance, Real(1))));
-      const auto u = all_lanes(uv.u);
-      const auto v = all_lanes(uv.v);
-      for (int i = 0; i < step && column + i < view.width; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Sight& sight =
-            sights[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(column + i)];
-        if (!sight.met || sight.cosine < least_cosine) continue;
-        const long double across = std::abs(static_cast<long double>(u[at]) - sight.u);  // u = 0 and u = 1 are one place
-        const long double along_u = std::min(across, 1 - across) * static_cast<long double>(sight.round) * width;
-        const long double along_v = std::abs(static_cast<long double>(v[at]) - sight.v) * height;
-        const auto texels = static_cast<double>(std::max(along_u, along_v));
-        errors.worst_texels = std::max(errors.worst_texels, texels);
-        sum += texels;
-        ++count;
-      }
+  for_each_ray<Real>(view, [&](int row, int column, const Ray<Real>& ray) {
+    const Real distance = distance_to(globe.sphere, ray);
+    const Mask<Real> met = distance < infinity<Real>();
+    if (!any(met)) return;
+    const Uv<Real> uv = mapping(normal_at(globe.sphere, ray, select(met, distance, Real(1))));
+    const auto u = all_lanes(uv.u);
+    const auto v = all_lanes(uv.v);
+    for (int i = 0; i < static_cast<int>(lanes<Real>) && column + i < view.width; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Sight& sight =
+          sights[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(column + i)];
+      if (!sight.met || sight.cosine < least_cosine) continue;
+      const long double across = std::abs(static_cast<long double>(u[at]) - sight.u);  // u = 0 and u = 1 are one place
+      const long double along_u = std::min(across, 1 - across) * static_cast<long double>(sight.round) * width;
+      const long double along_v = std::abs(static_cast<long double>(v[at]) - sight.v) * height;
+      const auto texels = static_cast<double>(std::max(along_u, along_v));
+      errors.worst_texels = std::max(errors.worst_texels, texels);
+      sum += texels;
+      ++count;
     }
-  }
+  });
   errors.mean_texels = count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
@@ -225,7 +261,6 @@ inline void compare_bytes(const Image& image, const Image& judge, Errors& errors
 
 /// How far off the places and the bytes of a way are in a view, and how far they can be.
 ///
-/// Packs of all widths calculate the same (tests/packs), and are judged by those that every machine has.
 /// @param judge  the view in extended precision, with the way's filter
 [[nodiscard]] inline Errors errors_of_places(const Globe& globe, const View& view, const Way& way,
                                              const std::vector<Sight>& sights, const Image& judge) {
@@ -233,13 +268,9 @@ inline void compare_bytes(const Image& image, const Image& judge, Errors& errors
   with_number(way.number, [&]<class T>(T) {
     errors.texels_bound = texels_bound<T>(globe, way.degree);
     bound_picture<T>(globe, way, sights, errors);
-#ifdef TEXMAP_HAVE_PACKS
-    if constexpr (sizeof(T) <= sizeof(double)) {
-      if (is_pack(way.number)) return measure_places<Pack<T>>(globe, view, way.degree, sights, errors);
-    }
-#endif
-    measure_places<T>(globe, view, way.degree, sights, errors);
   });
+  with_real(way.number,
+            [&]<class Real>(std::type_identity<Real>) { measure_places<Real>(globe, view, way.degree, sights, errors); });
   Way on_any_machine = way;
   on_any_machine.instructions = Instructions::baseline;
   compare_bytes(picture_of(globe, view, on_any_machine, 0), judge, errors);
@@ -263,21 +294,102 @@ inline void judge_places(std::vector<Trial>& trials, const Globe& globe, const V
   }
 }
 
-/// How far a curve's bytes can be from the exact curve's: stated in srgb_kernel.hpp. The C library's power may round to the
-/// other side of an edge between two bytes.
-[[nodiscard]] inline int curve_bound(Curve curve) { return curve == Curve::exact ? 0 : curve == Curve::three ? 2 : 1; }
+/// Takes note of a pixel's levels before they are bytes, red, green and blue; `mean_unrounded` becomes a sum.
+///
+/// @return  true if the bound takes a level that is right across an edge between two bytes
+inline bool note_pixel(const std::array<double, 3>& levels, const std::array<double, 3>& right, Errors& errors) {
+  const double bound = errors.unrounded_bound;
+  bool may_change = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double off = std::abs(levels[i] - right[i]);
+    errors.worst_unrounded = std::max(errors.worst_unrounded, off);
+    errors.mean_unrounded += off;
+    may_change = may_change || std::floor(right[i] - bound + 0.5) < std::floor(right[i] + bound + 0.5);
+  }
+  return may_change;
+}
 
-/// Fills in how far the bytes of each curve are from those of the exact one, drawn with the same number.
+/// What is stated of a way's levels before it is tried, each the mean of so many rays.
+inline void state_levels(const Way& way, int rays, Errors& errors) {
+  with_number(way.number, [&]<class T>(T) { errors.unrounded_bound = unrounded_bound<T>(way.curve, way.texels, rays); });
+  errors.levels_bound = rounded_bound(errors.unrounded_bound);
+}
+
+/// Compares the levels that a shot shows, before they are bytes, with the judge's, in numbers of type Real.
+template <class Real>
+void measure_levels(const Shot& shot, const Shot& judge, const View& view, Errors& errors) {
+  const auto levels_of = [](const Shot& how, const Ray<Real>& ray) {
+    const Color<Real> light = how.color_along(ray);
+    return std::array{all_lanes(how.level_of_light(light.r)), all_lanes(how.level_of_light(light.g)),
+                      all_lanes(how.level_of_light(light.b))};
+  };
+  const auto in_lane = [](const auto& channels, std::size_t i) {
+    return std::array{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
+                      static_cast<double>(channels[2][i])};
+  };
+  for_each_ray<Real>(view, [&](int, int column, const Ray<Real>& ray) {
+    const auto levels = levels_of(shot, ray);
+    const auto right = levels_of(judge, ray);
+    for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i) {
+      errors.may_change += note_pixel(in_lane(levels, i), in_lane(right, i), errors) ? 1 : 0;
+    }
+  });
+  errors.mean_unrounded /= 3.0 * view.width * view.height;
+}
+
+/// How far off a way's levels and bytes are in a view, and how far they can be. The judge is the exact curve of the texels'
+/// bytes, drawn with the same number: where a place is off, both are.
+[[nodiscard]] inline Errors errors_of_light(const Globe& globe, const View& view, Way way) {
+  way.instructions = Instructions::baseline;
+  Way exact = way;
+  exact.curve = Curve::exact;
+  exact.texels = Texels::bytes;
+  Errors errors;
+  state_levels(way, 1, errors);
+  with_real(way.number, [&]<class Real>(std::type_identity<Real>) {
+    measure_levels<Real>(shot_of(globe, way), shot_of(globe, exact), view, errors);
+  });
+  compare_bytes(picture_of(globe, view, way, 0), picture_of(globe, view, exact, 0), errors);
+  return errors;
+}
+
+/// Fills in the errors of all curves and of texels kept in other ways.
 inline void judge_curves(std::vector<Trial>& trials, const Globe& globe, const View& view, const Tick& tick) {
   for (Trial& trial : trials) {
-    Way way = trial.way;
-    way.instructions = Instructions::baseline;
-    Way exact = way;
-    exact.curve = Curve::exact;
-    compare_bytes(picture_of(globe, view, way, 0), picture_of(globe, view, exact, 0), trial.errors);
-    trial.errors.levels_bound = curve_bound(way.curve);
+    trial.errors = errors_of_light(globe, view, trial.way);
     tick();
   }
+}
+
+/// How often things are timed.
+struct Rounds {
+  int wanted = 0, timed = 0;  ///< fewer than wanted where patience ended
+};
+
+/// How the timing of a run goes.
+struct Timing {
+  int rounds;         ///< wanted
+  Patience patience;  ///< with all timings of the run together
+  Tick tick;
+  std::vector<Rounds> done = {};  ///< of the timings so far
+};
+
+/// The shortest times of works that take turns, noted in `timing`, which ticks for the first `ticks` works of every round, and
+/// for rounds that are skipped all at once.
+[[nodiscard]] inline std::vector<double> timed_by_turns(const std::vector<Work>& works, int rounds, std::size_t ticks,
+                                                        Timing& timing) {
+  Rounds& noted = timing.done.emplace_back(Rounds{rounds});
+  const auto shortest = shortest_times(
+      works, rounds,
+      [&](int done, int) {
+        if (static_cast<std::size_t>(done - 1) % works.size() < ticks) timing.tick();
+      },
+      [&](int round) {
+        noted.timed = round;
+        return timing.patience(round);
+      });
+  for (std::size_t i = 0; i < ticks * static_cast<std::size_t>(rounds - noted.timed); ++i) timing.tick();
+  return shortest;
 }
 
 /// Fills in the times of all trials, taken by turns on one thread; `time` is a part of the first one's.
@@ -285,7 +397,7 @@ inline void judge_curves(std::vector<Trial>& trials, const Globe& globe, const V
 /// The first is what all others are measured by, and takes a turn after every tenth of them too, as does its like with the
 /// other filter: were they disturbed in all rounds, every figure would be wrong. With more chances their time is rather too
 /// short, so that nothing is called faster than it is.
-inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const View& view, int rounds, const Tick& tick) {
+inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const View& view, Timing& timing) {
   std::vector<Work> works;
   std::vector<std::size_t> whose;
   const auto add = [&](std::size_t i) {
@@ -300,9 +412,7 @@ inline void time_trials(std::vector<Trial>& trials, const Globe& globe, const Vi
       if (way.number == Number::double_ && way.degree == 0 && way.curve == trials[0].way.curve) add(k);
     }
   }
-  const auto shortest = shortest_times(works, rounds, [&](int done, int) {
-    if (static_cast<std::size_t>(done) % works.size() < trials.size()) tick();
-  });
+  const auto shortest = timed_by_turns(works, timing.rounds, trials.size(), timing);
   for (Trial& trial : trials) trial.milliseconds = infinity<double>();
   for (std::size_t k = 0; k < works.size(); ++k) {
     Trial& trial = trials[whose[k]];

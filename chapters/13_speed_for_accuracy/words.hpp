@@ -58,6 +58,8 @@ template <class... Values>
   }
 }
 
+[[nodiscard]] inline const char* name_of(Texels texels) { return texels == Texels::roots ? "roots" : "bytes"; }
+
 /// As the option --sampler has it.
 [[nodiscard]] inline const char* name_of(SamplerKind kind) {
   switch (kind) {
@@ -76,10 +78,17 @@ template <class... Values>
   return degree == 0 ? "reference" : "degree " + std::to_string(degree);
 }
 
+/// What a way calculates with, such as: float-pack of avx2.
+[[nodiscard]] inline std::string described_number(const Way& way) {
+  return name_of(way.number) + (is_pack(way.number) ? std::string(" of ") + name_of(way.instructions) : "");
+}
+
 /// The way in words, such as: float-pack of avx2, degree 9.
-[[nodiscard]] inline std::string described(const Way& way) {
-  return name_of(way.number) + (is_pack(way.number) ? std::string(" of ") + name_of(way.instructions) : "") + ", " +
-         name_of_kernel(way.degree);
+[[nodiscard]] inline std::string described(const Way& way) { return described_number(way) + ", " + name_of_kernel(way.degree); }
+
+/// How a way keeps texels and makes bytes of their light, such as: roots, 4 terms.
+[[nodiscard]] inline std::string described_light(const Way& way) {
+  return name_of(way.texels) + std::string(", ") + name_of(way.curve);
 }
 
 }  // namespace texmap::chapter_13

@@ -58,6 +58,12 @@ bool holds(const Errors& seen, const Errors& stated) {
          seen.changed <= stated.may_change && seen.levels <= stated.levels_bound;
 }
 
+/// The same of levels before rounding and of bytes.
+bool holds_light(const Errors& seen, const Errors& stated) {
+  return seen.worst_unrounded <= stated.unrounded_bound && seen.changed <= stated.may_change &&
+         seen.levels <= stated.levels_bound;
+}
+
 /// A unit vector of some kind: anywhere, near a pole, near the seam.
 template <class T>
 Vec3<T> direction(std::uint32_t i) {
@@ -71,9 +77,8 @@ Vec3<T> direction(std::uint32_t i) {
 
 /// Measurements whose times are made up.
 Measurements made_up() {
-  Measurements all;
-  all.places = all_places(Instructions::baseline);
-  const View view = earth().view(64, 48);
+  Measurements all{64, 48, all_places(Instructions::baseline), all_curves(Instructions::baseline)};
+  const View view = earth().view(all.width, all.height);
   judge_places(all.places, earth(), view, [] {});
   for (std::size_t i = 0; i < all.places.size(); ++i) {
     Trial& trial = all.places[i];
@@ -88,7 +93,15 @@ Measurements made_up() {
       all.noise.push_back({kind, samples, rmse, 1.5 * rmse, samples * (kind == SamplerKind::sobol ? 1.1 : 1.2)});
     }
   }
-  all.curves = all_curves(Instructions::baseline);
+  judge_curves(all.curves, earth(), view, [] {});
+  for (Trial& trial : all.curves) {
+    const bool is_float = trial.way.number == Number::float_ || trial.way.number == Number::float_pack;
+    trial.time = (is_pack(trial.way.number) ? 0.5 : 1) - (is_float ? 0.1 : 0) - (trial.way.curve == Curve::four ? 0.2 : 0) -
+                 (trial.way.texels == Texels::roots ? 0.1 : 0);
+    trial.milliseconds = 100 * trial.time;
+  }
+  all.kept = all_kept(Instructions::baseline);
+  all.rounds = {{20, 20}, {20, 20}, {6, 6}, {6, 6}};
   return all;
 }
 
@@ -180,17 +193,73 @@ TEST_CASE_TEMPLATE("in all directions, also by the poles and the seam, a kernel 
   }
 }
 
-TEST_CASE("bytes by shorter curves are off by no more levels than stated, from any angle, and by no fewer") {
-  for (const auto& [east, up] : fresh_angles) {
-    std::vector<Trial> curves = all_curves(Instructions::baseline);
-    judge_curves(curves, earth(), earth().view(160, 120, east, up), [] {});
-    for (const Trial& trial : curves) {
-      CAPTURE(name_of(trial.way.curve));
-      CHECK(trial.errors.levels <= trial.errors.levels_bound);
-      if (trial.way.curve == Curve::three) CHECK(trial.errors.levels > curve_bound(Curve::four));
-      if (trial.way.curve == Curve::four) CHECK(trial.errors.levels > curve_bound(Curve::exact));
+TEST_CASE("by shorter curves and roots of light no level is farther off than stated, and no more pixels change") {
+  for (const Globe* globe : {&earth(), &noise_globe()}) {
+    for (const auto& [east, up] : fresh_angles) {
+      std::vector<Trial> curves = all_curves(Instructions::baseline);
+      judge_curves(curves, *globe, globe->view(160, 120, east, up), [] {});
+      for (const Trial& trial : curves) {
+        const Errors& errors = trial.errors;
+        CAPTURE(name_of(trial.way.number));
+        CAPTURE(described_light(trial.way));
+        CAPTURE(errors.worst_unrounded);
+        CAPTURE(errors.changed);
+        CHECK(holds_light(errors, errors));
+        CHECK(errors.mean_unrounded <= errors.worst_unrounded);
+        if (trial.way.curve == Curve::exact && trial.way.texels == Texels::bytes) CHECK(errors.may_change == 0);
+      }
     }
   }
+}
+
+TEST_CASE("the twins fail: half a level's bound, or that of texels kept better, or of a longer curve, does not hold") {
+  for (const Number number : {Number::float_, Number::double_}) {
+    const auto of = [number](Curve curve, Texels texels) {
+      // Many colors, all of them seen.
+      const Way way{.number = number, .curve = curve, .texels = texels};
+      return errors_of_light(noise_globe(), noise_globe().view(320, 240), way);
+    };
+    const Errors exact = of(Curve::exact, Texels::bytes);
+    const Errors roots = of(Curve::exact, Texels::roots);
+    const Errors four = of(Curve::four, Texels::bytes);
+    const Errors both = of(Curve::four, Texels::roots);
+    const Errors three = of(Curve::three, Texels::bytes);
+    CHECK(exact.worst_unrounded == 0);
+    CHECK(exact.levels == 0);
+    CHECK_FALSE(holds_light(roots, exact));
+    CHECK_FALSE(holds_light(four, roots));
+    CHECK_FALSE(holds_light(both, four));
+    CHECK_FALSE(holds_light(three, both));
+    CHECK(three.levels > both.levels_bound);
+    CHECK(roots.changed > 1000);
+    for (const Errors& errors : {roots, four, both, three}) CHECK(errors.worst_unrounded > errors.unrounded_bound / 2);
+  }
+}
+
+TEST_CASE("the mean of many rays to roots of light is no farther off than stated, by other seeds, from any angle") {
+  double worst = 0;
+  std::uint32_t seed = 77;
+  for (const auto& [east, up] : fresh_angles) {
+    const View view = earth().view(noise_width, noise_height, east, up);
+    for (const Trial& trial : all_kept(Instructions::baseline)) {
+      const Sampler sampler(SamplerKind::random, 4, seed++);
+      const Errors errors = errors_of_kept(earth(), view, trial.way, sampler, 0);
+      CAPTURE(name_of(trial.way.number));
+      CAPTURE(errors.worst_unrounded);
+      CHECK(holds_light(errors, errors));
+      if (trial.way.texels == Texels::bytes) CHECK(errors.worst_unrounded == 0);
+      if (trial.way.texels == Texels::roots) CHECK(errors.changed > 0);
+      worst = std::max(worst, errors.worst_unrounded);
+    }
+  }
+  CHECK(worst > RootTexture::worst_levels / 3);  // rays of a pixel are off to both sides
+}
+
+TEST_CASE("a bound before rounding is as many whole levels after it") {
+  CHECK(rounded_bound(0) == 0);
+  CHECK(rounded_bound(unrounded_bound<double>(Curve::formula, Texels::bytes)) == 1);
+  CHECK(rounded_bound(unrounded_bound<float>(Curve::four, Texels::roots)) == 1);
+  CHECK(rounded_bound(unrounded_bound<float>(Curve::three, Texels::bytes)) == 2);
 }
 
 TEST_CASE("the noise of other seeds, seen from other angles, is within its bound; half the bound, or fewer samples, are not") {
@@ -276,6 +345,25 @@ TEST_CASE("the recommendation is the fastest that keeps to the budget by its bou
 #endif
 }
 
+TEST_CASE("light is recommended by its bound in whole levels, and from numbers alone that find every texel") {
+  Measurements all = made_up();
+  const Image& texture = earth().nearest.image;
+  const Trial* best = fastest_light(all, parse_budget("levels=1"));
+  REQUIRE(best != nullptr);
+  CHECK(described_light(best->way) == "roots, 4 terms");
+  CHECK((best->way.number == Number::double_ || best->way.number == Number::double_pack));  // float's places may be off
+  CHECK(described_light(fastest_light(all, parse_budget("levels=0.9"))->way) == "bytes, exact");
+  const std::string text = recommendation(all, parse_budget("levels=1"), texture);
+  CHECK(text.find("texels as roots, 4 terms: ") != std::string::npos);
+  CHECK(text.find("at most 0.68 levels off") != std::string::npos);
+  CHECK(text.find(" --budget levels=1\n") != std::string::npos);
+  CHECK(recommendation(all, parse_budget("texels=0.01"), texture).find("  light") == std::string::npos);
+
+  // What is as fast and more exact is taken.
+  for (Trial& trial : all.curves) trial.milliseconds = 100;
+  CHECK(described_light(fastest_light(all, parse_budget("levels=1"))->way) == "bytes, exact");
+}
+
 TEST_CASE("where a pixel looks at the very edge of a texel only plain double is exact, whatever was measured") {
   std::vector<Trial> trials = all_places(Instructions::baseline);
   judge_places(trials, earth(), earth().view(33, 25, 0, 0), [] {});  // the middle column looks along x = 0, where u is 3/4
@@ -320,7 +408,7 @@ TEST_CASE("no label of a plot covers another or a point, while there is room") {
 
 TEST_CASE("the plots are whole, name everything in them, and have no number that is none") {
   const Measurements all = made_up();
-  for (const Plot& plot : {plot_speed_error(all), plot_error_samples(all), plot_error_seconds(all)}) {
+  for (const Plot& plot : {plot_speed_error(all), plot_speed_levels(all), plot_error_samples(all), plot_error_seconds(all)}) {
     const std::string svg = svg_of(plot);
     CHECK(svg.starts_with("<svg "));
     CHECK(svg.ends_with("</svg>\n"));
@@ -352,10 +440,10 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
     for (std::size_t at = json.find(word); at != std::string::npos; at = json.find(word, at + 1)) ++found;
     return found;
   };
-  CHECK(count("\"number\"") == all.places.size() + all.curves.size());
+  CHECK(count("\"number\"") == all.places.size() + all.curves.size() + all.kept.size());
   CHECK(count("\"sampler\"") == all.noise.size());
   CHECK(count("{") == count("}"));
-  CHECK(count("[") == 3);
+  CHECK(count("[") == 4);
 }
 
 #ifdef TEXMAP_REFERENCE_PLATFORM
@@ -364,24 +452,84 @@ TEST_CASE("the errors on the chapter's page are those of its program") {
   const SheetLayout layout(1312, 1090);
   std::vector<Trial> trials = all_places(Instructions::baseline);
   judge_places(trials, earth(), earth().view(layout.panel_width, layout.panel_height), [] {});
-  int found = 0;
+  std::vector<Trial> curves = all_curves(Instructions::baseline);
+  judge_curves(curves, earth(), earth().view(layout.panel_width, layout.panel_height), [] {});
+  const std::vector<Trial> kept = judged_kept(earth(), Instructions::baseline, 0, [] {});
+  curves.insert(curves.end(), kept.begin(), kept.end());
+  int found = 0, found_light = 0;
   for (std::string line; std::getline(file, line);) {
+    const auto is_of = [&line](const Trial& trial) {  // its packs may be of other instructions
+      return line.starts_with(printed("%-12s ", name_of(trial.way.number))) &&
+             line.find(" " + columns_of_light(trial.way) + " ") != std::string::npos;
+    };
+    if (std::any_of(curves.begin(), curves.end(), is_of)) {
+      CAPTURE(line);
+      CHECK(std::any_of(curves.begin(), curves.end(),
+                        [&](const Trial& trial) { return is_of(trial) && line.ends_with(errors_text(trial)); }));
+      ++found_light;
+    }
     for (const Trial& trial : trials) {
       const std::string start = printed("%-12s %-10s ", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
       if (trial.way.filter != Filter::nearest || !line.starts_with(start)) continue;
       CAPTURE(line);
-      CHECK(line.ends_with(errors_text(trial.errors)));
+      CHECK(line.ends_with(errors_text(trial)));
       ++found;
     }
   }
   CHECK(found == 9);
+  CHECK(found_light == 12);
 }
 #endif
 
-TEST_CASE("a picture that goes to a device has nothing beside it, and others have four files") {
+TEST_CASE("when patience ends, rounds are skipped, counted and told, and the progress is as far as it would have been") {
+  const View view = earth().view(8, 6);
+  std::vector<Trial> trials = all_curves(Instructions::baseline);
+  long ticks = 0;
+  double now = 0;
+  const auto timing_for = [&](double patience) {
+    return Timing{8, Patience(patience, 3, [&now] { return now += 10; }), [&ticks] { ++ticks; }};  // each look takes 10 ms
+  };
+  for (const auto& [patience, rounds] : {std::pair{35.0, 6}, std::pair{1e9, 8}, std::pair{0.0, 3}}) {
+    ticks = 0;
+    now = 0;
+    Timing timing = timing_for(patience);
+    time_trials(trials, earth(), view, timing);
+    REQUIRE(timing.done.size() == 1);
+    CHECK(timing.done[0].timed == rounds);
+    CHECK(timing.done[0].wanted == 8);
+    CHECK(ticks == 9 * static_cast<long>(trials.size()));
+    for (const Trial& trial : trials) CHECK(trial.time < 1e9);
+  }
+
+  Measurements all = made_up();
+  CHECK(skipped_text(all).empty());
+  all.rounds[1].timed = 5;
+  CHECK(skipped_text(all).find("20 of 20, 5 of 20, 6 of 6, 6 of 6") != std::string::npos);
+  CHECK(table_of(all).find(skipped_text(all)) != std::string::npos);
+  const double rays = rays_of(all);
+  all.rounds[1].timed = 4;
+  CHECK(rays - rays_of(all) == doctest::Approx(1.0 * all.width * all.height * static_cast<double>(all.curves.size())));
+}
+
+TEST_CASE("the progress names what comes next, and ends with the run") {
+  Ticks ticks({{"first", 2}, {"second", 1}});
+  std::vector<std::pair<int, int>> told;
+  const RenderSettings settings{.progress = [&](int done, int total) { told.emplace_back(done, total); }};
+  CHECK(ticks.remark() == ", first");
+  ticks(settings);
+  CHECK(ticks.remark() == ", first");
+  ticks(settings);
+  CHECK(ticks.remark() == ", second");
+  ticks(settings);
+  CHECK(ticks.remark().empty());
+  CHECK(told == std::vector<std::pair<int, int>>{{1, 3}, {2, 3}, {3, 3}});
+}
+
+TEST_CASE("a picture that goes to a device has nothing beside it, and others have five files") {
   CHECK(names_beside("/dev/null").empty());
-  CHECK(names_beside("out/13.png") == std::vector<std::string>{"out/13_speed_error.svg", "out/13_error_samples.svg",
-                                                               "out/13_error_seconds.svg", "out/13.json"});
+  CHECK(names_beside("out/13.png") == std::vector<std::string>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
+                                                               "out/13_error_samples.svg", "out/13_error_seconds.svg",
+                                                               "out/13.json"});
 }
 
 TEST_CASE("options that choose one of what is tried, and budgets that are none, are refused") {

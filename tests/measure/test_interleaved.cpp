@@ -41,4 +41,30 @@ TEST_CASE("progress is told after every turn, up to the whole") {
   CHECK(told == std::vector<std::pair<int, int>>{{1, 4}, {2, 4}, {3, 4}, {4, 4}});
 }
 
+TEST_CASE("after each timed round it is asked whether that is enough, and then the rest is skipped") {
+  std::vector<int> asked;
+  int runs = 0;
+  const auto times = texmap::shortest_times({[&] { ++runs; }, [&] { ++runs; }}, 9, {}, [&](int rounds) {
+    asked.push_back(rounds);
+    return rounds == 3;
+  });
+  CHECK(asked == std::vector<int>{1, 2, 3});
+  CHECK(runs == 2 * (1 + 3));
+  for (const double time : times) CHECK(time < 1e9);
+}
+
+TEST_CASE("patience ends when its time is over, but not before the least number of rounds") {
+  double now = 0;
+  const texmap::Patience patience(100, 3, [&now] { return now; });
+  CHECK_FALSE(patience(7));
+  now = 99;
+  CHECK_FALSE(patience(7));
+  now = 100;
+  CHECK(patience(7));
+  CHECK(patience(3));
+  CHECK_FALSE(patience(2));
+  CHECK_FALSE(texmap::Patience(1e9)(1));  // by the clock
+  CHECK(texmap::Patience(0)(1));
+}
+
 TEST_CASE("nothing to time takes no time") { CHECK(texmap::shortest_times({}, 5).empty()); }
