@@ -96,7 +96,9 @@ struct ImageTexture {
     }
     // For plain numbers and their packs bytes are a table too: each entry is the quotient, rounded. Others bound the division.
     if (light != TexelLight::encoded || std::is_floating_point_v<Real> || lanes<Real> != 1) {
-      const auto& levels = light_of_bytes<Scalar<Real>>(light);
+      // Numbers of more digits make do with long double's.
+      using Entry = std::conditional_t<std::is_floating_point_v<Scalar<Real>>, Scalar<Real>, long double>;
+      const auto& levels = light_of_bytes<Entry>(light);
       const auto linear = look_up(
           [&](int x, int y) {
             const Rgb8& bytes = image.at(x, y);
