@@ -61,7 +61,7 @@ Image decode_checked(Bytes file, ImageSize size) {
 Image decode_png(Bytes file) {
   const PngChunks png = read_png_chunks(file);
   check_decoding_bytes(file.size() + png_decoding_bytes(png.header));
-  std::vector<std::uint8_t> rows = read_png_pixels(png);
+  LargeArray<std::uint8_t> rows = read_png_pixels(png);
   if (is_plain(png.header)) return image_of_png_rows(png, std::move(rows));
   rows = {};  // the decoder needs room
   return decode_checked(file, {png.header.width, png.header.height});

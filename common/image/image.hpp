@@ -2,7 +2,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "large_array.hpp"
 
 namespace texmap {
 
@@ -16,7 +17,7 @@ struct Rgb8 {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<Rgb8> pixels;
+  LargeArray<Rgb8> pixels;
 
   Image() = default;
   Image(int columns, int rows, Rgb8 fill = {})

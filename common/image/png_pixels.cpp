@@ -46,14 +46,14 @@ PassSize pass_size(const PngHeader& header, const Pass& pass) {
   return {columns, rows, (bits + 7) / 8};
 }
 
-std::vector<std::uint8_t> inflate(const PngChunks& png) {
+LargeArray<std::uint8_t> inflate(const PngChunks& png) {
   const std::size_t promised = promised_bytes(png.header);
   const std::size_t given = png.compressed.size();
   // Two bytes of header, four of checksum, and deflate makes at most 1032 bytes out of one.
   if (given < 6 || promised / 1032 > given)
     throw Refusal("the PNG file is damaged: it has too few bytes for its size in pixels");
 
-  std::vector<std::uint8_t> rows(promised);
+  LargeArray<std::uint8_t> rows(promised);
   const int made = stbi_zlib_decode_buffer(reinterpret_cast<char*>(rows.data()), static_cast<int>(promised),
                                            reinterpret_cast<const char*>(png.compressed.data()), static_cast<int>(given));
   if (made < 0) {
@@ -117,7 +117,7 @@ std::uint32_t largest_index(Bytes row, std::uint32_t columns, std::uint32_t bit_
   return largest;
 }
 
-void check_palette_indices(const PngHeader& header, std::size_t colors, std::vector<std::uint8_t> rows) {
+void check_palette_indices(const PngHeader& header, std::size_t colors, LargeArray<std::uint8_t> rows) {
   std::size_t place = 0;
   for (const Pass& pass : passes(header)) {
     const PassSize size = pass_size(header, pass);
@@ -159,8 +159,8 @@ std::uint64_t png_decoding_bytes(const PngHeader& header) {
   return header.color_type == 3 ? unpacked + 3 * area : std::max(unpacked, converted);
 }
 
-std::vector<std::uint8_t> read_png_pixels(const PngChunks& png) {
-  std::vector<std::uint8_t> rows = inflate(png);
+LargeArray<std::uint8_t> read_png_pixels(const PngChunks& png) {
+  LargeArray<std::uint8_t> rows = inflate(png);
   check_filters(png.header, rows);
   // stb_image would show whatever happens to lie in memory behind a palette that is too short.
   const std::size_t colors = png.palette.size() / 3;
@@ -172,7 +172,7 @@ std::vector<std::uint8_t> read_png_pixels(const PngChunks& png) {
 
 bool is_plain(const PngHeader& header) { return header.bit_depth == 8 && !header.interlaced; }
 
-Image image_of_png_rows(const PngChunks& png, std::vector<std::uint8_t> rows) {
+Image image_of_png_rows(const PngChunks& png, LargeArray<std::uint8_t> rows) {
   const std::size_t pixel = png_channels(png.header.color_type);
   Image image(static_cast<int>(png.header.width), static_cast<int>(png.header.height));
   const std::size_t columns = png.header.width;

@@ -1,7 +1,6 @@
 // The rows of a PNG picture: out of the compressed stream, and checked to the last byte.
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "image.hpp"
 #include "png_chunks.hpp"
@@ -18,7 +17,7 @@ namespace texmap {
 ///
 /// Errors: Refusal, if the stream is damaged, ends early or holds more, if its checksum is wrong, if a row has a filter that
 /// does not exist, or if a pixel asks for a color that the palette has not.
-[[nodiscard]] std::vector<std::uint8_t> read_png_pixels(const PngChunks& png);
+[[nodiscard]] LargeArray<std::uint8_t> read_png_pixels(const PngChunks& png);
 
 /// True for a picture stored in one pass, 8 bits a channel or palette index: most are, and image_of_png_rows can show it.
 [[nodiscard]] bool is_plain(const PngHeader& header);
@@ -31,6 +30,6 @@ namespace texmap {
 /// @param rows  what read_png_pixels made of it
 /// Errors: std::bad_alloc.
 /// Source: PNG specification, third edition, section 9.
-[[nodiscard]] Image image_of_png_rows(const PngChunks& png, std::vector<std::uint8_t> rows);
+[[nodiscard]] Image image_of_png_rows(const PngChunks& png, LargeArray<std::uint8_t> rows);
 
 }  // namespace texmap

@@ -2,25 +2,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <new>
 
 #include "checksums.hpp"
 #include "deflate.hpp"
+#include "large_array.hpp"
 
 namespace {
-
-// stb_image_write goes on with a null pointer when memory runs out; an exception stops it in time.
-void* memory_or_throw(void* memory) {
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
 
 // Takes the place of stb's own compressor, which needs some fifteen times as long (docs/packages.md). stb frees what it
 // returns.
 unsigned char* compress(unsigned char* data, int size, int* compressed_size, int /*level*/) {
   const texmap::Bytes bytes(data, static_cast<std::size_t>(size));
   const std::size_t most = texmap::most_deflated_bytes(bytes.size());
-  auto* const room = static_cast<unsigned char*>(memory_or_throw(std::malloc(most)));
+  auto* const room = static_cast<unsigned char*>(texmap::allocate_bytes(most));
   *compressed_size = static_cast<int>(texmap::deflate(bytes, {room, most}));
   return room;
 }
@@ -29,8 +23,9 @@ std::uint32_t checksum(const unsigned char* data, int size) { return texmap::crc
 
 }  // namespace
 
-#define STBIW_MALLOC(size) memory_or_throw(std::malloc(size))
-#define STBIW_REALLOC(memory, size) memory_or_throw(std::realloc(memory, size))
+// stb_image_write goes on with a null pointer when memory runs out; an exception stops it in time.
+#define STBIW_MALLOC(size) texmap::allocate_bytes(size)
+#define STBIW_REALLOC(memory, size) std::realloc(memory, size)  // used by its own compressor alone
 #define STBIW_FREE(memory) std::free(memory)
 #define STBIW_ZLIB_COMPRESS compress
 #define STBIW_CRC32 checksum

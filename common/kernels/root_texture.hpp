@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include "image_texture.hpp"
 
@@ -18,7 +17,7 @@ struct RootTexture {
   int height = 0;
   VAxis v_axis = VAxis::up;
   TexelRounding rounding = TexelRounding::floor;
-  std::vector<std::uint32_t> texels;  ///< row by row from the top; red in the lowest bits
+  LargeArray<std::uint32_t> texels;  ///< row by row from the top; red in the lowest bits
 
   static constexpr int most = 1023;  ///< of a channel: the root of 1
 

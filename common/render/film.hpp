@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <vector>
 
 #include "color.hpp"
 #include "image.hpp"
@@ -94,7 +93,7 @@ class Film {
   [[nodiscard]] double error_of(double difference, int rows) const { return std::sqrt(difference / (3.0 * width_ * rows)) / 2; }
   int width_;
   int height_;
-  std::vector<Pixel> pixels_;
+  LargeArray<Pixel> pixels_;
   long first_ = 0;
   long second_ = 0;
   // Of the drawing under way. A film can be moved and copied, a lock cannot.

@@ -76,11 +76,11 @@ std::string outcome(const File& file) {
 
 TEST_CASE("the smallest PNG files there are load") {
   const Image grey = texmap::decode_image(joined({start, grey_header, pixels(grey_rows), end}));
-  CHECK(grey.pixels == std::vector<Rgb8>{{10, 10, 10}, {20, 20, 20}});
+  CHECK(grey.pixels == texmap::LargeArray<Rgb8>{{10, 10, 10}, {20, 20, 20}});
   const Image palette = texmap::decode_image(joined({start, header(2, 1, 8, 3), two_colors, pixels({0, 1, 0}), end, {9, 9}}));
-  CHECK(palette.pixels == std::vector<Rgb8>{{4, 5, 6}, {1, 2, 3}});
+  CHECK(palette.pixels == texmap::LargeArray<Rgb8>{{4, 5, 6}, {1, 2, 3}});
   const Image half = texmap::decode_image(joined({start, header(1, 1, 16, 2), pixels({0, 1, 255, 2, 255, 3, 255}), end}));
-  CHECK(half.pixels == std::vector<Rgb8>{{1, 2, 3}});
+  CHECK(half.pixels == texmap::LargeArray<Rgb8>{{1, 2, 3}});
 }
 
 TEST_CASE("a PNG file with one mistake is refused with its reason") {
