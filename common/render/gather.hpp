@@ -66,15 +66,15 @@ template <class Real, GathersLight Lesson>
   const auto sky_alone = scene.without_objects();
 
   gathering.sampler.visit([&](const auto& pattern) {
-    const auto add_samples = [&](const auto& path, const Bits<Real>& pixels, int first, int end, Color<Real>& result)
-                                 TEXMAP_FLATTEN {
-                                   Color<Real> sum{};
-                                   for (int i = first; i < end; ++i) {
-                                     SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
-                                     sum = sum + path(numbers);
-                                   }
-                                   result = sum;
-                                 };
+    const auto add_samples = [&](const auto& path, const Bits<Real>& pixels, int first_sample, int end_sample,
+                                 Color<Real>& result) TEXMAP_FLATTEN {
+      Color<Real> sum{};
+      for (int i = first_sample; i < end_sample; ++i) {
+        SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
+        sum = sum + path(numbers);
+      }
+      result = sum;
+    };
     // Draws pixels. `path_of` makes of a pack of them what makes the light of one sample of its numbers.
     const auto draw_pixels = [&](const std::vector<Pixel>& list, const auto& path_of) {
       for (std::size_t begin = 0; begin < list.size(); begin += lanes<Real>) {
