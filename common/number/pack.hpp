@@ -81,7 +81,7 @@ class Pack {
 
     constexpr long double quarter = std::numbers::pi_v<long double> / 4;
     constexpr T high = static_cast<T>(quarter);
-    constexpr T low = static_cast<T>(quarter - high);
+    constexpr T low = static_cast<T>(quarter - static_cast<long double>(high));
     const auto twice_if_steep = [&](T eighth) {
       return xsimd::select(diagonal, Batch(eighth), xsimd::select(steep, Batch(T(2) * eighth), Batch(T(0))));
     };

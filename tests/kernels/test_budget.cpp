@@ -127,9 +127,11 @@ TEST_CASE("a surface's kernel and its smoothing keep to the budget together") {
   const double growth = Biquadratic<double>::worst_growth;
   const double epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
   for (const char* text : {"levels=0.5", "levels=1", "levels=20", "texels=0.001", "texels=0.01", "texels=1"}) {
-    for (const auto& [width, height] : {std::pair{64, 32}, std::pair{2048, 1024}, std::pair{512, 4096}}) {
+    struct Size {
+      int width, height;
+    };
+    for (const auto [width, height] : {Size{64, 32}, Size{2048, 1024}, Size{512, 4096}}) {
       CAPTURE(text);
-      CAPTURE(width);
       const Budget budget = parse_budget(text);
       const SurfaceChoice choice = choose_surface_kernel(budget, width, height);
       const double u = Smoothing::turns_per_bend * choice.smoothing.most_bend + 0.3 * epsilon;
