@@ -17,7 +17,8 @@ TEST_CASE("arrays on both sides of a large page hold what is put in, also when t
     std::iota(array.begin(), array.end(), 7U);
     for (std::uint32_t more = 0; more < 3; ++more) array.push_back(more);
     const LargeArray<std::uint32_t> moved = std::move(array);
-    const LargeArray<std::uint32_t> copied = moved;
+    LargeArray<std::uint32_t> copied;
+    copied = moved;
     REQUIRE(copied.size() == size + 3);
     if (size > 0) CHECK(copied[size - 1] == size + 6);
     CHECK(copied.back() == 2);

@@ -21,6 +21,9 @@ struct PlaceTexture {
 };
 using Paint = Mapped<RtiowMapping, PlaceTexture>;
 
+/// Places in a pixel, along either side.
+constexpr std::array in_pixel{-0.5, -0.375, -0.25, -0.125, 0.0, 0.125, 0.25, 0.375, 0.5};
+
 const GradientSky fading{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
 
 /// A sphere, and a pixel that sees it: anything from its middle to its limb, from its equator to its poles, from near and far,
@@ -68,8 +71,8 @@ TEST_CASE("a biquadratic polynomial is its own interpolation, and errors at its 
   };
   const auto same = [](double value) { return value; };
   const Biquadratic<double> polynomial(at_nine_places<double>(function), same);
-  for (double x = -0.5; x <= 0.5; x += 0.125) {
-    for (double y = -0.5; y <= 0.5; y += 0.125) CHECK(polynomial(x, y) == doctest::Approx(function(x, y)).epsilon(1e-14));
+  for (const double x : in_pixel) {
+    for (const double y : in_pixel) CHECK(polynomial(x, y) == doctest::Approx(function(x, y)).epsilon(1e-14));
   }
   // The worst errors are 1 with the signs that all help one corner.
   const auto signs = [](double x, double y) { return (x == 0 ? -1.0 : 1.0) * (y == 0 ? -1.0 : 1.0); };
@@ -97,8 +100,8 @@ TEST_CASE("a patch is off by no more than its bend and its tilt say, and not by 
     const Paint paint{};
     const GradientSkyIn<double> sky = number_cast<double>(fading);
     const PixelPatch<double, Paint> patch(sight.view, sphere, paint, sky, sight.column, sight.row);
-    for (const double x : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
-      for (const double y : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
+    for (const double x : in_pixel) {
+      for (const double y : in_pixel) {
         const Ray<double> ray{sight.view.eye, direction_through(sight.view, sight.column + x, sight.row + y)};
         const double distance = distance_to(sphere, ray);
         REQUIRE(distance < infinity<double>());
@@ -139,8 +142,8 @@ TEST_CASE("pixels that are told to look beside the sphere do, and few others") {
     for (int row = 0; row < 48; ++row) {
       for (int column = 0; column < 64; ++column) {
         bool met = false;
-        for (double x = -0.5; x <= 0.5; x += 0.125) {
-          for (double y = -0.5; y <= 0.5; y += 0.125) {
+        for (const double x : in_pixel) {
+          for (const double y : in_pixel) {
             met = met || distance_to(sphere, ray_through(view, column + x, row + y)) < infinity<double>();
           }
         }
