@@ -64,11 +64,12 @@ struct Biquadratic {
 /// What `function` gives at the nine places of a Biquadratic: [j][i] for x = (i - 1) step and y = (j - 1) step.
 template <class Real, class Function>
 [[nodiscard]] auto at_nine_places(const Function& function) {
-  const auto place = [](int k) { return Real(k * Biquadratic<Real>::step); };
-  const auto in_row = [&](int j) {
-    return std::array{function(place(-1), place(j)), function(place(0), place(j)), function(place(1), place(j))};
-  };
-  return std::array{in_row(-1), in_row(0), in_row(1)};
+  std::array<std::array<decltype(function(Real(0), Real(0))), 3>, 3> nine;
+  const auto place = [](std::size_t k) { return Real((static_cast<double>(k) - 1) * Biquadratic<Real>::step); };
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) nine[j][i] = function(place(i), place(j));
+  }
+  return nine;
 }
 
 }  // namespace texmap

@@ -130,8 +130,7 @@ template <class Real, GathersLight Lesson>
         draw_pixels(lists.beside, paths_in(sky_alone));
       }
       if constexpr (requires(Real place) { scene.pixel_patch(place, place); }) {
-        draw_pixels(lists.patches,
-                    [&](const Real& column, const Real& row) TEXMAP_FLATTEN { return scene.pixel_patch(column, row); });
+        draw_pixels(lists.patches, [&](const Real& column, const Real& row) { return scene.pixel_patch(column, row); });
       }
       draw_pixels(lists.others, paths_in(scene));
       for (int row = first_row; row < end_row; ++row) film.finish_row(row);
