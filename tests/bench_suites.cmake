@@ -56,6 +56,17 @@ else()
   message(STATUS "Google Benchmark not found: no ./course bench --google (Debian libbenchmark-dev, Fedora google-benchmark-devel)")
 endif()
 
+# To test them and not to time anything, they need not be fast: half the time to compile.
+option(TEXMAP_BENCH_UNTIMED "Compile the benchmarks quickly; their times then mean nothing" OFF)
+if(TEXMAP_BENCH_UNTIMED)
+  foreach(target bench_groups bench_wide)
+    if(TARGET ${target})
+      target_compile_options(${target} PRIVATE -O1)
+      target_compile_definitions(${target} PRIVATE TEXMAP_NO_FLATTEN)
+    endif()
+  endforeach()
+endif()
+
 # No clock: the pages name what is measured, and the programs say what they should.
 add_suite(bench/test_bench_pages USES ${bench_objects} LABELS bench)
 target_include_directories(test_bench_pages PRIVATE bench compare)  # compare: running.hpp
