@@ -379,7 +379,7 @@ struct Timing {
 [[nodiscard]] inline std::vector<double> timed_by_turns(const std::vector<Work>& works, int rounds, std::size_t ticks,
                                                         Timing& timing) {
   Rounds& noted = timing.done.emplace_back(Rounds{rounds});
-  const auto shortest = shortest_times(
+  auto shortest = shortest_times(
       works, rounds,
       [&](int done, int) {
         if (static_cast<std::size_t>(done - 1) % works.size() < ticks) timing.tick();

@@ -109,6 +109,7 @@ TEST_CASE("a patch is off by no more than its bend and its tilt say, and not by 
         const Uv<double> uv = uv_rtiow(normal);
         const Rgb place = patch.albedo(x, y);
         const Vec3<double> upward{patch.normal[0](x, y), patch.normal[1](x, y), patch.normal[2](x, y)};
+        REQUIRE((place.r >= 0 && place.r <= 1));  // on either side of the seam
         u_off = std::max(u_off, around(place.r - uv.u) / look.bend);
         v_off = std::max(v_off, std::abs(place.g - uv.v) / look.bend);
         normal_off = std::max(normal_off, farthest(upward, normal) / look.tilt);
@@ -163,6 +164,11 @@ TEST_CASE("pixels that are told to look beside the sphere do, and few others") {
   };
   CHECK_FALSE(from({0.3, 0.1, 0.2}).beside);
   CHECK(from({0.3, 0.1, 0.2}).bend == infinity<double>());
+  // Close to the surface and turned from the center, where the line's nearest point to it is behind.
+  const View outward = view_of({.eye = {0.99, 0, 0}, .target = {1.5, 0, 1}, .fov_y_degrees = 90}, 8, 8);
+  for (int pixel = 0; pixel < 64; ++pixel) {
+    CHECK_FALSE(look_through(outward, number_cast<double>(Sphere{{0, 0, 0}, 1}), pixel % 8 * 1.0, pixel / 8 * 1.0).beside);
+  }
   CHECK(from({0, 0, -5}).bend == infinity<double>());
 }
 
