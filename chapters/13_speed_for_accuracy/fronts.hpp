@@ -1,5 +1,7 @@
 // The four plots of this chapter: speed against error of places and of levels, error against samples, error against seconds.
 #pragma once
+#include <optional>
+
 #include "front.hpp"
 #include "plot.hpp"
 #include "table.hpp"
@@ -32,6 +34,29 @@ inline void add_point(Plot& plot, const Way& way, const PlotPoint& point) {
   std::find_if(plot.series.begin(), plot.series.end(), is_named)->points.push_back(point);
 }
 
+/// What a plot of trials shows of one of them.
+struct ShownTrial {
+  double off = 0;     ///< how far off it is at most
+  std::string label;  ///< at its point; none if it has no text
+};
+
+/// The times of trials against how far off they are: a series for each number, and the front of all.
+///
+/// @param show   called with a trial, gives an optional ShownTrial: nothing where the trial stays out of the plot
+/// @param label  called with the way of a trial on the front, gives what is written there
+template <class Show, class Label>
+void add_trials(Plot& plot, const std::vector<Trial>& trials, const Show& show, const Label& label) {
+  std::vector<Tradeoff> tradeoffs;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Trial& trial = trials[i];
+    const std::optional<ShownTrial> shown = show(trial);
+    if (!shown) continue;
+    tradeoffs.push_back({trial.time, shown->off, i});
+    add_point(plot, trial.way, {trial.time, shown->off, shown->label});
+  }
+  plot.front = labelled_front(tradeoffs, [&](std::size_t i) { return label(trials[i].way); });
+}
+
 /// Every number and kernel with the nearest texel: its time, and how far off a place can be at most.
 [[nodiscard]] inline Plot plot_speed_error(const Measurements& all) {
   Plot plot{"Speed against error: places on the texture, one ray a pixel",
@@ -40,14 +65,11 @@ inline void add_point(Plot& plot, const Way& way, const PlotPoint& point) {
             {},
             {},
             {}};
-  std::vector<Tradeoff> tradeoffs;
-  for (std::size_t i = 0; i < all.places.size(); ++i) {
-    const Trial& trial = all.places[i];
-    if (trial.way.filter != Filter::nearest) continue;
-    tradeoffs.push_back({trial.time, trial.errors.texels_bound, i});
-    add_point(plot, trial.way, {trial.time, trial.errors.texels_bound, i == 0 ? "plain double" : ""});
-  }
-  plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return name_of_kernel(all.places[i].way.degree); });
+  const auto show = [&all](const Trial& trial) -> std::optional<ShownTrial> {
+    if (trial.way.filter != Filter::nearest) return {};
+    return ShownTrial{trial.errors.texels_bound, &trial == &all.places.front() ? "plain double" : ""};
+  };
+  add_trials(plot, all.places, show, [](const Way& way) { return name_of_kernel(way.degree); });
   return plot;
 }
 
@@ -60,14 +82,11 @@ inline void add_point(Plot& plot, const Way& way, const PlotPoint& point) {
             {},
             {},
             {}};
-  std::vector<Tradeoff> tradeoffs;
-  for (std::size_t i = 0; i < all.curves.size(); ++i) {
-    const Trial& trial = all.curves[i];
-    const double off = 0.5 + trial.errors.unrounded_bound;
-    tradeoffs.push_back({trial.time, off, i});
-    add_point(plot, trial.way, {trial.time, off, trial.way.number == Number::double_ ? described_light(trial.way) : ""});
-  }
-  plot.front = labelled_front(tradeoffs, [&all](std::size_t i) { return described_light(all.curves[i].way); });
+  const auto show = [](const Trial& trial) -> std::optional<ShownTrial> {
+    return ShownTrial{0.5 + trial.errors.unrounded_bound,
+                      trial.way.number == Number::double_ ? described_light(trial.way) : ""};
+  };
+  add_trials(plot, all.curves, show, described_light);
   return plot;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "sampling_options.hpp"
 #include "trials.hpp"
 
 namespace texmap::chapter_13 {
@@ -51,19 +52,6 @@ inline constexpr int converged_samples = 1024;
     }
   }
   return levels;
-}
-
-/// The picture that a film shows.
-[[nodiscard]] inline Image developed(const Film& film) {
-  Image image(film.width(), film.height());
-  const auto byte = [](double light) { return static_cast<std::uint8_t>(srgb_byte_exact(light)); };
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const Rgb light = film.light(column, row);
-      image.at(column, row) = {byte(light.r), byte(light.g), byte(light.b)};
-    }
-  }
-  return image;
 }
 
 /// Root mean square difference of two pictures.
@@ -160,7 +148,7 @@ inline constexpr int kept_samples = 64;
     errors.may_change += note_pixel({levels[i], levels[i + 1], levels[i + 2]}, {right[i], right[i + 1], right[i + 2]}, errors);
   }
   errors.mean_unrounded /= static_cast<double>(levels.size());
-  compare_bytes(developed(film), developed(judge), errors);
+  compare_bytes(develop(film, Transfer::srgb), develop(judge, Transfer::srgb), errors);
   return errors;
 }
 

@@ -105,11 +105,11 @@ struct SheetLayout {
   const Way way{};
 #endif
   const Film converged = sampled(globe, view, way, Sampler(SamplerKind::sobol, 256, 1), threads);
-  const Image smooth = developed(converged);
+  const Image smooth = develop(converged, Transfer::srgb);
   show(smooth, "sobol, 256 rays a pixel", "what all samplers go to", "");
   for (const SamplerKind kind : sampler_kinds) {
     const Film film = sampled(globe, view, way, Sampler(kind, 16), threads);
-    show(differences(developed(film), smooth, 0), std::string(name_of(kind)) + ", 16 rays a pixel",
+    show(differences(develop(film, Transfer::srgb), smooth, 0), std::string(name_of(kind)) + ", 16 rays a pixel",
          printed("%.2f levels off, root mean square", rms_apart(levels_of(film), levels_of(converged))), "");
   }
 

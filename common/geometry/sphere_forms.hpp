@@ -1,6 +1,7 @@
 // Three ways to find where a ray meets a sphere: the textbook's, one that keeps its digits, and one that keeps them all.
 #pragma once
 #include "compensated.hpp"
+#include "compiler.hpp"
 #include "ray.hpp"
 
 namespace texmap {
@@ -100,11 +101,7 @@ struct Meeting {
 /// takes some 20 times as long as the plain form, alone, and 6 times in a whole picture. Source: this course; determinants
 /// after Kahan. Not inlined: it is long, and loops that could call it, but do not, would be slower for it.
 template <class Real>
-#if defined(__GNUC__)
-[[gnu::noinline]]
-#endif
-[[nodiscard]] Meeting<Real>
-hybrid_meeting(const Vec3<Real>& center, const Real& radius, const Ray<Real>& ray) {
+[[nodiscard]] TEXMAP_NOINLINE Meeting<Real> hybrid_meeting(const Vec3<Real>& center, const Real& radius, const Ray<Real>& ray) {
   const TwoParts<Real> x = two_sum(ray.origin.x, -center.x);
   const TwoParts<Real> y = two_sum(ray.origin.y, -center.y);
   const TwoParts<Real> z = two_sum(ray.origin.z, -center.z);

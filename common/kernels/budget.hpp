@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "compiler.hpp"
 #include "pixel_look.hpp"
 #include "power_kernel.hpp"
 #include "root_texture.hpp"
@@ -174,11 +175,7 @@ struct BudgetMapping {
 
   /// Not inlined: eleven mappings would stand in each of a program's many loops, and take minutes to compile.
   template <class Real>
-#if defined(__GNUC__)
-  [[gnu::noinline]]
-#endif
-  [[nodiscard]] Uv<Real>
-  operator()(const Vec3<Real>& p) const {
+  [[nodiscard]] TEXMAP_NOINLINE Uv<Real> operator()(const Vec3<Real>& p) const {
     return with_uv_mapping<Directions::unit>(choice, [&p](const auto& mapping) { return mapping(p); });
   }
 };

@@ -6,7 +6,7 @@
 #include "film.hpp"
 #include "pixel_lists.hpp"
 #include "render.hpp"
-#include "samplers.hpp"
+#include "sample_numbers.hpp"
 
 namespace texmap {
 
@@ -15,25 +15,6 @@ struct Gathering {
   Sampler sampler{SamplerKind::sobol, 1};  ///< all its samples are drawn
   int in_first_half = 0;                   ///< how many of them go to the film's first half; the rest go to the second
   Film* film = nullptr;
-};
-
-/// The numbers of one sample in a pack of pixels: dimension after dimension.
-///
-/// @tparam Pattern  one of the sampler's
-template <class Real, class Pattern>
-class SampleNumbers {
- public:
-  SampleNumbers(const Pattern& pattern, const Bits<Real>& pixels, int sample)
-      : pattern_(pattern), pixels_(pixels), sample_(static_cast<std::uint32_t>(sample)) {}
-
-  /// The next two numbers in [0, 1): every use in a sample has a dimension of its own.
-  [[nodiscard]] Sample2<Real> pair() { return pattern_.template pair<Real>(pixels_, sample_, dimension_++); }
-
- private:
-  const Pattern& pattern_;
-  const Bits<Real>& pixels_;
-  std::uint32_t sample_;
-  std::uint32_t dimension_ = 0;
 };
 
 /// How many rows are drawn together.
@@ -50,8 +31,8 @@ concept GathersLight = requires(const Lesson& lesson) {
 /// plain lessons.
 ///
 /// A lesson may have foresight(view), an optional Foresight, if its scene has one sphere: samples beside it do not look for it,
-/// where their light is known there are none, and smooth pixels are patches. Pixels of a row that are drawn alike are packed
-/// together, wherever they lie.
+/// where their light is known there are none, and smooth pixels are patches. Pixels of some rows that are drawn alike are
+/// packed together, wherever they lie in them.
 /// @return  an empty picture: what the film shows is asked of the film
 template <class Real, GathersLight Lesson>
 [[nodiscard]] Image render(const Lesson& lesson, const View& view, const RenderSettings& settings) {
@@ -65,76 +46,75 @@ template <class Real, GathersLight Lesson>
   if (samples < least_samples_of_patch && foresight) foresight->smoothing = {};
   const auto sky_alone = scene.without_objects();
 
-  gathering.sampler.visit([&](const auto& pattern) {
-    const auto add_samples = [&](const auto& path, const Bits<Real>& pixels, int first_sample, int end_sample,
-                                 Color<Real>& result) TEXMAP_FLATTEN {
-      Color<Real> sum{};
-      for (int i = first_sample; i < end_sample; ++i) {
-        SampleNumbers<Real, std::decay_t<decltype(pattern)>> numbers(pattern, pixels, i);
-        sum = sum + path(numbers);
+  const auto add_samples = [&](const auto& path, const Bits<Real>& pixels, int first_sample, int end_sample,
+                               Color<Real>& result) TEXMAP_FLATTEN {
+    SampleNumbers<Real> numbers(gathering.sampler, pixels, first_sample, end_sample);
+    Color<Real> sum{};
+    for (int i = first_sample; i < end_sample; ++i) {
+      sum = sum + path(numbers);
+      numbers.next_sample();
+    }
+    result = sum;
+  };
+  // Draws pixels. `path_of` makes of a pack of them what makes the light of one sample of its numbers.
+  const auto draw_pixels = [&](const std::vector<Pixel>& list, const auto& path_of) {
+    for (std::size_t begin = 0; begin < list.size(); begin += lanes<Real>) {
+      // The last pack may have lanes too many: they draw its last pixel again, for no one.
+      const auto pixel = [&](std::size_t i) -> const Pixel& { return list[std::min(begin + i, list.size() - 1)]; };
+      const Real column = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).column); });
+      const Real row = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).row); });
+      const Bits<Real> pixels = bits_of_pixels<Real>(bits_from_real(column), bits_from_real(row));
+      const auto path = path_of(column, row);
+      const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
+      Color<Real> first_half, second_half;
+      add_samples(path, pixels, 0, gathering.in_first_half, first_half);
+      add_samples(path, pixels, gathering.in_first_half, samples, second_half);
+      const auto firsts = lanes_of(first_half);
+      const auto seconds = lanes_of(second_half);
+      for (std::size_t i = 0; i < std::min(lanes<Real>, list.size() - begin); ++i) {
+        const auto in_lane = [i](const auto& channels) {
+          return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
+                     static_cast<double>(channels[2][i])};
+        };
+        film.add(pixel(i).column, pixel(i).row, in_lane(firsts), in_lane(seconds));
       }
-      result = sum;
+    }
+  };
+  const auto paths_in = [&](const auto& seen) {
+    return [&](const Real& column, const Real& row) {
+      return [&, column, row](auto& numbers) { return lesson(seen, column, row, numbers); };
     };
-    // Draws pixels. `path_of` makes of a pack of them what makes the light of one sample of its numbers.
-    const auto draw_pixels = [&](const std::vector<Pixel>& list, const auto& path_of) {
-      for (std::size_t begin = 0; begin < list.size(); begin += lanes<Real>) {
-        // The last pack may have lanes too many: they draw its last pixel again, for no one.
-        const auto pixel = [&](std::size_t i) -> const Pixel& { return list[std::min(begin + i, list.size() - 1)]; };
-        const Real column = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).column); });
-        const Real row = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).row); });
-        const Bits<Real> pixels = bits_of_pixels<Real>(bits_from_real(column), bits_from_real(row));
-        const auto path = path_of(column, row);
-        const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
-        Color<Real> first_half, second_half;
-        add_samples(path, pixels, 0, gathering.in_first_half, first_half);
-        add_samples(path, pixels, gathering.in_first_half, samples, second_half);
-        const auto firsts = lanes_of(first_half);
-        const auto seconds = lanes_of(second_half);
-        for (std::size_t i = 0; i < std::min(lanes<Real>, list.size() - begin); ++i) {
-          const auto in_lane = [i](const auto& channels) {
-            return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
-                       static_cast<double>(channels[2][i])};
-          };
-          film.add(pixel(i).column, pixel(i).row, in_lane(firsts), in_lane(seconds));
-        }
-      }
-    };
-    const auto paths_in = [&](const auto& seen) {
-      return [&](const Real& column, const Real& row) {
-        return [&, column, row](auto& numbers) { return lesson(seen, column, row, numbers); };
-      };
-    };
-    // Some rows at a time: lists so long fill their packs.
-    const int blocks = (view.height + rows_at_a_time - 1) / rows_at_a_time;
-    const auto rows_done = [&](int done, int) { settings.progress(std::min(done * rows_at_a_time, view.height), view.height); };
-    for_each_row(blocks, settings.threads, settings.progress ? rows_done : decltype(settings.progress){}, [&](int block) {
-      const int first_row = block * rows_at_a_time;
-      const int end_row = std::min(first_row + rows_at_a_time, view.height);
-      PixelLists lists;
-      for (int row = first_row; row < end_row; ++row) {
-        if (foresight) {
-          add_row<Real>(lists, row, view.width, scene, *foresight);
-        } else {
-          add_row(lists, row, view.width);
-        }
-      }
-      if (foresight && foresight->light) {
-        const Rgb& light = *foresight->light;
-        for (const Pixel& at : lists.beside) {
-          film.add(at.column, at.row, light * static_cast<double>(gathering.in_first_half),
-                   light * static_cast<double>(samples - gathering.in_first_half));
-        }
-      } else if (foresight && foresight->smooths_sky(view)) {
-        draw_pixels(lists.beside, [&](const Real& column, const Real& row) { return scene.sky_patch(column, row); });
+  };
+  // Some rows at a time: lists so long fill their packs.
+  const int blocks = (view.height + rows_at_a_time - 1) / rows_at_a_time;
+  const auto rows_done = [&](int done, int) { settings.progress(std::min(done * rows_at_a_time, view.height), view.height); };
+  for_each_row(blocks, settings.threads, settings.progress ? rows_done : decltype(settings.progress){}, [&](int block) {
+    const int first_row = block * rows_at_a_time;
+    const int end_row = std::min(first_row + rows_at_a_time, view.height);
+    PixelLists lists;
+    for (int row = first_row; row < end_row; ++row) {
+      if (foresight) {
+        add_row<Real>(lists, row, view.width, scene, *foresight);
       } else {
-        draw_pixels(lists.beside, paths_in(sky_alone));
+        add_row(lists, row, view.width);
       }
-      if constexpr (requires(Real place) { scene.pixel_patch(place, place); }) {
-        draw_pixels(lists.patches, [&](const Real& column, const Real& row) { return scene.pixel_patch(column, row); });
+    }
+    if (foresight && foresight->light) {
+      const Rgb& light = *foresight->light;
+      for (const Pixel& at : lists.beside) {
+        film.add(at.column, at.row, light * static_cast<double>(gathering.in_first_half),
+                 light * static_cast<double>(samples - gathering.in_first_half));
       }
-      draw_pixels(lists.others, paths_in(scene));
-      for (int row = first_row; row < end_row; ++row) film.finish_row(row);
-    });
+    } else if (foresight && foresight->smooths_sky(view)) {
+      draw_pixels(lists.beside, [&](const Real& column, const Real& row) { return scene.sky_patch(column, row); });
+    } else {
+      draw_pixels(lists.beside, paths_in(sky_alone));
+    }
+    if constexpr (requires(Real place) { scene.pixel_patch(place, place); }) {
+      draw_pixels(lists.patches, [&](const Real& column, const Real& row) { return scene.pixel_patch(column, row); });
+    }
+    draw_pixels(lists.others, paths_in(scene));
+    for (int row = first_row; row < end_row; ++row) film.finish_row(row);
   });
   return {};
 }

@@ -8,19 +8,11 @@
 #include "bits.hpp"
 #include "camera.hpp"
 #include "color.hpp"
+#include "compiler.hpp"
 #include "image.hpp"
 #include "instructions.hpp"
 #include "progress.hpp"
 #include "threads.hpp"
-
-// All that a row calls, or a sample, becomes one piece of code: a twentieth faster, or a fifth, since what no one asks for
-// falls away. Compilers that watch each step need minutes and gigabytes for it, and are not asked, nor are tests, which have
-// time.
-#if defined(__GNUC__) && !defined(TEXMAP_NO_FLATTEN)
-#define TEXMAP_FLATTEN __attribute__((flatten))
-#else
-#define TEXMAP_FLATTEN
-#endif
 
 namespace texmap {
 

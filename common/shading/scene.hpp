@@ -17,22 +17,12 @@ struct SceneIn {
   std::vector<PaintedIn<Real, Paint>> objects;
   GradientSkyIn<Real> sky;
 
-  /// What a pixel sees of the only object; see PixelPatch. Not inlined, as it would be for every sampler.
-#if defined(__GNUC__)
-  [[gnu::noinline]]
-#endif
-  [[nodiscard]] auto
-  pixel_patch(const Real& column, const Real& row) const requires HasMapping<Paint, Real> {
+  /// What a pixel sees of the only object; see PixelPatch.
+  [[nodiscard]] auto pixel_patch(const Real& column, const Real& row) const requires HasMapping<Paint, Real> {
     return PixelPatch<Real, Paint>(view, objects.front().sphere, objects.front().paint, sky, column, row);
   }
-  /// What a pixel sees beside all objects; likewise.
-#if defined(__GNUC__)
-  [[gnu::noinline]]
-#endif
-  [[nodiscard]] SkyPatch<Real>
-  sky_patch(const Real& column, const Real& row) const {
-    return {view, sky, column, row};
-  }
+  /// What a pixel sees beside all objects.
+  [[nodiscard]] SkyPatch<Real> sky_patch(const Real& column, const Real& row) const { return {view, sky, column, row}; }
 
   /// The same view of the same sky, and nothing else.
   [[nodiscard]] SceneIn without_objects() const { return {view, {}, sky}; }

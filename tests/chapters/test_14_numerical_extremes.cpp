@@ -7,15 +7,15 @@
 
 #include "14_numerical_extremes/lesson.hpp"
 #include "compare/running.hpp"
+#include "many_digits.hpp"
 #include "pictures.hpp"
 
-#if __has_include(<boost/multiprecision/cpp_bin_float.hpp>)
+#ifdef TEXMAP_HAVE_DIGITS
 #include "extremes/digits.hpp"
-#define TEXMAP_HAVE_BOOST
 
 template <>
-inline texmap::extremes::Digits50 texmap::pi<texmap::extremes::Digits50>() {
-  return texmap::extremes::circle<texmap::extremes::Digits50>();
+inline texmap::Digits50 texmap::pi<texmap::Digits50>() {
+  return texmap::extremes::circle<texmap::Digits50>();
 }
 #endif
 
@@ -90,10 +90,10 @@ TEST_CASE("the table of the chapter's page is the one that its program prints") 
   for (const std::string& name : names()) CHECK(page.str().find(name) != std::string::npos);
 }
 
-#ifdef TEXMAP_HAVE_BOOST
+#ifdef TEXMAP_HAVE_DIGITS
 namespace {
 
-using Fifty = extremes::Digits50;
+using Fifty = Digits50;
 
 /// How many of the sampled pixels the judge sees otherwise than fifty digits do.
 template <class Exhibit>

@@ -1,18 +1,15 @@
-// The numbers that judge: 50 and 100 decimal digits. And how far another number is from them.
+// How far a number is from one of 50 digits, and vectors of such numbers.
 #pragma once
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
 #include "dice.hpp"
+#include "many_digits.hpp"
 #include "number.hpp"
 #include "vec3.hpp"
 
 namespace texmap::extremes {
-
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using Digits100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
 /// The circle constant in as many digits.
 template <class Exact>

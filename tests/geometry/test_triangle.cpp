@@ -7,13 +7,9 @@
 #include <type_traits>
 
 #include "dice.hpp"
+#include "many_digits.hpp"
 #include "pack.hpp"
 #include "seed_triangle.hpp"
-
-#if __has_include(<boost/multiprecision/cpp_bin_float.hpp>)  // the number that judges double; the laws do without it
-#define TEXMAP_HAVE_REFERENCE
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#endif
 
 namespace texmap {
 namespace {
@@ -413,8 +409,8 @@ TEST_CASE_TEMPLATE("sides that rounding left without a triangle have no area by 
   CHECK(std::isnan(seeds::heron_area_kahan(longest, Real(1), Real(1))));
 }
 
-#ifdef TEXMAP_HAVE_REFERENCE
-using Reference = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+#ifdef TEXMAP_HAVE_DIGITS  // the number that judges double; the laws above do without it
+using Reference = Digits100;
 
 template <class Real>
 Vec3<Reference> referred(const Vec3<Real>& p) {

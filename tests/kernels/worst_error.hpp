@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "dice.hpp"
+#include "many_digits.hpp"
 #include "pack.hpp"
 #include "vec3.hpp"
-
-#if __has_include(<boost/multiprecision/cpp_bin_float.hpp>)
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#define TEXMAP_HAVE_REFERENCE
-#endif
 
 #ifdef TEXMAP_HAVE_PACKS
 #define TEXMAP_KERNEL_NUMBERS float, double, long double, Pack<float>, Pack<double>
@@ -22,8 +18,8 @@
 
 namespace texmap {
 
-#ifdef TEXMAP_HAVE_REFERENCE
-using Reference = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+#ifdef TEXMAP_HAVE_DIGITS
+using Reference = Digits50;
 #else
 using Reference = long double;
 #endif

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "interval.hpp"
+#include "many_digits.hpp"
 
-#if __has_include(<boost/multiprecision/cpp_bin_float.hpp>) && __has_include(<boost/numeric/interval.hpp>)
+#if defined(TEXMAP_HAVE_DIGITS) && __has_include(<boost/numeric/interval.hpp>)
 #define TEXMAP_HAVE_BOOST
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/numeric/interval.hpp>
 #endif
 
@@ -404,8 +404,6 @@ TEST_CASE("without Boost the number with 50 digits does not judge") {
 #else
 
 // The law, judged by 50 digits.
-
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 bool holds(const Interval& bounds, const Digits50& exact) {
   return Digits50(bounds.low()) <= exact && exact <= Digits50(bounds.high());

@@ -1,4 +1,5 @@
-// Tests of common/sampling/samplers.hpp: where samples lie, how far means of them are off, and that all numbers agree.
+// Tests of common/sampling/samplers.hpp and sample_numbers.hpp: where samples lie, how far means of them are off, and that all
+// numbers agree.
 #include <doctest.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "sample_numbers.hpp"
 #include "sampled_numbers.hpp"
-#include "samplers.hpp"
 
 namespace texmap {
 namespace {
@@ -352,6 +353,27 @@ TEST_CASE("the pattern inside of visit is the sampler's own") {
     const auto pixel = pixel_bits<float>(8, 9);
     const float inside = sampler.visit([&](const auto& pattern) { return pattern.template pair<float>(pixel, 5, 6).u; });
     CHECK(inside == sampler.pair<float>(pixel, 5, 6).u);
+  }
+}
+
+TEST_CASE_TEMPLATE("numbers handed out one after another are the sampler's own, whoever asks for how many", Real,
+                   TEXMAP_SAMPLED_NUMBERS) {
+  const auto pixels = pixel_bits<Real>(8, 9);
+  for (const SamplerKind kind : all_kinds) {
+    const Sampler sampler(kind, 100, 3);
+    for (const auto& [first, end] : {std::pair(0, 50), {50, 100}, {7, 39}, {37, 38}}) {
+      SampleNumbers<Real> numbers(sampler, pixels, first, end);
+      for (int sample = first; sample < end; ++sample) {
+        // Some ask for nothing, the first of a block among them; some for more than are kept.
+        for (std::uint32_t dimension = 0; dimension < static_cast<std::uint32_t>(sample) * 5 % 8; ++dimension) {
+          const Sample2<Real> got = numbers.pair();
+          const Sample2<Real> own = sampler.pair<Real>(pixels, static_cast<std::uint32_t>(sample), dimension);
+          REQUIRE(all_lanes(got.u) == all_lanes(own.u));
+          REQUIRE(all_lanes(got.v) == all_lanes(own.v));
+        }
+        numbers.next_sample();
+      }
+    }
   }
 }
 
