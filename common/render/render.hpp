@@ -30,12 +30,11 @@ struct RenderSettings {
 template <class Real>
 [[nodiscard]] Bits<Real> bytes_of(const Real& channel) {
   const Real inside = clamp(channel, Real(0), Real(1));
-  if constexpr (std::is_same_v<Scalar<Real>, double>) {
+  if constexpr (std::is_same_v<Scalar<Real>, float> || std::is_same_v<Scalar<Real>, double>) {
+    // 255 times a float has more digits than a float, but no product is rounded up to a level. The product is less than half a
+    // digit below level k only if k / 255 is less than 0.502 of the number's last digit above it. It repeats the bits of k for
+    // ever: what follows 24 of them is k again from its highest bit on, more than 0.502.
     return bits_from_real(inside * Real(255));
-  } else if constexpr (std::is_same_v<Scalar<Real>, float>) {
-    // 255 times a float has more digits than a float. Where rounding reached the next level, 256 times less the level tells.
-    const Real level = real_from_bits<Real>(bits_from_real(inside * Real(255)));
-    return bits_from_real(select(inside * Real(256) - level < inside, level - Real(1), level));
   } else {
     return bytes_of(static_cast<double>(inside));
   }

@@ -39,4 +39,8 @@ TEST_CASE("large arrays begin where a large page does, small ones take no more t
 TEST_CASE("more than an address can count is an exception") {
   constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
   CHECK_THROWS_AS((void)LargePages<std::uint64_t>().allocate(most / 8), std::bad_array_new_length);
+  CHECK_THROWS_AS((void)allocate_bytes(most), std::bad_alloc);
+#ifndef TEXMAP_INSTRUMENTED  // there the watcher ends the program
+  CHECK_THROWS_AS((void)allocate_bytes(most / 4), std::bad_alloc);
+#endif
 }

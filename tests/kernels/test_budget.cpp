@@ -149,6 +149,18 @@ TEST_CASE("a surface's kernel and its smoothing keep to the budget together") {
       }
     }
   }
+  // Budgets of which a mapping's nine looks use up a quarter, so that roundings may leave less than nothing.
+  for (const double texels : {0.0006, 0.001, 0.01, 0.1}) {
+    for (const Budget::Unit unit : {Budget::Unit::levels, Budget::Unit::texels}) {
+      const UvChoice offer = choose_uv_kernel({Budget::Unit::texels, texels}, 8192, 1, Directions::unit);
+      const double worst = unit == Budget::Unit::levels ? offer.worst_levels : offer.worst_texels;
+      for (const double more : {1.0 + 1e-9, 1.01, 1.1}) {
+        const Smoothing smoothing = choose_surface_kernel({unit, 4 * worst * more}, 8192, 1).smoothing;
+        CHECK(smoothing.most_bend >= 0);
+        CHECK((smoothing.most_bend > 0 || smoothing.most_tilt == 0));
+      }
+    }
+  }
   CHECK(choose_surface_kernel(parse_budget("levels=1"), 2048, 1024).smoothing.most_bend > 1e-6);
   CHECK(choose_surface_kernel(parse_budget("texels=1e-4"), 2048, 1024).smoothing.most_bend == 0);  // float has no more digits
   CHECK(choose_surface_kernel(parse_budget("exact"), 2048, 1024).smoothing.most_bend == 0);
@@ -224,6 +236,16 @@ TEST_CASE("colors are exact where the budget is none of levels, and otherwise as
   CHECK(choose_power_kernel(parse_budget("levels=1")).terms == 3);
   CHECK(choose_power_kernel(parse_budget("levels=0.1")).terms == 4);
   CHECK(choose_power_kernel(parse_budget("levels=0.01")).terms == 6);
+}
+
+TEST_CASE("texels become roots where they take no more than half of the budget") {
+  const double worst = RootTexture::worst_levels;
+  CHECK(choose_texel_kernel({Budget::Unit::levels, 2 * worst}).roots);
+  CHECK(choose_texel_kernel({Budget::Unit::levels, 2 * worst}).worst_levels == worst);
+  CHECK_FALSE(choose_texel_kernel({Budget::Unit::levels, 1.99 * worst}).roots);
+  CHECK(choose_texel_kernel({Budget::Unit::levels, 1.99 * worst}).worst_levels == 0);
+  CHECK_FALSE(choose_texel_kernel({Budget::Unit::texels, 200}).roots);
+  CHECK_FALSE(choose_texel_kernel({}).roots);
 }
 
 TEST_CASE("a texture without a size is refused") {

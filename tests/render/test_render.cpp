@@ -72,6 +72,8 @@ TEST_CASE_TEMPLATE("a number becomes the byte of the double that it is, next to 
     const T edge = static_cast<T>(level) / T(255);
     for (const T channel : {std::nextafter(edge, T(-2)), edge, std::nextafter(edge, T(2))}) check(channel);
   }
+  T channel = 1;
+  for (int i = 0; i < 20000; ++i) check(channel *= T(0.9993));
   check(std::numeric_limits<T>::quiet_NaN());
 }
 
