@@ -150,7 +150,7 @@ struct SampledShot {
   template <class Real, class Numbers>
   [[nodiscard]] Color<Real> operator()(const SceneIn<Real, Paint>& scene, const Real& column, const Real& row,
                                        Numbers& numbers) const {
-    const auto in_pixel = numbers.pair();
+    const auto& in_pixel = numbers.pair();
     const Ray<Real> ray = ray_through(scene.view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)));
     const auto albedo = [](const auto& object, const Hit<Real>& hit) { return object.paint(hit); };
     return light_along(scene.objects, ray, scene.sky, albedo, 1, numbers);

@@ -29,7 +29,7 @@ struct LensOptions {
   /// @return  any length of direction: 1 along the view
   template <class Real, class Numbers>
   [[nodiscard]] Ray<Real> ray(const ViewIn<Real>& view, const Real& column, const Real& row, Numbers& numbers) const {
-    const auto in_pixel = numbers.pair();
+    const auto& in_pixel = numbers.pair();
     Ray<Real> ray = {view.eye, direction_through(view, column + (in_pixel.u - Real(0.5)), row + (in_pixel.v - Real(0.5)))};
     if (defocus_degrees > 0) {
       const auto on_lens = uniform_disk(numbers.pair());

@@ -46,18 +46,11 @@ template <class Real, GathersLight Lesson>
   if (samples < least_samples_of_patch && foresight) foresight->smoothing = {};
   const auto sky_alone = scene.without_objects();
 
-  const auto add_samples = [&](const auto& path, const Bits<Real>& pixels, int first_sample, int end_sample,
-                               Color<Real>& result) TEXMAP_FLATTEN {
-    SampleNumbers<Real> numbers(gathering.sampler, pixels, first_sample, end_sample);
-    Color<Real> sum{};
-    for (int i = first_sample; i < end_sample; ++i) {
-      sum = sum + path(numbers);
-      numbers.next_sample();
-    }
-    result = sum;
-  };
+  const auto add_samples = [&](SampleSums<Real>& sums, const auto& path, const Bits<Real>& pixels, int first, int end,
+                               Color<Real>& sum) TEXMAP_FLATTEN { sums.add(pixels, first, end, path, sum); };
   // Draws pixels. `path_of` makes of a pack of them what makes the light of one sample of its numbers.
   const auto draw_pixels = [&](const std::vector<Pixel>& list, const auto& path_of) {
+    SampleSums<Real> sums(gathering.sampler);
     for (std::size_t begin = 0; begin < list.size(); begin += lanes<Real>) {
       // The last pack may have lanes too many: they draw its last pixel again, for no one.
       const auto pixel = [&](std::size_t i) -> const Pixel& { return list[std::min(begin + i, list.size() - 1)]; };
@@ -66,9 +59,9 @@ template <class Real, GathersLight Lesson>
       const Bits<Real> pixels = bits_of_pixels<Real>(bits_from_real(column), bits_from_real(row));
       const auto path = path_of(column, row);
       const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
-      Color<Real> first_half, second_half;
-      add_samples(path, pixels, 0, gathering.in_first_half, first_half);
-      add_samples(path, pixels, gathering.in_first_half, samples, second_half);
+      Color<Real> first_half{}, second_half{};
+      add_samples(sums, path, pixels, 0, gathering.in_first_half, first_half);
+      add_samples(sums, path, pixels, gathering.in_first_half, samples, second_half);
       const auto firsts = lanes_of(first_half);
       const auto seconds = lanes_of(second_half);
       for (std::size_t i = 0; i < std::min(lanes<Real>, list.size() - begin); ++i) {

@@ -55,7 +55,7 @@ template <class Real, class Objects, class Sky, class Albedo, class Numbers>
     under_way = met;
     if (bounce == bounces || !any(under_way)) return light;
 
-    const Sample2<Real> sample = numbers.pair();
+    const Sample2<Real>& sample = numbers.pair();
     Ray<Real> next = ray;
     double index = 0;
     for (const auto& object : objects) {

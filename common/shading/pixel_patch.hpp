@@ -64,7 +64,7 @@ struct PixelPatch {
   /// The light of one sample, as light_past_one has it from the same numbers.
   template <class Numbers>
   [[nodiscard]] Color<Real> operator()(Numbers& numbers) const {
-    const Sample2<Real> in_pixel = numbers.pair();
+    const Sample2<Real>& in_pixel = numbers.pair();
     const Real x = in_pixel.u - Real(0.5);
     const Real y = in_pixel.v - Real(0.5);
     if (sky.is_constant()) return albedo(x, y) * sky.below;
@@ -91,7 +91,7 @@ struct SkyPatch {
   /// The light of one sample.
   template <class Numbers>
   [[nodiscard]] Color<Real> operator()(Numbers& numbers) const {
-    const Sample2<Real> in_pixel = numbers.pair();
+    const Sample2<Real>& in_pixel = numbers.pair();
     return sky(Ray<Real>{{}, {Real(0), height(in_pixel.u - Real(0.5), in_pixel.v - Real(0.5)), Real(0)}});
   }
 };
