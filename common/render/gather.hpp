@@ -27,6 +27,38 @@ concept GathersLight = requires(const Lesson& lesson) {
   lesson.gathering;
 };
 
+/// Draws the samples of some pixels, and adds them to the film.
+///
+/// @param pixels   packed together in this order
+/// @param path_of  called with columns and rows of a pack, gives what makes the light of one sample of SampleNumbers
+template <class Real, class PathOf>
+void gather_pixels(const Gathering& gathering, const std::vector<Pixel>& pixels, const PathOf& path_of) {
+  const int samples = gathering.sampler.samples();
+  SampleSums<Real> sums(gathering.sampler);
+  for (std::size_t begin = 0; begin < pixels.size(); begin += lanes<Real>) {
+    // The last pack may have lanes too many: they draw its last pixel again, for no one.
+    const auto pixel = [&](std::size_t i) -> const Pixel& { return pixels[std::min(begin + i, pixels.size() - 1)]; };
+    const Real column = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).column); });
+    const Real row = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).row); });
+    const Bits<Real> bits = bits_of_pixels<Real>(bits_from_real(column), bits_from_real(row));
+    const auto path = path_of(column, row);
+    Color<Real> first_half{}, second_half{};
+    sums.add(bits, 0, gathering.in_first_half, path, first_half);
+    sums.add(bits, gathering.in_first_half, samples, path, second_half);
+
+    const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
+    const auto firsts = lanes_of(first_half);
+    const auto seconds = lanes_of(second_half);
+    for (std::size_t i = 0; i < std::min(lanes<Real>, pixels.size() - begin); ++i) {
+      const auto in_lane = [i](const auto& channels) {
+        return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
+                   static_cast<double>(channels[2][i])};
+      };
+      gathering.film->add(pixel(i).column, pixel(i).row, in_lane(firsts), in_lane(seconds));
+    }
+  }
+}
+
 /// Draws the samples of a lesson that gathers light, and adds them to its film. Found by `draw` in place of the `render` for
 /// plain lessons.
 ///
@@ -46,33 +78,6 @@ template <class Real, GathersLight Lesson>
   if (samples < least_samples_of_patch && foresight) foresight->smoothing = {};
   const auto sky_alone = scene.without_objects();
 
-  const auto add_samples = [&](SampleSums<Real>& sums, const auto& path, const Bits<Real>& pixels, int first, int end,
-                               Color<Real>& sum) TEXMAP_FLATTEN { sums.add(pixels, first, end, path, sum); };
-  // Draws pixels. `path_of` makes of a pack of them what makes the light of one sample of its numbers.
-  const auto draw_pixels = [&](const std::vector<Pixel>& list, const auto& path_of) {
-    SampleSums<Real> sums(gathering.sampler);
-    for (std::size_t begin = 0; begin < list.size(); begin += lanes<Real>) {
-      // The last pack may have lanes too many: they draw its last pixel again, for no one.
-      const auto pixel = [&](std::size_t i) -> const Pixel& { return list[std::min(begin + i, list.size() - 1)]; };
-      const Real column = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).column); });
-      const Real row = from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).row); });
-      const Bits<Real> pixels = bits_of_pixels<Real>(bits_from_real(column), bits_from_real(row));
-      const auto path = path_of(column, row);
-      const auto lanes_of = [](const Color<Real>& c) { return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}; };
-      Color<Real> first_half{}, second_half{};
-      add_samples(sums, path, pixels, 0, gathering.in_first_half, first_half);
-      add_samples(sums, path, pixels, gathering.in_first_half, samples, second_half);
-      const auto firsts = lanes_of(first_half);
-      const auto seconds = lanes_of(second_half);
-      for (std::size_t i = 0; i < std::min(lanes<Real>, list.size() - begin); ++i) {
-        const auto in_lane = [i](const auto& channels) {
-          return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
-                     static_cast<double>(channels[2][i])};
-        };
-        film.add(pixel(i).column, pixel(i).row, in_lane(firsts), in_lane(seconds));
-      }
-    }
-  };
   const auto paths_in = [&](const auto& seen) {
     return [&](const Real& column, const Real& row) {
       return [&, column, row](auto& numbers) { return lesson(seen, column, row, numbers); };
@@ -99,14 +104,16 @@ template <class Real, GathersLight Lesson>
                  light * static_cast<double>(samples - gathering.in_first_half));
       }
     } else if (foresight && foresight->smooths_sky(view)) {
-      draw_pixels(lists.beside, [&](const Real& column, const Real& row) { return scene.sky_patch(column, row); });
+      gather_pixels<Real>(gathering, lists.beside,
+                          [&](const Real& column, const Real& row) { return scene.sky_patch(column, row); });
     } else {
-      draw_pixels(lists.beside, paths_in(sky_alone));
+      gather_pixels<Real>(gathering, lists.beside, paths_in(sky_alone));
     }
     if constexpr (requires(Real place) { scene.pixel_patch(place, place); }) {
-      draw_pixels(lists.patches, [&](const Real& column, const Real& row) { return scene.pixel_patch(column, row); });
+      gather_pixels<Real>(gathering, lists.patches,
+                          [&](const Real& column, const Real& row) { return scene.pixel_patch(column, row); });
     }
-    draw_pixels(lists.others, paths_in(scene));
+    gather_pixels<Real>(gathering, lists.others, paths_in(scene));
     for (int row = first_row; row < end_row; ++row) film.finish_row(row);
   });
   return {};

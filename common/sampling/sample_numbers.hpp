@@ -72,7 +72,7 @@ class SampleSums {
   /// @param work        called with SampleNumbers, gives what depends on them alone; a sample's work may be done again
   /// @param sum         to which all that is added
   template <class Work, class Sum>
-  void add(const Bits<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
+  TEXMAP_FLATTEN void add(const Bits<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
     block_.pixels = pixels;
     int sample = first;
     while (sample < end) {

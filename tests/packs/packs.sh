@@ -16,6 +16,10 @@ if [ "${1:-}" = --golden ]; then
 fi
 bin=${1:?usage: packs.sh [--self-test | --golden FOLDER] BIN [CHAPTER...]}
 shift
+[ -x "$bin/compare" ] || {
+  echo "there is no $bin/compare: build compare_program" >&2
+  exit 2
+}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
