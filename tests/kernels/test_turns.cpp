@@ -3,6 +3,7 @@
 
 #include <doctest.h>
 
+#include <functional>
 #include <string>
 
 #include "hard_vectors.hpp"
@@ -38,8 +39,9 @@ Uv<Exact> judged(const Vec3<T>& p) {
   return {u, atan2(around, -y) / half_circle};
 }
 
-template <class Exact, class Real, class Mapping>
-Measured measure(const Mapping& mapping, const std::vector<Vec3<Scalar<Real>>>& points) {
+/// The worst of a mapping over some points; a function, so that the judge is compiled once for all mappings.
+template <class Exact, class Real>
+Measured measure(const std::function<Uv<Real>(const Vec3<Real>&)>& mapping, const std::vector<Vec3<Scalar<Real>>>& points) {
   Measured worst;
   constexpr std::size_t n = lanes<Real>;
   for (std::size_t first = 0; first + n <= points.size(); first += n) {
