@@ -31,9 +31,10 @@ template <class Real>
 [[nodiscard]] Bits<Real> bytes_of(const Real& channel) {
   const Real inside = clamp(channel, Real(0), Real(1));
   if constexpr (std::is_same_v<Scalar<Real>, float> || std::is_same_v<Scalar<Real>, double>) {
-    // 255 times a float has more digits than a float, but no product is rounded up to a level. The product is less than half a
-    // digit below level k only if k / 255 is less than 0.502 of the number's last digit above it. It repeats the bits of k for
-    // ever: what follows 24 of them is k again from its highest bit on, more than 0.502.
+    // 255 times a float has more digits than a float, but no product is rounded up to a level k: for that, k / 255 would have
+    // to lie less than 128/255 of the float's last digit above it. Its bits are those of k, repeated for ever, so that what
+    // follows the first 24 begins with the highest bit of k: at least 128/255. (At powers of two a quarter of 256/255 would be
+    // needed.)
     return bits_from_real(inside * Real(255));
   } else {
     return bytes_of(static_cast<double>(inside));

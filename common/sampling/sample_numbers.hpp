@@ -35,8 +35,10 @@ class SampleNumbers {
  public:
   SampleNumbers(NumberBlock<Real>& block, int sample) : block_(block), sample_(sample) {}
 
-  /// The next two numbers in [0, 1): every use in a sample has a dimension of its own. They stay there until the next are asked
-  /// for: compilers copy packs in small pieces, and loading them whole would have to wait. If they lack they are wrong.
+  /// The next two numbers in [0, 1): every use in a sample has a dimension of its own.
+  ///
+  /// @return  where they stand until the next are asked for: a copy of packs goes through memory in small pieces, and who loads
+  ///          it whole has to wait. While lack() is true, wrong numbers
   [[nodiscard]] const Sample2<Real>& pair() {
     const int dimension = dimension_++;
     if (dimension >= block_.kept) return block_.make_other(sample_, dimension);

@@ -1,0 +1,74 @@
+#!/bin/sh
+# The programs, as fast as the compiler makes them, draw the golden pictures to the last bit.
+# usage: programs.sh BIN [CHAPTER...]   BIN holds the chapters' programs and compare; without chapters, all that have a picture
+#        programs.sh --self-test BIN    shows that a picture drawn in another way is noticed
+set -eu
+self_test=no
+if [ "${1:-}" = --self-test ]; then
+  self_test=yes
+  shift
+fi
+bin=${1:?usage: programs.sh [--self-test] BIN [CHAPTER...]}
+shift
+[ -x "$bin/compare" ] || {
+  echo "there is no $bin/compare: build compare_program" >&2
+  exit 2
+}
+folder=$(dirname "$0")
+chosen=" $* "
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+tried=0
+
+# is_drawn PICTURE PROGRAM [OPTION...]: true if the program draws tests/golden/PICTURE.png.
+is_drawn() {
+  picture=$1
+  program=$2
+  shift 2
+  "$bin/$program" --quiet --out "$work/drawn.png" "$@" >"$work/log" 2>&1 &&
+    "$bin/compare" "$work/drawn.png" "$folder/$picture.png" >>"$work/log" 2>&1
+}
+
+check() {
+  if [ "$chosen" != "  " ]; then
+    case $chosen in *" $2 "*) ;; *) return 0 ;; esac
+  fi
+  tried=$((tried + 1))
+  is_drawn "$@" || {
+    echo "FAIL: $2 does not draw tests/golden/$1.png" >&2
+    cat "$work/log" >&2
+    failed=$((failed + 1))
+  }
+}
+
+if [ "$self_test" = yes ]; then
+  if is_drawn 02_checkerboard_uv 02_checkerboard_uv --number float; then
+    echo "FAIL: a picture drawn in float is taken for the golden one"
+    exit 1
+  fi
+  is_drawn 02_checkerboard_uv 02_checkerboard_uv
+  echo "a difference of rounding is noticed"
+  exit 0
+fi
+
+check 01_plain_spheres 01_plain_spheres
+check 02_checkerboard_uv 02_checkerboard_uv
+check 03_image_texture 03_image_texture
+check 04_uv_conventions 04_uv_conventions
+check 05_y_rotation 05_y_rotation
+check 06_phong_texture_blend 06_phong_texture_blend
+for highlight in phong lecture; do
+  picture=06_lecture_phong
+  [ "$highlight" = phong ] || picture=06_lecture_slides
+  check "$picture" 06_phong_texture_blend --scene lecture --shininess 20 --blend 0.1 --highlight "$highlight" --width 400 --height 200
+done
+check 07_earth_by_sampling 07_earth_by_sampling
+check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
+check 14_numerical_extremes 14_numerical_extremes
+[ "$tried" -gt 0 ] || {
+  echo "FAIL: nothing was tried" >&2
+  exit 1
+}
+echo "$tried golden pictures, $failed not drawn"
+[ "$failed" -eq 0 ]
