@@ -33,8 +33,7 @@ template <class Real>
   if constexpr (std::is_same_v<Scalar<Real>, float> || std::is_same_v<Scalar<Real>, double>) {
     // 255 times a float has more digits than a float, but no product is rounded up to a level k: for that, k / 255 would have
     // to lie less than 128/255 of the float's last digit above it. Its bits are those of k, repeated for ever, so that what
-    // follows the first 24 begins with the highest bit of k: at least 128/255. (At powers of two a quarter of 256/255 would be
-    // needed.)
+    // follows the first 24 begins with the highest bit of k: at least 128/255. (Below powers of two: 64/255.)
     return bits_from_real(inside * Real(255));
   } else {
     return bytes_of(static_cast<double>(inside));
