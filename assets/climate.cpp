@@ -1,4 +1,4 @@
-// The patches, and how they add up.
+// The patches and their sum.
 #include "climate.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace texmap {
 namespace {
 
-/// An ellipse in degrees, full in the middle and fading to nothing at its rim.
+/// An ellipse in degrees: full amount in the middle, 0 at its edge.
 struct Patch {
   double longitude = 0, latitude = 0;
   double reach_east = 0, reach_north = 0;
@@ -123,7 +123,7 @@ double total_at(std::span<const Patch> patches, double longitude, double latitud
   return total;
 }
 
-/// Straight lines between knots 10 degrees apart, from the equator to a pole.
+/// Linear interpolation between knots 10 degrees apart, from the equator to a pole.
 double by_latitude(std::span<const double, 10> knots, double latitude) {
   const double place = std::abs(latitude) / 10;
   const double below = std::min(std::floor(place), 8.0);
@@ -139,7 +139,8 @@ constexpr double warmth_belts[10] = {1.0, 1.0, 0.95, 0.82, 0.66, 0.5, 0.34, 0.16
 
 Climate climate_at(double longitude, double latitude) {
   Climate climate;
-  climate.moisture = by_latitude(moisture_belts, latitude) + total_at(wet_patches, longitude, latitude) -
+  climate.moisture = by_latitude(moisture_belts, latitude) +
+                     total_at(wet_patches, longitude, latitude) -
                      total_at(dry_patches, longitude, latitude);
   climate.warmth = by_latitude(warmth_belts, latitude);
   climate.height = total_at(high_patches, longitude, latitude);

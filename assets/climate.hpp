@@ -1,9 +1,9 @@
-// Where the Earth is dry, wet, high and icy: a few dozen patches laid over the belts of latitude, by eye.
+// Where the Earth is dry, wet, high and icy: belts of latitude plus hand-made patches.
 #pragma once
 
 namespace texmap {
 
-/// What grows, or does not, at one place.
+/// The climate at one point.
 struct Climate {
   double moisture = 0;  // 0 desert to 1 rain forest
   double warmth = 0;    // 0 polar to 1 tropical, at sea level

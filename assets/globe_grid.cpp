@@ -1,4 +1,4 @@
-// Distances on the globe, by handing the nearest marked pixel on from neighbour to neighbour.
+// Distances on the globe: each pixel passes its nearest marked pixel on to its neighbors.
 #include "globe_grid.hpp"
 
 #include <cmath>
@@ -16,7 +16,7 @@ double chord_squared(SpherePoint a, SpherePoint b) {
   return x * x + y * y + z * z;
 }
 
-/// Every pixel's nearest source so far. A sweep hands sources on to the row's neighbours and to the next row.
+/// Each pixel's nearest source so far. A sweep passes sources on within a row and to the next row.
 class NearestSource {
  public:
   NearestSource(const GlobeGrid& grid, const std::vector<bool>& marks, bool source)
@@ -29,7 +29,7 @@ class NearestSource {
     const int step = last_row > first_row ? 1 : -1;
     for (int row = first_row;; row += step) {
       const int columns = grid_.columns();
-      // Twice round, because a row has no beginning.
+      // Twice around, because a row is a circle.
       for (int i = 1; i < 2 * columns; ++i) offer(i % columns, row, (i - 1) % columns, row);
       for (int i = 2 * columns - 2; i >= 0; --i) offer(i % columns, row, (i + 1) % columns, row);
       if (row == last_row) return;
@@ -40,7 +40,7 @@ class NearestSource {
 
   [[nodiscard]] double kilometres(int column, int row) const {
     const double half_chord = std::sqrt(gap(source_[grid_.place(column, row)], column, row)) / 2;
-    // The arcsine's series: exact enough for a tint, and the same everywhere.
+    // The series of the arcsine: exact enough for a tint and the same on every machine.
     const double s = half_chord * half_chord;
     return 2 * earth_radius_km * half_chord * (1 + s / 6 + 3 * s * s / 40 + 5 * s * s * s / 112);
   }
@@ -55,7 +55,8 @@ class NearestSource {
 
   [[nodiscard]] double gap(std::size_t source, int column, int row) const {
     const auto columns = static_cast<std::size_t>(grid_.columns());
-    const SpherePoint there = grid_.point(static_cast<int>(source % columns), static_cast<int>(source / columns));
+    const SpherePoint there =
+        grid_.point(static_cast<int>(source % columns), static_cast<int>(source / columns));
     return chord_squared(there, grid_.point(column, row));
   }
 
@@ -91,12 +92,16 @@ GlobeGrid::GlobeGrid(int columns, int rows) : columns_(columns), rows_(rows) {
 
 SpherePoint GlobeGrid::point(int column, int row) const {
   const auto i = static_cast<std::size_t>(column), j = static_cast<std::size_t>(row);
-  return {cos_latitude_[j] * cos_longitude_[i], cos_latitude_[j] * sin_longitude_[i], sin_latitude_[j]};
+  return {cos_latitude_[j] * cos_longitude_[i], cos_latitude_[j] * sin_longitude_[i],
+          sin_latitude_[j]};
 }
 
 std::size_t GlobeGrid::place(int column, int row) const {
-  const int wrapped = column < 0 ? column + columns_ : column >= columns_ ? column - columns_ : column;
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(wrapped);
+  const int wrapped = column < 0           ? column + columns_
+                      : column >= columns_ ? column - columns_
+                                           : column;
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(wrapped);
 }
 
 std::vector<double> GlobeGrid::distance_to_other(const std::vector<bool>& marks) const {
@@ -108,8 +113,10 @@ std::vector<double> GlobeGrid::distance_to_other(const std::vector<bool>& marks)
       nearest.sweep(rows_ - 1, 0);
     }
     for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column)
-        if (const std::size_t i = place(column, row); marks[i] != source) distances[i] = nearest.kilometres(column, row);
+      for (int column = 0; column < columns_; ++column) {
+        const std::size_t i = place(column, row);
+        if (marks[i] != source) distances[i] = nearest.kilometres(column, row);
+      }
     }
   }
   return distances;

@@ -5,14 +5,14 @@
 
 namespace texmap {
 
-/// Sine of an angle in degrees, -180 to 180, from + - * / only: the libraries' sines differ in their last bits.
+/// Sine of an angle in degrees, -180 to 180, by + - * / only: C libraries differ in the last bits.
 [[nodiscard]] double sine_of_degrees(double degrees);
 
 struct SpherePoint {
   double x = 0, y = 0, z = 0;
 };
 
-/// `columns` meridians from longitude -180 round the globe, `rows` parallels from pole to pole.
+/// `columns` meridians eastward from longitude -180, `rows` parallels from 90 degrees to -90.
 class GlobeGrid {
  public:
   GlobeGrid(int columns, int rows);
@@ -21,16 +21,18 @@ class GlobeGrid {
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] double longitude(int column) const { return 360.0 * column / columns_ - 180; }
   [[nodiscard]] double latitude(int row) const { return 90 - 180.0 * row / (rows_ - 1); }
-  [[nodiscard]] double cosine_of_latitude(int row) const { return cos_latitude_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] double cosine_of_latitude(int row) const {
+    return cos_latitude_[static_cast<std::size_t>(row)];
+  }
   [[nodiscard]] SpherePoint point(int column, int row) const;
 
-  /// Place of a pixel in an array of all; the column may be one step off either end, the globe being round.
+  /// Index of a pixel in an array of all; the column may be -1 or columns() and then wraps around.
   [[nodiscard]] std::size_t place(int column, int row) const;
   [[nodiscard]] std::size_t size() const { return place(0, rows_); }
 
-  /// For every pixel, the distance in kilometres to the nearest pixel whose mark differs from its own.
+  /// For each pixel, the distance in kilometres to the nearest pixel with the other mark.
   ///
-  /// @param marks  one for every pixel, both values present
+  /// @param marks  one for each pixel; both values occur
   [[nodiscard]] std::vector<double> distance_to_other(const std::vector<bool>& marks) const;
 
  private:

@@ -1,5 +1,6 @@
-// Rasterises coastlines along meridians: from the north pole, which is sea, every coast that is crossed changes land and sea.
-// Rings round a pole and rings across longitude 180 need no special care that way, as they would along parallels.
+// Rasterizes coastlines along meridians, starting at the north pole, which is sea: each coast that
+// a meridian crosses switches between land and sea. Rings around a pole or across longitude 180
+// need no special case then; along parallels they would.
 #include "land_coverage.hpp"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Sample k is k - center samples away from the center of the first pixel.
+constexpr double center = (samples_along_side - 1) / 2.0;
+
 /// A point of a coast, in turns east of longitude -180 and in degrees north.
 struct CoastPoint {
   double turns = 0;
@@ -22,7 +26,8 @@ struct CoastPoint {
 };
 using Coast = std::vector<CoastPoint>;
 
-/// The arcs of a topology: each starts at a grid point and goes on by differences; the transform takes the grid to degrees.
+/// The arcs of a topology. Each is a grid point and then differences from point to point; the
+/// transform converts grid coordinates to degrees.
 std::vector<Coast> arcs_of(const Json& topology) {
   const auto scale = topology.at("transform").at("scale").get<std::array<double, 2>>();
   const auto origin = topology.at("transform").at("translate").get<std::array<double, 2>>();
@@ -33,13 +38,14 @@ std::vector<Coast> arcs_of(const Json& topology) {
     for (const Json& delta : deltas) {
       place[0] += delta.at(0).get<int>();
       place[1] += delta.at(1).get<int>();
-      arc.push_back({(place[0] * scale[0] + origin[0] + 180) / 360, place[1] * scale[1] + origin[1]});
+      arc.push_back(
+          {(place[0] * scale[0] + origin[0] + 180) / 360, place[1] * scale[1] + origin[1]});
     }
   }
   return arcs;
 }
 
-/// A ring is a list of arcs; ~n stands for arc n backwards.
+/// A ring is a list of arcs; ~n means arc n backwards.
 Coast ring_of(const Json& arc_numbers, const std::vector<Coast>& arcs) {
   Coast ring;
   for (const Json& number : arc_numbers) {
@@ -51,7 +57,8 @@ Coast ring_of(const Json& arc_numbers, const std::vector<Coast>& arcs) {
   return ring;
 }
 
-/// The rings of all land. One tiny ring round the south pole only closes the data's grid: it is not a coast.
+/// The rings of all land. A tiny ring around the south pole only closes the data's grid; it is not
+/// a coast.
 std::vector<Coast> rings_of(const Json& topology) {
   const std::vector<Coast> arcs = arcs_of(topology);
   std::vector<Coast> rings;
@@ -67,7 +74,7 @@ std::vector<Coast> rings_of(const Json& topology) {
   return rings;
 }
 
-/// Where coasts cross each of the meridians: latitudes, from the north. A meridian is one column of samples.
+/// The latitudes where coasts cross each meridian. A meridian is one column of samples.
 class Crossings {
  public:
   explicit Crossings(int meridians) : latitudes_(static_cast<std::size_t>(meridians)) {}
@@ -85,16 +92,15 @@ class Crossings {
 
  private:
   void add_edge(CoastPoint a, CoastPoint b) {
-    // The short way round: a coast never runs half round the globe between two points.
+    // The short way around: two neighboring points of a coast are never half the globe apart.
     if (b.turns - a.turns > 0.5) b.turns -= 1;
     if (a.turns - b.turns > 0.5) b.turns += 1;
     if (a.turns > b.turns) std::swap(a, b);
 
-    // Sample k lies at k - (samples - 1) / 2 from the centre of column 0. An edge owns its west end but not its east end, so
-    // that a meridian through a point between two edges is crossed once.
+    // An edge contains its west end but not its east end, so a meridian through a point that two
+    // edges share is crossed once.
     const auto count = static_cast<double>(latitudes_.size());
-    constexpr double first = (samples_along_side - 1) / 2.0;
-    const double west = a.turns * count + first, east = b.turns * count + first;
+    const double west = a.turns * count + center, east = b.turns * count + center;
     const auto last = static_cast<long>(std::ceil(east));
     for (auto meridian = static_cast<long>(std::ceil(west)); meridian < last; ++meridian) {
       const auto k = static_cast<double>(meridian);
@@ -115,17 +121,19 @@ Json read(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<std::uint8_t> land_coverage(const std::filesystem::path& topology, int columns, int rows) try {
+std::vector<std::uint8_t> land_coverage(const std::filesystem::path& topology, int columns,
+                                        int rows) try {
   const int meridians = columns * samples_along_side;
   Crossings crossings(meridians);
   for (const Coast& ring : rings_of(read(topology))) crossings.add(ring);
 
-  std::vector<std::uint8_t> coverage(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  std::vector<std::uint8_t> coverage(static_cast<std::size_t>(columns) *
+                                     static_cast<std::size_t>(rows));
   for (int k = 0; k < meridians; ++k) {
     const std::vector<double> coasts = crossings.from_north(static_cast<std::size_t>(k));
     std::size_t crossed = 0;
     for (int m = 0; m < rows * samples_along_side; ++m) {
-      const double row = (m - (samples_along_side - 1) / 2.0) / samples_along_side;
+      const double row = (m - center) / samples_along_side;
       const double latitude = 90 - 180 * row / (rows - 1);
       while (crossed < coasts.size() && coasts[crossed] > latitude) ++crossed;
       const int pixel = m / samples_along_side * columns + k / samples_along_side;

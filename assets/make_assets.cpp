@@ -4,10 +4,10 @@
 #include <iostream>
 #include <string>
 
+#include "engine/picture/save_png.hpp"
 #include "make_crate.hpp"
 #include "make_earth.hpp"
 #include "make_uv_map.hpp"
-#include "save_png.hpp"
 
 int main(int argc, char** argv) try {
   if (argc != 2) {
@@ -21,7 +21,8 @@ int main(int argc, char** argv) try {
   };
   keep(texmap::make_crate(), "crate.png");
   keep(texmap::make_uv_map(), "uv_map.png");
-  keep(texmap::make_earth(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" / "land-50m.json"), "earth.png");
+  keep(texmap::make_earth(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" / "land-50m.json"),
+       "earth.png");
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "make_assets: " << error.what() << '\n';

@@ -1,11 +1,11 @@
-// Builds the crate as a carpenter would: planks, the stencil on them, the brace, the frame, the nails.
+// Draws the crate from back to front: planks with the stencil, brace, frame, nails.
 #include "make_crate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "lettering.hpp"
+#include "engine/picture/bitmap_font.hpp"
 #include "noise.hpp"
 #include "paint.hpp"
 
@@ -25,12 +25,13 @@ constexpr Paint stencil_ink{44, 34, 30};
 /// The color of a board.
 ///
 /// @param along, across  place on the board in pixels, with and against the grain
-/// @param board          a number of its own for each board, for its grain and its tone
+/// @param board          a different number for each board; selects its grain and tone
 Paint wood(double along, double across, int board) {
   const double tone = lattice_value(board, 3, 7);
-  // Year rings: the grain's lines, bent by slow noise and squeezed by a knot here and there.
+  // Year rings: lines along the grain, bent by noise of low frequency and by a knot.
   const double bend = 9 * layered_noise(along / 170, across / 60, board * 5.0, 2);
-  const double knot_along = 60 + 380 * lattice_value(board, 1, 1), knot_across = 10 + 40 * lattice_value(board, 2, 2);
+  const double knot_along = 60 + 380 * lattice_value(board, 1, 1),
+               knot_across = 10 + 40 * lattice_value(board, 2, 2);
   const double da = (along - knot_along) / 2.6, dc = across - knot_across;
   const double knot = 1 / (1 + (da * da + dc * dc) / 60);
   const double rings = (across + bend + 26 * knot * (dc < 0 ? -1 : 1)) / 6.5;
@@ -41,7 +42,7 @@ Paint wood(double along, double across, int board) {
   return mix(pale_wood, dark_wood, std::clamp(shade, 0.0, 1.2));
 }
 
-/// Lights the edges of a board: bright at the upper left, dark at the lower right.
+/// Shades the edges of a board: bright at the upper left, dark at the lower right.
 ///
 /// @param from_low, from_high  pixels to the edge towards the light and to the edge away from it
 Paint bevelled(Paint p, double from_low, double from_high) {
@@ -51,12 +52,14 @@ Paint bevelled(Paint p, double from_low, double from_high) {
 }
 
 /// The shadow that a raised board casts at a distance in pixels from its edge.
-Paint shaded(Paint p, double distance) { return distance < 0 ? p : mix(p, shadow, 0.6 * (1 - smooth_step(distance / 14))); }
+Paint shaded(Paint p, double distance) {
+  return distance < 0 ? p : mix(p, shadow, 0.6 * (1 - smooth_step(distance / 14)));
+}
 
-/// Distance from the brace's middle line, which runs from lower left to upper right: below it positive.
+/// Distance from the brace's center line (lower left to upper right), positive below it.
 double from_brace(double x, double y) { return (x + y - side) / std::sqrt(2.0); }
 
-/// How much of the stencil's ink covers each pixel, 0 to 255: drawn hard, then smeared over a few pixels and hardened again,
+/// How much of the stencil's ink covers each pixel, 0 to 255: drawn, blurred and sharpened again,
 /// which rounds the corners of the letters.
 Image stencil() {
   Image hard(side, side);
@@ -78,8 +81,11 @@ Image stencil() {
   for (int y = reach; y < side - reach; ++y) {
     for (int x = reach; x < side - reach; ++x) {
       int covered = 0;
-      for (int dy = -reach; dy <= reach; ++dy)
-        for (int dx = -reach; dx <= reach; ++dx) covered += hard.at(x + dx, y + dy).r == 255 ? 1 : 0;
+      for (int dy = -reach; dy <= reach; ++dy) {
+        for (int dx = -reach; dx <= reach; ++dx) {
+          covered += hard.at(x + dx, y + dy).r == 255 ? 1 : 0;
+        }
+      }
       const double share = covered / ((2.0 * reach + 1) * (2.0 * reach + 1));
       smooth.at(x, y) = rounded(scaled({255, 255, 255}, smooth_step((share - 0.3) / 0.28)));
     }
@@ -87,11 +93,12 @@ Image stencil() {
   return smooth;
 }
 
-/// The upright planks behind everything, with the stencil sprayed on them.
+/// The upright planks at the back, with the stencil.
 Paint plank_color(int x, int y, const Image& ink) {
   const int room = side - 2 * frame;
   const int plank = (x - frame) * planks / room;
-  const int left = frame + (plank * room + planks - 1) / planks, right = frame + ((plank + 1) * room + planks - 1) / planks;
+  const int left = frame + (plank * room + planks - 1) / planks,
+            right = frame + ((plank + 1) * room + planks - 1) / planks;
   Paint color = wood(y, x - left, plank + 10);
   color = scaled(color, 0.9);
   const double worn = 0.84 + 0.3 * layered_noise(x / 14.0, y / 14.0, 77, 4);
@@ -103,7 +110,8 @@ Paint plank_color(int x, int y, const Image& ink) {
 /// One of the four boards of the frame; the upright ones run from top to bottom.
 Paint frame_color(int x, int y) {
   if (x < frame) return bevelled(wood(y, x, 1), x, frame - 1 - x);
-  if (x >= side - frame) return bevelled(wood(y, x - (side - frame), 2), x - (side - frame), side - 1 - x);
+  if (x >= side - frame)
+    return bevelled(wood(y, x - (side - frame), 2), x - (side - frame), side - 1 - x);
   if (y < frame) return bevelled(wood(x, y, 3), y, frame - 1 - y);
   return bevelled(wood(x, y - (side - frame), 4), y - (side - frame), side - 1 - y);
 }
@@ -140,7 +148,8 @@ Image make_crate() {
         if (level && (x == frame || x == side - frame - 1)) color = mix(color, shadow, 0.7);
       } else {
         if (std::abs(off) <= brace) {
-          color = bevelled(wood((x - y + side) / std::sqrt(2.0), off + brace, 5), off + brace, brace - off);
+          color = bevelled(wood((x - y + side) / std::sqrt(2.0), off + brace, 5), off + brace,
+                           brace - off);
         } else {
           color = shaded(plank_color(x, y, ink), off - brace);
         }

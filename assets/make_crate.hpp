@@ -1,10 +1,10 @@
-// A wooden crate, for surfaces that are flat.
+// A wooden crate for flat surfaces.
 #pragma once
-#include "image.hpp"
+#include "texture/image.hpp"
 
 namespace texmap {
 
-/// One side of a wooden crate, 512 x 512 pixels: planks, a frame, a brace, nails, and "THIS SIDE UP" with an arrow.
+/// One side of a wooden crate, 512 x 512 pixels, with the words "THIS SIDE UP" and an arrow.
 [[nodiscard]] Image make_crate();
 
 }  // namespace texmap

@@ -1,4 +1,4 @@
-// Paints the Earth: coverage of land, distances to the coast, relief, then a color for every pixel.
+// Paints the Earth: coverage of land, distances to the coast, relief, then a color for each pixel.
 #include "make_earth.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr int width = 2048;
 constexpr int height = 1024;
 constexpr int samples = samples_along_side * samples_along_side;
 
-/// Blue may exceed red by at most 20 on land, and must by more at sea; both keep a little away from the limit.
+/// Blue exceeds red by at most 20 on land and by more at sea; both keep a margin to the limit.
 constexpr double most_blue_on_land = 16;
 constexpr double least_blue_at_sea = 26;
 
@@ -41,17 +41,18 @@ constexpr Paint abyss{20, 64, 122};
 constexpr Paint polar_sea{150, 186, 208};
 
 double noise_at(SpherePoint p, double frequency, int octaves, double offset) {
-  return layered_noise(p.x * frequency + offset, p.y * frequency + offset, p.z * frequency + offset, octaves);
+  return layered_noise(p.x * frequency + offset, p.y * frequency + offset, p.z * frequency + offset,
+                       octaves);
 }
 
-/// A distance in kilometres, rounded to steps too fine to be seen: runs of equal pixels make the file a third smaller.
+/// A distance in kilometres, rounded to invisible steps: runs of equal pixels compress better.
 double in_steps(double kilometres) {
   constexpr double middle = 600, steps = 80;
   const double step = std::floor(kilometres / (kilometres + middle) * steps);
   return middle * step / (steps - step);
 }
 
-/// The sea gets deeper away from the coast, with swells and a paler skin round the poles.
+/// The sea gets deeper away from the coast, with swells and a paler surface near the poles.
 Paint sea_color(SpherePoint p, double latitude, double coast_km) {
   const double swell = 1 + 0.35 * noise_at(p, 7, 4, 40);
   const double depth = in_steps(coast_km * swell);
@@ -63,7 +64,7 @@ Paint sea_color(SpherePoint p, double latitude, double coast_km) {
   return mix(color, polar_sea, 0.8 * std::floor(cold * 24 + 0.5) / 24);
 }
 
-/// What covers the land, before light and shade.
+/// The color of the land before shading.
 Paint land_color(SpherePoint p, const Climate& climate, double relief, double coast_km) {
   const double patchy = noise_at(p, 26, 4, 80);
   const double wet = climate.moisture + 0.22 * patchy;
@@ -79,35 +80,39 @@ Paint land_color(SpherePoint p, const Climate& climate, double relief, double co
 
   // From the equator to the pole.
   Paint color = mix(mild_color, warm_color, smooth_step((warm - 0.62) / 0.2));
-  color = mix(mix(color, boreal, smooth_step((wet - 0.2) / 0.4)), color, smooth_step((warm - 0.33) / 0.16));
+  color = mix(mix(color, boreal, smooth_step((wet - 0.2) / 0.4)), color,
+              smooth_step((warm - 0.33) / 0.16));
   color = mix(tundra, color, smooth_step((warm - 0.08) / 0.2));
 
-  // Rock and snow on the heights; an ice sheet leaves only a rim along the coast.
+  // Rock and snow on the heights; an ice sheet leaves a strip along the coast bare.
   color = mix(color, rock, 0.75 * smooth_step((relief - 0.35) / 0.5));
   const double snow_line = 0.26 + 0.58 * climate.warmth;
   color = mix(color, snow, 0.9 * smooth_step((relief - snow_line) / 0.35));
   color = mix(color, snow, 0.8 * smooth_step((0.1 - warm) / 0.16));
-  const double margin = climate.warmth > 0.12 ? 60 : 25;  // kilometres of bare coast; less near the poles
-  const double sheet = climate.ice > 1.9 ? 1 : smooth_step((climate.ice - 0.25 + 0.3 * patchy) / 0.3);
+  const double margin =
+      climate.warmth > 0.12 ? 60 : 25;  // kilometres of bare coast; less near the poles
+  const double sheet =
+      climate.ice > 1.9 ? 1 : smooth_step((climate.ice - 0.25 + 0.3 * patchy) / 0.3);
   const double bare = climate.ice > 1.999 ? 1 : smooth_step((coast_km + 20 * patchy) / margin);
   const Paint sheet_color = scaled(ice_sheet, 1 + 0.02 * noise_at(p, 10, 2, 120));
   return mix(color, sheet_color, sheet * bare);
 }
 
-/// Keeps the rule by which land and sea can be told apart, moving blue and red by equal amounts.
+/// Enforces the rule that separates land from sea, moving blue and red by equal amounts.
 Paint kept_apart(Paint p, bool land) {
   const double excess = p.b - p.r;
-  const double move = land ? std::max(0.0, excess - most_blue_on_land) / 2 : std::min(0.0, excess - least_blue_at_sea) / 2;
+  const double move = land ? std::max(0.0, excess - most_blue_on_land) / 2
+                           : std::min(0.0, excess - least_blue_at_sea) / 2;
   return {p.r + move, p.g, p.b - move};
 }
 
-/// Land in steps of 3, too fine to be seen, for the same reason as in_steps. The rule that tells land from sea survives it.
+/// Rounds land to steps of 3, for the reason of in_steps. The rule for land and sea still holds.
 Rgb8 coarsely_rounded(Paint p) {
   const auto channel = [](double value) { return 3 * std::floor(value / 3 + 0.5); };
   return rounded({channel(p.r), channel(p.g), channel(p.b)});
 }
 
-/// Everything that is worked out for the whole globe before the first pixel is painted.
+/// What is computed for the whole globe before the first pixel is painted.
 struct Survey {
   std::vector<std::uint8_t> coverage;
   std::vector<bool> land;
@@ -129,9 +134,10 @@ Survey survey(const GlobeGrid& grid, const std::filesystem::path& topology) {
       if (s.coverage[i] == 0) continue;
       const SpherePoint p = grid.point(column, row);
 
-      // The patches are ellipses: noise bends their rims.
+      // The patches are ellipses: noise bends their edges.
       const double east = grid.longitude(column) + 7 * noise_at(p, 11, 4, 0);
-      const double north = std::clamp(grid.latitude(row) + 4.5 * noise_at(p, 11, 4, 20), -90.0, 90.0);
+      const double north =
+          std::clamp(grid.latitude(row) + 4.5 * noise_at(p, 11, 4, 20), -90.0, 90.0);
       s.climate[i] = climate_at(east > 180 ? east - 360 : east < -180 ? east + 360 : east, north);
       if (grid.latitude(row) < -60) s.climate[i].ice = 2;
 
@@ -139,7 +145,8 @@ Survey survey(const GlobeGrid& grid, const std::filesystem::path& topology) {
       const double ridge = 1 - 2.4 * std::abs(noise_at(p, 30, 4, 140));
       const double rolling = 0.5 + 0.5 * noise_at(p, 48, 2, 160);
       const double near_coast = smooth_step(s.coast_km[i] / 80);
-      s.relief[i] = (s.climate[i].height * (0.5 + 0.5 * ridge) + 0.05 * rolling) * (0.3 + 0.7 * near_coast);
+      s.relief[i] =
+          (s.climate[i].height * (0.5 + 0.5 * ridge) + 0.05 * rolling) * (0.3 + 0.7 * near_coast);
     }
   }
   return s;
@@ -150,7 +157,8 @@ double hill_shade(const GlobeGrid& grid, const std::vector<double>& relief, int 
   if (row == 0 || row == grid.rows() - 1) return 1;
   const double to_east = relief[grid.place(column + 1, row)] - relief[grid.place(column - 1, row)];
   const double to_south = relief[grid.place(column, row + 1)] - relief[grid.place(column, row - 1)];
-  return std::clamp(1 + 1.1 * (to_east / std::max(grid.cosine_of_latitude(row), 0.3) + to_south), 0.72, 1.2);
+  return std::clamp(1 + 1.1 * (to_east / std::max(grid.cosine_of_latitude(row), 0.3) + to_south),
+                    0.72, 1.2);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-// Draws the labelled map: quadrants, graticule, arrows, compass letters, then the labels on top.
+// Draws the labelled map: quadrants, graticule, labels, compass letters, arrows, rulers.
 #include "make_uv_map.hpp"
 
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
-#include "lettering.hpp"
+#include "engine/picture/bitmap_font.hpp"
 
 namespace texmap {
 namespace {
@@ -15,8 +15,8 @@ constexpr int height = 512;
 constexpr Rgb8 ink{24, 24, 32};
 constexpr Rgb8 paper{255, 255, 255};
 
-/// Two shades each for the north-west, north-east, south-west and south-east: hues that color-blind readers can tell apart, and
-/// of different lightness besides.
+/// Two shades each for the north-west, north-east, south-west and south-east. Color-blind readers
+/// can tell them apart: the lightness differs, too.
 constexpr Rgb8 quadrants[2][2][2] = {
     {{{126, 196, 238}, {104, 180, 226}}, {{250, 214, 110}, {240, 198, 84}}},
     {{{88, 184, 150}, {70, 168, 134}}, {{226, 156, 192}, {212, 138, 177}}},
@@ -25,7 +25,7 @@ constexpr Rgb8 quadrants[2][2][2] = {
 constexpr int column_of(int longitude) { return (longitude + 180) * width / 360; }
 constexpr int row_of(int latitude) { return (90 - latitude) * height / 180; }
 
-/// A rectangle from one corner up to, without, the other; what falls outside the picture is left out.
+/// Fills columns left to right - 1 and rows top to bottom - 1, as far as they are in the picture.
 void fill(Image& image, int left, int top, int right, int bottom, Rgb8 color) {
   for (int y = top < 0 ? 0 : top; y < bottom && y < image.height; ++y)
     for (int x = left < 0 ? 0 : left; x < right && x < image.width; ++x) image.at(x, y) = color;
@@ -33,12 +33,14 @@ void fill(Image& image, int left, int top, int right, int bottom, Rgb8 color) {
 
 void fill_disc(Image& image, int column, int row, int radius, Rgb8 color) {
   for (int y = -radius; y <= radius; ++y) {
-    for (int x = -radius; x <= radius; ++x)
-      if (x * x + y * y <= radius * radius) fill(image, column + x, row + y, column + x + 1, row + y + 1, color);
+    for (int x = -radius; x <= radius; ++x) {
+      if (x * x + y * y > radius * radius) continue;
+      fill(image, column + x, row + y, column + x + 1, row + y + 1, color);
+    }
   }
 }
 
-/// Four quadrants, chequered every 15 degrees so that stretching shows.
+/// Four quadrants, checkered every 15 degrees to show stretching.
 void draw_quadrants(Image& image) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -66,19 +68,21 @@ void draw_outlined(Image& image, int column, int row, std::string_view text, int
   draw_text(image, column, row, text, ink, scale);
 }
 
-void draw_centred(Image& image, int column, int row, std::string_view text, int scale) {
+void draw_centered(Image& image, int column, int row, std::string_view text, int scale) {
   draw_text(image, column - text_width(text, scale) / 2, row, text, ink, scale);
 }
 
-/// An arrow from the crossing of equator and prime meridian, to the right or up, in ink on a rim of paper.
+/// An arrow from (u, v) = (0.5, 0.5) to the right or up, with a white outline.
 void draw_arrow(Image& image, bool up) {
   const auto part = [&](int from, int to, int half_from, int half_to, Rgb8 color) {
     for (int along = from; along < to; ++along) {
       const int half = half_from + (half_to - half_from) * (along - from) / (to - from);
       if (up) {
-        fill(image, width / 2 - half, height / 2 - along, width / 2 + half, height / 2 - along + 1, color);
+        fill(image, width / 2 - half, height / 2 - along, width / 2 + half, height / 2 - along + 1,
+             color);
       } else {
-        fill(image, width / 2 + along, height / 2 - half, width / 2 + along + 1, height / 2 + half, color);
+        fill(image, width / 2 + along, height / 2 - half, width / 2 + along + 1, height / 2 + half,
+             color);
       }
     }
   };
@@ -88,26 +92,26 @@ void draw_arrow(Image& image, bool up) {
   part(52, 78, 14, 0, ink);
 }
 
-/// A large letter in a disc, with the place of its centre written below it.
-void draw_compass_letter(Image& image, int longitude, int latitude, std::string_view letter, std::string_view place) {
+/// A large letter in a disc, with the coordinates of its center below.
+void draw_compass_letter(Image& image, int longitude, int latitude, std::string_view letter,
+                         std::string_view place) {
   const int column = column_of(longitude), row = row_of(latitude);
   fill_disc(image, column, row, 40, ink);
   fill_disc(image, column, row, 37, paper);
-  draw_text(image, column - text_width(letter, 6) / 2, row - 27, letter, ink, 6);
-  draw_centred(image, column, row + 20, place, 1);
+  draw_centered(image, column, row - 27, letter, 6);
+  draw_centered(image, column, row + 20, place, 1);
 }
 
-std::string longitude_label(int longitude) {
-  const std::string degrees = std::to_string(std::abs(longitude)) + "°";
-  return longitude % 180 == 0 ? degrees : degrees + (longitude < 0 ? "W" : "E");
+/// A longitude or latitude; 0 and 180 degrees have no direction.
+std::string angle_label(int angle, const char* negative, const char* positive) {
+  const std::string degrees = std::to_string(std::abs(angle)) + "°";
+  return angle % 180 == 0 ? degrees : degrees + (angle < 0 ? negative : positive);
 }
 
-std::string latitude_label(int latitude) {
-  const std::string degrees = std::to_string(std::abs(latitude)) + "°";
-  return latitude == 0 ? degrees : degrees + (latitude < 0 ? "S" : "N");
-}
+std::string longitude_label(int longitude) { return angle_label(longitude, "W", "E"); }
+std::string latitude_label(int latitude) { return angle_label(latitude, "S", "N"); }
 
-/// Longitude and latitude beside every crossing, on the side of the equator so that the poles' rows stay free.
+/// Longitude and latitude next to each crossing, on its side toward the equator.
 void draw_labels(Image& image) {
   for (int longitude = -180; longitude < 180; longitude += 30) {
     for (int latitude = -60; latitude <= 60; latitude += 30) {
@@ -121,7 +125,7 @@ void draw_labels(Image& image) {
   }
 }
 
-/// A tag for a value of u or v, dark so that it is not taken for a label of the graticule.
+/// A tag for a value of u or v; dark, to differ from the labels of the graticule.
 void draw_tag(Image& image, int column, int row, std::string_view text) {
   fill(image, column, row, column + text_width(text, 2) + 8, row + 20, ink);
   draw_text(image, column + 4, row + 3, text, paper, 2);
@@ -134,11 +138,11 @@ void draw_rulers(Image& image) {
     const int tag = text_width(u, 2) + 8;
     const int column = i * width / 4, row = height - i * height / 4;
 
-    // Along the bottom: in the middle of its value, and inside the picture at both ends.
+    // Along the bottom: centered on its value, but inside the picture at both ends.
     draw_tag(image, i == 0 ? 0 : i == 4 ? width - tag : column - tag / 2, height - 20, u);
     fill(image, column - 2, height - 32, column + 2, height - 20, ink);
 
-    // Along the left: above its value, where no label is; below it at the top, and above u at the bottom.
+    // Along the left: above its value; below it near the top, and above u's tag at the bottom.
     draw_tag(image, 0, i == 0 ? row - 44 : i >= 3 ? row + 2 : row - 28, v);
     fill(image, 0, row - 2, 14, row + 2, ink);
   }
@@ -152,9 +156,8 @@ Image make_uv_map() {
   draw_graticule(image);
   draw_labels(image);
   for (const int longitude : {-135, -45, 45, 135}) {
-    const std::string place = std::to_string(std::abs(longitude)) + (longitude < 0 ? "°W" : "°E");
-    draw_compass_letter(image, longitude, 75, "N", place);
-    draw_compass_letter(image, longitude, -75, "S", place);
+    draw_compass_letter(image, longitude, 75, "N", longitude_label(longitude));
+    draw_compass_letter(image, longitude, -75, "S", longitude_label(longitude));
   }
   draw_compass_letter(image, -75, 0, "W", "75°W 0°");
   draw_compass_letter(image, 105, 0, "E", "105°E 0°");

@@ -3,10 +3,10 @@
 # builds what they need.
 
 # Everything that is measured: both programs and their tests use it.
-add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/all_groups.cpp bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
+add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
   bench/measure.cpp bench/micro_groups.cpp bench/report.cpp bench/stb_alone.cpp)
-target_include_directories(bench_groups PUBLIC bench PRIVATE support "${TEXMAP_CHAPTERS}")
-target_link_libraries(bench_groups PUBLIC options PRIVATE project_options stb_image stb_image_write)
+target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
+target_link_libraries(bench_groups PUBLIC app chapters_code measure PRIVATE project_options compare stb_image stb_image_write)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
 endif()
@@ -16,13 +16,13 @@ set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_
 list(JOIN chapter_programs "\", \"" chapter_names)
 
 # Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as
-# common/app/wide_packs.hpp explains.
-get_directory_property(wide_sets DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION WIDE_PACKS)
+# common/engine/render/wide/wide_packs.hpp explains.
+set(wide_sets ${WIDE_PACKS})
 set(bench_objects bench_groups)
 if(wide_sets)
   add_library(bench_wide OBJECT EXCLUDE_FROM_ALL)
-  target_include_directories(bench_wide PRIVATE bench "${TEXMAP_CHAPTERS}")
-  target_link_libraries(bench_wide PRIVATE project_options options)
+  target_include_directories(bench_wide PRIVATE bench support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
+  target_link_libraries(bench_wide PRIVATE project_options app)
   target_compile_definitions(bench_wide PRIVATE TEXMAP_WIDE_PACKS)
   target_compile_definitions(bench_groups PUBLIC TEXMAP_WIDE_PACKS)
   list(APPEND bench_objects bench_wide)  # after the others
@@ -31,7 +31,7 @@ if(wide_sets)
   endforeach()
 endif()
 foreach(instructions IN LISTS wide_sets)
-  get_directory_property(wide_options DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION wide_${instructions})
+  set(wide_options ${wide_${instructions}})
   foreach(kind jobs ledger)
     set(file "${CMAKE_CURRENT_BINARY_DIR}/bench_wide_${kind}_${instructions}.cpp")
     configure_file(bench/wide_${kind}.cpp.in "${file}" @ONLY)
@@ -68,8 +68,8 @@ if(TEXMAP_BENCH_UNTIMED)
 endif()
 
 # No clock: the pages name what is measured, and the programs say what they should.
-add_suite(bench/test_bench_pages USES ${bench_objects} LABELS bench)
-target_include_directories(test_bench_pages PRIVATE bench compare)  # compare: running.hpp
+add_suite(bench/test_bench_pages ON ${bench_objects} LABELS bench)
+target_include_directories(test_bench_pages PRIVATE bench)
 target_compile_definitions(test_bench_pages PRIVATE TEXMAP_PROGRAM="$<TARGET_FILE:bench_ratios>")
 if(nlohmann_json_INCLUDE_DIR)
   target_compile_definitions(test_bench_pages PRIVATE TEXMAP_HAVE_JSON)

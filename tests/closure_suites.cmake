@@ -1,36 +1,74 @@
-# Each chapter touches only what it uses: a chapter must not include, or link, what a later chapter brings.
+# Each lesson touches only what it uses, and its reader answers for few headers. Included by CMakeLists.txt here.
 
-# add_closure(NAME CHAPTER SOURCE FORBIDS header ... [NO_SYMBOLS regex])
-function(add_closure name chapter source)
-  cmake_parse_arguments(ARG "" "NO_SYMBOLS" "FORBIDS" ${ARGN})
+# add_closure(NAME LESSON HEADERS n LINES n [FORBIDS header ...] [PROGRAM target NO_SYMBOLS regex])
+function(add_closure name lesson)
+  cmake_parse_arguments(ARG "" "HEADERS;LINES;PROGRAM;NO_SYMBOLS" "FORBIDS" ${ARGN})
   set(symbols "")
   if(ARG_NO_SYMBOLS AND CMAKE_NM)
-    set(symbols "-DNM=${CMAKE_NM}" "-DPROGRAM=$<TARGET_FILE:${chapter}>" "-DSYMBOLS=${ARG_NO_SYMBOLS}")
+    set(symbols "-DNM=${CMAKE_NM}" "-DPROGRAM=$<TARGET_FILE:${ARG_PROGRAM}>" "-DSYMBOLS=${ARG_NO_SYMBOLS}")
   endif()
-  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DCOMPILER=${CMAKE_CXX_COMPILER}" "-DSOURCE=${source}"
-    "-DINCLUDES=$<TARGET_PROPERTY:${chapter},INCLUDE_DIRECTORIES>;$<TARGET_PROPERTY:texture,INTERFACE_INCLUDE_DIRECTORIES>"
-    "-DDEFINITIONS=$<TARGET_PROPERTY:${chapter},COMPILE_DEFINITIONS>" "-DFORBIDDEN=${ARG_FORBIDS}" ${symbols}
+  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${lesson}"
+    "-DHEADERS=${ARG_HEADERS}" "-DLINES=${ARG_LINES}" "-DFORBIDDEN=${ARG_FORBIDS}" ${symbols}
     -P "${CMAKE_CURRENT_SOURCE_DIR}/closure/closure.cmake")
-  set_tests_properties(${name} PROPERTIES LABELS "closure")
+  set_tests_properties(${name} PROPERTIES LABELS closure)
 endfunction()
 
-set(brought_by_06 phong.hpp phong_options.hpp lecture_scene.hpp)
-set(brought_by_05 rotation.hpp rotated.hpp rotation_options.hpp ${brought_by_06})
-set(brought_by_04 conventions.hpp layout_options.hpp seed_formulas.hpp lettering.hpp ${brought_by_05})
-set(brought_by_03 image_texture.hpp texel.hpp texture_file.hpp load_image.hpp find_texture.hpp stb_image.h ${brought_by_04})
-set(brought_by_02 uv.hpp mapped.hpp checkerboard.hpp ${brought_by_03})
-set(chapters "${CMAKE_SOURCE_DIR}/chapters")
+set(by_07 path.hpp lens.hpp sampling_options.hpp)
+set(by_06 phong.hpp phong_options.hpp ${by_07})
+set(by_05 rotation.hpp rotated.hpp turntable.hpp ${by_06})
+set(by_04 conventions.hpp layout_options.hpp ${by_05})
+set(by_03 image.hpp image_texture.hpp texel.hpp texture_file.hpp ${by_04})
+set(by_02 uv.hpp mapped.hpp checkerboard.hpp ${by_03})
+set(decoding "stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
+set(lessons "${TEXMAP_CHAPTERS}")
 
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  add_closure(closure_01 01_plain_spheres "${chapters}/01_plain_spheres/main.cpp" FORBIDS ${brought_by_02} NO_SYMBOLS "stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
-  add_closure(closure_02 02_checkerboard_uv "${chapters}/02_checkerboard_uv/main.cpp" FORBIDS ${brought_by_03} NO_SYMBOLS "stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
-  add_closure(closure_03 03_image_texture "${chapters}/03_image_texture/main.cpp" FORBIDS ${brought_by_04})
-  add_closure(closure_04 04_uv_conventions "${chapters}/04_uv_conventions/main.cpp" FORBIDS ${brought_by_05})
-  add_closure(closure_05 05_y_rotation "${chapters}/05_y_rotation/main.cpp" FORBIDS ${brought_by_06})
+add_closure(closure_01 "${lessons}/01_plain_spheres/lesson.hpp" HEADERS 16 LINES 1100 FORBIDS ${by_02}
+  PROGRAM 01_plain_spheres NO_SYMBOLS "${decoding}")
+add_closure(closure_02 "${lessons}/02_checkerboard_uv/lesson.hpp" HEADERS 19 LINES 1250 FORBIDS ${by_03}
+  PROGRAM 02_checkerboard_uv NO_SYMBOLS "${decoding}")
+add_closure(closure_03 "${lessons}/03_image_texture/lesson.hpp" HEADERS 27 LINES 1700 FORBIDS ${by_04})
+add_closure(closure_04 "${lessons}/04_uv_conventions/lesson.hpp" HEADERS 45 LINES 2800 FORBIDS ${by_06})
+add_closure(closure_05 "${lessons}/05_y_rotation/lesson.hpp" HEADERS 33 LINES 1950 FORBIDS ${by_06})
+add_closure(closure_06 "${lessons}/06_phong_texture_blend/lesson.hpp" HEADERS 35 LINES 2100 FORBIDS ${by_07})
+add_closure(closure_07 "${lessons}/07_earth_by_sampling/lesson.hpp" HEADERS 40 LINES 2400)
 
-  # The twins: a check that cannot fail is none.
-  add_closure(closure_finds_an_include 01_plain_spheres "${CMAKE_CURRENT_SOURCE_DIR}/closure/forbidden_include.cpp" FORBIDS ${brought_by_02})
-  set_tests_properties(closure_finds_an_include PROPERTIES PASS_REGULAR_EXPRESSION "forbidden_include.cpp includes uv.hpp")
-  add_closure(closure_finds_a_symbol 03_image_texture "${chapters}/03_image_texture/main.cpp" FORBIDS phong.hpp NO_SYMBOLS "stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
-  set_tests_properties(closure_finds_a_symbol PROPERTIES PASS_REGULAR_EXPRESSION "03_image_texture contains stbi_")
+# The twins: a check that cannot fail is none.
+set(forbidden "${CMAKE_CURRENT_SOURCE_DIR}/closure/forbidden/lesson.hpp")
+add_closure(closure_finds_an_include "${forbidden}" HEADERS 99 LINES 9999 FORBIDS ${by_02})
+set_tests_properties(closure_finds_an_include PROPERTIES
+  PASS_REGULAR_EXPRESSION "it includes texture/uv.hpp, which a later chapter brings")
+add_closure(closure_finds_machinery "${forbidden}" HEADERS 99 LINES 9999)
+set_tests_properties(closure_finds_machinery PROPERTIES PASS_REGULAR_EXPRESSION "includes engine/kernels/budget.hpp: machinery")
+add_closure(closure_counts "${lessons}/03_image_texture/lesson.hpp" HEADERS 3 LINES 9999)
+set_tests_properties(closure_counts PROPERTIES PASS_REGULAR_EXPRESSION "responsible for too much")
+add_closure(closure_finds_a_symbol "${lessons}/03_image_texture/lesson.hpp" HEADERS 99 LINES 9999
+  PROGRAM 03_image_texture NO_SYMBOLS "${decoding}")
+set_tests_properties(closure_finds_a_symbol PROPERTIES PASS_REGULAR_EXPRESSION "03_image_texture contains stbi_")
+
+# The rooms of common/: a header that climbs is refused with its name and its room.
+add_test(NAME layers COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_SOURCE_DIR}/common" -P "${CMAKE_SOURCE_DIR}/common/layers.cmake")
+add_test(NAME layers_refuse_a_climber COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_CURRENT_SOURCE_DIR}/closure/climbing" -P
+  "${CMAKE_SOURCE_DIR}/common/layers.cmake")
+set_tests_properties(layers_refuse_a_climber PROPERTIES
+  PASS_REGULAR_EXPRESSION "common/math/climber.hpp includes .scene/ray.hpp.: math may not include.scene")
+add_test(NAME architecture_page COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" -P
+  "${CMAKE_CURRENT_SOURCE_DIR}/closure/architecture.cmake")
+set_tests_properties(layers layers_refuse_a_climber architecture_page PROPERTIES LABELS closure)
+
+# No work before main, in the libraries and in the chapters.
+if(CMAKE_NM AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT TEXMAP_INSTRUMENT)
+  set(files "")
+  foreach(library texture picture kernels render app)
+    list(APPEND files "$<TARGET_FILE:${library}>")
+  endforeach()
+  foreach(chapter 01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling)
+    list(APPEND files "$<TARGET_OBJECTS:${chapter}>")
+  endforeach()
+  add_test(NAME no_work_before_main COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=${files}" -P
+    "${CMAKE_CURRENT_SOURCE_DIR}/closure/before_main.cmake")
+  add_library(work_before_main STATIC closure/work_before_main.cpp)
+  add_test(NAME work_before_main_is_noticed COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=$<TARGET_FILE:work_before_main>" -P
+    "${CMAKE_CURRENT_SOURCE_DIR}/closure/before_main.cmake")
+  set_tests_properties(work_before_main_is_noticed PROPERTIES PASS_REGULAR_EXPRESSION "works before main")
+  set_tests_properties(no_work_before_main work_before_main_is_noticed PROPERTIES LABELS closure)
 endif()

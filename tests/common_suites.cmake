@@ -1,57 +1,96 @@
-# The suites that prove the common code: one file a header, grouped by layer as common/ is.
+# The suites that prove the common code: one file a header, in folders as common/ has them. Included by CMakeLists.txt here.
 
-add_suite(number/test_number USES number LABELS common)
-add_suite(number/test_pack USES number LABELS common)
-add_suite(number/test_interval USES number LABELS common)
-add_suite(number/test_bits USES number LABELS common)
-target_include_directories(test_bits PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/sampling")  # the list of numbers
-add_suite(number/test_paired USES number LABELS common)
-
-add_suite(math/test_vec3 USES math LABELS common)
-add_suite(math/test_color USES render LABELS common)  # a mixed color is also followed to its byte
-add_suite(math/test_rotation USES texture LABELS common)  # and a rotation to its u
-
-add_suite(measure/test_interleaved USES measure LABELS common)
-
-foreach(suite hash samplers directions)
-  add_suite(sampling/test_${suite} USES sampling LABELS common)
+foreach(suite
+    number/test_interval
+    number/test_number
+    number/test_pack
+    number/test_pack_fallback
+    number/test_pack2
+    number/test_pack2_fallback
+    number/test_pack_u32
+    math/test_srgb
+    math/test_vec3
+    sampling/test_directions
+    sampling/test_hash
+    sampling/test_samplers
+    scene/test_camera
+    scene/test_floor
+    scene/test_lens
+    scene/test_light
+    scene/test_nearest
+    scene/test_paint
+    scene/test_phong
+    scene/test_sky
+    scene/test_sphere
+    scene/test_triangle
+    published/test_published_sphere)
+  add_suite(${suite} ON texture LABELS common)
 endforeach()
+foreach(suite
+    math/test_color
+    math/test_rotation
+    texture/test_bilinear
+    texture/test_checkerboard
+    texture/test_conventions
+    texture/test_image_texture
+    texture/test_light_tables
+    texture/test_solid_checkerboard
+    texture/test_texel
+    texture/test_uv
+    published/test_published_uv
+    engine/kernels/test_budget
+    engine/kernels/test_kernel_plan
+    engine/kernels/test_power_kernel
+    engine/kernels/test_root_texture
+    engine/kernels/test_srgb_kernel
+    engine/kernels/test_turns
+    engine/render/test_develop
+    engine/render/test_film
+    engine/render/test_pixel_patch
+    engine/render/test_render
+    engine/render/test_screen_bounds
+    engine/render/test_threads)
+  add_suite(${suite} ON render LABELS common)
+endforeach()
+foreach(suite interleaved json plot text)
+  add_suite(engine/measure/test_${suite} ON measure LABELS common)
+endforeach()
+foreach(suite bitmap_font check_jpeg check_png deflate find_texture load_image save_png sha256)
+  add_suite(engine/picture/test_${suite} ON picture LABELS common)
+endforeach()
+target_link_libraries(test_check_png PRIVATE stb_image)  # stb_image unpacks the same files
+target_link_libraries(test_deflate PRIVATE stb_image)    # stb_image unpacks what we pack
+target_link_libraries(test_save_png PRIVATE stb_image)
+add_suite(engine/app/test_command_line ON app LABELS common)
+add_suite(engine/app/test_gather_session ON app LABELS common)
+add_suite(engine/app/test_lesson ON app LABELS common)
+add_suite(engine/app/test_session_line ON picture LABELS common)
+target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>")
+add_dependencies(test_session_line 05_y_rotation)
+add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 
-add_suite(geometry/test_sphere USES texture LABELS common)  # a far sphere's error shows in (u, v)
-add_suite(geometry/test_camera USES geometry LABELS common)
-add_suite(geometry/test_nearest USES geometry LABELS common)
-add_suite(geometry/test_screen_bounds USES geometry LABELS common)
-add_suite(geometry/test_triangle USES geometry LABELS common)
-add_suite(geometry/test_floor USES texture LABELS common)  # what its exact height is good for shows in a checkerboard
+# The kernels against more digits, and their coefficients against the program that fits them.
+find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
+mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
+if(boost_multiprecision_INCLUDE_DIR)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables interval triangle)
+    target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
+  endforeach()
+endif()
+if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library
+  add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
+  target_link_libraries(check_kernels PRIVATE project_options)
+  add_test(NAME kernel_coefficients COMMAND check_kernels --check "${CMAKE_SOURCE_DIR}/common/engine/kernels/coefficients.hpp")
+endif()
 
-add_suite(texture/test_uv USES texture LABELS common)
-add_suite(texture/test_texel USES texture LABELS common)
-add_suite(texture/test_checkerboard USES texture LABELS common)
-add_suite(texture/test_solid_checkerboard USES texture LABELS common)
-add_suite(texture/test_image_texture USES texture LABELS common)
-add_suite(texture/test_bilinear USES texture LABELS common)
 # Each look-up instruction's own program: it has no other code, and does not run where the machine lacks the instructions.
-get_directory_property(wide_sets DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION WIDE_PACKS)
-foreach(instructions IN LISTS wide_sets)
-  get_directory_property(wide_options DIRECTORY "${CMAKE_SOURCE_DIR}/chapters" DEFINITION wide_${instructions})
-  add_executable(test_fetched_texels_${instructions} texture/test_fetched_texels.cpp)
-  target_link_libraries(test_fetched_texels_${instructions} PRIVATE project_options kernels)
-  target_compile_options(test_fetched_texels_${instructions} PRIVATE ${wide_options})
-  set_target_properties(test_fetched_texels_${instructions} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
-  add_test(NAME test_fetched_texels_${instructions} COMMAND test_fetched_texels_${instructions} ${instructions})
-  set_tests_properties(test_fetched_texels_${instructions} PROPERTIES LABELS common SKIP_RETURN_CODE 77)
+foreach(instructions IN LISTS WIDE_PACKS)
+  set(suite test_fetched_texels_${instructions})
+  add_executable(${suite} engine/render/test_fetched_texels.cpp)
+  target_include_directories(${suite} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${suite} PRIVATE project_options render)
+  target_compile_options(${suite} PRIVATE ${wide_${instructions}})
+  set_target_properties(${suite} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  add_test(NAME ${suite} COMMAND ${suite} ${instructions})
+  set_tests_properties(${suite} PROPERTIES LABELS common SKIP_RETURN_CODE 77)
 endforeach()
-add_suite(texture/test_conventions USES texture LABELS common)
-add_suite(texture/test_seed_formulas USES texture LABELS common)
-
-add_suite(shading/test_light USES shading LABELS common)
-add_suite(shading/test_phong USES shading LABELS common)
-add_suite(shading/test_sky USES shading LABELS common)
-add_suite(shading/test_pixel_patch USES shading texture LABELS common)
-add_suite(shading/test_painted USES shading texture LABELS common)
-
-add_suite(render/test_render USES render LABELS common)
-add_suite(render/test_sureness USES options LABELS extremes)
-add_suite(render/test_threads USES render LABELS common)
-add_suite(geometry/test_seed_sphere USES geometry LABELS common)
-add_suite(math/test_seed_blend USES math LABELS common)

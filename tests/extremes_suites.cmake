@@ -1,7 +1,5 @@
 # The suites that measure errors against 50 and 100 digits, and the program that writes docs/numbers.md from the same claims.
 
-find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
-mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(TEXMAP_INSTRUMENT)
   return()  # Boost's numbers take minutes to compile with sanitizers; the suites of each header run the same functions
 endif()
@@ -15,8 +13,8 @@ add_library(claims STATIC extremes/page.cpp)
 foreach(family arithmetic rotation secondary_rays shading spheres textures triangles uv)
   target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
 endforeach()
-target_link_libraries(claims PUBLIC shading texture PRIVATE project_options)
-target_include_directories(claims PUBLIC extremes support)
+target_link_libraries(claims PUBLIC texture PRIVATE project_options)
+target_include_directories(claims PUBLIC extremes support "${CMAKE_CURRENT_SOURCE_DIR}")
 target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
 set_target_properties(claims PROPERTIES WIDER_REFERENCES ON)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
@@ -32,7 +30,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(extremes_inputs 500)
 endif()
 foreach(suite extremes references numbers_page)
-  add_suite(extremes/test_${suite} USES claims LABELS extremes)
+  add_suite(extremes/test_${suite} ON claims LABELS extremes)
   target_compile_definitions(test_${suite} PRIVATE TEXMAP_EXTREMES_INPUTS=${extremes_inputs})
 endforeach()
 

@@ -6,8 +6,8 @@ mark_as_advanced(TEXMAP_SH TEXMAP_TIMEOUT)
 # What is graded is built without instruments in a build of its own: an instrumented build has nothing to add.
 if(UNIX AND TEXMAP_SH AND TEXMAP_TIMEOUT AND NOT TEXMAP_INSTRUMENT)
   add_executable(wrong_pictures grade/wrong_pictures.cpp)
-  target_link_libraries(wrong_pictures PRIVATE project_options options)
-  target_include_directories(wrong_pictures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
+  target_link_libraries(wrong_pictures PRIVATE project_options app)
+  target_include_directories(wrong_pictures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
   set_target_properties(wrong_pictures PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
 
   set(grade_test "${TEXMAP_SH}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_grade.sh"

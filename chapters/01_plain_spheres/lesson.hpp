@@ -2,38 +2,37 @@
 #pragma once
 #include <vector>
 
-#include "painted.hpp"
-#include "solid.hpp"
-#include "stage.hpp"
+#include "engine/app/lesson.hpp"
+#include "scene/paint.hpp"
+#include "scene/stage.hpp"
 
 namespace texmap::chapter_01 {
 
 using Paint = Solid;
 using Object = Painted<Paint>;
-enum ObjectIndex { middle, left, right, ground };
+enum ObjectIndex { middle, left, right, ground };  // in the order of `objects`
 
-struct Lesson {
-  static constexpr const char* idea = "four plain spheres, a lamp, its shadows and a sky";
-
-  Stage stage{.light = {.position = {5, 5, 5}}, .camera = {.eye = {0, 2, 8}, .target = {0, 0, 0}}};
-  Matt surface{.ambient = 0.2, .diffuse = 0.8};
-  Solid white{{0.9, 0.9, 0.9}};
-  Solid blue{{0.2, 0.2, 0.8}};
-  Solid red{{1.0, 0.3, 0.3}};
-  std::vector<Object> objects = {
-      {{{0.0, 0.0, 0.0}, 1.0}, white},
-      {{{-2.5, 0.0, 1.0}, 0.8}, red},
-      {{{2.5, 0.0, 1.0}, 0.8}, blue},
-      {{{0.0, -1001.0, 0.0}, 1000.0}, white},
+struct Lesson : LessonHooks {
+  static constexpr About about{
+      .idea = "four plain spheres, a lamp, its shadows and a sky",
   };
 
-  /// The color seen along a ray.
+  Stage stage{.light = {.position = {5, 5, 5}}, .camera = {.eye = {0, 2, 8}, .target = {0, 0, 0}}};
+  Lambertian surface{.ambient = 0.2, .diffuse = 0.8};
+  std::vector<Object> objects = {
+      Object{.shape = {.center = {0.0, 0.0, 0.0}, .radius = 1.0}, .paint = Solid{white}},
+      Object{.shape = {.center = {-2.5, 0.0, 1.0}, .radius = 0.8}, .paint = Solid{red}},
+      Object{.shape = {.center = {2.5, 0.0, 1.0}, .radius = 0.8}, .paint = Solid{blue}},
+      Object{.shape = {.center = {0.0, -1001.0, 0.0}, .radius = 1000.0}, .paint = Solid{white}},
+  };
+
+  /// The color that one ray sees.
   template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+  Color<Real> operator()(const Ray<Real>& ray) const {
     return color_along(objects, ray, stage.sky, [&](const Object& object, const Hit<Real>& hit) {
-      const Illumination<Real> lamp = illumination(stage.light, objects, hit);
+      const LightSample<Real> light = sample_light(stage.light, objects, hit);
       const Color<Real> color = object.paint(hit);
-      return color * lambert(surface, lamp);
+      return color * lambert(surface, light);
     });
   }
 };

@@ -1,73 +1,51 @@
 // The lesson of this chapter; `idea` says what it adds to the chapter before.
 #pragma once
-#include <optional>
 #include <vector>
 
-#include "budget_options.hpp"
-#include "camera.hpp"
-#include "gather.hpp"
-#include "lens_options.hpp"
-#include "painted.hpp"
-#include "path.hpp"
-#include "sampling_options.hpp"
-#include "scene.hpp"
-#include "studio.hpp"
-#include "texture_file.hpp"
+#include "engine/app/layout_options.hpp"
+#include "engine/app/lesson.hpp"
+#include "engine/app/sampling_options.hpp"
+#include "engine/app/texture_file.hpp"
+#include "engine/app/turntable.hpp"
+#include "scene/paint.hpp"
+#include "scene/path.hpp"
+#include "scene/stage.hpp"
+#include "texture/image_texture.hpp"
+#include "texture/mapped.hpp"
+#include "texture/rotated.hpp"
 
 namespace texmap::chapter_07 {
 
-using Textured = Mapped<BudgetMapping, BudgetTexture>;
+using Textured = Mapped<Rotated<ConventionMapping>, ImageTexture>;
 using Object = Painted<Textured>;
-template <class Real>
-using Scene = SceneIn<Real, Textured>;
+enum ObjectIndex { middle };  // in the order of `objects`
 
-struct Lesson {
-  static constexpr const char* idea = "many samples a pixel, and light that comes from everywhere";
+struct Lesson : LessonHooks {
+  static constexpr About about{
+      .idea = "many samples a pixel, and light that comes from everywhere",
+      .size = {400, 225},
+  };
 
-  struct {
-    GradientSky sky{.below = {0.7, 0.8, 1.0}, .above = {0.7, 0.8, 1.0}};
-    Camera camera{.eye = {0, 0, 12}, .target = {0, 0, 0}, .fov_y_degrees = 20};
-  } stage;
-  std::vector<Object> objects = {{{{0.0, 0.0, 0.0}, 2.0}, {}}};
+  Stage stage{.camera = {.eye = {0, 0, 12}, .target = {0, 0, 0}, .fov_y_degrees = 20}};
+  std::vector<Object> objects = {
+      Object{.shape = {.center = {0.0, 0.0, 0.0}, .radius = 2.0}, .paint = {}},
+  };
   TextureFile texture{"earth.png"};
+  LayoutOptions layout;
+  Turntable turn{.degrees = 0};
   SamplingOptions sampling;
-  LensOptions lens;
-  BudgetOptions budget;
-  Gathering gathering;
 
-  void options(CommandLine& line) {
-    texture.declare(line);
-    sampling.declare(line);
-    lens.declare(line);
-    budget.declare(line);
+  void options(CommandLine& line) override { offer(line, texture, layout, turn, sampling); }
+  void prepare(Session&) override {
+    objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
+    sampling.apply_to(objects[middle].paint.texture, stage.sky);
   }
-  void prepare(Studio& studio) {
-    studio.prefer_size(400, 225);
-    studio.prefer_samples(100);
-    objects[0].paint = budget.settle(studio, {.image = texture.load(), .light = sampling.decoding});
-    sampling.srgb_terms = budget.srgb_terms;
-    if (lens.gradient) stage.sky = {.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
-  }
-  void show(Studio& studio) { studio.save(sampling.gather(studio, *this)); }
 
-  /// Where the globe may be seen, and what light comes from beside it.
-  [[nodiscard]] std::optional<Foresight> foresight(const View& view) const {
-    if (lens.blurs() || objects.size() != 1) return {};
-    return Foresight{screen_bounds(view, objects[0].sphere),
-                     stage.sky.is_constant() ? std::optional(stage.sky.below) : std::nullopt, budget.smoothing};
-  }
-  /// What all samples have in common.
+  /// The color that one ray sees.
   template <class Real>
-  [[nodiscard]] auto ready(const View& view) const {
-    return ready_scene<Real>(view, objects, stage.sky);
-  }
-
-  /// The light of one sample of a pixel.
-  template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const Scene<Real>& scene, const Real& column, const Real& row, Numbers& numbers) const {
-    const Ray<Real> ray = lens.ray(scene.view, column, row, numbers);
-    const auto albedo = [](const auto& object, const Hit<Real>& hit) { return object.paint(hit); };
-    return light_along(scene.objects, ray, scene.sky, albedo, sampling.bounces, numbers);
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
+    const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
+    return light_along(scene.objects, ray, scene.sky, sampling.bounces, random);
   }
 };
 

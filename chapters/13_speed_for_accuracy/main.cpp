@@ -1,5 +1,7 @@
-// Runs this chapter's lesson; all chapters' main programs are alike.
+// Runs this chapter's lesson.
+#include "engine/app/run_chapter.hpp"
 #include "lesson.hpp"
-#include "run_chapter.hpp"
 
-int main(int argc, char** argv) { return texmap::run_chapter<texmap::chapter_13::Lesson>(TEXMAP_CHAPTER, argc, argv); }
+int main(int argc, char** argv) {
+  return texmap::run_chapter<texmap::chapter_13::Lesson>(TEXMAP_CHAPTER, argc, argv);
+}

@@ -1,52 +1,34 @@
-// The exhibits of this chapter: small scenes at the limits of a number, each drawn with the seeds' formulas and with the
-// course's.
+// The exhibits' scenes, at the limits of a number: with the published formulas and the course's.
 #pragma once
 #include <array>
+#include <tuple>
 #include <vector>
 
-#include "floor.hpp"
-#include "image_texture.hpp"
-#include "mapped.hpp"
-#include "painted.hpp"
-#include "phong.hpp"
-#include "rotation.hpp"
-#include "seed_formulas.hpp"
-#include "seed_sphere.hpp"
-#include "seed_triangle.hpp"
-#include "solid.hpp"
-#include "solid_checkerboard.hpp"
-#include "stage.hpp"
+#include "exhibit.hpp"
+#include "math/rotation.hpp"
+#include "published/sphere.hpp"
+#include "published/triangle.hpp"
+#include "published/uv.hpp"
+#include "scene/floor.hpp"
+#include "scene/paint.hpp"
+#include "scene/phong.hpp"
+#include "scene/stage.hpp"
+#include "texture/image_texture.hpp"
+#include "texture/mapped.hpp"
+#include "texture/solid_checkerboard.hpp"
 
 namespace texmap::chapter_14 {
 
-/// Whose formulas draw.
-enum class Care {
-  plain,   ///< the seeds', as they wrote them
-  robust,  ///< the course's, of the form that the scene needs
-};
-
-/// What one ray sees, and where on the texture it looks.
-template <class Real>
-struct Sight {
-  Color<Real> color{};
-  Uv<Real> uv{};  ///< of a hit on a textured thing
-  bool hit = false;
-  bool mapped = false;   ///< true if `uv` means anything
-  Real round = Real(1);  ///< length of the circle of this v, compared with the equator's: near a pole, u counts for little
-};
-
 /// Drawn where a formula gives a place outside the texture, or no number at all.
 inline constexpr Rgb no_texel{1, 0, 1};
-/// Drawn beside the things on show.
+/// Drawn where a ray misses the object on show.
 inline constexpr Rgb background{0.1, 0.1, 0.15};
 inline constexpr Rgb sky{0.6, 0.75, 1};
 
-/// A camera that sees a circle of this radius round the world's origin from so many units in front of it.
-[[nodiscard]] inline Camera towards_origin(Point eye, double radius) {
-  return {.eye = eye, .target = {}, .fov_y_degrees = 360 / std::numbers::pi * std::atan(radius / length(eye))};
-}
+/// A camera at `eye` that sees a circle of this radius around the world's origin.
+[[nodiscard]] Camera towards_origin(Point eye, double radius);
 
-/// The shade of a texture of stripes: turns along u, rings along v. For looking at less than a texel.
+/// A texture of sectors along u and rings along v, for looking at less than a texel.
 struct Graticule {
   double sectors = 12;
   double rings = 16384;
@@ -55,19 +37,23 @@ struct Graticule {
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    const Real parity = cell_parity(uv.u * Real(sectors), Real(1)) + cell_parity(uv.v * Real(rings), Real(1));
+    const Real parity =
+        cell_parity(uv.u * Real(sectors), Real(1)) + cell_parity(uv.v * Real(rings), Real(1));
     return select(parity == Real(1), number_cast<Real>(dark), number_cast<Real>(light));
   }
 };
 
 /// What a ray sees of a globe without light: the texture alone.
 template <class Real, class Texture>
-[[nodiscard]] Sight<Real> sight_of_globe(const Sphere& globe, const Texture& texture, const Ray<Real>& ray, Care care) {
-  const Sphere sphere{globe.center, globe.radius, care == Care::plain ? SphereForm::plain : SphereForm::hybrid};
+[[nodiscard]] SurfacePoint<Real> point_of_globe(const Sphere<>& globe, const Texture& texture,
+                                                const Ray<Real>& ray, Formulas formulas) {
+  const Sphere<> sphere{globe.center, globe.radius,
+                        formulas == Formulas::published ? SphereForm::plain : SphereForm::hybrid};
   const Real distance = distance_to(sphere, ray);
   if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
   const Hit<Real> hit = hit_at(sphere, ray, distance);
-  const Uv<Real> uv = care == Care::plain ? seeds::uv_next_week_v4(hit.normal) : uv_rtiow(hit.normal);
+  const Uv<Real> uv = formulas == Formulas::published ? published::uv_next_week_v4(hit.normal)
+                                                      : uv_rtiow(hit.normal);
   const bool on_texture = uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1);
   const Real round = sqrt(square(hit.normal.x) + square(hit.normal.z));
   return {on_texture ? texture(uv) : number_cast<Real>(no_texel), uv, true, on_texture, round};
@@ -79,17 +65,18 @@ struct Globe {
   const char* name;
   const char* caption;
   Camera camera;
-  Sphere sphere;
+  Sphere<> sphere;
   Texture texture;
 
   template <class Real>
-  [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
-    return sight_of_globe(sphere, texture, ray, care);
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    return point_of_globe(sphere, texture, ray, formulas);
   }
 };
 
-/// The stage with its plain spheres, in some unit and on some ground. Seeds start a shadow ray where the eye's ray ended and
-/// look beyond 0.001; the course starts it off the surface by a bound on the rounding errors.
+/// The stage with its plain spheres, in some unit and on some ground. The source documents start a
+/// shadow ray at the computed hit and ignore hits nearer than 0.001; the course starts it off the
+/// surface by a bound on the rounding errors.
 struct Shadows {
   const char* name;
   const char* caption;
@@ -101,37 +88,40 @@ struct Shadows {
       {{{0, 0, 0}, unit}, {{0.9, 0.9, 0.9}}},
       {{{-2.5 * unit, 0, unit}, 0.8 * unit}, {{1.0, 0.3, 0.3}}},
       {{{2.5 * unit, 0, unit}, 0.8 * unit}, {{0.2, 0.2, 0.8}}},
-      {{{0, -(ground_radius + 1) * unit, 0}, ground_radius* unit, SphereForm::hybrid}, {{0.9, 0.9, 0.9}}},
+      {{{0, -(ground_radius + 1) * unit, 0}, ground_radius* unit, SphereForm::hybrid},
+       {{0.9, 0.9, 0.9}}},
   };
 
   template <class Real>
-  [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
-    Sight<Real> sight{number_cast<Real>(sky)};
-    if (care == Care::robust) {
-      sight.color = color_along(
-          objects, ray, [&](const auto&) { return sight.color; },
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    SurfacePoint<Real> point{number_cast<Real>(sky)};
+    if (formulas == Formulas::robust) {
+      point.color = color_along(
+          objects, ray, [&](const auto&) { return point.color; },
           [&](const auto& object, const auto& hit) {
-            sight.hit = true;
-            return object.paint(hit) * lambert(Matt{}, illumination(light, objects, hit));
+            point.hit = true;
+            return object.paint(hit) * lambert(Lambertian{}, sample_light(light, objects, hit));
           });
-      return sight;
+      return point;
     }
     Real nearest = infinity<Real>();
     const Painted<Solid>* seen = nullptr;
     for (const auto& object : objects) {
-      const Real distance = seeds::distance_half_b(object.sphere, ray);
+      const Real distance = published::distance_half_b(object.shape, ray);
       if (distance < nearest) seen = &object;
-      nearest = smaller(distance, nearest);
+      nearest = min(distance, nearest);
     }
-    if (seen == nullptr) return sight;
-    const Vec3<Real> point = ray.origin + ray.direction * nearest;
-    const Vec3<Real> normal = (point - number_cast<Real>(seen->sphere.center)) * (Real(1) / Real(seen->sphere.radius));
-    const Vec3<Real> path = number_cast<Real>(light.position) - point;
+    if (seen == nullptr) return point;
+    const Vec3<Real> position = ray.origin + ray.direction * nearest;
+    const Vec3<Real> normal =
+        (position - number_cast<Real>(seen->shape.center)) * (Real(1) / Real(seen->shape.radius));
+    const Vec3<Real> path = number_cast<Real>(light.position) - position;
     const Real away = length(path);
     const Vec3<Real> to_light = path * (Real(1) / away);
-    Real cosine = larger(dot(normal, to_light), Real(0));
+    Real cosine = max(dot(normal, to_light), Real(0));
     for (const auto& object : objects) {
-      if (seeds::distance_half_b(object.sphere, Ray<Real>{point, to_light}) < away) cosine = Real(0);
+      if (published::distance_half_b(object.shape, Ray<Real>{position, to_light}) < away)
+        cosine = Real(0);
     }
     return {number_cast<Real>(seen->paint.color) * (Real(0.2) + Real(0.8) * cosine), {}, true};
   }
@@ -146,42 +136,52 @@ struct Needle {
   ImageTexture texture;
 
   template <class Real>
-  [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const Triangle triangle{{-half_width, -0.5, 0}, {half_width, -0.5, 0}, {0, 0.5, 0}};
     const Real x = ray.direction.x / -ray.direction.z;
     const Real y = ray.direction.y / -ray.direction.z;
     const Vec3<Real> p{x * Real(2 * half_width), y, Real(0)};
     // Where the triangle is, is not the question here: only the weights are.
-    if (!(abs(y) < Real(0.5) && abs(x) < (Real(0.5) - y) * Real(0.5))) return {number_cast<Real>(background)};
-    const Barycentric<Real> weights = care == Care::plain ? seeds::barycentric_heron(triangle, p) : barycentric(triangle, p);
+    if (!(abs(y) < Real(0.5) && abs(x) < (Real(0.5) - y) * Real(0.5)))
+      return {number_cast<Real>(background)};
+    const Barycentric<Real> weights = formulas == Formulas::published
+                                          ? published::barycentric_heron(triangle, p)
+                                          : barycentric(triangle, p);
     const Uv<Real> uv{weights.b + weights.c * Real(0.5), weights.c};
     const bool number = uv.u == uv.u && uv.v == uv.v;
     return {number ? texture(uv) : number_cast<Real>(no_texel), uv, true, number};
   }
 };
 
-/// A floor of cubes, ten million cells from the world's origin. Robust is to count the cells from a corner nearby that is an
-/// even number of cells away: there the number still has digits for a part of a cell.
+/// A floor of cubes, ten million cells from the world's origin. The robust form counts cells from a
+/// nearby corner, an even number of cells away, where digits for parts of a cell remain.
 struct FarFloor {
   const char* name = "far-floor";
   const char* caption = "a checkerboard 1e7 cells away";
-  Camera camera{.eye = {10000000.25, 2, 10000003.25}, .target = {10000000.25, 0, 9999996.25}, .fov_y_degrees = 50};
+  Camera camera{.eye = {10000000.25, 2, 10000003.25},
+                .target = {10000000.25, 0, 9999996.25},
+                .fov_y_degrees = 50};
   SolidCheckerboard board{.even = {0.95, 0.95, 0.9}, .odd = {0.2, 0.25, 0.3}, .cell = 1};
 
   template <class Real>
-  [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const Floor floor{};
     const Real distance = distance_to(floor, ray);
     if (!(distance < Real(60))) return {number_cast<Real>(sky)};
-    if (care == Care::plain) return {board(ray.origin + ray.direction * distance), {}, true};
+    if (formulas == Formulas::published)
+      return {board(ray.origin + ray.direction * distance), {}, true};
     // The camera's place is the scene's and known in double.
     const double pair = 2 * board.cell;
-    const Point corner{pair * std::floor(camera.eye.x / pair), 0, pair * std::floor(camera.eye.z / pair)};
-    return {board(point_on(floor, Ray<Real>{number_cast<Real>(camera.eye - corner), ray.direction}, distance)), {}, true};
+    const Point corner{pair * std::floor(camera.eye.x / pair), 0,
+                       pair * std::floor(camera.eye.z / pair)};
+    return {board(point_on(floor, Ray<Real>{number_cast<Real>(camera.eye - corner), ray.direction},
+                           distance)),
+            {},
+            true};
   }
 };
 
-/// A globe after a million turns of a tenth of a degree: the angle added up, or multiplied and reduced in degrees.
+/// A globe after a million turns of 0.1 degrees: the angles summed, or multiplied and reduced.
 struct ManyTurns {
   const char* name = "turns";
   const char* caption = "after 1e6 turns of 0.1 degrees";
@@ -197,41 +197,81 @@ struct ManyTurns {
   }
 
   template <class Real>
-  [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     static const Real sum = sum_of_steps<Real>();
     static const Real radians = sum * pi<Real>() / Real(180);
-    static const SineCosine<Real> plain{sin(radians), cos(radians)};
+    static const SineCosine<Real> summed{sin(radians), cos(radians)};
     // A million tenths are 100,000 degrees, and that is 280 beyond whole turns.
-    static const SineCosine<Real> robust = sine_cosine_of_degrees(Real(1000000) / Real(10));
-    const SineCosine<Real>& turn = care == Care::plain ? plain : robust;
+    static const SineCosine<Real> reduced = sine_cosine_of_degrees(Real(1000000) / Real(10));
+    const SineCosine<Real>& turn = formulas == Formulas::published ? summed : reduced;
 
-    const Sphere globe{{}, 1};
+    const Sphere<> globe{{}, 1};
     const Real distance = distance_to(globe, ray);
     if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
     const Vec3<Real> n = hit_at(globe, ray, distance).normal;
-    const Uv<Real> uv = uv_rtiow(Vec3<Real>{n.x * turn.cosine + n.z * turn.sine, n.y, n.z * turn.cosine - n.x * turn.sine});
+    const Uv<Real> uv = uv_rtiow(
+        Vec3<Real>{n.x * turn.cosine + n.z * turn.sine, n.y, n.z * turn.cosine - n.x * turn.sine});
     return {texture(uv), uv, true, true};
   }
 };
 
-/// The lecture's globe with an odd exponent: its highlight has the wrong sign, and an even exponent hides it.
+/// The lecture's globe with an odd exponent: the highlight has the wrong sign. Even ones hide it.
 struct OddExponent {
   const char* name = "highlight";
   const char* caption = "a highlight with exponent 101";
   Camera camera{.eye = {0, 0, 4}, .target = {0, 0, 0}, .fov_y_degrees = 36};
-  Finish finish{.matt = {}, .specular = 1, .shininess = 101};
+  PhongMaterial material{.lambertian = {}, .specular = 1, .shininess = 101};
 
   template <class Real>
-  [[nodiscard]] Sight<Real> operator()(const Ray<Real>& ray, Care care) const {
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const std::array<Painted<Solid>, 1> globe{{{{{}, 1}, {{0.75, 0.45, 0.1}}}}};
-    const Real distance = distance_to(globe[0].sphere, ray);
+    const Real distance = distance_to(globe[0].shape, ray);
     if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
-    const Hit<Real> hit = hit_at(globe[0].sphere, ray, distance);
-    const Illumination<Real> lamp = illumination(PointLight{{3, 2, 2}}, globe, hit);
-    const HighlightFormula formula = care == Care::plain ? HighlightFormula::lecture : HighlightFormula::phong;
-    const Real gloss = highlight(formula, finish, lamp, hit.normal, -ray.direction);
-    return {globe[0].paint(hit) * lambert(finish.matt, lamp) + gray(gloss), {}, true};
+    const Hit<Real> hit = hit_at(globe[0].shape, ray, distance);
+    const LightSample<Real> light = sample_light(PointLight{{3, 2, 2}}, globe, hit);
+    const HighlightFormula formula =
+        formulas == Formulas::published ? HighlightFormula::lecture : HighlightFormula::phong;
+    const Real gloss = highlight(formula, material, light, hit.normal, -ray.direction);
+    return {globe[0].paint(hit) * lambert(material.lambertian, light) + gray(gloss), {}, true};
   }
 };
+
+/// All exhibits, in the order of the sheet.
+[[nodiscard]] inline auto exhibit_scenes(const Image& earth, const Image& labels) {
+  const Sphere<> globe{{0, 0, 0}, 1};
+  const auto from = [&](const char* name, const char* caption, double radii) {
+    return Globe<ImageTexture>{name, caption, towards_origin({0, 0, radii}, 1.15), globe, {earth}};
+  };
+  const Camera above_the_pole{.eye = {0, 1.1, 0.01}, .target = {0, 1, 0}, .fov_y_degrees = 1.5};
+  const Camera far_from_home{.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26};
+  return std::tuple{
+      from("from-10", "a globe from 10 radii", 10),
+      from("from-1e3", "a globe from 1,000 radii", 1e3),
+      from("from-1e5", "a globe from 100,000 radii", 1e5),
+      from("from-1e7", "a globe from 10,000,000 radii", 1e7),
+      Globe<Graticule>{"pole", "the pole, rings of 1/4 texel", above_the_pole, globe, {}},
+      Globe<Graticule>{"seam",
+                       "the seam, 1e-7 wide",
+                       towards_origin({-3, 0, 0}, 3e-7),
+                       globe,
+                       {.sectors = 2, .rings = 1}},
+      Globe<ImageTexture>{"far-home",
+                          "a globe at 100,000 radii from 0",
+                          far_from_home,
+                          {{100000, 0, 0}, 1},
+                          {earth}},
+      Globe<ImageTexture>{"units",
+                          "a globe of radius 1e-25",
+                          towards_origin({0, 0, 1e-24}, 1.15e-25),
+                          {{0, 0, 0}, 1e-25},
+                          {earth}},
+      Shadows{"acne", "shadows, ground of radius 100,000", 1, 1e5},
+      Shadows{"small", "shadows, the stage 1e-4 as large", 1e-4},
+      Needle{.texture = {labels}},
+      FarFloor{},
+      ManyTurns{.texture = {earth}},
+      OddExponent{},
+  };
+}
 
 }  // namespace texmap::chapter_14

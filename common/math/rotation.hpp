@@ -1,6 +1,6 @@
 // Rotation about the vertical axis, exact in degrees.
 #pragma once
-#include "vec3.hpp"
+#include "math/vec3.hpp"
 
 namespace texmap {
 
@@ -10,13 +10,10 @@ struct SineCosine {
   Real sine{}, cosine{};
 };
 
-/// Sine and cosine of an angle in degrees, of one plain number.
+/// Sine and cosine of an angle in degrees, of one plain number; exact at multiples of 90.
 ///
-/// @param degrees  any finite angle. NaN and infinities give NaN
-/// Bound: both within 3 ulp of themselves, for every angle that the number holds; docs/numbers.md.
-/// The angle is reduced by whole turns in degrees, where a turn is the whole number 360 and nothing is rounded, then to the
-/// nearest quarter turn: multiples of 90 come out as exactly -1, 0 and 1, and 1e9 degrees equal 280. In radians a turn is no
-/// number of the machine: reducing 1e9 degrees there moves a float globe by 1930 texels.
+/// @param degrees  any finite angle; NaN and infinities give NaN
+/// Bound: 3 ulp each, for every angle.
 template <class Real>
 [[nodiscard]] SineCosine<Real> sine_cosine_of_degrees(Real degrees) {
   using std::cos;
@@ -34,17 +31,16 @@ template <class Real>
   return {s, c};
 }
 
-/// A rotation about +y, made once for a whole picture: the angle does not change from pixel to pixel.
+/// A rotation about +y, computed once a picture.
 struct RotationY {
   double sine = 0;
   double cosine = 1;
 
-  /// The rotated point: x' = x cos + z sin, z' = z cos - x sin.
+  /// The rotated point: x' = x cos + z sin, y' = y, z' = z cos - x sin.
   ///
   /// @param p  any point or direction with coordinates below half of the largest number
-  /// Errors: none; y stays to the bit, and a NaN in x or z makes both NaN.
-  /// Bound: its length changes by 2 unit roundoffs at most, those of double in every number with more digits; docs/numbers.md.
-  /// Source: seed 4, whose matrix multiplies from the right.
+  /// Bound: the length changes by at most 2 unit roundoffs (not below those of double).
+  /// Source: the lecture, which multiplies row vectors by the matrix.
   template <class Real>
   [[nodiscard]] Vec3<Real> operator()(const Vec3<Real>& p) const {
     const Real s = Real(sine);
@@ -55,9 +51,8 @@ struct RotationY {
 
 /// The rotation by an angle.
 ///
-/// @param degrees  any finite angle; positive angles carry +z towards +x and add degrees / 360 to the u of every rtiow place
-/// @return         sine and cosine within 3 ulp, as sine_cosine_of_degrees gives them
-/// Errors: none; an angle that is not finite gives a rotation to NaN.
+/// @param degrees  any finite angle; a positive one carries +z towards +x and adds degrees / 360
+///                 to the u of uv_rtiow
 [[nodiscard]] inline RotationY rotation_y(double degrees) {
   const SineCosine<double> angle = sine_cosine_of_degrees(degrees);
   return {angle.sine, angle.cosine};

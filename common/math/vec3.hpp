@@ -1,8 +1,8 @@
-// A point or a direction in space: three numbers and the operations the course needs on them.
+// A point or a direction in space, and the operations on it.
 #pragma once
 #include <type_traits>
 
-#include "compensated.hpp"
+#include "number/compensated.hpp"
 
 namespace texmap {
 
@@ -17,30 +17,26 @@ struct Vec3 {
   }
 };
 
-/// A point or direction of a scene. Scenes are written in double; `number_cast` turns them into the number a picture is drawn
-/// with.
+/// A point and a direction of a scene. Scenes are written in double; see number_cast.
 using Point = Vec3<double>;
+using Vec3d = Vec3<double>;
 
-/// A number as another kind of number, rounded once; as it is, if it is of that kind. Errors: none; beyond the other's range it
-/// is infinite.
-template <class Real, class Number>
-[[nodiscard]] Real number_cast(const Number& x) {
-  if constexpr (std::is_same_v<Real, Number>) {
+/// A number as another kind of number, rounded once; infinite beyond the other's range.
+template <class Real, class Other>
+[[nodiscard]] Real number_cast(const Other& x) {
+  if constexpr (std::is_same_v<Real, Other>) {
     return x;
   } else {
     return Real(x);
   }
 }
 /// The same for each coordinate.
-template <class Real, class Number>
-[[nodiscard]] Vec3<Real> number_cast(const Vec3<Number>& p) {
+template <class Real, class Other>
+[[nodiscard]] Vec3<Real> number_cast(const Vec3<Other>& p) {
   return {number_cast<Real>(p.x), number_cast<Real>(p.y), number_cast<Real>(p.z)};
 }
 
-/// Sum, difference and multiple, coordinate by coordinate.
-///
-/// Domain: any coordinates. Bound: each is rounded once, so that it is within 1 unit roundoff of itself; a multiple only as
-/// long as it stays in the range of normal numbers. Errors: none; beyond the range a coordinate is infinite.
+/// Sum, difference and multiple, each coordinate rounded once.
 template <class Real>
 [[nodiscard]] Vec3<Real> operator+(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -59,20 +55,19 @@ template <class Real>
   return {a.x * s, a.y * s, a.z * s};
 }
 
-/// The scalar product: |a| |b| times the cosine of the angle between them, within 3 unit roundoffs of |a| |b|.
+/// The scalar product |a| |b| cos(angle). Bound: 3 unit roundoffs of |a| |b|.
 template <class Real>
 [[nodiscard]] Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The vector product: at a right angle to both, by the right-hand rule; within 2 unit roundoffs of |a| |b|.
+/// The vector product, perpendicular to both (right-hand rule). Bound: 2 unit roundoffs of |a| |b|.
 template <class Real>
 [[nodiscard]] Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The length of `a`, within 2 unit roundoffs of itself. Its square must stay in the number's range: about 1e-150 to 1e150 in
-/// double.
+/// The length of `a`. Domain: its square is in range. Bound: 2 unit roundoffs of itself.
 template <class Real>
 [[nodiscard]] Real length(const Vec3<Real>& a) {
   return sqrt(dot(a, a));
@@ -81,19 +76,19 @@ template <class Real>
 /// The largest of |x|, |y| and |z|: a size that cannot overflow.
 template <class Real>
 [[nodiscard]] Real largest(const Vec3<Real>& a) {
-  return larger(abs(a.x), larger(abs(a.y), abs(a.z)));
+  return max(abs(a.x), max(abs(a.y), abs(a.z)));
 }
 
-/// `a` made one unit long, within 4 unit roundoffs; domain as `length`. The zero vector has no direction: it gives NaN.
+/// `a` with length 1; NaN for zero. Domain: as length. Bound: 4 unit roundoffs.
 template <class Real>
 [[nodiscard]] Vec3<Real> normalize(const Vec3<Real>& a) {
   return a * (Real(1) / length(a));
 }
 
-/// dot(a, b) + rest, rounded about once: what cancels between the products is kept. Within 2 unit roundoffs of itself while the
-/// result is above 16 unit roundoffs of |a| |b|. Domain: as two_product.
+/// dot(a, b) + rest with exact products. Bound: 2 unit roundoffs, if above 16 of |a| |b|.
 template <class Real>
-[[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b, const Real& rest = Real(0)) {
+[[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b,
+                               const Real& rest = Real(0)) {
   CompensatedSum<Real> sum;
   sum.add(rest);
   sum.add_product(a.x, b.x);
@@ -102,7 +97,7 @@ template <class Real>
   return sum.value();
 }
 
-/// cross(a, b), each coordinate within 2 unit roundoffs of itself, however nearly parallel the two are. Domain: as two_product.
+/// cross(a, b) with exact products. Bound: 2 unit roundoffs of each coordinate.
 template <class Real>
 [[nodiscard]] Vec3<Real> precise_cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {

@@ -1,9 +1,9 @@
-// Arithmetic that keeps what rounding drops: sums and products as a number and its rounding error.
+// Exact sums and products: a result together with its rounding error.
 #pragma once
 #include <array>
 #include <bit>
 
-#include "number.hpp"
+#include "number/number.hpp"
 
 namespace texmap {
 
@@ -13,9 +13,8 @@ struct TwoParts {
   Real high, low;
 };
 
-/// a + b without an error: `high` is the rounded sum, `low` what rounding dropped.
-///
-/// Domain: finite, no overflow. Source: Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B.
+/// a + b without an error: `high` is the rounded sum, `low` its rounding error.
+/// Domain: no overflow. Source: Knuth, The Art of Computer Programming, volume 2, section 4.2.2.
 template <class Real>
 [[nodiscard]] TwoParts<Real> two_sum(const Real& a, const Real& b) {
   const Real sum = a + b;
@@ -24,10 +23,9 @@ template <class Real>
   return {sum, (a - a_kept) + (b - b_kept)};
 }
 
-/// `x` as two numbers of half the digits each, whose products are exact.
-///
-/// Domain: |x| below the largest number / 2^(digits / 2 + 1). Source: Veltkamp, after Dekker, "A Floating-Point Technique for
-/// Extending the Available Precision" (1971).
+/// `x` as a sum of two numbers with half the digits each, so that their products are exact.
+/// Domain: |x| below the largest number / 2^(digits / 2 + 1).
+/// Source: Veltkamp; Dekker, "A Floating-Point Technique for Extending the Available Precision".
 template <class Real>
 [[nodiscard]] TwoParts<Real> split(const Real& x) {
   constexpr int digits = std::numeric_limits<Scalar<Real>>::digits;
@@ -37,10 +35,8 @@ template <class Real>
   return {high, x - high};
 }
 
-/// a b without an error: `high` is the rounded product, `low` what rounding dropped.
-///
-/// A fused multiply-add would give `low` in one step, but not every machine has one; both ways give the same number.
-/// Domain: no overflow in `split`, and |a b| above the smallest normal number times 2^digits. Source: Dekker (1971).
+/// a b without an error: `high` is the rounded product, `low` its rounding error.
+/// Domain: that of `split`; |a b| above the smallest normal number times 2^digits. Source: Dekker.
 template <class Real>
 [[nodiscard]] TwoParts<Real> two_product(const Real& a, const Real& b) {
   const Real product = a * b;
@@ -49,20 +45,18 @@ template <class Real>
   return {product, ((p.high * q.high - product) + p.high * q.low + p.low * q.high) + p.low * q.low};
 }
 
-/// a b - c d with a relative error of at most 2 unit roundoffs, however much of the two products cancels.
-///
-/// Domain: as two_product, for both products. Source: Kahan's determinant; the bound by Jeannerod, Louvet and Muller, "Further
-/// Analysis of Kahan's Algorithm for the Accurate Computation of 2x2 Determinants" (2013), for its form with fused operations;
-/// here both products' errors are kept, and the bound is measured in tests/extremes.
+/// a b - c d, however much of the two products cancels. Domain: as two_product.
+/// Bound: 2 unit roundoffs of the result. Source: Kahan; Jeannerod, Louvet and Muller (2013).
 template <class Real>
-[[nodiscard]] Real difference_of_products(const Real& a, const Real& b, const Real& c, const Real& d) {
+[[nodiscard]] Real difference_of_products(const Real& a, const Real& b, const Real& c,
+                                          const Real& d) {
   const TwoParts<Real> ab = two_product(a, b);
   const TwoParts<Real> cd = two_product(c, d);
   const TwoParts<Real> difference = two_sum(ab.high, -cd.high);
   return difference.high + (difference.low + (ab.low - cd.low));
 }
 
-/// A sum whose error is that of one rounding of the result, as long as no more than half the digits cancel twice over.
+/// A sum with the error of one rounding, unless more than half the digits cancel twice.
 template <class Real>
 class CompensatedSum {
  public:
@@ -86,7 +80,8 @@ class CompensatedSum {
 /// 2^step and 2^-step for step = 1, 2, 4, ... up to half of the largest exponent of `Number`.
 template <class Number>
 struct PowersOfTwo {
-  static constexpr std::size_t count = std::bit_width(static_cast<unsigned>(std::numeric_limits<Number>::max_exponent)) - 1;
+  static constexpr std::size_t count =
+      std::bit_width(static_cast<unsigned>(std::numeric_limits<Number>::max_exponent)) - 1;
   std::array<Number, count> up;
   std::array<Number, count> down;
 
@@ -98,10 +93,7 @@ struct PowersOfTwo {
   }
 };
 
-/// The power of two that brings `size` into [1, 2); 1 for zero, NaN and infinities. Multiplying by it rounds nothing.
-///
-/// @param size  not negative; a subnormal number is brought as far as the range allows
-/// Done by comparisons and products alone, so that packs, whose lanes need different powers, can do it too.
+/// The power of two that scales `size` > 0 into [1, 2); 1 for zero, NaN and infinities.
 template <class Real>
 [[nodiscard]] Real power_of_two_scale(const Real& size) {
   using Limits = std::numeric_limits<Scalar<Real>>;

@@ -1,15 +1,16 @@
-// What the course asks of a number. float, double and long double have it all; packs of them learn it in pack.hpp.
+// What the course asks of a number: float, double, long double, and packs of them.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
 namespace texmap {
 
-// Unqualified calls find these for plain numbers and, by argument-dependent lookup, the pack's or the reference number's own.
+// Packs and other numbers bring their own versions of these, found by argument-dependent lookup.
 using std::abs;
 using std::atan2;
 using std::cos;
@@ -21,12 +22,13 @@ using std::pow;
 using std::sin;
 using std::sqrt;
 
-/// What differs between one number and a pack of numbers.
+/// What differs between one number and a pack of numbers. To add a number, specialize this.
 template <class Real>
 struct NumberTraits {
   using Scalar = Real;                     ///< the number in one lane
   using Mask = bool;                       ///< what a comparison gives
-  static constexpr std::size_t lanes = 1;  ///< numbers worked on at once
+  using UInt = std::uint32_t;              ///< an unsigned 32-bit integer in each lane
+  static constexpr std::size_t lanes = 1;  ///< how many numbers it holds
 };
 
 template <class Real>
@@ -36,10 +38,9 @@ using Mask = typename NumberTraits<Real>::Mask;
 template <class Real>
 inline constexpr std::size_t lanes = NumberTraits<Real>::lanes;
 
-// Constants are functions: a variable would be made when the program starts, and one for wide packs with instructions that the
-// machine may not have.
+// Constants are functions, so that no global is initialized before main.
 
-/// The circle constant to every digit of `Real`.
+/// Pi to every digit of `Real`.
 template <class Real>
 [[nodiscard]] inline Real pi() {
   return Real(std::numbers::pi_v<Scalar<Real>>);
@@ -51,19 +52,19 @@ template <class Real>
   return Real(std::numeric_limits<Scalar<Real>>::infinity());
 }
 
-/// The largest number below one: the end of the half-open range [0, 1) of texture coordinates.
+/// The largest number below 1.
 template <class Real>
 [[nodiscard]] inline Real below_one() {
   return Real(Scalar<Real>(1) - std::numeric_limits<Scalar<Real>>::epsilon() / Scalar<Real>(2));
 }
 
-/// Half the distance from 1 to the next number: the largest relative error of one rounded operation.
+/// Half the distance from 1 to the next number: the largest relative error of one rounding.
 template <class Real>
 [[nodiscard]] inline Real unit_roundoff() {
   return Real(std::numeric_limits<Scalar<Real>>::epsilon() / Scalar<Real>(2));
 }
 
-/// `yes` where the mask is true, else `no`. Both sides are computed: a pack cannot branch.
+/// `yes` where the mask is true, else `no`. Both are computed: a pack cannot branch.
 template <class Real>
 [[nodiscard]] inline Real select(bool mask, const Real& yes, const Real& no) {
   return mask ? yes : no;
@@ -82,7 +83,7 @@ template <class Real>
   }
 }
 
-/// A number whose lane `i` is `value(i)`, for i from 0 to lanes - 1.
+/// A number with value(i) in lane `i`, for i from 0 to lanes - 1.
 template <class Real, class Value>
 [[nodiscard]] inline Real from_lanes(Value value) {
   if constexpr (lanes<Real> == 1) {
@@ -92,37 +93,36 @@ template <class Real, class Value>
   }
 }
 
-/// The larger of two numbers; a NaN in `a` gives `b`.
+/// The larger number; a NaN in `a` gives `b`.
 template <class Real>
-[[nodiscard]] inline Real larger(const Real& a, const Real& b) {
+[[nodiscard]] inline Real max(const Real& a, const Real& b) {
   return select(a > b, a, b);
 }
 
-/// The smaller of two numbers; a NaN in `a` gives `b`.
+/// The smaller number; a NaN in `a` gives `b`.
 template <class Real>
-[[nodiscard]] inline Real smaller(const Real& a, const Real& b) {
+[[nodiscard]] inline Real min(const Real& a, const Real& b) {
   return select(a < b, a, b);
 }
 
-/// `x` brought into [low, high]; a NaN becomes `low`.
+/// `x` limited to [low, high]; a NaN becomes `low`.
 template <class Real>
 [[nodiscard]] inline Real clamp(const Real& x, const Real& low, const Real& high) {
-  return smaller(larger(x, low), high);
+  return min(max(x, low), high);
 }
 
-/// x * x.
 template <class Real>
 [[nodiscard]] inline Real square(const Real& x) {
   return x * x;
 }
 
-/// `x` to the power of a plain number, as std::pow has it.
+/// `x` to the power of a plain number, as std::pow computes it.
 template <class Real>
 [[nodiscard]] inline Real power(const Real& x, Scalar<Real> exponent) {
   return from_lanes<Real>([&](std::size_t i) { return pow(lane(x, i), exponent); });
 }
 
-/// The numbers of all lanes at once: asking lane by lane would put the pack into memory each time.
+/// The numbers of all lanes.
 template <class Real>
 [[nodiscard]] inline std::array<Scalar<Real>, lanes<Real>> all_lanes(const Real& x) {
   if constexpr (lanes<Real> == 1) {
@@ -132,12 +132,10 @@ template <class Real>
   }
 }
 
-/// The entry of a table at a place given by whole numbers; each lane of a pack reads its own.
-///
-/// @param table        callable with two int, gives three plain numbers: a color's channels
-/// @param column, row  whole numbers that the table knows
+/// The three plain numbers that `table` returns for a column and a row; each lane reads its own.
 template <class Real, class Table>
-[[nodiscard]] inline std::array<Real, 3> look_up(const Table& table, const Real& column, const Real& row) {
+[[nodiscard]] inline std::array<Real, 3> look_up(const Table& table, const Real& column,
+                                                 const Real& row) {
   const auto columns = all_lanes(column);
   const auto rows = all_lanes(row);
   std::array<std::array<Scalar<Real>, lanes<Real>>, 3> channels;
@@ -145,7 +143,9 @@ template <class Real, class Table>
     const auto entry = table(static_cast<int>(columns[i]), static_cast<int>(rows[i]));
     for (std::size_t k = 0; k < 3; ++k) channels[k][i] = static_cast<Scalar<Real>>(entry[k]);
   }
-  const auto packed = [&](std::size_t k) { return from_lanes<Real>([&](std::size_t i) { return channels[k][i]; }); };
+  const auto packed = [&](std::size_t k) {
+    return from_lanes<Real>([&](std::size_t i) { return channels[k][i]; });
+  };
   return {packed(0), packed(1), packed(2)};
 }
 

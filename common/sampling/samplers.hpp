@@ -1,41 +1,31 @@
-// Where the samples of a pixel lie: four ways to choose points of the unit square, from chance to nets.
+// Where the samples of a pixel lie: four patterns in the unit square.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <string>
 
-#include "hash.hpp"
-#include "sample2.hpp"
+#include "sampling/hash.hpp"
+#include "sampling/point2.hpp"
+#include "sampling/sampler_kind.hpp"
 
 namespace texmap {
 
-/// How the samples of a pixel are chosen.
-enum class SamplerKind {
-  random,        ///< each by itself
-  stratified,    ///< one in each cell of a grid
-  multi_jitter,  ///< one in each cell, and one in each column and each row as fine as there are samples
-  sobol,         ///< one in each cell of every grid of powers of two: a net
-};
-
-/// The most samples a pixel can have: up to here all integers below fit into 32 bits.
-inline constexpr int most_samples = 1 << 14;
-
 namespace sampling {
 
-/// One more key of random bits from a key of random bits: half a hash. Less shows: with one step fewer, small nets of Sobol'
-/// points were not uniform over pixels.
+/// The next key of random bits: half a hash, the least that keeps small Sobol' nets uniform.
 template <class Integers>
 [[nodiscard]] inline Integers next_key(Integers key) {
   key = (key ^ (key >> 15)) * 0x2c1b3c6dU;
   return key ^ (key >> 12);
 }
 
-/// A permutation of the integers below `count`, one of many for each key.
+/// A permutation of the integers below `count`, one of many, chosen by a key.
 struct Shuffle {
   std::uint32_t count = 1;
   std::uint32_t mask = 0;  ///< the smallest 2^k - 1 that is not below count - 1
-  int half = 1;            ///< half of k, and
-  int less = 1;            ///< one less: by the same shift each time, the lowest bit would stay half itself
+  int half = 1;            ///< half of k
+  int less = 1;            ///< half - 1: with equal shifts the lowest bit mixes badly
 
   Shuffle() = default;
   explicit Shuffle(std::uint32_t how_many)
@@ -44,8 +34,8 @@ struct Shuffle {
         half((std::countr_one(mask | 1U) + 1) / 2),
         less(std::max(half - 1, 1)) {}
 
-  /// A permutation of the integers from 0 to `mask`: each step can be undone.
-  /// Source: after Kensler, "Correlated Multi-Jittered Sampling", Pixar technical memo 13-01 (2013), with fewer steps.
+  /// A permutation of the integers from 0 to `mask`.
+  /// Source: after Kensler, "Correlated Multi-Jittered Sampling", Pixar memo 13-01 (2013).
   template <class Integers>
   [[nodiscard]] Integers within_mask(Integers i, const Integers& key) const {
     i = ((i ^ key) * ((key >> 9) | 1U)) & mask;
@@ -58,27 +48,28 @@ struct Shuffle {
     return i ^ (i >> less);
   }
 
-  /// A permutation of the integers below `count`, whatever it is: turned round by a random step, then mirrored at a random
-  /// place six times; whether a pair that mirrors each other is swapped depends on a random bit of its own. Source: Hoang,
-  /// Morris and Rogaway, "An Enciphering Scheme Based on a Card Shuffle" (2012), with few rounds: no secret is kept here.
-  /// Kensler permutes again what falls beyond `count`, which costs packs twice as much.
+  /// A permutation of the integers below any `count`: a random rotation, then six rounds, each of
+  /// which mirrors the integers at a random place and swaps a pair if a random bit is set.
+  /// Source: Hoang, Morris and Rogaway, "An Enciphering Scheme Based on a Card Shuffle" (2012).
   template <class Integers>
   [[nodiscard]] Integers within_count(Integers i, Integers key) const {
-    const auto below_count = [this](const Integers& random) { return Integers(((random >> 16) * count) >> 16); };
+    const auto below_count = [this](const Integers& random) {
+      return Integers(((random >> 16) * count) >> 16);
+    };
     i = i + below_count(key);
-    i = lesser(i, Integers(i - count));  // a negative integer is a large one
+    i = lesser(i, Integers(i - count));  // a negative integer wraps to a large one
     for (int round = 0; round < 6; ++round) {
       key = key * 0x9e3779b1U + 0x7f4a7c15U;
       const Integers apart = below_count(key) - i;
       const Integers mirrored = lesser(apart, Integers(apart + count));
-      const Integers pair = i + mirrored - lesser(i, mirrored);  // the greater of the two names both
+      const Integers pair = i + mirrored - lesser(i, mirrored);  // the larger one
       const Integers coin = (pair + pair + 1U) * (key ^ (key >> 15));
-      i = i ^ ((i ^ mirrored) & (0U - (coin >> 31)));  // no branch: it would go the wrong way every other time
+      i = i ^ ((i ^ mirrored) & (0U - (coin >> 31)));
     }
     return i;
   }
 
-  /// The place of `i` in the permutation of `key`.
+  /// The image of `i` under the permutation of `key`.
   template <class Integers>
   [[nodiscard]] Integers operator()(const Integers& i, const Integers& key) const {
     return mask + 1 == count ? within_mask(i, key) : within_count(i, key);
@@ -91,25 +82,23 @@ struct Shuffle {
   }
 };
 
-/// The unit interval cut into `count` strata of equal size, in units of 2^-32.
+/// The unit interval cut into `count` equal strata, in units of 2^-32.
 struct Strata {
   std::uint32_t step = 0;      ///< from one stratum to the next
   std::uint32_t width = 0;     ///< of a stratum, in units of 2^-16
-  std::uint32_t round_up = 0;  ///< so that the 24 bits that are kept do not fall below the stratum
+  std::uint32_t round_up = 0;  ///< keeps the upper 24 bits inside the stratum
 
   Strata() = default;
   explicit Strata(std::uint32_t count) {
     constexpr std::uint64_t whole = std::uint64_t{1} << 32;
     const bool exact = std::has_single_bit(count);
-    step = static_cast<std::uint32_t>((whole + count - 1) / count);  // one stratum: 0, and nothing is a step away
+    step = static_cast<std::uint32_t>((whole + count - 1) / count);  // 0 for one stratum
     width = static_cast<std::uint32_t>((whole / count - (exact ? 0 : 256 + count)) >> 16);
     round_up = exact ? 0 : 255;
   }
 
-  /// A point of stratum `i`, chosen by 16 random bits.
-  ///
-  /// @return  for unit_interval, which leaves it inside the stratum. Counts that are not powers of two leave the end of each
-  ///          stratum out, so that the mean is up to 2^-17 too small
+  /// A point of stratum `i`, chosen by 16 random bits, for unit_interval.
+  /// For other counts than powers of two its end is left out; the mean is up to 2^-17 too small.
   template <class Integers>
   [[nodiscard]] Integers point(const Integers& i, const Integers& random) const {
     return i * step + (random * width + round_up);
@@ -117,14 +106,13 @@ struct Strata {
 };
 
 /// A grid with a cell for each of `count` samples, about as wide as high.
-///
-/// If count = a b with a <= b <= 2 a, the grid has a columns and b rows and no cell too many. Primes and their like get the
-/// square root of count, rounded down, as columns and as many rows as it takes: fewer than a row of cells too many.
+/// If count = a b with a <= b <= 2 a, it has a columns and b rows. Otherwise it has the root of
+/// count, rounded down, as columns, and less than one row of cells too many.
 struct CellGrid {
   std::uint32_t count = 1;  ///< samples
   std::uint32_t columns = 1;
   std::uint32_t rows = 1;
-  std::uint32_t inverse = 1;  ///< of `columns`, times 2^shift, rounded up: samples / columns without a division
+  std::uint32_t inverse = 1;  ///< 2^shift / columns, rounded up
   int shift = 0;
 
   CellGrid() = default;
@@ -150,7 +138,7 @@ struct CellGrid {
   }
 };
 
-/// All bits in the opposite order.
+/// All bits in reverse order.
 template <class Integers>
 [[nodiscard]] inline Integers reverse_bits(Integers x) {
   x = ((x >> 1) & 0x55555555U) | ((x & 0x55555555U) << 1);
@@ -160,11 +148,10 @@ template <class Integers>
   return (x >> 16) | (x << 16);
 }
 
-/// Owen's scrambling of a fraction whose bits stand in the opposite order, the half in bit 0: whether a bit is flipped is
-/// random, and depends on the bits of larger value, which are the lower ones here.
-///
-/// Source: Laine and Karras, "Stratified Sampling for Stochastic Transparency" (2011), as Burley uses it, "Practical Hash-based
-/// Owen Scrambling" (2020); the better constants by Vegdahl, "Building a Better LK Hash" (2021).
+/// Owen's scrambling of a fraction with reversed bits: each bit is flipped at random, depending
+/// on the bits of larger value, which are the lower ones here.
+/// Source: Laine and Karras (2011), as in Burley, "Practical Hash-based Owen Scrambling" (2020);
+/// constants by Vegdahl, "Building a Better LK Hash" (2021).
 template <class Integers>
 [[nodiscard]] inline Integers scramble_reversed(Integers x, const Integers& key) {
   x = x ^ (x * 0x3d20adeaU);
@@ -174,10 +161,9 @@ template <class Integers>
   return x ^ (x * 0x53a22864U);
 }
 
-/// The second coordinate of point `index` of Sobol's sequence, its bits in the opposite order; the first is `index` itself.
-///
-/// Bit k is the sum, modulo 2, of all bits of the index whose place has k's bits set: Pascal's triangle modulo 2.
-/// Domain: index below 2^16. Source: Sobol', "On the distribution of points in a cube" (1967), dimension 2.
+/// The second coordinate of point `index` of Sobol's sequence, with reversed bits; the first is
+/// `index`. Bit k is the parity of the index's bits j with binomial(j, k) odd.
+/// Domain: index below 2^16. Source: Sobol' (1967), dimension 2.
 template <class Integers>
 [[nodiscard]] inline Integers sobol_second_reversed(Integers index) {
   index = index ^ ((index >> 1) & 0x55555555U);
@@ -186,9 +172,10 @@ template <class Integers>
   return index ^ ((index >> 8) & 0x00ff00ffU);
 }
 
-/// What a pixel's choices for one dimension are made from.
+/// The random key of one pixel and one dimension.
 template <class Integers>
-[[nodiscard]] inline Integers dimension_key(const Integers& pixel, std::uint32_t seed, std::uint32_t dimension) {
+[[nodiscard]] inline Integers dimension_key(const Integers& pixel, std::uint32_t seed,
+                                            std::uint32_t dimension) {
   return hash_bits(Integers(pixel ^ (seed + dimension * 0x9e3779b9U)));
 }
 
@@ -200,19 +187,21 @@ template <class Integers>
 
 }  // namespace sampling
 
-/// Each sample anywhere. The error of a mean of n falls as n^-1/2.
+/// Independent samples: the error of a mean of n falls as n^-1/2.
 struct RandomPattern {
   std::uint32_t seed = 0;
 
   template <class Real>
-  [[nodiscard]] Sample2<Real> pair(const Bits<Real>& pixel, std::uint32_t sample, std::uint32_t dimension) const {
-    const Bits<Real> place = pixel ^ (seed + dimension * 0x9e3779b9U + sample * 0xb5297a4dU);
-    return {unit_interval<Real>(hash_bits(place)), unit_interval<Real>(hash_bits(Bits<Real>(place ^ 0x68e31da4U)))};
+  [[nodiscard]] Point2<Real> pair(const UInt<Real>& pixel, std::uint32_t sample,
+                                  std::uint32_t dimension) const {
+    const UInt<Real> place = pixel ^ (seed + dimension * 0x9e3779b9U + sample * 0xb5297a4dU);
+    return {unit_interval<Real>(hash_bits(place)),
+            unit_interval<Real>(hash_bits(UInt<Real>(place ^ 0x68e31da4U)))};
   }
 };
 
-/// One sample in each cell of a grid, anywhere in the cell; the cells in an order of their own for each pixel and dimension.
-/// Where the grid has more cells than there are samples, each pixel leaves out others.
+/// One sample in each cell of a grid, the cells shuffled for each pixel and dimension.
+/// If the grid has more cells than samples, each pixel leaves out others.
 struct StratifiedPattern {
   std::uint32_t seed = 0;
   sampling::CellGrid grid;
@@ -220,24 +209,29 @@ struct StratifiedPattern {
   sampling::Strata across, down;
 
   StratifiedPattern(std::uint32_t samples, std::uint32_t first_key)
-      : seed(first_key), grid(samples), cells(grid.columns * grid.rows), across(grid.columns), down(grid.rows) {}
+      : seed(first_key),
+        grid(samples),
+        cells(grid.columns * grid.rows),
+        across(grid.columns),
+        down(grid.rows) {}
 
   template <class Real>
-  [[nodiscard]] Sample2<Real> pair(const Bits<Real>& pixel, std::uint32_t sample, std::uint32_t dimension) const {
-    const Bits<Real> key = sampling::dimension_key(pixel, seed, dimension);
-    const Bits<Real> cell = cells(Bits<Real>(sample), key);
-    const Bits<Real> row = grid.row_of(cell);
-    const Bits<Real> column = cell - row * grid.columns;
-    const Bits<Real> random = sampling::sample_bits(key, sample);
-    return {unit_interval<Real>(across.point(column, Bits<Real>(random >> 16))),
-            unit_interval<Real>(down.point(row, Bits<Real>(random & 0xffffU)))};
+  [[nodiscard]] Point2<Real> pair(const UInt<Real>& pixel, std::uint32_t sample,
+                                  std::uint32_t dimension) const {
+    const UInt<Real> key = sampling::dimension_key(pixel, seed, dimension);
+    const UInt<Real> cell = cells(UInt<Real>(sample), key);
+    const UInt<Real> row = grid.row_of(cell);
+    const UInt<Real> column = cell - row * grid.columns;
+    const UInt<Real> random = sampling::sample_bits(key, sample);
+    return {unit_interval<Real>(across.point(column, UInt<Real>(random >> 16))),
+            unit_interval<Real>(down.point(row, UInt<Real>(random & 0xffffU)))};
   }
 };
 
-/// One sample in each cell, and one in each of as many columns and rows as there are samples; the cells in an order of their
-/// own for each pixel and dimension. Where the grid has more cells than samples, this holds for rows; columns are as many as
-/// cells.
-/// Source: Kensler, "Correlated Multi-Jittered Sampling", Pixar technical memo 13-01 (2013).
+/// One sample in each cell, and one in each of as many columns and rows as there are samples;
+/// shuffled for each pixel and dimension. If the grid has more cells than samples, there are as
+/// many columns as cells.
+/// Source: Kensler, "Correlated Multi-Jittered Sampling", Pixar memo 13-01 (2013).
 struct MultiJitterPattern {
   std::uint32_t seed = 0;
   sampling::CellGrid grid;
@@ -254,55 +248,56 @@ struct MultiJitterPattern {
         down(samples) {}
 
   template <class Real>
-  [[nodiscard]] Sample2<Real> pair(const Bits<Real>& pixel, std::uint32_t sample, std::uint32_t dimension) const {
-    const Bits<Real> key = sampling::dimension_key(pixel, seed, dimension);
-    const Bits<Real> columns_key = sampling::next_key(key);
-    const Bits<Real> rows_key = sampling::next_key(columns_key);
-    const Bits<Real> place = samples_order(Bits<Real>(sample), key);
-    const Bits<Real> row = grid.row_of(place);
-    const Bits<Real> column = columns_order(place - row * grid.columns, columns_key);
-    const Bits<Real> within = rows_order(row, rows_key);
-    const Bits<Real> random = sampling::sample_bits(key, sample);
-    return {unit_interval<Real>(across.point(Bits<Real>(column * grid.rows + within), Bits<Real>(random >> 16))),
-            unit_interval<Real>(down.point(place, Bits<Real>(random & 0xffffU)))};
+  [[nodiscard]] Point2<Real> pair(const UInt<Real>& pixel, std::uint32_t sample,
+                                  std::uint32_t dimension) const {
+    const UInt<Real> key = sampling::dimension_key(pixel, seed, dimension);
+    const UInt<Real> columns_key = sampling::next_key(key);
+    const UInt<Real> rows_key = sampling::next_key(columns_key);
+    const UInt<Real> place = samples_order(UInt<Real>(sample), key);
+    const UInt<Real> row = grid.row_of(place);
+    const UInt<Real> column = columns_order(place - row * grid.columns, columns_key);
+    const UInt<Real> within = rows_order(row, rows_key);
+    const UInt<Real> random = sampling::sample_bits(key, sample);
+    return {unit_interval<Real>(
+                across.point(UInt<Real>(column * grid.rows + within), UInt<Real>(random >> 16))),
+            unit_interval<Real>(down.point(place, UInt<Real>(random & 0xffffU)))};
   }
 };
 
-/// The first points of Sobol's sequence in two dimensions, scrambled as Owen does, each pixel and dimension in its own way.
-///
-/// Powers of two give nets: one point in each cell of every grid of 2^j columns and 2^(k-j) rows, 2^k samples in all. Other
-/// counts are a sum of powers of two and give as many nets. Samples are shuffled within these nets, so that two dimensions of a
-/// pixel have nothing in common; only a whole net is evenly spread, not its first samples.
-/// Source: Burley, "Practical Hash-based Owen Scrambling" (2020), but for the shuffling, which he does by a second scrambling.
+/// Sobol's sequence in two dimensions, Owen-scrambled for each pixel and dimension.
+/// 2^k samples are a net: one in each cell of every grid of 2^j x 2^(k-j) cells. Other counts are
+/// several nets. Samples are shuffled within a net; only a whole net is evenly spread.
+/// Source: Burley, "Practical Hash-based Owen Scrambling" (2020), with another shuffling.
 struct SobolPattern {
   std::uint32_t seed = 0;
   std::uint32_t samples = 1;
 
   template <class Real>
-  [[nodiscard]] Sample2<Real> pair(const Bits<Real>& pixel, std::uint32_t sample, std::uint32_t dimension) const {
-    const Bits<Real> key = sampling::dimension_key(pixel, seed, dimension);
-    const Bits<Real> v_key = sampling::next_key(key);
-    const Bits<Real> order_key = sampling::next_key(v_key);
+  [[nodiscard]] Point2<Real> pair(const UInt<Real>& pixel, std::uint32_t sample,
+                                  std::uint32_t dimension) const {
+    const UInt<Real> key = sampling::dimension_key(pixel, seed, dimension);
+    const UInt<Real> v_key = sampling::next_key(key);
+    const UInt<Real> order_key = sampling::next_key(v_key);
 
-    // The net that the sample is in: from `first` on, as many as the largest bit in which sample and samples differ.
+    // The net of the sample: its size is the largest bit in which sample and samples differ.
     const std::uint32_t size = std::bit_floor(sample ^ samples);
     const std::uint32_t first = sample & ~(size - 1U);
-    const Bits<Real> index = sampling::Shuffle(size).within_mask(Bits<Real>(sample), order_key) | first;
+    const UInt<Real> index =
+        sampling::Shuffle(size).within_mask(UInt<Real>(sample), order_key) | first;
 
-    // 16 bits of each coordinate are scrambled bits in the opposite order; one reversal serves both. The bits below them need
-    // only be random.
-    const Bits<Real> u = sampling::scramble_reversed(index, key);
-    const Bits<Real> v = sampling::scramble_reversed(sampling::sobol_second_reversed(index), v_key);
-    const Bits<Real> both = sampling::reverse_bits(Bits<Real>((u & 0xffffU) | (v << 16)));
-    return {unit_interval<Real>((both & 0xffff0000U) | (u >> 16)), unit_interval<Real>((both << 16) | (v >> 16))};
+    // Both coordinates keep 16 scrambled bits, so one reversal serves both; lower bits are random.
+    const UInt<Real> u = sampling::scramble_reversed(index, key);
+    const UInt<Real> v = sampling::scramble_reversed(sampling::sobol_second_reversed(index), v_key);
+    const UInt<Real> both = sampling::reverse_bits(UInt<Real>((u & 0xffffU) | (v << 16)));
+    return {unit_interval<Real>((both & 0xffff0000U) | (u >> 16)),
+            unit_interval<Real>((both << 16) | (v >> 16))};
   }
 };
 
-/// The samples of all pixels of a picture. Two samplers of the same kind, count and seed give the same numbers, on any machine,
-/// in any thread, for one pixel at a time or for many.
+/// The samples of all pixels of a picture: the same kind, count and seed give the same numbers.
+/// To add a pattern, write a struct with `pair` and name it in SamplerKind and in `visit`.
 class Sampler {
  public:
-  /// @param kind     how samples are chosen
   /// @param samples  of a pixel, 1 to most_samples
   /// @param seed     any number; another one gives another picture of the same scene
   /// Errors: std::invalid_argument for another number of samples.
@@ -316,9 +311,7 @@ class Sampler {
   [[nodiscard]] SamplerKind kind() const { return kind_; }
   [[nodiscard]] int samples() const { return static_cast<int>(samples_); }
 
-  /// Calls `work` with the pattern of this sampler's kind, which has `pair` as below: a loop inside of `work` is compiled for
-  /// each kind, and does not choose again for each number.
-  /// @return  what `work` returns, the same type for all patterns
+  /// Calls `work` with the pattern of this sampler's kind; all patterns must return the same type.
   template <class Work>
   decltype(auto) visit(Work&& work) const {
     switch (kind_) {
@@ -334,23 +327,23 @@ class Sampler {
     return work(RandomPattern{seed_});
   }
 
-  /// Two numbers for each of the pixels.
+  /// Two numbers in [0, 1) for each pixel, multiples of 2^-24, the same for every Real.
   ///
-  /// @param pixel      from pixel_bits; pixels whose numbers are equal get equal samples
-  /// @param sample     0 to samples - 1, the same for all lanes
-  /// @param dimension  what the numbers are for: 0 for the place in the pixel, 1 on the lens, 2 in time, 3 and on for bounces;
-  ///                   any two have nothing in common
-  /// @return  u and v in [0, 1), multiples of 2^-24, the same for every Real
+  /// @param pixel      from hash_pixels
+  /// @param sample     0 to samples - 1
+  /// @param dimension  0 in the pixel, 1 on the lens, 2 in time, 3 and on for bounces: independent
   template <class Real>
-  [[nodiscard]] Sample2<Real> pair(const Bits<Real>& pixel, std::uint32_t sample, std::uint32_t dimension) const {
-    return visit([&](const auto& pattern) { return pattern.template pair<Real>(pixel, sample, dimension); });
+  [[nodiscard]] Point2<Real> pair(const UInt<Real>& pixel, std::uint32_t sample,
+                                  std::uint32_t dimension) const {
+    return visit(
+        [&](const auto& pattern) { return pattern.template pair<Real>(pixel, sample, dimension); });
   }
 
  private:
   [[nodiscard]] static std::uint32_t checked(int samples) {
     if (samples < 1 || samples > most_samples) {
-      throw std::invalid_argument("samples a pixel: " + std::to_string(samples) + " is not from 1 to " +
-                                  std::to_string(most_samples));
+      throw std::invalid_argument("samples a pixel: " + std::to_string(samples) +
+                                  " is not from 1 to " + std::to_string(most_samples));
     }
     return static_cast<std::uint32_t>(samples);
   }

@@ -1,24 +1,21 @@
-// A picture as a texture between its texels: the bilinear filter.
+// An image as a texture with the bilinear filter.
 #pragma once
-#include "image_texture.hpp"
+#include "texture/image_texture.hpp"
 
 namespace texmap {
 
-/// The color at (u, v), mixed from the four texels whose centers are around it.
-///
-/// A texel's color holds at its center, which lies half a texel from its edges: column k's at u = (k + 1/2) / width. Between
-/// centers the color goes straight, first along u and then along v. u wraps: left of the first column is the last, so that a
-/// globe has no seam. v is clamped: within half a texel of the upper and the lower edge, the row of the edge is alone.
+/// The color at (u, v), mixed from the four nearest texel centers, u = (column + 1/2) / width.
+/// u wraps around, so a globe has no seam; v is clamped to the first and the last row.
+/// To add a filter, write a struct like this one, called with a Uv.
 struct BilinearTexture {
-  Image image;  ///< an empty one is black; load_image never gives one
+  Image image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
-  TexelLight light = TexelLight::encoded;  ///< what is mixed; only amounts of light have a mean that the eye agrees with
+  TexelLight light = TexelLight::encoded;  ///< what is mixed; only linear light has a correct mean
 
-  /// @param uv  u any number, of which the part after the point counts; v 0 to 1, beyond clamped. NaN and infinities count as 0
-  /// @return    each channel within the range of the four texels; exactly the texel's where u width and v height, less a half,
-  ///            come out whole, and exactly their color where all four are alike
-  /// Bound: the place is (u, v) but for 2 unit roundoffs of 1, the color within 4 unit roundoffs of 1; tested against another
-  /// formula in tests/texture/test_bilinear.cpp.
+  /// The color at (u, v), exact at texel centers.
+  ///
+  /// @param uv  u any number, wrapped; v 0 to 1, clamped; NaN and infinities count as 0
+  /// Bound: 4 unit roundoffs of 1 for the color, 2 for the place.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (image.pixels.empty()) return gray(Real(0));
@@ -34,7 +31,7 @@ struct BilinearTexture {
 
     const Real y = clamp(uv.v * Real(image.height) - Real(0.5), Real(0), last_row);
     const Real low = floor(y);
-    const Real high = smaller(low + Real(1), last_row);
+    const Real high = min(low + Real(1), last_row);
 
     const Real across = x - left;
     const Color<Real> lower = mix(texel(first, low), texel(second, low), across);
@@ -43,7 +40,7 @@ struct BilinearTexture {
   }
 
  private:
-  /// The texel of a column and of a row counted from v = 0.
+  /// The texel in a column, and in a row counted from v = 0.
   template <class Real>
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
     const Real row = v_axis == VAxis::down ? from_zero : Real(image.height - 1) - from_zero;
@@ -52,7 +49,9 @@ struct BilinearTexture {
     const auto channels = look_up(
         [&](int at_column, int at_row) {
           const Rgb8& bytes = image.at(at_column, at_row);
-          const auto level = [&](std::uint8_t byte) { return decoded ? levels[byte] : static_cast<Scalar<Real>>(byte); };
+          const auto level = [&](std::uint8_t byte) {
+            return decoded ? levels[byte] : static_cast<Scalar<Real>>(byte);
+          };
           return std::array{level(bytes.r), level(bytes.g), level(bytes.b)};
         },
         column, row);

@@ -1,37 +1,29 @@
-// The ways in which the seeds lay (u, v) on a sphere, and how they are related.
+// The source documents' conventions for (u, v) on a sphere, and how they are related.
 #pragma once
-#include "image_texture.hpp"
-#include "uv.hpp"
+#include "texture/image_texture.hpp"
+#include "texture/uv.hpp"
 
 namespace texmap {
 
-/// Who says where on the sphere a texture begins and which way it runs. Seed 1's convention is seed 2's.
+/// Where (0, 0) is and which way u and v run. To add one, name it here and in in_convention.
 enum class Convention {
-  daily,    ///< seed 0: u runs west from -x, v runs down from the north pole
-  rtiow,    ///< seeds 1 and 2: u runs east from -x, v runs up from the south pole
-  lecture,  ///< seed 4: u runs east from +z, v runs up from the south pole
+  daily,    ///< the daily exercise: u runs west from -x, v down from the north pole
+  rtiow,    ///< One Weekend 2020 and Next Week: u runs east from -x, v up from the south pole
+  lecture,  ///< the lecture: u runs east from +z, v up from the south pole
 };
 
-/// Which way v runs over a picture in this convention: down in daily, up in the others. Errors: none.
+/// Which way v runs over an image in this convention.
 [[nodiscard]] constexpr VAxis v_axis_of(Convention convention) {
   return convention == Convention::daily ? VAxis::down : VAxis::up;
 }
 
-/// Texture coordinates of a direction in any of the conventions.
-///
-/// @param p  any finite vector; only its direction matters
-/// @return   u in [0, 1), v in [0, 1]
-/// Errors: none. The zero vector gives (0.5, 0.5), in lecture (0.25, 0.5); vectors that are not finite have a place too.
-/// Bound: that of uv_rtiow, 0.001 texel of 8192 by 4096 in float, 2e-12 in double; docs/numbers.md.
-/// All are made from one formula by exact steps: u_daily = 1 - u, v_daily = 1 - v, u_lecture = frac(u - 1/4), with (u, v) in
-/// the convention rtiow. Four formulas would be four times the roundings. Source: the seeds; the relations are proved in
-/// docs/conventions.md.
+/// Converts coordinates from Next Week's convention, exactly: u_daily = 1 - u, v_daily = 1 - v,
+/// u_lecture = frac(u - 1/4); docs/conventions.md derives them.
 template <class Real>
-[[nodiscard]] Uv<Real> uv_of(Convention convention, const Vec3<Real>& p) {
-  const Uv<Real> uv = uv_rtiow(p);
+[[nodiscard]] Uv<Real> in_convention(Convention convention, const Uv<Real>& uv) {
   switch (convention) {
     case Convention::daily:
-      // 1 - 0 would be the seam's other name, 1, which is not in [0, 1).
+      // 1 - 0 would be 1, which is not in [0, 1).
       return {clamp_u(select(uv.u > Real(0), Real(1) - uv.u, Real(0))), Real(1) - uv.v};
     case Convention::lecture: {
       const Real u = uv.u - Real(0.25);
@@ -43,7 +35,17 @@ template <class Real>
   return uv;
 }
 
-/// uv_of as a value, to be handed to a paint: domain, range and bound are those of uv_of.
+/// Texture coordinates of a direction in a convention.
+///
+/// @param p  any finite vector; only its direction matters
+/// @return   u in [0, 1), v in [0, 1]; for zero (0.5, 0.5), in lecture (0.25, 0.5)
+/// Bound: as uv_rtiow.
+template <class Real>
+[[nodiscard]] Uv<Real> uv_of(Convention convention, const Vec3<Real>& p) {
+  return in_convention(convention, uv_rtiow(p));
+}
+
+/// uv_of as a mapping.
 struct ConventionMapping {
   Convention convention = Convention::rtiow;
 

@@ -1,4 +1,4 @@
-// The program that makes the assets: it still makes the ones that lie in assets/. Built only where it can be built.
+// The program that makes the assets still makes those in assets/. Built only where it can be built.
 #include <doctest.h>
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 #include <string>
 
 #include "../support/temporary_folder.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
 #include "land_coverage.hpp"
-#include "load_image.hpp"
 #include "make_crate.hpp"
 #include "make_earth.hpp"
 #include "make_uv_map.hpp"
-#include "save_png.hpp"
 
 namespace {
 
@@ -28,7 +28,7 @@ Image saved_and_loaded(const Image& image) {
   return texmap::load_image(folder / "asset.png");
 }
 
-/// Coverage of a map of 36 columns and 19 rows by one square of land, from 10 to 30 degrees north and as far east.
+/// A 36 x 19 map's coverage by a square of land, 10 to 30 degrees north and east.
 std::vector<std::uint8_t> coverage_of_square(const std::string& longitudes) {
   const TemporaryFolder folder;
   std::ofstream(folder / "land.json")
@@ -40,14 +40,21 @@ std::vector<std::uint8_t> coverage_of_square(const std::string& longitudes) {
 }  // namespace
 
 TEST_CASE("making the assets again gives the same pixels") {
-  SUBCASE("the crate") { CHECK(saved_and_loaded(texmap::make_crate()) == texmap::load_image(assets + "/crate.png")); }
-  SUBCASE("the labelled map") { CHECK(saved_and_loaded(texmap::make_uv_map()) == texmap::load_image(assets + "/uv_map.png")); }
+  SUBCASE("the crate") {
+    CHECK(saved_and_loaded(texmap::make_crate()) == texmap::load_image(assets + "/crate.png"));
+  }
+  SUBCASE("the labelled map") {
+    CHECK(saved_and_loaded(texmap::make_uv_map()) == texmap::load_image(assets + "/uv_map.png"));
+  }
   SUBCASE("the Earth") {
-    CHECK(saved_and_loaded(texmap::make_earth(assets + "/sources/land-50m.json")) == texmap::load_image(assets + "/earth.png"));
+    CHECK(saved_and_loaded(texmap::make_earth(assets + "/sources/land-50m.json")) ==
+          texmap::load_image(assets + "/earth.png"));
   }
 }
 
-TEST_CASE("land across longitude 180 covers the same pixels as the same land elsewhere, turned round the globe") {
+TEST_CASE(
+    "land across longitude 180 covers the same pixels as the same land elsewhere, turned round the "
+    "globe") {
   // Differences of longitude and latitude from the first point, which counts from -180 and -90.
   const auto at_home = coverage_of_square("[[190, 100], [20, 0], [0, 20], [-20, 0], [0, -20]]");
   const auto across = coverage_of_square("[[350, 100], [-340, 0], [0, 20], [340, 0], [0, -20]]");

@@ -1,4 +1,4 @@
-// The pictures in assets/: what must be where on them, and that they are the ones that were checked.
+// The pictures in assets/: certain places show what they must, and the files are those checked.
 #include <doctest.h>
 
 #include <cmath>
@@ -10,14 +10,16 @@
 #include <vector>
 
 #include "../support/sha256.hpp"
-#include "load_image.hpp"
+#include "engine/picture/load_image.hpp"
 
 namespace {
 
 using texmap::Image;
 using texmap::Rgb8;
 
-Image asset(const std::string& name) { return texmap::load_image(std::string(TEXMAP_ASSETS_DIR) + "/" + name); }
+Image asset(const std::string& name) {
+  return texmap::load_image(std::string(TEXMAP_ASSETS_DIR) + "/" + name);
+}
 
 /// The rule of assets/README.md by which land and sea can be told apart.
 bool is_sea(Rgb8 pixel) { return pixel.b > pixel.r + 20; }
@@ -80,7 +82,8 @@ Rgb8 pixel_at(const Image& earth, double longitude, double latitude) {
 
 int places_where_the_map_is_wrong(const Image& earth) {
   int wrong = 0;
-  for (const Place& place : places) wrong += is_sea(pixel_at(earth, place.longitude, place.latitude)) != place.sea ? 1 : 0;
+  for (const Place& place : places)
+    wrong += is_sea(pixel_at(earth, place.longitude, place.latitude)) != place.sea ? 1 : 0;
   return wrong;
 }
 
@@ -88,14 +91,15 @@ Image transformed(const Image& image, bool left_right, bool top_bottom) {
   Image result(image.width, image.height);
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column)
-      result.at(column, row) =
-          image.at(left_right ? image.width - 1 - column : column, top_bottom ? image.height - 1 - row : row);
+      result.at(column, row) = image.at(left_right ? image.width - 1 - column : column,
+                                        top_bottom ? image.height - 1 - row : row);
   return result;
 }
 
 double share_of_different_pixels(const Image& a, const Image& b) {
   std::size_t different = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) different += a.pixels[i] == b.pixels[i] ? 0U : 1U;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    different += a.pixels[i] == b.pixels[i] ? 0U : 1U;
   return static_cast<double>(different) / static_cast<double>(a.pixels.size());
 }
 
@@ -118,7 +122,9 @@ TEST_CASE("the Earth has land and sea at the places of an atlas") {
   }
 }
 
-TEST_CASE("the places of the atlas find out an Earth that is mirrored, upside down, both, or turned by a quarter") {
+TEST_CASE(
+    "the places of the atlas find out an Earth that is mirrored, upside down, both, or turned by a "
+    "quarter") {
   const Image earth = asset("earth.png");
   CHECK(places_where_the_map_is_wrong(earth) == 0);
   CHECK(places_where_the_map_is_wrong(transformed(earth, true, false)) >= 8);
@@ -135,7 +141,8 @@ TEST_CASE("land covers between 28 and 30 percent of the globe") {
   const Image earth = asset("earth.png");
   double land = 0, all = 0;
   for (int row = 0; row < earth.height; ++row) {
-    const double weight = std::sin(3.14159265358979323846 * row / (earth.height - 1));  // cosine of the latitude
+    const double weight =
+        std::sin(3.14159265358979323846 * row / (earth.height - 1));  // cosine of the latitude
     for (int column = 0; column < earth.width - 1; ++column) {
       all += weight;
       land += is_sea(earth.at(column, row)) ? 0 : weight;
@@ -149,11 +156,14 @@ TEST_CASE("land covers between 28 and 30 percent of the globe") {
 TEST_CASE("no pixel of the Earth leaves a doubt whether it is land or sea") {
   const Image earth = asset("earth.png");
   int doubtful = 0;
-  for (const Rgb8 pixel : earth.pixels) doubtful += pixel.b > pixel.r + 18 && pixel.b < pixel.r + 24 ? 1 : 0;
+  for (const Rgb8 pixel : earth.pixels)
+    doubtful += pixel.b > pixel.r + 18 && pixel.b < pixel.r + 24 ? 1 : 0;
   CHECK(doubtful == 0);
 }
 
-TEST_CASE("the Earth's first and last columns are the same meridian, and its first and last rows are points") {
+TEST_CASE(
+    "the Earth's first and last columns are the same meridian, and its first and last rows are "
+    "points") {
   const Image earth = asset("earth.png");
   for (int row = 0; row < earth.height; ++row) {
     CAPTURE(row);
@@ -166,7 +176,9 @@ TEST_CASE("the Earth's first and last columns are the same meridian, and its fir
   }
 }
 
-TEST_CASE("the labelled map differs from its mirror images and its half-turn in at least a fifth of its pixels") {
+TEST_CASE(
+    "the labelled map differs from its mirror images and its half-turn in at least a fifth of its "
+    "pixels") {
   const Image map = asset("uv_map.png");
   REQUIRE(map.width == 1024);
   REQUIRE(map.height == 512);
@@ -177,7 +189,8 @@ TEST_CASE("the labelled map differs from its mirror images and its half-turn in 
 }
 
 TEST_CASE(
-    "the labelled map is blue in the north-west, yellow in the north-east, green in the south-west, pink in the south-east") {
+    "the labelled map is blue in the north-west, yellow in the north-east, green in the "
+    "south-west, pink in the south-east") {
   const Image map = asset("uv_map.png");
   const Rgb8 north_west = map.at(200, 150), north_east = map.at(712, 150);
   const Rgb8 south_west = map.at(200, 362), south_east = map.at(712, 362);

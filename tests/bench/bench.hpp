@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interleaved.hpp"
+#include "engine/measure/interleaved.hpp"
 
 namespace texmap::bench {
 
@@ -19,8 +19,10 @@ struct Row {
   /// Makes the work, and all that it needs; empty where this machine or this build cannot run it.
   /// Errors: std::runtime_error, where what is to be compared does not come out equal.
   std::function<Work()> prepare;
-  std::string note = {};                        ///< what else is to be said about the line; the same in all rows of a line
-  std::function<std::string()> find_note = {};  ///< finds the note where it is a result, too; asked after the row was timed
+  std::string note =
+      {};  ///< what else is to be said about the line; the same in all rows of a line
+  std::function<std::string()> find_note =
+      {};  ///< finds the note where it is a result, too; asked after the row was timed
 
   [[nodiscard]] std::string name() const { return line + ", " + column; }
 };
@@ -35,12 +37,14 @@ enum class Ratio {
 struct Group {
   std::string name;   ///< one word, for the option --only
   std::string title;  ///< for a heading
-  std::string text;   ///< what is measured, and with what it is compared: one paragraph, without line ends
-  std::string unit;   ///< "ns" for items, "ms" for pictures
+  std::string
+      text;  ///< what is measured, and with what it is compared: one paragraph, without line ends
+  std::string unit;  ///< "ns" for items, "ms" for pictures
   Ratio ratio = Ratio::speed;
   double seconds = 8;     ///< to spend on it
   std::string note = {};  ///< heading of the rows' notes; empty if they have none
-  bool micro = false;     ///< works of some microseconds: those that bench_kernels hands to Google Benchmark
+  bool micro =
+      false;  ///< works of some microseconds: those that bench_kernels hands to Google Benchmark
   std::vector<Row> rows = {};
 };
 

@@ -1,4 +1,5 @@
-// bench_kernels: the small works of bench_ratios in Google Benchmark, with its options and its statistics.
+// bench_kernels: the small works of bench_ratios in Google Benchmark, with its options and its
+// statistics.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -13,11 +14,13 @@ int main(int argc, char** argv) {
     for (const texmap::bench::Row& row : group.rows) {
       if (!row.prepare) continue;
       // Prepared when its turn comes; --benchmark_filter may choose a few of many.
-      benchmark::RegisterBenchmark((group.name + "/" + row.line + "/" + row.column).c_str(), [row](benchmark::State& state) {
-        const texmap::Work work = row.prepare();
-        for (auto _ : state) work();
-        state.SetItemsProcessed(static_cast<std::int64_t>(static_cast<double>(state.iterations()) * row.items));
-      });
+      benchmark::RegisterBenchmark(
+          (group.name + "/" + row.line + "/" + row.column).c_str(), [row](benchmark::State& state) {
+            const texmap::Work work = row.prepare();
+            for (auto _ : state) work();
+            state.SetItemsProcessed(
+                static_cast<std::int64_t>(static_cast<double>(state.iterations()) * row.items));
+          });
     }
   }
   benchmark::RunSpecifiedBenchmarks();

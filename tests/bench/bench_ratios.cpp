@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "bench.hpp"
-#include "command_line.hpp"
+#include "engine/app/command_line.hpp"
+#include "engine/app/run_chapter.hpp"
+#include "engine/app/standard_streams.hpp"
 #include "measure.hpp"
 #include "processes.hpp"
 #include "report.hpp"
-#include "run_chapter.hpp"
-#include "standard_streams.hpp"
 
 using namespace texmap;
 using namespace texmap::bench;
@@ -84,8 +84,10 @@ std::vector<Group> chosen(const std::vector<std::string>& names) {
   for (const Group& group : groups) known += (known.empty() ? "" : "|") + group.name;
   std::vector<Group> some;
   for (const std::string& name : names) {
-    const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
-    if (found == groups.end()) throw UsageError("--only takes " + known + ", and was given '" + name + "'");
+    const auto found = std::find_if(groups.begin(), groups.end(),
+                                    [&](const Group& group) { return group.name == name; });
+    if (found == groups.end())
+      throw UsageError("--only takes " + known + ", and was given '" + name + "'");
     some.push_back(*found);
   }
   return some;
@@ -94,8 +96,10 @@ std::vector<Group> chosen(const std::vector<std::string>& names) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CommandLine line("bench_ratios", "measures how long things take, by turns, as ratios");
-  line.statuses("0 measured; 1 it could not be, or pictures that must be equal are not; 2 the command line is wrong");
+  CommandLine line("bench_ratios", "measures how long things take, alternately, as ratios");
+  line.statuses(
+      "0 measured; 1 it could not be, or pictures that must be equal are not; 2 the command line "
+      "is wrong");
   std::vector<std::string> only;
   std::vector<std::string> beside;
   std::string json = (project / "build/bench/measurements.json").string();
@@ -105,15 +109,19 @@ int main(int argc, char** argv) {
   line.flag("--quick", quick, "fewer rounds: less than half a minute in all");
   line.texts("--only", "GROUP", only, "measure this group; may be given several times");
   line.flag("--list", list, "show the groups and their rows, measure nothing");
-  line.flag("--write", writes, "write docs/measurements.md and the ledgers in the pages of the chapters anew");
+  line.flag("--write", writes,
+            "write docs/measurements.md and the ledgers in the pages of the chapters anew");
   line.text("--json", "FILE", json, "where the figures go");
-  line.texts("--beside", "COMMAND", beside,
-             "time a command of the shell by turns with the chapters' programs, and nothing else; may be given several times");
+  line.texts(
+      "--beside", "COMMAND", beside,
+      "time a command of the shell alternately with the chapters' programs, and nothing else; "
+      "may be given several times");
   return run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
     if (writes && !(only.empty() && beside.empty()))
       throw UsageError("--write writes whole pages: not with --only or --beside");
-    if (!beside.empty() && !only.empty()) throw UsageError("--beside is a group of its own: not with --only");
+    if (!beside.empty() && !only.empty())
+      throw UsageError("--beside is a group of its own: not with --only");
     const Effort effort = quick ? Effort{0.06, 3} : Effort{};
     const Circumstances where = circumstances(effort);
     if (!beside.empty()) {
@@ -129,7 +137,8 @@ int main(int argc, char** argv) {
     const std::vector<Group> groups = chosen(only);
     if (list) {
       for (const Group& group : groups) {
-        for (const Row& row : group.rows) print(group.name + " | " + row.line + " | " + row.column + "\n");
+        for (const Row& row : group.rows)
+          print(group.name + " | " + row.line + " | " + row.column + "\n");
       }
       return;
     }

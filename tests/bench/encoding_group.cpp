@@ -7,11 +7,11 @@
 #include "01_plain_spheres/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
 #include "bench.hpp"
-#include "decode_image.hpp"
-#include "find_texture.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/picture/files/read_file.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/save_png.hpp"
 #include "pictures.hpp"
-#include "read_file.hpp"
-#include "save_png.hpp"
 #include "stb_alone.hpp"
 
 namespace texmap::bench {
@@ -22,7 +22,8 @@ const char* const column = "one thread";
 /// Chapter 03's picture, drawn once.
 [[nodiscard]] const Image& picture() {
   static const Image drawn =
-      render<double>(test::prepared<chapter_03::Lesson>(), view_of(Camera{.eye = {0, 2, 8}, .target = {}}, 800, 600));
+      render<double>(test::prepared<chapter_03::Lesson>(),
+                     view_of(Camera{.eye = {0, 2, 8}, .target = {}}, 800, 600));
   return drawn;
 }
 
@@ -47,7 +48,8 @@ struct TemporaryFile {
 template <class Function>
 [[nodiscard]] std::function<Work()> on_earth(Function function) {
   return [function]() -> Work {
-    const auto bytes = std::make_shared<std::vector<std::uint8_t>>(read_file(find_texture("earth.png")));
+    const auto bytes =
+        std::make_shared<std::vector<std::uint8_t>>(read_file(find_texture("earth.png")));
     return [function, bytes] { function(*bytes); };
   };
 }
@@ -63,33 +65,45 @@ Group encoding_group() {
       .name = "encoding",
       .title = "Files",
       .text =
-          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as pixels. The "
-          "bases are stb_image_write and stb_image as they come. Our encoder tries one filter instead of five "
-          "and compresses with less search ([packages](packages.md)); our decoder checks every byte of the file, "
+          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as "
+          "pixels. The "
+          "bases are stb_image_write and stb_image as they come. Our encoder tries one filter "
+          "instead of five "
+          "and compresses with less search ([packages](packages.md)); our decoder checks every "
+          "byte of the file, "
           "and makes the pixels of plain rows itself: stb_image only inflates them.",
       .unit = "ms",
       .note = "size in bytes",
   };
-  const auto add = [&group](const std::string& line, const std::string& set, std::function<Work()> prepare,
-                            std::function<std::string()> size = {}) {
-    group.rows.push_back(
-        {.line = line, .column = column, .set = set, .prepare = std::move(prepare), .find_note = std::move(size)});
+  const auto add = [&group](const std::string& line, const std::string& set,
+                            std::function<Work()> prepare, std::function<std::string()> size = {}) {
+    group.rows.push_back({.line = line,
+                          .column = column,
+                          .set = set,
+                          .prepare = std::move(prepare),
+                          .find_note = std::move(size)});
   };
   add(
       "encode, stb_image_write", "encode",
-      [] { return Work([] { expect(!stb_encoded(picture()).empty(), "stb_image_write encodes nothing"); }); },
+      [] {
+        return Work(
+            [] { expect(!stb_encoded(picture()).empty(), "stb_image_write encodes nothing"); });
+      },
       [] { return std::to_string(stb_encoded(picture()).size()); });
   add(
-      "encode, ours", "encode", [] { return Work([] { expect(!encode_png(picture()).empty(), "nothing is encoded"); }); },
+      "encode, ours", "encode",
+      [] { return Work([] { expect(!encode_png(picture()).empty(), "nothing is encoded"); }); },
       [] { return std::to_string(encode_png(picture()).size()); });
   add("encode and save, ours", "encode", [] {
     const auto file = std::make_shared<TemporaryFile>();
     return Work([file] { save_png(picture(), file->path); });
   });
-  add("decode, stb_image", "decode",
-      on_earth([](const auto& bytes) { expect(stb_decoded_pixels(bytes) > 0, "stb_image cannot read the Earth"); }));
-  add("decode with all checks, ours", "decode",
-      on_earth([](const auto& bytes) { expect(!decode_image(bytes).pixels.empty(), "the Earth has no pixels"); }));
+  add("decode, stb_image", "decode", on_earth([](const auto& bytes) {
+        expect(stb_decoded_pixels(bytes) > 0, "stb_image cannot read the Earth");
+      }));
+  add("decode with all checks, ours", "decode", on_earth([](const auto& bytes) {
+        expect(!decode_image(bytes).pixels.empty(), "the Earth has no pixels");
+      }));
   return group;
 }
 

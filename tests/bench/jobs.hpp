@@ -4,15 +4,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "checker_kernel.hpp"
-#include "checkerboard.hpp"
-#include "mapped.hpp"
-#include "power_kernel.hpp"
-#include "root_texture.hpp"
-#include "samplers.hpp"
-#include "seed_formulas.hpp"
-#include "srgb_kernel.hpp"
-#include "turns.hpp"
+#include "engine/kernels/kernel_plan.hpp"
+#include "engine/kernels/srgb_kernel.hpp"
+#include "published/uv.hpp"
+#include "sampling/samplers.hpp"
+#include "support/whole_numbers.hpp"
+#include "texture/checkerboard.hpp"
+#include "texture/mapped.hpp"
 
 namespace texmap::bench {
 
@@ -20,7 +18,8 @@ namespace texmap::bench {
 class Columns {
  public:
   /// @param rows  a multiple of 16, the most lanes that a pack has
-  Columns(std::size_t count, std::size_t rows) : rows_(rows), singles_(count * rows), doubles_(count * rows) {}
+  Columns(std::size_t count, std::size_t rows)
+      : rows_(rows), singles_(count * rows), doubles_(count * rows) {}
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   /// The numbers of a column, as T: float or double.
@@ -48,26 +47,23 @@ template <class Real>
 [[nodiscard]] Real load(const Scalar<Real>* from) {
   if constexpr (lanes<Real> == 1) {
     return *from;
-  } else if constexpr (requires(Real x) { x.second; }) {
-    using Half = decltype(Real::first);
-    return {load<Half>(from), load<Half>(from + lanes<Half>)};
-  } else {
+  } else if constexpr (requires { Real::Batch::load_unaligned(from); }) {
     return Real::Batch::load_unaligned(from);
+  } else {
+    return from_lanes<Real>([from](std::size_t i) { return from[i]; });
   }
 }
 template <class Real>
 void store(const Real& value, Scalar<Real>* to) {
   if constexpr (lanes<Real> == 1) {
     *to = value;
-  } else if constexpr (requires { value.second; }) {
-    store(value.first, to);
-    store(value.second, to + lanes<decltype(value.first)>);
   } else {
     value.batch().store_unaligned(to);
   }
 }
 
-/// Calls `work(row)` for each row, `repeats` times over; the compiler must take each time for a new one.
+/// Calls `work(row)` for each row, `repeats` times over; the compiler must take each time for a new
+/// one.
 template <class Real, class Function>
 void for_each_pack(std::size_t rows, int repeats, const Function& work) {
   for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -86,7 +82,7 @@ template <class Real>
 
 /// (u, v) of unit vectors.
 struct UvJob {
-  enum Formula { seed, stable, polynomial };
+  enum Formula { next_week, stable, polynomial };
   Formula formula;
   int degree;      ///< of the polynomial: 5, 9, 13, 17 in float, 23, 29, 35 in double
   Columns* input;  ///< x, y, z
@@ -96,8 +92,9 @@ struct UvJob {
   template <class Real>
   void run() const {
     if (formula == stable) return map<Real>(RtiowMapping{});
-    if (formula == seed) {
-      if constexpr (lanes<Real> == 1) map<Real>([](const Vec3<Real>& p) { return seeds::uv_next_week_v4(p); });
+    if (formula == next_week) {
+      if constexpr (lanes<Real> == 1)
+        map<Real>([](const Vec3<Real>& p) { return published::uv_next_week_v4(p); });
       return;
     }
     if constexpr (sizeof(Scalar<Real>) == sizeof(float)) {
@@ -126,7 +123,7 @@ struct UvJob {
 
 /// Colors of a texture at given (u, v); their sum is kept.
 struct TextureJob {
-  const BudgetTexture* texture;
+  const PlannedTexture* texture;
   Columns* input;  ///< u, v
   Columns* output;
 
@@ -143,7 +140,7 @@ struct TextureJob {
 
 /// Distances to a sphere.
 struct SphereJob {
-  Sphere sphere;
+  Sphere<> sphere;
   Columns* input;  ///< origin, direction
   Columns* output;
   int repeats;
@@ -168,10 +165,11 @@ struct SamplerJob {
     using T = Scalar<Real>;
     sampler->visit([&](const auto& pattern) {
       for_each_pack<Real>(output->rows(), 1, [&](std::size_t pixel) {
-        const Bits<Real> pixels = pixel_bits<Real>(static_cast<std::uint32_t>(pixel), 7);
+        const UInt<Real> pixels = test::hash_row<Real>(static_cast<std::uint32_t>(pixel), 7);
         Real sum = Real(0);
-        for (std::uint32_t sample = 0; sample < static_cast<std::uint32_t>(sampler->samples()); ++sample) {
-          const Sample2<Real> pair = pattern.template pair<Real>(pixels, sample, 3);
+        for (std::uint32_t sample = 0; sample < static_cast<std::uint32_t>(sampler->samples());
+             ++sample) {
+          const Point2<Real> pair = pattern.template pair<Real>(pixels, sample, 3);
           sum = sum + pair.u * pair.v;
         }
         store(sum, output->at<T>(0) + pixel);
@@ -182,7 +180,7 @@ struct SamplerJob {
 
 /// Bytes of amounts of light, by the sRGB curve.
 struct EncodeJob {
-  int terms;       ///< 3, 4 or 6 of the polynomial, 0 for the exact kernel, -1 for the formula with its power
+  int terms;       ///< 3, 4 or 6 of the polynomial, 0: the exact kernel, -1: the formula's power
   Columns* input;  ///< light, 0 to 1
   Columns* output;
   int repeats;
@@ -194,7 +192,8 @@ struct EncodeJob {
     if (terms == 6) convert<Real>([](const Real& x) { return srgb_byte<6>(x); });
     if (terms == 0) convert<Real>([](const Real& x) { return srgb_byte_exact(x); });
     if constexpr (lanes<Real> == 1) {
-      if (terms < 0) convert<Real>([](const Real& x) { return floor(srgb_encode(x) * Real(255) + Real(0.5)); });
+      if (terms < 0)
+        convert<Real>([](const Real& x) { return floor(srgb_encode(x) * Real(255) + Real(0.5)); });
     }
   }
 
@@ -202,8 +201,9 @@ struct EncodeJob {
   template <class Real, class Function>
   void convert(const Function& function) const {
     using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats,
-                        [&](std::size_t row) { store(function(load<Real>(input->at<T>(0) + row)), output->at<T>(0) + row); });
+    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
+      store(function(load<Real>(input->at<T>(0) + row)), output->at<T>(0) + row);
+    });
   }
 };
 
@@ -218,8 +218,9 @@ struct PowerJob {
   template <class Real>
   void run() const {
     if (terms == 0) {
-      return raise<Real>(
-          [n = exponent](const Real& versine) { return exp(Real(n) * log1p(-clamp(versine, Real(0), below_one<Real>()))); });
+      return raise<Real>([n = exponent](const Real& versine) {
+        return exp(Real(n) * log1p(-clamp(versine, Real(0), below_one<Real>())));
+      });
     }
     if (terms == 3) raise<Real>(PowerKernel<3>(exponent));
     if (terms == 4) raise<Real>(PowerKernel<4>(exponent));
@@ -231,37 +232,26 @@ struct PowerJob {
   template <class Real, class Function>
   void raise(const Function& function) const {
     using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats,
-                        [&](std::size_t row) { store(function(load<Real>(input->at<T>(0) + row)), output->at<T>(0) + row); });
+    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
+      store(function(load<Real>(input->at<T>(0) + row)), output->at<T>(0) + row);
+    });
   }
 };
 
-/// The squares of a checkerboard on a globe.
+/// The squares of a checkerboard on a globe, by uv_rtiow.
 struct CheckerJob {
-  bool by_polynomial;  ///< false: (u, v) by uv_rtiow, then Checkerboard
-  Columns* input;      ///< unit vectors: x, y, z
+  Columns* input;  ///< unit vectors: x, y, z
   Columns* output;
   int repeats;
 
   template <class Real>
   void run() const {
-    constexpr Rgb white{1, 1, 1};
-    constexpr Rgb black{0, 0, 0};
-    if (by_polynomial) {
-      paint<Real>(DirectionCheckerboard{.even = white, .odd = black, .squares = 10});
-    } else {
-      paint<Real>([texture = Checkerboard{.even = white, .odd = black, .squares = 10}](const Vec3<Real>& p) {
-        return texture(uv_rtiow(p));
-      });
-    }
-  }
-
- private:
-  template <class Real, class Function>
-  void paint(const Function& function) const {
     using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats,
-                        [&](std::size_t row) { store(function(vector_at<Real>(*input, 0, row)).r, output->at<T>(0) + row); });
+    const Checkerboard texture{.even = {1, 1, 1}, .odd = {0, 0, 0}, .squares = 10};
+    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
+      const Uv<Real> uv = uv_rtiow(vector_at<Real>(*input, 0, row));
+      store(texture(uv).r, output->at<T>(0) + row);
+    });
   }
 };
 

@@ -1,4 +1,5 @@
-// Lessons that compute what their scene does not require, and draw the same picture: what chapters 01 to 07 leave out.
+// Lessons that compute what their scene does not require, and draw the same picture: what chapters
+// 01 to 07 leave out.
 #pragma once
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "lesson_work.hpp"
 
 namespace texmap::bench {
 
@@ -33,7 +35,8 @@ template <class Real>
   return paint(hit);
 }
 template <class Mapping, class Texture, class Real>
-[[nodiscard]] Color<Real> color_with_uv(const Mapped<Mapping, Texture>& paint, const Hit<Real>& hit) {
+[[nodiscard]] Color<Real> color_with_uv(const Mapped<Mapping, Texture>& paint,
+                                        const Hit<Real>& hit) {
   return paint(hit);
 }
 template <class... Paints, class Real>
@@ -42,13 +45,16 @@ template <class... Paints, class Real>
                     static_cast<const std::variant<Paints...>&>(paint));
 }
 
-/// The picture of a lesson of chapters 01 to 05, with another way to the color of its paints: color_of(paint, hit).
+/// The picture of a lesson of chapters 01 to 05, with another way to the color of its paints:
+/// color_of(paint, hit).
 template <class Lesson, class Real, class ColorOf>
-[[nodiscard]] Color<Real> matt_color_along(const Lesson& lesson, const Ray<Real>& ray, const ColorOf& color_of) {
-  return color_along(lesson.objects, ray, lesson.stage.sky, [&](const auto& object, const Hit<Real>& hit) {
-    const Illumination<Real> lamp = illumination(lesson.stage.light, lesson.objects, hit);
-    return color_of(object.paint, hit) * lambert(lesson.surface, lamp);
-  });
+[[nodiscard]] Color<Real> lambertian_color_along(const Lesson& lesson, const Ray<Real>& ray,
+                                                 const ColorOf& color_of) {
+  return color_along(
+      lesson.objects, ray, lesson.stage.sky, [&](const auto& object, const Hit<Real>& hit) {
+        const LightSample<Real> light = sample_light(lesson.stage.light, lesson.objects, hit);
+        return color_of(object.paint, hit) * lambert(lesson.surface, light);
+      });
 }
 
 /// A lesson of chapters 01 to 05, with a (u, v) in every hit.
@@ -56,12 +62,14 @@ template <class Lesson>
 struct UvAtEveryHit : Lesson {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return matt_color_along(*this, ray, [](const auto& paint, const Hit<Real>& hit) { return color_with_uv(paint, hit); });
+    return lambertian_color_along(*this, ray, [](const auto& paint, const Hit<Real>& hit) {
+      return color_with_uv(paint, hit);
+    });
   }
 };
 
-/// A lesson of chapters 01 to 05 that makes the whole hit of every object that a ray meets, with its (u, v) and its color, and
-/// forgets all but the nearest.
+/// A lesson of chapters 01 to 05 that makes the whole hit of every object that a ray meets, with
+/// its (u, v) and its color, and forgets all but the nearest.
 template <class Lesson>
 struct HitOfEveryObject : Lesson {
   template <class Real>
@@ -71,11 +79,12 @@ struct HitOfEveryObject : Lesson {
     Color<Real> paint{};
     double index = 0;
     for (const auto& object : this->objects) {
-      const Real distance = distance_to(object.sphere, ray);
+      const Real distance = distance_to(object.shape, ray);
       const Real place = Real(index);
       index += 1;
       if (!any(distance < infinity<Real>())) continue;
-      const Hit<Real> hit = hit_at(object.sphere, ray, select(distance < infinity<Real>(), distance, Real(1)));
+      const Hit<Real> hit =
+          hit_at(object.shape, ray, select(distance < infinity<Real>(), distance, Real(1)));
       const Color<Real> color = color_with_uv(object.paint, hit);
       keep(color);
       const Mask<Real> nearer = distance < nearest.distance;
@@ -91,9 +100,9 @@ struct HitOfEveryObject : Lesson {
       const Mask<Real> here = nearest.index == Real(index);
       index += 1;
       if (!any(here)) continue;
-      first.sphere = &object.sphere;
-      const Illumination<Real> lamp = illumination(this->stage.light, this->objects, first);
-      seen = select(here, paint * lambert(this->surface, lamp), seen);
+      first.shape = &object.shape;
+      const LightSample<Real> light = sample_light(this->stage.light, this->objects, first);
+      seen = select(here, paint * lambert(this->surface, light), seen);
     }
     return seen;
   }
@@ -116,42 +125,48 @@ struct SineAtEveryHit {
   using Object = Painted<AnyOf<Solid, chapter_05::Checkered, Textured>>;
 
   Stage stage;
-  Matt surface;
+  Lambertian surface;
   std::vector<Object> objects;
 
-  explicit SineAtEveryHit(const chapter_05::Lesson& lesson) : stage(lesson.stage), surface(lesson.surface) {
+  explicit SineAtEveryHit(const chapter_05::Lesson& lesson)
+      : stage(lesson.stage), surface(lesson.surface) {
     for (const chapter_05::Object& object : lesson.objects) {
       if (const auto* globe = std::get_if<chapter_05::Textured>(&object.paint)) {
-        objects.push_back({object.sphere, Textured{{lesson.turn.degrees, globe->mapping.mapping}, globe->texture}});
+        objects.push_back({object.shape, Textured{{lesson.turn.degrees, globe->mapping.mapping},
+                                                  globe->texture}});
       } else if (const auto* solid = std::get_if<Solid>(&object.paint)) {
-        objects.push_back({object.sphere, *solid});
+        objects.push_back({object.shape, *solid});
       } else {
-        objects.push_back({object.sphere, std::get<chapter_05::Checkered>(object.paint)});
+        objects.push_back({object.shape, std::get<chapter_05::Checkered>(object.paint)});
       }
     }
   }
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return matt_color_along(*this, ray, [](const auto& paint, const Hit<Real>& hit) { return paint(hit); });
+    return lambertian_color_along(
+        *this, ray, [](const auto& paint, const Hit<Real>& hit) { return paint(hit); });
   }
 };
 
-/// Chapter 06's lesson with a shadow ray from every hit, also from surfaces that face away from the lamp.
+/// Chapter 06's lesson with a shadow ray from every hit, also from surfaces that face away from the
+/// light.
 struct ShadowRayAnyway : chapter_06::Lesson {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return color_along(objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
-      const Vec3<Real> path = number_cast<Real>(stage.light.position) - hit.point;
-      const Real distance = length(path);
-      const Vec3<Real> to_light = path * (Real(1) / distance);
-      const Real cosine = larger(dot(hit.normal, to_light), Real(0));
-      const Mask<Real> hidden = is_occluded(phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.sphere);
-      const Illumination<Real> lamp = {to_light, select(hidden, Real(0), cosine)};
-      const Color<Real> color = object.paint(hit);
-      const Real matt = lambert(object.finish.matt, lamp);
-      const Real gloss = highlight(phong.formula, object.finish, lamp, hit.normal, -ray.direction);
-      return color * matt + gray(gloss);
-    });
+    return color_along(
+        objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
+          const Vec3<Real> path = number_cast<Real>(stage.light.position) - hit.point;
+          const Real distance = length(path);
+          const Vec3<Real> to_light = path * (Real(1) / distance);
+          const Real cosine = max(dot(hit.normal, to_light), Real(0));
+          const Mask<Real> hidden = is_occluded(
+              phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.shape);
+          const LightSample<Real> light = {to_light, select(hidden, Real(0), cosine)};
+          const Color<Real> color = object.paint(hit);
+          const Real lambertian = lambert(object.material.lambertian, light);
+          const Real gloss = phong.highlight(object.material, light, hit.normal, -ray.direction);
+          return color * lambertian + gray(gloss);
+        });
   }
 };
 
@@ -159,80 +174,59 @@ struct ShadowRayAnyway : chapter_06::Lesson {
 struct HighlightAnyway : chapter_06::Lesson {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return color_along(objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
-      const Illumination<Real> lamp = illumination(stage.light, phong.casters(objects), hit);
-      const Color<Real> color = object.paint(hit);
-      const Real matt = lambert(object.finish.matt, lamp);
-      const Real gloss = highlight(object.finish, lamp, hit.normal, -ray.direction);
-      keep(gloss);
-      return color * matt + gray(gloss);
-    });
+    return color_along(
+        objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
+          const LightSample<Real> light = sample_light(stage.light, phong.casters(objects), hit);
+          const Color<Real> color = object.paint(hit);
+          const Real lambertian = lambert(object.material.lambertian, light);
+          const Real gloss = texmap::highlight(object.material, light, hit.normal, -ray.direction);
+          keep(gloss);
+          return color * lambertian + gray(gloss);
+        });
   }
 };
 
-/// A sky that does not say that it is alike everywhere.
+/// A sky that does not say that it is uniform.
 template <class Real>
 struct UnsureSky {
-  GradientSkyIn<Real> sky;
+  PreparedSky<Real> sky;
 
   [[nodiscard]] static bool is_constant() { return false; }
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const { return sky(ray); }
 };
 
-/// The share of light that an object of chapter 07 sends back.
-inline constexpr auto own_color = [](const auto& object, const auto& hit) { return object.paint(hit); };
-
-/// Chapter 07's lesson, which follows a path on to a sky that is alike everywhere.
+/// Chapter 07's lesson, which follows a path on to a uniform sky.
 struct ScatterAnyway : chapter_07::Lesson {
-  template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const chapter_07::Scene<Real>& scene, const Real& column, const Real& row,
-                                       Numbers& numbers) const {
-    const Ray<Real> ray = lens.ray(scene.view, column, row, numbers);
-    return light_along(scene.objects, ray, UnsureSky<Real>{scene.sky}, own_color, sampling.bounces, numbers);
+  template <class Real>
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
+    const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
+    return light_along(scene.objects, ray, UnsureSky<Real>{scene.sky}, sampling.bounces, random);
   }
 };
 
 /// Chapter 07's lesson, which draws numbers for a lens and for an exposure although it is sharp.
 struct NumbersAnyway : chapter_07::Lesson {
-  template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const chapter_07::Scene<Real>& scene, const Real& column, const Real& row,
-                                       Numbers& numbers) const {
-    const Ray<Real> ray = lens.ray(scene.view, column, row, numbers);
-    keep(numbers.pair());
-    keep(numbers.pair());
-    return light_along(scene.objects, ray, scene.sky, own_color, sampling.bounces, numbers);
+  template <class Real>
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
+    const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
+    keep(random.next_2d());
+    keep(random.next_2d());
+    return light_along(scene.objects, ray, scene.sky, sampling.bounces, random);
   }
 };
 
-/// Chapter 07's lesson, which traces rays also where the globe cannot be seen.
-struct WithoutBounds {
-  chapter_07::Lesson lesson;
-  Gathering gathering;
+/// Chapter 07's lesson, which says that its lens blurs: rays are then traced also where the globe
+/// cannot be seen.
+struct WithoutBounds : chapter_07::Lesson {
+  struct {
+    struct {
+      [[nodiscard]] static bool blurs() { return true; }
+    } lens;
+  } sampling;
 
   template <class Real>
-  [[nodiscard]] auto ready(const View& view) const {
-    return lesson.ready<Real>(view);
-  }
-  template <class Real, class Numbers>
-  [[nodiscard]] Color<Real> operator()(const chapter_07::Scene<Real>& scene, const Real& column, const Real& row,
-                                       Numbers& numbers) const {
-    return lesson(scene, column, row, numbers);
-  }
-};
-
-/// Draws a lesson's picture on one thread.
-template <class Lesson>
-struct LessonJob {
-  static constexpr bool double_only = true;
-  static constexpr bool draws_pictures = true;
-  const Lesson* lesson;
-  const View* view;
-  const RenderSettings* settings;
-  Image* picture;
-
-  template <class Real>
-  void run() const {
-    *picture = render<Real>(*lesson, *view, *settings);
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
+    return chapter_07::Lesson::operator()(scene, at, random);
   }
 };
 

@@ -1,71 +1,44 @@
-// The ledger: what chapters 01 to 07 would take longer for if they computed what their scenes do not require.
+// The ledger: what chapters 01 to 07 would take longer for if they computed what their scenes do
+// not require.
 #include <memory>
 #include <stdexcept>
 
 #include "ledger.hpp"
 #include "make_rows.hpp"
-#include "pictures.hpp"
 
 namespace texmap::bench {
 namespace {
 
-/// A lesson and all that drawing it needs.
-template <class Lesson>
-struct LessonWork {
-  Lesson lesson;
-  View view;
-  RenderSettings settings{.threads = 1};
-  Image picture;
-  Film film;  // of lessons that gather light
-
-  LessonWork(Lesson its_lesson, const Camera& camera, int width, int height)
-      : lesson(std::move(its_lesson)), view(view_of(camera, width, height)), film(width, height) {
-    if constexpr (GathersLight<Lesson>) lesson.gathering = {Sampler(SamplerKind::sobol, samples), samples / 2, &film};
-  }
-  void run(const Way& way) { bench::run(LessonJob<Lesson>{&lesson, &view, &settings, &picture}, way); }
-  /// The picture of one run, as the first look at the work.
-  [[nodiscard]] Image look(const Way& way) {
-    run(way);
-    if constexpr (GathersLight<Lesson>) {
-      film.count(samples / 2, samples - samples / 2);
-      return develop(film, Transfer::srgb);
-    }
-    return picture;
-  }
-
-  static constexpr int samples = 8;
-};
-
 /// On the stage of chapters 01 to 06.
 template <class Lesson>
 [[nodiscard]] auto on_stage(Lesson lesson) {
-  const Camera camera = lesson.stage.camera;
-  return std::make_shared<LessonWork<Lesson>>(std::move(lesson), camera, 200, 150);
+  return std::make_shared<LessonWork<Lesson, InDouble>>(std::move(lesson), 200, 150);
 }
 
 /// In the shape of chapter 07.
 template <class Lesson>
-[[nodiscard]] auto sampled(Lesson lesson, const Camera& camera) {
-  return std::make_shared<LessonWork<Lesson>>(std::move(lesson), camera, 200, 113);
+[[nodiscard]] auto sampled(Lesson lesson) {
+  return std::make_shared<LessonWork<Lesson, InDouble>>(std::move(lesson), 200, 113);
 }
 
 /// A line of the ledger, and the line that it is compared with.
-template <class MakeBase, class MakeVariant>
-void add_variant(Group& group, const std::string& line, const std::string& set, const MakeBase& base,
-                 const MakeVariant& variant) {
-  for (const Way& way : {in_double, widest_double_pack()}) {
+template <class MakeBase, class MakeOther>
+void add_variant(Group& group, const std::string& line, const std::string& set,
+                 const MakeBase& base, const MakeOther& other) {
+  for (const Variant& variant : {in_double, widest_double_pack()}) {
     const auto checked = [=] {
-      const auto ready = variant();
-      if (base()->look(way) != ready->look(way)) throw std::runtime_error("ledger: another picture: " + line);
+      const auto ready = other();
+      if (base()->picture(variant) != ready->picture(variant))
+        throw std::runtime_error("ledger: another picture: " + line);
       return ready;
     };
-    group.rows.push_back(row_of(line, set + " " + std::string(way.name), way, 1, checked));
+    group.rows.push_back(row_of(line, set + " " + std::string(variant.name), variant, 1, checked));
   }
 }
 template <class MakeBase>
 void add_base(Group& group, const std::string& line, const std::string& set, const MakeBase& base) {
-  for (const Way& way : {in_double, widest_double_pack()}) {
-    group.rows.push_back(row_of(line, set + " " + std::string(way.name), way, 1, base));
+  for (const Variant& variant : {in_double, widest_double_pack()}) {
+    group.rows.push_back(row_of(line, set + " " + std::string(variant.name), variant, 1, base));
   }
 }
 
@@ -89,7 +62,7 @@ template <class Variant, class Lesson>
   last.stage = first.stage;
   last.objects.clear();
   for (const chapter_01::Object& object : first.objects) {
-    last.objects.push_back({object.sphere, object.paint, {.matt = first.surface}});
+    last.objects.push_back({object.shape, object.paint, {.lambertian = first.surface}});
   }
   return last;
 }
@@ -101,45 +74,58 @@ Group ledger_group() {
       .name = "ledger",
       .title = "What the scenes do not require",
       .text =
-          "Chapters as they are (base), and with something computed that their scene does not require: the "
-          "pictures are the same to the last byte, which is checked before anything is timed. The line that "
-          "begins `01 by the last machinery` is not about waste: it is chapter 01's scene drawn by chapter 06's "
-          "lesson, which knows textures, rotations, highlights and blending, and should cost nothing where they "
-          "are not asked for. 200 × 150 pixels; chapter 07 200 × 113 with 8 samples. What saves less than some "
+          "Chapters as they are (base), and with something computed that their scene does not "
+          "require: the "
+          "pictures are the same to the last byte, which is checked before anything is timed. The "
+          "line that "
+          "begins `01 by the last machinery` is not about waste: it is chapter 01's scene drawn by "
+          "chapter 06's "
+          "lesson, which knows textures, rotations, highlights and blending, and should cost "
+          "nothing where they "
+          "are not asked for. 200 × 150 pixels; chapter 07 200 × 113 with 8 samples. What saves "
+          "less than some "
           "hundredths drowns in the noise of the machine.",
       .unit = "ms",
       .ratio = Ratio::cost,
       .seconds = 55,
   };
-  const auto stage_chapter = [&group]<class Lesson>(std::type_identity<Lesson>, const std::string& number, const auto& make) {
-    add_base(group, number + ": as the chapter draws it", number, [make] { return on_stage(make()); });
+  const auto stage_chapter = [&group]<class Lesson>(std::type_identity<Lesson>,
+                                                    const std::string& number, const auto& make) {
+    add_base(group, number + ": as the chapter draws it", number,
+             [make] { return on_stage(make()); });
     add_variant(
-        group, number + ": (u, v) at every hit, used or not", number, [make] { return on_stage(make()); },
+        group, number + ": (u, v) at every hit, used or not", number,
+        [make] { return on_stage(make()); },
         [make] { return on_stage(in_place_of<UvAtEveryHit<Lesson>>(make())); });
   };
 
-  const auto first = [] { return chapter_01::Lesson{}; };
+  const auto first = prepared<chapter_01::Lesson>;
   stage_chapter(std::type_identity<chapter_01::Lesson>{}, "01", first);
   add_variant(
-      group, "01: hit and (u, v) of every object met, not of the nearest alone", "01", [=] { return on_stage(first()); },
+      group, "01: hit and (u, v) of every object met, not of the nearest alone", "01",
+      [=] { return on_stage(first()); },
       [=] { return on_stage(in_place_of<HitOfEveryObject<chapter_01::Lesson>>(first())); });
   add_variant(
       group, "01 by the last machinery", "01", [=] { return on_stage(first()); },
       [] { return on_stage(first_scene_of_the_last()); });
 
-  stage_chapter(std::type_identity<chapter_02::Lesson>{}, "02", [] { return chapter_02::Lesson{}; });
+  stage_chapter(std::type_identity<chapter_02::Lesson>{}, "02", prepared<chapter_02::Lesson>);
 
   stage_chapter(std::type_identity<chapter_03::Lesson>{}, "03", prepared<chapter_03::Lesson>);
   add_variant(
       group, "03: hit, (u, v) and texture of every object met, not of the nearest alone", "03",
       [] { return on_stage(prepared<chapter_03::Lesson>()); },
-      [] { return on_stage(in_place_of<HitOfEveryObject<chapter_03::Lesson>>(prepared<chapter_03::Lesson>())); });
+      [] {
+        return on_stage(
+            in_place_of<HitOfEveryObject<chapter_03::Lesson>>(prepared<chapter_03::Lesson>()));
+      });
 
   stage_chapter(std::type_identity<chapter_04::Lesson>{}, "04", prepared<chapter_04::Lesson>);
 
   stage_chapter(std::type_identity<chapter_05::Lesson>{}, "05", prepared<chapter_05::Lesson>);
   add_variant(
-      group, "05: sine and cosine at every hit", "05", [] { return on_stage(prepared<chapter_05::Lesson>()); },
+      group, "05: sine and cosine at every hit", "05",
+      [] { return on_stage(prepared<chapter_05::Lesson>()); },
       [] { return on_stage(SineAtEveryHit(prepared<chapter_05::Lesson>())); });
   const auto unturned = [] { return on_stage(prepared<chapter_04::Lesson>()); };
   add_base(group, "05: not turned, by chapter 04's lesson", "05 not turned", unturned);
@@ -149,22 +135,22 @@ Group ledger_group() {
 
   const auto sixth = [] { return on_stage(prepared<chapter_06::Lesson>()); };
   add_base(group, "06: as the chapter draws it", "06", sixth);
-  add_variant(group, "06: shadow rays also from surfaces that face away", "06", sixth,
-              [] { return on_stage(in_place_of<ShadowRayAnyway>(prepared<chapter_06::Lesson>())); });
-  add_variant(group, "06: a highlight also on objects without gloss", "06", sixth,
-              [] { return on_stage(in_place_of<HighlightAnyway>(prepared<chapter_06::Lesson>())); });
+  add_variant(group, "06: shadow rays also from surfaces that face away", "06", sixth, [] {
+    return on_stage(in_place_of<ShadowRayAnyway>(prepared<chapter_06::Lesson>()));
+  });
+  add_variant(group, "06: a highlight also on objects without gloss", "06", sixth, [] {
+    return on_stage(in_place_of<HighlightAnyway>(prepared<chapter_06::Lesson>()));
+  });
 
   const auto seventh = [] { return prepared<chapter_07::Lesson>(); };
-  const auto camera = chapter_07::Lesson{}.stage.camera;
-  const auto seventh_work = [=] { return sampled(seventh(), camera); };
+  const auto seventh_work = [=] { return sampled(seventh()); };
   add_base(group, "07: as the chapter draws it", "07", seventh_work);
   add_variant(group, "07: a new direction under a sky that is alike everywhere", "07", seventh_work,
-              [=] { return sampled(in_place_of<ScatterAnyway>(seventh()), camera); });
-  add_variant(group, "07: numbers for a lens and an exposure that are not there", "07", seventh_work,
-              [=] { return sampled(in_place_of<NumbersAnyway>(seventh()), camera); });
-  add_variant(group, "07: rays also where the globe cannot be seen", "07", seventh_work, [=] {
-    return sampled(WithoutBounds{seventh(), {}}, camera);
-  });
+              [=] { return sampled(in_place_of<ScatterAnyway>(seventh())); });
+  add_variant(group, "07: numbers for a lens and an exposure that are not there", "07",
+              seventh_work, [=] { return sampled(in_place_of<NumbersAnyway>(seventh())); });
+  add_variant(group, "07: rays also where the globe cannot be seen", "07", seventh_work,
+              [=] { return sampled(in_place_of<WithoutBounds>(seventh())); });
   return group;
 }
 

@@ -1,16 +1,23 @@
-// Times the rows of a group.
+// Everything that is measured, and how a group is timed.
 #include "measure.hpp"
 
 #include <algorithm>
 
 namespace texmap::bench {
 
-std::size_t base_of(const Group& group, std::size_t row) {
-  const auto in_its_set = [&](const Row& other) { return other.set == group.rows[row].set; };
-  return static_cast<std::size_t>(std::find_if(group.rows.begin(), group.rows.end(), in_its_set) - group.rows.begin());
+std::vector<Group> all_groups() {
+  return {chapters_group(), budgets_group(),  ledger_group(), uv_group(),      texture_group(),
+          spheres_group(),  samplers_group(), colors_group(), encoding_group()};
 }
 
-std::vector<Timing> measure(const Group& group, const Effort& effort, const std::function<void(double)>& report) {
+std::size_t base_of(const Group& group, std::size_t row) {
+  const auto in_its_set = [&](const Row& other) { return other.set == group.rows[row].set; };
+  return static_cast<std::size_t>(std::find_if(group.rows.begin(), group.rows.end(), in_its_set) -
+                                  group.rows.begin());
+}
+
+std::vector<Timing> measure(const Group& group, const Effort& effort,
+                            const std::function<void(double)>& report) {
   std::vector<std::size_t> timed;
   std::vector<Work> works;
   for (std::size_t i = 0; i < group.rows.size(); ++i) {
@@ -19,13 +26,9 @@ std::vector<Timing> measure(const Group& group, const Effort& effort, const std:
     works.push_back(group.rows[i].prepare());
   }
 
-  // One round tells how many fit into the time.
-  double turn = 0;
-  for (const double milliseconds : shortest_times(works, 1)) turn += milliseconds;
-  const double wanted = 1000 * group.seconds * effort.part;
-  const int rounds = std::max(effort.least, static_cast<int>(std::min(wanted / std::max(turn, 1e-3), 2000.0)));
-  const std::vector<double> shortest = shortest_times(works, rounds, [&](int done, int turns) {
-    if (report) report(static_cast<double>(done) / turns);
+  const int rounds = rounds_within(1000 * group.seconds * effort.part, works, effort.least, 2000);
+  const std::vector<double> shortest = shortest_times(works, rounds, [&](int done, int runs) {
+    if (report) report(static_cast<double>(done) / runs);
   });
 
   std::vector<Timing> timings(group.rows.size());

@@ -17,16 +17,18 @@ struct Effort {
 
 /// What one row came to.
 struct Timing {
-  double time = std::numeric_limits<double>::quiet_NaN();   ///< in the group's unit; NaN where this machine cannot run it
-  double ratio = std::numeric_limits<double>::quiet_NaN();  ///< to the base, as the group has it; NaN if either was not run
-  std::string note = {};                                    ///< the row's, or what it found
-  std::size_t base = 0;                                     ///< the place of the set's first row among the group's rows
+  double time = std::numeric_limits<
+      double>::quiet_NaN();  ///< in the group's unit; NaN where this machine cannot run it
+  double ratio = std::numeric_limits<
+      double>::quiet_NaN();  ///< to the base, as the group has it; NaN if either was not run
+  std::string note = {};     ///< the row's, or what it found
+  std::size_t base = 0;      ///< the place of the set's first row among the group's rows
 };
 
 /// The place of the row that a row is compared with: the first of its set.
 [[nodiscard]] std::size_t base_of(const Group& group, std::size_t row);
 
-/// Times all rows of a group by turns.
+/// Times all rows of a group alternately.
 ///
 /// @param report  called with the part that is done, 0 to 1; may be empty
 /// @return  one timing for each row, in their order

@@ -1,4 +1,4 @@
-// Whole programs, timed by turns.
+// Whole programs, timed alternately.
 #include "processes.hpp"
 
 #include <fcntl.h>
@@ -14,7 +14,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "interleaved.hpp"
+#include "engine/measure/interleaved.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): unistd.h need not declare it
 
@@ -57,8 +57,10 @@ double processor_milliseconds(const std::string& command) {
   if (refused != 0) throw std::runtime_error("cannot run /bin/sh");
   int status = 0;
   rusage used{};
-  if (wait4(child, &status, 0, &used) != child) throw std::runtime_error("cannot wait for: " + command);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("this command failed: " + command);
+  if (wait4(child, &status, 0, &used) != child)
+    throw std::runtime_error("cannot wait for: " + command);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw std::runtime_error("this command failed: " + command);
   const auto milliseconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_usec) / 1e3;
   };
@@ -81,13 +83,12 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
   std::vector<double> processor(lines.size(), std::numeric_limits<double>::infinity());
   std::vector<Work> works;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    works.emplace_back([&, i] { processor[i] = std::min(processor[i], processor_milliseconds(lines[i])); });
+    works.emplace_back(
+        [&, i] { processor[i] = std::min(processor[i], processor_milliseconds(lines[i])); });
   }
-  double turn = 0;
-  for (const double milliseconds : shortest_times(works, 1)) turn += milliseconds;
-  const int rounds = std::max(effort.least, static_cast<int>(std::min(20e3 * effort.part / turn, 200.0)));
-  const std::vector<double> wall = shortest_times(works, rounds, [&](int done, int turns) {
-    if (report) report(static_cast<double>(done) / turns);
+  const int rounds = rounds_within(20e3 * effort.part, works, effort.least, 200);
+  const std::vector<double> wall = shortest_times(works, rounds, [&](int done, int runs) {
+    if (report) report(static_cast<double>(done) / runs);
   });
 
   Measured measured{{.name = "beside",
@@ -104,7 +105,8 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
     const std::size_t base = measured.timings.size();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const std::string column = by_wall ? "wall clock" : "user and system";
-      measured.group.rows.push_back({.line = names[i], .column = column, .set = column, .prepare = {}});
+      measured.group.rows.push_back(
+          {.line = names[i], .column = column, .set = column, .prepare = {}});
       measured.timings.push_back({.time = times[i], .ratio = times[0] / times[i], .base = base});
     }
   }

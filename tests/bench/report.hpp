@@ -1,4 +1,5 @@
-// What was measured, as text: a table for the terminal, JSON, docs/measurements.md and the blocks in the chapters' pages.
+// What was measured, as text: a table for the terminal, JSON, docs/measurements.md and the blocks
+// in the chapters' pages.
 #pragma once
 #include <string>
 #include <string_view>
@@ -31,10 +32,12 @@ struct Circumstances {
 [[nodiscard]] std::string table_of(const Measured& measured);
 
 /// Everything, as JSON; what was not run is null.
-[[nodiscard]] std::string json_of(const Circumstances& circumstances, const std::vector<Measured>& all);
+[[nodiscard]] std::string json_of(const Circumstances& circumstances,
+                                  const std::vector<Measured>& all);
 
 /// docs/measurements.md.
-[[nodiscard]] std::string page_of(const Circumstances& circumstances, const std::vector<Measured>& all);
+[[nodiscard]] std::string page_of(const Circumstances& circumstances,
+                                  const std::vector<Measured>& all);
 
 /// The marks between which a chapter's page has its rows of the ledger.
 inline constexpr std::string_view ledger_begin = "<!-- ledger -->";

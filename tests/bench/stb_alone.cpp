@@ -1,4 +1,5 @@
-// stb_image and stb_image_write as they come. Their functions are static here: the project's own are others.
+// stb_image and stb_image_write as they come. Their functions are static here: the project's own
+// are others.
 #include "stb_alone.hpp"
 
 #define STB_IMAGE_STATIC
@@ -17,7 +18,8 @@ std::vector<std::uint8_t> stb_encoded(const Image& image) {
     const auto* const first = static_cast<const std::uint8_t*>(data);
     static_cast<std::vector<std::uint8_t>*>(context)->assign(first, first + size);
   };
-  stbi_write_png_to_func(keep, &bytes, image.width, image.height, 3, image.pixels.data(), 3 * image.width);
+  stbi_write_png_to_func(keep, &bytes, image.width, image.height, 3, image.pixels.data(),
+                         3 * image.width);
   return bytes;
 }
 
@@ -25,7 +27,8 @@ std::size_t stb_decoded_pixels(const std::vector<std::uint8_t>& file) {
   int width = 0;
   int height = 0;
   int channels = 0;
-  stbi_uc* const pixels = stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &width, &height, &channels, 3);
+  stbi_uc* const pixels = stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &width,
+                                                &height, &channels, 3);
   if (pixels == nullptr) return 0;
   stbi_image_free(pixels);
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image.hpp"
+#include "texture/image.hpp"
 
 namespace texmap::bench {
 

@@ -1,4 +1,5 @@
-// The pages of measurements name what is measured, all of it and nothing else; no clock is looked at.
+// The pages of measurements name what is measured, all of it and nothing else; no clock is looked
+// at.
 #include <doctest.h>
 
 #include <filesystem>
@@ -9,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hpp"
+#include "engine/app/command_line.hpp"
 #include "report.hpp"
-#include "running.hpp"
-#include "temporary_folder.hpp"
+#include "support/running.hpp"
+#include "support/temporary_folder.hpp"
 #ifdef TEXMAP_HAVE_JSON
 #include <nlohmann/json.hpp>
 #endif
@@ -45,7 +46,8 @@ std::vector<std::string> cells_of(const std::string& line) {
     const std::size_t bar = line.find('|', at);
     if (bar == std::string::npos) break;
     std::string cell = line.substr(at, bar - at);
-    cell.erase(0, cell.find_first_not_of(' ') == std::string::npos ? cell.size() : cell.find_first_not_of(' '));
+    cell.erase(0, cell.find_first_not_of(' ') == std::string::npos ? cell.size()
+                                                                   : cell.find_first_not_of(' '));
     cell.erase(cell.find_last_not_of(' ') + 1);
     cells.push_back(cell);
     at = bar + 1;
@@ -72,8 +74,8 @@ std::set<std::string> rows_on_page(const std::string& page) {
     CHECK(cells.size() == columns.size());
     for (std::size_t i = 1; i < cells.size() && i < columns.size(); ++i) {
       // Cells of times and the sign for a machine without; notes have neither.
-      const bool is_time =
-          cells[i] == "–" || cells[i].find("×)") != std::string::npos || cells[i].find("(base)") != std::string::npos;
+      const bool is_time = cells[i] == "–" || cells[i].find("×)") != std::string::npos ||
+                           cells[i].find("(base)") != std::string::npos;
       if (is_time) rows.insert(group + " | " + cells[0] + " | " + columns[i]);
     }
   }
@@ -83,14 +85,17 @@ std::set<std::string> rows_on_page(const std::string& page) {
 std::set<std::string> rows_of(const std::vector<Group>& groups) {
   std::set<std::string> rows;
   for (const Group& group : groups) {
-    for (const Row& row : group.rows) rows.insert(group.name + " | " + row.line + " | " + row.column);
+    for (const Row& row : group.rows)
+      rows.insert(group.name + " | " + row.line + " | " + row.column);
   }
   return rows;
 }
 
 void check_equal(const std::set<std::string>& measured, const std::set<std::string>& named) {
-  for (const std::string& row : measured) CHECK_MESSAGE(named.count(row) == 1, "measured, and not on the page: " << row);
-  for (const std::string& row : named) CHECK_MESSAGE(measured.count(row) == 1, "on the page, and not measured: " << row);
+  for (const std::string& row : measured)
+    CHECK_MESSAGE(named.count(row) == 1, "measured, and not on the page: " << row);
+  for (const std::string& row : named)
+    CHECK_MESSAGE(measured.count(row) == 1, "on the page, and not measured: " << row);
 }
 
 /// Timings as if everything had taken the same time.
@@ -122,7 +127,8 @@ TEST_CASE("no row is there twice, and each has something to be compared with") {
     CHECK_FALSE(group.rows.empty());
     for (const Row& row : group.rows) {
       CHECK(row.items > 0);
-      const Row& base = group.rows[base_of(group, static_cast<std::size_t>(&row - group.rows.data()))];
+      const Row& base =
+          group.rows[base_of(group, static_cast<std::size_t>(&row - group.rows.data()))];
       CHECK((!row.prepare || base.prepare));
       CHECK(row.line.find('|') == std::string::npos);
     }
@@ -166,12 +172,15 @@ TEST_CASE("the ledger of each chapter's page names the ledger's rows of that cha
       }
       return cells;
     };
-    CHECK(first_cells(page.substr(begin, end - begin)) == first_cells(ledger_block(ledger, number)));
+    CHECK(first_cells(page.substr(begin, end - begin)) ==
+          first_cells(ledger_block(ledger, number)));
   }
   CHECK(chapters == 7);
 }
 
-TEST_CASE("a block replaces what stands between the marks, and nothing else; a page without marks is refused") {
+TEST_CASE(
+    "a block replaces what stands between the marks, and nothing else; a page without marks is "
+    "refused") {
   const std::string before = "a\n" + std::string(ledger_begin) + "\n";
   const std::string after = std::string(ledger_end) + "\nz\n";
   CHECK(with_ledger_block(before + "old\n" + after, "new\n") == before + "new\n" + after);
@@ -180,14 +189,15 @@ TEST_CASE("a block replaces what stands between the marks, and nothing else; a p
   CHECK_THROWS_AS((void)with_ledger_block(before + before + after, "new\n"), std::runtime_error);
 }
 
-TEST_CASE("bench_ratios lists its rows, and refuses what it does not know with status 2 and its usage") {
+TEST_CASE(
+    "bench_ratios lists its rows, and refuses what it does not know with status 2 and its usage") {
   const test::Outcome list = test::run(program + " --list");
   CHECK(list.status == 0);
   std::set<std::string> listed;
   for (const std::string& line : lines_of(list.out)) listed.insert(line);
   check_equal(rows_of(all_groups()), listed);
-  for (const char* words :
-       {" --fast", " --only nothing", " --write --only uv", " --only uv --beside true", " uv", " --only ''"}) {
+  for (const char* words : {" --fast", " --only nothing", " --write --only uv",
+                            " --only uv --beside true", " uv", " --only ''"}) {
     CAPTURE(words);
     const test::Outcome refused = test::run(program + words);
     CHECK(refused.status == 2);
@@ -198,7 +208,8 @@ TEST_CASE("bench_ratios lists its rows, and refuses what it does not know with s
 
 TEST_CASE("a measured group is shown and written as JSON, with all its rows") {
   const test::TemporaryFolder folder;
-  const test::Outcome outcome = test::run(program + " --quick --only samplers --json '" + (folder / "figures.json") + "'");
+  const test::Outcome outcome =
+      test::run(program + " --quick --only samplers --json '" + (folder / "figures.json") + "'");
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   const std::string text = contents(folder / "figures.json");

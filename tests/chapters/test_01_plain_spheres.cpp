@@ -2,23 +2,26 @@
 #include <doctest.h>
 
 #include "01_plain_spheres/lesson.hpp"
-#include "pictures.hpp"
-#include "seed0_program.hpp"
+#include "support/daily_program.hpp"
+#include "support/lesson_laws.hpp"
 
 using namespace texmap;
+using namespace texmap::test;
 
-TEST_CASE("every pixel has the color that an independent program computes for the ray through its center") {
-  const Image drawn = test::picture(chapter_01::Lesson{});
-  const Image expected = test::seed0::draw(800, 600, false);
-  CHECK(test::count_different(drawn, expected) == 0);
+TEST_CASE(
+    "every pixel has the color that an independent program computes for the ray through its "
+    "center") {
+  const Image drawn = picture(chapter_01::Lesson{});
+  const Image expected = daily::draw(800, 600, false);
+  CHECK(count_different(drawn, expected) == 0);
   // The comparison can fail: the checkered scene is another picture.
-  CHECK(test::count_different(drawn, test::seed0::draw(800, 600, true)) > 100000);
+  CHECK(count_different(drawn, daily::draw(800, 600, true)) > 100000);
 }
 
 TEST_CASE("known pixels have the colors that paper and pencil give") {
-  const Image drawn = test::picture(chapter_01::Lesson{});
+  const Image drawn = picture(chapter_01::Lesson{});
   // The ray through the middle of an odd picture meets the middle sphere at (0, 2, 8) / sqrt(68).
-  const Image odd = test::picture(chapter_01::Lesson{}, 1, 1);
+  const Image odd = picture(chapter_01::Lesson{}, 1, 1);
   const double y = 2 / std::sqrt(68.0);
   const double z = 8 / std::sqrt(68.0);
   const double path = std::sqrt(25 + (5 - y) * (5 - y) + (5 - z) * (5 - z));
@@ -31,18 +34,6 @@ TEST_CASE("known pixels have the colors that paper and pencil give") {
   CHECK(drawn.at(0, 0) == Rgb8{176, 208, 255});
 }
 
-TEST_CASE("extended draws the same picture, and float another in at most 0.03 percent of the pixels") {
-  const Image reference = test::picture<double>(chapter_01::Lesson{});
-  CHECK(test::picture<long double>(chapter_01::Lesson{}) == reference);
-  const long apart = test::count_different(test::picture<float>(chapter_01::Lesson{}), reference);
-  CHECK(apart <= 144);
-  CHECK(apart > 0);  // were it 0, the number would not have reached the lesson
+TEST_CASE("all numbers draw the same picture, but for 0.03 percent of the pixels in float") {
+  check_all_numbers(chapter_01::Lesson{}, 144);
 }
-
-#ifdef TEXMAP_HAVE_PACKS
-TEST_CASE("a picture drawn with packs of double equals the picture drawn with double") {
-  const Image reference = test::picture<double>(chapter_01::Lesson{}, 803, 601);
-  CHECK(test::picture<Pack<double>>(chapter_01::Lesson{}, 803, 601) == reference);
-  CHECK(test::picture<Pack<float>>(chapter_01::Lesson{}, 803, 601) == test::picture<float>(chapter_01::Lesson{}, 803, 601));
-}
-#endif

@@ -1,31 +1,38 @@
-// Chapter 04: four seeds, three conventions, one relation between them.
+// Chapter 04: four source documents, three conventions, exact relations between them.
 #include <doctest.h>
 
 #include "03_image_texture/lesson.hpp"
+#include "04_uv_conventions/conventions_compared.hpp"
 #include "04_uv_conventions/lesson.hpp"
-#include "pictures.hpp"
+#include "published/uv.hpp"
+#include "support/pictures.hpp"
 
 using namespace texmap;
 using chapter_04::Lesson;
+using chapter_04::published_mappings;
 
 namespace {
 
 Image drawn_in(const char* convention, const char* rounding = "floor") {
-  return test::picture(test::prepared<Lesson>({"--convention", convention, "--rounding", rounding}));
+  return test::picture(
+      test::prepared<Lesson>({"--convention", convention, "--rounding", rounding}));
 }
 
-/// A picture without any symmetry, as a seed's own formula lays it on the sphere, seen flat from outside.
-/// 333 x 167 texels share no edge with the centers of 512 x 256 pixels, so no rounding can choose between two texels.
-Image flat(const chapter_04::Seed& seed) {
+/// A picture without symmetry, put on the sphere by a published formula and seen flat from outside.
+/// 333 x 167 texels share no edge with the centers of 512 x 256 pixels, so no rounding can choose
+/// between two texels.
+Image flat(const chapter_04::PublishedMapping& mapping) {
   Image map(333, 167);
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
-      map.at(column, row) = {static_cast<std::uint8_t>(column % 251), static_cast<std::uint8_t>(row),
+      map.at(column, row) = {static_cast<std::uint8_t>(column % 251),
+                             static_cast<std::uint8_t>(row),
                              static_cast<std::uint8_t>(column / 251)};
     }
   }
-  const ImageTexture texture{map, v_axis_of(seed.convention)};
-  return chapter_04::flat_map(512, [&](const Point& p) { return texture(seed.formula(p)); });
+  const ImageTexture texture{map, v_axis_of(mapping.convention)};
+  return chapter_04::flat_map(512,
+                              [&](const Vec3<double>& p) { return texture(mapping.formula(p)); });
 }
 
 }  // namespace
@@ -44,7 +51,8 @@ TEST_CASE("only the middle sphere changes from chapter 03, in every convention a
   const Image first = test::picture(before);
   for (const char* convention : {"daily", "rtiow", "lecture"}) {
     for (const char* rounding : {"floor", "lecture"}) {
-      CHECK(test::changed_elsewhere(first, drawn_in(convention, rounding), seen, Lesson::changed_objects) == 0);
+      CHECK(test::changed_elsewhere(first, drawn_in(convention, rounding), seen,
+                                    Lesson::about.changed_objects) == 0);
     }
   }
 }
@@ -55,46 +63,52 @@ TEST_CASE("the exact relations hold within four roundings, and wrong ones do not
     CHECK(relation.residual <= 1e-15);
     CHECK(relation.residual >= 0);
   }
-  const Point p = chapter_04::direction_at(0.3, 0.7);
-  CHECK(std::abs(seeds::uv_lecture(p).u - seeds::uv_next_week_v4(p).u) > 0.1);
+  const Vec3<double> p = chapter_04::direction_at(0.3, 0.7);
+  CHECK(std::abs(published::uv_lecture(p).u - published::uv_next_week_v4(p).u) > 0.1);
 }
 
-TEST_CASE("the sign of the Jacobian is the handedness: only seed 0 mirrors a picture") {
+TEST_CASE("the sign of the Jacobian is the handedness: only the daily exercise mirrors a picture") {
   const std::array<int, 4> expected = {-1, 1, 1, 1};
-  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(chapter_04::handedness(chapter_04::seeds_compared[i]) == expected[i]);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    CHECK(chapter_04::handedness(published_mappings[i]) == expected[i]);
 }
 
-TEST_CASE("on a flat map seed 0 is the mirror of seed 2, seed 1 equals it, and the lecture is a quarter turn on") {
-  const Image daily = flat(chapter_04::seeds_compared[0]);
-  const Image weekend = flat(chapter_04::seeds_compared[1]);
-  const Image rtiow = flat(chapter_04::seeds_compared[2]);
-  const Image lecture = flat(chapter_04::seeds_compared[3]);
+TEST_CASE(
+    "on a flat map the daily exercise is the mirror of Next Week, One Weekend 2020 equals it, and "
+    "the lecture is a quarter turn on") {
+  const Image daily = flat(published_mappings[0]);
+  const Image weekend = flat(published_mappings[1]);
+  const Image rtiow = flat(published_mappings[2]);
+  const Image lecture = flat(published_mappings[3]);
   CHECK(test::count_different(weekend, rtiow) == 0);
   CHECK(test::count_different(daily, rtiow) > 20000);
   CHECK(test::count_different(test::mirrored(daily), rtiow) == 0);
   Image turned = rtiow;
   for (int row = 0; row < turned.height; ++row) {
-    for (int column = 0; column < 512; ++column) turned.at(column, row) = rtiow.at((column + 512 - 128) % 512, row);
+    for (int column = 0; column < 512; ++column)
+      turned.at(column, row) = rtiow.at((column + 512 - 128) % 512, row);
   }
   CHECK(test::count_different(lecture, turned) == 0);
 }
 
-TEST_CASE("the printed table names every relation and every seed") {
+TEST_CASE("the printed table names every relation and every source") {
   const std::string table = chapter_04::table_of_relations();
-  for (const char* expected : {"u1 = u2", "u2 = 1 - u0", "u4 = frac(u2 - 1/4)", "v1 = v2", "v2 = 1 - v0", "v4 = v2",
-                               "seed 0: daily", "is mirrored", "seed 4: lecture", "reads as printed"}) {
+  for (const char* expected :
+       {"u1 = u2", "u2 = 1 - u0", "u4 = frac(u2 - 1/4)", "v1 = v2", "v2 = 1 - v0", "v4 = v2",
+        "seed 0: daily", "is mirrored", "seed 4: lecture", "reads as printed"}) {
     CAPTURE(expected);
     CHECK(table.find(expected) != std::string::npos);
   }
 }
 
-TEST_CASE("the sheet has the size that was asked for and shows seeds 1 and 2 alike") {
+TEST_CASE(
+    "the sheet has the size that was asked for and shows One Weekend 2020 and Next Week alike") {
   const Lesson lesson = test::prepared<Lesson>();
   CommandLine line("test", "");
-  Studio studio("test", line);
-  studio.width = 1200;
-  studio.height = 620;
-  const Image sheet = chapter_04::sheet_of_conventions(lesson, studio);
+  Session session("test", line, Lesson::about);
+  session.settings.width = 1200;
+  session.settings.height = 620;
+  const Image sheet = chapter_04::sheet_of_conventions(lesson, session);
   CHECK(sheet.width == 1200);
   CHECK(sheet.height == 620);
   long alike = 0;

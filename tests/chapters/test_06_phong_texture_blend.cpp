@@ -3,32 +3,36 @@
 
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
-#include "lecture_program.hpp"
-#include "pictures.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_image.hpp"
+#include "support/lecture_program.hpp"
+#include "support/pictures.hpp"
 
 using namespace texmap;
+using namespace texmap::test;
 using chapter_06::Lesson;
 
 namespace {
 
 Lesson blended(const char* weight, const Image& map) {
-  Lesson lesson = test::prepared<Lesson>({"--blend", weight});
+  Lesson lesson = prepared<Lesson>({"--blend", weight});
   std::get<chapter_06::Textured>(lesson.objects[chapter_06::middle].paint).texture.image = map;
   return lesson;
 }
 
 /// The picture of `--scene lecture` with these options.
-Image of_the_lecture(const test::lecture::Choices& choices) {
-  const Lesson lesson = test::prepared<Lesson>({"--scene", "lecture", "--degrees", std::to_string(choices.degrees), "--blend",
-                                                std::to_string(choices.blend), "--shininess", std::to_string(choices.shininess),
-                                                "--rounding", choices.texel_of_the_slides ? "lecture" : "floor", "--highlight",
-                                                choices.sign_of_the_slides ? "lecture" : "phong"});
-  return test::picture(lesson, choices.width, choices.width / 2);
+Image of_the_lecture(const lecture::Choices& choices) {
+  const Lesson lesson = prepared<Lesson>(
+      {"--scene", "lecture", "--degrees", std::to_string(choices.degrees), "--blend",
+       std::to_string(choices.blend), "--shininess", std::to_string(choices.shininess),
+       "--rounding", choices.texel_of_the_slides ? "lecture" : "floor", "--highlight",
+       choices.sign_of_the_slides ? "lecture" : "phong"});
+  return picture(lesson, choices.width, choices.width / 2);
 }
 
-/// The lamp over each pixel of the middle sphere: 0 where it does not shine.
+/// The light over each pixel of the middle sphere: 0 where it does not shine.
 std::vector<double> cosines(const Lesson& lesson) {
-  const View view = view_of(lesson.stage.camera, 800, 600);
+  const View<> view = view_of(lesson.stage.camera, 800, 600);
   std::vector<double> lit;
   for (int row = 0; row < 600; ++row) {
     for (int column = 0; column < 800; ++column) {
@@ -39,7 +43,9 @@ std::vector<double> cosines(const Lesson& lesson) {
         continue;
       }
       const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
-      lit.push_back(illumination(lesson.stage.light, lesson.objects, hit_at(object.sphere, ray, nearest.distance)).cosine);
+      lit.push_back(sample_light(lesson.stage.light, lesson.objects,
+                                 hit_at(object.shape, ray, nearest.distance))
+                        .cosine);
     }
   }
   return lit;
@@ -48,11 +54,11 @@ std::vector<double> cosines(const Lesson& lesson) {
 }  // namespace
 
 TEST_CASE("only lit pixels of the globe change from chapter 05") {
-  const chapter_05::Lesson before = test::prepared<chapter_05::Lesson>();
-  const Lesson lesson = test::prepared<Lesson>();
-  const Image first = test::picture(before);
-  const Image second = test::picture(lesson);
-  CHECK(test::changed_elsewhere(first, second, test::objects_seen(before), Lesson::changed_objects) == 0);
+  const chapter_05::Lesson before = prepared<chapter_05::Lesson>();
+  const Lesson lesson = prepared<Lesson>();
+  const Image first = picture(before);
+  const Image second = picture(lesson);
+  CHECK(changed_elsewhere(first, second, objects_seen(before), Lesson::about.changed_objects) == 0);
   const std::vector<double> lit = cosines(lesson);
   long in_the_dark = 0;
   long in_the_light = 0;
@@ -63,24 +69,27 @@ TEST_CASE("only lit pixels of the globe change from chapter 05") {
   CHECK(in_the_dark == 0);
   CHECK(in_the_light > 500);
   // The check can fail: the slides' highlight shines in the dark.
-  const Lesson wrong = test::prepared<Lesson>({"--highlight", "lecture"});
-  const Image false_lights = test::picture(wrong);
+  const Lesson wrong = prepared<Lesson>({"--highlight", "lecture"});
+  const Image false_lights = picture(wrong);
   long found = 0;
-  for (std::size_t i = 0; i < lit.size(); ++i) found += lit[i] <= 0 && first.pixels[i] != false_lights.pixels[i] ? 1 : 0;
+  for (std::size_t i = 0; i < lit.size(); ++i)
+    found += lit[i] <= 0 && first.pixels[i] != false_lights.pixels[i] ? 1 : 0;
   CHECK(found > 0);
 }
 
-TEST_CASE("a budget in levels buys a cheaper highlight, which is off by no more, and only where there is one") {
-  const Lesson exact = test::prepared<Lesson>();
-  CHECK(exact.phong.power.terms == 0);
-  const Image should = test::picture(exact);
+TEST_CASE(
+    "a budget in levels buys a cheaper highlight, which is off by no more, and only where there is "
+    "one") {
+  const Lesson exact = prepared<Lesson>();
+  CHECK(exact.phong.power_terms == 0);
+  const Image should = picture(exact);
   const std::vector<double> lit = cosines(exact);
   int terms_before = 0;
   for (const std::string levels : {"1", "0.1", "0.01"}) {
-    const Lesson cheap = test::prepared<Lesson>({"--budget", "levels=" + levels, "--quiet"});
-    CHECK(cheap.phong.power.terms > terms_before);
-    terms_before = cheap.phong.power.terms;
-    const View view = view_of(cheap.stage.camera, 800, 600);
+    const Lesson cheap = prepared<Lesson>({"--budget", "levels=" + levels, "--quiet"});
+    CHECK(cheap.phong.power_terms > terms_before);
+    terms_before = cheap.phong.power_terms;
+    const View<> view = view_of(cheap.stage.camera, 800, 600);
     double worst = 0;
     for (int row = 0; row < 600; row += 2) {
       for (int column = 0; column < 800; ++column) {
@@ -92,19 +101,20 @@ TEST_CASE("a budget in levels buys a cheaper highlight, which is off by no more,
     }
     CHECK(255 * worst <= std::stod(levels));
     CHECK(worst > 0);
-    const Image is = test::picture(cheap);
+    const Image is = picture(cheap);
     long in_the_dark = 0;
-    for (std::size_t i = 0; i < lit.size(); ++i) in_the_dark += lit[i] <= 0 && is.pixels[i] != should.pixels[i] ? 1 : 0;
+    for (std::size_t i = 0; i < lit.size(); ++i)
+      in_the_dark += lit[i] <= 0 && is.pixels[i] != should.pixels[i] ? 1 : 0;
     CHECK(in_the_dark == 0);
   }
-  CHECK(test::prepared<Lesson>({"--budget", "texels=0.01", "--quiet"}).phong.power.terms == 0);
-  CHECK_THROWS_AS((void)test::prepared<Lesson>({"--budget", "levels"}), UsageError);
+  CHECK(prepared<Lesson>({"--budget", "texels=0.01", "--quiet"}).phong.power_terms == 0);
+  CHECK_THROWS_AS((void)prepared<Lesson>({"--budget", "levels"}), UsageError);
 }
 
 TEST_CASE("with weight 1 the texture stands alone, without any light") {
   const Lesson lesson = blended("1", Image(1, 1, {200, 100, 50}));
-  const Image drawn = test::picture(lesson);
-  const std::vector<int> seen = test::objects_seen(lesson);
+  const Image drawn = picture(lesson);
+  const std::vector<int> seen = objects_seen(lesson);
   long globe = 0;
   long other = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -117,62 +127,68 @@ TEST_CASE("with weight 1 the texture stands alone, without any light") {
 }
 
 TEST_CASE("with weight 0 the light stands alone, whatever the texture") {
-  const Image one = test::picture(blended("0", Image(1, 1, {200, 100, 50})));
-  const Image two = test::picture(blended("0", Image(2, 1, {3, 2, 1})));
+  const Image one = picture(blended("0", Image(1, 1, {200, 100, 50})));
+  const Image two = picture(blended("0", Image(2, 1, {3, 2, 1})));
   CHECK(one == two);
-  CHECK(test::picture(blended("0.5", Image(1, 1, {200, 100, 50}))) != one);
+  CHECK(picture(blended("0.5", Image(1, 1, {200, 100, 50}))) != one);
 }
 
-TEST_CASE("a white texture in full light stays white, and a gray light blended with itself stays itself") {
+TEST_CASE(
+    "a white texture in full light stays white, and a gray light blended with itself stays "
+    "itself") {
   // Ambient 1 and diffuse 0: the light is 1 everywhere, and so is any mixture with white.
   Lesson lesson = blended("0.3", Image(1, 1, {255, 255, 255}));
-  lesson.objects[chapter_06::middle].finish = {.matt = {.ambient = 1, .diffuse = 0}};
-  const Image drawn = test::picture(lesson);
+  lesson.objects[chapter_06::middle].material = {.lambertian = {.ambient = 1, .diffuse = 0}};
+  const Image drawn = picture(lesson);
   CHECK(drawn.at(400, 300) == Rgb8{255, 255, 255});
 }
 
-TEST_CASE("the lecture's scene is the picture of an independent program, for several angles and blends") {
+TEST_CASE(
+    "the lecture's scene is the picture of an independent program, for several angles and blends") {
   const Image map = load_image(find_texture("earth.png"));
   for (const bool slides : {true, false}) {
     for (const double degrees : {0.0, 37.0, 180.0, 300.5}) {
       for (const double blend : {0.3, 0.0, 1.0, 0.75}) {
-        test::lecture::Choices choices{.degrees = degrees, .blend = blend};
+        lecture::Choices choices{.degrees = degrees, .blend = blend};
         choices.texel_of_the_slides = slides;
         CAPTURE(slides);
         CAPTURE(degrees);
         CAPTURE(blend);
-        const Image expected = test::lecture::draw(map, choices);
+        const Image expected = lecture::draw(map, choices);
         const Image drawn = of_the_lecture(choices);
-        CHECK(test::count_different(drawn, expected, 1) <= 320);
+        CHECK(count_different(drawn, expected, 1) <= 320);
       }
     }
   }
 }
 
-TEST_CASE("the slides' highlight, with its wrong sign, is drawn when asked for and is another picture") {
+TEST_CASE(
+    "the slides' highlight, with its wrong sign, is drawn when asked for and is another picture") {
   const Image map = load_image(find_texture("earth.png"));
-  test::lecture::Choices choices;
+  lecture::Choices choices;
   choices.shininess = 500;
   choices.sign_of_the_slides = true;
-  const Image expected = test::lecture::draw(map, choices);
-  CHECK(test::count_different(of_the_lecture(choices), expected, 1) <= 320);
+  const Image expected = lecture::draw(map, choices);
+  CHECK(count_different(of_the_lecture(choices), expected, 1) <= 320);
   choices.sign_of_the_slides = false;
-  CHECK(test::count_different(of_the_lecture(choices), expected, 1) > 1000);
+  CHECK(count_different(of_the_lecture(choices), expected, 1) > 1000);
 }
 
-TEST_CASE("at exponent 100 the slides light 903 pixels in the dark, beside 780 where a highlight belongs") {
+TEST_CASE(
+    "at exponent 100 the slides light 903 pixels in the dark, beside 780 where a highlight "
+    "belongs") {
   const auto light_alone = [](const char* shininess, const char* formula) {
-    return test::picture(
-        test::prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess, "--highlight", formula}), 800,
-        400);
+    return picture(prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess,
+                                     "--highlight", formula}),
+                   800, 400);
   };
-  const Image matt = light_alone("1e30", "phong");
+  const Image lambertian = light_alone("1e30", "phong");
   const Image right = light_alone("100", "phong");
   const Image slides = light_alone("100", "lecture");
   long in_the_dark = 0;
   long in_its_place = 0;
-  for (std::size_t i = 0; i < matt.pixels.size(); ++i) {
-    const Rgb8 p = matt.pixels[i];
+  for (std::size_t i = 0; i < lambertian.pixels.size(); ++i) {
+    const Rgb8 p = lambertian.pixels[i];
     const bool globe = p.r == p.b && p.r > 0;  // the ground is yellow, the sky black
     if (!globe) continue;
     in_its_place += right.pixels[i] != p ? 1 : 0;
@@ -182,20 +198,19 @@ TEST_CASE("at exponent 100 the slides light 903 pixels in the dark, beside 780 w
   CHECK(in_the_dark == 903);
 }
 
-TEST_CASE("the lecture's scene has its own size, exponent, convention and angle unless the user chose others") {
-  CommandLine line("test", "");
+TEST_CASE(
+    "the lecture's scene has its own size, exponent, convention and angle unless the user chose "
+    "others") {
   Lesson lesson;
-  lesson.phong.scene = PhongScene::lecture;
-  Studio studio("test", line);
-  lesson.prepare(studio);
-  CHECK(studio.width == 800);
-  CHECK(studio.height == 400);
+  const Settings settings = make_ready(lesson, {"--scene", "lecture"});
+  CHECK(settings.width == 800);
+  CHECK(settings.height == 400);
   CHECK(lesson.phong.shininess == 500);
   CHECK(lesson.phong.blends);
   CHECK(lesson.layout.convention == Convention::lecture);
   CHECK(lesson.turn.degrees == 0);
-  const Lesson chosen =
-      test::prepared<Lesson>({"--scene", "lecture", "--convention", "daily", "--shininess", "5", "--degrees", "3"});
+  const Lesson chosen = prepared<Lesson>(
+      {"--scene", "lecture", "--convention", "daily", "--shininess", "5", "--degrees", "3"});
   CHECK(chosen.layout.convention == Convention::daily);
   CHECK(chosen.phong.shininess == 5);
   CHECK(chosen.turn.degrees == 3);

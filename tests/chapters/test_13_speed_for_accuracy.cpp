@@ -1,10 +1,17 @@
-// Chapter 13: the figures to rely on hold on inputs that nobody has measured, and a smaller figure would not. No clock here.
+// Chapter 13: the figures to rely on hold on inputs that nobody has measured, and a smaller figure
+// would not. No clock here.
 #include <doctest.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "13_speed_for_accuracy/lesson.hpp"
-#include "pictures.hpp"
+#include "13_speed_for_accuracy/plots.hpp"
+#include "13_speed_for_accuracy/progress.hpp"
+#include "13_speed_for_accuracy/report.hpp"
+#include "13_speed_for_accuracy/scenes.hpp"
+#include "13_speed_for_accuracy/sheet.hpp"
+#include "engine/measure/text.hpp"
 
 using namespace texmap;
 using namespace texmap::chapter_13;
@@ -30,24 +37,29 @@ const Globe& noise_globe() {
   return globe;
 }
 
-/// Where nobody has stood before: east and up, in degrees; over the poles, before the seam, anywhere.
+/// Where nobody has stood before: east and up, in degrees; over the poles, before the seam,
+/// anywhere.
 constexpr std::array<std::pair<double, double>, 6> fresh_angles = {
     {{-90, 0}, {13.7, 88.9}, {201.3, -89}, {77.7, 41.3}, {-151, -23.2}, {0, 7.7}}};
 
 struct Seen {
   Errors errors;
-  Way way;
+  Variant variant;
 };
 
 /// The errors of every number, kernel and filter, from one angle.
-std::vector<Seen> all_errors(const Globe& globe, double east, double up, int width = 211, int height = 157) {
-  const View view = globe.view(width, height, east, up);
-  const auto sights = sights_of(globe, view);
+std::vector<Seen> all_errors(const Globe& globe, double east, double up, int width = 211,
+                             int height = 157) {
+  const View<> view = globe.view(width, height, east, up);
+  const auto hits = reference_hits(globe, view);
   std::vector<Seen> all;
   for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    const Image judge = picture_of(globe, view, {.number = Number::extended, .filter = filter}, 0);
+    const Image reference =
+        picture_of(globe, view, {.number = NumberKind::extended, .filter = filter}, 0);
     for (const Trial& trial : all_places(Instructions::baseline)) {
-      if (trial.way.filter == filter) all.push_back({errors_of_places(globe, view, trial.way, sights, judge), trial.way});
+      if (trial.variant.filter == filter)
+        all.push_back(
+            {errors_of_places(globe, view, trial.variant, hits, reference), trial.variant});
     }
   }
   return all;
@@ -71,48 +83,56 @@ Vec3<T> direction(std::uint32_t i) {
   const double a = 2 * std::numbers::pi * (i % 5 == 3 ? 0.5 + 1e-5 * (unit(0) - 0.5) : unit(0));
   const double y = i % 5 == 4 ? 1 - std::pow(10.0, -12 * unit(1)) : 2 * unit(1) - 1;
   const double s = std::sqrt((1 - y) * (1 + y));
-  return normalize(
-      Vec3<T>{static_cast<T>(s * std::cos(a)), static_cast<T>(i % 2 == 0 ? y : -y), static_cast<T>(s * std::sin(a))});
+  return normalize(Vec3<T>{static_cast<T>(s * std::cos(a)), static_cast<T>(i % 2 == 0 ? y : -y),
+                           static_cast<T>(s * std::sin(a))});
 }
 
 /// Measurements whose times are made up.
 Measurements made_up() {
   Measurements all{64, 48, all_places(Instructions::baseline), all_curves(Instructions::baseline)};
-  const View view = earth().view(all.width, all.height);
-  judge_places(all.places, earth(), view, [] {});
+  const View<> view = earth().view(all.width, all.height);
+  find_errors_of_places(all.places, earth(), view, [] {});
   for (std::size_t i = 0; i < all.places.size(); ++i) {
     Trial& trial = all.places[i];
-    trial.milliseconds = 100 - (is_pack(trial.way.number) ? 50 : 0) -
-                         (trial.way.number == Number::float_ || trial.way.number == Number::float_pack ? 20 : 0) +
-                         trial.way.degree * 0.1 + (trial.way.degree == 0 ? 10 : 0);
+    trial.milliseconds = 100 - (is_pack(trial.variant.number) ? 50 : 0) -
+                         (trial.variant.number == NumberKind::float_ ||
+                                  trial.variant.number == NumberKind::float_pack
+                              ? 20
+                              : 0) +
+                         trial.variant.degree * 0.1 + (trial.variant.degree == 0 ? 10 : 0);
     trial.time = trial.milliseconds / all.places[0].milliseconds;
   }
   for (const SamplerKind kind : sampler_kinds) {
     for (const int samples : sample_counts) {
       const double rmse = 10 / std::pow(samples, kind == SamplerKind::random ? 0.5 : 0.75);
-      all.noise.push_back({kind, samples, rmse, 1.5 * rmse, samples * (kind == SamplerKind::sobol ? 1.1 : 1.2)});
+      all.noise.push_back(
+          {kind, samples, rmse, 1.5 * rmse, samples * (kind == SamplerKind::sobol ? 1.1 : 1.2)});
     }
   }
-  judge_curves(all.curves, earth(), view, [] {});
+  find_errors_of_curves(all.curves, earth(), view, [] {});
   for (Trial& trial : all.curves) {
-    const bool is_float = trial.way.number == Number::float_ || trial.way.number == Number::float_pack;
-    trial.time = (is_pack(trial.way.number) ? 0.5 : 1) - (is_float ? 0.1 : 0) - (trial.way.curve == Curve::four ? 0.2 : 0) -
-                 (trial.way.texels == Texels::roots ? 0.1 : 0);
+    const bool is_float = trial.variant.number == NumberKind::float_ ||
+                          trial.variant.number == NumberKind::float_pack;
+    trial.time = (is_pack(trial.variant.number) ? 0.5 : 1) - (is_float ? 0.1 : 0) -
+                 (trial.variant.curve == Curve::four ? 0.2 : 0) -
+                 (trial.variant.format == TexelFormat::roots ? 0.1 : 0);
     trial.milliseconds = 100 * trial.time;
   }
-  all.kept = all_kept(Instructions::baseline);
+  all.texel_formats = all_texel_formats(Instructions::baseline);
   all.rounds = {{20, 20}, {20, 20}, {6, 6}, {6, 6}};
   return all;
 }
 
 }  // namespace
 
-TEST_CASE("from any angle no place is farther off than stated, and no more pixels change, by no more levels") {
+TEST_CASE(
+    "from any angle no place is farther off than stated, and no more pixels change, by no more "
+    "levels") {
   for (const auto& angles : fresh_angles) {
     for (const Seen& seen : all_errors(earth(), angles.first, angles.second)) {
       CAPTURE(angles.first);
-      CAPTURE(described(seen.way));
-      CAPTURE(name_of(seen.way.filter));
+      CAPTURE(described(seen.variant));
+      CAPTURE(name_of(seen.variant.filter));
       CAPTURE(seen.errors.worst_texels);
       CAPTURE(seen.errors.changed);
       CHECK(holds(seen.errors, seen.errors));
@@ -124,7 +144,7 @@ TEST_CASE("on a texture where every texel is unlike its neighbours the bounds ho
   long changed = 0;
   for (const auto& [east, up] : {std::pair{33.3, 3.0}, std::pair{-60.0, 80.0}}) {
     for (const Seen& seen : all_errors(noise_globe(), east, up, 320, 240)) {
-      CAPTURE(described(seen.way));
+      CAPTURE(described(seen.variant));
       CAPTURE(seen.errors.changed);
       CAPTURE(seen.errors.may_change);
       CAPTURE(seen.errors.levels);
@@ -138,31 +158,37 @@ TEST_CASE("on a texture where every texel is unlike its neighbours the bounds ho
 TEST_CASE("tiny textures: one texel cannot change, and two or three keep to their bounds") {
   for (const auto& size : {std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 3}, std::pair{3, 2}}) {
     Image image(size.first, size.second);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = {static_cast<std::uint8_t>(40 * i), 200, 9};
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = {static_cast<std::uint8_t>(40 * i), 200, 9};
     for (const Seen& seen : all_errors(Globe(image), 33.3, 3, 64, 48)) {
-      CAPTURE(described(seen.way));
+      CAPTURE(described(seen.variant));
       CHECK(holds(seen.errors, seen.errors));
       if (image.pixels.size() == 1) CHECK(seen.errors.may_change == 0);
     }
   }
 }
 
-TEST_CASE("the twins fail: half a bound, or the bound of a kernel with more terms, does not hold") {
+TEST_CASE(
+    "the checks can fail: half a bound, or the bound of a kernel with more terms, does not hold") {
   const std::vector<Seen> all = all_errors(earth(), 77.7, 41.3);
-  const auto of = [&all](Number number, int degree, Filter filter) {
+  const auto of = [&all](NumberKind number, int degree, Filter filter) {
     for (const Seen& seen : all) {
-      if (seen.way.number == number && seen.way.degree == degree && seen.way.filter == filter) return seen.errors;
+      if (seen.variant.number == number && seen.variant.degree == degree &&
+          seen.variant.filter == filter)
+        return seen.errors;
     }
     throw std::runtime_error("not tried");
   };
   for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    CHECK_FALSE(holds(of(Number::float_, 5, filter), of(Number::float_, 7, filter)));
-    CHECK_FALSE(holds(of(Number::float_, 7, filter), of(Number::float_, 9, filter)));
-    CHECK_FALSE(holds(of(Number::double_, 23, filter), of(Number::double_, 29, filter)));
-    CHECK(of(Number::float_, 5, filter).changed > of(Number::float_, 7, filter).may_change);
-    CHECK(of(Number::float_, 5, Filter::bilinear).levels > of(Number::float_, 7, Filter::bilinear).levels_bound);
+    CHECK_FALSE(holds(of(NumberKind::float_, 5, filter), of(NumberKind::float_, 7, filter)));
+    CHECK_FALSE(holds(of(NumberKind::float_, 7, filter), of(NumberKind::float_, 9, filter)));
+    CHECK_FALSE(holds(of(NumberKind::double_, 23, filter), of(NumberKind::double_, 29, filter)));
+    CHECK(of(NumberKind::float_, 5, filter).changed > of(NumberKind::float_, 7, filter).may_change);
+    CHECK(of(NumberKind::float_, 5, Filter::bilinear).levels >
+          of(NumberKind::float_, 7, Filter::bilinear).levels_bound);
   }
-  for (const auto& [number, degree] : {std::pair{Number::float_, 5}, std::pair{Number::double_, 23}}) {
+  for (const auto& [number, degree] :
+       {std::pair{NumberKind::float_, 5}, std::pair{NumberKind::double_, 23}}) {
     Errors half = of(number, degree, Filter::nearest);
     CHECK(holds(half, half));
     half.texels_bound /= 2;
@@ -170,20 +196,24 @@ TEST_CASE("the twins fail: half a bound, or the bound of a kernel with more term
   }
 }
 
-TEST_CASE_TEMPLATE("in all directions, also by the poles and the seam, a kernel is within what is stated of it", T, float,
-                   double) {
-  for (const int degree : degrees_for(sizeof(T) == sizeof(float) ? Number::float_ : Number::double_)) {
-    const UvError stated = kernel_bound<T>(degree);
-    const BudgetMapping mapping = mapping_of_degree(degree);
+TEST_CASE_TEMPLATE(
+    "in all directions, also by the poles and the seam, a kernel is within what is stated of it", T,
+    float, double) {
+  const NumberKind number = sizeof(T) == sizeof(float) ? NumberKind::float_ : NumberKind::double_;
+  for (const int degree : degrees_for(number)) {
+    const UvError stated = kernel_bound(number, degree);
+    const PlannedMapping mapping{degree};
     UvError worst{0, 0};
     for (std::uint32_t i = 1; i <= 40000; ++i) {
       const Vec3<T> p = direction<T>(i);
       const Uv<T> uv = mapping(p);
-      const Uv<long double> exact = uv_rtiow(
-          Vec3<long double>{static_cast<long double>(p.x), static_cast<long double>(p.y), static_cast<long double>(p.z)});
+      const Uv<long double> exact =
+          uv_rtiow(Vec3<long double>{static_cast<long double>(p.x), static_cast<long double>(p.y),
+                                     static_cast<long double>(p.z)});
       const long double across = std::abs(static_cast<long double>(uv.u) - exact.u);
       worst.u = std::max(worst.u, static_cast<double>(std::min(across, 1 - across)));
-      worst.v = std::max(worst.v, static_cast<double>(std::abs(static_cast<long double>(uv.v) - exact.v)));
+      worst.v = std::max(worst.v,
+                         static_cast<double>(std::abs(static_cast<long double>(uv.v) - exact.v)));
     }
     CAPTURE(degree);
     CHECK(worst.u <= stated.u);
@@ -193,37 +223,43 @@ TEST_CASE_TEMPLATE("in all directions, also by the poles and the seam, a kernel 
   }
 }
 
-TEST_CASE("by shorter curves and roots of light no level is farther off than stated, and no more pixels change") {
+TEST_CASE(
+    "by shorter curves and roots of light no level is farther off than stated, and no more pixels "
+    "change") {
   for (const Globe* globe : {&earth(), &noise_globe()}) {
     for (const auto& [east, up] : fresh_angles) {
       std::vector<Trial> curves = all_curves(Instructions::baseline);
-      judge_curves(curves, *globe, globe->view(160, 120, east, up), [] {});
+      find_errors_of_curves(curves, *globe, globe->view(160, 120, east, up), [] {});
       for (const Trial& trial : curves) {
         const Errors& errors = trial.errors;
-        CAPTURE(name_of(trial.way.number));
-        CAPTURE(described_light(trial.way));
+        CAPTURE(name_of(trial.variant.number));
+        CAPTURE(described_light(trial.variant));
         CAPTURE(errors.worst_unrounded);
         CAPTURE(errors.changed);
         CHECK(holds_light(errors, errors));
         CHECK(errors.mean_unrounded <= errors.worst_unrounded);
-        if (trial.way.curve == Curve::exact && trial.way.texels == Texels::bytes) CHECK(errors.may_change == 0);
+        if (trial.variant.curve == Curve::exact && trial.variant.format == TexelFormat::bytes)
+          CHECK(errors.may_change == 0);
       }
     }
   }
 }
 
-TEST_CASE("the twins fail: half a level's bound, or that of texels kept better, or of a longer curve, does not hold") {
-  for (const Number number : {Number::float_, Number::double_}) {
-    const auto of = [number](Curve curve, Texels texels) {
+TEST_CASE(
+    "the checks can fail: half a level's bound, or that of a better texel format, or of a longer "
+    "curve, "
+    "does not hold") {
+  for (const NumberKind number : {NumberKind::float_, NumberKind::double_}) {
+    const auto of = [number](Curve curve, TexelFormat format) {
       // Many colors, all of them seen.
-      const Way way{.number = number, .curve = curve, .texels = texels};
-      return errors_of_light(noise_globe(), noise_globe().view(320, 240), way);
+      const Variant variant{.number = number, .curve = curve, .format = format};
+      return errors_of_light(noise_globe(), noise_globe().view(320, 240), variant);
     };
-    const Errors exact = of(Curve::exact, Texels::bytes);
-    const Errors roots = of(Curve::exact, Texels::roots);
-    const Errors four = of(Curve::four, Texels::bytes);
-    const Errors both = of(Curve::four, Texels::roots);
-    const Errors three = of(Curve::three, Texels::bytes);
+    const Errors exact = of(Curve::exact, TexelFormat::bytes);
+    const Errors roots = of(Curve::exact, TexelFormat::roots);
+    const Errors four = of(Curve::four, TexelFormat::bytes);
+    const Errors both = of(Curve::four, TexelFormat::roots);
+    const Errors three = of(Curve::three, TexelFormat::bytes);
     CHECK(exact.worst_unrounded == 0);
     CHECK(exact.levels == 0);
     CHECK_FALSE(holds_light(roots, exact));
@@ -232,23 +268,26 @@ TEST_CASE("the twins fail: half a level's bound, or that of texels kept better, 
     CHECK_FALSE(holds_light(three, both));
     CHECK(three.levels > both.levels_bound);
     CHECK(roots.changed > 1000);
-    for (const Errors& errors : {roots, four, both, three}) CHECK(errors.worst_unrounded > errors.unrounded_bound / 2);
+    for (const Errors& errors : {roots, four, both, three})
+      CHECK(errors.worst_unrounded > errors.unrounded_bound / 2);
   }
 }
 
-TEST_CASE("the mean of many rays to roots of light is no farther off than stated, by other seeds, from any angle") {
+TEST_CASE(
+    "the mean of many rays to roots of light is no farther off than stated, by other seeds, from "
+    "any angle") {
   double worst = 0;
   std::uint32_t seed = 77;
   for (const auto& [east, up] : fresh_angles) {
-    const View view = earth().view(noise_width, noise_height, east, up);
-    for (const Trial& trial : all_kept(Instructions::baseline)) {
+    const View<> view = earth().view(noise_width, noise_height, east, up);
+    for (const Trial& trial : all_texel_formats(Instructions::baseline)) {
       const Sampler sampler(SamplerKind::random, 4, seed++);
-      const Errors errors = errors_of_kept(earth(), view, trial.way, sampler, 0);
-      CAPTURE(name_of(trial.way.number));
+      const Errors errors = errors_of_samples(earth(), view, trial.variant, sampler, 0);
+      CAPTURE(name_of(trial.variant.number));
       CAPTURE(errors.worst_unrounded);
       CHECK(holds_light(errors, errors));
-      if (trial.way.texels == Texels::bytes) CHECK(errors.worst_unrounded == 0);
-      if (trial.way.texels == Texels::roots) CHECK(errors.changed > 0);
+      if (trial.variant.format == TexelFormat::bytes) CHECK(errors.worst_unrounded == 0);
+      if (trial.variant.format == TexelFormat::roots) CHECK(errors.changed > 0);
       worst = std::max(worst, errors.worst_unrounded);
     }
   }
@@ -257,20 +296,20 @@ TEST_CASE("the mean of many rays to roots of light is no farther off than stated
 
 TEST_CASE("a bound before rounding is as many whole levels after it") {
   CHECK(rounded_bound(0) == 0);
-  CHECK(rounded_bound(unrounded_bound<double>(Curve::formula, Texels::bytes)) == 1);
-  CHECK(rounded_bound(unrounded_bound<float>(Curve::four, Texels::roots)) == 1);
-  CHECK(rounded_bound(unrounded_bound<float>(Curve::three, Texels::bytes)) == 2);
+  CHECK(rounded_bound(unrounded_bound({.curve = Curve::formula})) == 1);
+  CHECK(rounded_bound(unrounded_bound(
+            {.number = NumberKind::float_, .curve = Curve::four, .format = TexelFormat::roots})) ==
+        1);
+  CHECK(rounded_bound(unrounded_bound({.number = NumberKind::float_, .curve = Curve::three})) == 2);
 }
 
-TEST_CASE("the noise of other seeds, seen from other angles, is within its bound; half the bound, or fewer samples, are not") {
-#ifdef TEXMAP_HAVE_PACKS
-  const Way way{.number = Number::double_pack};
-#else
-  const Way way{};
-#endif
+TEST_CASE(
+    "the noise of other seeds, seen from other angles, is within its bound; half the bound, or "
+    "fewer samples, are not") {
+  const Variant variant{.number = NumberKind::double_pack};
   const std::array<int, 4> counts = {1, 4, 16, 64};  // 256 takes long
   const std::vector<Noise> stated = measure_noise(
-      earth(), way, 0, [] {}, counts);
+      earth(), variant, 0, [] {}, counts);
   const auto bound = [&stated](SamplerKind kind, int samples) {
     for (const Noise& noise : stated) {
       if (noise.kind == kind && noise.samples == samples) return noise.rmse_bound;
@@ -280,44 +319,50 @@ TEST_CASE("the noise of other seeds, seen from other angles, is within its bound
   std::uint32_t seed = 555;
   for (const auto& angles : fresh_angles) {
     const double up = angles.second;
-    const View view = earth().view(noise_width, noise_height, angles.first, up);
-    const auto judge = levels_of(sampled(earth(), view, way, Sampler(SamplerKind::sobol, 2048, seed++), 0));
+    const View<> view = earth().view(noise_width, noise_height, angles.first, up);
+    const auto reference =
+        levels_of(sampled(earth(), view, variant, Sampler(SamplerKind::sobol, 2048, seed++), 0));
     for (const Noise& noise : stated) {
-      const auto levels = levels_of(sampled(earth(), view, way, Sampler(noise.kind, noise.samples, seed++), 0));
+      const auto levels =
+          levels_of(sampled(earth(), view, variant, Sampler(noise.kind, noise.samples, seed++), 0));
       CAPTURE(name_of(noise.kind));
       CAPTURE(noise.samples);
       CAPTURE(angles.first);
-      CHECK(rms_apart(levels, judge) <= noise.rmse_bound);
+      CHECK(rms_difference(levels, reference) <= noise.rmse_bound);
       if (up > 60 || up < -60) continue;  // the poles are plain, and their noise is small
-      CHECK(rms_apart(levels, judge) > noise.rmse_bound / 3);
-      if (noise.samples == 4) CHECK(rms_apart(levels, judge) > bound(noise.kind, 64));
+      CHECK(rms_difference(levels, reference) > noise.rmse_bound / 3);
+      if (noise.samples == 4) CHECK(rms_difference(levels, reference) > bound(noise.kind, 64));
     }
   }
 }
 
 TEST_CASE("a bound of noise is the mean and six standard deviations") {
-  CHECK(bound_of({1, 1, 1, 1}) == 1);
-  CHECK(bound_of({1, 3}) == doctest::Approx(2 + 6 * std::sqrt(2.0)));
+  CHECK(noise_bound({1, 1, 1, 1}) == 1);
+  CHECK(noise_bound({1, 3}) == doctest::Approx(2 + 6 * std::sqrt(2.0)));
 }
 
 TEST_CASE("the front is what nothing else beats, from the fastest to the most exact") {
-  const auto front = front_of({{3, 1, 0}, {1, 5, 1}, {2, 5, 2}, {2, 3, 3}, {4, 2, 4}, {2, 4, 5}, {1, 6, 6}, {9, 1, 7}});
-  std::vector<std::size_t> kept;
-  kept.reserve(front.size());
-  for (const Tradeoff& each : front) kept.push_back(each.index);
-  CHECK(kept == std::vector<std::size_t>{1, 3, 0});
-  CHECK(front_of({}).empty());
+  const auto front = pareto_front(
+      {{3, 1, 0}, {1, 5, 1}, {2, 5, 2}, {2, 3, 3}, {4, 2, 4}, {2, 4, 5}, {1, 6, 6}, {9, 1, 7}});
+  std::vector<std::size_t> unbeaten;
+  for (const Tradeoff& each : front) unbeaten.push_back(each.index);
+  CHECK(unbeaten == std::vector<std::size_t>{1, 3, 0});
+  CHECK(pareto_front({}).empty());
   // On a plot, what is as fast as something more exact has no label.
-  const auto shown = labelled_front({{1, 5, 7}, {1.04, 4, 8}, {2, 3, 9}}, [](std::size_t i) { return std::to_string(i); });
+  const auto shown = labelled_front({{1, 5, 7}, {1.04, 4, 8}, {2, 3, 9}},
+                                    [](std::size_t i) { return std::to_string(i); });
   REQUIRE(shown.size() == 3);
   CHECK(shown[0].label.empty());
   CHECK(shown[1].label == "8");
   CHECK(shown[2].label == "9");
 }
 
-TEST_CASE("the recommendation is the fastest that keeps to the budget by its bound, and its command takes that very kernel") {
+TEST_CASE(
+    "the recommendation is the fastest that keeps to the budget by its bound, and its command "
+    "takes that very kernel") {
   const Measurements all = made_up();
-  for (const char* text : {"exact", "texels=0.01", "texels=0.1", "texels=1e-8", "texels=1e-10", "levels=1", "levels=9"}) {
+  for (const char* text : {"exact", "texels=0.01", "texels=0.1", "texels=1e-8", "texels=1e-10",
+                           "levels=1", "levels=9"}) {
     const Budget budget = parse_budget(text);
     for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
       const Trial* best = fastest(all.places, filter, budget);
@@ -325,53 +370,65 @@ TEST_CASE("the recommendation is the fastest that keeps to the budget by its bou
       REQUIRE(best != nullptr);
       CHECK(keeps_to(budget, *best));
       for (const Trial& trial : all.places) {
-        if (trial.way.filter != filter || !keeps_to(budget, trial)) continue;
+        if (trial.variant.filter != filter || !keeps_to(budget, trial)) continue;
         CHECK(best->milliseconds <= same_time * trial.milliseconds);
-        if (trial.milliseconds <= best->milliseconds) CHECK(trial.errors.texels_bound >= best->errors.texels_bound);
+        if (trial.milliseconds <= best->milliseconds)
+          CHECK(trial.errors.texels_bound >= best->errors.texels_bound);
       }
     }
   }
   CHECK(fastest(all.places, Filter::nearest, parse_budget("texels=1e-16")) == nullptr);
-  CHECK(recommendation(all, parse_budget("texels=1e-16"), earth().nearest.image).find("nothing that was tried") !=
-        std::string::npos);
+  CHECK(recommendation(all, parse_budget("texels=1e-16"), earth().nearest.image)
+            .find("nothing that was tried") != std::string::npos);
   CHECK(fastest(all.noise, 1)->kind == SamplerKind::sobol);
   CHECK(fastest(all.noise, 1)->samples == 64);
   CHECK(fastest(all.noise, 0.01) == nullptr);
-#ifdef TEXMAP_HAVE_PACKS
-  CHECK(fastest(all.places, Filter::nearest, {})->way.number == Number::double_pack);
-  CHECK(recommendation(all, {}, earth().nearest.image).find("./course run 07 --number double-pack") != std::string::npos);
-  CHECK(recommendation(all, parse_budget("texels=0.01"), earth().nearest.image).find("--number float-pack --budget texels=") !=
-        std::string::npos);
-#endif
+  CHECK(fastest(all.places, Filter::nearest, {})->variant.number == NumberKind::double_pack);
+  CHECK(
+      recommendation(all, {}, earth().nearest.image).find("./course run 07 --number double-pack") !=
+      std::string::npos);
+  // Packs of less than the machine's widest instructions are asked for by name.
+  const bool has_wider = usable_instructions(Instructions::avx512).size() > 1;
+  CHECK(recommendation(all, parse_budget("texels=0.01"), earth().nearest.image)
+            .find(has_wider ? "--number float-pack --instructions baseline --budget texels="
+                            : "--number float-pack --budget texels=") != std::string::npos);
 }
 
-TEST_CASE("light is recommended by its bound in whole levels, and from numbers alone that find every texel") {
+TEST_CASE(
+    "light is recommended by its bound in whole levels, and from numbers alone that find every "
+    "texel") {
   Measurements all = made_up();
   const Image& texture = earth().nearest.image;
   const Trial* best = fastest_light(all, parse_budget("levels=1"));
   REQUIRE(best != nullptr);
-  CHECK(described_light(best->way) == "roots, 4 terms");
-  CHECK((best->way.number == Number::double_ || best->way.number == Number::double_pack));  // float's places may be off
-  CHECK(described_light(fastest_light(all, parse_budget("levels=0.9"))->way) == "bytes, exact");
+  CHECK(described_light(best->variant) == "roots, 4 terms");
+  CHECK((best->variant.number == NumberKind::double_ ||
+         best->variant.number == NumberKind::double_pack));  // float's places may be off
+  CHECK(described_light(fastest_light(all, parse_budget("levels=0.9"))->variant) == "bytes, exact");
   const std::string text = recommendation(all, parse_budget("levels=1"), texture);
   CHECK(text.find("texels as roots, 4 terms: ") != std::string::npos);
   CHECK(text.find("at most 0.68 levels off") != std::string::npos);
   CHECK(text.find(" --budget levels=1\n") != std::string::npos);
-  CHECK(recommendation(all, parse_budget("texels=0.01"), texture).find("  light") == std::string::npos);
+  CHECK(recommendation(all, parse_budget("texels=0.01"), texture).find("  light") ==
+        std::string::npos);
 
   // What is as fast and more exact is taken.
   for (Trial& trial : all.curves) trial.milliseconds = 100;
-  CHECK(described_light(fastest_light(all, parse_budget("levels=1"))->way) == "bytes, exact");
+  CHECK(described_light(fastest_light(all, parse_budget("levels=1"))->variant) == "bytes, exact");
 }
 
-TEST_CASE("where a pixel looks at the very edge of a texel only plain double is exact, whatever was measured") {
+TEST_CASE(
+    "where a pixel looks at the very edge of a texel only plain double is exact, whatever was "
+    "measured") {
   std::vector<Trial> trials = all_places(Instructions::baseline);
-  judge_places(trials, earth(), earth().view(33, 25, 0, 0), [] {});  // the middle column looks along x = 0, where u is 3/4
+  find_errors_of_places(trials, earth(), earth().view(33, 25, 0, 0),
+                        [] {});  // the middle column looks along x = 0, where u is 3/4
   for (const Trial& trial : trials) {
-    CAPTURE(described(trial.way));
-    if (trial.way.filter != Filter::nearest) continue;
+    CAPTURE(described(trial.variant));
+    if (trial.variant.filter != Filter::nearest) continue;
     CHECK(trial.errors.may_change >= 20);
-    CHECK(keeps_to({}, trial) == (trial.way.number == Number::double_ && trial.way.degree == 0));
+    CHECK(keeps_to({}, trial) ==
+          (trial.variant.number == NumberKind::double_ && trial.variant.degree == 0));
   }
 }
 
@@ -382,65 +439,45 @@ TEST_CASE("the budget of a command takes the kernel it is for, on textures of al
       const std::string text = budget_for(degree, texture);
       CAPTURE(text);
       CHECK(text.size() <= 20);
-      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height, Directions::unit).degree == degree);
+      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height).degree == degree);
     }
-  }
-}
-
-TEST_CASE("no label of a plot covers another or a point, while there is room") {
-  using plotting::Taken;
-  std::vector<Taken> taken;
-  const Taken frame{0, 0, 700, 500};
-  for (std::uint32_t i = 0; i < 40; ++i) {
-    const double x = 20 + 660 * (hash_bits(i) * 0x1p-32);
-    const double y = 20 + 460 * (hash_bits(i + 100) * 0x1p-32);
-    taken.push_back({x - 5, y - 5, x + 5, y + 5});
-  }
-  const std::vector<Taken> points = taken;
-  for (const Taken& point : points) {
-    const Taken box =
-        plotting::place_label((point.left + point.right) / 2, (point.top + point.bottom) / 2, "multi-jitter 64", taken, frame);
-    for (const Taken& other : taken) CHECK_FALSE(box.meets(other));
-    CHECK((box.left >= 0 && box.right <= 700 && box.top >= 0 && box.bottom <= 500));
-    taken.push_back(box);
   }
 }
 
 TEST_CASE("the plots are whole, name everything in them, and have no number that is none") {
   const Measurements all = made_up();
-  for (const Plot& plot : {plot_speed_error(all), plot_speed_levels(all), plot_error_samples(all), plot_error_seconds(all)}) {
+  for (const Plot& plot : {plot_speed_error(all), plot_speed_levels(all), plot_error_samples(all),
+                           plot_error_seconds(all)}) {
     const std::string svg = svg_of(plot);
     CHECK(svg.starts_with("<svg "));
     CHECK(svg.ends_with("</svg>\n"));
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
     CHECK(svg.find(">" + plot.title + "<") != std::string::npos);
-    for (const PlotSeries& series : plot.series) CHECK(svg.find(">" + series.name + "<") != std::string::npos);
+    for (const PlotSeries& series : plot.series)
+      CHECK(svg.find(">" + series.name + "<") != std::string::npos);
     for (const PlotPoint& point : plot.front) {
       if (!point.label.empty()) CHECK(svg.find(">" + point.label + "<") != std::string::npos);
     }
   }
-  CHECK(plotting::escaped("a<b>&c") == "a&lt;b&gt;&amp;c");
-  CHECK(plotting::tick_text(0.001) == "0.001");
-  CHECK(plotting::tick_text(1e-5) == "1e-5");
-  CHECK(plotting::axis_for(1, 1000, 0, 1).ticks() == std::vector<double>{1, 10, 100, 1000});
 }
 
 TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for everything tried") {
   const Measurements all = made_up();
-  std::string text = table_of(all);
+  std::string table = table_of(all);
   for (const char* budget : {"exact", "texels=0.01", "levels=1"}) {
-    text += recommendation(all, parse_budget(budget), earth().nearest.image);
+    table += recommendation(all, parse_budget(budget), earth().nearest.image);
   }
-  std::stringstream lines(text);
+  std::stringstream lines(table);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 110);
   const std::string json = json_of(all);
   const auto count = [&json](const std::string& word) {
     std::size_t found = 0;
-    for (std::size_t at = json.find(word); at != std::string::npos; at = json.find(word, at + 1)) ++found;
+    for (std::size_t at = json.find(word); at != std::string::npos; at = json.find(word, at + 1))
+      ++found;
     return found;
   };
-  CHECK(count("\"number\"") == all.places.size() + all.curves.size() + all.kept.size());
+  CHECK(count("\"number\"") == all.places.size() + all.curves.size() + all.texel_formats.size());
   CHECK(count("\"sampler\"") == all.noise.size());
   CHECK(count("{") == count("}"));
   CHECK(count("[") == 4);
@@ -448,29 +485,35 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
 
 #ifdef TEXMAP_REFERENCE_PLATFORM
 TEST_CASE("the errors on the chapter's page are those of its program") {
-  std::ifstream file(std::string(TEXMAP_TESTS_DIR) + "/../chapters/13_speed_for_accuracy/README.md");
+  std::ifstream file(std::string(TEXMAP_TESTS_DIR) +
+                     "/../chapters/13_speed_for_accuracy/README.md");
   const SheetLayout layout(1312, 1090);
   std::vector<Trial> trials = all_places(Instructions::baseline);
-  judge_places(trials, earth(), earth().view(layout.panel_width, layout.panel_height), [] {});
+  find_errors_of_places(trials, earth(), earth().view(layout.panel_width, layout.panel_height),
+                        [] {});
   std::vector<Trial> curves = all_curves(Instructions::baseline);
-  judge_curves(curves, earth(), earth().view(layout.panel_width, layout.panel_height), [] {});
-  const std::vector<Trial> kept = judged_kept(earth(), Instructions::baseline, 0, [] {});
-  curves.insert(curves.end(), kept.begin(), kept.end());
+  find_errors_of_curves(curves, earth(), earth().view(layout.panel_width, layout.panel_height),
+                        [] {});
+  const std::vector<Trial> formats =
+      measure_texel_formats(earth(), Instructions::baseline, 0, [] {});
+  curves.insert(curves.end(), formats.begin(), formats.end());
   int found = 0, found_light = 0;
   for (std::string line; std::getline(file, line);) {
     const auto is_of = [&line](const Trial& trial) {  // its packs may be of other instructions
-      return line.starts_with(printed("%-12s ", name_of(trial.way.number))) &&
-             line.find(" " + columns_of_light(trial.way) + " ") != std::string::npos;
+      return line.starts_with(text("%-12s ", name_of(trial.variant.number))) &&
+             line.find(" " + columns_of_light(trial.variant) + " ") != std::string::npos;
     };
     if (std::any_of(curves.begin(), curves.end(), is_of)) {
       CAPTURE(line);
-      CHECK(std::any_of(curves.begin(), curves.end(),
-                        [&](const Trial& trial) { return is_of(trial) && line.ends_with(errors_text(trial)); }));
+      CHECK(std::any_of(curves.begin(), curves.end(), [&](const Trial& trial) {
+        return is_of(trial) && line.ends_with(errors_text(trial));
+      }));
       ++found_light;
     }
     for (const Trial& trial : trials) {
-      const std::string start = printed("%-12s %-10s ", name_of(trial.way.number), name_of_kernel(trial.way.degree).c_str());
-      if (trial.way.filter != Filter::nearest || !line.starts_with(start)) continue;
+      const std::string start = text("%-12s %-10s ", name_of(trial.variant.number),
+                                     name_of_kernel(trial.variant.degree).c_str());
+      if (trial.variant.filter != Filter::nearest || !line.starts_with(start)) continue;
       CAPTURE(line);
       CHECK(line.ends_with(errors_text(trial)));
       ++found;
@@ -481,18 +524,22 @@ TEST_CASE("the errors on the chapter's page are those of its program") {
 }
 #endif
 
-TEST_CASE("when patience ends, rounds are skipped, counted and told, and the progress is as far as it would have been") {
-  const View view = earth().view(8, 6);
+TEST_CASE(
+    "when the time limit is reached, rounds are skipped, counted and told, and the progress is as "
+    "far as it "
+    "would have been") {
+  const View<> view = earth().view(8, 6);
   std::vector<Trial> trials = all_curves(Instructions::baseline);
   long ticks = 0;
   double now = 0;
-  const auto timing_for = [&](double patience) {
-    return Timing{8, Patience(patience, 3, [&now] { return now += 10; }), [&ticks] { ++ticks; }};  // each look takes 10 ms
+  const auto timing_for = [&](double limit) {
+    return Timing{8, TimeLimit(limit, 3, [&now] { return now += 10; }),
+                  [&ticks] { ++ticks; }};  // each look takes 10 ms
   };
-  for (const auto& [patience, rounds] : {std::pair{35.0, 6}, std::pair{1e9, 8}, std::pair{0.0, 3}}) {
+  for (const auto& [limit, rounds] : {std::pair{35.0, 6}, std::pair{1e9, 8}, std::pair{0.0, 3}}) {
     ticks = 0;
     now = 0;
-    Timing timing = timing_for(patience);
+    Timing timing = timing_for(limit);
     time_trials(trials, earth(), view, timing);
     REQUIRE(timing.done.size() == 1);
     CHECK(timing.done[0].timed == rounds);
@@ -508,13 +555,15 @@ TEST_CASE("when patience ends, rounds are skipped, counted and told, and the pro
   CHECK(table_of(all).find(skipped_text(all)) != std::string::npos);
   const double rays = rays_of(all);
   all.rounds[1].timed = 4;
-  CHECK(rays - rays_of(all) == doctest::Approx(1.0 * all.width * all.height * static_cast<double>(all.curves.size())));
+  CHECK(rays - rays_of(all) ==
+        doctest::Approx(1.0 * all.width * all.height * static_cast<double>(all.curves.size())));
 }
 
 TEST_CASE("the progress names what comes next, and ends with the run") {
   Ticks ticks({{"first", 2}, {"second", 1}});
   std::vector<std::pair<int, int>> told;
-  const RenderSettings settings{.progress = [&](int done, int total) { told.emplace_back(done, total); }};
+  const RenderSettings settings{
+      .progress = [&](int done, int total) { told.emplace_back(done, total); }};
   CHECK(ticks.remark() == ", first");
   ticks(settings);
   CHECK(ticks.remark() == ", first");
@@ -525,22 +574,22 @@ TEST_CASE("the progress names what comes next, and ends with the run") {
   CHECK(told == std::vector<std::pair<int, int>>{{1, 3}, {2, 3}, {3, 3}});
 }
 
-TEST_CASE("a picture that goes to a device has nothing beside it, and others have five files") {
-  CHECK(names_beside("/dev/null").empty());
-  CHECK(names_beside("out/13.png") == std::vector<std::string>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
-                                                               "out/13_error_samples.svg", "out/13_error_seconds.svg",
-                                                               "out/13.json"});
+TEST_CASE("a picture that goes to a device has no report, and others have five files") {
+  CHECK(names_of_report("/dev/null").empty());
+  CHECK(names_of_report("out/13.png") ==
+        std::vector<std::string>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
+                                 "out/13_error_samples.svg", "out/13_error_seconds.svg",
+                                 "out/13.json"});
 }
 
-TEST_CASE("options that choose one of what is tried, and budgets that are none, are refused") {
+TEST_CASE("a number and samples cannot be chosen, and budgets that are none are refused") {
   const auto show = [](std::vector<const char*> words) {
     Lesson lesson;
     CommandLine line("test", "");
     lesson.options(line);
-    Studio studio("test", line);
+    Session session("test", line, Lesson::about);
     words.insert(words.begin(), "test");
-    REQUIRE(line.parse(static_cast<int>(words.size()), words.data()));
-    lesson.show(studio);
+    if (line.parse(static_cast<int>(words.size()), words.data())) lesson.show(session);
   };
   CHECK_THROWS_AS(show({"--number", "float"}), UsageError);
   CHECK_THROWS_AS(show({"--samples", "4"}), UsageError);

@@ -1,21 +1,23 @@
-// Chapter 14: what it says is broken is broken, what it says holds holds, and its judge has enough digits.
+// Chapter 14: what it calls broken is broken, what it calls right is right, and its reference has
+// enough digits.
 #include <doctest.h>
 
 #include <fstream>
 #include <map>
 #include <sstream>
 
+#include "14_numerical_extremes/exhibits.hpp"
 #include "14_numerical_extremes/lesson.hpp"
-#include "compare/running.hpp"
-#include "many_digits.hpp"
-#include "pictures.hpp"
+#include "support/many_digits.hpp"
+#include "support/pictures.hpp"
+#include "support/running.hpp"
 
 #ifdef TEXMAP_HAVE_DIGITS
 #include "extremes/digits.hpp"
 
 template <>
-inline texmap::Digits50 texmap::pi<texmap::Digits50>() {
-  return texmap::extremes::circle<texmap::Digits50>();
+inline texmap::test::Digits50 texmap::pi<texmap::test::Digits50>() {
+  return texmap::extremes::circle<texmap::test::Digits50>();
 }
 #endif
 
@@ -24,28 +26,41 @@ using namespace texmap::chapter_14;
 
 namespace {
 
+/// A session without an option, for as long as it lives.
+struct Alone {
+  CommandLine line{"test", ""};
+  Session session{"test", line, Lesson::about};
+};
+
 /// The sheet as the program draws it.
 const Sheet& sheet() {
   static const Sheet drawn = [] {
-    CommandLine line("test", "");
-    Studio studio("test", line);
-    studio.prefer_size(1680, 1330);
-    return draw_sheet(Lesson{}.exhibits(), studio);
+    Alone alone;
+    return draw_sheet(Lesson{}.exhibits(), alone.session);
   }();
   return drawn;
 }
 
 std::vector<std::string> names() {
   std::vector<std::string> listed;
-  std::apply([&](const auto&... each) { (listed.emplace_back(each.name), ...); }, Lesson{}.exhibits());
+  for (const Exhibit& exhibit : Lesson{}.exhibits()) listed.push_back(exhibit.name);
   return listed;
 }
 
-Mistakes mistakes(const std::string& name, Way way) {
-  const auto all = names();
+Mistakes mistakes(const std::string& name, Variant variant) {
+  static const auto all = names();
   const auto at = std::find(all.begin(), all.end(), name);
   REQUIRE(at != all.end());
-  return sheet().mistakes[static_cast<std::size_t>(at - all.begin())][way];
+  return sheet().mistakes[static_cast<std::size_t>(at - all.begin())][variant];
+}
+
+/// An exhibit as the program draws it alone, in the size of the sheet's pictures.
+Image drawn(const std::string& name, Formulas formulas, NumberKind number) {
+  Alone alone;
+  alone.session.settings.width = 202;
+  alone.session.settings.height = 149;
+  alone.session.settings.number = number;
+  return draw_exhibit(Lesson{}.exhibits(), name, formulas, alone.session);
 }
 
 }  // namespace
@@ -56,31 +71,34 @@ TEST_CASE("the course's formulas miss nothing in any exhibit, and no pixel in do
     CHECK(mistakes(name, robust_double).wrong == 0);
     CHECK(mistakes(name, robust_double).missed == 0);
     CHECK(static_cast<double>(mistakes(name, robust_double).texels) <= 1e-10);
-    CHECK(mistakes(name, robust_float).wrong <= 8);  // of 30,000: edges that pass within a rounding of a pixel's center
+    CHECK(mistakes(name, robust_float).wrong <=
+          8);  // of 30,000: edges that pass within a rounding of a pixel's center
     CHECK(mistakes(name, robust_float).missed == 0);
     CHECK(static_cast<double>(mistakes(name, robust_float).texels) <= 0.1);
   }
 }
 
-TEST_CASE("the seeds' formulas break where the chapter says they do") {
+TEST_CASE("the published formulas break where the chapter says they do") {
   const std::map<std::string, int> broken_in_float = {
-      {"from-1e3", 3000}, {"from-1e5", 20000}, {"from-1e7", 20000}, {"pole", 2000},   {"seam", 500},
-      {"far-home", 1000}, {"units", 20000},    {"acne", 300},       {"small", 10000}, {"needle", 5000},
-      {"turns", 10000},   {"highlight", 300},  {"far-floor", 5000}};
+      {"from-1e3", 3000}, {"from-1e5", 20000}, {"from-1e7", 20000}, {"pole", 2000},
+      {"seam", 500},      {"far-home", 1000},  {"units", 20000},    {"acne", 300},
+      {"small", 10000},   {"needle", 5000},    {"turns", 10000},    {"highlight", 300},
+      {"far-floor", 5000}};
   for (const auto& entry : broken_in_float) {
     CAPTURE(entry.first);
-    CHECK(mistakes(entry.first, plain_float).wrong >= entry.second);
+    CHECK(mistakes(entry.first, published_float).wrong >= entry.second);
   }
-  // More digits mend rounding, and not a wrong bound or a wrong sign.
+  // More digits cure rounding, and not a wrong bound or a wrong sign.
   for (const std::string& name : names()) {
     CAPTURE(name);
     const bool broken = name == "from-1e7" || name == "small" || name == "highlight";
-    CHECK((mistakes(name, plain_double).wrong > 100) == broken);
+    CHECK((mistakes(name, published_double).wrong > 100) == broken);
   }
 }
 
 TEST_CASE("the table of the chapter's page is the one that its program prints") {
-  std::ifstream file(std::string(TEXMAP_TESTS_DIR) + "/../chapters/14_numerical_extremes/README.md");
+  std::ifstream file(std::string(TEXMAP_TESTS_DIR) +
+                     "/../chapters/14_numerical_extremes/README.md");
   std::stringstream page;
   page << file.rdbuf();
   REQUIRE(page.str().size() > 1000);
@@ -93,118 +111,136 @@ TEST_CASE("the table of the chapter's page is the one that its program prints") 
 #ifdef TEXMAP_HAVE_DIGITS
 namespace {
 
-using Fifty = Digits50;
+using Fifty = test::Digits50;
 
-/// How many of the sampled pixels the judge sees otherwise than fifty digits do.
-template <class Exhibit>
-int misjudged(const Exhibit& exhibit) {
+/// In how many of the sampled pixels the reference differs from fifty digits.
+template <class Scene>
+int differing_pixels(const Scene& exhibit) {
   const int width = 200;
   const int height = 150;
-  const View view = view_of(exhibit.camera, width, height);
+  const View<> view = view_of(exhibit.camera, width, height);
   int wrong = 0;
   for (int i = 0; i < 120; ++i) {
     const int column = i * 37 % width;
     const int row = i * 59 % height;
-    const Sight<long double> judge =
-        exhibit(ray_through(view, static_cast<long double>(column), static_cast<long double>(row)), Care::robust);
-    const Sight<Fifty> truth = exhibit(ray_through(view, Fifty(column), Fifty(row)), Care::robust);
-    const auto differ = [](long double a, const Fifty& b) { return abs(Fifty(a) - b) > Fifty(1e-13); };
-    const bool same_color = !differ(judge.color.r, truth.color.r) && !differ(judge.color.g, truth.color.g);
+    const SurfacePoint<long double> seen =
+        exhibit(ray_through(view, static_cast<long double>(column), static_cast<long double>(row)),
+                Formulas::robust);
+    const SurfacePoint<Fifty> truth =
+        exhibit(ray_through(view, Fifty(column), Fifty(row)), Formulas::robust);
+    const auto differ = [](long double a, const Fifty& b) {
+      return abs(Fifty(a) - b) > Fifty(1e-13);
+    };
+    const bool same_color =
+        !differ(seen.color.r, truth.color.r) && !differ(seen.color.g, truth.color.g);
     const bool same_place =
-        !truth.mapped || (!differ(judge.uv.v, truth.uv.v) && !differ(judge.uv.u * judge.round, truth.uv.u * truth.round));
-    wrong += judge.hit == truth.hit && same_color && same_place ? 0 : 1;
+        !truth.mapped || (!differ(seen.uv.v, truth.uv.v) &&
+                          !differ(seen.uv.u * seen.round, truth.uv.u * truth.round));
+    wrong += seen.hit == truth.hit && same_color && same_place ? 0 : 1;
   }
   return wrong;
 }
 
 }  // namespace
 
-TEST_CASE("the judge of every exhibit, extended precision, sees what fifty digits see") {
+TEST_CASE("the reference of every exhibit, extended precision, sees what fifty digits see") {
   const auto check = [](const auto& exhibit) {
     CAPTURE(exhibit.name);
-    CHECK(misjudged(exhibit) == 0);
+    CHECK(differing_pixels(exhibit) == 0);
   };
-  std::apply([&](const auto&... each) { (check(each), ...); }, Lesson{}.exhibits());
+  std::apply([&](const auto&... each) { (check(each), ...); },
+             exhibit_scenes(Lesson{}.texture.load(), Lesson{}.labels.load()));
 }
 #endif
 
-TEST_CASE("an exhibit drawn alone is the one of the sheet, and a wrong name is told the right ones") {
-  CommandLine line("test", "");
-  Studio studio("test", line);
-  const std::array<const char*, 3> chosen = {"test", "--number", "double"};
-  REQUIRE(line.parse(3, chosen.data()));
-  studio.width = 201;
-  studio.height = 156;
-  studio.out = "/nowhere/x.png";
+TEST_CASE("an exhibit drawn alone is the one of the sheet") {
+  const Image pole = drawn("pole", Formulas::robust, NumberKind::double_);
+  const auto wrong_in = [&pole](NumberKind number) {
+    return test::count_different(pole, drawn("pole", Formulas::published, number), 1);
+  };
+  CHECK(wrong_in(NumberKind::double_) == 0);
+  CHECK(wrong_in(NumberKind::float_) == mistakes("pole", published_float).wrong);
+}
+
+TEST_CASE("a wrong name is told the right ones, and so is who asks for help") {
   std::string told;
   try {
-    show_exhibit(Lesson{}.exhibits(), "equator", Care::robust, studio);
+    (void)drawn("equator", Formulas::robust, NumberKind::double_);
   } catch (const UsageError& error) {
     told = error.what();
   }
-  for (const std::string& name : names()) CHECK(told.find(name) != std::string::npos);
-
-  const auto exhibits = Lesson{}.exhibits();
-  const Image pole = draw_alone(std::get<4>(exhibits), Care::robust, studio);
-  CHECK(test::count_different(pole, draw_alone(std::get<4>(exhibits), Care::plain, studio), 1) == 0);
-  studio.number = Number::float_;
-  CHECK(test::count_different(pole, draw_alone(std::get<4>(exhibits), Care::plain, studio), 1) > 1000);
+  const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
+  for (const std::string& name : names()) {
+    CHECK(told.find(name) != std::string::npos);
+    CHECK(help.find(name) != std::string::npos);
+  }
 }
 
 TEST_CASE("alone, an exhibit is drawn with the number that was chosen, extended too") {
-  CommandLine line("test", "");
-  Studio studio("test", line, Offered::single);
-  studio.width = 201;
-  studio.height = 156;
-  const auto from_1e7 = std::get<3>(Lesson{}.exhibits());
-  const Image in_double = draw_alone(from_1e7, Care::plain, studio);
-  studio.number = Number::extended;
-  CHECK(test::count_different(in_double, draw_alone(from_1e7, Care::plain, studio), 1) > 1000);
-  CHECK(test::count_different(draw_alone(from_1e7, Care::robust, studio), draw_alone(from_1e7, Care::plain, studio), 1) < 100);
+  const auto published = [](NumberKind number) {
+    return drawn("from-1e7", Formulas::published, number);
+  };
+  const Image in_extended = published(NumberKind::extended);
+  CHECK(test::count_different(published(NumberKind::double_), in_extended, 1) > 1000);
+  CHECK(test::count_different(drawn("from-1e7", Formulas::robust, NumberKind::extended),
+                              in_extended, 1) < 100);
 }
 
-TEST_CASE("the seam's other name, u = 1, is outside the texture, and the course's formula never gives it") {
+TEST_CASE(
+    "the seam's other name, u = 1, is outside the texture, and the course's formula never gives "
+    "it") {
   const Globe<Graticule> globe{"", "", {}, {{0, 0, 0}, 1}, {}};
   const Ray<double> to_the_seam{{-5, 0, -0.0}, {1, 0, -0.0}};
-  const Sight<double> plain = globe(to_the_seam, Care::plain);
-  REQUIRE(plain.hit);
-  CHECK(plain.uv.u == 1);
-  CHECK_FALSE(plain.mapped);
-  CHECK(plain.color.g == no_texel.g);
-  CHECK(globe(to_the_seam, Care::robust).mapped);
+  const SurfacePoint<double> published = globe(to_the_seam, Formulas::published);
+  REQUIRE(published.hit);
+  CHECK(published.uv.u == 1);
+  CHECK_FALSE(published.mapped);
+  CHECK(published.color.g == no_texel.g);
+  CHECK(globe(to_the_seam, Formulas::robust).mapped);
 }
 
-TEST_CASE("what only one exhibit has a use for is refused for the sheet") {
-  for (const char* const option : {"--number float", "--samples 2", "--formulas seeds"}) {
+TEST_CASE("what only one exhibit has a use for is refused for the sheet, and its help says so") {
+  const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
+  for (const std::string option : {"--number float", "--samples 2", "--formulas published"}) {
     CAPTURE(option);
     const test::TemporaryFolder folder;
-    const test::Outcome outcome = test::run(std::string(TEXMAP_CHAPTER) + " --quiet --width 20 --height 20 " + option +
-                                            " --out '" + (folder / "x.png") + "'");
+    const test::Outcome outcome =
+        test::run(std::string(TEXMAP_CHAPTER) + " --quiet --width 20 --height 20 " + option +
+                  " --out '" + (folder / "x.png") + "'");
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("need --exhibit NAME") != std::string::npos);
+    const auto at = help.find("  " + option.substr(0, option.find(' ') + 1));
+    REQUIRE(at != std::string::npos);
+    const auto next = help.find("\n  --", at);
+    CHECK(help.substr(at, next - at).find("with --exhibit: ") != std::string::npos);
   }
 }
 
-TEST_CASE("the chapter offers the numbers that its formulas can calculate with, and nothing for packs") {
-  const std::string program = std::string(TEXMAP_CHAPTER) + " --quiet --exhibit pole --formulas seeds --width 80 --height 60 ";
+TEST_CASE("the chapter offers the numbers that its formulas run with, and nothing for packs") {
+  const std::string program =
+      std::string(TEXMAP_CHAPTER) + " --quiet --exhibit pole --width 80 --height 60 ";
   const test::TemporaryFolder folder;
-  using test::bytes_of;
-  for (const char* const number : {"float", "double", "extended"}) {
+  const auto picture = [&](const std::string& options) {
+    CAPTURE(options);
+    CHECK(test::run(program + options + " --out '" + (folder / "x.png") + "'").status == 0);
+    return test::bytes_of(folder / "x.png");
+  };
+  const auto in_float = picture("--formulas published --number float");
+  const auto in_double = picture("--formulas published --number double");
+  CHECK(in_float != in_double);
+  CHECK(picture("--formulas published") == in_double);
+  CHECK(picture("--formulas seeds --number float") == in_float);  // an older word
+  CHECK(picture("--number float") == picture("--formulas robust --number float"));
+  CHECK(picture("--number float") != in_float);
+  CHECK(picture("--number extended").size() > 100);
+  for (const char* const number : {"float-pack", "double-pack", "interval"}) {
     CAPTURE(number);
-    CHECK(test::run(program + "--number " + number + " --out '" + (folder / number) + ".png'").status == 0);
-  }
-  CHECK(test::run(program + "--out '" + (folder / "unsaid.png") + "'").status == 0);
-  CHECK(bytes_of(folder / "unsaid.png") == bytes_of(folder / "double.png"));
-  CHECK_FALSE(bytes_of(folder / "float.png") == bytes_of(folder / "double.png"));
-  for (const char* const option : {"--number float-pack", "--number double-pack", "--number interval"}) {
-    CAPTURE(option);
-    const test::Outcome outcome = test::run(program + option);
+    const test::Outcome outcome = test::run(program + "--number " + number);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("float|double|extended,") != std::string::npos);
   }
   CHECK(test::run(program + "--instructions baseline").status == 2);
   const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
-  CHECK(help.find("--number") != std::string::npos);
   CHECK(help.find("--instructions") == std::string::npos);
   CHECK(help.find("pack") == std::string::npos);
 }

@@ -5,21 +5,24 @@
 #include "02_checkerboard_uv/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "code_difference.hpp"
-#include "compare/running.hpp"
 #include "comparison.hpp"
+#include "support/running.hpp"
 
 using namespace texmap;
+using namespace texmap::test;
 using steps::Change;
 using steps::DrawnStep;
 
 namespace {
 
 const DrawnStep& first() {
-  static const DrawnStep step = steps::draw_step<chapter_01::Lesson>("01_plain_spheres", 200, 150, 1);
+  static const DrawnStep step =
+      steps::draw_step<chapter_01::Lesson>("01_plain_spheres", 200, 150, 1);
   return step;
 }
 const DrawnStep& second() {
-  static const DrawnStep step = steps::draw_step<chapter_02::Lesson>("02_checkerboard_uv", 200, 150, 1);
+  static const DrawnStep step =
+      steps::draw_step<chapter_02::Lesson>("02_checkerboard_uv", 200, 150, 1);
   return step;
 }
 
@@ -32,7 +35,8 @@ TEST_CASE("a step that changes what it declares, and nothing else, has nothing e
   CHECK(result.changed_inside > 5000);
   CHECK(result.stray_column == -1);
   CHECK(steps::report_json(result).find("\"only_declared_changed\": true") != std::string::npos);
-  CHECK(steps::report_page(result, "", "").find("Only what may change has changed") != std::string::npos);
+  CHECK(steps::report_page(result, "", "").find("Only what may change has changed") !=
+        std::string::npos);
 }
 
 TEST_CASE("one stray pixel outside the declared objects is found, with its place") {
@@ -42,12 +46,15 @@ TEST_CASE("one stray pixel outside the declared objects is found, with its place
   CHECK(result.changed_elsewhere == 1);
   CHECK(result.stray_column == 7);
   CHECK(result.stray_row == 3);
-  CHECK(steps::report_json(result).find("\"first_changed_elsewhere\": {\"column\": 7, \"row\": 3}") != std::string::npos);
-  CHECK(steps::report_page(result, "", "").find("1 pixels changed that should not have") != std::string::npos);
+  CHECK(steps::report_json(result).find(
+            "\"first_changed_elsewhere\": {\"column\": 7, \"row\": 3}") != std::string::npos);
+  CHECK(steps::report_page(result, "", "").find("1 pixels changed that should not have") !=
+        std::string::npos);
   CHECK(steps::summary(result, "page").find("elsewhere  1 pixels") != std::string::npos);
 }
 
-TEST_CASE("an object that is not declared counts as elsewhere, with every pixel of it that changed") {
+TEST_CASE(
+    "an object that is not declared counts as elsewhere, with every pixel of it that changed") {
   const steps::Comparison all = steps::compare(first(), second(), {0, 2, 3});
   const steps::Comparison fewer = steps::compare(first(), second(), {0, 2});
   CHECK(fewer.changed_elsewhere > 1000);
@@ -63,7 +70,9 @@ TEST_CASE("an object that moved may change the pixels that it left") {
   CHECK(steps::compare(before, after, {chapter_01::right}).changed_elsewhere == 1);
 }
 
-TEST_CASE("a quarter turn is a quarter of u and nothing of v, wherever both steps have texture coordinates") {
+TEST_CASE(
+    "a quarter turn is a quarter of u and nothing of v, wherever both steps have texture "
+    "coordinates") {
   const DrawnStep turned = steps::draw_step<chapter_05::Lesson>("05_y_rotation", 200, 150, 1);
   const steps::Comparison result = steps::compare(second(), turned, turned.may_change);
   CHECK(result.largest_du == doctest::Approx(0.25).epsilon(1e-12));
@@ -106,39 +115,44 @@ TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {
   CHECK(enlarged.at(2, 2) == Rgb8{128, 128, 128});
 }
 
-TEST_CASE("a chapter with a scene of its own is not compared, and the message says where its step can be read") {
+TEST_CASE(
+    "a chapter with a scene of its own is not compared, and the message says where its step can be "
+    "read") {
   const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
-  const auto contains = [](const test::Outcome& outcome, const std::string& words) {
+  const auto contains = [](const Outcome& outcome, const std::string& words) {
     return outcome.err.find(words) != std::string::npos;
   };
   for (const char* const numbers : {"06 --to 07", "6 --to 7", "07 --to 06"}) {
     CAPTURE(numbers);
-    const test::Outcome outcome = test::run(program + numbers);
+    const Outcome outcome = run(program + numbers);
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
-    CHECK(contains(outcome, "error: chapter 07 begins a new scene, and pictures of different scenes have no pixels"));
+    CHECK(contains(
+        outcome,
+        "error: chapter 07 begins a new scene, and pictures of different scenes have no pixels"));
     CHECK(contains(outcome, "07_earth_by_sampling/README.md"));
     CHECK(contains(outcome, "git diff --no-index "));
     CHECK_FALSE(contains(outcome, "usage:"));
   }
-  CHECK(contains(test::run(program + "07 --to 14"), "chapter 14 begins a new scene"));
+  CHECK(contains(run(program + "07 --to 14"), "chapter 14 begins a new scene"));
 
   // The command that it names shows the two lessons' lines.
-  if (test::run("command -v git").status != 0) return;
-  const test::Outcome refused = test::run(program + "06 --to 07");
+  if (run("command -v git").status != 0) return;
+  const Outcome refused = run(program + "06 --to 07");
   const std::size_t command = refused.err.find("git diff");
   REQUIRE(command != std::string::npos);
-  const test::Outcome shown = test::run(refused.err.substr(command, refused.err.find('\n', command) - command));
+  const Outcome shown = run(refused.err.substr(command, refused.err.find('\n', command) - command));
   CHECK(shown.status == 1);  // of git: there are differences
   CHECK(shown.out.find("-namespace texmap::chapter_06") != std::string::npos);
   CHECK(shown.out.find("+namespace texmap::chapter_07") != std::string::npos);
 }
 
-TEST_CASE("a chapter that does not exist is called missing, also beside one with a scene of its own") {
+TEST_CASE(
+    "a chapter that does not exist is called missing, also beside one with a scene of its own") {
   const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
   for (const char* const numbers : {"06 --to 99", "99 --to 06", "07 --to 99", "06 --to 007"}) {
     CAPTURE(numbers);
-    const test::Outcome outcome = test::run(program + numbers);
+    const Outcome outcome = run(program + numbers);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("error: there is no chapter '") != std::string::npos);
     CHECK(outcome.err.find("begins a new scene") == std::string::npos);

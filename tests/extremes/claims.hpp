@@ -1,13 +1,14 @@
-// What the course claims of its functions: for which inputs, and how far from the exact answer at most.
+// What the course claims of its functions: for which inputs, and how far off they are at most.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "dice.hpp"
-#include "number.hpp"
-#include "pack.hpp"
+#include "describe.hpp"
+#include "digits.hpp"
+#include "number/kinds/pack.hpp"
+#include "number/number.hpp"
 
 namespace texmap::extremes {
 
@@ -32,9 +33,9 @@ struct Worst {
   }
 };
 
-/// A claim's measurement: `one_input(dice, worst)` draws an input from the domain and reports what it sees there.
+/// A claim's measurement: `one_input(dice, worst)` draws an input and reports its error.
 ///
-/// @param times  how many to draw for each input that is asked for, more than 1 where they cost little
+/// @param times  how many to draw for each input that is asked for; more than 1 where it is cheap
 template <class OneInput>
 [[nodiscard]] auto worst_over(int times, OneInput one_input) {
   return [=](int inputs, std::uint64_t seed) {
@@ -49,25 +50,61 @@ template <class OneInput>
   return worst_over(1, one_input);
 }
 
+/// Sees what `function` gives for inputs of all lanes, lane by lane.
+///
+/// @param draw      gives one lane's input
+/// @param function  called with all lanes' inputs as one thing of packs
+/// @param off       called with one lane's result and input: its error, or whether it is wrong
+/// @param given     what the lanes share, as text
+template <class Real, class Draw, class Function, class Off>
+void see_lanes(Worst& worst, const Draw& draw, const Function& function, const Off& off,
+               const std::function<std::string()>& given = {}) {
+  const auto each = drawn<Real>(draw);
+  const auto got = function(packed<Real>([&](std::size_t i) { return each[i]; }, each[0]));
+  for (std::size_t k = 0; k < lanes<Real>; ++k) {
+    const auto now = off(lane_of(got, k), each[k]);
+    const auto where = [&] { return described(each[k]) + (given ? ", " + given() : ""); };
+    if constexpr (std::is_same_v<decltype(now), const bool>) {
+      worst.count(now, where);
+    } else {
+      worst.see(now, where);
+    }
+  }
+}
+/// A claim's measurement of such lanes that share nothing; `draw` is called with the dice.
+template <class Real, class Draw, class Function, class Off>
+[[nodiscard]] auto worst_lanes(int times, Draw draw, Function function, Off off) {
+  return worst_over(times, [=](Dice& dice, Worst& worst) {
+    see_lanes<Real>(
+        worst, [&] { return draw(dice); }, function, off);
+  });
+}
+template <class Real, class Draw, class Function, class Off>
+[[nodiscard]] auto worst_lanes(Draw draw, Function function, Off off) {
+  return worst_lanes<Real>(1, draw, function, off);
+}
+
 /// How many of the 256 bytes are `changed(byte)`; their domain is too small to draw from.
 template <class Changed>
 [[nodiscard]] auto count_bytes(Changed changed) {
   return [=](int, std::uint64_t) {
     Worst worst;
-    for (int byte = 0; byte < 256; ++byte) worst.count(changed(byte), [&] { return std::to_string(byte); });
+    for (int byte = 0; byte < 256; ++byte)
+      worst.count(changed(byte), [&] { return std::to_string(byte); });
     return worst;
   };
 }
 
-/// Two programs that do the same amount of work, the function's and that of something well known. Each gives a number that
-/// depends on all of its work, so that none of it can be left out.
+/// Two programs that do the same amount of work: the function's, and that of a well-known function.
+/// Each returns a number that depends on all of its work, so that no work can be left out.
 struct Cost {
   std::string relative_to;
   std::function<double()> work;
   std::function<double()> reference;
 };
 
-/// Whether the bound is to hold, or is another function's and must be seen to break: otherwise the measurement sees nothing.
+/// Whether the bound must hold, or must break because it is another function's: a measurement that
+/// never breaks sees nothing.
 enum class Expect { within, beyond };
 
 /// A function's domain and the bound on its error there.
@@ -76,17 +113,60 @@ struct Claim {
   std::string number;  ///< the type it is measured with
   std::string domain;
   double bound = 0;
-  std::string unit;                                            ///< of the bound: ulp, texel, or what is counted
+  std::string unit;  ///< of the bound: ulp, texel, or what is counted
   std::function<Worst(int inputs, std::uint64_t seed)> worst;  ///< over inputs of the domain
   Cost cost{};
   Expect expect = Expect::within;
 };
 
+/// What the page calls a type.
+template <class Real>
+inline const char* const name_of = "";
+template <>
+inline const char* const name_of<float> = "float";
+template <>
+inline const char* const name_of<double> = "double";
+template <>
+inline const char* const name_of<long double> = "extended";
+template <>
+inline const char* const name_of<Pack<float>> = "pack of float";
+template <>
+inline const char* const name_of<Pack<double>> = "pack of double";
+
+/// The largest error that is allowed; 0 of something counted allows none.
+struct Bound {
+  double most;
+  const char* unit;
+};
+
 struct Family {
   std::string title;
   std::string introduction;
-  std::vector<Claim> claims;
+  std::vector<Claim> claims{};
+
+  /// Adds a row: a claim about `function` in Real. Set cost and Expect::beyond on the result.
+  template <class Real>
+  Claim& add(std::string function, std::string domain, const Bound& bound,
+             std::function<Worst(int, std::uint64_t)> worst) {
+    claims.push_back({.function = std::move(function),
+                      .number = name_of<Real>,
+                      .domain = std::move(domain),
+                      .bound = bound.most,
+                      .unit = bound.unit,
+                      .worst = std::move(worst)});
+    return claims.back();
+  }
 };
+
+/// Calls `each.operator()<Number>()` for every number that the course draws with.
+template <class Each>
+void for_each_number(const Each& each) {
+  each.template operator()<float>();
+  each.template operator()<double>();
+  each.template operator()<long double>();
+  each.template operator()<Pack<float>>();
+  each.template operator()<Pack<double>>();
+}
 
 [[nodiscard]] Family claims_of_arithmetic();
 [[nodiscard]] Family claims_of_uv();
@@ -99,25 +179,10 @@ struct Family {
 
 /// All of them, in the order of the page.
 [[nodiscard]] inline std::vector<Family> all_claims() {
-  return {claims_of_uv(),       claims_of_spheres(),  claims_of_secondary_rays(), claims_of_triangles(),
-          claims_of_rotation(), claims_of_textures(), claims_of_shading(),        claims_of_arithmetic()};
+  return {claims_of_uv(),        claims_of_spheres(),   claims_of_secondary_rays(),
+          claims_of_triangles(), claims_of_rotation(),  claims_of_textures(),
+          claims_of_shading(),   claims_of_arithmetic()};
 }
-
-/// What the page calls a type.
-template <class Real>
-inline const char* const name_of = "";
-template <>
-inline const char* const name_of<float> = "float";
-template <>
-inline const char* const name_of<double> = "double";
-template <>
-inline const char* const name_of<long double> = "extended";
-#ifdef TEXMAP_HAVE_PACKS
-template <>
-inline const char* const name_of<Pack<float>> = "pack of float";
-template <>
-inline const char* const name_of<Pack<double>> = "pack of double";
-#endif
 
 /// A program that calls `function` with every one of the inputs.
 template <class Inputs, class Function>
@@ -129,7 +194,7 @@ template <class Inputs, class Function>
   };
 }
 
-/// Inputs for a cost: `draw(dice)` as often as makes 2048 numbers, packs counting for as many as they hold.
+/// Inputs for a cost: `draw(dice)` until there are 2048 numbers; a pack counts as its lanes.
 template <class Real, class Draw>
 [[nodiscard]] auto inputs_of_cost(const Draw& draw) {
   Dice dice(1);

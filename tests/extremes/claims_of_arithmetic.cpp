@@ -1,17 +1,15 @@
 // Claims of common/number/compensated.hpp and common/math/vec3.hpp: the arithmetic underneath.
 #include "claims.hpp"
-#include "compensated.hpp"
-#include "describe.hpp"
-#include "dice.hpp"
-#include "digits.hpp"
-#include "vec3.hpp"
+#include "math/vec3.hpp"
+#include "number/compensated.hpp"
 
 namespace texmap::extremes {
 namespace {
 
 /// Exponents whose products and their rounding errors stay in range.
 template <class T>
-constexpr int half_range = std::numeric_limits<T>::max_exponent / 2 - std::numeric_limits<T>::digits - 2;
+constexpr int half_range =
+    std::numeric_limits<T>::max_exponent / 2 - std::numeric_limits<T>::digits - 2;
 
 template <class T>
 T signed_number(Dice& dice) {
@@ -35,30 +33,16 @@ std::array<T, 4> alike_products(Dice& dice) {
   return {a, b, c, d};
 }
 
-template <class Real, class Each>
-Real lanes_of(const Each& each, std::size_t which) {
-  return from_lanes<Real>([&](std::size_t i) { return each[i][which]; });
-}
+constexpr auto plain_determinant = [](const auto& x) { return x[0] * x[1] - x[2] * x[3]; };
+constexpr auto our_determinant = [](const auto& x) {
+  return difference_of_products(x[0], x[1], x[2], x[3]);
+};
 
 template <class Real, class Function>
 auto worst_determinant(Function function) {
   using T = Scalar<Real>;
-  return worst_over([=](Dice& dice, Worst& worst) {
-    const auto each = drawn<Real>([&] { return alike_products<T>(dice); });
-    const Real got =
-        function(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1), lanes_of<Real>(each, 2), lanes_of<Real>(each, 3));
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const auto& [a, b, c, d] = each[k];
-      const Digits50 exact = Digits50(a) * Digits50(b) - Digits50(c) * Digits50(d);
-      const auto where = [&each, k] {
-        return described(each[k][0]) + " " + described(each[k][1]) + " " + described(each[k][2]) + " " + described(each[k][3]);
-      };
-      if (exact == 0) {
-        worst.see(lane(got, k) == 0 ? 0 : 1e30, where);
-      } else {
-        worst.see(units_off(lane(got, k), exact, abs(exact) * roundoff<T>()), where);
-      }
-    }
+  return worst_lanes<Real>(alike_products<T>, function, [](T got, const std::array<T, 4>& x) {
+    return relative_off(got, plain_determinant(std::array<Digits50, 4>{x[0], x[1], x[2], x[3]}));
   });
 }
 
@@ -66,22 +50,25 @@ auto worst_determinant(Function function) {
 template <class Real>
 auto count_inexact() {
   using T = Scalar<Real>;
-  return worst_over([](Dice& dice, Worst& worst) {
-    const auto each = drawn<Real>([&] { return std::array<T, 2>{signed_number<T>(dice), signed_number<T>(dice)}; });
-    const TwoParts<Real> sum = two_sum(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1));
-    const TwoParts<Real> product = two_product(lanes_of<Real>(each, 0), lanes_of<Real>(each, 1));
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      // 50 digits hold a product, but not a sum of far exponents: the parts are taken off one by one.
-      const Digits50 a = each[k][0];
-      const Digits50 b = each[k][1];
-      const Digits50 high = lane(product.high, k);
-      const Digits50 low = lane(product.low, k);
-      const bool larger_a = abs(a) > abs(b);
-      const Digits50 left = (larger_a ? a : b) - Digits50(lane(sum.high, k));
-      const bool right = high + low == a * b && left + (larger_a ? b : a) == Digits50(lane(sum.low, k));
-      worst.count(!right, [&] { return described(each[k][0]) + " " + described(each[k][1]); });
-    }
-  });
+  return worst_lanes<Real>(
+      [](Dice& dice) {
+        return std::array<T, 2>{signed_number<T>(dice), signed_number<T>(dice)};
+      },
+      [](const std::array<Real, 2>& x) {
+        const TwoParts<Real> sum = two_sum(x[0], x[1]);
+        const TwoParts<Real> product = two_product(x[0], x[1]);
+        return std::array<Real, 4>{sum.high, sum.low, product.high, product.low};
+      },
+      [](const std::array<T, 4>& got, const std::array<T, 2>& x) {
+        const auto& [sum_high, sum_low, high, low] = got;
+        // 50 digits hold a product, but not a sum of far exponents: subtract its parts singly.
+        const Digits50 a = x[0];
+        const Digits50 b = x[1];
+        const bool larger_a = abs(a) > abs(b);
+        const Digits50 left = (larger_a ? a : b) - Digits50(sum_high);
+        return !(Digits50(high) + Digits50(low) == a * b &&
+                 left + (larger_a ? b : a) == Digits50(sum_low));
+      });
 }
 
 /// Scales that are no power of two or miss [1, 2).
@@ -89,26 +76,25 @@ template <class Real>
 auto count_wrong_scales() {
   using T = Scalar<Real>;
   using Limits = std::numeric_limits<T>;
-  return worst_over([](Dice& dice, Worst& worst) {
-    const auto each = drawn<Real>([&] {
-      return std::array<T, 1>{dice.once_in(8) ? static_cast<T>(1) - Limits::epsilon() * static_cast<T>(dice.within(-1, 1))
-                                              : dice.number<T>(Limits::min_exponent - 1, Limits::max_exponent)};
-    });
-    const Real scale = power_of_two_scale(lanes_of<Real>(each, 0));
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const T size = each[k][0] * lane(scale, k);
-      int exponent = 0;
-      const bool right = size >= 1 && size < 2 && std::frexp(lane(scale, k), &exponent) == static_cast<T>(0.5);
-      worst.count(!right, [&] { return described(each[k][0]); });
-    }
-  });
+  return worst_lanes<Real>(
+      [](Dice& dice) {
+        return dice.once_in(8)
+                   ? static_cast<T>(1) - Limits::epsilon() * static_cast<T>(dice.within(-1, 1))
+                   : dice.number<T>(Limits::min_exponent - 1, Limits::max_exponent);
+      },
+      [](const Real& x) { return power_of_two_scale(x); },
+      [](T scale, T x) {
+        int exponent = 0;
+        return !(x * scale >= 1 && x * scale < 2 &&
+                 std::frexp(scale, &exponent) == static_cast<T>(0.5));
+      });
 }
 
+template <class Real>
+using Pair = std::array<Vec3<Real>, 2>;
+using ExactPair = Pair<Digits50>;
+
 /// Two vectors, nearly at a right angle or nearly parallel, often.
-template <class T>
-struct Pair {
-  Vec3<T> a, b;
-};
 template <class T>
 Pair<T> draw_pair(Dice& dice) {
   const Vec3<long double> a = dice.direction();
@@ -116,115 +102,68 @@ Pair<T> draw_pair(Dice& dice) {
   if (dice.once_in(3)) b = a + b * dice.power_of_ten(-18, 0);
   if (dice.once_in(3)) b = dice.across(a) + b * dice.power_of_ten(-18, 0);
   const int most = half_range<T> - 4;
-  return {scaled(rounded<T>(a), dice.within(-most, most)), scaled(rounded<T>(b), dice.within(-20, 20))};
+  return {scaled(rounded<T>(a), dice.within(-most, most)),
+          scaled(rounded<T>(b), dice.within(-20, 20))};
 }
 
-template <class Real, class Function>
-auto worst_pair(Function off) {
+/// Of a function of two vectors; `off` gets its result and the exact vectors.
+template <class Real, class Function, class Off>
+auto worst_pair(Function function, Off off) {
   using T = Scalar<Real>;
-  return worst_over([=](Dice& dice, Worst& worst) {
-    std::array<Vec3<T>, lanes<Real>> a;
-    std::array<Vec3<T>, lanes<Real>> b;
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const Pair<T> pair = draw_pair<T>(dice);
-      a[k] = pair.a;
-      b[k] = pair.b;
-    }
-    const auto got = off(gathered<Real>(a), gathered<Real>(b));
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      worst.see(got(a[k], b[k], k), [&] { return described(a[k]) + " " + described(b[k]); });
-    }
-  });
-}
-
-template <class T>
-double relative(T got, const Digits50& exact) {
-  if (exact == 0) return got == 0 ? 0 : 1e30;
-  return units_off(got, exact, abs(exact) * roundoff<T>());
+  return worst_lanes<Real>(
+      draw_pair<T>, [=](const Pair<Real>& p) { return function(p[0], p[1]); },
+      [=](const auto& got, const Pair<T>& p) {
+        return off(got, ExactPair{exactly(p[0]), exactly(p[1])});
+      });
 }
 
 /// |a| |b|: what an error of a dot product is measured by.
-template <class T>
-Digits50 sizes(const Vec3<T>& a, const Vec3<T>& b) {
-  const Vec3<Digits50> x = exactly<Digits50>(a);
-  const Vec3<Digits50> y = exactly<Digits50>(b);
-  return sqrt(dot(x, x) * dot(y, y));
-}
+Digits50 sizes(const ExactPair& p) { return sqrt(dot(p[0], p[0]) * dot(p[1], p[1])); }
 
 template <class Real>
-void add_vectors(std::vector<Claim>& claims) {
+void add_vectors(Family& family) {
   using T = Scalar<Real>;
-  const std::string domain = "vectors of any direction, nearly parallel and nearly at right angles too; squares in range";
-  claims.push_back({.function = "dot",
-                    .number = name_of<Real>,
-                    .domain = domain,
-                    .bound = 3,
-                    .unit = "u of the lengths' product",
-                    .worst = worst_pair<Real>([](const Vec3<Real>& a, const Vec3<Real>& b) {
-                      return [got = dot(a, b)](const Vec3<T>& x, const Vec3<T>& y, std::size_t k) {
-                        return units_off(lane(got, k), dot(exactly<Digits50>(x), exactly<Digits50>(y)),
-                                         sizes(x, y) * roundoff<T>());
-                      };
-                    })});
-  claims.push_back({.function = "cross",
-                    .number = name_of<Real>,
-                    .domain = domain,
-                    .bound = 2,
-                    .unit = "u of the lengths' product",
-                    .worst = worst_pair<Real>([](const Vec3<Real>& a, const Vec3<Real>& b) {
-                      return [got = cross(a, b)](const Vec3<T>& x, const Vec3<T>& y, std::size_t k) {
-                        const Vec3<Digits50> off =
-                            exactly<Digits50>(lane_of(got, k)) - cross(exactly<Digits50>(x), exactly<Digits50>(y));
-                        return static_cast<double>(sqrt(dot(off, off)) / (sizes(x, y) * roundoff<T>()));
-                      };
-                    })});
-  claims.push_back({.function = "length",
-                    .number = name_of<Real>,
-                    .domain = domain,
-                    .bound = 2,
-                    .unit = "u",
-                    .worst = worst_pair<Real>([](const Vec3<Real>& a, const Vec3<Real>&) {
-                      return [got = length(a)](const Vec3<T>& x, const Vec3<T>&, std::size_t k) {
-                        const Vec3<Digits50> p = exactly<Digits50>(x);
-                        return relative(lane(got, k), sqrt(dot(p, p)));
-                      };
-                    })});
-  claims.push_back({.function = "normalize",
-                    .number = name_of<Real>,
-                    .domain = domain,
-                    .bound = 4,
-                    .unit = "u",
-                    .worst = worst_pair<Real>([](const Vec3<Real>& a, const Vec3<Real>&) {
-                      return [got = normalize(a)](const Vec3<T>& x, const Vec3<T>&, std::size_t k) {
-                        const Vec3<Digits50> p = exactly<Digits50>(x);
-                        const Vec3<Digits50> off = exactly<Digits50>(lane_of(got, k)) - p * Digits50(1 / sqrt(dot(p, p)));
-                        return static_cast<double>(sqrt(dot(off, off)) / roundoff<T>());
-                      };
-                    })});
-  claims.push_back({.function = "precise_dot",
-                    .number = name_of<Real>,
-                    .domain = domain + "; a cosine above 16 u",
-                    .bound = 2,
-                    .unit = "u",
-                    .worst = worst_pair<Real>([](const Vec3<Real>& a, const Vec3<Real>& b) {
-                      return [got = precise_dot(a, b)](const Vec3<T>& x, const Vec3<T>& y, std::size_t k) {
-                        const Digits50 exact = dot(exactly<Digits50>(x), exactly<Digits50>(y));
-                        if (abs(exact) < sizes(x, y) * roundoff<T>() * 16) return 0.0;
-                        return relative(lane(got, k), exact);
-                      };
-                    })});
-  claims.push_back({.function = "precise_cross, each coordinate",
-                    .number = name_of<Real>,
-                    .domain = domain,
-                    .bound = 2,
-                    .unit = "u",
-                    .worst = worst_pair<Real>([](const Vec3<Real>& a, const Vec3<Real>& b) {
-                      return [got = precise_cross(a, b)](const Vec3<T>& x, const Vec3<T>& y, std::size_t k) {
-                        const Vec3<Digits50> exact = cross(exactly<Digits50>(x), exactly<Digits50>(y));
-                        return std::max({relative(lane(got.x, k), exact.x), relative(lane(got.y, k), exact.y),
-                                         relative(lane(got.z, k), exact.z)});
-                      };
-                    })});
+  using V = Vec3<T>;
+  const std::string domain =
+      "vectors of any direction, nearly parallel and nearly at right angles too; squares in range";
+  const auto add = [&](const char* function, const std::string& where, const Bound& bound,
+                       auto call, auto off) {
+    family.add<Real>(function, where, bound, worst_pair<Real>(call, off));
+  };
+  add(
+      "dot", domain, {3, "u of the lengths' product"},
+      [](const auto& a, const auto& b) { return dot(a, b); },
+      [](T got, const ExactPair& p) {
+        return units_off(got, dot(p[0], p[1]), sizes(p) * roundoff<T>());
+      });
+  add(
+      "cross", domain, {2, "u of the lengths' product"},
+      [](const auto& a, const auto& b) { return cross(a, b); },
+      [](const V& got, const ExactPair& p) {
+        return static_cast<double>(length(exactly(got) - cross(p[0], p[1])) /
+                                   (sizes(p) * roundoff<T>()));
+      });
+  add(
+      "length", domain, {2, "u"}, [](const auto& a, const auto&) { return length(a); },
+      [](T got, const ExactPair& p) { return relative_off(got, length(p[0])); });
+  add(
+      "normalize", domain, {4, "u"}, [](const auto& a, const auto&) { return normalize(a); },
+      [](const V& got, const ExactPair& p) { return length_off(got, normalize(p[0])); });
+  add(
+      "precise_dot", domain + "; a cosine above 16 u", {2, "u"},
+      [](const auto& a, const auto& b) { return precise_dot(a, b); },
+      [](T got, const ExactPair& p) {
+        const Digits50 exact = dot(p[0], p[1]);
+        return abs(exact) < sizes(p) * roundoff<T>() * 16 ? 0.0 : relative_off(got, exact);
+      });
+  add(
+      "precise_cross, each coordinate", domain, {2, "u"},
+      [](const auto& a, const auto& b) { return precise_cross(a, b); },
+      [](const V& got, const ExactPair& p) {
+        const Vec3<Digits50> exact = cross(p[0], p[1]);
+        return std::max({relative_off(got.x, exact.x), relative_off(got.y, exact.y),
+                         relative_off(got.z, exact.z)});
+      });
 }
 
 /// Four numbers each, of size about 1, for the cost.
@@ -232,61 +171,37 @@ template <class Real>
 auto fours() {
   return inputs_of_cost<Real>([](Dice& dice) {
     std::array<Real, 4> four;
-    for (Real& x : four) x = from_lanes<Real>([&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(-1, 1)); });
+    for (Real& x : four)
+      x = from_lanes<Real>(
+          [&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(-1, 1)); });
     return four;
   });
-}
-
-constexpr auto plain_determinant = [](const auto& a, const auto& b, const auto& c, const auto& d) { return a * b - c * d; };
-constexpr auto our_determinant = [](const auto& a, const auto& b, const auto& c, const auto& d) {
-  return difference_of_products(a, b, c, d);
-};
-
-template <class Real>
-void add_number(std::vector<Claim>& claims) {
-  claims.push_back({.function = "two_sum, two_product",
-                    .number = name_of<Real>,
-                    .domain = "any exponents whose product and its rounding error are in range",
-                    .unit = "not exact",
-                    .worst = count_inexact<Real>()});
-  claims.push_back(
-      {.function = "difference_of_products",
-       .number = name_of<Real>,
-       .domain = "as two_product; products alike in all digits or in some",
-       .bound = 2,
-       .unit = "u",
-       .worst = worst_determinant<Real>(our_determinant),
-       .cost = {"a b - c d, double",
-                working_through(fours<Real>(),
-                                [](const std::array<Real, 4>& x) { return difference_of_products(x[0], x[1], x[2], x[3]); }),
-                working_through(fours<double>(), [](const std::array<double, 4>& x) { return x[0] * x[1] - x[2] * x[3]; })}});
-  claims.push_back({.function = "power_of_two_scale",
-                    .number = name_of<Real>,
-                    .domain = "any normal number above 0",
-                    .unit = "no power of two, or size not in [1, 2)",
-                    .worst = count_wrong_scales<Real>()});
-  add_vectors<Real>(claims);
 }
 
 }  // namespace
 
 Family claims_of_arithmetic() {
-  Family family{"Arithmetic", "Exact: the same sums and products in 50 digits, which hold them without rounding.", {}};
-  std::vector<Claim>& claims = family.claims;
-  add_number<float>(claims);
-  add_number<double>(claims);
-  add_number<long double>(claims);
-#ifdef TEXMAP_HAVE_PACKS
-  add_number<Pack<float>>(claims);
-  add_number<Pack<double>>(claims);
-#endif
-  claims.push_back({.function = "a b - c d",
-                    .number = name_of<double>,
-                    .domain = "products alike in all digits or in some",
-                    .bound = 2,
-                    .unit = "u",
-                    .worst = worst_determinant<double>(plain_determinant),
-                    .expect = Expect::beyond});
+  Family family{
+      "Arithmetic",
+      "Exact: the same sums and products in 50 digits, which hold them without rounding."};
+  for_each_number([&]<class Real>() {
+    family.add<Real>("two_sum, two_product",
+                     "any exponents whose product and its rounding error are in range",
+                     {0, "not exact"}, count_inexact<Real>());
+    family
+        .add<Real>("difference_of_products",
+                   "as two_product; products alike in all digits or in some", {2, "u"},
+                   worst_determinant<Real>(our_determinant))
+        .cost = {"a b - c d, double", working_through(fours<Real>(), our_determinant),
+                 working_through(fours<double>(), plain_determinant)};
+    family.add<Real>("power_of_two_scale", "any normal number above 0",
+                     {0, "no power of two, or size not in [1, 2)"}, count_wrong_scales<Real>());
+    add_vectors<Real>(family);
+  });
+  family
+      .add<double>("a b - c d", "products alike in all digits or in some", {2, "u"},
+                   worst_determinant<double>(plain_determinant))
+      .expect = Expect::beyond;
   return family;
 }
 

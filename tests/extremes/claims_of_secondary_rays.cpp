@@ -1,24 +1,16 @@
-// Claims of common/geometry/hit.hpp and common/shading/light.hpp: rays that leave the surface which another ray has met.
+// Claims of common/scene/hit.hpp and light.hpp: rays that leave a surface after a hit.
 #include "claims.hpp"
-#include "describe.hpp"
-#include "dice.hpp"
-#include "digits.hpp"
-#include "light.hpp"
-#include "sphere.hpp"
-#include "stage.hpp"
+#include "scene/light.hpp"
+#include "scene/sphere.hpp"
+#include "scene/stage.hpp"
 
 namespace texmap::extremes {
 namespace {
 
-/// Which spheres are drawn.
-struct Spheres {
-  long double farthest;  ///< power of ten of |center| over radius, to
-};
-
 /// A sphere somewhere, and a ray that meets it.
 template <class T>
 struct Scene {
-  Sphere sphere;
+  Sphere<> sphere;
   Ray<T> ray;
 };
 
@@ -28,20 +20,19 @@ Scene<T> draw_scene(Dice& dice, SphereForm form, long double farthest) {
   const long double most = std::min(7.0L, farthest + std::log10(radius));
   const long double away = dice.once_in(8) ? 0 : dice.power_of_ten(most - 14, most);
   const Vec3<long double> center = dice.direction() * away;
-  const long double from = dice.once_in(3) ? 5.0L : dice.once_in(3) ? dice.uniform(0, 0.999L) : dice.power_of_ten(0.01L, 2);
+  const long double from = dice.once_in(3)   ? 5.0L
+                           : dice.once_in(3) ? dice.uniform(0, 0.999L)
+                                             : dice.power_of_ten(0.01L, 2);
   const Vec3<long double> eye = center + dice.direction() * (radius * from);
   const Vec3<long double> aim = center + dice.direction() * (radius * dice.uniform(0, 1));
-  const Sphere sphere{{static_cast<double>(center.x), static_cast<double>(center.y), static_cast<double>(center.z)},
-                      static_cast<double>(radius),
-                      form};
-  return {sphere, {rounded<T>(eye), rounded<T>(aim - eye)}};
+  return {{number_cast<double>(center), static_cast<double>(radius), form},
+          {rounded<T>(eye), rounded<T>(aim - eye)}};
 }
 
 /// A direction on the outer side of a surface, often nearly along it.
 template <class T>
 Vec3<T> outward(Dice& dice, const Vec3<T>& normal) {
-  const Vec3<long double> n{static_cast<long double>(normal.x), static_cast<long double>(normal.y),
-                            static_cast<long double>(normal.z)};
+  const auto n = number_cast<long double>(normal);
   Vec3<long double> direction = dice.direction();
   if (dice.once_in(3)) direction = dice.across(n) + n * dice.power_of_ten(-20, -1);
   Vec3<T> result = rounded<T>(direction);
@@ -50,19 +41,20 @@ Vec3<T> outward(Dice& dice, const Vec3<T>& normal) {
 
 enum class Fault { self_hit, lost };
 
-/// Of rays that leave a sphere where another ray has met it: those outward that meet it again, or those inward that find no far
-/// side.
+/// Of rays that leave a sphere where another ray hit it: those outward that meet it again, or those
+/// inward that find no far side.
 template <class T>
-auto count_faults(SphereForm form, Spheres spheres, Fault fault) {
+auto count_faults(SphereForm form, long double farthest, Fault fault) {
   return worst_over(20, [=](Dice& dice, Worst& worst) {
-    const Scene<T> scene = draw_scene<T>(dice, form, spheres.farthest);
+    const Scene<T> scene = draw_scene<T>(dice, form, farthest);
     const T distance = distance_to(scene.sphere, scene.ray);
     if (!(distance < infinity<T>())) return;
     const Hit<T> hit = hit_at(scene.sphere, scene.ray, distance);
     const Vec3<T> direction = outward(dice, hit.normal);
     const auto where = [&] {
-      return "center " + described(scene.sphere.center) + ", radius " + described(scene.sphere.radius) + ", ray " +
-             described(scene.ray) + ", outward " + described(direction);
+      return "center " + described(scene.sphere.center) + ", radius " +
+             described(scene.sphere.radius) + ", ray " + described(scene.ray) + ", outward " +
+             described(direction);
     };
     if (fault == Fault::self_hit) {
       worst.count(distance_to(scene.sphere, ray_from(hit, direction)) < infinity<T>(), where);
@@ -79,122 +71,102 @@ const char* name(SphereForm form) {
 }
 
 template <class T>
-void add_rays(std::vector<Claim>& claims, SphereForm form, long double farthest, const char* far) {
-  const std::string domain = std::string("radius 1e-6 to 1e6, center to 1e7 away, but to ") + far +
-                             " radii; met from inside and from 1 to 100 radii; all directions, also along the surface";
+void add_rays(Family& family, SphereForm form, long double farthest, const std::string& far) {
+  const std::string domain =
+      "radius 1e-6 to 1e6, center to 1e7 away, but to " + far +
+      " radii; met from inside and from 1 to 100 radii; all directions, also along the surface";
   const Expect expect = form == SphereForm::plain ? Expect::beyond : Expect::within;
-  claims.push_back({.function = std::string("ray_from outward, ") + name(form),
-                    .number = name_of<T>,
-                    .domain = domain,
-                    .unit = "meet their own sphere",
-                    .worst = count_faults<T>(form, {farthest}, Fault::self_hit),
-                    .expect = expect});
-  claims.push_back({.function = std::string("ray_from inward, ") + name(form),
-                    .number = name_of<T>,
-                    .domain = domain,
-                    .unit = "find no far side",
-                    .worst = count_faults<T>(form, {farthest}, Fault::lost),
-                    .expect = expect});
+  family
+      .add<T>(std::string("ray_from outward, ") + name(form), domain, {0, "meet their own sphere"},
+              count_faults<T>(form, farthest, Fault::self_hit))
+      .expect = expect;
+  family
+      .add<T>(std::string("ray_from inward, ") + name(form), domain, {0, "find no far side"},
+              count_faults<T>(form, farthest, Fault::lost))
+      .expect = expect;
 }
 
 /// One object: the list that light.hpp asks for.
 struct Ground {
-  Sphere sphere;
+  Sphere<> shape;
 };
 
 /// Where the light's ray starts.
 enum class Start { lifted, from_point };
 
-/// Points of seed 0's ground, seen from the stage's camera, that lie in their own shadow: acne.
+/// Points of the daily exercise's ground, seen from the stage's camera, that shadow themselves:
+/// acne.
 template <class T>
 auto count_acne(SphereForm form, Start start) {
   const Stage stage;
-  const View view = view_of(stage.camera, 800, 600);
+  const View<> view = view_of(stage.camera, 800, 600);
   const Ground ground[] = {{{{0, -1001, 0}, 1000, form}}};
   return worst_over(20, [=](Dice& dice, Worst& worst) {
     const auto column = static_cast<T>(dice.uniform(0, 800));
     const auto row = static_cast<T>(dice.uniform(0, 600));
     const Ray<T> ray = ray_through(view, column, row);
-    const T distance = distance_to(ground[0].sphere, ray);
+    const T distance = distance_to(ground[0].shape, ray);
     if (!(distance < infinity<T>())) return;
-    Hit<T> hit = hit_at(ground[0].sphere, ray, distance);
-    hit.sphere = nullptr;  // or the ground would not be asked at all, and the lift not be tried
+    Hit<T> hit = hit_at(ground[0].shape, ray, distance);
+    hit.shape = nullptr;  // or the ground would not be asked at all, and the lift not be tried
     if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;
-    const Illumination<T> lamp = illumination(stage.light, ground, hit);
-    // The lamp stands clearly above the horizon of the point.
-    const bool lit = dot(hit.normal, lamp.to_light) > T(1e-3L);
-    worst.count(lit && !(lamp.cosine > T(0)), [&] { return described(ray); });
+    const LightSample<T> light = sample_light(stage.light, ground, hit);
+    // The light stands clearly above the horizon of the point.
+    const bool lit = dot(hit.normal, light.to_light) > T(1e-3L);
+    worst.count(lit && !(light.cosine > T(0)), [&] { return described(ray); });
   });
 }
 
-/// Which way the lamp is, from what the hit point says.
+/// Which way the light is, from what the hit point says.
 template <class T>
 auto worst_to_light() {
   const std::vector<Ground> nothing;
   return worst_over([=](Dice& dice, Worst& worst) {
     const Vec3<T> point = rounded<T>(dice.direction() * dice.power_of_ten(-6, 6));
-    const Vec3<long double> lamp = dice.direction() * dice.power_of_ten(-6, 6);
-    const PointLight light{{static_cast<double>(static_cast<float>(lamp.x)), static_cast<double>(static_cast<float>(lamp.y)),
-                            static_cast<double>(static_cast<float>(lamp.z))}};
+    const Vec3<float> lamp = rounded<float>(dice.direction() * dice.power_of_ten(-6, 6));
+    const PointLight light{number_cast<double>(lamp)};
     const Hit<T> hit{{T(0), T(1), T(0)}, point, point, point};
-    const Vec3<T> got = illumination(light, nothing, hit).to_light;
-    Vec3<Digits50> path = exactly<Digits50>(light.position) - exactly<Digits50>(point);
-    path = path * Digits50(1 / sqrt(dot(path, path)));
-    const Vec3<Digits50> off = exactly<Digits50>(got) - path;
-    worst.see(static_cast<double>(sqrt(dot(off, off)) / roundoff<T>()), [&] { return described(point); });
+    const Vec3<T> got = sample_light(light, nothing, hit).to_light;
+    worst.see(length_off(got, normalize(exactly(light.position) - exactly(point))),
+              [&] { return described(point); });
   });
 }
 
 template <class T>
-void add_light(std::vector<Claim>& claims, double bound) {
-  claims.push_back({.function = "illumination, direction",
-                    .number = name_of<T>,
-                    .domain = "points and lamps 1e-6 to 1e6 from the origin",
-                    .bound = bound,
-                    .unit = "u",
-                    .worst = worst_to_light<T>()});
+void add_light(Family& family) {
+  family.add<T>("sample_light, direction", "points and lamps 1e-6 to 1e6 from the origin", {4, "u"},
+                worst_to_light<T>());
 }
 
 template <class T>
-void add_acne(std::vector<Claim>& claims, SphereForm form) {
-  claims.push_back({.function = std::string("illumination by the lift alone, ") + name(form),
-                    .number = name_of<T>,
-                    .domain = "seed 0's ground (radius 1000) from its camera; the ground itself is asked",
-                    .unit = "points in their own shadow",
-                    .worst = count_acne<T>(form, Start::lifted)});
+Claim& add_acne(Family& family, SphereForm form, Start start) {
+  const std::string lift = start == Start::lifted ? "by the lift alone, " : "without the lift, ";
+  return family.add<T>(
+      "sample_light " + lift + name(form),
+      "the daily exercise's ground (radius 1000) from its camera; the ground itself is asked",
+      {0, "points in their own shadow"}, count_acne<T>(form, start));
 }
 
 }  // namespace
 
 Family claims_of_secondary_rays() {
-  Family family{"Rays that go on from a hit",
-                "A ray that leaves a surface outward must not meet it again, or the surface shadows itself; a ray inward must "
-                "find the far side. The plain form cannot do it: its c is a difference of squares. The last rows start at the "
-                "point itself.",
-                {}};
-  std::vector<Claim>& claims = family.claims;
+  Family family{
+      "Rays that go on from a hit",
+      "A ray that leaves a surface outward must not meet it again, or the surface shadows itself; "
+      "a ray inward must find the far side. The plain form cannot do it: its c is a difference of "
+      "squares. The last rows start at the point itself."};
   for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
-    add_rays<float>(claims, form, 5, "1e5");
-    add_rays<double>(claims, form, 13, "1e13");
-    add_rays<long double>(claims, form, 13, "1e13");
-    add_acne<float>(claims, form);
-    add_acne<double>(claims, form);
+    add_rays<float>(family, form, 5, "1e5");
+    add_rays<double>(family, form, 13, "1e13");
+    add_rays<long double>(family, form, 13, "1e13");
+    add_acne<float>(family, form, Start::lifted);
+    add_acne<double>(family, form, Start::lifted);
   }
-  add_light<float>(claims, 4);
-  add_light<double>(claims, 4);
-  add_light<long double>(claims, 4);
-  claims.push_back({.function = "illumination without the lift, plain",
-                    .number = name_of<float>,
-                    .domain = "seed 0's ground (radius 1000) from its camera; the ground itself is asked",
-                    .unit = "points in their own shadow",
-                    .worst = count_acne<float>(SphereForm::plain, Start::from_point),
-                    .expect = Expect::beyond});
-  claims.push_back({.function = "illumination without the lift, robust",
-                    .number = name_of<double>,
-                    .domain = "seed 0's ground (radius 1000) from its camera; the ground itself is asked",
-                    .unit = "points in their own shadow",
-                    .worst = count_acne<double>(SphereForm::robust, Start::from_point),
-                    .expect = Expect::beyond});
+  add_light<float>(family);
+  add_light<double>(family);
+  add_light<long double>(family);
+  add_acne<float>(family, SphereForm::plain, Start::from_point).expect = Expect::beyond;
+  add_acne<double>(family, SphereForm::robust, Start::from_point).expect = Expect::beyond;
   return family;
 }
 

@@ -1,14 +1,12 @@
-// Claims of common/texture: texel.hpp, checkerboard.hpp, solid_checkerboard.hpp, image_texture.hpp; and of
-// common/image/srgb.hpp.
-#include "checkerboard.hpp"
+// Claims of common/texture: texel.hpp, checkerboard.hpp, solid_checkerboard.hpp, image_texture.hpp;
+// and of common/math/srgb.hpp.
 #include "claims.hpp"
-#include "describe.hpp"
-#include "dice.hpp"
-#include "digits.hpp"
-#include "image_texture.hpp"
-#include "solid_checkerboard.hpp"
-#include "srgb.hpp"
-#include "texel.hpp"
+#include "math/srgb.hpp"
+#include "support/whole_numbers.hpp"
+#include "texture/checkerboard.hpp"
+#include "texture/image_texture.hpp"
+#include "texture/solid_checkerboard.hpp"
+#include "texture/texel.hpp"
 
 namespace texmap::extremes {
 namespace {
@@ -23,121 +21,129 @@ int any_count(Dice& dice) {
 }
 
 /// Indices that are no whole number from 0 to n - 1.
-template <class Real, class Index>
-auto count_outside(Index index) {
+template <class Real>
+auto count_outside(TexelRounding rounding) {
   using T = Scalar<Real>;
   return worst_over(20, [=](Dice& dice, Worst& worst) {
     const int n = any_count(dice);
-    const auto each = drawn<Real>([&] { return dice.anything<T>(); });
-    const Real got = index(gathered_numbers<Real>(each), n);
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const T x = lane(got, k);
-      worst.count(!(x >= 0 && x <= static_cast<T>(n - 1) && std::floor(x) == x),
-                  [&] { return described(each[k]) + " of " + std::to_string(n); });
-    }
+    see_lanes<Real>(
+        worst, [&] { return dice.anything<T>(); },
+        [&](const Real& u) { return test::texel_index(u, n, rounding); },
+        [&](T x, T) { return !(x >= 0 && x <= static_cast<T>(n - 1) && std::floor(x) == x); },
+        [&] { return "of " + std::to_string(n); });
   });
 }
 
-/// How far outside of the chosen texel the exact coordinate lies, in unit roundoffs of the whole image.
-template <class Real, class Index, class Draw>
-auto worst_texel(Index index, Draw draw) {
-  using T = Scalar<Real>;
-  return worst_over([=](Dice& dice, Worst& worst) {
-    const int n = any_count(dice);
-    const auto each = drawn<Real>([&] { return draw(dice, n); });
-    const Real got = index(gathered_numbers<Real>(each), n);
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const Digits50 u = each[k];
-      const Digits50 place = (u - floor(u)) * n;
-      const Digits50 low = lane(got, k);
-      Digits50 off = place < low ? Digits50(low - place) : place > low + 1 ? Digits50(place - low - 1) : Digits50(0);
-      if (n - off < off) off = n - off;  // the other way round
-      worst.see(static_cast<double>(off / (n * roundoff<T>())),
-                [&] { return described(each[k]) + " of " + std::to_string(n); });
-    }
-  });
-}
-
-/// A coordinate in [0, 1): of any exponent, or at the edge of a texel, or a few numbers beside one.
+/// A coordinate in [0, 1): of any exponent, or at the edge of a texel, or a few numbers from one.
 template <class T>
 T any_coordinate(Dice& dice, int n) {
   if (dice.once_in(3)) return dice.number<T>(-40, 0);
   T u = static_cast<T>(dice.below(n)) / static_cast<T>(n);
-  for (int steps = dice.below(4); steps > 0; --steps) u = std::nextafter(u, static_cast<T>(dice.once_in(2) ? 0 : 1));
+  for (int steps = dice.below(4); steps > 0; --steps)
+    u = std::nextafter(u, static_cast<T>(dice.once_in(2) ? 0 : 1));
   return u >= 0 && u < 1 ? u : T(0);
+}
+
+/// How far outside the chosen texel the exact coordinate lies, in unit roundoffs of the image.
+template <class Real>
+auto worst_texel() {
+  using T = Scalar<Real>;
+  return worst_over([](Dice& dice, Worst& worst) {
+    const int n = any_count(dice);
+    see_lanes<Real>(
+        worst, [&] { return any_coordinate<T>(dice, n); },
+        [&](const Real& u) { return test::texel_index(u, n); },
+        [&](T index, T u) {
+          const Digits50 place = Digits50(u) * n;
+          const Digits50 low = index;
+          Digits50 off = place < low       ? Digits50(low - place)
+                         : place > low + 1 ? Digits50(place - low - 1)
+                                           : Digits50(0);
+          if (n - off < off) off = n - off;  // the other way round
+          return static_cast<double>(off / (n * roundoff<T>()));
+        },
+        [&] { return "of " + std::to_string(n); });
+  });
 }
 
 /// Whole numbers that are taken for even when they are odd, or the other way.
 template <class Real>
 auto count_wrong_parity() {
   using T = Scalar<Real>;
-  return worst_over(20, [](Dice& dice, Worst& worst) {
-    const auto each = drawn<Real>([&] {
-      const T size = std::floor(dice.number<T>(0, 62));
-      return dice.sign() < 0 ? -size : size;
-    });
-    const Real got = select(is_even(gathered_numbers<Real>(each)), Real(1), Real(0));
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const bool even = static_cast<long long>(each[k]) % 2 == 0;
-      worst.count((lane(got, k) == 1) != even, [&] { return described(each[k]); });
-    }
-  });
+  return worst_lanes<Real>(
+      20,
+      [](Dice& dice) {
+        const T size = std::floor(dice.number<T>(0, 62));
+        return dice.sign() < 0 ? -size : size;
+      },
+      [](const Real& x) { return select(is_even(x), Real(1), Real(0)); },
+      [](T even, T x) { return (even == 1) != (static_cast<long long>(x) % 2 == 0); });
 }
 
 /// Floor of an exact number below 2^63.
 long long cell_of(const Digits50& x) { return static_cast<long long>(floor(x)); }
 
 /// True within `rounding` of an end of a cell, where rounding may choose either.
-bool is_at_edge(const Digits50& x, const Digits50& rounding) { return abs(x - floor(x + Digits50(0.5))) <= rounding; }
+bool is_at_edge(const Digits50& x, const Digits50& rounding) {
+  return abs(x - floor(x + Digits50(0.5))) <= rounding;
+}
 
-/// Colors of the wrong square, but beside its edge.
+/// Colors of the wrong square, but near its edge.
 template <class Real>
 auto count_wrong_squares() {
   using T = Scalar<Real>;
   return worst_over([](Dice& dice, Worst& worst) {
     // Below the numbers' own grid, or the squares would be finer than u and v.
-    const auto squares = static_cast<double>(std::floor(dice.number<float>(0, std::numeric_limits<T>::digits - 2)));
-    const auto u = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
-    const auto v = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
+    const auto squares =
+        static_cast<double>(std::floor(dice.number<float>(0, std::numeric_limits<T>::digits - 2)));
     const Checkerboard board{white, black, squares};
-    const Uv<Real> uv{gathered_numbers<Real>(u), gathered_numbers<Real>(v)};
-    const Real got = board(uv).r;
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const Digits50 column = Digits50(u[k]) * squares;
-      const Digits50 row = Digits50(v[k]) * squares;
-      const Digits50 rounding = squares * roundoff<T>();
-      if (is_at_edge(column, rounding) || is_at_edge(row, rounding)) continue;
-      const bool even = (cell_of(column) + cell_of(row)) % 2 == 0;
-      worst.count((lane(got, k) == 1) != even,
-                  [&] { return described(u[k]) + " " + described(v[k]) + " of " + described(squares); });
-    }
+    const auto u = drawn<Real>([&] { return static_cast<T>(dice.uniform(0, 1)); });
+    std::size_t lane = 0;
+    see_lanes<Real>(
+        worst,
+        [&] {
+          return std::array<T, 2>{u[lane++], static_cast<T>(dice.uniform(0, 1))};
+        },
+        [&](const std::array<Real, 2>& uv) {
+          return board(Uv<Real>{uv[0], uv[1]}).r;
+        },
+        [&](T light, const std::array<T, 2>& uv) {
+          const Digits50 column = Digits50(uv[0]) * squares;
+          const Digits50 row = Digits50(uv[1]) * squares;
+          const Digits50 rounding = squares * roundoff<T>();
+          if (is_at_edge(column, rounding) || is_at_edge(row, rounding)) return false;
+          return (light == 1) != ((cell_of(column) + cell_of(row)) % 2 == 0);
+        },
+        [&] { return "of " + described(squares); });
   });
 }
 
-/// Colors of the wrong cube, but beside its faces.
+/// Colors of the wrong cube, but near its faces.
 template <class Real>
 auto count_wrong_cubes() {
   using T = Scalar<Real>;
   return worst_over([](Dice& dice, Worst& worst) {
     const auto cell = static_cast<double>(dice.number<float>(-20, 20));
-    const auto each = drawn<Real>([&] {
-      const auto coordinate = [&] { return static_cast<T>(dice.sign() * dice.power_of_ten(-12, 12)); };
-      return Vec3<T>{coordinate(), coordinate(), coordinate()};
-    });
     const SolidCheckerboard board{white, black, cell};
-    const Real got = board(gathered<Real>(each)).r;
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      long long sum = 0;
-      bool unsure = false;
-      for (const T x : {each[k].x, each[k].y, each[k].z}) {
-        const Digits50 place = Digits50(x) / cell;
-        const Digits50 rounding = abs(place) * roundoff<T>();
-        unsure = unsure || is_at_edge(place, rounding);
-        sum += cell_of(place);
-      }
-      if (unsure) continue;
-      worst.count((lane(got, k) == 1) != (sum % 2 == 0), [&] { return described(each[k]) + " by " + described(cell); });
-    }
+    see_lanes<Real>(
+        worst,
+        [&] {
+          const auto coordinate = [&] {
+            return static_cast<T>(dice.sign() * dice.power_of_ten(-12, 12));
+          };
+          return Vec3<T>{coordinate(), coordinate(), coordinate()};
+        },
+        [&](const Vec3<Real>& p) { return board(p).r; },
+        [&](T light, const Vec3<T>& p) {
+          long long sum = 0;
+          for (const T x : {p.x, p.y, p.z}) {
+            const Digits50 place = Digits50(x) / cell;
+            if (is_at_edge(place, abs(place) * roundoff<T>())) return false;
+            sum += cell_of(place);
+          }
+          return (light == 1) != (sum % 2 == 0);
+        },
+        [&] { return "by " + described(cell); });
   });
 }
 
@@ -152,7 +158,7 @@ auto count_wrong_sines() {
   });
 }
 
-/// Texels that come out as another byte than they are, or another texel's, for anything the type can hold as (u, v).
+/// Texels that come out as a wrong byte or as another texel's, for any (u, v) that the type holds.
 template <class Real>
 auto count_wrong_bytes() {
   using T = Scalar<Real>;
@@ -162,180 +168,146 @@ auto count_wrong_bytes() {
     image.pixels[i] = {byte, byte, byte};
   }
   return worst_over(4, [texture = ImageTexture{image}](Dice& dice, Worst& worst) {
-    const auto coordinate = [&dice] { return dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.anything<T>(); };
+    const auto coordinate = [&dice] {
+      return dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.anything<T>();
+    };
     const auto u = drawn<Real>(coordinate);
-    const auto v = drawn<Real>(coordinate);
-    const Real got = texture(Uv<Real>{gathered_numbers<Real>(u), gathered_numbers<Real>(v)}).g;
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      // Sixteenths are exact, so the texel is known without rounding.
-      const auto cell = [](T x) { return !(x > 0) ? 0 : x >= 1 ? 15 : static_cast<int>(x * 16); };
-      const int byte = (15 - cell(v[k])) * 16 + cell(u[k]);
-      worst.count(!(lane(got, k) == static_cast<T>(byte) / 255), [&] { return described(u[k]) + " " + described(v[k]); });
-    }
+    std::size_t lane = 0;
+    see_lanes<Real>(
+        worst,
+        [&] {
+          return std::array<T, 2>{u[lane++], coordinate()};
+        },
+        [&](const std::array<Real, 2>& uv) {
+          return texture(Uv<Real>{uv[0], uv[1]}).g;
+        },
+        [](T light, const std::array<T, 2>& uv) {
+          // Sixteenths are exact, so the texel is known without rounding.
+          const auto cell = [](T x) {
+            return !(x > 0) ? 0 : x >= 1 ? 15 : static_cast<int>(x * 16);
+          };
+          return !(light == static_cast<T>((15 - cell(uv[1])) * 16 + cell(uv[0])) / 255);
+        });
   });
 }
 
-template <class T>
-auto worst_decode() {
-  return worst_over([](Dice& dice, Worst& worst) {
-    const T encoded = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
-    // The standard's constants in decimal digits, not this number's.
-    const Digits50 x = encoded;
-    const Digits50 exact = x <= Digits50("0.04045")
-                               ? Digits50(x / Digits50("12.92"))
-                               : Digits50(pow((x + Digits50("0.055")) / Digits50("1.055"), Digits50("2.4")));
-    if (is_at_edge(1 + x - Digits50("0.04045"), Digits50("1e-6"))) return;  // the two curves meet within 1e-7 only
-    worst.see(ulps_off(srgb_decode(encoded), exact), [&] { return described(encoded); });
-  });
+/// A part of the sRGB curve, in the standard's decimal digits instead of this number's.
+template <class T, class Function, class Exact>
+auto worst_curve(Function function, Exact exact, const char* joint, const char* around_joint) {
+  return worst_over(
+      [=, from = Digits50(joint), width = Digits50(around_joint)](Dice& dice, Worst& worst) {
+        const T x = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
+        if (abs(Digits50(x) - from) <= width) return;  // the two curves meet only nearly
+        worst.see(ulps_off(function(x), exact(Digits50(x))), [&] { return described(x); });
+      });
 }
+
+constexpr auto decode = [](auto x) { return srgb_decode(x); };
+constexpr auto encode = [](auto x) { return srgb_encode(x); };
+
+Digits50 exact_decode(const Digits50& x) {
+  return x <= Digits50("0.04045")
+             ? Digits50(x / Digits50("12.92"))
+             : Digits50(pow((x + Digits50("0.055")) / Digits50("1.055"), Digits50("2.4")));
+}
+Digits50 exact_encode(const Digits50& x) {
+  return x <= Digits50("0.0031308")
+             ? Digits50(x * Digits50("12.92"))
+             : Digits50(Digits50("1.055") * pow(x, 1 / Digits50("2.4")) - Digits50("0.055"));
+}
+
+/// The table's light of every byte, which the compiler rounds once from more digits.
 template <class T>
-auto worst_encode() {
-  return worst_over([](Dice& dice, Worst& worst) {
-    const T linear = dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0);
-    const Digits50 x = linear;
-    const Digits50 exact = x <= Digits50("0.0031308")
-                               ? Digits50(x * Digits50("12.92"))
-                               : Digits50(Digits50("1.055") * pow(x, 1 / Digits50("2.4")) - Digits50("0.055"));
-    if (is_at_edge(1 + x - Digits50("0.0031308"), Digits50("1e-7"))) return;
-    worst.see(ulps_off(srgb_encode(linear), exact), [&] { return described(linear); });
-  });
+auto worst_table() {
+  return [](int, std::uint64_t) {
+    Worst worst;
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+      const T light = light_of_bytes<T>(TexelLight::linear)[byte];
+      worst.see(ulps_off(light, exact_decode(Digits50(byte) / 255)),
+                [&] { return std::to_string(byte); });
+    }
+    return worst;
+  };
 }
 
 /// Bytes that do not come back from light.
 template <class T, class Decode>
-auto count_changed_bytes(Decode decode) {
-  return count_bytes(
-      [decode](int byte) { return std::lround(T(255) * srgb_encode(decode(static_cast<T>(byte) / 255))) != byte; });
+auto count_changed_bytes(Decode to_light) {
+  return count_bytes([to_light](int byte) {
+    return std::lround(T(255) * srgb_encode(to_light(static_cast<T>(byte) / 255))) != byte;
+  });
 }
-
-constexpr auto floor_index = [](const auto& u, int n) { return texel_index(u, n); };
-constexpr auto lecture_index = [](const auto& u, int n) { return texel_index(u, n, TexelRounding::lecture); };
-constexpr auto wrap = [](const auto& u, int n) { return wrapped_index(u, n); };
 
 template <class Real>
 auto coordinates() {
-  return inputs_of_cost<Real>(
-      [](Dice& dice) { return from_lanes<Real>([&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(0, 1)); }); });
-}
-
-template <class Real, class Function>
-Cost cost_of(Function function) {
-  return {"floor(u n), double", working_through(coordinates<Real>(), [function](const Real& u) { return function(u); }),
-          working_through(coordinates<double>(), [](double u) { return floor(u * 8192); })};
+  return inputs_of_cost<Real>([](Dice& dice) {
+    return from_lanes<Real>(
+        [&](std::size_t) { return static_cast<Scalar<Real>>(dice.uniform(0, 1)); });
+  });
 }
 
 template <class Real>
-void add_number(std::vector<Claim>& claims) {
-  using T = Scalar<Real>;
+void add_number(Family& family) {
   const std::string anything = "anything the type can hold, infinities and NaN too; n = 1 to 2^24";
-  const std::string outside = "no whole number from 0 to n - 1";
-  claims.push_back({.function = "texel_index, range",
-                    .number = name_of<Real>,
-                    .domain = anything,
-                    .unit = outside,
-                    .worst = count_outside<Real>(floor_index),
-                    .cost = cost_of<Real>([](const Real& u) { return texel_index(u, 8192); })});
-  claims.push_back({.function = "texel_index, lecture, range",
-                    .number = name_of<Real>,
-                    .domain = anything,
-                    .unit = outside,
-                    .worst = count_outside<Real>(lecture_index)});
-  claims.push_back({.function = "wrapped_index, range",
-                    .number = name_of<Real>,
-                    .domain = anything,
-                    .unit = outside,
-                    .worst = count_outside<Real>(wrap),
-                    .cost = cost_of<Real>([](const Real& u) { return wrapped_index(u, 8192); })});
-  claims.push_back({.function = "texel_index, distance of u from its texel",
-                    .number = name_of<Real>,
-                    .domain = "u in [0, 1), also at the edges of texels and a few numbers beside; n = 1 to 2^24",
-                    .bound = 1,
-                    .unit = "u n",
-                    .worst = worst_texel<Real>(floor_index, [](Dice& dice, int n) { return any_coordinate<T>(dice, n); })});
-  claims.push_back({.function = "wrapped_index, distance of u from its texel",
-                    .number = name_of<Real>,
-                    .domain = "u to 1e12 on either side of 0; n = 1 to 2^24",
-                    .bound = 1.5,
-                    .unit = "u n",
-                    .worst = worst_texel<Real>(wrap, [](Dice& dice, int n) {
-                      if (dice.once_in(3)) return any_coordinate<T>(dice, n);
-                      return static_cast<T>(dice.sign() * dice.power_of_ten(-12, 12));
-                    })});
-  claims.push_back({.function = "is_even",
-                    .number = name_of<Real>,
-                    .domain = "any whole number (to 2^62 against integers)",
-                    .unit = "wrong",
-                    .worst = count_wrong_parity<Real>()});
-  claims.push_back({.function = "Checkerboard",
-                    .number = name_of<Real>,
-                    .domain =
-                        "u and v in [0, 1), 1 square to a quarter of the number's digits' worth; farther than 1 u of 1 from a "
-                        "square's edge",
-                    .unit = "wrong colors",
-                    .worst = count_wrong_squares<Real>()});
-  claims.push_back({.function = "SolidCheckerboard",
-                    .number = name_of<Real>,
-                    .domain = "coordinates 1e-12 to 1e12, cells 1e-6 to 1e6; farther than 1 u of itself from a cube's face",
-                    .unit = "wrong colors",
-                    .worst = count_wrong_cubes<Real>()});
-  claims.push_back({.function = "ImageTexture",
-                    .number = name_of<Real>,
-                    .domain = "anything the type can hold as u and v",
-                    .unit = "not a byte of the texel / 255",
-                    .worst = count_wrong_bytes<Real>()});
+  const Bound whole{0, "no whole number from 0 to n - 1"};
+  family.add<Real>("texel_index, range", anything, whole, count_outside<Real>(TexelRounding::floor))
+      .cost = {"floor(u n), double",
+               working_through(coordinates<Real>(),
+                               [](const Real& u) { return test::texel_index(u, 8192); }),
+               working_through(coordinates<double>(), [](double u) { return floor(u * 8192); })};
+  family.add<Real>("texel_index, lecture, range", anything, whole,
+                   count_outside<Real>(TexelRounding::lecture));
+  family.add<Real>(
+      "texel_index, distance of u from its texel",
+      "u in [0, 1), also at the edges of texels and a few numbers beside; n = 1 to 2^24",
+      {1, "u n"}, worst_texel<Real>());
+  family.add<Real>("is_even", "any whole number (to 2^62 against integers)", {0, "wrong"},
+                   count_wrong_parity<Real>());
+  family.add<Real>("Checkerboard",
+                   "u and v in [0, 1), 1 square to a quarter of the number's digits' worth; "
+                   "farther than 1 u of 1 from a square's edge",
+                   {0, "wrong colors"}, count_wrong_squares<Real>());
+  family.add<Real>("SolidCheckerboard",
+                   "coordinates 1e-12 to 1e12, cells 1e-6 to 1e6; farther than 1 u of itself from "
+                   "a cube's face",
+                   {0, "wrong colors"}, count_wrong_cubes<Real>());
+  family.add<Real>("ImageTexture", "anything the type can hold as u and v",
+                   {0, "not a byte of the texel / 255"}, count_wrong_bytes<Real>());
 }
 
 template <class T>
-void add_curve(std::vector<Claim>& claims, double decode, double encode) {
-  claims.push_back({.function = "srgb_decode",
-                    .number = name_of<T>,
-                    .domain = "1e-18 to 1, but for 1e-6 around 0.04045",
-                    .bound = decode,
-                    .unit = "ulp",
-                    .worst = worst_decode<T>()});
-  claims.push_back({.function = "srgb_encode",
-                    .number = name_of<T>,
-                    .domain = "1e-18 to 1, but for 1e-7 around 0.0031308",
-                    .bound = encode,
-                    .unit = "ulp",
-                    .worst = worst_encode<T>()});
-  claims.push_back({.function = "srgb_encode of srgb_decode",
-                    .number = name_of<T>,
-                    .domain = "every byte",
-                    .unit = "bytes changed",
-                    .worst = count_changed_bytes<T>([](T x) { return srgb_decode(x); })});
+void add_curve(Family& family) {
+  family.add<T>("srgb_decode", "1e-18 to 1, but for 1e-6 around 0.04045", {8, "ulp"},
+                worst_curve<T>(decode, exact_decode, "0.04045", "1e-6"));
+  family.add<T>("srgb_encode", "1e-18 to 1, but for 1e-7 around 0.0031308", {5, "ulp"},
+                worst_curve<T>(encode, exact_encode, "0.0031308", "1e-7"));
+  family.add<T>("srgb_encode of srgb_decode", "every byte", {0, "bytes changed"},
+                count_changed_bytes<T>(decode));
 }
 
 }  // namespace
 
 Family claims_of_textures() {
   Family family{"Textures",
-                "Exact: whole numbers without rounding, and for the sRGB curve the standard's decimal constants in 50 digits. "
-                "The last rows are a power of 2.2 in place of the curve, and the sign of a sine in place of cubes.",
-                {}};
-  std::vector<Claim>& claims = family.claims;
-  add_number<float>(claims);
-  add_number<double>(claims);
-  add_number<long double>(claims);
-#ifdef TEXMAP_HAVE_PACKS
-  add_number<Pack<float>>(claims);
-  add_number<Pack<double>>(claims);
-#endif
-  add_curve<float>(claims, 8, 5);
-  add_curve<double>(claims, 8, 5);
-  add_curve<long double>(claims, 8, 5);
-  claims.push_back({.function = "srgb_encode of a power of 2.2",
-                    .number = name_of<double>,
-                    .domain = "every byte",
-                    .unit = "bytes changed",
-                    .worst = count_changed_bytes<double>([](double x) { return std::pow(x, 2.2); }),
-                    .expect = Expect::beyond});
-  claims.push_back({.function = "cells by the sign of sin(pi x)",
-                    .number = name_of<float>,
-                    .domain = "1e5 to 8e6, farther than 1 u of itself from a cell's end",
-                    .unit = "wrong colors",
-                    .worst = count_wrong_sines(),
-                    .expect = Expect::beyond});
+                "Exact: whole numbers without rounding, and for the sRGB curve the standard's "
+                "decimal constants in 50 digits. The last rows are a power of 2.2 in place of the "
+                "curve, and the sign of a sine in place of cubes."};
+  for_each_number([&]<class Real>() { add_number<Real>(family); });
+  add_curve<float>(family);
+  add_curve<double>(family);
+  add_curve<long double>(family);
+  family.add<float>("light_of_bytes", "every byte", {0.5, "ulp"}, worst_table<float>());
+  family.add<double>("light_of_bytes", "every byte", {0.5, "ulp"}, worst_table<double>());
+  family.add<long double>("light_of_bytes", "every byte", {8, "ulp"}, worst_table<long double>());
+  family
+      .add<double>("srgb_encode of a power of 2.2", "every byte", {0, "bytes changed"},
+                   count_changed_bytes<double>([](double x) { return std::pow(x, 2.2); }))
+      .expect = Expect::beyond;
+  family
+      .add<float>("cells by the sign of sin(pi x)",
+                  "1e5 to 8e6, farther than 1 u of itself from a cell's end", {0, "wrong colors"},
+                  count_wrong_sines())
+      .expect = Expect::beyond;
   return family;
 }
 

@@ -1,11 +1,9 @@
-// Claims of common/geometry/triangle.hpp and floor.hpp: weights in a triangle, and the floor.
+// Claims of common/scene/triangle.hpp and floor.hpp: weights in a triangle, and the floor.
 #include "claims.hpp"
-#include "describe.hpp"
-#include "dice.hpp"
-#include "floor.hpp"
+#include "published/triangle.hpp"
 #include "references.hpp"
-#include "seed_triangle.hpp"
-#include "triangle.hpp"
+#include "scene/floor.hpp"
+#include "scene/triangle.hpp"
 
 namespace texmap::extremes {
 namespace {
@@ -19,23 +17,23 @@ struct Case {
 
 template <class T>
 Point as_point(const Vec3<long double>& p) {
-  const Vec3<T> q = rounded<T>(p);
-  return {static_cast<double>(q.x), static_cast<double>(q.y), static_cast<double>(q.z)};
+  return number_cast<double>(rounded<T>(p));
 }
 
-/// A needle or a cap, at any angle to the axes, up to `aspect` (a power of ten) times longer than wide, and a point inside.
+/// A needle or a cap at any angle to the axes, up to 10^`aspect` times longer than wide, and a
+/// point inside.
 template <class T>
 Case<T> draw_thin(Dice& dice, long double aspect, int scale) {
-  using Corner = std::conditional_t<(sizeof(T) > sizeof(double)), double, T>;  // triangles of a scene are double
+  using Corner = std::conditional_t<(sizeof(T) > sizeof(double)), double,
+                                    T>;  // triangles of a scene are double
   const Vec3<long double> along = dice.direction();
   const Vec3<long double> across = dice.across(along) * dice.power_of_ten(-aspect, 0);
-  const long double foot = dice.once_in(2) ? dice.uniform(0, 1) : 1;  // a cap's top is over its base, a needle's at its end
+  const long double foot = dice.once_in(2)
+                               ? dice.uniform(0, 1)
+                               : 1;  // a cap's top is over its base, a needle's at its end
   const Vec3<long double> from = dice.direction() * dice.uniform(0, 1);
   const int size = dice.within(-scale, scale);
-  const auto corner = [&](const Vec3<long double>& p) {
-    const Point q = as_point<Corner>(p);
-    return Point{std::ldexp(q.x, size), std::ldexp(q.y, size), std::ldexp(q.z, size)};
-  };
+  const auto corner = [&](const Vec3<long double>& p) { return scaled(as_point<Corner>(p), size); };
   const Triangle triangle{corner(from), corner(from + along), corner(from + along * foot + across)};
   long double at_b = dice.uniform(0, 1);
   long double at_c = dice.uniform(0, 1);
@@ -48,18 +46,13 @@ Case<T> draw_thin(Dice& dice, long double aspect, int scale) {
 
 template <class T>
 double weights_off(const Barycentric<T>& got, const Case<T>& one) {
-  const Vec3<Digits50> exact = exact_weights(exactly<Digits50>(one.triangle.a), exactly<Digits50>(one.triangle.b),
-                                             exactly<Digits50>(one.triangle.c), exactly<Digits50>(one.p));
-  // A point that was rounded out of a thin triangle has large weights, and their errors are relative to those.
-  Digits50 largest = 1;
-  for (const Digits50& w : {exact.x, exact.y, exact.z}) largest = std::max(largest, Digits50(abs(w)));
-  const Digits50 unit = roundoff<T>() * largest * largest;
-  return std::max({units_off(got.a, exact.x, unit), units_off(got.b, exact.y, unit), units_off(got.c, exact.z, unit)});
-}
-
-template <class Real>
-Barycentric<Real> weights_of(const Triangle& triangle, const Vec3<Real>& p) {
-  return barycentric(triangle, p);
+  const Vec3<Digits50> exact = exact_weights(exactly(one.triangle.a), exactly(one.triangle.b),
+                                             exactly(one.triangle.c), exactly(one.p));
+  // A point that rounding moved out of a thin triangle has large weights; errors scale with them.
+  const Digits50 most = std::max(Digits50(1), largest(exact));
+  const Digits50 unit = roundoff<T>() * most * most;
+  return std::max({units_off(got.a, exact.x, unit), units_off(got.b, exact.y, unit),
+                   units_off(got.c, exact.z, unit)});
 }
 
 /// The weights of all lanes' points in one triangle; the first lane's triangle is everyone's.
@@ -68,7 +61,7 @@ auto worst_weights(Function function, long double aspect, int scale) {
   using T = Scalar<Real>;
   return worst_over([=](Dice& dice, Worst& worst) {
     const Case<T> one = draw_thin<T>(dice, aspect, scale);
-    const Barycentric<Real> got = function(one.triangle, Vec3<Real>{Real(one.p.x), Real(one.p.y), Real(one.p.z)});
+    const Barycentric<Real> got = function(one.triangle, number_cast<Real>(one.p));
     const std::size_t k = lanes<Real> - 1;
     worst.see(weights_off<T>({lane(got.a, k), lane(got.b, k), lane(got.c, k), false}, one),
               [&] { return described(one.triangle) + " at " + described(one.p); });
@@ -80,7 +73,8 @@ template <class T>
 auto count_refused(long double aspect, int scale) {
   return worst_over(4, [=](Dice& dice, Worst& worst) {
     const Case<T> one = draw_thin<T>(dice, aspect, scale);
-    worst.count(barycentric(one.triangle, one.p).degenerate, [&] { return described(one.triangle); });
+    worst.count(barycentric(one.triangle, one.p).degenerate,
+                [&] { return described(one.triangle); });
   });
 }
 
@@ -89,7 +83,9 @@ template <class T>
 Triangle draw_flat(Dice& dice) {
   using Corner = std::conditional_t<(sizeof(T) > sizeof(double)), double, T>;
   const Vec3<long double> along = dice.direction() * dice.power_of_ten(-6, 6);
-  const auto corner = [&] { return as_point<Corner>(along * (dice.once_in(3) ? 1.0L : dice.uniform(-4, 4))); };
+  const auto corner = [&] {
+    return as_point<Corner>(along * (dice.once_in(3) ? 1.0L : dice.uniform(-4, 4)));
+  };
   return {corner(), corner(), corner()};
 }
 
@@ -98,7 +94,8 @@ template <class T>
 auto count_missed_flats() {
   return worst_over(4, [](Dice& dice, Worst& worst) {
     const Triangle triangle = draw_flat<T>(dice);
-    worst.count(!barycentric(triangle, rounded<T>(dice.direction())).degenerate, [&] { return described(triangle); });
+    worst.count(!barycentric(triangle, rounded<T>(dice.direction())).degenerate,
+                [&] { return described(triangle); });
   });
 }
 
@@ -118,21 +115,21 @@ auto count_nan(Function function) {
 /// A ray over a floor.
 template <class T>
 Ray<T> draw_downward(Dice& dice) {
-  return {rounded<T>(dice.direction() * dice.power_of_ten(-6, 6)), rounded<T>(dice.direction() * dice.power_of_ten(-6, 6))};
+  return {rounded<T>(dice.direction() * dice.power_of_ten(-6, 6)),
+          rounded<T>(dice.direction() * dice.power_of_ten(-6, 6))};
 }
 
 template <class T>
 auto worst_floor() {
   return worst_over([](Dice& dice, Worst& worst) {
-    const Floor floor{static_cast<double>(static_cast<float>(dice.sign() * dice.power_of_ten(-6, 6)))};
+    const Floor floor{
+        static_cast<double>(static_cast<float>(dice.sign() * dice.power_of_ten(-6, 6)))};
     const Ray<T> ray = draw_downward<T>(dice);
-    const Digits50 exact = (Digits50(floor.height) - Digits50(ray.origin.y)) / Digits50(ray.direction.y);
+    const Digits50 exact =
+        (Digits50(floor.height) - Digits50(ray.origin.y)) / Digits50(ray.direction.y);
     const T got = distance_to(floor, ray);
-    if (exact <= 0) {
-      worst.see(got == infinity<T>() ? 0 : 1e30, [&] { return described(ray); });
-    } else {
-      worst.see(ulps_off(got, exact), [&] { return described(ray); });
-    }
+    const double missed = got == infinity<T>() ? 0 : 1e30;
+    worst.see(exact <= 0 ? missed : ulps_off(got, exact), [&] { return described(ray); });
   });
 }
 
@@ -144,103 +141,92 @@ auto count_off_floor() {
     const Ray<T> ray = draw_downward<T>(dice);
     const T distance = distance_to(floor, ray);
     if (!(distance < infinity<T>())) return;
-    worst.count(point_on(floor, ray, distance).y != static_cast<T>(floor.height), [&] { return described(ray); });
+    worst.count(point_on(floor, ray, distance).y != static_cast<T>(floor.height),
+                [&] { return described(ray); });
   });
 }
 
-constexpr auto ours = [](const Triangle& triangle, const auto& p) { return barycentric(triangle, p); };
-constexpr auto heron = [](const Triangle& triangle, const auto& p) { return seeds::barycentric_heron(triangle, p); };
+constexpr auto ours = [](const Triangle& triangle, const auto& p) {
+  return barycentric(triangle, p);
+};
+constexpr auto heron = [](const Triangle& triangle, const auto& p) {
+  return published::barycentric_heron(triangle, p);
+};
 const Triangle ordinary{{0, 0, 0}, {1, 0.25, 0}, {0.5, 1, 0.125}};
 
-template <class Real>
-Cost cost_of() {
-  return {"Heron's formula, double",
-          working_through(inputs_of_cost<Real>(drawn_direction<Real>),
-                          [](const Vec3<Real>& p) {
-                            const Barycentric<Real> w = barycentric(ordinary, p);
-                            return w.a + w.b + w.c;
-                          }),
-          working_through(inputs_of_cost<double>(drawn_direction<double>), [](const Vec3<double>& p) {
-            const Barycentric<double> w = seeds::barycentric_heron(ordinary, p);
-            return w.a + w.b + w.c;
-          })};
+/// A program that adds up the weights of directions.
+template <class Real, class Function>
+auto adding_up(Function function) {
+  return working_through(inputs_of_cost<Real>(drawn_direction<Real>),
+                         [function](const Vec3<Real>& p) {
+                           const Barycentric<Real> w = function(ordinary, p);
+                           return w.a + w.b + w.c;
+                         });
 }
 
+/// Which triangles are drawn, and what the page calls them.
+struct Shapes {
+  long double aspect;  ///< power of ten
+  const char* thin;
+  int scale;  ///< power of two
+  const char* range;
+
+  [[nodiscard]] std::string text() const {
+    return std::string("needles and caps at any angle, to ") + thin +
+           " times longer than wide; sides of " + range;
+  }
+};
+
 template <class Real>
-void add_weights(std::vector<Claim>& claims, long double aspect, const char* thin, int scale, const char* range, double bound) {
-  claims.push_back({.function = "barycentric",
-                    .number = name_of<Real>,
-                    .domain = std::string("needles and caps at any angle, to ") + thin + " times longer than wide; sides of " +
-                              range + "; points inside",
-                    .bound = bound,
-                    .unit = "u (largest weight)^2",
-                    .worst = worst_weights<Real>(ours, aspect, scale),
-                    .cost = cost_of<Real>()});
+void add_weights(Family& family, const Shapes& shapes) {
+  family
+      .add<Real>("barycentric", shapes.text() + "; points inside", {3, "u (largest weight)^2"},
+                 worst_weights<Real>(ours, shapes.aspect, shapes.scale))
+      .cost = {"Heron's formula, double", adding_up<Real>(ours), adding_up<double>(heron)};
 }
 
 template <class T>
-void add_plain_number(std::vector<Claim>& claims, long double aspect, const char* thin, int scale, const char* range) {
-  claims.push_back(
-      {.function = "barycentric, refused",
-       .number = name_of<T>,
-       .domain = std::string("needles and caps at any angle, to ") + thin + " times longer than wide; sides of " + range,
-       .unit = "called degenerate",
-       .worst = count_refused<T>(aspect, scale)});
-  claims.push_back({.function = "barycentric, flat",
-                    .number = name_of<T>,
-                    .domain = "corners equal or on a line through the origin, as nearly as they can be written",
-                    .unit = "not called degenerate",
-                    .worst = count_missed_flats<T>()});
-  claims.push_back({.function = "barycentric, anything",
-                    .number = name_of<T>,
-                    .domain = "triangles of any shape; points of anything the type can hold",
-                    .unit = "NaN",
-                    .worst = count_nan<T>(ours)});
-  claims.push_back({.function = "distance_to a Floor",
-                    .number = name_of<T>,
-                    .domain = "heights, origins and directions of 1e-6 to 1e6",
-                    .bound = 2,
-                    .unit = "ulp",
-                    .worst = worst_floor<T>()});
-  claims.push_back({.function = "point_on a Floor, height",
-                    .number = name_of<T>,
-                    .domain = "any ray that meets it",
-                    .unit = "not the floor's to the bit",
-                    .worst = count_off_floor<T>()});
+void add_single_number(Family& family, const Shapes& shapes) {
+  family.add<T>("barycentric, refused", shapes.text(), {0, "called degenerate"},
+                count_refused<T>(shapes.aspect, shapes.scale));
+  family.add<T>("barycentric, flat",
+                "corners equal or on a line through the origin, as nearly as they can be written",
+                {0, "not called degenerate"}, count_missed_flats<T>());
+  family.add<T>("barycentric, anything",
+                "triangles of any shape; points of anything the type can hold", {0, "NaN"},
+                count_nan<T>(ours));
+  family.add<T>("distance_to a Floor", "heights, origins and directions of 1e-6 to 1e6", {2, "ulp"},
+                worst_floor<T>());
+  family.add<T>("point_on a Floor, height", "any ray that meets it",
+                {0, "not the floor's to the bit"}, count_off_floor<T>());
 }
 
 }  // namespace
 
 Family claims_of_triangles() {
-  Family family{
-      "Triangles and the floor",
-      "Exact: Cramer's rule on dot products in 50 digits, checked against areas along the normal in 100. The last rows "
-      "are the areas by Heron's formula.",
-      {}};
-  std::vector<Claim>& claims = family.claims;
-  add_weights<float>(claims, 5, "1e5", 60, "1e-18 to 1e18", 3);
-  add_weights<double>(claims, 13, "1e13", 900, "1e-270 to 1e270", 3);
-  add_weights<long double>(claims, 13, "1e13", 900, "1e-270 to 1e270", 3);
-#ifdef TEXMAP_HAVE_PACKS
-  add_weights<Pack<float>>(claims, 5, "1e5", 60, "1e-18 to 1e18", 3);
-  add_weights<Pack<double>>(claims, 13, "1e13", 900, "1e-270 to 1e270", 3);
-#endif
-  add_plain_number<float>(claims, 5, "1e5", 60, "1e-18 to 1e18");
-  add_plain_number<double>(claims, 13, "1e13", 900, "1e-270 to 1e270");
-  add_plain_number<long double>(claims, 13, "1e13", 900, "1e-270 to 1e270");
-  claims.push_back({.function = "weights by Heron's formula",
-                    .number = name_of<double>,
-                    .domain = "needles and caps at any angle, to 1e4 times longer than wide; points inside",
-                    .bound = 3,
-                    .unit = "u (largest weight)^2",
-                    .worst = worst_weights<double>(heron, 4, 0),
-                    .expect = Expect::beyond});
-  claims.push_back({.function = "weights by Heron's formula",
-                    .number = name_of<float>,
-                    .domain = "triangles of any shape; points of anything the type can hold",
-                    .unit = "NaN",
-                    .worst = count_nan<float>(heron),
-                    .expect = Expect::beyond});
+  Family family{"Triangles and the floor",
+                "Exact: Cramer's rule on dot products in 50 digits, checked against areas along "
+                "the normal in 100. The last rows are the areas by Heron's formula."};
+  const Shapes in_float{5, "1e5", 60, "1e-18 to 1e18"};
+  const Shapes in_double{13, "1e13", 900, "1e-270 to 1e270"};
+  add_weights<float>(family, in_float);
+  add_weights<double>(family, in_double);
+  add_weights<long double>(family, in_double);
+  add_weights<Pack<float>>(family, in_float);
+  add_weights<Pack<double>>(family, in_double);
+  add_single_number<float>(family, in_float);
+  add_single_number<double>(family, in_double);
+  add_single_number<long double>(family, in_double);
+  const std::string function = "weights by Heron's formula";
+  family
+      .add<double>(function,
+                   "needles and caps at any angle, to 1e4 times longer than wide; points inside",
+                   {3, "u (largest weight)^2"}, worst_weights<double>(heron, 4, 0))
+      .expect = Expect::beyond;
+  family
+      .add<float>(function, "triangles of any shape; points of anything the type can hold",
+                  {0, "NaN"}, count_nan<float>(heron))
+      .expect = Expect::beyond;
   return family;
 }
 

@@ -1,11 +1,12 @@
 // Inputs as text that can be pasted into a test: every digit of them.
 #pragma once
+#include <array>
 #include <limits>
 #include <sstream>
 #include <string>
 
-#include "ray.hpp"
-#include "triangle.hpp"
+#include "scene/ray.hpp"
+#include "scene/triangle.hpp"
 
 namespace texmap::extremes {
 
@@ -24,7 +25,12 @@ template <class T>
 [[nodiscard]] std::string described(const Ray<T>& ray) {
   return "{" + described(ray.origin) + ", " + described(ray.direction) + "}";
 }
-
+template <class One, std::size_t count>
+[[nodiscard]] std::string described(const std::array<One, count>& all) {
+  std::string text;
+  for (const One& one : all) text += (text.empty() ? "" : " ") + described(one);
+  return text;
+}
 [[nodiscard]] inline std::string described(const Triangle& triangle) {
   return described(triangle.a) + " " + described(triangle.b) + " " + described(triangle.c);
 }

@@ -1,15 +1,21 @@
-// How far a number is from one of 50 digits, and vectors of such numbers.
+// How far a number is from one of 50 digits; vectors of such numbers; inputs for each lane.
 #pragma once
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "dice.hpp"
-#include "many_digits.hpp"
-#include "number.hpp"
-#include "vec3.hpp"
+#include "math/vec3.hpp"
+#include "number/number.hpp"
+#include "scene/ray.hpp"
+#include "support/dice.hpp"
+#include "support/lane_of.hpp"
+#include "support/many_digits.hpp"
+
+namespace texmap::test {}
 
 namespace texmap::extremes {
+
+using namespace test;
 
 /// The circle constant in as many digits.
 template <class Exact>
@@ -19,7 +25,7 @@ template <class Exact>
 }
 
 /// The same vector with more digits; nothing is rounded.
-template <class Exact, class T>
+template <class Exact = Digits50, class T>
 [[nodiscard]] Vec3<Exact> exactly(const Vec3<T>& p) {
   return {Exact(p.x), Exact(p.y), Exact(p.z)};
 }
@@ -41,32 +47,53 @@ template <class T>
   return ldexp(Digits50(1), exponent - Limits::digits);
 }
 
-/// How far `got` is from the exact value, in units in the last place of the exact value; infinity for a NaN.
-template <class T>
-[[nodiscard]] double ulps_off(T got, const Digits50& exact) {
-  if (!std::isfinite(got)) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(abs(Digits50(got) - exact) / ulp_at<T>(exact));
-}
-
 /// How far `got` is from the exact value, in `unit`s; infinity for what is no finite number.
 template <class T>
 [[nodiscard]] double units_off(T got, const Digits50& exact, const Digits50& unit) {
   if (!std::isfinite(got)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(abs(Digits50(got) - exact) / unit);
 }
-
-/// One vector for each lane, as one vector.
-template <class Real, class Each>
-[[nodiscard]] Vec3<Real> gathered(const Each& each) {
-  return {from_lanes<Real>([&](std::size_t i) { return each[i].x; }),
-          from_lanes<Real>([&](std::size_t i) { return each[i].y; }),
-          from_lanes<Real>([&](std::size_t i) { return each[i].z; })};
+/// The same in units in the last place of the exact value.
+template <class T>
+[[nodiscard]] double ulps_off(T got, const Digits50& exact) {
+  return units_off(got, exact, ulp_at<T>(exact));
+}
+/// The same in unit roundoffs of the exact value, where zero has to come out as zero.
+template <class T>
+[[nodiscard]] double relative_off(T got, const Digits50& exact) {
+  if (exact == 0) return got == 0 ? 0 : 1e30;
+  return units_off(got, exact, abs(exact) * roundoff<T>());
+}
+/// The length of the difference of two vectors, in unit roundoffs.
+template <class T>
+[[nodiscard]] double length_off(const Vec3<T>& got, const Vec3<Digits50>& exact) {
+  return static_cast<double>(length(exactly(got) - exact) / roundoff<T>());
 }
 
-/// One number for each lane, as one number.
-template <class Real, class Each>
-[[nodiscard]] Real gathered_numbers(const Each& each) {
-  return from_lanes<Real>([&](std::size_t i) { return each[i]; });
+/// `get(i)` of all lanes as one thing of packs: a number, a vector, a ray, or an array of these.
+///
+/// @param one  what one lane's is like
+template <class Real, class Get>
+[[nodiscard]] Real packed(const Get& get, const Scalar<Real>& /*one*/) {
+  return from_lanes<Real>(get);
+}
+template <class Real, class Get>
+[[nodiscard]] Vec3<Real> packed(const Get& get, const Vec3<Scalar<Real>>& /*one*/) {
+  return {from_lanes<Real>([&](std::size_t i) { return get(i).x; }),
+          from_lanes<Real>([&](std::size_t i) { return get(i).y; }),
+          from_lanes<Real>([&](std::size_t i) { return get(i).z; })};
+}
+template <class Real, class Get>
+[[nodiscard]] Ray<Real> packed(const Get& get, const Ray<Scalar<Real>>& one) {
+  return {packed<Real>([&](std::size_t i) { return get(i).origin; }, one.origin),
+          packed<Real>([&](std::size_t i) { return get(i).direction; }, one.direction)};
+}
+template <class Real, class Get, class One, std::size_t count>
+[[nodiscard]] auto packed(const Get& get, const std::array<One, count>& one) {
+  std::array<decltype(packed<Real>([&](std::size_t i) { return get(i)[0]; }, one[0])), count> all;
+  for (std::size_t k = 0; k < count; ++k)
+    all[k] = packed<Real>([&](std::size_t i) { return get(i)[k]; }, one[k]);
+  return all;
 }
 
 /// One drawn thing for each lane.
@@ -76,16 +103,16 @@ template <class Real, class Draw>
   for (auto& one : each) one = draw();
   return each;
 }
-
+/// The same as one thing of packs.
+template <class Real, class Draw>
+[[nodiscard]] auto drawn_pack(const Draw& draw) {
+  const auto each = drawn<Real>(draw);
+  return packed<Real>([&](std::size_t i) { return each[i]; }, each[0]);
+}
 /// A direction in each lane.
 template <class Real>
 [[nodiscard]] Vec3<Real> drawn_direction(Dice& dice) {
-  return gathered<Real>(drawn<Real>([&] { return rounded<Scalar<Real>>(dice.direction()); }));
-}
-
-template <class Real>
-[[nodiscard]] Vec3<Scalar<Real>> lane_of(const Vec3<Real>& p, std::size_t i) {
-  return {lane(p.x, i), lane(p.y, i), lane(p.z, i)};
+  return drawn_pack<Real>([&] { return rounded<Scalar<Real>>(dice.direction()); });
 }
 
 }  // namespace texmap::extremes

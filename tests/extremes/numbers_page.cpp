@@ -19,12 +19,13 @@ Cells measured(const Claim& claim) {
   const texmap::extremes::Worst seen = claim.worst(inputs, 2);
   const double worst = seen.off;
   if ((worst <= claim.bound) != (claim.expect == Expect::within)) {
-    std::cerr << "warning: " << worst << " for a bound of " << claim.bound << ' ' << claim.unit << ", at " << seen.where
-              << '\n';
+    std::cerr << "warning: " << worst << " for a bound of " << claim.bound << ' ' << claim.unit
+              << ", at " << seen.where << '\n';
   }
   Cells cells{texmap::extremes::two_digits(worst), ""};
   if (claim.cost.work) {
-    cells.cost = texmap::extremes::two_digits(texmap::extremes::cost_ratio(claim.cost, 200)) + " × " + claim.cost.relative_to;
+    cells.cost = texmap::extremes::two_digits(texmap::extremes::cost_ratio(claim.cost, 200)) +
+                 " × " + claim.cost.relative_to;
   }
   return cells;
 }
@@ -33,7 +34,8 @@ Cells measured(const Claim& claim) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::cerr << "usage: numbers_page FILE   measures every claim and writes FILE, docs/numbers.md as a rule\n";
+    std::cerr << "usage: numbers_page FILE   measures every claim and writes FILE, docs/numbers.md "
+                 "as a rule\n";
     return 2;
   }
   const std::string page = texmap::extremes::page_of(texmap::extremes::all_claims(), measured);

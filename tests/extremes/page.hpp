@@ -15,16 +15,17 @@ struct Cells {
 };
 
 /// The page. A claim's last two cells are what `measured` says of it.
-[[nodiscard]] std::string page_of(const std::vector<Family>& families, const std::function<Cells(const Claim&)>& measured);
+[[nodiscard]] std::string page_of(const std::vector<Family>& families,
+                                  const std::function<Cells(const Claim&)>& measured);
 
-/// The page without its measured cells: what must not differ between the page and the claims. Rows of packs are left out where
-/// the machine has none.
+/// The page without its measured cells: what page and claims must agree on. Rows of packs are left
+/// out where the machine has no packs.
 [[nodiscard]] std::string without_measured_cells(const std::string& page);
 
 /// A number with two digits, such as 0.00071 or 3.4.
 [[nodiscard]] std::string two_digits(double number);
 
-/// How much longer a function's work takes than its reference's: both are run by turns, and the shortest time of each counts.
+/// Ratio of a function's time to its reference's: both run alternately, the shortest times count.
 [[nodiscard]] double cost_ratio(const Cost& cost, int rounds);
 
 }  // namespace texmap::extremes

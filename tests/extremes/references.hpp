@@ -1,7 +1,7 @@
-// The exact answers, and for each a second one by another formula: if both were mistaken, they would not agree.
+// The exact answers, each by two formulas: if one of them were wrong, they would not agree.
 #pragma once
 #include "digits.hpp"
-#include "ray.hpp"
+#include "scene/ray.hpp"
 
 namespace texmap::extremes {
 
@@ -18,11 +18,12 @@ template <class Exact>
   return {turn < 0 ? turn + 1 : turn, atan2(sqrt(p.x * p.x + p.z * p.z), -p.y) / circle<Exact>()};
 }
 
-/// The same by the inverse cosine of a unit vector's coordinates, which loses digits where 100 have enough of them.
+/// The same by the inverse cosine of a unit vector's coordinates. It loses digits; 100 are enough.
 [[nodiscard]] inline ExactUv<Digits100> exact_uv_by_acos(const Vec3<Digits100>& p) {
   const Digits100 wide = sqrt(p.x * p.x + p.z * p.z);
   const Digits100 half = acos(-p.x / wide) / (2 * circle<Digits100>());
-  return {p.z < 0 ? 1 - half : half, acos(-p.y / sqrt(wide * wide + p.y * p.y)) / circle<Digits100>()};
+  return {p.z < 0 ? 1 - half : half,
+          acos(-p.y / sqrt(wide * wide + p.y * p.y)) / circle<Digits100>()};
 }
 
 /// How far apart two places on a circle of length 1 are.
@@ -36,14 +37,15 @@ template <class Exact>
 template <class Exact>
 struct ExactMeeting {
   bool meets = false;
-  Exact impact;  ///< distance of the ray's line from the center, over the radius: 1 for a ray that grazes the sphere
+  Exact impact;  ///< distance of the ray's line from the center, over the radius: 1 if it grazes
   Exact distance;
   Vec3<Exact> normal;
 };
 
-/// The first point ahead by the quadratic equation; its digits cancel as everybody's do, but 50 are enough.
+/// The first point ahead by the quadratic equation. Digits cancel as they always do; 50 are enough.
 template <class Exact>
-[[nodiscard]] ExactMeeting<Exact> exact_meeting(const Vec3<Exact>& f, const Vec3<Exact>& d, const Exact& r) {
+[[nodiscard]] ExactMeeting<Exact> exact_meeting(const Vec3<Exact>& f, const Vec3<Exact>& d,
+                                                const Exact& r) {
   const Exact a = dot(d, d);
   const Exact b = -dot(f, d);
   const Exact c = dot(f, f) - r * r;
@@ -52,7 +54,8 @@ template <class Exact>
   meeting.impact = sqrt(r * r - discriminant / a) / r;
   if (discriminant < 0) return meeting;
   const Exact root = sqrt(discriminant);
-  // The sign of c tells inside from outside without an error; on the sphere (c = 0) the other end is met, or nothing.
+  // The sign of c tells inside from outside without an error. On the sphere (c = 0) the ray meets
+  // the other end or nothing.
   if (c >= 0 && b <= 0) return meeting;
   meeting.meets = true;
   meeting.distance = c > 0 ? Exact(c / (b + root)) : Exact((b + root) / a);
@@ -62,7 +65,8 @@ template <class Exact>
 
 /// The same from the line's nearest point to the center and half the chord.
 template <class Exact>
-[[nodiscard]] ExactMeeting<Exact> exact_meeting_by_chord(const Vec3<Exact>& f, const Vec3<Exact>& d, const Exact& r) {
+[[nodiscard]] ExactMeeting<Exact> exact_meeting_by_chord(const Vec3<Exact>& f, const Vec3<Exact>& d,
+                                                         const Exact& r) {
   const Exact speed = sqrt(dot(d, d));
   const Vec3<Exact> unit = d * Exact(1 / speed);
   const Exact along = -dot(f, unit);
@@ -75,7 +79,8 @@ template <class Exact>
   if (outside && along < 0) return meeting;
   meeting.meets = true;
   meeting.distance = (outside ? Exact(along - half_chord) : Exact(along + half_chord)) / speed;
-  meeting.normal = (nearest + unit * Exact(outside ? Exact(-half_chord) : half_chord)) * Exact(1 / r);
+  meeting.normal =
+      (nearest + unit * Exact(outside ? Exact(-half_chord) : half_chord)) * Exact(1 / r);
   return meeting;
 }
 
@@ -83,7 +88,7 @@ template <class Exact>
 template <class T>
 [[nodiscard]] double angle_off(const Vec3<T>& got, const Vec3<Digits50>& exact) {
   if (!std::isfinite(got.x + got.y + got.z)) return std::numeric_limits<double>::infinity();
-  const Vec3<Digits50> n = exactly<Digits50>(got);
+  const Vec3<Digits50> n = exactly(got);
   const Vec3<Digits50> sine = cross(n, exact);
   return static_cast<double>(atan2(sqrt(dot(sine, sine)), dot(n, exact)));
 }
@@ -96,13 +101,14 @@ struct ExactAngle {
   Exact sine, cosine;
 };
 
-/// Sine and cosine of an angle in degrees, reduced in whole numbers: any number of a machine is a whole number times a power of
-/// two, and whole numbers have remainders without an error.
+/// Sine and cosine of an angle in degrees, reduced in whole numbers: every floating-point number is
+/// a whole number times a power of two, and whole numbers have exact remainders.
 template <class T>
 [[nodiscard]] ExactAngle<Digits50> exact_angle(T degrees) {
   int exponent = 0;
   const T mantissa = std::frexp(std::fabs(degrees), &exponent);
-  const auto whole = static_cast<std::uint64_t>(std::ldexp(mantissa, std::numeric_limits<T>::digits));
+  const auto whole =
+      static_cast<std::uint64_t>(std::ldexp(mantissa, std::numeric_limits<T>::digits));
   exponent -= std::numeric_limits<T>::digits;
   Digits50 turn;
   if (exponent >= 0) {
@@ -111,23 +117,24 @@ template <class T>
     turn = rest;
   } else if (exponent > -80) {
     // whole / 2^-exponent modulo 360, as (whole mod 360 2^-exponent) / 2^-exponent.
-    const boost::multiprecision::uint256_t period = boost::multiprecision::uint256_t(360) << -exponent;
+    const boost::multiprecision::uint256_t period = boost::multiprecision::uint256_t(360)
+                                                    << -exponent;
     turn = ldexp(Digits50(static_cast<boost::multiprecision::uint256_t>(whole % period)), exponent);
   } else {
     turn = ldexp(Digits50(whole), exponent);
   }
   const Digits50 radians = turn * circle<Digits50>() / 180;
-  // The sines of whole quarter turns are known, and 50 digits of the circle constant would miss them.
+  // The sines of whole quarter turns are known; 50 digits of pi would miss them.
   const bool upright = turn == 90 || turn == 270;
   const bool level = turn == 0 || turn == 180;
   const Digits50 sine = level ? Digits50(0) : sin(radians);
   return {degrees < 0 ? Digits50(-sine) : sine, upright ? Digits50(0) : cos(radians)};
 }
 
-/// Where a point of a triangle's plane is: the weights of its corners by Cramer's rule on the dot products of the sides.
+/// The weights of a point in a triangle's plane, by Cramer's rule on dot products of the sides.
 template <class Exact>
-[[nodiscard]] Vec3<Exact> exact_weights(const Vec3<Exact>& a, const Vec3<Exact>& b, const Vec3<Exact>& c,
-                                        const Vec3<Exact>& p) {
+[[nodiscard]] Vec3<Exact> exact_weights(const Vec3<Exact>& a, const Vec3<Exact>& b,
+                                        const Vec3<Exact>& c, const Vec3<Exact>& p) {
   const Vec3<Exact> ab = b - a;
   const Vec3<Exact> ac = c - a;
   const Vec3<Exact> ap = p - a;
@@ -144,11 +151,12 @@ template <class Exact>
 
 /// The same as three areas along the normal over the whole area.
 template <class Exact>
-[[nodiscard]] Vec3<Exact> exact_weights_by_areas(const Vec3<Exact>& a, const Vec3<Exact>& b, const Vec3<Exact>& c,
-                                                 const Vec3<Exact>& p) {
+[[nodiscard]] Vec3<Exact> exact_weights_by_areas(const Vec3<Exact>& a, const Vec3<Exact>& b,
+                                                 const Vec3<Exact>& c, const Vec3<Exact>& p) {
   const Vec3<Exact> n = cross(b - a, c - a);
   const Exact whole = dot(n, n);
-  return {dot(n, cross(b - p, c - p)) / whole, dot(n, cross(c - p, a - p)) / whole, dot(n, cross(a - p, b - p)) / whole};
+  return {dot(n, cross(b - p, c - p)) / whole, dot(n, cross(c - p, a - p)) / whole,
+          dot(n, cross(a - p, b - p)) / whole};
 }
 
 }  // namespace texmap::extremes

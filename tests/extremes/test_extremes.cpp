@@ -1,4 +1,5 @@
-// Tests of what the course claims of its functions: each bound holds, none is idle, and other forms break it.
+// Tests of the claims about functions: each bound holds, is at most 8 times too wide, and other
+// forms break it.
 #include <doctest.h>
 
 #include <sstream>
@@ -8,7 +9,7 @@
 namespace texmap::extremes {
 namespace {
 
-/// Inputs for each claim; fewer where sanitizers or a build without optimisation make references slow.
+/// Inputs for each claim; fewer where sanitizers or an unoptimized build make references slow.
 constexpr int inputs = TEXMAP_EXTREMES_INPUTS;
 constexpr bool enough_for_the_worst = inputs >= 1000;
 
@@ -16,8 +17,8 @@ void hold(const Family& family) {
   for (const Claim& claim : family.claims) {
     const Worst worst = claim.worst(inputs, 1);
     std::ostringstream report;
-    report << claim.function << ", " << claim.number << ": " << worst.off << " " << claim.unit << " for a bound of "
-           << claim.bound;
+    report << claim.function << ", " << claim.number << ": " << worst.off << " " << claim.unit
+           << " for a bound of " << claim.bound;
     MESSAGE(report.str());
     INFO("domain: " << claim.domain);
     INFO("at: " << worst.where);

@@ -1,4 +1,4 @@
-// Tests that docs/numbers.md says what the claims say: its functions, domains and bounds, not what was measured.
+// Tests that docs/numbers.md has the claims' functions, domains and bounds; not what was measured.
 #include <doctest.h>
 
 #include <fstream>
@@ -35,14 +35,17 @@ std::string first_difference(const std::string& page, const std::string& expecte
 
 TEST_CASE("the page has the functions, domains and bounds of the claims") {
   const std::string difference =
-      first_difference(without_measured_cells(committed_page()), without_measured_cells(page_of(all_claims(), unmeasured)));
+      first_difference(without_measured_cells(committed_page()),
+                       without_measured_cells(page_of(all_claims(), unmeasured)));
   CHECK_MESSAGE(difference.empty(), difference << "\n./course numbers writes the page anew");
 }
 
 TEST_CASE("a changed bound, domain or function is noticed, a changed measurement is not") {
   std::vector<Family> families = all_claims();
   const std::string page = without_measured_cells(page_of(families, unmeasured));
-  const auto same = [&](const std::string& other) { return first_difference(without_measured_cells(other), page).empty(); };
+  const auto same = [&](const std::string& other) {
+    return first_difference(without_measured_cells(other), page).empty();
+  };
   CHECK(same(page_of(families, [](const Claim&) { return Cells{"3", "4"}; })));
 
   Claim& claim = families.back().claims.back();
@@ -65,8 +68,8 @@ TEST_CASE("every cell of the page stays in its column") {
   for (const Family& family : all_claims()) {
     for (const Claim& claim : family.claims) {
       CAPTURE(claim.function);
-      CHECK((claim.function + claim.number + claim.domain + claim.unit + claim.cost.relative_to).find('|') ==
-            std::string::npos);
+      CHECK((claim.function + claim.number + claim.domain + claim.unit + claim.cost.relative_to)
+                .find('|') == std::string::npos);
       CHECK_FALSE(claim.number.empty());
       CHECK_FALSE(claim.domain.empty());
       CHECK_FALSE(claim.unit.empty());

@@ -1,7 +1,6 @@
-// Tests of the exact answers themselves: two formulas that share nothing agree, and known values come out.
+// Tests of the exact answers: two independent formulas agree, and known values come out.
 #include <doctest.h>
 
-#include "dice.hpp"
 #include "references.hpp"
 #include "shots.hpp"
 
@@ -30,7 +29,7 @@ TEST_CASE("(u, v) by angles is (u, v) by inverse cosines") {
     Vec3<double> p = rounded<double>(dice.direction());
     if (dice.once_in(2)) p.x = p.x * static_cast<double>(dice.power_of_ten(-8, 0));
     if (dice.once_in(2)) p.z = p.z * static_cast<double>(dice.power_of_ten(-8, 0));
-    const ExactUv<Digits50> one = exact_uv(exactly<Digits50>(p));
+    const ExactUv<Digits50> one = exact_uv(exactly(p));
     const ExactUv<Digits100> other = exact_uv_by_acos(exactly<Digits100>(p));
     REQUIRE(around(one.u, Digits50(other.u)) < same);
     REQUIRE(abs(one.v - Digits50(other.v)) < same);
@@ -42,7 +41,7 @@ TEST_CASE("(u, v) by angles is (u, v) by inverse cosines") {
 TEST_CASE("opposite directions are half a turn apart, and as far from one pole as from the other") {
   Dice dice(2);
   for (int i = 0; i < inputs; ++i) {
-    const Vec3<Digits50> p = exactly<Digits50>(rounded<double>(dice.direction()));
+    const Vec3<Digits50> p = exactly(rounded<double>(dice.direction()));
     const ExactUv<Digits50> one = exact_uv(p);
     const ExactUv<Digits50> other = exact_uv(-p);
     REQUIRE(abs(around(one.u, other.u) - Digits50(0.5)) < same);
@@ -57,15 +56,17 @@ TEST_CASE("the quadratic equation finds what half chords find, and it lies on th
     const Shots shots;
     const Shot<double> shot = draw_shot<double>(dice, shots, draw_shared(dice, shots));
     const ExactMeeting<Digits50> one = shot.meeting();
-    const ExactMeeting<Digits100> other = exact_meeting_by_chord(
-        exactly<Digits100>(shot.ray.origin), exactly<Digits100>(shot.ray.direction), Digits100(shot.radius));
+    const ExactMeeting<Digits100> other =
+        exact_meeting_by_chord(exactly<Digits100>(shot.ray.origin),
+                               exactly<Digits100>(shot.ray.direction), Digits100(shot.radius));
     REQUIRE(one.meets == other.meets);
     REQUIRE(abs(one.impact - Digits50(other.impact)) < Digits50("1e-25"));
     if (!one.meets) continue;
     ++met;
     REQUIRE(abs(one.distance / Digits50(other.distance) - 1) < Digits50("1e-25"));
     const Vec3<Digits50> apart =
-        one.normal - Vec3<Digits50>{Digits50(other.normal.x), Digits50(other.normal.y), Digits50(other.normal.z)};
+        one.normal - Vec3<Digits50>{Digits50(other.normal.x), Digits50(other.normal.y),
+                                    Digits50(other.normal.z)};
     REQUIRE(dot(apart, apart) < same);
     REQUIRE(abs(dot(one.normal, one.normal) - 1) < Digits50("1e-25"));
   }
@@ -94,21 +95,21 @@ TEST_CASE("weights by Cramer's rule are weights by areas, and bring back the poi
     const auto corner = [&dice] { return rounded<double>(dice.direction()); };
     const Vec3<double> a = corner();
     const Vec3<double> b = corner();
-    const Vec3<double> c = dice.once_in(2) ? rounded<double>({b.x + dice.power_of_ten(-8, 0), b.y, b.z}) : corner();
+    const Vec3<double> c =
+        dice.once_in(2) ? rounded<double>({b.x + dice.power_of_ten(-8, 0), b.y, b.z}) : corner();
     const Vec3<double> p = corner();
-    const Vec3<Digits50> one =
-        exact_weights(exactly<Digits50>(a), exactly<Digits50>(b), exactly<Digits50>(c), exactly<Digits50>(p));
-    const Vec3<Digits100> other =
-        exact_weights_by_areas(exactly<Digits100>(a), exactly<Digits100>(b), exactly<Digits100>(c), exactly<Digits100>(p));
+    const Vec3<Digits50> one = exact_weights(exactly(a), exactly(b), exactly(c), exactly(p));
+    const Vec3<Digits100> other = exact_weights_by_areas(
+        exactly<Digits100>(a), exactly<Digits100>(b), exactly<Digits100>(c), exactly<Digits100>(p));
     const Digits50 largest = abs(one.x) + abs(one.y) + abs(one.z);
     REQUIRE(abs(one.x - Digits50(other.x)) < same * largest);
     REQUIRE(abs(one.y - Digits50(other.y)) < same * largest);
     REQUIRE(abs(one.z - Digits50(other.z)) < same * largest);
     // The foot of p: what is left of p is at a right angle to the sides.
     const Vec3<Digits50> foot =
-        exactly<Digits50>(a) * one.x + exactly<Digits50>(b) * one.y + exactly<Digits50>(c) * one.z - exactly<Digits50>(p);
-    REQUIRE(abs(dot(foot, exactly<Digits50>(b) - exactly<Digits50>(a))) < same * largest);
-    REQUIRE(abs(dot(foot, exactly<Digits50>(c) - exactly<Digits50>(a))) < same * largest);
+        exactly(a) * one.x + exactly(b) * one.y + exactly(c) * one.z - exactly(p);
+    REQUIRE(abs(dot(foot, exactly(b) - exactly(a))) < same * largest);
+    REQUIRE(abs(dot(foot, exactly(c) - exactly(a))) < same * largest);
   }
 }
 

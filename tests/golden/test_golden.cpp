@@ -1,4 +1,5 @@
-// The pictures of all chapters as they should be. TEXMAP_COLLECT=1 writes them anew, to be looked at before they are committed.
+// All chapters' pictures as they should be. TEXMAP_COLLECT=1 writes new ones. Look at the new
+// pictures before you commit them.
 #include <doctest.h>
 
 #include <cstdlib>
@@ -11,22 +12,28 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
+#include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
-#include "pictures.hpp"
-#include "save_png.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "support/pictures.hpp"
 
 using namespace texmap;
+using namespace texmap::test;
 
 namespace {
 
-/// Two pictures are the same when at most 0.02 % of their pixels are off by more than one level: what another compiler's or
-/// library's last bit may change, and no more.
+/// Two pictures are the same if at most 0.02 % of their pixels differ by more than one level:
+/// another compiler or library may change a last bit, and no more.
 bool same(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height &&
-         static_cast<double>(test::count_different(a, b, 1)) <= 0.0002 * static_cast<double>(a.pixels.size());
+         static_cast<double>(count_different(a, b, 1)) <=
+             0.0002 * static_cast<double>(a.pixels.size());
 }
 
-std::string file_of(const std::string& name) { return std::string(TEXMAP_TESTS_DIR) + "/golden/" + name + ".png"; }
+std::string file_of(const std::string& name) {
+  return std::string(TEXMAP_TESTS_DIR) + "/golden/" + name + ".png";
+}
 
 void check_golden(const std::string& name, const Image& drawn) {
   if (std::getenv("TEXMAP_COLLECT") != nullptr) {
@@ -36,25 +43,25 @@ void check_golden(const std::string& name, const Image& drawn) {
   const Image golden = load_image(file_of(name));
   CAPTURE(name);
   CHECK(same(drawn, golden));
-  if (drawn != golden) MESSAGE(name << ": " << test::count_different(drawn, golden) << " pixels differ by one level or more");
+  if (drawn != golden)
+    MESSAGE(name << ": " << count_different(drawn, golden)
+                 << " pixels differ by one level or more");
 #ifdef TEXMAP_REFERENCE_PLATFORM
   CHECK(drawn == golden);
 #endif
 }
 
 Image sheet() {
-  const auto lesson = test::prepared<chapter_04::Lesson>();
+  const auto lesson = prepared<chapter_04::Lesson>();
   CommandLine line("test", "");
-  Studio studio("test", line);
-  studio.prefer_size(1600, 796);
-  return chapter_04::sheet_of_conventions(lesson, studio);
+  Session session("test", line, chapter_04::Lesson::about);
+  return chapter_04::sheet_of_conventions(lesson, session);
 }
 
 Image extremes() {
   CommandLine line("test", "");
-  Studio studio("test", line);
-  studio.prefer_size(1680, 1330);
-  return chapter_14::draw_sheet(chapter_14::Lesson{}.exhibits(), studio).picture;
+  Session session("test", line, chapter_14::Lesson::about);
+  return chapter_14::draw_sheet(chapter_14::Lesson{}.exhibits(), session).picture;
 }
 
 Image trade() {
@@ -63,29 +70,27 @@ Image trade() {
 }
 
 Image sampled() {
-  auto lesson = test::prepared<chapter_07::Lesson>();
-  Film film(400, 225);
-  lesson.gathering = {Sampler(SamplerKind::sobol, 100), 50, &film};
-  (void)render<double>(lesson, view_of(lesson.stage.camera, 400, 225), {});
-  film.count(50, 50);
-  return develop(film, Transfer::srgb);
+  const auto lesson = prepared<chapter_07::Lesson>();
+  return develop(gather<double>(lesson, lesson.objects, view_of(lesson.stage.camera, 400, 225),
+                                {Sampler(SamplerKind::sobol, 100)}, {}, {}),
+                 Transfer::srgb);
 }
 
 Image lecture(const char* highlight) {
-  const auto lesson = test::prepared<chapter_06::Lesson>(
+  const auto lesson = prepared<chapter_06::Lesson>(
       {"--scene", "lecture", "--shininess", "20", "--blend", "0.1", "--highlight", highlight});
-  return test::picture(lesson, 400, 200);
+  return picture(lesson, 400, 200);
 }
 
 }  // namespace
 
 TEST_CASE("every chapter draws its golden picture") {
-  check_golden("01_plain_spheres", test::picture(chapter_01::Lesson{}));
-  check_golden("02_checkerboard_uv", test::picture(chapter_02::Lesson{}));
-  check_golden("03_image_texture", test::picture(test::prepared<chapter_03::Lesson>()));
+  check_golden("01_plain_spheres", picture(chapter_01::Lesson{}));
+  check_golden("02_checkerboard_uv", picture(chapter_02::Lesson{}));
+  check_golden("03_image_texture", picture(prepared<chapter_03::Lesson>()));
   check_golden("04_uv_conventions", sheet());
-  check_golden("05_y_rotation", test::picture(test::prepared<chapter_05::Lesson>()));
-  check_golden("06_phong_texture_blend", test::picture(test::prepared<chapter_06::Lesson>()));
+  check_golden("05_y_rotation", picture(prepared<chapter_05::Lesson>()));
+  check_golden("06_phong_texture_blend", picture(prepared<chapter_06::Lesson>()));
   check_golden("06_lecture_phong", lecture("phong"));
   check_golden("06_lecture_slides", lecture("lecture"));
   check_golden("07_earth_by_sampling", sampled());
@@ -93,7 +98,9 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("14_numerical_extremes", extremes());
 }
 
-TEST_CASE("the comparison can fail: neighbouring chapters, a mirrored Earth and half a texel are all refused") {
+TEST_CASE(
+    "the comparison can fail: neighbouring chapters, a mirrored Earth and half a texel are all "
+    "refused") {
   const auto golden = [](const std::string& name) { return load_image(file_of(name)); };
   CHECK_FALSE(same(golden("01_plain_spheres"), golden("02_checkerboard_uv")));
   CHECK_FALSE(same(golden("02_checkerboard_uv"), golden("03_image_texture")));
@@ -103,12 +110,12 @@ TEST_CASE("the comparison can fail: neighbouring chapters, a mirrored Earth and 
   CHECK_FALSE(same(golden("05_y_rotation"), golden("06_phong_texture_blend")));
   CHECK_FALSE(same(golden("06_lecture_phong"), golden("06_lecture_slides")));
   const Image earth = golden("03_image_texture");
-  CHECK_FALSE(same(test::picture(test::prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})), earth));
-  CHECK_FALSE(same(test::picture(test::prepared<chapter_04::Lesson>({"--convention", "daily"})), earth));
-  CHECK_FALSE(same(test::picture(test::prepared<chapter_04::Lesson>({"--rounding", "lecture"})), earth));
-  auto mirrored = test::prepared<chapter_03::Lesson>();
-  auto& texture = std::get<chapter_03::Textured>(mirrored.objects[chapter_03::middle].paint).texture;
-  texture.image = test::mirrored(texture.image);
-  CHECK_FALSE(same(test::picture(mirrored), earth));
+  CHECK_FALSE(same(picture(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})), earth));
+  CHECK_FALSE(same(picture(prepared<chapter_04::Lesson>({"--convention", "daily"})), earth));
+  CHECK_FALSE(same(picture(prepared<chapter_04::Lesson>({"--rounding", "lecture"})), earth));
+  auto wrong = prepared<chapter_03::Lesson>();
+  auto& texture = std::get<chapter_03::Textured>(wrong.objects[chapter_03::middle].paint).texture;
+  texture.image = mirrored(texture.image);
+  CHECK_FALSE(same(picture(wrong), earth));
   CHECK(same(earth, earth));
 }

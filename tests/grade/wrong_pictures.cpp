@@ -1,20 +1,23 @@
-// Draws chapter 03 as students with a mistake would, for the test of the grading: wrong_pictures FOLDER.
+// Draws chapter 03 with the mistakes that students make, to test grading: wrong_pictures FOLDER.
 #include <cstdio>
 #include <exception>
 #include <string>
 
 #include "03_image_texture/lesson.hpp"
-#include "pictures.hpp"
-#include "save_png.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "support/pictures.hpp"
 
 namespace {
 
 using namespace texmap;
+using namespace texmap::test;
 
 Image with_texture(const Image& image) {
-  auto lesson = test::prepared<chapter_03::Lesson>();
+  auto lesson = prepared<chapter_03::Lesson>();
   std::get<chapter_03::Textured>(lesson.objects[chapter_03::middle].paint).texture.image = image;
-  return test::picture(lesson);
+  return picture(lesson);
 }
 
 /// The map with each texel drawn as two halves and all of them moved by one half.
@@ -30,12 +33,12 @@ Image moved_by_half_a_texel(const Image& map) {
 
 void draw_all(const std::string& folder) {
   const Image earth = load_image(find_texture("earth.png"));
-  save_png(with_texture(test::mirrored(earth)), folder + "/mirrored.png");
+  save_png(with_texture(mirrored(earth)), folder + "/mirrored.png");
   save_png(with_texture(moved_by_half_a_texel(earth)), folder + "/shifted.png");
   Image stray = with_texture(earth);
   stray.at(11, 580) = {255, 0, 255};
   save_png(stray, folder + "/stray.png");
-  save_png(test::picture(test::prepared<chapter_03::Lesson>(), 400, 300), folder + "/small.png");
+  save_png(picture(prepared<chapter_03::Lesson>(), 400, 300), folder + "/small.png");
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // Tests of common/math/color.hpp: light adds, falls on surfaces and mixes.
 #include <doctest.h>
 
-#include "color.hpp"
-#include "render.hpp"
+#include "engine/render/render.hpp"
+#include "math/color.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 template <class Real>
@@ -12,7 +12,8 @@ bool equal(const Color<Real>& a, const Color<Real>& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b;
 }
 
-TEST_CASE_TEMPLATE("colors add, multiply and scale channel by channel", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("colors add, multiply and scale channel by channel", Real, float, double,
+                   long double) {
   const Color<Real> a{Real(0.25), Real(0.5), 1};
   const Color<Real> b{2, Real(0.5), Real(0.125)};
   CHECK(equal(a + b, {Real(2.25), 1, Real(1.125)}));
@@ -26,11 +27,14 @@ TEST_CASE_TEMPLATE("select takes whole colors", Real, float, double, long double
   CHECK(equal(select(false, Color<Real>{1, 2, 3}, Color<Real>{4, 5, 6}), {4, 5, 6}));
 }
 
-TEST_CASE_TEMPLATE("number_cast keeps each channel in its place and rounds once", Real, float, double, long double) {
-  CHECK(equal(number_cast<Real>(Rgb{0.1, 0.2, 0.3}), {static_cast<Real>(0.1), static_cast<Real>(0.2), static_cast<Real>(0.3)}));
+TEST_CASE_TEMPLATE("number_cast keeps each channel in its place and rounds once", Real, float,
+                   double, long double) {
+  CHECK(equal(number_cast<Real>(Rgb{0.1, 0.2, 0.3}),
+              {static_cast<Real>(0.1), static_cast<Real>(0.2), static_cast<Real>(0.3)}));
 }
 
-TEST_CASE_TEMPLATE("mix goes straight from the first color to the second", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("mix goes straight from the first color to the second", Real, float, double,
+                   long double) {
   const Color<Real> a{0, Real(0.5), 1};
   const Color<Real> b{1, Real(0.25), Real(0.5)};
   CHECK(equal(mix(a, b, Real(0)), a));
@@ -39,7 +43,8 @@ TEST_CASE_TEMPLATE("mix goes straight from the first color to the second", Real,
   CHECK(equal(mix(a, b, Real(0.5)), {Real(0.5), Real(0.375), Real(0.75)}));
 }
 
-TEST_CASE_TEMPLATE("a color mixed with itself stays itself, to the bit and to the byte", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a color mixed with itself stays itself, to the bit and to the byte", Real,
+                   float, double, long double) {
   int changed = 0;
   int changed_bytes = 0;
   for (int byte = 0; byte < 256; ++byte) {
@@ -54,8 +59,9 @@ TEST_CASE_TEMPLATE("a color mixed with itself stays itself, to the bit and to th
   CHECK(changed_bytes == 0);
 }
 
-TEST_CASE_TEMPLATE("mix is the first color at 0 and the second at 1, to the bit and to the byte, for all pairs", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE(
+    "mix is the first color at 0 and the second at 1, to the bit and to the byte, for all pairs",
+    Real, float, double, long double) {
   int wrong = 0;
   for (int first = 0; first < 256; ++first) {
     for (int second = 0; second < 256; ++second) {
@@ -70,4 +76,4 @@ TEST_CASE_TEMPLATE("mix is the first color at 0 and the second at 1, to the bit 
 }
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

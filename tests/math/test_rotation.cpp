@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "rotation.hpp"
-#include "uv.hpp"
+#include "math/rotation.hpp"
+#include "texture/uv.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 template <class Real>
@@ -14,7 +14,7 @@ bool equal(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/// The distance from `got` to the exact value in steps of Real at 1, or at the value if that is smaller.
+/// The distance of `got` from the exact value, in ulps of 1 or of the value, whichever is smaller.
 template <class Real>
 Real ulps(Real got, long double exact) {
   const auto rounded = static_cast<Real>(exact);
@@ -22,7 +22,8 @@ Real ulps(Real got, long double exact) {
   return abs(got - rounded) / (std::nextafter(magnitude, infinity<Real>()) - magnitude);
 }
 
-TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, float, double,
+                   long double) {
   const int sines[] = {0, 1, 0, -1};
   const int cosines[] = {1, 0, -1, 0};
   for (int quarter = -400; quarter <= 400; ++quarter) {
@@ -54,9 +55,16 @@ TEST_CASE_TEMPLATE("sines and cosines have every digit", Real, float, double, lo
       for (int quarter = 0; quarter < 4; ++quarter) {
         CAPTURE(row.degrees);
         CAPTURE(quarter);
-        const SineCosine<Real> angle = sine_cosine_of_degrees(static_cast<Real>(row.degrees + 90 * quarter + 360 * turns));
-        const long double sine = quarter == 0 ? row.sine : quarter == 1 ? row.cosine : quarter == 2 ? -row.sine : -row.cosine;
-        const long double cosine = quarter == 0 ? row.cosine : quarter == 1 ? -row.sine : quarter == 2 ? -row.cosine : row.sine;
+        const SineCosine<Real> angle =
+            sine_cosine_of_degrees(static_cast<Real>(row.degrees + 90 * quarter + 360 * turns));
+        const long double sine = quarter == 0   ? row.sine
+                                 : quarter == 1 ? row.cosine
+                                 : quarter == 2 ? -row.sine
+                                                : -row.cosine;
+        const long double cosine = quarter == 0   ? row.cosine
+                                   : quarter == 1 ? -row.sine
+                                   : quarter == 2 ? -row.cosine
+                                                  : row.sine;
         worst = std::max({worst, ulps(angle.sine, sine), ulps(angle.cosine, cosine)});
         CHECK(ulps(angle.sine, sine) <= Real(2));
         CHECK(ulps(angle.cosine, cosine) <= Real(2));
@@ -66,11 +74,13 @@ TEST_CASE_TEMPLATE("sines and cosines have every digit", Real, float, double, lo
   MESSAGE("worst: " << static_cast<double>(worst) << " ulps");
 }
 
-TEST_CASE_TEMPLATE("an angle and the same angle whole turns on are one", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("an angle and the same angle whole turns on are one", Real, float, double,
+                   long double) {
   for (int degrees = 0; degrees < 360; ++degrees) {
     const SineCosine<Real> here = sine_cosine_of_degrees(static_cast<Real>(degrees));
     for (const int turns : {-1000, -1, 1, 1000}) {
-      const SineCosine<Real> there = sine_cosine_of_degrees(static_cast<Real>(degrees + 360 * turns));
+      const SineCosine<Real> there =
+          sine_cosine_of_degrees(static_cast<Real>(degrees + 360 * turns));
       REQUIRE(there.sine == here.sine);
       REQUIRE(there.cosine == here.cosine);
     }
@@ -96,7 +106,8 @@ int modulo_turn(double whole) {
 }
 
 TEST_CASE("any finite angle counts, up to the largest number there is") {
-  for (const double degrees : {1e17, 1e100, 1e300, 123456789e200, std::numeric_limits<double>::max()}) {
+  for (const double degrees :
+       {1e17, 1e100, 1e300, 123456789e200, std::numeric_limits<double>::max()}) {
     CAPTURE(degrees);
     const RotationY far = rotation_y(degrees);
     const RotationY near = rotation_y(modulo_turn(degrees));
@@ -121,14 +132,16 @@ TEST_CASE_TEMPLATE("a negative angle turns the other way", Real, float, double, 
 }
 
 TEST_CASE_TEMPLATE("an angle that is no number gives no number", Real, float, double, long double) {
-  for (const Real degrees : {std::numeric_limits<Real>::quiet_NaN(), infinity<Real>(), -infinity<Real>()}) {
+  for (const Real degrees :
+       {std::numeric_limits<Real>::quiet_NaN(), infinity<Real>(), -infinity<Real>()}) {
     const SineCosine<Real> angle = sine_cosine_of_degrees(degrees);
     CHECK(angle.sine != angle.sine);
     CHECK(angle.cosine != angle.cosine);
   }
 }
 
-TEST_CASE_TEMPLATE("the lecture's matrix carries the axes round: +z to +x to -z to -x", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the lecture's matrix carries the axes round: +z to +x to -z to -x", Real, float,
+                   double, long double) {
   const Vec3<Real> x{1, 0, 0};
   const Vec3<Real> y{0, 1, 0};
   const Vec3<Real> z{0, 0, 1};
@@ -161,4 +174,4 @@ TEST_CASE("a rotation adds degrees / 360 to u and leaves v") {
 }
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

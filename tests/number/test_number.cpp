@@ -1,9 +1,9 @@
 // Tests of common/number/number.hpp: what the course asks of a plain number.
 #include <doctest.h>
 
-#include "number.hpp"
+#include "number/number.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 constexpr long double exact_pi = 3.14159265358979323846264338327950288L;
@@ -21,7 +21,8 @@ TEST_CASE_TEMPLATE("below_one is the last number before one", Real, float, doubl
   CHECK(below_one<Real>() == std::nextafter(Real(1), Real(0)));
 }
 
-TEST_CASE_TEMPLATE("the unit roundoff is the largest number that vanishes beside one", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the unit roundoff is the largest number that vanishes beside one", Real, float,
+                   double, long double) {
   const Real u = unit_roundoff<Real>();
   CHECK(Real(1) + u == Real(1));
   CHECK(Real(1) + std::nextafter(u, Real(1)) > Real(1));
@@ -37,7 +38,8 @@ TEST_CASE_TEMPLATE("a plain number is a pack of one lane", Real, float, double, 
   CHECK_FALSE(any(false));
 }
 
-TEST_CASE_TEMPLATE("select takes the first where the mask is true and the second elsewhere", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("select takes the first where the mask is true and the second elsewhere", Real,
+                   float, double, long double) {
   CHECK(select(true, Real(1), Real(2)) == Real(1));
   CHECK(select(false, Real(1), Real(2)) == Real(2));
 }
@@ -52,18 +54,20 @@ TEST_CASE_TEMPLATE("larger and smaller obey their table", Real, float, double, l
       {3, 3, 3, 3}, {-inf, inf, inf, -inf}, {0, inf, inf, 0}, {-inf, 0, 0, -inf},
   };
   for (const Row& row : table) {
-    CHECK(larger(row.a, row.b) == row.large);
-    CHECK(smaller(row.a, row.b) == row.small);
+    CHECK(max(row.a, row.b) == row.large);
+    CHECK(min(row.a, row.b) == row.small);
   }
 }
 
-TEST_CASE_TEMPLATE("larger and smaller answer a NaN on the left with the right", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("larger and smaller answer a NaN on the left with the right", Real, float,
+                   double, long double) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
-  CHECK(larger(nan, Real(4)) == Real(4));
-  CHECK(smaller(nan, Real(4)) == Real(4));
+  CHECK(max(nan, Real(4)) == Real(4));
+  CHECK(min(nan, Real(4)) == Real(4));
 }
 
-TEST_CASE_TEMPLATE("clamp obeys its table and makes a NaN the lower bound", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("clamp obeys its table and makes a NaN the lower bound", Real, float, double,
+                   long double) {
   const Real inf = infinity<Real>();
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   const Real next = std::nextafter(Real(2), Real(3));
@@ -71,7 +75,8 @@ TEST_CASE_TEMPLATE("clamp obeys its table and makes a NaN the lower bound", Real
     Real x, brought;
   };
   const Row table[] = {
-      {-inf, -1}, {-2, -1}, {-1, -1}, {Real(-0.5), Real(-0.5)}, {0, 0}, {2, 2}, {next, 2}, {3, 2}, {inf, 2}, {nan, -1},
+      {-inf, -1}, {-2, -1}, {-1, -1},  {Real(-0.5), Real(-0.5)}, {0, 0}, {2, 2}, {next, 2},
+      {3, 2},     {inf, 2}, {nan, -1},
   };
   for (const Row& row : table) CHECK(clamp(row.x, Real(-1), Real(2)) == row.brought);
 }
@@ -82,7 +87,8 @@ TEST_CASE_TEMPLATE("square multiplies a number with itself", Real, float, double
   CHECK(square(std::numeric_limits<Real>::max()) == infinity<Real>());
 }
 
-TEST_CASE_TEMPLATE("the functions of a number keep its type and their exact points", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the functions of a number keep its type and their exact points", Real, float,
+                   double, long double) {
   static_assert(std::is_same_v<decltype(sqrt(Real(2))), Real>);
   static_assert(std::is_same_v<decltype(atan2(Real(2), Real(1))), Real>);
   static_assert(std::is_same_v<decltype(exp(Real(2))), Real>);
@@ -98,4 +104,4 @@ TEST_CASE_TEMPLATE("the functions of a number keep its type and their exact poin
 }
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

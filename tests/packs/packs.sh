@@ -2,14 +2,19 @@
 # Packs of every width draw the pictures that plain double draws, and the program's other functions run on every machine.
 # usage: packs.sh BIN [CHAPTER...]      BIN holds the chapters' programs and compare; CHAPTER:functions looks at its functions alone
 #        packs.sh --self-test BIN       shows that a difference would be noticed
+#        packs.sh --functions PROGRAM   looks at the functions of any program; 77 if there is no objdump
 set -eu
 if [ "${1:-}" = --self-test ]; then
   self_test=yes
   shift
 fi
+if [ "${1:-}" = --functions ]; then
+  functions=${2:?usage: packs.sh --functions PROGRAM}
+  shift
+fi
 bin=${1:?usage: packs.sh [--self-test] BIN [CHAPTER...]}
 shift
-[ -x "$bin/compare" ] || {
+[ -n "${functions:-}" ] || [ -x "$bin/compare" ] || {
   echo "there is no $bin/compare: build compare_program" >&2
   exit 2
 }
@@ -29,14 +34,21 @@ draw() { "$bin/$1" --quiet --width 400 --height 300 --out "$2" --number "$3" --i
 wide_functions() {
   objdump -d --no-show-raw-insn "$1" |
     awk '/^[0-9a-f]+ </ { name = $2 }
-      /%[yz]mm/ && (name !~ /avx|draw_wide_packs|LaneBitsILm(8|16)E/ || name ~ /_GLOBAL__sub_I|global_var_init/) { print name }' | sort -u
+      /%[yz]mm/ && (name !~ /avx|run_in_wide_packs|PackU32ILm(8|16)E/ || name ~ /_GLOBAL__sub_I|global_var_init/) { print name }' | sort -u
 }
 
 check_functions() {
   command -v objdump >/dev/null 2>&1 || return 0
-  wide=$(wide_functions "$bin/$1")
-  [ -z "$wide" ] || fail "$1: wide instructions where every machine goes: $wide"
+  wide=$(wide_functions "$1")
+  [ -z "$wide" ] || fail "$(basename "$1"): wide instructions where every machine goes: $wide"
 }
+
+if [ -n "${functions:-}" ]; then
+  command -v objdump >/dev/null 2>&1 || exit 77
+  check_functions "$functions"
+  [ "$failed" -eq 0 ] && echo "wide instructions stay in functions that are named after them"
+  exit "$failed"
+fi
 
 if [ -n "${self_test:-}" ]; then
   draw 02_checkerboard_uv "$work/double.png" double baseline
@@ -52,7 +64,7 @@ fi
 for chapter in "$@"; do
   case $chapter in
     *:functions)
-      check_functions "${chapter%:functions}"
+      check_functions "$bin/${chapter%:functions}"
       continue
       ;;
   esac
@@ -69,7 +81,7 @@ for chapter in "$@"; do
       fail "$chapter: packs of float with $instructions differ from those with baseline"
     tried=$((tried + 1))
   done
-  check_functions "$chapter"
+  check_functions "$bin/$chapter"
 done
 [ "$tried" -gt 0 ] || fail "nothing was tried"
 echo "$tried pictures with packs, $failed failed"

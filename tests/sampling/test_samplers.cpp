@@ -1,5 +1,5 @@
-// Tests of common/sampling/samplers.hpp and sample_numbers.hpp: where samples lie, how far means of them are off, and that all
-// numbers agree.
+// Tests of common/sampling/samplers.hpp: where samples lie, how far off their means are, and that
+// all numbers agree.
 #include <doctest.h>
 
 #include <algorithm>
@@ -13,14 +13,17 @@
 #include <utility>
 #include <vector>
 
-#include "sample_numbers.hpp"
-#include "sampled_numbers.hpp"
+#include "engine/render/sample_random.hpp"
+#include "sampling/sampled_numbers.hpp"
+#include "support/whole_numbers.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
-constexpr std::array all_kinds = {SamplerKind::random, SamplerKind::stratified, SamplerKind::multi_jitter, SamplerKind::sobol};
-constexpr std::array<int, 4> rounds = {1, 4, 16, 64};  // of the laws that need no more than a few pixels
+constexpr std::array all_kinds = {SamplerKind::random, SamplerKind::stratified,
+                                  SamplerKind::multi_jitter, SamplerKind::sobol};
+constexpr std::array<int, 4> rounds = {1, 4, 16,
+                                       64};  // of the laws that need no more than a few pixels
 
 std::string name_of(SamplerKind kind) {
   constexpr std::array names = {"random", "stratified", "multi-jitter", "Sobol'"};
@@ -39,56 +42,65 @@ void for_all_samplers(std::initializer_list<int> counts, void (*law)(SamplerKind
 }
 
 /// All samples of a pixel.
-std::vector<Sample2<double>> samples_of(const Sampler& sampler, std::uint32_t column, std::uint32_t row,
-                                        std::uint32_t dimension) {
-  std::vector<Sample2<double>> all;
+std::vector<Point2<double>> samples_of(const Sampler& sampler, std::uint32_t column,
+                                       std::uint32_t row, std::uint32_t dimension) {
+  std::vector<Point2<double>> all;
   for (int i = 0; i < sampler.samples(); ++i) {
-    all.push_back(sampler.pair<double>(pixel_bits<double>(column, row), static_cast<std::uint32_t>(i), dimension));
+    all.push_back(sampler.pair<double>(test::hash_row<double>(column, row),
+                                       static_cast<std::uint32_t>(i), dimension));
   }
   return all;
 }
 
 /// True when each cell of a grid holds exactly one of as many samples.
-bool one_in_each(const std::vector<Sample2<double>>& samples, std::uint32_t columns, std::uint32_t rows) {
+bool one_in_each(const std::vector<Point2<double>>& samples, std::uint32_t columns,
+                 std::uint32_t rows) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> cells;
-  for (const Sample2<double>& at : samples) {
-    cells.emplace(static_cast<std::uint32_t>(at.u * columns), static_cast<std::uint32_t>(at.v * rows));
+  for (const Point2<double>& at : samples) {
+    cells.emplace(static_cast<std::uint32_t>(at.u * columns),
+                  static_cast<std::uint32_t>(at.v * rows));
   }
   return cells.size() == samples.size() && samples.size() == std::size_t{columns} * rows;
 }
 
-TEST_CASE_TEMPLATE("every number draws the same samples, one pixel at a time or many", Real, TEXMAP_SAMPLED_NUMBERS) {
-  for_all_samplers({1, 2, 3, 7, 16, 64, 97, 100, 256, 1000, most_samples}, [](SamplerKind kind, int count) {
-    const Sampler sampler(kind, count, 11);
-    const int step = count < 300 ? 1 : count / 100;
-    for (std::uint32_t column = 0; column < 32; column += 16) {
-      for (int i = 0; i < count; i += step) {
-        for (const std::uint32_t dimension : {0U, 3U, 50U}) {
-          const auto sample = static_cast<std::uint32_t>(i);
-          const Sample2<Real> pack = sampler.pair<Real>(pixel_bits<Real>(column, 5), sample, dimension);
-          for (std::size_t at = 0; at < lanes<Real>; ++at) {
-            const auto here = column + static_cast<std::uint32_t>(at);
-            const Sample2<double> single = sampler.pair<double>(pixel_bits<double>(here, 5), sample, dimension);
-            REQUIRE(static_cast<double>(lane(pack.u, at)) == single.u);
-            REQUIRE(static_cast<double>(lane(pack.v, at)) == single.v);
+TEST_CASE_TEMPLATE("every number draws the same samples, one pixel at a time or many", Real,
+                   TEXMAP_SAMPLED_NUMBERS) {
+  for_all_samplers(
+      {1, 2, 3, 7, 16, 64, 97, 100, 256, 1000, most_samples}, [](SamplerKind kind, int count) {
+        const Sampler sampler(kind, count, 11);
+        const int step = count < 300 ? 1 : count / 100;
+        for (std::uint32_t column = 0; column < 32; column += 16) {
+          for (int i = 0; i < count; i += step) {
+            for (const std::uint32_t dimension : {0U, 3U, 50U}) {
+              const auto sample = static_cast<std::uint32_t>(i);
+              const Point2<Real> pack =
+                  sampler.pair<Real>(test::hash_row<Real>(column, 5), sample, dimension);
+              for (std::size_t at = 0; at < lanes<Real>; ++at) {
+                const auto here = column + static_cast<std::uint32_t>(at);
+                const Point2<double> single =
+                    sampler.pair<double>(test::hash_row<double>(here, 5), sample, dimension);
+                REQUIRE(static_cast<double>(lane(pack.u, at)) == single.u);
+                REQUIRE(static_cast<double>(lane(pack.v, at)) == single.v);
+              }
+            }
           }
         }
-      }
-    }
-  });
+      });
 }
 
 TEST_CASE("samples are the same on every machine") {
-  // Sums of 24-bit integers, found once; a change of any sampler changes pictures and has to change these on purpose.
-  const std::array<std::uint64_t, 4> sums = {3820025051727, 3873452746007, 3885052752722, 3815976365148};
+  // Sums of 24-bit integers, found once. If a sampler changes, pictures change; change these too.
+  const std::array<std::uint64_t, 4> sums = {3820025051727, 3873452746007, 3885052752722,
+                                             3815976365148};
   for (const SamplerKind kind : all_kinds) {
     std::uint64_t sum = 0;
     for (const int count : {16, 64, 100}) {
       const Sampler sampler(kind, count, 1);
       for (std::uint32_t column = 0; column < 8; ++column) {
         std::uint64_t weight = 1;
-        for (const Sample2<double>& at : samples_of(sampler, column, 2, 3)) {
-          sum += weight * (static_cast<std::uint64_t>(at.u * 0x1p24) + 3 * static_cast<std::uint64_t>(at.v * 0x1p24));
+        for (const Point2<double>& at : samples_of(sampler, column, 2, 3)) {
+          sum += weight * (static_cast<std::uint64_t>(at.u * 0x1p24) +
+                           3 * static_cast<std::uint64_t>(at.v * 0x1p24));
           weight += 2;
         }
       }
@@ -99,16 +111,17 @@ TEST_CASE("samples are the same on every machine") {
 }
 
 TEST_CASE("samples lie in [0, 1) and are multiples of 2^-24") {
-  for_all_samplers({1, 2, 3, 5, 16, 97, 100, 255, 257, 1024, most_samples - 1, most_samples}, [](SamplerKind kind, int count) {
-    for (const Sample2<double>& at : samples_of(Sampler(kind, count), 3, 4, 5)) {
-      REQUIRE(at.u >= 0);
-      REQUIRE(at.u < 1);
-      REQUIRE(at.v >= 0);
-      REQUIRE(at.v < 1);
-      REQUIRE(at.u * 0x1p24 == std::floor(at.u * 0x1p24));
-      REQUIRE(at.v * 0x1p24 == std::floor(at.v * 0x1p24));
-    }
-  });
+  for_all_samplers({1, 2, 3, 5, 16, 97, 100, 255, 257, 1024, most_samples - 1, most_samples},
+                   [](SamplerKind kind, int count) {
+                     for (const Point2<double>& at : samples_of(Sampler(kind, count), 3, 4, 5)) {
+                       REQUIRE(at.u >= 0);
+                       REQUIRE(at.u < 1);
+                       REQUIRE(at.v >= 0);
+                       REQUIRE(at.v < 1);
+                       REQUIRE(at.u * 0x1p24 == std::floor(at.u * 0x1p24));
+                       REQUIRE(at.v * 0x1p24 == std::floor(at.v * 0x1p24));
+                     }
+                   });
 }
 
 TEST_CASE("a number of samples that is not from 1 to 16384 is refused") {
@@ -133,7 +146,8 @@ TEST_CASE("a shuffle is a permutation, whatever its count") {
   }
 }
 
-TEST_CASE("a shuffle takes each integer to each place equally often, and neighbours to each distance") {
+TEST_CASE(
+    "a shuffle takes each integer to each place equally often, and neighbours to each distance") {
   for (const std::uint32_t count : {5U, 8U, 10U, 16U, 64U, 100U}) {
     CAPTURE(count);
     const sampling::Shuffle shuffle(count);
@@ -152,7 +166,8 @@ TEST_CASE("a shuffle takes each integer to each place equally often, and neighbo
     const double freedom = (count - 1.0) * (count - 1.0);
     CHECK(chi < freedom + 6 * std::sqrt(2 * freedom));
     const double each = static_cast<double>(keys) * count / (count - 1);
-    for (std::uint32_t d = 1; d < count; ++d) worst = std::max(worst, std::abs(apart[d] / each - 1));
+    for (std::uint32_t d = 1; d < count; ++d)
+      worst = std::max(worst, std::abs(apart[d] / each - 1));
     CHECK(worst < 1);  // none twice as often
   }
 }
@@ -162,7 +177,8 @@ TEST_CASE("a grid has a cell for each sample, none too many where the count has 
     const sampling::CellGrid grid(count);
     REQUIRE(grid.columns * grid.rows >= count);
     REQUIRE(grid.columns * grid.rows < count + grid.columns);
-    for (std::uint32_t cell = count > 40 ? count - 40 : 0; cell < grid.columns * grid.rows; ++cell) {
+    for (std::uint32_t cell = count > 40 ? count - 40 : 0; cell < grid.columns * grid.rows;
+         ++cell) {
       REQUIRE(grid.row_of(cell) == cell / grid.columns);
     }
   }
@@ -176,7 +192,8 @@ TEST_CASE("a point of a stratum stays inside it, from the first random bits to t
     const sampling::Strata strata(count);
     for (std::uint32_t i = 0; i < count; i += count < 300 ? 1 : 37) {
       for (const std::uint32_t random : {0U, 1U, 32768U, 65534U, 65535U}) {
-        REQUIRE(static_cast<std::uint32_t>(unit_interval<double>(strata.point(i, random)) * count) == i);
+        REQUIRE(static_cast<std::uint32_t>(unit_interval<double>(strata.point(i, random)) *
+                                           count) == i);
       }
     }
     const double covered = static_cast<double>(strata.width) * 65536 / 0x1p32 * count;
@@ -190,19 +207,24 @@ TEST_CASE("stratified: each cell of the grid holds exactly one sample") {
     const sampling::CellGrid grid(static_cast<std::uint32_t>(count));
     for (const int round : rounds) {
       CAPTURE(count);
-      CHECK(one_in_each(samples_of(Sampler(SamplerKind::stratified, count), static_cast<std::uint32_t>(round), 9, 3),
+      CHECK(one_in_each(samples_of(Sampler(SamplerKind::stratified, count),
+                                   static_cast<std::uint32_t>(round), 9, 3),
                         grid.columns, grid.rows));
     }
   }
 }
 
-TEST_CASE("stratified: of a prime number of samples no two share a cell, and each pixel leaves out others") {
+TEST_CASE(
+    "stratified: of a prime number of samples no two share a cell, and each pixel leaves out "
+    "others") {
   const sampling::CellGrid grid(97);
   std::set<int> left_out;
   for (std::uint32_t column = 0; column < 64; ++column) {
     std::vector<int> cells(grid.columns * grid.rows);
-    for (const Sample2<double>& at : samples_of(Sampler(SamplerKind::stratified, 97), column, 0, 0)) {
-      ++cells[static_cast<std::size_t>(at.v * grid.rows) * grid.columns + static_cast<std::size_t>(at.u * grid.columns)];
+    for (const Point2<double>& at :
+         samples_of(Sampler(SamplerKind::stratified, 97), column, 0, 0)) {
+      ++cells[static_cast<std::size_t>(at.v * grid.rows) * grid.columns +
+              static_cast<std::size_t>(at.u * grid.columns)];
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       REQUIRE(cells[i] <= 1);
@@ -218,7 +240,8 @@ TEST_CASE("multi-jitter: each cell, each of n columns and each of n rows hold ex
     const sampling::CellGrid grid(n);
     for (const int round : rounds) {
       CAPTURE(count);
-      const auto samples = samples_of(Sampler(SamplerKind::multi_jitter, count), static_cast<std::uint32_t>(round), 9, 3);
+      const auto samples = samples_of(Sampler(SamplerKind::multi_jitter, count),
+                                      static_cast<std::uint32_t>(round), 9, 3);
       CHECK(one_in_each(samples, grid.columns, grid.rows));
       CHECK(one_in_each(samples, n, 1));
       CHECK(one_in_each(samples, 1, n));
@@ -226,20 +249,24 @@ TEST_CASE("multi-jitter: each cell, each of n columns and each of n rows hold ex
   }
 }
 
-TEST_CASE("multi-jitter: of a prime number of samples each of n rows holds one, and no column two") {
+TEST_CASE(
+    "multi-jitter: of a prime number of samples each of n rows holds one, and no column two") {
   for (const int count : {3, 5, 13, 97, 251}) {
     const sampling::CellGrid grid(static_cast<std::uint32_t>(count));
     for (std::uint32_t column = 0; column < 16; ++column) {
       const auto samples = samples_of(Sampler(SamplerKind::multi_jitter, count), column, 2, 1);
       CHECK(one_in_each(samples, 1, static_cast<std::uint32_t>(count)));
       std::set<int> columns;
-      for (const Sample2<double>& at : samples) columns.insert(static_cast<int>(at.u * grid.columns * grid.rows));
+      for (const Point2<double>& at : samples)
+        columns.insert(static_cast<int>(at.u * grid.columns * grid.rows));
       CHECK(columns.size() == samples.size());
     }
   }
 }
 
-TEST_CASE("Sobol': every grid of powers of two holds one sample in each cell, after scrambling and shuffling too") {
+TEST_CASE(
+    "Sobol': every grid of powers of two holds one sample in each cell, after scrambling and "
+    "shuffling too") {
   for (std::uint32_t k = 0; k <= 12; ++k) {
     for (std::uint32_t column = 0; column < 8; ++column) {
       const auto samples = samples_of(Sampler(SamplerKind::sobol, 1 << k), column, k, 3 + column);
@@ -255,7 +282,7 @@ TEST_CASE("Sobol': every grid of powers of two holds one sample in each cell, af
 TEST_CASE("Sobol': other counts are a net for each power of two in them") {
   const auto samples = samples_of(Sampler(SamplerKind::sobol, 100), 3, 4, 5);  // 64 + 32 + 4
   for (const auto& [first, size] : {std::pair{0, 64}, {64, 32}, {96, 4}}) {
-    const std::vector<Sample2<double>> net(samples.begin() + first, samples.begin() + first + size);
+    const std::vector<Point2<double>> net(samples.begin() + first, samples.begin() + first + size);
     for (int j = 1; j <= size; j *= 2) {
       CHECK(one_in_each(net, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(size / j)));
     }
@@ -273,7 +300,8 @@ TEST_CASE("the second coordinate of Sobol's points is that of his direction numb
   }
 }
 
-TEST_CASE("a scrambling flips a bit only by the bits of larger value, and every bit as often as not") {
+TEST_CASE(
+    "a scrambling flips a bit only by the bits of larger value, and every bit as often as not") {
   std::array<int, 16> flips{};
   constexpr int keys = 4096;
   for (std::uint32_t k = 0; k < keys; ++k) {
@@ -290,7 +318,9 @@ TEST_CASE("a scrambling flips a bit only by the bits of larger value, and every 
   for (const int count : flips) CHECK(std::abs(count - keys / 2) < 4 * 32);
 }
 
-TEST_CASE("each pixel, each dimension and each seed has samples of its own, spread over the whole square") {
+TEST_CASE(
+    "each pixel, each dimension and each seed has samples of its own, spread over the whole "
+    "square") {
   for_all_samplers({8, 16, 64, 97}, [](SamplerKind kind, int count) {
     // One sample over pixels: uniform, and one pixel's tells nothing about the next one's.
     const Sampler sampler(kind, count, 5);
@@ -300,10 +330,10 @@ TEST_CASE("each pixel, each dimension and each seed has samples of its own, spre
     constexpr int side = 256;
     for (std::uint32_t row = 0; row < side; ++row) {
       for (std::uint32_t column = 0; column < side; ++column) {
-        const auto a = sampler.pair<double>(pixel_bits<double>(column, row), 7, 3);
-        const auto b = sampler.pair<double>(pixel_bits<double>(column + 1, row), 7, 3);
-        const auto c = sampler.pair<double>(pixel_bits<double>(column, row), 7, 4);
-        const auto d = reseeded.pair<double>(pixel_bits<double>(column, row), 7, 3);
+        const auto a = sampler.pair<double>(test::hash_row<double>(column, row), 7, 3);
+        const auto b = sampler.pair<double>(test::hash_row<double>(column + 1, row), 7, 3);
+        const auto c = sampler.pair<double>(test::hash_row<double>(column, row), 7, 4);
+        const auto d = reseeded.pair<double>(test::hash_row<double>(column, row), 7, 3);
         bins[static_cast<std::size_t>(a.v * 8) * 8 + static_cast<std::size_t>(a.u * 8)] += 1;
         pixels += (a.u - 0.5) * (b.u - 0.5) + (a.v - 0.5) * (b.v - 0.5);
         dimensions += (a.u - 0.5) * (c.u - 0.5) + (a.v - 0.5) * (c.v - 0.5);
@@ -312,7 +342,8 @@ TEST_CASE("each pixel, each dimension and each seed has samples of its own, spre
       }
     }
     double chi = 0;
-    for (const double found : bins) chi += (found - side * side / 64.0) * (found - side * side / 64.0) / (side * side / 64.0);
+    for (const double found : bins)
+      chi += (found - side * side / 64.0) * (found - side * side / 64.0) / (side * side / 64.0);
     CHECK(chi < 63 + 5 * std::sqrt(2 * 63.0));
     const double bound = 4 * side / 12.0 * std::numbers::sqrt2;
     CHECK(std::abs(pixels) < bound);
@@ -322,7 +353,9 @@ TEST_CASE("each pixel, each dimension and each seed has samples of its own, spre
   });
 }
 
-TEST_CASE("two dimensions of a pixel are paired by chance: products of them have the error of random samples") {
+TEST_CASE(
+    "two dimensions of a pixel are paired by chance: products of them have the error of random "
+    "samples") {
   for_all_samplers({16, 64, 100, 256}, [](SamplerKind kind, int count) {
     const Sampler sampler(kind, count, 3);
     double like = 0, unlike = 0, halves = 0;
@@ -340,7 +373,8 @@ TEST_CASE("two dimensions of a pixel are paired by chance: products of them have
       unlike += uv * uv / count;
       halves += signs * signs / count;
     }
-    CHECK(std::abs(like / pixels - 1) < 0.25);  // a permutation of 16 gives 16/15, and chance another 0.13
+    CHECK(std::abs(like / pixels - 1) <
+          0.25);  // a permutation of 16 gives 16/15, and chance another 0.13
     CHECK(std::abs(unlike / pixels - 1) < 0.25);
     CHECK(std::abs(halves / pixels - 1) < 0.25);
   });
@@ -350,15 +384,17 @@ TEST_CASE("the pattern inside of visit is the sampler's own") {
   for (const SamplerKind kind : all_kinds) {
     const Sampler sampler(kind, 64, 2);
     CHECK(sampler.kind() == kind);
-    const auto pixel = pixel_bits<float>(8, 9);
-    const float inside = sampler.visit([&](const auto& pattern) { return pattern.template pair<float>(pixel, 5, 6).u; });
+    const auto pixel = test::hash_row<float>(8, 9);
+    const float inside = sampler.visit(
+        [&](const auto& pattern) { return pattern.template pair<float>(pixel, 5, 6).u; });
     CHECK(inside == sampler.pair<float>(pixel, 5, 6).u);
   }
 }
 
-TEST_CASE_TEMPLATE("numbers handed out one after another are the sampler's own, whoever asks for how many", Real,
-                   TEXMAP_SAMPLED_NUMBERS) {
-  const auto pixels = pixel_bits<Real>(8, 9);
+TEST_CASE_TEMPLATE(
+    "numbers handed out one after another are the sampler's own, whoever asks for how many", Real,
+    TEXMAP_SAMPLED_NUMBERS) {
+  const auto pixels = test::hash_row<Real>(8, 9);
   for (const SamplerKind kind : all_kinds) {
     const Sampler sampler(kind, 100, 3);
     SampleSums<Real> sums(sampler);
@@ -370,16 +406,18 @@ TEST_CASE_TEMPLATE("numbers handed out one after another are the sampler's own, 
       int sum = 0;
       sums.add(
           pixels, first, end,
-          [&](auto& numbers) {
+          [&](auto& random) {
             const int sample = done.empty() ? first : done.back() + 1;
             bool right = true;
             for (int dimension = 0; dimension < all_asked(sample); ++dimension) {
-              const Sample2<Real>& got = numbers.pair();
-              const Sample2<Real> own =
-                  sampler.pair<Real>(pixels, static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(dimension));
-              right = right && all_lanes(got.u) == all_lanes(own.u) && all_lanes(got.v) == all_lanes(own.v);
+              const Point2<Real>& got = random.next_2d();
+              const Point2<Real> own =
+                  sampler.pair<Real>(pixels, static_cast<std::uint32_t>(sample),
+                                     static_cast<std::uint32_t>(dimension));
+              right = right && all_lanes(got.u) == all_lanes(own.u) &&
+                      all_lanes(got.v) == all_lanes(own.v);
             }
-            if (numbers.lack()) return 1 << 20;  // not to be counted: the sample will come again
+            if (random.lack()) return 1 << 20;  // not to be counted: the sample will come again
             REQUIRE(right);
             done.push_back(sample);
             return sample;
@@ -391,8 +429,9 @@ TEST_CASE_TEMPLATE("numbers handed out one after another are the sampler's own, 
   }
 }
 
-/// What 256 pixels see: functions of the place in the pixel, each pixel another one, and their exact means.
-struct EdgeCoverage {  // the silhouette of something large: a straight edge, at any angle and anywhere in the pixel
+/// What 256 pixels see: functions of the place in the pixel, different in each, with exact means.
+// The silhouette of a large object: a straight edge, at any angle and anywhere in the pixel.
+struct EdgeCoverage {
   static std::string name() { return "edge"; }
   double across, down, offset;
   explicit EdgeCoverage(std::uint32_t p) {
@@ -416,8 +455,11 @@ struct EdgeCoverage {  // the silhouette of something large: a straight edge, at
 struct SmallDisk {  // something smaller than the pixel
   static std::string name() { return "small disk"; }
   double u0, v0, radius;
-  explicit SmallDisk(std::uint32_t p) : u0(0.4 + p % 16 / 80.0), v0(0.4 + p / 16 / 80.0), radius(0.15 + p % 7 / 35.0) {}
-  double operator()(double u, double v) const { return (u - u0) * (u - u0) + (v - v0) * (v - v0) < radius * radius ? 1 : 0; }
+  explicit SmallDisk(std::uint32_t p)
+      : u0(0.4 + p % 16 / 80.0), v0(0.4 + p / 16 / 80.0), radius(0.15 + p % 7 / 35.0) {}
+  double operator()(double u, double v) const {
+    return (u - u0) * (u - u0) + (v - v0) * (v - v0) < radius * radius ? 1 : 0;
+  }
   [[nodiscard]] double mean() const { return std::numbers::pi * radius * radius; }
 };
 struct Gradient {  // a texture that changes over the pixel, and a step in it
@@ -434,7 +476,9 @@ struct Smooth {
   double phase;
   explicit Smooth(std::uint32_t p) : phase(p * 0.1) {}
   double operator()(double u, double v) const { return std::sin(3 * u + phase) + std::cos(2 * v); }
-  [[nodiscard]] double mean() const { return (std::cos(phase) - std::cos(3 + phase)) / 3 + std::sin(2.0) / 2; }
+  [[nodiscard]] double mean() const {
+    return (std::cos(phase) - std::cos(3 + phase)) / 3 + std::sin(2.0) / 2;
+  }
 };
 
 template <class Function>
@@ -444,48 +488,58 @@ double rms_error(SamplerKind kind, int count) {
   for (std::uint32_t p = 0; p < 256; ++p) {
     const Function function(p);
     double sum = 0;
-    for (const Sample2<double>& at : samples_of(sampler, p % 16, p / 16, 3)) sum += function(at.u, at.v);
+    for (const Point2<double>& at : samples_of(sampler, p % 16, p / 16, 3))
+      sum += function(at.u, at.v);
     const double error = sum / count - function.mean();
     squares += error * error;
   }
   return std::sqrt(squares / 256);
 }
 
-/// The slope of log error over log samples from 16 to 256, and how many times as many random samples have the error at 64.
+/// The slope of log error over log samples from 16 to 256, and how many times as many random
+/// samples give the error at 64.
 struct Convergence {
   double slope, worth;
 };
 
 template <class Function>
 Convergence convergence_of(SamplerKind kind) {
-  const std::array errors = {rms_error<Function>(kind, 16), rms_error<Function>(kind, 64), rms_error<Function>(kind, 256)};
+  const std::array errors = {rms_error<Function>(kind, 16), rms_error<Function>(kind, 64),
+                             rms_error<Function>(kind, 256)};
   const double by_chance = rms_error<Function>(SamplerKind::random, 64);
-  const Convergence found{std::log(errors[2] / errors[0]) / std::log(16.0), std::pow(by_chance / errors[1], 2)};
-  MESSAGE(Function::name() << ", " << name_of(kind) << ": error " << errors[0] << ", " << errors[1] << ", " << errors[2]
-                           << " at 16, 64, 256; falls as n^" << found.slope << "; at 64 worth " << found.worth
-                           << " times as many random samples");
+  const Convergence found{std::log(errors[2] / errors[0]) / std::log(16.0),
+                          std::pow(by_chance / errors[1], 2)};
+  MESSAGE(Function::name() << ", " << name_of(kind) << ": error " << errors[0] << ", " << errors[1]
+                           << ", " << errors[2] << " at 16, 64, 256; falls as n^" << found.slope
+                           << "; at 64 worth " << found.worth << " times as many random samples");
   return found;
 }
 
-TEST_CASE_TEMPLATE("random: the error falls as n^-1/2", Function, EdgeCoverage, SmallDisk, Gradient, Smooth) {
+TEST_CASE_TEMPLATE("random: the error falls as n^-1/2", Function, EdgeCoverage, SmallDisk, Gradient,
+                   Smooth) {
   const Convergence found = convergence_of<Function>(SamplerKind::random);
   CHECK(found.slope > -0.56);
   CHECK(found.slope < -0.44);
 }
 
-TEST_CASE_TEMPLATE("all others: the error falls faster than n^-1/2", Function, EdgeCoverage, SmallDisk, Gradient, Smooth) {
-  for (const SamplerKind kind : {SamplerKind::stratified, SamplerKind::multi_jitter, SamplerKind::sobol}) {
+TEST_CASE_TEMPLATE("all others: the error falls faster than n^-1/2", Function, EdgeCoverage,
+                   SmallDisk, Gradient, Smooth) {
+  for (const SamplerKind kind :
+       {SamplerKind::stratified, SamplerKind::multi_jitter, SamplerKind::sobol}) {
     CAPTURE(name_of(kind));
     CHECK(convergence_of<Function>(kind).slope < -0.62);
   }
 }
 
-TEST_CASE("multi-jitter and Sobol': 64 samples are worth 10 times as many random ones for edges, 40 for textures") {
+TEST_CASE(
+    "multi-jitter and Sobol': 64 samples are worth 10 times as many random ones for edges, 40 for "
+    "textures") {
   for (const SamplerKind kind : {SamplerKind::multi_jitter, SamplerKind::sobol}) {
     CAPTURE(name_of(kind));
     CHECK(convergence_of<EdgeCoverage>(kind).worth > 9);  // this seed's luck is about a tenth
     CHECK(convergence_of<Gradient>(kind).worth > 40);
-    CHECK(convergence_of<SmallDisk>(kind).worth > 5);  // a closed curve in the pixel crosses more cells
+    CHECK(convergence_of<SmallDisk>(kind).worth >
+          5);  // a closed curve in the pixel crosses more cells
     CHECK(convergence_of<Smooth>(kind).worth > 500);
   }
 }
@@ -496,7 +550,7 @@ TEST_CASE("no sampler shifts a mean: over many pixels, errors average out") {
     double u = 0, v = 0, product = 0;
     constexpr int pixels = 4096;
     for (std::uint32_t p = 0; p < pixels; ++p) {
-      for (const Sample2<double>& at : samples_of(sampler, p, 1, 2)) {
+      for (const Point2<double>& at : samples_of(sampler, p, 1, 2)) {
         u += at.u;
         v += at.v;
         product += (at.u - 0.5) * (at.v - 0.5);
@@ -510,4 +564,4 @@ TEST_CASE("no sampler shifts a mean: over many pixels, errors average out") {
 }
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

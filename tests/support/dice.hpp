@@ -1,12 +1,13 @@
-// Chance that is the same on every machine: numbers and directions, spread evenly or over all powers, and the hard corners.
+// Random numbers that are the same on every machine: numbers and directions, spread evenly or over
+// all exponents, and special values.
 #pragma once
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#include "vec3.hpp"
+#include "math/vec3.hpp"
 
-namespace texmap {
+namespace texmap::test {
 
 template <class T>
 [[nodiscard]] Vec3<T> rounded(const Vec3<long double>& p) {
@@ -38,30 +39,36 @@ class Dice {
   }
   /// The same in double, where rounding may reach `high`.
   double between(double low, double high) {
-    return static_cast<double>(uniform(static_cast<long double>(low), static_cast<long double>(high)));
+    return static_cast<double>(
+        uniform(static_cast<long double>(low), static_cast<long double>(high)));
   }
   /// 10^low to 10^high, each power as likely as any other.
-  long double power_of_ten(long double low, long double high) { return std::pow(10.0L, uniform(low, high)); }
+  long double power_of_ten(long double low, long double high) {
+    return std::pow(10.0L, uniform(low, high));
+  }
   /// The same in double, with either sign.
   double any_size(double low, double high) {
-    return sign() * static_cast<double>(power_of_ten(static_cast<long double>(low), static_cast<long double>(high)));
+    return sign() * static_cast<double>(power_of_ten(static_cast<long double>(low),
+                                                     static_cast<long double>(high)));
   }
 
-  /// A positive number in [2^low, 2^high), each exponent as likely as any other, each digit of T in use.
+  /// A positive number in [2^low, 2^high): all exponents are equally likely, all digits of T vary.
   template <class T>
   T number(int low, int high) {
     using Limits = std::numeric_limits<T>;
-    const T mantissa = static_cast<T>(1) + static_cast<T>(bits() >> (65 - Limits::digits)) * Limits::epsilon();
+    const T mantissa =
+        static_cast<T>(1) + static_cast<T>(bits() >> (65 - Limits::digits)) * Limits::epsilon();
     return std::ldexp(mantissa, within(low, high - 1));
   }
   /// Any finite number, subnormal ones included, and once in 16 draws a zero with either sign.
   template <class T>
   T finite() {
     using Limits = std::numeric_limits<T>;
-    const T size = once_in(16) ? T(0) : number<T>(Limits::min_exponent - Limits::digits, Limits::max_exponent);
+    const T size =
+        once_in(16) ? T(0) : number<T>(Limits::min_exponent - Limits::digits, Limits::max_exponent);
     return sign() < 0 ? -size : size;
   }
-  /// Anything that the type can hold: also infinities, NaN, the ends of its range, whole numbers and their neighbours.
+  /// Anything that the type holds: also infinities, NaN, the range's ends, numbers around integers.
   template <class T>
   T anything() {
     using Limits = std::numeric_limits<T>;
@@ -92,7 +99,8 @@ class Dice {
     for (;;) {
       const Vec3<long double> p{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
       const long double square_of_length = dot(p, p);
-      if (square_of_length < 1 && square_of_length > 1e-4L) return rounded<T>(p * (1 / std::sqrt(square_of_length)));
+      if (square_of_length < 1 && square_of_length > 1e-4L)
+        return rounded<T>(p * (1 / std::sqrt(square_of_length)));
     }
   }
   /// A direction at a right angle to `p`.
@@ -109,7 +117,8 @@ class Dice {
 
 template <class T>
 [[nodiscard]] Vec3<T> scaled(const Vec3<T>& p, int power_of_two) {
-  return {std::ldexp(p.x, power_of_two), std::ldexp(p.y, power_of_two), std::ldexp(p.z, power_of_two)};
+  return {std::ldexp(p.x, power_of_two), std::ldexp(p.y, power_of_two),
+          std::ldexp(p.z, power_of_two)};
 }
 
-}  // namespace texmap
+}  // namespace texmap::test

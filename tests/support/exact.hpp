@@ -1,7 +1,7 @@
 // The number with which tests judge float and double.
 #pragma once
 
-namespace texmap {
+namespace texmap::test {
 
 using Exact = long double;
 
@@ -11,4 +11,4 @@ template <class Number>
   return static_cast<Exact>(x);
 }
 
-}  // namespace texmap
+}  // namespace texmap::test

@@ -1,11 +1,12 @@
-// Vectors whose coordinates lie at the limits of a number, and the law that a mapping gives each of them a place on a texture.
+// Vectors with coordinates at the limits of a number, and the law that a mapping gives each a place
+// on a texture.
 #pragma once
 #include <doctest.h>
 
 #include <limits>
 #include <vector>
 
-#include "uv.hpp"
+#include "texture/uv.hpp"
 
 namespace texmap::test {
 

@@ -1,17 +1,17 @@
-// The message of an ImageError.
+// The message of an FileError.
 #pragma once
 #include <string>
 
-#include "image_error.hpp"
+#include "engine/picture/files/file_error.hpp"
 
 namespace texmap::test {
 
-/// What an ImageError thrown by `work` says, or "nothing was thrown". Other exceptions go on.
+/// What an FileError thrown by `work` says, or "nothing was thrown". Other exceptions go on.
 template <class Work>
 [[nodiscard]] std::string image_error_of(Work work) {
   try {
     work();
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
   return "nothing was thrown";

@@ -1,11 +1,11 @@
-// The lecture's program (seed 4) told again without any of the common code: its scene, its bytes, its order of steps.
+// The lecture's program, written again without the common code: its scene, bytes and order.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "image.hpp"
+#include "texture/image.hpp"
 
 namespace texmap::test::lecture {
 
@@ -15,7 +15,8 @@ struct Choices {
   double blend = 0.3;
   double shininess = 500;
   bool texel_of_the_slides = true;  ///< (int)((n - 1) u) instead of floor(u n)
-  bool sign_of_the_slides = false;  ///< the highlight with the primary ray's direction instead of its opposite
+  bool sign_of_the_slides =
+      false;  ///< the highlight with the primary ray's direction instead of its opposite
 };
 
 inline Image draw(const Image& map, const Choices& choices) {
@@ -81,7 +82,8 @@ inline Image draw(const Image& map, const Choices& choices) {
         shine = std::pow(-rd, exponent);
       }
       const double matt = 0.2 + (which == 0 ? 0.5 : 0.8) * std::max(0.0, nl);
-      const std::array<double, 3> color = which == 0 ? std::array<double, 3>{1, 1, 1} : std::array<double, 3>{1, 1, 0};
+      const std::array<double, 3> color =
+          which == 0 ? std::array<double, 3>{1, 1, 1} : std::array<double, 3>{1, 1, 0};
       std::array<int, 3> out{};
       for (std::size_t k = 0; k < 3; ++k) {
         out[k] = static_cast<int>(std::clamp(color[k] * matt + 0.3 * shine, 0.0, 1.0) * 255);

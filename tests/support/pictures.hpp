@@ -7,23 +7,32 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hpp"
-#include "nearest.hpp"
-#include "studio.hpp"
+#include "engine/app/run_chapter.hpp"
+#include "scene/nearest.hpp"
 
 namespace texmap::test {
 
-/// The lesson as its program prepares it when the user types these words.
+/// Makes a lesson ready as its program does when the user types these words.
+///
+/// @return  what the session's settings then are
 template <class Lesson>
-[[nodiscard]] Lesson prepared(std::vector<std::string> words = {}) {
-  Lesson lesson;
+Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) {
   CommandLine line("test", "");
   lesson.options(line);
-  Studio studio("test", line);
+  Session session("test", line, Lesson::about, offers_for(lesson));
   std::vector<const char*> typed = {"test"};
   for (const std::string& word : words) typed.push_back(word.c_str());
-  if (!line.parse(static_cast<int>(typed.size()), typed.data())) throw std::runtime_error("no picture was asked for");
-  lesson.prepare(studio);
+  if (!line.parse(static_cast<int>(typed.size()), typed.data()))
+    throw std::runtime_error("no picture was asked for");
+  lesson.prepare(session);
+  const Budget budget = read_budget(session.settings.budget);
+  if constexpr (requires { lesson.phong; }) lesson.phong.plan(session, budget);
+  return session.settings;
+}
+template <class Lesson>
+[[nodiscard]] Lesson prepared(const std::vector<std::string>& words = {}) {
+  Lesson lesson;
+  static_cast<void>(make_ready(lesson, words));
   return lesson;
 }
 
@@ -39,16 +48,19 @@ template <class Real = double, class Lesson>
 
 /// How many pixels differ by more than `levels`; all of them where the sizes differ.
 [[nodiscard]] inline long count_different(const Image& a, const Image& b, int levels = 0) {
-  if (a.width != b.width || a.height != b.height) return static_cast<long>(std::max(a.pixels.size(), b.pixels.size()));
+  if (a.width != b.width || a.height != b.height)
+    return static_cast<long>(std::max(a.pixels.size(), b.pixels.size()));
   long count = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) count += levels_apart(a.pixels[i], b.pixels[i]) > levels ? 1 : 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    count += levels_apart(a.pixels[i], b.pixels[i]) > levels ? 1 : 0;
   return count;
 }
 
 /// The index of the object seen at each pixel's center, -1 for the sky.
 template <class Lesson>
-[[nodiscard]] std::vector<int> objects_seen(const Lesson& lesson, int width = 800, int height = 600) {
-  const View view = view_of(lesson.stage.camera, width, height);
+[[nodiscard]] std::vector<int> objects_seen(const Lesson& lesson, int width = 800,
+                                            int height = 600) {
+  const View<> view = view_of(lesson.stage.camera, width, height);
   std::vector<int> seen;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
@@ -59,13 +71,13 @@ template <class Lesson>
   return seen;
 }
 
-/// The step contract: how many pixels differ although the object seen there is not among those that may change.
-template <class Allowed>
-[[nodiscard]] long changed_elsewhere(const Image& before, const Image& after, const std::vector<int>& seen,
-                                     const Allowed& allowed) {
+/// The step contract: how many pixels differ although the object they show may not change.
+[[nodiscard]] inline long changed_elsewhere(const Image& before, const Image& after,
+                                            const std::vector<int>& seen,
+                                            const ObjectSet& allowed) {
   long count = 0;
   for (std::size_t i = 0; i < before.pixels.size(); ++i) {
-    const bool may_change = std::find(allowed.begin(), allowed.end(), seen[i]) != allowed.end();
+    const bool may_change = seen[i] >= 0 && allowed.contains(seen[i]);
     count += before.pixels[i] != after.pixels[i] && !may_change ? 1 : 0;
   }
   return count;
@@ -91,7 +103,8 @@ struct Mean {
 [[nodiscard]] inline Image upside_down(const Image& image) {
   Image turned = image;
   for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) turned.at(column, row) = image.at(column, image.height - 1 - row);
+    for (int column = 0; column < image.width; ++column)
+      turned.at(column, row) = image.at(column, image.height - 1 - row);
   }
   return turned;
 }
@@ -99,7 +112,8 @@ struct Mean {
 [[nodiscard]] inline Image mirrored(const Image& image) {
   Image turned = image;
   for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) turned.at(column, row) = image.at(image.width - 1 - column, row);
+    for (int column = 0; column < image.width; ++column)
+      turned.at(column, row) = image.at(image.width - 1 - column, row);
   }
   return turned;
 }

@@ -12,8 +12,8 @@
 
 namespace texmap::test {
 
-/// The constants of SHA-256: 32 bits behind the point of the square roots of the first 8 primes and the cube roots of the first
-/// 64. A double holds 18 bits more than that.
+/// The constants of SHA-256: the first 32 fractional bits of the square roots of the first 8 primes
+/// and of the cube roots of the first 64. A double holds 18 bits more than that.
 struct Sha256Constants {
   std::array<std::uint32_t, 8> start{};
   std::array<std::uint32_t, 64> round{};
@@ -25,7 +25,8 @@ struct Sha256Constants {
     std::size_t found = 0;
     for (int number = 2; found < round.size(); ++number) {
       bool prime = true;
-      for (int divisor = 2; divisor * divisor <= number; ++divisor) prime = prime && number % divisor != 0;
+      for (int divisor = 2; divisor * divisor <= number; ++divisor)
+        prime = prime && number % divisor != 0;
       if (!prime) continue;
       if (found < start.size()) start[found] = fraction(std::sqrt(number));
       round[found++] = fraction(std::cbrt(number));
@@ -51,21 +52,24 @@ struct Sha256Constants {
     std::array<std::uint32_t, 64> word{};
     for (std::size_t i = 0; i < 64; ++i) {
       if (i < 16) {
-        for (std::size_t byte = 0; byte < 4; ++byte) word[i] = (word[i] << 8) | message[block + 4 * i + byte];
+        for (std::size_t byte = 0; byte < 4; ++byte)
+          word[i] = (word[i] << 8) | message[block + 4 * i + byte];
       } else {
         const std::uint32_t near = word[i - 2];
         const std::uint32_t far = word[i - 15];
-        word[i] = word[i - 16] + (std::rotr(far, 7) ^ std::rotr(far, 18) ^ (far >> 3)) + word[i - 7] +
-                  (std::rotr(near, 17) ^ std::rotr(near, 19) ^ (near >> 10));
+        word[i] = word[i - 16] + (std::rotr(far, 7) ^ std::rotr(far, 18) ^ (far >> 3)) +
+                  word[i - 7] + (std::rotr(near, 17) ^ std::rotr(near, 19) ^ (near >> 10));
       }
     }
     std::array<std::uint32_t, 8> s = sum;
     for (std::size_t i = 0; i < 64; ++i) {
       const std::uint32_t choice = (s[4] & s[5]) ^ (~s[4] & s[6]);
       const std::uint32_t majority = (s[0] & s[1]) ^ (s[0] & s[2]) ^ (s[1] & s[2]);
-      const std::uint32_t one =
-          s[7] + (std::rotr(s[4], 6) ^ std::rotr(s[4], 11) ^ std::rotr(s[4], 25)) + choice + constants.round[i] + word[i];
-      const std::uint32_t two = (std::rotr(s[0], 2) ^ std::rotr(s[0], 13) ^ std::rotr(s[0], 22)) + majority;
+      const std::uint32_t one = s[7] +
+                                (std::rotr(s[4], 6) ^ std::rotr(s[4], 11) ^ std::rotr(s[4], 25)) +
+                                choice + constants.round[i] + word[i];
+      const std::uint32_t two =
+          (std::rotr(s[0], 2) ^ std::rotr(s[0], 13) ^ std::rotr(s[0], 22)) + majority;
       std::rotate(s.begin(), s.end() - 1, s.end());
       s[4] += one;
       s[0] = one + two;

@@ -17,8 +17,10 @@ namespace texmap::test {
 /// A new empty folder that vanishes with everything in it at the end of the test.
 class TemporaryFolder {
  public:
-  TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "texmap-test-XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a folder for a test at " + path_);
+  TemporaryFolder()
+      : path_((std::filesystem::temp_directory_path() / "texmap-test-XXXXXX").string()) {
+    if (mkdtemp(path_.data()) == nullptr)
+      throw std::runtime_error("cannot make a folder for a test at " + path_);
   }
   ~TemporaryFolder() {
     std::error_code nobody_asks;
@@ -32,8 +34,8 @@ class TemporaryFolder {
 
   /// How many files and folders are in it.
   [[nodiscard]] std::size_t size() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
+                                                  std::filesystem::directory_iterator()));
   }
 
  private:

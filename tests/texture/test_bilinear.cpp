@@ -1,12 +1,12 @@
 // Tests of common/texture/bilinear.hpp: the filter between texels.
-#include "bilinear.hpp"
+#include "texture/bilinear.hpp"
 
 #include <doctest.h>
 
-#include "lanes_of_textures.hpp"
-#include "srgb.hpp"
+#include "math/srgb.hpp"
+#include "support/lanes.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 /// Texels that are all different, a byte from each place.
@@ -15,14 +15,15 @@ Image patterned(int width, int height) {
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const unsigned mixed = static_cast<unsigned>(column * 7919 + row * 104729 + 13) * 2654435761U;
-      image.at(column, row) = {static_cast<std::uint8_t>(mixed >> 24), static_cast<std::uint8_t>(mixed >> 16),
+      image.at(column, row) = {static_cast<std::uint8_t>(mixed >> 24),
+                               static_cast<std::uint8_t>(mixed >> 16),
                                static_cast<std::uint8_t>(mixed >> 8)};
     }
   }
   return image;
 }
 
-/// The filter by another formula: every texel of the picture, weighed by how near its center is along u and along v.
+/// The filter by another formula: all texels, weighted by their centers' distance in u and in v.
 Rgb weighed(const Image& image, VAxis axis, long double u, long double v) {
   long double sum[3] = {0, 0, 0};
   const long double y = std::clamp(v * image.height, 0.5L, image.height - 0.5L);
@@ -40,12 +41,15 @@ Rgb weighed(const Image& image, VAxis axis, long double u, long double v) {
       sum[2] += weight * down * texel.b;
     }
   }
-  return {static_cast<double>(sum[0] / 255), static_cast<double>(sum[1] / 255), static_cast<double>(sum[2] / 255)};
+  return {static_cast<double>(sum[0] / 255), static_cast<double>(sum[1] / 255),
+          static_cast<double>(sum[2] / 255)};
 }
 
 template <class T>
 double apart(const Color<T>& a, const Rgb& b) {
-  const auto off = [](T x, double y) { return static_cast<double>(std::abs(static_cast<long double>(x) - y)); };
+  const auto off = [](T x, double y) {
+    return static_cast<double>(std::abs(static_cast<long double>(x) - y));
+  };
   return std::max({off(a.r, b.r), off(a.g, b.g), off(a.b, b.b)});
 }
 
@@ -66,7 +70,8 @@ TEST_CASE_TEMPLATE("at the center of a texel its color is exact", T, float, doub
   }
 }
 
-TEST_CASE_TEMPLATE("exact points: halfway between texels is their mean, and u goes round", T, float, double, long double) {
+TEST_CASE_TEMPLATE("exact points: halfway between texels is their mean, and u goes round", T, float,
+                   double, long double) {
   Image image(2, 2);
   image.at(0, 0) = {0, 0, 0};
   image.at(1, 0) = {255, 0, 0};
@@ -94,9 +99,11 @@ TEST_CASE_TEMPLATE("exact points: halfway between texels is their mean, and u go
   is(0.75, 1, 1, 1, 1);
 }
 
-TEST_CASE_TEMPLATE("the filter is the sum of all texels weighed by how near their centers are", T, float, double) {
+TEST_CASE_TEMPLATE("the filter is the sum of all texels weighed by how near their centers are", T,
+                   float, double) {
   const double bound = 4.0 * static_cast<double>(unit_roundoff<T>());
-  for (const auto& [width, height] : {std::pair{2, 2}, std::pair{3, 5}, std::pair{16, 7}, std::pair{33, 16}}) {
+  for (const auto& [width, height] :
+       {std::pair{2, 2}, std::pair{3, 5}, std::pair{16, 7}, std::pair{33, 16}}) {
     const Image image = patterned(width, height);
     for (const VAxis axis : {VAxis::up, VAxis::down}) {
       const BilinearTexture texture{image, axis};
@@ -105,7 +112,8 @@ TEST_CASE_TEMPLATE("the filter is the sum of all texels weighed by how near thei
         const T v = static_cast<T>((i * 113 + 7) % 397) / T(396);
         const Color<T> color = texture(Uv<T>{u, v});
         // A place 2 roundoffs off is a color off by as many roundoffs of the texels in a unit.
-        const double off = apart(color, weighed(image, axis, static_cast<long double>(u), static_cast<long double>(v)));
+        const double off = apart(
+            color, weighed(image, axis, static_cast<long double>(u), static_cast<long double>(v)));
         CAPTURE(image.width);
         CAPTURE(i);
         REQUIRE(off <= bound + 2 * static_cast<double>(unit_roundoff<T>()) * (width + height));
@@ -114,14 +122,16 @@ TEST_CASE_TEMPLATE("the filter is the sum of all texels weighed by how near thei
   }
 }
 
-TEST_CASE_TEMPLATE("a constant picture stays constant to the last bit, wherever it is looked at", T, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("a constant picture stays constant to the last bit, wherever it is looked at", T,
+                   float, double, long double) {
   for (const int byte : {0, 1, 77, 128, 200, 255}) {
     const auto level = static_cast<std::uint8_t>(byte);
-    for (const auto& [width, height] : {std::pair{1, 1}, std::pair{1, 3}, std::pair{7, 1}, std::pair{640, 333}}) {
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, std::pair{1, 3}, std::pair{7, 1}, std::pair{640, 333}}) {
       const BilinearTexture texture{Image(width, height, {level, level, level})};
       for (int i = 0; i <= 200; ++i) {
-        const Color<T> color = texture(Uv<T>{static_cast<T>(i * 71 % 201) / T(200), static_cast<T>(i) / T(200)});
+        const Color<T> color =
+            texture(Uv<T>{static_cast<T>(i * 71 % 201) / T(200), static_cast<T>(i) / T(200)});
         REQUIRE(color.r == static_cast<T>(level) / T(255));
         REQUIRE(color.b == static_cast<T>(level) / T(255));
       }
@@ -129,17 +139,21 @@ TEST_CASE_TEMPLATE("a constant picture stays constant to the last bit, wherever 
   }
 }
 
-TEST_CASE_TEMPLATE("u repeats, v ends, and what is no number looks at a texel too", T, float, double, long double) {
+TEST_CASE_TEMPLATE("u repeats, v ends, and what is no number looks at a texel too", T, float,
+                   double, long double) {
   const Image image = patterned(8, 4);
   const BilinearTexture texture{image, VAxis::down};
-  const auto same = [](const Color<T>& a, const Color<T>& b) { return a.r == b.r && a.g == b.g && a.b == b.b; };
+  const auto same = [](const Color<T>& a, const Color<T>& b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+  };
   const T v = T(0.375);
   CHECK(same(texture(Uv<T>{T(0.28125), v}), texture(Uv<T>{T(1.28125), v})));
   CHECK(same(texture(Uv<T>{T(0.28125), v}), texture(Uv<T>{T(-2.71875), v})));
   CHECK(same(texture(Uv<T>{T(0.28125), T(-7)}), texture(Uv<T>{T(0.28125), T(0)})));
   CHECK(same(texture(Uv<T>{T(0.28125), T(9)}), texture(Uv<T>{T(0.28125), T(1)})));
   const T nan = std::numeric_limits<T>::quiet_NaN();
-  for (const T odd : {nan, infinity<T>(), -infinity<T>()}) CHECK(same(texture(Uv<T>{odd, v}), texture(Uv<T>{T(0), v})));
+  for (const T odd : {nan, infinity<T>(), -infinity<T>()})
+    CHECK(same(texture(Uv<T>{odd, v}), texture(Uv<T>{T(0), v})));
   CHECK(same(texture(Uv<T>{T(0.5), nan}), texture(Uv<T>{T(0.5), T(0)})));
   CHECK(same(BilinearTexture{}(Uv<T>{T(0.5), T(0.5)}), gray(T(0))));
 }
@@ -150,18 +164,16 @@ TEST_CASE("the mean of black and white is the middle of the light, not of the by
   CHECK(BilinearTexture{image, VAxis::up, TexelLight::linear}(Uv<double>{0.5, 0.5}).r == 0.5);
   CHECK(BilinearTexture{image, VAxis::up, TexelLight::linear}(Uv<double>{0.75, 0.5}).g == 1.0);
   Image gray_pair(2, 1, {188, 188, 188});
-  const double light = srgb_decode_table<double>()[188];
+  const double light = light_of_bytes<double>(TexelLight::linear)[188];
   CHECK(BilinearTexture{gray_pair, VAxis::up, TexelLight::linear}(Uv<double>{0.3, 0.5}).r == light);
 }
 
-#ifdef TEXMAP_HAVE_PACKS
 TEST_CASE_TEMPLATE("a pack filters as its numbers do, each by itself", T, float, double) {
   const Image image = patterned(33, 16);
   for (const TexelLight light : {TexelLight::encoded, TexelLight::linear}) {
-    test::check_each_lane<T>(BilinearTexture{image, VAxis::up, light});
+    check_lanes_of_texture<T>(BilinearTexture{image, VAxis::up, light});
   }
 }
-#endif
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

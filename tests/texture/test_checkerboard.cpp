@@ -1,10 +1,10 @@
 // Tests of common/texture/checkerboard.hpp: the parity of squares.
 #include <doctest.h>
 
-#include "checkerboard.hpp"
-#include "pack.hpp"
+#include "support/lanes.hpp"
+#include "texture/checkerboard.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 const Rgb even{0.25, 0.5, 0.75};
@@ -19,7 +19,8 @@ char square_at(const Checkerboard& board, Real u, Real v) {
   return '?';
 }
 
-TEST_CASE_TEMPLATE("whole numbers alternate, negative and huge ones included", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("whole numbers alternate, negative and huge ones included", Real, float, double,
+                   long double) {
   for (int i = -1000; i <= 1000; ++i) REQUIRE(is_even(static_cast<Real>(i)) == (i % 2 == 0));
   const Real last = std::ldexp(Real(1), std::numeric_limits<Real>::digits) - Real(1);
   CHECK_FALSE(is_even(last));
@@ -46,8 +47,9 @@ TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long 
     char square;
   };
   const Row table[] = {
-      {0, 0, 'e'},      {0.125, 0.125, 'e'}, {0.25, 0, 'o'},   {0, 0.25, 'o'},      {0.25, 0.25, 'e'},   {0.375, 0.125, 'o'},
-      {0.5, 0.25, 'o'}, {0.5, 0.5, 'e'},     {0.75, 0.5, 'o'}, {0.875, 0.875, 'e'}, {0.125, 0.875, 'o'}, {1, 0, 'e'},
+      {0, 0, 'e'},       {0.125, 0.125, 'e'}, {0.25, 0, 'o'},      {0, 0.25, 'o'},
+      {0.25, 0.25, 'e'}, {0.375, 0.125, 'o'}, {0.5, 0.25, 'o'},    {0.5, 0.5, 'e'},
+      {0.75, 0.5, 'o'},  {0.875, 0.875, 'e'}, {0.125, 0.875, 'o'}, {1, 0, 'e'},
   };
   for (const Row& row : table) {
     CAPTURE(row.u);
@@ -57,7 +59,8 @@ TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long 
   CHECK(square_at(board, std::nextafter(Real(0.25), Real(0)), Real(0)) == 'e');
 }
 
-TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Real, float, double,
+                   long double) {
   const Checkerboard board{even, odd, 1};
   CHECK(square_at(board, Real(-0.5), Real(0)) == 'o');
   CHECK(square_at(board, Real(-1), Real(0)) == 'o');
@@ -67,33 +70,25 @@ TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Rea
   CHECK(square_at(board, Real(-0.5), Real(-1.5)) == 'o');
 }
 
-TEST_CASE_TEMPLATE("an even number of squares alternates across the seam, and an odd one puts two alike side by side", Real,
-                   float, double, long double) {
+TEST_CASE_TEMPLATE(
+    "an even number of squares alternates across the seam, and an odd one puts two alike side by "
+    "side",
+    Real, float, double, long double) {
   for (int squares = 1; squares <= 40; ++squares) {
     const Checkerboard board{even, odd, static_cast<double>(squares)};
     CAPTURE(squares);
-    const bool alike = square_at(board, Real(0), Real(0.01)) == square_at(board, below_one<Real>(), Real(0.01));
+    const bool alike =
+        square_at(board, Real(0), Real(0.01)) == square_at(board, below_one<Real>(), Real(0.01));
     CHECK(alike == (squares % 2 == 1));
   }
 }
 
 TEST_CASE("a board has ten squares unless told otherwise") { CHECK(Checkerboard{}.squares == 10); }
 
-#ifdef TEXMAP_HAVE_PACKS
-TEST_CASE_TEMPLATE("a pack finds in each lane the square that a single number finds", T, float, double) {
-  const Checkerboard board{even, odd, 7};
-  for (int start = -40; start < 40; ++start) {
-    const auto u = from_lanes<Pack<T>>([&](std::size_t i) { return static_cast<T>(start) / T(10) + static_cast<T>(i) / T(7); });
-    const Color<Pack<T>> colors = board(Uv<Pack<T>>{u, Pack<T>(0.3)});
-    for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
-      const Color<T> color = board(Uv<T>{lane(u, i), T(0.3)});
-      CHECK(lane(colors.r, i) == color.r);
-      CHECK(lane(colors.g, i) == color.g);
-      CHECK(lane(colors.b, i) == color.b);
-    }
-  }
+TEST_CASE_TEMPLATE("a pack finds in each lane the square that a single number finds", T, float,
+                   double) {
+  check_lanes_of_texture<T>(Checkerboard{even, odd, 7});
 }
-#endif
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

@@ -1,20 +1,17 @@
-// Tests of common/texture/conventions.hpp and rotated.hpp: how the seeds lay (u, v) on a sphere, and how one way becomes
-// another.
+// Tests of texture/conventions.hpp and rotated.hpp: the source documents' conventions and the steps
+// between them.
 #include <doctest.h>
 
-#include "conventions.hpp"
-#include "pack.hpp"
-#include "rotated.hpp"
-#include "seed_formulas.hpp"
+#include "number/kinds/pack.hpp"
+#include "published/uv.hpp"
+#include "support/whole_numbers.hpp"
+#include "texture/conventions.hpp"
+#include "texture/rotated.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
-#ifdef TEXMAP_HAVE_PACKS
 #define NUMBERS float, double, long double, Pack<float>, Pack<double>
-#else
-#define NUMBERS float, double, long double
-#endif
 
 /// The difference of two places round the globe: 0 and 1 are one.
 double apart(double a, double b) {
@@ -39,10 +36,14 @@ TEST_CASE_TEMPLATE("the axes have their exact places in each convention", Real, 
     Place daily, rtiow, lecture;
   };
   const Row table[] = {
-      {{-1, 0, 0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}},    {{0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
-      {{1, 0, 0}, {0.5, 0.5}, {0.5, 0.5}, {0.25, 0.5}}, {{0, 0, -1}, {0.25, 0.5}, {0.75, 0.5}, {0.5, 0.5}},
-      {{0, 1, 0}, {0.5, 0}, {0.5, 1}, {0.25, 1}},       {{0, -1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 0}},
-      {{-1, 0, -0.0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}}, {{-0.0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
+      {{-1, 0, 0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}},
+      {{0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
+      {{1, 0, 0}, {0.5, 0.5}, {0.5, 0.5}, {0.25, 0.5}},
+      {{0, 0, -1}, {0.25, 0.5}, {0.75, 0.5}, {0.5, 0.5}},
+      {{0, 1, 0}, {0.5, 0}, {0.5, 1}, {0.25, 1}},
+      {{0, -1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 0}},
+      {{-1, 0, -0.0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}},
+      {{-0.0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
   };
   for (const Row& row : table) {
     CAPTURE(row.p.x);
@@ -67,7 +68,8 @@ TEST_CASE("in the daily convention v runs down the picture, in the others up") {
   CHECK(v_axis_of(Convention::lecture) == VAxis::up);
 }
 
-TEST_CASE_TEMPLATE("the north pole is in the top row of the picture in every convention", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the north pole is in the top row of the picture in every convention", Real,
+                   float, double, long double) {
   Image image(1, 2, {0, 0, 0});
   image.at(0, 0) = {255, 255, 255};
   for (const Convention convention : {Convention::daily, Convention::rtiow, Convention::lecture}) {
@@ -77,27 +79,28 @@ TEST_CASE_TEMPLATE("the north pole is in the top row of the picture in every con
   }
 }
 
-TEST_CASE("each convention is its seed's own formula on 100000 points") {
+TEST_CASE("each convention is its document's own formula on 100000 points") {
   double worst_u = 0;
   double worst_v = 0;
   constexpr int points = 100000;
   for (int i = 0; i < points; ++i) {
     const Point p = normalize(spread(i, points));
-    const auto compare = [&](const Uv<double>& ours, const Uv<double>& seed) {
-      worst_u = std::max(worst_u, apart(ours.u, seed.u));
-      worst_v = std::max(worst_v, abs(ours.v - seed.v));
+    const auto compare = [&](const Uv<double>& ours, const Uv<double>& theirs) {
+      worst_u = std::max(worst_u, apart(ours.u, theirs.u));
+      worst_v = std::max(worst_v, abs(ours.v - theirs.v));
     };
-    compare(uv_of(Convention::daily, p), seeds::uv_daily(p));
-    compare(uv_of(Convention::rtiow, p), seeds::uv_one_weekend_2020(p));
-    compare(uv_of(Convention::rtiow, p), seeds::uv_next_week_v4(p));
-    compare(uv_of(Convention::lecture, p), seeds::uv_lecture(p));
+    compare(uv_of(Convention::daily, p), published::uv_daily(p));
+    compare(uv_of(Convention::rtiow, p), published::uv_one_weekend_2020(p));
+    compare(uv_of(Convention::rtiow, p), published::uv_next_week_v4(p));
+    compare(uv_of(Convention::lecture, p), published::uv_lecture(p));
   }
   MESSAGE("worst: u " << worst_u << ", v " << worst_v);
   CHECK(worst_u <= 4e-16);
-  CHECK(worst_v <= 2e-14);  // the seeds' asin and acos lose digits towards the poles
+  CHECK(worst_v <= 2e-14);  // the documents' asin and acos lose digits towards the poles
 }
 
-TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, to the last bit", Real, float, double) {
+TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, to the last bit",
+                   Real, float, double) {
   int wrong = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3<Real> p = number_cast<Real>(spread(i, 20000));
@@ -110,7 +113,9 @@ TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, 
     const long double turned = u < 0.25L ? u + 0.75L : u - 0.25L;
     if (daily.u != std::min(static_cast<Real>(flipped), below_one<Real>())) ++wrong;
     if (daily.v != Real(1) - book.v) ++wrong;
-    if (abs(static_cast<long double>(lecture.u) - turned) > static_cast<long double>(unit_roundoff<Real>())) ++wrong;
+    if (abs(static_cast<long double>(lecture.u) - turned) >
+        static_cast<long double>(unit_roundoff<Real>()))
+      ++wrong;
     if (lecture.v != book.v) ++wrong;
     const Uv<Real> plain = uv_rtiow(p);
     if (book.u != plain.u || book.v != plain.v) ++wrong;
@@ -118,8 +123,27 @@ TEST_CASE_TEMPLATE("the conventions are flips and quarter turns of one another, 
   CHECK(wrong == 0);
 }
 
-TEST_CASE_TEMPLATE("the zero vector has a place in every convention, and v runs down in one of them", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("places that are sums of powers of two go from convention to convention exactly",
+                   Real, NUMBERS) {
+  using T = Scalar<Real>;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j <= 16; ++j) {
+      const double u = i / 64.0, v = j / 16.0;
+      const auto check = [&](Convention convention, double expected_u, double expected_v) {
+        const Uv<Real> uv = in_convention(convention, Uv<Real>{Real(u), Real(v)});
+        CHECK(lane(uv.u, lanes<Real> - 1) == static_cast<T>(expected_u));
+        CHECK(lane(uv.v, lanes<Real> - 1) == static_cast<T>(expected_v));
+      };
+      check(Convention::rtiow, u, v);
+      check(Convention::daily, i == 0 ? 0 : 1 - u, 1 - v);
+      check(Convention::lecture, i < 16 ? u + 0.75 : u - 0.25, v);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "the zero vector has a place in every convention, and v runs down in one of them", Real, float,
+    double, long double) {
   for (const Convention convention : {Convention::daily, Convention::rtiow, Convention::lecture}) {
     const Uv<Real> uv = uv_of(convention, Vec3<Real>{});
     CHECK(uv.u == (convention == Convention::lecture ? Real(0.25) : Real(0.5)));
@@ -128,11 +152,15 @@ TEST_CASE_TEMPLATE("the zero vector has a place in every convention, and v runs 
   }
 }
 
-TEST_CASE_TEMPLATE("u stays below 1 on both sides of every seam", Real, float, double, long double) {
-  for (const Real small : {Real(0), std::numeric_limits<Real>::denorm_min(), Real(1e-30L), Real(1e-9L), Real(1e-3L)}) {
+TEST_CASE_TEMPLATE("u stays below 1 on both sides of every seam", Real, float, double,
+                   long double) {
+  for (const Real small :
+       {Real(0), std::numeric_limits<Real>::denorm_min(), Real(1e-30L), Real(1e-9L), Real(1e-3L)}) {
     for (const Real sign : {Real(-1), Real(1)}) {
-      for (const Vec3<Real>& p : {Vec3<Real>{-1, 0, sign * small}, Vec3<Real>{sign * small, 0, 1}}) {
-        for (const Convention convention : {Convention::daily, Convention::rtiow, Convention::lecture}) {
+      for (const Vec3<Real>& p :
+           {Vec3<Real>{-1, 0, sign * small}, Vec3<Real>{sign * small, 0, 1}}) {
+        for (const Convention convention :
+             {Convention::daily, Convention::rtiow, Convention::lecture}) {
           const Uv<Real> uv = uv_of(convention, p);
           CHECK(uv.u >= Real(0));
           CHECK(uv.u < Real(1));
@@ -142,7 +170,8 @@ TEST_CASE_TEMPLATE("u stays below 1 on both sides of every seam", Real, float, d
   }
 }
 
-TEST_CASE("a quarter turn moves every texel center by a quarter of the picture, in every convention") {
+TEST_CASE(
+    "a quarter turn moves every texel center by a quarter of the picture, in every convention") {
   constexpr int n = 8192;
   constexpr int rows = 4;
   const Convention conventions[] = {Convention::daily, Convention::rtiow, Convention::lecture};
@@ -158,8 +187,8 @@ TEST_CASE("a quarter turn moves every texel center by a quarter of the picture, 
           const double latitude = std::numbers::pi * ((row + 0.5) / rows - 0.5);
           const Point p{-std::cos(latitude) * std::cos(longitude), std::sin(latitude),
                         std::cos(latitude) * std::sin(longitude)};
-          const int before = static_cast<int>(texel_index(uv_of(convention, p).u, n));
-          const int after = static_cast<int>(texel_index(turned(p).u, n));
+          const int before = static_cast<int>(test::texel_index(uv_of(convention, p).u, n));
+          const int after = static_cast<int>(test::texel_index(turned(p).u, n));
           if (after != (before + (direction * quarter + 4) * (n / 4)) % n) ++wrong;
         }
       }
@@ -179,7 +208,7 @@ TEST_CASE("the lecture's convention is the book's on a globe turned back by a qu
     const Point p{-std::cos(longitude), 0.3, std::sin(longitude)};
     const Uv<double> lecture = uv_of(Convention::lecture, p);
     const Uv<double> book = turned(p);
-    if (texel_index(lecture.u, n) != texel_index(book.u, n)) ++wrong;
+    if (test::texel_index(lecture.u, n) != test::texel_index(book.u, n)) ++wrong;
     worst = std::max({worst, apart(lecture.u, book.u), abs(lecture.v - book.v)});
   }
   CHECK(wrong == 0);
@@ -195,4 +224,4 @@ TEST_CASE("a turned mapping turns the point before it maps it") {
 }
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

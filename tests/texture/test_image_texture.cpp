@@ -1,18 +1,19 @@
 // Tests of common/texture/image_texture.hpp: which texel of a picture a coordinate shows.
 #include <doctest.h>
 
-#include "image_texture.hpp"
-#include "lanes_of_textures.hpp"
+#include "support/lanes.hpp"
+#include "texture/image_texture.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
-/// 3 x 2 texels, each channel of each different: red 10 column, green 20 row, blue 100 + column + 3 row.
+/// 3 x 2 texels, all channels different: red 10 column, green 20 row, blue 100 + column + 3 row.
 Image small_image() {
   Image image(3, 2);
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
-      image.at(column, row) = {static_cast<std::uint8_t>(10 * column), static_cast<std::uint8_t>(20 * row),
+      image.at(column, row) = {static_cast<std::uint8_t>(10 * column),
+                               static_cast<std::uint8_t>(20 * row),
                                static_cast<std::uint8_t>(100 + column + 3 * row)};
     }
   }
@@ -21,16 +22,18 @@ Image small_image() {
 
 template <class Real>
 bool shows(const Color<Real>& color, const Rgb8& texel) {
-  return color.r == static_cast<Real>(texel.r) / Real(255) && color.g == static_cast<Real>(texel.g) / Real(255) &&
+  return color.r == static_cast<Real>(texel.r) / Real(255) &&
+         color.g == static_cast<Real>(texel.g) / Real(255) &&
          color.b == static_cast<Real>(texel.b) / Real(255);
 }
 
-TEST_CASE_TEMPLATE("each texel is shown at its center and from its lower corner on, for both axes of v", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE(
+    "each texel is shown at its center and from its lower corner on, for both axes of v", Real,
+    float, double, long double) {
   const Image image = small_image();
   const ImageTexture up{image, VAxis::up};
   const ImageTexture down{image, VAxis::down};
-  const Real third = std::nextafter(Real(1) / Real(3), Real(1));       // floor(3 u) is 1 from here on
+  const Real third = std::nextafter(Real(1) / Real(3), Real(1));  // floor(3 u) is 1 from here on
   const Real two_thirds = std::nextafter(Real(2) / Real(3), Real(1));  // and 2 from here on
   const Real lower[] = {0, third, two_thirds};
   for (int column = 0; column < 3; ++column) {
@@ -48,7 +51,8 @@ TEST_CASE_TEMPLATE("each texel is shown at its center and from its lower corner 
   }
 }
 
-TEST_CASE_TEMPLATE("the corners of the coordinates show the corners of the picture", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the corners of the coordinates show the corners of the picture", Real, float,
+                   double, long double) {
   const Image image = small_image();
   for (const Real one : {below_one<Real>(), Real(1), Real(7), infinity<Real>()}) {
     CHECK(shows(ImageTexture{image, VAxis::down}(Uv<Real>{0, 0}), image.at(0, 0)));
@@ -67,7 +71,8 @@ TEST_CASE("a picture lies with v upward and floored texels unless told otherwise
   CHECK(ImageTexture{}.rounding == TexelRounding::floor);
 }
 
-TEST_CASE_TEMPLATE("the lecture's rounding reaches the last row and column at 1 alone", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the lecture's rounding reaches the last row and column at 1 alone", Real, float,
+                   double, long double) {
   const Image image = small_image();
   const ImageTexture down{image, VAxis::down, TexelRounding::lecture};
   const ImageTexture up{image, VAxis::up, TexelRounding::lecture};
@@ -80,7 +85,8 @@ TEST_CASE_TEMPLATE("the lecture's rounding reaches the last row and column at 1 
   CHECK(shows(up(Uv<Real>{1, 1}), image.at(2, 0)));
 }
 
-TEST_CASE_TEMPLATE("an empty picture is black, for every size that is empty", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("an empty picture is black, for every size that is empty", Real, float, double,
+                   long double) {
   for (const Image& image : {Image{}, Image(0, 0), Image(0, 5), Image(5, 0)}) {
     for (const VAxis axis : {VAxis::up, VAxis::down}) {
       const Color<Real> color = ImageTexture{image, axis}(Uv<Real>{Real(0.5), Real(0.5)});
@@ -89,22 +95,27 @@ TEST_CASE_TEMPLATE("an empty picture is black, for every size that is empty", Re
   }
 }
 
-TEST_CASE_TEMPLATE("a picture of one texel is that color everywhere", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a picture of one texel is that color everywhere", Real, float, double,
+                   long double) {
   const ImageTexture texture{Image(1, 1, {12, 34, 56})};
   for (const Real u : {Real(0), Real(0.3), below_one<Real>(), Real(1), Real(-5)}) {
     CHECK(shows(texture(Uv<Real>{u, u}), {12, 34, 56}));
   }
 }
 
-TEST_CASE_TEMPLATE("rows are found first and turned over then, so every edge between rows belongs to the row above it in v",
-                   Real, float, double, long double) {
+TEST_CASE_TEMPLATE(
+    "rows are found first and turned over then, so every edge between rows belongs to the row "
+    "above it in v",
+    Real, float, double, long double) {
   // A column of 4096 texels that tell their row.
   constexpr int rows = 4096;
   Image image(1, rows);
   for (int row = 0; row < rows; ++row)
-    image.at(0, row) = {static_cast<std::uint8_t>(row / 256), static_cast<std::uint8_t>(row % 256), 0};
+    image.at(0, row) = {static_cast<std::uint8_t>(row / 256), static_cast<std::uint8_t>(row % 256),
+                        0};
   const auto row_at = [](const Color<Real>& color) {
-    return static_cast<int>(std::lround(color.r * Real(255))) * 256 + static_cast<int>(std::lround(color.g * Real(255)));
+    return static_cast<int>(std::lround(color.r * Real(255))) * 256 +
+           static_cast<int>(std::lround(color.g * Real(255)));
   };
   const ImageTexture up{image, VAxis::up};
   const ImageTexture down{image, VAxis::down};
@@ -118,16 +129,14 @@ TEST_CASE_TEMPLATE("rows are found first and turned over then, so every edge bet
   CHECK(wrong == 0);
 }
 
-#ifdef TEXMAP_HAVE_PACKS
 TEST_CASE_TEMPLATE("a pack reads its own texel in each lane", T, float, double) {
   const Image image = small_image();
   for (const VAxis axis : {VAxis::up, VAxis::down}) {
     for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
-      test::check_each_lane<T>(ImageTexture{image, axis, rounding});
+      check_lanes_of_texture<T>(ImageTexture{image, axis, rounding});
     }
   }
 }
-#endif
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

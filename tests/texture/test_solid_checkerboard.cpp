@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "dice.hpp"
-#include "pack.hpp"
-#include "solid_checkerboard.hpp"
+#include "support/dice.hpp"
+#include "support/lanes.hpp"
+#include "texture/solid_checkerboard.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 const Rgb even{0.25, 0.5, 0.75};
@@ -26,7 +26,8 @@ char cube_at(const SolidCheckerboard& board, Real x, Real y, Real z) {
 /// 1 where the cell of length 1 that `x` lies in is odd: by whole numbers.
 template <class Real>
 int parity(Real x) {
-  return static_cast<int>(static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x))) & 1U);
+  return static_cast<int>(static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x))) &
+                          1U);
 }
 
 /// What `cube_at` should find with cells of length 1.
@@ -35,7 +36,8 @@ char true_cube_at(Real x, Real y, Real z) {
   return ((parity(x) ^ parity(y)) ^ parity(z)) == 0 ? 'e' : 'o';
 }
 
-TEST_CASE_TEMPLATE("the eight cubes around the origin alternate", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the eight cubes around the origin alternate", Real, float, double,
+                   long double) {
   const SolidCheckerboard board{even, odd, 2};
   for (int i = 0; i < 8; ++i) {
     const Real x = (i & 1) != 0 ? 1 : -1;
@@ -46,13 +48,15 @@ TEST_CASE_TEMPLATE("the eight cubes around the origin alternate", Real, float, d
   }
 }
 
-TEST_CASE_TEMPLATE("P33: below 0 cubes go on by floor, so that none is double", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("P33: below 0 cubes go on by floor, so that none is double", Real, float, double,
+                   long double) {
   const SolidCheckerboard board{even, odd, 1};
   struct Row {
     double at;
     char cube;
   };
-  const Row table[] = {{-2, 'e'}, {-1.5, 'e'}, {-1, 'o'}, {-0.5, 'o'}, {-0.0, 'e'}, {0, 'e'}, {0.5, 'e'}, {1, 'o'}, {1.5, 'o'}};
+  const Row table[] = {{-2, 'e'}, {-1.5, 'e'}, {-1, 'o'}, {-0.5, 'o'}, {-0.0, 'e'},
+                       {0, 'e'},  {0.5, 'e'},  {1, 'o'},  {1.5, 'o'}};
   for (const Row& row : table) {
     CAPTURE(row.at);
     CHECK(cube_at(board, Real(row.at), Real(0), Real(0)) == row.cube);
@@ -64,17 +68,20 @@ TEST_CASE_TEMPLATE("P33: below 0 cubes go on by floor, so that none is double", 
   CHECK(cube_at(board, -std::numeric_limits<Real>::denorm_min(), Real(0), Real(0)) == 'o');
 }
 
-TEST_CASE_TEMPLATE("a cube's lower faces belong to it, and its upper ones to its neighbors", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a cube's lower faces belong to it, and its upper ones to its neighbors", Real,
+                   float, double, long double) {
   const SolidCheckerboard board{even, odd, 0.25};
   for (int i = -1000; i <= 1000; ++i) {
     const Real face = static_cast<Real>(i) * Real(0.25);
     REQUIRE(cube_at(board, face, Real(0), Real(0)) == (i % 2 == 0 ? 'e' : 'o'));
-    REQUIRE(cube_at(board, std::nextafter(face, -infinity<Real>()), Real(0), Real(0)) == (i % 2 == 0 ? 'o' : 'e'));
+    REQUIRE(cube_at(board, std::nextafter(face, -infinity<Real>()), Real(0), Real(0)) ==
+            (i % 2 == 0 ? 'o' : 'e'));
   }
 }
 
-TEST_CASE_TEMPLATE("colors are right for every stored point, up to 1e12 and on all sides of the origin", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE(
+    "colors are right for every stored point, up to 1e12 and on all sides of the origin", Real,
+    float, double, long double) {
   const SolidCheckerboard board{even, odd, 1};
   Dice dice;
   for (const double range : {10.0, 1e3, 1e5, 1e7, 1e9, 1e12}) {
@@ -83,14 +90,16 @@ TEST_CASE_TEMPLATE("colors are right for every stored point, up to 1e12 and on a
     for (int i = 0; i < 20000; ++i) {
       const auto x = static_cast<Real>(range * dice.between(-1, 1));
       const auto y = static_cast<Real>(range * dice.between(-1, 1));
-      const auto z = static_cast<Real>(10 * dice.between(-1, 1));  // a small one beside the large ones
+      const auto z =
+          static_cast<Real>(10 * dice.between(-1, 1));  // a small one beside the large ones
       if (cube_at(board, x, y, z) != true_cube_at(x, y, z)) ++wrong;
     }
     CHECK(wrong == 0);
   }
 }
 
-TEST_CASE_TEMPLATE("neighbors at 1e12 differ, with cells of any power of two", Real, double, long double) {
+TEST_CASE_TEMPLATE("neighbors at 1e12 differ, with cells of any power of two", Real, double,
+                   long double) {
   for (const double cell : {0.25, 1.0, 8.0}) {
     const SolidCheckerboard board{even, odd, cell};
     const Real start = Real(1e12) * Real(cell);
@@ -103,7 +112,8 @@ TEST_CASE_TEMPLATE("neighbors at 1e12 differ, with cells of any power of two", R
   }
 }
 
-TEST_CASE_TEMPLATE("numbers of cells whose sum does not fit still give the right color", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("numbers of cells whose sum does not fit still give the right color", Real,
+                   float, double, long double) {
   const SolidCheckerboard board{even, odd, 1};
   const Real last = std::ldexp(Real(1), std::numeric_limits<Real>::digits) - Real(1);  // odd
   CHECK(cube_at(board, last, Real(0), Real(0)) == 'o');
@@ -114,8 +124,9 @@ TEST_CASE_TEMPLATE("numbers of cells whose sum does not fit still give the right
 }
 
 TEST_CASE_TEMPLATE(
-    "a face that the number holds lies where its cube begins, for every cell length; multiplying by 1 / cell moves some", Real,
-    float, double, long double) {
+    "a face that the number holds lies where its cube begins, for every cell length; multiplying "
+    "by 1 / cell moves some",
+    Real, float, double, long double) {
   int moved = 0;
   for (int cells = 3; cells <= 49; cells += 2) {
     const SolidCheckerboard board{even, odd, static_cast<double>(cells)};
@@ -130,7 +141,8 @@ TEST_CASE_TEMPLATE(
   CHECK(moved > 150);
 }
 
-TEST_CASE_TEMPLATE("a point at no place has one of the two colors", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a point at no place has one of the two colors", Real, float, double,
+                   long double) {
   const SolidCheckerboard board{even, odd, 1};
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   CHECK(cube_at(board, nan, Real(0), Real(0)) == 'o');
@@ -140,28 +152,24 @@ TEST_CASE_TEMPLATE("a point at no place has one of the two colors", Real, float,
   CHECK(cube_at(board, Real(1e30L), Real(0), Real(1)) == 'o');
 }
 
-TEST_CASE("a cube has edges of length 1 unless told otherwise") { CHECK(SolidCheckerboard{}.cell == 1); }
+TEST_CASE("a cube has edges of length 1 unless told otherwise") {
+  CHECK(SolidCheckerboard{}.cell == 1);
+}
 
-#ifdef TEXMAP_HAVE_PACKS
-TEST_CASE_TEMPLATE("a pack finds in each lane the cube that a single number finds", T, float, double) {
+TEST_CASE_TEMPLATE("a pack finds in each lane the cube that a single number finds", T, float,
+                   double) {
   using Many = Pack<T>;
   Dice dice;
   for (const double cell : {1.0, 0.3}) {
     const SolidCheckerboard board{even, odd, cell};
     for (const double range : {3.0, 1e6, 1e12}) {
       for (int i = 0; i < 500; ++i) {
-        const auto any_number = [&](std::size_t) { return static_cast<T>(range * dice.between(-1, 1)); };
-        const Vec3<Many> p{from_lanes<Many>(any_number), from_lanes<Many>(any_number), from_lanes<Many>(any_number)};
-        const Color<Many> colors = board(p);
-        for (std::size_t k = 0; k < lanes<Many>; ++k) {
-          const Color<T> color = board(Vec3<T>{lane(p.x, k), lane(p.y, k), lane(p.z, k)});
-          REQUIRE((lane(colors.r, k) == color.r && lane(colors.g, k) == color.g && lane(colors.b, k) == color.b));
-        }
+        check_each_lane<Many>([&board](const auto& p) { return board(p); },
+                              any_vectors<Many>(dice, -range, range));
       }
     }
   }
 }
-#endif
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

@@ -5,26 +5,30 @@
 #include <cstdint>
 #include <vector>
 
-#include "pack.hpp"
-#include "seed_formulas.hpp"
-#include "texel.hpp"
+#include "number/kinds/pack.hpp"
+#include "published/uv.hpp"
+#include "support/whole_numbers.hpp"
+#include "texture/texel.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 TEST_CASE_TEMPLATE("a coordinate of 1 is in the last texel", Real, float, double, long double) {
-  for (const int n : {1, 2, 3, 8192, 1 << 24}) CHECK(texel_index(Real(1), n) == static_cast<Real>(n - 1));
+  for (const int n : {1, 2, 3, 8192, 1 << 24})
+    CHECK(test::texel_index(Real(1), n) == static_cast<Real>(n - 1));
 }
 
-TEST_CASE_TEMPLATE("the coordinate below 1 is in the last texel for every size", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("the coordinate below 1 is in the last texel for every size", Real, float,
+                   double, long double) {
   int wrong = 0;
   for (int n = 1; n <= 65536; ++n) {
-    if (texel_index(below_one<Real>(), n) != static_cast<Real>(n - 1)) ++wrong;
+    if (test::texel_index(below_one<Real>(), n) != static_cast<Real>(n - 1)) ++wrong;
   }
   CHECK(wrong == 0);
 }
 
-TEST_CASE_TEMPLATE("texels are half-open: each holds its lower edge", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("texels are half-open: each holds its lower edge", Real, float, double,
+                   long double) {
   struct Row {
     double u;
     int n, index;
@@ -35,28 +39,30 @@ TEST_CASE_TEMPLATE("texels are half-open: each holds its lower edge", Real, floa
   };
   for (const Row& row : table) {
     CAPTURE(row.u);
-    CHECK(texel_index(static_cast<Real>(row.u), row.n) == static_cast<Real>(row.index));
+    CHECK(test::texel_index(static_cast<Real>(row.u), row.n) == static_cast<Real>(row.index));
   }
-  CHECK(texel_index(std::nextafter(Real(0.25), Real(0)), 4) == Real(0));
-  CHECK(texel_index(std::nextafter(Real(0.75), Real(0)), 4) == Real(2));
-  for (int k = 0; k < 4096; ++k) REQUIRE(texel_index(static_cast<Real>(k) / Real(4096), 4096) == static_cast<Real>(k));
+  CHECK(test::texel_index(std::nextafter(Real(0.25), Real(0)), 4) == Real(0));
+  CHECK(test::texel_index(std::nextafter(Real(0.75), Real(0)), 4) == Real(2));
+  for (int k = 0; k < 4096; ++k)
+    REQUIRE(test::texel_index(static_cast<Real>(k) / Real(4096), 4096) == static_cast<Real>(k));
 }
 
-TEST_CASE_TEMPLATE("no coordinate leaves the image: NaN gives 0 and the rest is clamped", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("no coordinate leaves the image: NaN gives 0 and the rest is clamped", Real,
+                   float, double, long double) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   for (const int n : {1, 2, 8192, 1 << 24}) {
     for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
-      CHECK(texel_index(nan, n, rounding) == Real(0));
-      CHECK(texel_index(-infinity<Real>(), n, rounding) == Real(0));
-      CHECK(texel_index(Real(-1e30L), n, rounding) == Real(0));
-      CHECK(texel_index(Real(-0.1L), n, rounding) == Real(0));
+      CHECK(test::texel_index(nan, n, rounding) == Real(0));
+      CHECK(test::texel_index(-infinity<Real>(), n, rounding) == Real(0));
+      CHECK(test::texel_index(Real(-1e30L), n, rounding) == Real(0));
+      CHECK(test::texel_index(Real(-0.1L), n, rounding) == Real(0));
     }
     const auto last = static_cast<Real>(n - 1);
-    CHECK(texel_index(infinity<Real>(), n) == last);
-    CHECK(texel_index(Real(1e30L), n) == last);
-    CHECK(texel_index(Real(1.5), n) == last);
-    CHECK(clamp_index(nan, n) == Real(0));
-    CHECK(clamp_index(static_cast<Real>(n), n) == last);
+    CHECK(test::texel_index(infinity<Real>(), n) == last);
+    CHECK(test::texel_index(Real(1e30L), n) == last);
+    CHECK(test::texel_index(Real(1.5), n) == last);
+    CHECK(test::clamp_index(nan, n) == Real(0));
+    CHECK(test::clamp_index(static_cast<Real>(n), n) == last);
   }
 }
 
@@ -67,9 +73,8 @@ TEST_CASE("every pattern of 32 bits is a coordinate that is safe to index with")
     bits = bits * 1664525U + 1013904223U;
     const auto u = std::bit_cast<float>(bits);
     // The conversions themselves are what the sanitizer watches.
-    const int indices[] = {static_cast<int>(texel_index(u, 8192)),
-                           static_cast<int>(texel_index(u, 8192, TexelRounding::lecture)),
-                           static_cast<int>(wrapped_index(u, 8192))};
+    const int indices[] = {static_cast<int>(test::texel_index(u, 8192)),
+                           static_cast<int>(test::texel_index(u, 8192, TexelRounding::lecture))};
     for (const int index : indices) {
       if (index < 0 || index > 8191) ++outside;
     }
@@ -80,15 +85,16 @@ TEST_CASE("every pattern of 32 bits is a coordinate that is safe to index with")
 TEST_CASE("every texel has the same share of the coordinates, first and last too") {
   for (const int n : {1, 2, 3, 7, 8192}) {
     std::vector<int> hits(static_cast<std::size_t>(n));
-    for (int i = 0; i < 100 * n; ++i) ++hits[static_cast<std::size_t>(texel_index((i + 0.5) / (100.0 * n), n))];
+    for (int i = 0; i < 100 * n; ++i)
+      ++hits[static_cast<std::size_t>(test::texel_index((i + 0.5) / (100.0 * n), n))];
     int uneven = 0;
     for (const int count : hits) uneven += count == 100 ? 0 : 1;
     CHECK(uneven == 0);
   }
 }
 
-TEST_CASE_TEMPLATE("the lecture's rounding gives n - 1 texels a share and the last one none", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("the lecture's rounding gives n - 1 texels a share and the last one none", Real,
+                   float, double, long double) {
   struct Row {
     double u;
     int n, index;
@@ -97,54 +103,36 @@ TEST_CASE_TEMPLATE("the lecture's rounding gives n - 1 texels a share and the la
                        {1, 5, 4}, {0.5, 1, 0},  {1, 1, 0},   {0.5, 2, 0}, {1, 2, 1}};
   for (const Row& row : table) {
     CAPTURE(row.u);
-    CHECK(texel_index(static_cast<Real>(row.u), row.n, TexelRounding::lecture) == static_cast<Real>(row.index));
+    CHECK(test::texel_index(static_cast<Real>(row.u), row.n, TexelRounding::lecture) ==
+          static_cast<Real>(row.index));
   }
-  CHECK(texel_index(below_one<Real>(), 8192, TexelRounding::lecture) == Real(8190));
+  CHECK(test::texel_index(below_one<Real>(), 8192, TexelRounding::lecture) == Real(8190));
 }
 
-TEST_CASE("the lecture's rounding is seed 4's own") {
+TEST_CASE("the lecture's rounding is that of its program") {
   for (int i = 0; i <= 100000; ++i) {
     const double v = i / 100000.0;
-    REQUIRE(4095 - static_cast<int>(texel_index(v, 4096, TexelRounding::lecture)) == seeds::row_lecture(v, 4096));
+    REQUIRE(4095 - static_cast<int>(test::texel_index(v, 4096, TexelRounding::lecture)) ==
+            published::row_lecture(v, 4096));
   }
 }
 
-TEST_CASE_TEMPLATE("a repeating image has u and u + 1 at one place", Real, float, double, long double) {
-  struct Row {
-    double u;
-    int index;
-  };
-  const Row table[] = {{-0.1, 7372}, {1.1, 819},   {-1e-9, 8191}, {0, 0},        {1, 0},           {-1, 0},
-                       {0.5, 4096},  {-0.5, 4096}, {2.25, 2048},  {-3.75, 2048}, {1000000.5, 4096}};
-  for (const Row& row : table) {
-    CAPTURE(row.u);
-    CHECK(wrapped_index(static_cast<Real>(row.u), 8192) == static_cast<Real>(row.index));
-  }
-  for (int exponent = 1; exponent < 149; ++exponent) {
-    const Real index = wrapped_index(-std::ldexp(Real(1), -exponent), 8192);
-    REQUIRE(index == (exponent >= 13 ? Real(8191) : Real(8192) - std::ldexp(Real(1), 13 - exponent)));
-  }
-  for (int k = -8192; k <= 16384; ++k) {
-    REQUIRE(wrapped_index(static_cast<Real>(k) / Real(8192), 8192) == static_cast<Real>((k + 8192) % 8192));
-  }
-}
-
-#ifdef TEXMAP_HAVE_PACKS
-TEST_CASE_TEMPLATE("a pack finds in each lane the texel that a single number finds", T, float, double) {
+TEST_CASE_TEMPLATE("a pack finds in each lane the texel that a single number finds", T, float,
+                   double) {
   const T nan = std::numeric_limits<T>::quiet_NaN();
-  const std::vector<T> table = {nan,    0,      1, below_one<T>(), T(0.25), T(-0.1), T(1.1), infinity<T>(), -infinity<T>(),
-                                T(0.7), T(1e30)};
+  const std::vector<T> table = {
+      nan,    0,      1, below_one<T>(), T(0.25), T(-0.1), T(1.1), infinity<T>(), -infinity<T>(),
+      T(0.7), T(1e30)};
   for (std::size_t start = 0; start < table.size(); ++start) {
     const auto at = [&](std::size_t i) { return table[(start + i) % table.size()]; };
     const auto u = from_lanes<Pack<T>>(at);
     for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
-      CHECK(lane(texel_index(u, 1000), i) == texel_index(at(i), 1000));
-      CHECK(lane(texel_index(u, 1000, TexelRounding::lecture), i) == texel_index(at(i), 1000, TexelRounding::lecture));
-      CHECK(lane(wrapped_index(u, 1000), i) == wrapped_index(at(i), 1000));
+      CHECK(lane(test::texel_index(u, 1000), i) == test::texel_index(at(i), 1000));
+      CHECK(lane(test::texel_index(u, 1000, TexelRounding::lecture), i) ==
+            test::texel_index(at(i), 1000, TexelRounding::lecture));
     }
   }
 }
-#endif
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

@@ -4,12 +4,12 @@
 #include <bit>
 #include <cstdint>
 
-#include "exact.hpp"
-#include "hard_vectors.hpp"
-#include "pack.hpp"
-#include "uv.hpp"
+#include "number/kinds/pack.hpp"
+#include "support/exact.hpp"
+#include "support/hard_vectors.hpp"
+#include "texture/uv.hpp"
 
-namespace texmap {
+namespace texmap::test {
 namespace {
 
 constexpr Exact exact_pi = 3.14159265358979323846264338327950288L;
@@ -28,20 +28,18 @@ double off(const Uv<Real>& uv, Exact u, Exact v) {
   return static_cast<double>(worst);
 }
 
-#ifdef TEXMAP_HAVE_PACKS
 #define NUMBERS float, double, long double, Pack<float>, Pack<double>
-#else
-#define NUMBERS float, double, long double
-#endif
 
-TEST_CASE_TEMPLATE("the axes have their exact places, whatever the vector's length", Real, NUMBERS) {
+TEST_CASE_TEMPLATE("the axes have their exact places, whatever the vector's length", Real,
+                   NUMBERS) {
   struct Row {
     double x, y, z, u, v;
   };
   const Row table[] = {
-      {-1, 0, 0, 0, 0.5},      {0, 0, 1, 0.25, 0.5},        {1, 0, 0, 0.5, 0.5},   {0, 0, -1, 0.75, 0.5},
-      {0, 1, 0, 0.5, 1},       {0, -1, 0, 0.5, 0},          {-1, 0, -0.0, 0, 0.5}, {-0.0, 1, -0.0, 0.5, 1},
-      {-0.0, 1, 0, 0.5, 1},    {0, 1, -0.0, 0.5, 1},        {-0.0, -1, 0, 0.5, 0}, {1, -0.0, -0.0, 0.5, 0.5},
+      {-1, 0, 0, 0, 0.5},      {0, 0, 1, 0.25, 0.5},        {1, 0, 0, 0.5, 0.5},
+      {0, 0, -1, 0.75, 0.5},   {0, 1, 0, 0.5, 1},           {0, -1, 0, 0.5, 0},
+      {-1, 0, -0.0, 0, 0.5},   {-0.0, 1, -0.0, 0.5, 1},     {-0.0, 1, 0, 0.5, 1},
+      {0, 1, -0.0, 0.5, 1},    {-0.0, -1, 0, 0.5, 0},       {1, -0.0, -0.0, 0.5, 0.5},
       {-0.0, 0, 1, 0.25, 0.5}, {-0.0, -0.0, -1, 0.75, 0.5},
   };
   for (const Row& row : table) {
@@ -50,8 +48,9 @@ TEST_CASE_TEMPLATE("the axes have their exact places, whatever the vector's leng
       CAPTURE(row.y);
       CAPTURE(row.z);
       CAPTURE(length);
-      CHECK(off(uv_rtiow(Vec3<Real>{Real(row.x * length), Real(row.y * length), Real(row.z * length)}), widened(row.u),
-                widened(row.v)) == 0);
+      CHECK(off(uv_rtiow(
+                    Vec3<Real>{Real(row.x * length), Real(row.y * length), Real(row.z * length)}),
+                widened(row.u), widened(row.v)) == 0);
     }
   }
 }
@@ -84,14 +83,17 @@ TEST_CASE_TEMPLATE("known angles have their places", Real, NUMBERS) {
     const auto number = [](Exact x) { return Real(static_cast<Scalar<Real>>(x)); };
     // The last row is published with 17 digits.
     const double digits = row.y == 2 && sizeof(Scalar<Real>) > 8 ? 1000 : 1;
-    CHECK(off(uv_rtiow(Vec3<Real>{number(row.x), number(row.y), number(row.z)}), row.u, row.v) <= digits);
+    CHECK(off(uv_rtiow(Vec3<Real>{number(row.x), number(row.y), number(row.z)}), row.u, row.v) <=
+          digits);
   }
 }
 
-TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, the smallest, largest and no numbers too", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE(
+    "u is below 1 and v from 0 to 1 for every vector, the smallest, largest and no numbers too",
+    Real, float, double, long double) {
   std::vector<Real> coordinates = test::hard_finite_numbers<Real>();
-  coordinates.insert(coordinates.end(), {infinity<Real>(), -infinity<Real>(), std::numeric_limits<Real>::quiet_NaN()});
+  coordinates.insert(coordinates.end(),
+                     {infinity<Real>(), -infinity<Real>(), std::numeric_limits<Real>::quiet_NaN()});
   test::check_every_place([](const Vec3<Real>& p) { return uv_rtiow(p); }, coordinates);
 }
 
@@ -158,8 +160,9 @@ Uv<Exact> reference(const Vec3<Real>& p) {
   return {u < 0 ? u + 1 : u, atan2(std::hypot(x, z), -y) / exact_pi};
 }
 
-TEST_CASE_TEMPLATE("u is within one epsilon everywhere, v within 1.25, and v within 4 ulps beside the lower pole", Real, float,
-                   double) {
+TEST_CASE_TEMPLATE(
+    "u is within one epsilon everywhere, v within 1.25, and v within 4 ulps beside the lower pole",
+    Real, float, double) {
   constexpr auto epsilon = static_cast<Exact>(std::numeric_limits<Real>::epsilon());
   Exact worst_u = 0;
   Exact worst_v = 0;
@@ -168,10 +171,12 @@ TEST_CASE_TEMPLATE("u is within one epsilon everywhere, v within 1.25, and v wit
     const double height = 1 - (i + 0.5) / 50000;
     const double around = i * 2.399963229728653;
     const double radius = std::sqrt(1 - height * height);
-    const Vec3<Real> even = number_cast<Real>(Point{radius * std::cos(around), height, radius * std::sin(around)});
+    const Vec3<Real> even =
+        number_cast<Real>(Point{radius * std::cos(around), height, radius * std::sin(around)});
     // And again near the lower pole, from 1e-8 to 0.1.
     const double near = std::pow(10.0, -8 + 7 * (i + 0.5) / 100000);
-    const Vec3<Real> polar = number_cast<Real>(Point{near * std::cos(around), -1, near * std::sin(around)});
+    const Vec3<Real> polar =
+        number_cast<Real>(Point{near * std::cos(around), -1, near * std::sin(around)});
     for (const Vec3<Real>& p : {even, polar, Vec3<Real>{polar.x, -polar.y, polar.z}}) {
       const Uv<Real> uv = uv_rtiow(p);
       const Uv<Exact> exact = reference(p);
@@ -181,9 +186,10 @@ TEST_CASE_TEMPLATE("u is within one epsilon everywhere, v within 1.25, and v wit
     const Uv<Exact> exact = reference(polar);
     worst_relative = std::max(worst_relative, abs(widened(uv_rtiow(polar).v) - exact.v) / exact.v);
   }
-  MESSAGE("worst: u " << static_cast<double>(worst_u / epsilon) << " eps = " << static_cast<double>(worst_u * 8192)
-                      << " texel, v " << static_cast<double>(worst_v / epsilon)
-                      << " eps = " << static_cast<double>(worst_v * 4096) << " texel, v at the pole "
+  MESSAGE("worst: u " << static_cast<double>(worst_u / epsilon)
+                      << " eps = " << static_cast<double>(worst_u * 8192) << " texel, v "
+                      << static_cast<double>(worst_v / epsilon) << " eps = "
+                      << static_cast<double>(worst_v * 4096) << " texel, v at the pole "
                       << static_cast<double>(worst_relative / epsilon) << " eps, relative");
   CHECK(worst_u <= epsilon);
   CHECK(worst_v <= 1.25L * epsilon);
@@ -209,4 +215,4 @@ TEST_CASE("the mapping as a value is the function") {
 }
 
 }  // namespace
-}  // namespace texmap
+}  // namespace texmap::test

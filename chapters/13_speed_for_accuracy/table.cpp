@@ -1,0 +1,162 @@
+// The table: all that was tried, as text to read and as JSON for other programs.
+#include "table.hpp"
+
+#include "engine/measure/json.hpp"
+#include "engine/measure/text.hpp"
+
+namespace texmap::chapter_13 {
+namespace {
+
+/// The times of a number and a kernel with each set of instructions, as parts of plain double's.
+std::string times_of(const std::vector<Trial>& trials, Variant variant) {
+  std::string times;
+  for (const Instructions instructions :
+       {Instructions::baseline, Instructions::avx2, Instructions::avx512}) {
+    variant.instructions = instructions;
+    const Trial* trial = find_trial(trials, variant);
+    times += trial == nullptr ? "        -" : text("%9.3f", trial->time);
+  }
+  return times;
+}
+
+std::string table_of_places(const Measurements& all, Filter filter) {
+  std::string table = text(
+      "%s, %d x %d pixels, one ray a pixel; time 1 is plain double's %.1f ms with the nearest "
+      "texel\n",
+      filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
+      all.places.front().milliseconds);
+  table += text("%-23s%27s %26s %14s %12s\n", "", "time by instructions", "place off by, texels",
+                "pixels off", "levels off");
+  table +=
+      text("%-12s %-10s%9s%9s%9s %8s %8s %8s %6s %7s %4s %7s\n", "number", "kernel", "baseline",
+           "avx2", "avx512", "worst", "mean", "at most", "seen", "at most", "seen", "at most");
+  for (const Trial& trial : all.places) {
+    const Variant& variant = trial.variant;
+    if (variant.filter != filter || variant.instructions != Instructions::baseline) continue;
+    table += text("%-12s %-10s", name_of(variant.number), name_of_kernel(variant.degree).c_str()) +
+             times_of(all.places, variant) + errors_text(trial) + "\n";
+  }
+  return table + "\n";
+}
+
+std::string table_of_light(const std::vector<Trial>& trials, const std::string& title) {
+  std::string table = title + "\n";
+  table += text("%-51s%26s %14s %12s\n", "", "levels off, not rounded", "pixels off", "levels off");
+  table += text("%-12s %-13s %-6s %-8s %8s %8s %8s %8s %6s %7s %4s %7s\n", "number", "instructions",
+                "texels", "curve", "time", "worst", "mean", "at most", "seen", "at most", "seen",
+                "at most");
+  for (const Trial& trial : trials) {
+    table += text("%-12s %-13s %s %8.3f", name_of(trial.variant.number),
+                  name_of(trial.variant.instructions), columns_of_light(trial.variant).c_str(),
+                  trial.time) +
+             errors_text(trial) + "\n";
+  }
+  return table + "\n";
+}
+
+std::string table_of_noise(const Measurements& all) {
+  std::string table = text(
+      "Samples: root mean square error in levels of 255, and milliseconds for %d x %d pixels (%s, "
+      "%s)\n        ",
+      noise_width, noise_height, name_of(all.exact.number), name_of(all.exact.instructions));
+  for (const SamplerKind kind : sampler_kinds) table += text("  %-22s", name_of(kind));
+  table += "\nsamples ";
+  for (std::size_t i = 0; i < sampler_kinds.size(); ++i) table += "   mean at most       ms";
+  table += "\n";
+  for (const int samples : sample_counts) {
+    table += text("%7d ", samples);
+    for (const Noise& noise : all.noise) {
+      if (noise.samples == samples)
+        table += text(" %7.2f %7.2f %8.2f", noise.rmse, noise.rmse_bound, noise.milliseconds);
+    }
+    table += "\n";
+  }
+  return table;
+}
+
+Json json_of(const Trial& trial) {
+  const Variant& v = trial.variant;
+  const Errors& e = trial.errors;
+  const bool places = v.curve == Curve::none;
+  return Json::object(
+      {{"number", name_of(v.number)},
+       {"instructions", name_of(v.instructions)},
+       {"degree", v.degree},
+       {"filter", name_of(v.filter)},
+       {"curve", name_of(v.curve)},
+       {"texels", name_of(v.format)},
+       {"milliseconds", trial.milliseconds},
+       {"time", trial.time},
+       {places ? "worst_texels" : "worst_unrounded", places ? e.worst_texels : e.worst_unrounded},
+       {places ? "mean_texels" : "mean_unrounded", places ? e.mean_texels : e.mean_unrounded},
+       {places ? "texels_bound" : "unrounded_bound", places ? e.texels_bound : e.unrounded_bound},
+       {"changed", e.changed},
+       {"may_change", e.may_change},
+       {"levels", e.levels},
+       {"levels_bound", e.levels_bound}});
+}
+
+Json json_of(const Noise& noise) {
+  return Json::object({{"sampler", name_of(noise.kind)},
+                       {"samples", noise.samples},
+                       {"rmse", noise.rmse},
+                       {"rmse_bound", noise.rmse_bound},
+                       {"milliseconds", noise.milliseconds}});
+}
+
+}  // namespace
+
+std::string errors_text(const Trial& trial) {
+  const Errors& e = trial.errors;
+  const std::array<double, 3> off =
+      trial.variant.curve == Curve::none
+          ? std::array{e.worst_texels, e.mean_texels, e.texels_bound}
+          : std::array{e.worst_unrounded, e.mean_unrounded, e.unrounded_bound};
+  return text(" %8.1e %8.1e %8.1e %6ld %7ld %4d %7d", off[0], off[1], off[2], e.changed,
+              e.may_change, e.levels, e.levels_bound);
+}
+
+std::string columns_of_light(const Variant& variant) {
+  return text("%-6s %-8s", name_of(variant.format), name_of(variant.curve));
+}
+
+std::string skipped_text(const Measurements& all) {
+  std::string counts;
+  bool skipped = false;
+  for (const Rounds& each : all.rounds) {
+    counts += text("%s%d of %d", counts.empty() ? "" : ", ", each.timed, each.wanted);
+    skipped = skipped || each.timed < each.wanted;
+  }
+  if (!skipped) return "";
+  return "\nThe machine is busy or slow: timing took longer than --seconds allows. Rounds timed: " +
+         counts + ".\nFewer rounds make times less sure; errors have no part in it.\n";
+}
+
+std::string table_of(const Measurements& all) {
+  return table_of_places(all, Filter::nearest) + table_of_places(all, Filter::bilinear) +
+         table_of_light(all.curves,
+                        "From texels through light to sRGB bytes; time 1 is that of plain double "
+                        "with the power") +
+         table_of_light(all.texel_formats,
+                        text("The same with %d rays a pixel, %d x %d pixels; time 1 is that of "
+                             "plain double with bytes",
+                             texel_format_samples, noise_width, noise_height)) +
+         table_of_noise(all) + skipped_text(all);
+}
+
+std::string json_of(const Measurements& all) {
+  const auto item = [](const auto& element) { return json_of(element); };
+  return Json::object({{"width", all.width},
+                       {"height", all.height},
+                       {"places", Json::list_of(all.places, item)},
+                       {"curves", Json::list_of(all.curves, item)},
+                       {"kept", Json::list_of(all.texel_formats, item)},
+                       {"noise_width", noise_width},
+                       {"noise_height", noise_height},
+                       {"noise", Json::list_of(all.noise, item)}},
+                      true)
+             .text +
+         "\n";
+}
+
+}  // namespace texmap::chapter_13

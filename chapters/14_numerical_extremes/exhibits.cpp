@@ -1,0 +1,83 @@
+// Draws each exhibit in float, double and extended. A file of its own, because it takes long to
+// compile and seldom changes.
+#include "exhibits.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "engine/render/draw.hpp"
+
+namespace texmap::chapter_14 {
+namespace {
+
+template <class Real, class Scene>
+void draw_row(Panel& panel, const Scene& scene, Formulas formulas, int row) {
+  const View<> view = view_of(scene.camera, panel.image.width, panel.image.height);
+  const auto byte = [](Real channel) { return byte_of(static_cast<double>(channel)); };
+  for (int column = 0; column < view.width; ++column) {
+    const SurfacePoint<Real> point = scene(ray_through(view, Real(column), Real(row)), formulas);
+    panel.image.at(column, row) = {byte(point.color.r), byte(point.color.g), byte(point.color.b)};
+    panel.points[static_cast<std::size_t>(row * view.width + column)] = {
+        {},
+        {static_cast<long double>(point.uv.u), static_cast<long double>(point.uv.v)},
+        point.hit,
+        point.mapped,
+        static_cast<long double>(point.round)};
+  }
+}
+
+template <class Scene>
+void draw_row(Panel& panel, const Scene& scene, Variant variant, int row) {
+  switch (variant) {
+    case published_float:
+      return draw_row<float>(panel, scene, Formulas::published, row);
+    case robust_float:
+      return draw_row<float>(panel, scene, Formulas::robust, row);
+    case published_double:
+      return draw_row<double>(panel, scene, Formulas::published, row);
+    case robust_double:
+      return draw_row<double>(panel, scene, Formulas::robust, row);
+    default:
+      return draw_row<long double>(panel, scene, Formulas::robust, row);
+  }
+}
+
+/// A scene with one of its formulas, as a lesson that a picture is drawn of.
+template <class Scene>
+struct SceneWith {
+  const Scene& scene;
+  Formulas formulas;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return scene(ray, formulas).color;
+  }
+};
+
+template <class Scene>
+Exhibit exhibit_of(const Scene& moved) {
+  const auto scene = std::make_shared<const Scene>(moved);
+  return {
+      scene->name, scene->caption,
+      [scene](Panel& panel, Variant variant, int row) { draw_row(panel, *scene, variant, row); },
+      [scene](Formulas formulas, NumberKind number, int width, int height,
+              const RenderSettings& settings) {
+        return draw_single(SceneWith<Scene>{*scene, formulas},
+                           view_of(scene->camera, width, height), number, settings);
+      }};
+}
+
+}  // namespace
+
+Camera towards_origin(Point eye, double radius) {
+  return {.eye = eye,
+          .target = {},
+          .fov_y_degrees = 360 / std::numbers::pi * std::atan(radius / length(eye))};
+}
+
+std::vector<Exhibit> all_exhibits(const Image& earth, const Image& labels) {
+  return std::apply([](const auto&... scene) { return std::vector<Exhibit>{exhibit_of(scene)...}; },
+                    exhibit_scenes(earth, labels));
+}
+
+}  // namespace texmap::chapter_14

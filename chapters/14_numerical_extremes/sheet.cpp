@@ -1,0 +1,193 @@
+// The sheet of all exhibits, its table, and the options of one exhibit alone.
+#include "sheet.hpp"
+
+#include <algorithm>
+
+#include "engine/app/command_line.hpp"
+#include "engine/app/session.hpp"
+#include "engine/app/standard_streams.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/bitmap_font.hpp"
+#include "engine/picture/blit.hpp"
+#include "engine/render/threads.hpp"
+
+namespace texmap::chapter_14 {
+namespace {
+
+/// As they are drawn on the sheet.
+constexpr std::array<const char*, reference> variant_names = {"seeds', float", "robust, float",
+                                                              "seeds', double", "robust, double"};
+
+std::string names_of(const std::vector<Exhibit>& exhibits) {
+  std::string names;
+  for (const Exhibit& exhibit : exhibits) names += (names.empty() ? "" : ", ") + exhibit.name;
+  return names;
+}
+
+/// True for colors more than one level apart: rounding alone can cost one when bytes are cut off.
+bool differ(Rgb8 a, Rgb8 b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > 1;
+}
+
+Mistakes mistakes_of(const Panel& panel, const Panel& truth) {
+  Mistakes mistakes;
+  for (std::size_t i = 0; i < truth.points.size(); ++i) {
+    const SurfacePoint<long double>& seen = panel.points[i];
+    const SurfacePoint<long double>& right = truth.points[i];
+    if (differ(panel.image.pixels[i], truth.image.pixels[i])) ++mistakes.wrong;
+    if (seen.hit != right.hit) ++mistakes.missed;
+    if (!seen.mapped || !right.mapped) continue;
+    const long double across = std::abs(seen.uv.u - right.uv.u);  // u = 0 and u = 1 are one place
+    mistakes.texels = std::max({mistakes.texels, std::min(across, 1 - across) * right.round * 8192,
+                                std::abs(seen.uv.v - right.uv.v) * 4096});
+  }
+  return mistakes;
+}
+
+/// The largest error in texels as text, - where nothing has a texture.
+std::string texels_of(const Mistakes& mistakes, const Panel& truth) {
+  if (std::none_of(truth.points.begin(), truth.points.end(), [](auto& p) { return p.mapped; }))
+    return "-";
+  return text("%.1e", static_cast<double>(mistakes.texels));
+}
+
+/// Two exhibits in a row, four pictures each.
+struct SheetLayout {
+  int panel_width, panel_height, line, gap, scale;
+
+  SheetLayout(int width, int height, int exhibits) {
+    const int rows = (exhibits + 1) / 2;
+    scale = std::max(1, width / 1640);
+    line = 11 * scale;
+    gap = std::max(1, width / 200);
+    panel_width = std::max(1, width / 8 - gap);
+    panel_height = std::max(1, height / rows - 3 * line - gap);
+  }
+  [[nodiscard]] int left(int exhibit, int variant) const {
+    return gap / 2 + (exhibit % 2 * 4 + variant) * (panel_width + gap);
+  }
+  [[nodiscard]] int top(int exhibit) const {
+    return exhibit / 2 * (panel_height + 3 * line + gap) + gap / 2;
+  }
+};
+
+using Panels = std::vector<Panel>;  // one for each Variant
+
+/// Draws an exhibit's caption and pictures on the sheet, and adds its rows to the table.
+void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
+                  const SheetLayout& layout) {
+  const int index = static_cast<int>(sheet.mistakes.size());
+  sheet.mistakes.emplace_back();
+  draw_text(sheet.picture, layout.left(index, 0), layout.top(index) + 2 * layout.scale,
+            exhibit.caption, {0, 0, 0}, layout.scale);
+  for (std::size_t variant = 0; variant < reference; ++variant) {
+    const Mistakes mistakes = mistakes_of(panels[variant], panels[reference]);
+    sheet.mistakes.back()[variant] = mistakes;
+    const std::string texels = texels_of(mistakes, panels[reference]);
+    const bool first_of_line = variant % 2 == 0;
+    if (first_of_line) {
+      sheet.table += text("%-12s%-7s", variant == 0 ? exhibit.name.c_str() : "",
+                          variant == 0 ? "float" : "double");
+    }
+    sheet.table += text("%9d%8d%9s%s", mistakes.wrong, mistakes.missed, texels.c_str(),
+                        first_of_line ? " " : "\n");
+
+    const int left = layout.left(index, static_cast<int>(variant));
+    const int top = layout.top(index) + layout.line;
+    const int below = top + layout.panel_height + 2 * layout.scale;
+    blit(sheet.picture, panels[variant].image, left, top);
+    draw_text(sheet.picture, left, below, variant_names[variant], {70, 70, 70}, layout.scale);
+    draw_text(
+        sheet.picture, left, below + layout.line,
+        std::to_string(mistakes.wrong) + " wrong" + (texels != "-" ? ", " + texels + " tx" : ""),
+        mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20}, layout.scale);
+  }
+}
+
+}  // namespace
+
+void ExhibitOptions::declare(CommandLine& line) {
+  const Image any_texture(1, 1);
+  line.text("--exhibit", "NAME", name,
+            "one exhibit alone, 800 x 600 unless another size is given: " +
+                names_of(all_exhibits(any_texture, any_texture)));
+  line.choice<Formulas>("--formulas", formulas,
+                        {{"published", Formulas::published},
+                         {"robust", Formulas::robust},
+                         {"seeds", Formulas::published}},
+                        "with --exhibit: those of the source documents, or the course's; seeds is "
+                        "another word for published");
+  line.choice<NumberKind>("--number", number,
+                          {{"float", NumberKind::float_},
+                           {"double", NumberKind::double_},
+                           {"extended", NumberKind::extended}},
+                          "with --exhibit: the number to calculate with");
+  line.whole("--samples", samples, 1, 65536, "with --exhibit: rays a pixel");
+}
+
+void ExhibitOptions::apply_to(Session& session) const {
+  if (!name.empty()) {
+    session.settings.number = number;
+    session.settings.samples = samples;
+    return session.default_size(800, 600);
+  }
+  for (const char* const option : {"--number", "--samples", "--formulas"}) {
+    if (session.was_given(option)) {
+      throw UsageError(
+          "--number, --samples and --formulas need --exhibit NAME: the sheet shows float and "
+          "double, published and robust");
+    }
+  }
+}
+
+Sheet draw_sheet(const std::vector<Exhibit>& exhibits, Session& session) {
+  const int count = static_cast<int>(exhibits.size());
+  const int width = session.settings.width;
+  const int height = session.settings.height;
+  const SheetLayout layout(width, height, count);
+  std::vector<Panels> panels(exhibits.size(),
+                             Panels(variants, Panel(layout.panel_width, layout.panel_height)));
+
+  Sheet sheet;
+  const int rows = layout.panel_height;
+  const double rays = 1.0 * count * int{variants} * layout.panel_width * rows;
+  sheet.picture = session.timed(rays, [&](const RenderSettings& settings) {
+    for_each_row(count * variants * rows, settings.threads, settings.progress, [&](int job) {
+      const auto variant = static_cast<Variant>(job / rows % variants);
+      const auto index = static_cast<std::size_t>(job / rows / variants);
+      exhibits[index].draw_row(panels[index][variant], variant, job % rows);
+    });
+    return Image(width, height, {255, 255, 255});
+  });
+  sheet.table =
+      "                         published formulas          the course's\n"
+      "exhibit     number     wrong  missed  texels     wrong  missed  texels\n";
+  for (std::size_t i = 0; i < exhibits.size(); ++i)
+    add_to_sheet(sheet, exhibits[i], panels[i], layout);
+  return sheet;
+}
+
+Image draw_exhibit(const std::vector<Exhibit>& exhibits, const std::string& name, Formulas formulas,
+                   Session& session) {
+  const auto exhibit = std::find_if(exhibits.begin(), exhibits.end(),
+                                    [&name](const Exhibit& each) { return each.name == name; });
+  if (exhibit == exhibits.end()) {
+    throw UsageError("--exhibit takes one of " + names_of(exhibits) + ", not '" + name + "'");
+  }
+  const Settings& chosen = session.settings;
+  return session.timed(
+      1.0 * chosen.width * chosen.height * chosen.samples, [&](const RenderSettings& settings) {
+        return exhibit->draw(formulas, chosen.number, chosen.width, chosen.height, settings);
+      });
+}
+
+void show_exhibits(const std::vector<Exhibit>& exhibits, const ExhibitOptions& options,
+                   Session& session) {
+  if (!options.name.empty())
+    return session.save(draw_exhibit(exhibits, options.name, options.formulas, session));
+  const Sheet sheet = draw_sheet(exhibits, session);
+  if (!session.settings.quiet) print(sheet.table);
+  session.save(sheet.picture);
+}
+
+}  // namespace texmap::chapter_14

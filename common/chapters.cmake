@@ -1,0 +1,138 @@
+# The chapters' programs: add_chapter and what it needs. Included before chapters/.
+
+set(TEXMAP_CHAPTERS "${CMAKE_SOURCE_DIR}/chapters" CACHE PATH "The folder of the chapters' code; ./course grade names a student's")
+set(GALLERY "${CMAKE_SOURCE_DIR}/out" CACHE PATH "Where the pictures of all chapters and the gallery go")
+set_property(GLOBAL PROPERTY CHAPTERS "")
+add_library(chapters_code INTERFACE)
+
+# Instructions that not every machine has, and the options that compile for them: packs made of them are compiled into files of
+# their own and chosen when the program runs. Without FMA: a fused operation rounds once, and the pictures would differ.
+set(wide_avx2 -mavx2)
+set(wide_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
+# g++ copies structures in pieces of 16 bytes, unless it is told that larger ones are as good. What is stored in pieces and loaded whole
+# has to wait: chapter 07's drawing takes a third longer for it, where it has no patches.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-mmove-max=256 HAVE_MOVE_MAX)
+if(HAVE_MOVE_MAX)
+  list(APPEND wide_avx2 -mmove-max=256 -mstore-max=256)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 warns of its own headers of these instructions.
+  list(APPEND wide_avx2 -Wno-uninitialized -Wno-maybe-uninitialized)
+  list(APPEND wide_avx512 -Wno-uninitialized -Wno-maybe-uninitialized)
+endif()
+set(WIDE_PACKS "")
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND xsimd_INCLUDE_DIR AND NOT TEXMAP_INSTRUMENT
+   AND NOT CMAKE_CXX_FLAGS MATCHES "-m(arch|avx)")
+  set(WIDE_PACKS avx2 avx512)
+endif()
+
+# Looking for a shared C++ library takes half a millisecond whenever a program starts, a twentieth of what drawing a plain scene does.
+# Some systems have no other; sanitizers bring their own.
+include(CheckLinkerFlag)
+set(with_own_library -static-libstdc++ -static-libgcc)
+check_linker_flag(CXX "${with_own_library}" HAVE_STATIC_LIBSTDCXX)
+if(NOT HAVE_STATIC_LIBSTDCXX OR TEXMAP_INSTRUMENT)
+  set(with_own_library "")
+endif()
+
+# add_wide_packs(NN_name DRAWS HEADER type ...): the objects NN_name_wide, a file for each set of wide instructions that draws
+# what is defined in the chapter's HEADER. They come after main.cpp, as engine/render/wide/wide_packs.hpp explains. ./course bench
+# links them, too.
+function(add_wide_packs name)
+  cmake_parse_arguments(ARG "" "" "DRAWS" ${ARGN})
+  if(NOT WIDE_PACKS)
+    return()
+  endif()
+  list(POP_FRONT ARG_DRAWS header)
+  add_library(${name}_wide OBJECT)
+  target_link_libraries(${name}_wide PRIVATE project_options app)
+  target_compile_definitions(${name}_wide PRIVATE TEXMAP_WIDE_PACKS)
+  string(SUBSTRING "${name}" 0 2 number)
+  set(draws "")
+  foreach(drawn IN LISTS ARG_DRAWS)
+    set(work "texmap::WorkOf<texmap::chapter_${number}::${drawn}>")
+    string(APPEND draws "template ${work}::Result texmap::run_in_wide_packs<texmap::Instructions::@instructions@>(\n    const ${work}&, texmap::NumberKind);\n")
+  endforeach()
+  foreach(instructions IN LISTS WIDE_PACKS)
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/${name}_${instructions}.cpp")
+    string(CONFIGURE "${draws}" definitions @ONLY)
+    configure_file("${CMAKE_SOURCE_DIR}/common/engine/app/wide_packs.cpp.in" "${file}" @ONLY)
+    set_source_files_properties("${file}" PROPERTIES COMPILE_OPTIONS "${wide_${instructions}}")
+    target_sources(${name}_wide PRIVATE "${file}")
+  endforeach()
+  target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_wide>)
+  target_compile_definitions(${name} PRIVATE TEXMAP_WIDE_PACKS)
+endfunction()
+
+# Programs for learning have one number, double, and read the common headers precompiled: a lesson then compiles in about a
+# second. They draw the same pictures.
+if(TEXMAP_LEARN)
+  file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
+  add_library(learn_headers OBJECT "${CMAKE_BINARY_DIR}/learn_headers.cpp")
+  target_link_libraries(learn_headers PRIVATE project_options app)
+  target_compile_definitions(learn_headers PUBLIC TEXMAP_LEARN TEXMAP_NO_FLATTEN)
+  target_precompile_headers(learn_headers PRIVATE "${CMAKE_SOURCE_DIR}/common/engine/app/precompiled.hpp")
+endif()
+
+# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [SOURCES ...]): the program
+# bin/NN_name from NN_name/main.cpp in TEXMAP_CHAPTERS, and its picture.
+# ON names libraries besides `app`. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
+# ALL_NUMBERS: it needs them all, also when it is built for learning.
+# SOURCES names sources besides main.cpp. `chapters_code` holds those of all chapters, for programs that include lessons;
+# those of a chapter with PACKS, which link wide packs, are NN_name_code.
+# PACKS names what packs draw where it is not the lesson: a header of the chapter's, and the types in it.
+# DRAWN_WITH: options for the gallery's picture. ALSO_DRAWS adds a second picture: its name and the options that draw it.
+function(add_chapter name)
+  cmake_parse_arguments(ARG "SINGLE_NUMBERS;ALL_NUMBERS" "" "ON;PACKS;DRAWN_WITH;ALSO_DRAWS;SOURCES" ${ARGN})
+  add_executable(${name} "${TEXMAP_CHAPTERS}/${name}/main.cpp")
+  target_compile_definitions(${name} PRIVATE TEXMAP_CHAPTER="${name}")
+  target_link_libraries(${name} PRIVATE project_options app ${ARG_ON})
+  if(ARG_SOURCES)  # objects and not an archive: wide packs come after them
+    set(sources "")
+    foreach(source IN LISTS ARG_SOURCES)  # the course's own where a student's folder has none
+      set(folder "${TEXMAP_CHAPTERS}")
+      if(NOT EXISTS "${folder}/${name}/${source}")
+        set(folder "${CMAKE_SOURCE_DIR}/chapters")
+      endif()
+      list(APPEND sources "${folder}/${name}/${source}")
+    endforeach()
+    add_library(${name}_code OBJECT ${sources})
+    target_link_libraries(${name}_code PUBLIC app ${ARG_ON} PRIVATE project_options)
+    target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_code>)
+  endif()
+  target_link_options(${name} PRIVATE ${with_own_library})
+  if(TEXMAP_LEARN AND NOT ARG_ALL_NUMBERS)
+    target_compile_definitions(${name} PRIVATE TEXMAP_LEARN TEXMAP_NO_FLATTEN)
+    target_precompile_headers(${name} REUSE_FROM learn_headers)
+  elseif(ARG_PACKS)
+    add_wide_packs(${name} DRAWS ${ARG_PACKS})
+  elseif(NOT ARG_SINGLE_NUMBERS)
+    add_wide_packs(${name} DRAWS lesson.hpp Lesson)
+  endif()
+  if(ARG_SOURCES AND NOT ARG_PACKS)
+    target_sources(chapters_code INTERFACE $<TARGET_OBJECTS:${name}_code>)
+    target_link_libraries(chapters_code INTERFACE app ${ARG_ON})
+  elseif(ARG_SOURCES AND TARGET ${name}_wide)
+    target_compile_definitions(${name}_code PRIVATE TEXMAP_WIDE_PACKS)
+    target_sources(${name}_code INTERFACE $<TARGET_OBJECTS:${name}_wide>)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY CHAPTERS ${name})
+
+  # Drawn again only when the program or an asset has changed.
+  file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png")
+  set(picture "${GALLERY}/${name}.png")
+  add_custom_command(OUTPUT "${picture}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"
+    COMMAND ${name} --out "${picture}" ${ARG_DRAWN_WITH}
+    DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
+  set(pictures "${picture}")
+  if(ARG_ALSO_DRAWS)
+    list(POP_FRONT ARG_ALSO_DRAWS stem first_file)
+    add_custom_command(OUTPUT "${GALLERY}/${first_file}"
+      COMMAND ${name} --quiet --out "${GALLERY}/${stem}" ${ARG_ALSO_DRAWS}
+      DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
+    list(APPEND pictures "${GALLERY}/${first_file}")
+  endif()
+  add_custom_target(draw_${name} DEPENDS ${pictures})
+endfunction()

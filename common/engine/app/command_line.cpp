@@ -1,0 +1,237 @@
+// A program's command line: a table of options, read strictly.
+#include "engine/app/command_line.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "engine/app/standard_streams.hpp"
+
+namespace texmap {
+namespace {
+
+[[noreturn]] void refuse_value(std::string_view option, std::string_view expected,
+                               std::string_view typed) {
+  throw UsageError(std::string(option) + " takes " + std::string(expected) + ", not '" +
+                   std::string(typed) + "'");
+}
+
+/// A number as people write it: 0.3, not 0.299999.
+std::string shown(double value) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << value;
+  return out.str();
+}
+
+bool all_digits(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// [+-] digits [. digits] [e [+-] digits], with a digit before or after the point.
+bool is_decimal(std::string_view text) {
+  const auto skip_sign = [&text] {
+    if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  };
+  skip_sign();
+  if (const auto e = text.find_first_of("eE"); e != std::string_view::npos) {
+    std::string_view exponent = text.substr(e + 1);
+    if (!exponent.empty() && (exponent.front() == '-' || exponent.front() == '+'))
+      exponent.remove_prefix(1);
+    if (!all_digits(exponent)) return false;
+    text = text.substr(0, e);
+  }
+  if (const auto point = text.find('.'); point != std::string_view::npos) {
+    const std::string_view whole = text.substr(0, point);
+    const std::string_view part = text.substr(point + 1);
+    return (all_digits(whole) && (part.empty() || all_digits(part))) ||
+           (whole.empty() && all_digits(part));
+  }
+  return all_digits(text);
+}
+
+}  // namespace
+
+int parse_whole(std::string_view option, std::string_view text, int low, int high) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) {
+    refuse_value(
+        option, "a whole number from " + std::to_string(low) + " to " + std::to_string(high), text);
+  }
+  return value;
+}
+
+double parse_decimal(std::string_view option, std::string_view text, double low, double high) {
+  double value = std::nan("");
+  if (is_decimal(text)) {
+    std::istringstream in{std::string(text)};
+    in.imbue(std::locale::classic());
+    in >> value;
+    if (in.fail() && std::abs(value) > 1)
+      value = std::nan("");  // beyond the largest double; a number that is too small is 0
+  }
+  // Written so that a NaN fails it.
+  if (!(value >= low && value <= high)) {
+    refuse_value(option, "a number from " + shown(low) + " to " + shown(high), text);
+  }
+  return value;
+}
+
+CommandLine::CommandLine(std::string program, std::string purpose)
+    : program_(std::move(program)), purpose_(std::move(purpose)) {}
+
+void CommandLine::add(Option option) { options_.push_back(std::move(option)); }
+
+void CommandLine::refuse(std::string_view option, std::string_view expected,
+                         std::string_view typed) {
+  refuse_value(option, expected, typed);
+}
+
+void CommandLine::whole(std::string_view name, int& value, int low, int high,
+                        std::string_view help) {
+  add({std::string(name), "N", std::string(help), std::to_string(value),
+       [&value, low, high, name = std::string(name)](std::string_view typed) {
+         value = parse_whole(name, typed, low, high);
+       }});
+}
+
+void CommandLine::decimal(std::string_view name, double& value, double low, double high,
+                          std::string_view help) {
+  add({std::string(name), "X", std::string(help), shown(value),
+       [&value, low, high, name = std::string(name)](std::string_view typed) {
+         value = parse_decimal(name, typed, low, high);
+       }});
+}
+
+void CommandLine::text(std::string_view name, std::string_view placeholder, std::string& value,
+                       std::string_view help) {
+  add({std::string(name), std::string(placeholder), std::string(help), value,
+       [&value, name = std::string(name)](std::string_view typed) {
+         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         value = typed;
+       }});
+}
+
+void CommandLine::texts(std::string_view name, std::string_view placeholder,
+                        std::vector<std::string>& values, std::string_view help) {
+  add({std::string(name), std::string(placeholder), std::string(help), "",
+       [&values, name = std::string(name)](std::string_view typed) {
+         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         values.emplace_back(typed);
+       }});
+}
+
+void CommandLine::flag(std::string_view name, bool& value, std::string_view help) {
+  add({std::string(name), "", std::string(help), "", [&value](std::string_view) { value = true; }});
+}
+
+void CommandLine::positional(std::string_view name, std::string& value, std::string_view help) {
+  positionals_.push_back({std::string(name), "", std::string(help), "",
+                          [&value, name = std::string(name)](std::string_view typed) {
+                            if (typed.empty()) throw UsageError(name + " must not be empty");
+                            value = typed;
+                          }});
+}
+
+void CommandLine::statuses(std::string_view text) { statuses_ = text; }
+
+bool CommandLine::parse(int argc, const char* const* argv) {
+  typed_.clear();
+  auto awaited = positionals_.begin();
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--help" || word == "-h") {
+      print(help());
+      return false;
+    }
+    if (word == "--version") {
+      print(program_ + " " TEXMAP_VERSION " (Texture Mapping, Step by Step)\n");
+      return false;
+    }
+    if (awaited != positionals_.end() && word.substr(0, 1) != "-") {
+      awaited->read(word);
+      typed_.push_back(awaited->name);
+      ++awaited;
+      continue;
+    }
+    // --name=value is the same as --name value.
+    const auto equals = word.substr(0, 2) == "--" ? word.find('=') : std::string_view::npos;
+    const std::string_view name = word.substr(0, equals);
+    const auto option = std::find_if(options_.begin(), options_.end(),
+                                     [name](const Option& o) { return o.name == name; });
+    if (option == options_.end()) {
+      throw UsageError(word.substr(0, 1) == "-"
+                           ? "there is no option " + std::string(name)
+                           : "'" + std::string(word) + "' is not an option; options begin with --");
+    }
+    typed_.emplace_back(name);
+    if (option->placeholder.empty()) {
+      if (equals != std::string_view::npos) throw UsageError(option->name + " takes no value");
+      option->read("");
+    } else if (equals != std::string_view::npos) {
+      option->read(word.substr(equals + 1));
+    } else if (i + 1 < argc) {
+      option->read(argv[++i]);
+    } else {
+      throw UsageError(option->name + " needs a value: " + option->name + " " +
+                       option->placeholder);
+    }
+  }
+  if (awaited != positionals_.end()) throw UsageError(awaited->name + " is missing");
+  return true;
+}
+
+bool CommandLine::was_given(std::string_view name) const {
+  return std::find(typed_.begin(), typed_.end(), name) != typed_.end();
+}
+
+std::string CommandLine::call() const {
+  std::string text = "usage: " + program_;
+  for (const Option& word : positionals_) text += " " + word.name;
+  return text + " [options]";
+}
+
+std::string CommandLine::usage() const {
+  return call() + "     (" + program_ + " --help lists them)";
+}
+
+std::string CommandLine::help() const {
+  std::string text = program_ + ": " + purpose_ + "\n\n" + call() + "\n\n";
+  constexpr std::size_t indent = 34;
+  constexpr std::size_t columns = 100;
+  const auto line = [&text](const std::string& left, const std::string& right) {
+    std::string row = "  " + left;
+    if (row.size() + 2 > indent) {
+      text += row + "\n";
+      row.clear();
+    }
+    row.resize(indent, ' ');
+    std::istringstream words(right);
+    for (std::string word; words >> word;) {
+      if (row.size() + word.size() > columns && row.size() > indent) {
+        row.pop_back();
+        text += row + "\n";
+        row.assign(indent, ' ');
+      }
+      row += word + " ";
+    }
+    row.pop_back();
+    text += row + "\n";
+  };
+  for (const Option& word : positionals_) line(word.name, word.help);
+  for (const Option& option : options_) {
+    const std::string preset = option.preset.empty() ? "" : " (default: " + option.preset + ")";
+    line(option.placeholder.empty() ? option.name : option.name + " " + option.placeholder,
+         option.help + preset);
+  }
+  line("--help", "show this help and stop");
+  line("--version", "show the version and stop");
+  text += "\nexit status: " + statuses_ + "\n";
+  return text;
+}
+
+}  // namespace texmap

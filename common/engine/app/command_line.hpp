@@ -1,0 +1,114 @@
+// A program's command line: a table of options, read strictly.
+#pragma once
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace texmap {
+
+/// A wrong command line; the text names the option and what it takes. Exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The whole of `text` as a whole number.
+/// Errors: UsageError with `option` and its range, unless `text` is an optional minus sign and
+/// digits in the range.
+[[nodiscard]] int parse_whole(std::string_view option, std::string_view text, int low, int high);
+
+/// The whole of `text` as a decimal number such as -0.25 or 1e3, in any locale.
+/// Errors: UsageError with `option` and its range, for NaN and infinities too.
+[[nodiscard]] double parse_decimal(std::string_view option, std::string_view text, double low,
+                                   double high);
+
+/// The options of a program, and the reader of what the user typed.
+class CommandLine {
+ public:
+  /// @param program  its name, as typed
+  /// @param purpose  one line for the top of the help
+  CommandLine(std::string program, std::string purpose);
+
+  /// An option with a whole number from `low` to `high`; without the option `value` stays.
+  void whole(std::string_view name, int& value, int low, int high, std::string_view help);
+  /// An option with a decimal number from `low` to `high`.
+  void decimal(std::string_view name, double& value, double low, double high,
+               std::string_view help);
+  /// An option with a text that must not be empty, such as a file name.
+  void text(std::string_view name, std::string_view placeholder, std::string& value,
+            std::string_view help);
+  /// The same for an option that may be repeated: each adds a text.
+  void texts(std::string_view name, std::string_view placeholder, std::vector<std::string>& values,
+             std::string_view help);
+  /// An option without a value.
+  void flag(std::string_view name, bool& value, std::string_view help);
+  /// An option with one of a few words, each for a value.
+  template <class Value>
+  void choice(std::string_view name, Value& value,
+              const std::vector<std::pair<std::string_view, Value>>& words, std::string_view help) {
+    std::string listed;
+    std::string preset;
+    for (const auto& [word, meaning] : words) {
+      if (!listed.empty()) listed += '|';
+      listed += word;
+      if (meaning == value) preset = word;
+    }
+    add({std::string(name), listed, std::string(help), preset,
+         [&value, words, listed, name = std::string(name)](std::string_view typed) {
+           for (const auto& [word, meaning] : words) {
+             if (typed == word) {
+               value = meaning;
+               return;
+             }
+           }
+           refuse(name, listed, typed);
+         }});
+  }
+
+  /// A word without an option, such as a file to read; required, in the order of these calls.
+  ///
+  /// @param name  its name in the usage line
+  void positional(std::string_view name, std::string& value, std::string_view help);
+
+  /// The help's text about exit statuses, for programs whose result is not a picture.
+  void statuses(std::string_view text);
+
+  /// Reads what the user typed.
+  ///
+  /// @return  false after --help or --version, which were answered on stdout
+  /// Errors: UsageError.
+  [[nodiscard]] bool parse(int argc, const char* const* argv);
+
+  /// True when the option was typed; valid after parse().
+  [[nodiscard]] bool was_given(std::string_view name) const;
+
+  /// The line that shows how the program is called.
+  [[nodiscard]] std::string usage() const;
+  [[nodiscard]] std::string help() const;
+
+ private:
+  struct Option {
+    std::string name;
+    std::string placeholder;  // empty for a flag
+    std::string help;
+    std::string preset;  // the default, for the help; may be empty
+    std::function<void(std::string_view)> read;
+  };
+  void add(Option option);
+  [[nodiscard]] std::string call() const;
+  [[noreturn]] static void refuse(std::string_view option, std::string_view expected,
+                                  std::string_view typed);
+
+  std::string program_;
+  std::string purpose_;
+  std::string statuses_ =
+      "0 the picture is on disk; 1 it could not be made; 2 the command line is wrong";
+  std::vector<Option> options_;
+  std::vector<Option> positionals_;
+  std::vector<std::string> typed_;
+};
+
+}  // namespace texmap

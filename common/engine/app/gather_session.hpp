@@ -1,0 +1,86 @@
+// Draws lessons that gather light, up to a number of samples, a time or an error.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <string>
+#include <type_traits>
+
+#include "engine/app/budget_options.hpp"
+#include "engine/app/sampling_options.hpp"
+#include "engine/app/session.hpp"
+#include "engine/app/standard_streams.hpp"
+#include "engine/render/develop.hpp"
+#include "engine/render/draw.hpp"
+
+namespace texmap {
+
+/// What develops a film: the number does not change the picture.
+using DevelopingNumber = std::conditional_t<all_numbers, Pack2<Pack<double>>, double>;
+
+/// Gathers `samples` samples a pixel with the pattern of that number.
+using GatherPattern = std::function<Film(int samples, std::uint32_t pattern)>;
+
+/// All samples that the options ask for: one pattern or, with a limit, pairs of independent
+/// patterns that double in size. The difference of a pair estimates the error.
+///
+/// @param most          samples a pixel
+/// @param error_so_far  set after each pair
+/// Errors: UsageError if `most` is too small for a limit or too large for a pattern.
+[[nodiscard]] Film gather_within_limits(const SamplingOptions& options, int most,
+                                        std::atomic<double>& error_so_far,
+                                        const GatherPattern& gather);
+
+/// The error in the progress line; empty for +infinity.
+[[nodiscard]] std::string remark_on_error(double error);
+
+/// The sentence about a film's samples and its error.
+[[nodiscard]] std::string describe_error(const Film& film, const SamplingOptions& options);
+
+/// A lesson's objects with the paints of a plan; in programs for learning, as they are.
+template <class Lesson>
+[[nodiscard]] decltype(auto) objects_to_draw(const KernelPlan& plan, const Lesson& lesson) {
+  if constexpr (all_numbers) {
+    return planned_objects(plan, lesson.objects);
+  } else {
+    return (lesson.objects);
+  }
+}
+
+/// Gathers a lesson's light, saves the picture, and prints the kernels and the error.
+template <class Lesson>
+void show_gathered(Session& session, const Lesson& lesson, const std::string& suffix = "") {
+  const Settings& settings = session.settings;
+  const SamplingOptions& options = lesson.sampling;
+  const bool limited = options.time_limit > 0 || options.target_error > 0;
+  const int most = limited && !session.was_given("--samples") ? 1 << 20 : settings.samples;
+  const double reads = double{1} * settings.width * settings.height * most;
+  const KernelPlan plan =
+      plan_surface(read_budget(settings.budget), lesson.objects.front().paint.texture.image, reads);
+  if (!settings.quiet && session.was_given("--budget")) print(plan.text);
+  const bool float_packs = plan.floats_are_enough && !session.was_given("--number");
+  const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
+  const auto& objects = objects_to_draw(plan, lesson);
+  const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
+
+  std::atomic<double> error_so_far = infinity<double>();
+  session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
+  std::string sentence;
+  const Image image = session.timed(0, [&](RenderSettings render_settings) {
+    if (!limited)
+      render_settings.error_so_far = [&error_so_far](double error) { error_so_far = error; };
+    Film film =
+        gather_within_limits(options, most, error_so_far, [&](int samples, std::uint32_t pattern) {
+          return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)},
+                        plan.smoothing, number, render_settings);
+        });
+    session.count_rays(static_cast<double>(settings.width) * settings.height *
+                       static_cast<double>(film.samples()));
+    sentence = describe_error(film, options);
+    return develop<DevelopingNumber>(film, options.transfer, plan.srgb_terms, settings.threads);
+  });
+  session.remark = {};
+  if (!settings.quiet) print(sentence);
+  session.save(image, suffix);
+}
+
+}  // namespace texmap

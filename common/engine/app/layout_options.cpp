@@ -1,0 +1,24 @@
+// The options --convention and --rounding.
+#include "engine/app/layout_options.hpp"
+
+#include "engine/app/command_line.hpp"
+
+namespace texmap {
+
+void LayoutOptions::declare(CommandLine& line) {
+  line.choice<Convention>("--convention", convention,
+                          {{"daily", Convention::daily},
+                           {"rtiow", Convention::rtiow},
+                           {"lecture", Convention::lecture}},
+                          "where the picture begins and which way it runs");
+  line.choice<TexelRounding>(
+      "--rounding", rounding,
+      {{"floor", TexelRounding::floor}, {"lecture", TexelRounding::lecture}},
+      "from a coordinate to a texel: floor(u n), or the lecture's (n-1) u cut off");
+}
+
+ImageTexture LayoutOptions::load(const TextureFile& file) const {
+  return {file.load(), v_axis_of(convention), rounding};
+}
+
+}  // namespace texmap

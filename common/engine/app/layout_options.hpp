@@ -1,0 +1,18 @@
+// The options --convention and --rounding.
+#pragma once
+#include "engine/app/texture_file.hpp"
+#include "texture/conventions.hpp"
+
+namespace texmap {
+
+/// How the user lays an image on the globe.
+struct LayoutOptions {
+  Convention convention = Convention::rtiow;
+  TexelRounding rounding = TexelRounding::floor;
+
+  void declare(CommandLine& line);
+  /// The image as a texture in this layout.
+  [[nodiscard]] ImageTexture load(const TextureFile& file) const;
+};
+
+}  // namespace texmap

@@ -1,0 +1,43 @@
+// The options of chapters with a highlight.
+#include "engine/app/phong_options.hpp"
+
+#include "engine/app/command_line.hpp"
+#include "engine/app/session.hpp"
+#include "engine/app/standard_streams.hpp"
+#include "engine/kernels/kernel_plan.hpp"
+
+namespace texmap {
+
+void PhongOptions::declare(CommandLine& line) {
+  line.decimal("--blend", blend, 0, 1,
+               "mix texture T with light 1 - T; the stage multiplies them unless this is given");
+  line.decimal("--shininess", shininess, 0, 1e30,
+               "Phong's exponent of the globe; 500 in the lecture's scene");
+  line.choice<PhongScene>("--scene", scene,
+                          {{"stage", PhongScene::stage}, {"lecture", PhongScene::lecture}},
+                          "what to draw; the lecture's picture is 800x400");
+  line.choice<HighlightFormula>(
+      "--highlight", formula,
+      {{"phong", HighlightFormula::phong}, {"lecture", HighlightFormula::lecture}},
+      "Phong's highlight, or the lecture's with its wrong sign");
+}
+
+PhongScene PhongOptions::resolve(const Session& session) {
+  const bool lecture = scene == PhongScene::lecture;
+  blends = lecture || session.was_given("--blend");
+  if (lecture && !session.was_given("--shininess")) shininess = 500;
+  return scene;
+}
+
+void PhongOptions::plan(const Session& session, const Budget& budget) {
+  const KernelPlan plan = plan_highlight(budget);
+  if (!session.settings.quiet && session.was_given("--budget")) print(plan.text);
+  power_terms = plan.power_terms;
+}
+
+void PhongOptions::apply_to(PhongMaterial& globe) const {
+  globe.specular = 0.3;
+  globe.shininess = shininess;
+}
+
+}  // namespace texmap

@@ -1,0 +1,147 @@
+// Runs a chapter: reads its command line, draws its lesson, saves the picture.
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "engine/app/command_line.hpp"
+#include "engine/app/gather_session.hpp"
+#include "engine/app/planned_highlight.hpp"
+#include "engine/app/run_guarded.hpp"
+#include "engine/app/session.hpp"
+#include "engine/app/turntable.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/render/draw.hpp"
+#include "math/rotation.hpp"
+
+namespace texmap {
+
+template <class Lesson>
+Image Session::draw(const Lesson& lesson, int width, int height) {
+  return timed(static_cast<double>(width) * height * settings.samples,
+               [&](const RenderSettings& render_settings) {
+                 const View<> view = view_of(lesson.stage.camera, width, height);
+                 if constexpr (Lesson::about.numbers == Numbers::all) {
+                   return texmap::draw(lesson, view, settings.number, render_settings);
+                 } else if constexpr (Lesson::about.numbers == Numbers::single) {
+                   return texmap::draw_single(lesson, view, settings.number, render_settings);
+                 } else {
+                   return render<double>(lesson, view, render_settings);
+                 }
+               });
+}
+
+/// Sets the rotation of a paint whose mapping has one.
+template <class Paint>
+void turn_paint(Paint& paint, const RotationY& rotation) {
+  if constexpr (requires { paint.mapping.rotation; }) paint.mapping.rotation = rotation;
+}
+template <class... Paints>
+void turn_paint(AnyOf<Paints...>& paint, const RotationY& rotation) {
+  std::visit([&rotation](auto& one) { turn_paint(one, rotation); },
+             static_cast<std::variant<Paints...>&>(paint));
+}
+
+/// Draws and saves one picture of a lesson.
+template <class Lesson>
+void show_picture(Session& session, const Lesson& lesson, const std::string& suffix = "") {
+  if constexpr (GathersLight<Lesson>) {
+    show_gathered(session, lesson, suffix);
+  } else {
+    session.save(session.draw(lesson), suffix);
+  }
+}
+
+/// Draws and saves all frames of a lesson's turntable, one numbered picture after another.
+template <class Lesson>
+void show_turntable(Session& session, Lesson& lesson) {
+  const int frames = lesson.turn.frames;
+  for (int frame = 0; frame < frames; ++frame) {
+    check_output(session.file_name(frame_suffix(frame)));
+  }
+  for (int frame = 0; frame < frames; ++frame) {
+    for (auto& object : lesson.objects) turn_paint(object.paint, lesson.turn.rotation(frame));
+    show_picture(session, lesson, frame_suffix(frame));
+  }
+}
+
+/// True for a lesson that overrides `show`.
+template <class Lesson>
+inline constexpr bool shows_itself =
+    !std::is_same_v<decltype(&Lesson::show), void (LessonHooks::*)(Session&)>;
+
+/// Lessons with a list of objects, whose spheres the user may choose formulas for.
+template <class Lesson>
+concept HasObjects = requires(const Lesson& lesson) {
+  lesson.objects;
+};
+
+/// What a session offers for a lesson.
+template <class Lesson>
+[[nodiscard]] Offers offers_for(const Lesson& lesson) {
+  Offers offers;
+  offers.spheres = HasObjects<Lesson>;
+  offers.one_number = !all_numbers;
+  if constexpr (GathersLight<Lesson>) {
+    offers.budget =
+        "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
+        "kernels it takes";
+    offers.intervals = false;  // they bound one ray a pixel, not light gathered by chance
+    offers.samples = lesson.sampling.samples;
+    offers.most_samples = most_samples;
+  } else if constexpr (requires { lesson.phong; }) {
+    offers.budget =
+        "how far off Phong's highlight may be: exact or levels=1; says which kernel it takes";
+  }
+  return offers;
+}
+
+inline constexpr const char* unused_texture =
+    "the lesson offers --texture and never loads it: is its hook spelt `prepare`? With `override` "
+    "behind it the compiler says so";
+
+/// A chapter's main program.
+///
+/// @param chapter  its folder's name, such as 02_checkerboard_uv
+/// @tparam Lesson  derived from LessonHooks, with a static `about`, a `stage` with a camera, and an
+///                 operator()(Ray) that returns a Color; to gather light, `sampling` and an
+///                 operator() for one sample (see gather.hpp)
+template <class Lesson>
+[[nodiscard]] int run_chapter(const char* chapter, int argc, const char* const* argv) {
+  static_assert(std::is_base_of_v<LessonHooks, Lesson>,
+                "a lesson begins with `struct Lesson : LessonHooks`");
+  static_assert(
+      requires { Lesson::about.idea; },
+      "a lesson says what it is about: static constexpr About about{.idea = ...}");
+  expect_little_memory();
+  CommandLine line(chapter, Lesson::about.idea);
+  return run_guarded(line, [&] {
+    Lesson lesson;
+    lesson.options(line);
+    Session session(chapter, line, Lesson::about, offers_for(lesson));
+    if (!line.parse(argc, argv)) return;
+    lesson.prepare(session);
+    session.check();
+    if constexpr (requires { lesson.texture.loaded; } && !shows_itself<Lesson>) {
+      if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
+    }
+    if constexpr (HasObjects<Lesson>) {
+      for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
+    }
+    if constexpr (requires { lesson.phong; }) {
+      lesson.phong.plan(session, read_budget(session.settings.budget));
+    }
+    if constexpr (shows_itself<Lesson>) {
+      lesson.show(session);
+      return;
+    } else {
+      if constexpr (requires { lesson.turn.frames; }) {
+        if (lesson.turn.frames > 0) return show_turntable(session, lesson);
+      }
+      show_picture(session, lesson);
+    }
+  });
+}
+
+}  // namespace texmap

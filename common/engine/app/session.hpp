@@ -1,0 +1,93 @@
+// One run of a chapter's program: the user's choices, drawing, saving.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/app/lesson.hpp"
+#include "engine/render/settings.hpp"
+#include "scene/sphere_forms.hpp"
+#include "texture/image.hpp"
+
+namespace texmap {
+
+/// The choices that every chapter offers.
+struct Settings {
+  std::string out;   ///< the picture's file
+  int width = 800;   ///< pixels
+  int height = 600;  ///< pixels
+  int samples = 1;   ///< rays a pixel
+  int threads = 0;   ///< 0: all cores
+  NumberKind number = default_number;
+  Instructions instructions = widest_instructions();  ///< of packs
+  SphereForm spheres = SphereForm::robust;            ///< for all spheres of the lesson
+  std::string budget = "exact";                       ///< how far off the picture may be
+  bool quiet = false;                                 ///< no progress, no line on success
+};
+
+/// The options that depend on the lesson.
+struct Offers {
+  std::string_view budget = "";  ///< the help of --budget; empty: not offered
+  bool spheres = false;          ///< --spheres
+  bool intervals = true;         ///< --number interval
+  bool one_number = false;       ///< the program was built for learning, with double alone
+  int samples = 1;               ///< rays a pixel
+  int most_samples = 65536;      ///< that --samples takes
+};
+
+/// One run of a chapter's program: the user's choices, drawing, saving.
+class Session {
+ public:
+  /// Adds the options of all chapters to `line`, which must live as long as the session.
+  ///
+  /// @param chapter  its folder's name, such as 02_checkerboard_uv: the picture's default name
+  Session(std::string_view chapter, CommandLine& line, const About& about,
+          const Offers& offers = {});
+  ~Session();
+
+  Settings settings;
+
+  /// True when the user gave this option.
+  [[nodiscard]] bool was_given(std::string_view option) const;
+  /// Sets this chapter's default size.
+  void default_size(int width, int height);
+  /// After parsing: refuses pictures that are too large and files that cannot be written.
+  void check() const;
+
+  /// The lesson's picture.
+  template <class Lesson>
+  [[nodiscard]] Image draw(const Lesson& lesson) {
+    return draw(lesson, settings.width, settings.height);
+  }
+  /// The lesson's picture in another size. Defined in run_chapter.hpp.
+  template <class Lesson>
+  [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
+
+  /// Writes a picture and prints a line about it: file, size, milliseconds, rays a second.
+  ///
+  /// @param suffix  before the file's ending, for chapters with several pictures
+  /// Errors: FileError; the old file is then unchanged.
+  void save(const Image& image, std::string_view suffix = "");
+  /// The name of the file that save() writes.
+  [[nodiscard]] std::string file_name(std::string_view suffix) const;
+
+  /// What `work` draws with the user's settings; save() reports its time and rays.
+  [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);
+  /// Adds to the rays that save() reports.
+  void count_rays(double rays);
+  /// The rest of the progress line, called from any thread.
+  std::function<std::string()> remark;
+
+ private:
+  struct Times;
+  void check_numbers() const;
+  void offer_numbers(Numbers numbers, bool intervals);
+
+  std::string default_out_;
+  bool one_number_;
+  CommandLine& line_;
+  std::unique_ptr<Times> times_;
+};
+
+}  // namespace texmap

@@ -1,0 +1,22 @@
+// The option --texture.
+#pragma once
+#include <string>
+
+#include "texture/image.hpp"
+
+namespace texmap {
+
+class CommandLine;
+
+/// A texture that the user can replace by another image.
+struct TextureFile {
+  std::string name;  ///< a path, or a file in assets/
+
+  mutable bool loaded = false;  ///< a texture that is offered must be used
+
+  void declare(CommandLine& line);
+  /// Loads it. Errors: FileError with the file and where it was looked for.
+  [[nodiscard]] Image load() const;
+};
+
+}  // namespace texmap

@@ -1,0 +1,21 @@
+// The options --degrees and --turntable.
+#include "engine/app/turntable.hpp"
+
+#include "engine/app/command_line.hpp"
+#include "engine/measure/text.hpp"
+
+namespace texmap {
+
+void Turntable::declare(CommandLine& line) {
+  line.decimal("--degrees", degrees, -1e300, 1e300, "turn of the globe about its axis, any angle");
+  line.whole("--turntable", frames, 0, 9999,
+             "draw a full turn in N pictures instead, numbered _000, _001, ...");
+}
+
+RotationY Turntable::rotation(int frame) const {
+  return rotation_y(frame == 0 ? degrees : degrees + 360.0 * frame / frames);
+}
+
+std::string frame_suffix(int frame) { return text("_%03d", frame); }
+
+}  // namespace texmap

@@ -1,0 +1,24 @@
+// The options --degrees and --turntable.
+#pragma once
+#include <string>
+
+#include "math/rotation.hpp"
+
+namespace texmap {
+
+class CommandLine;
+
+/// How far the globe is turned: once, or in several pictures of a full turn.
+struct Turntable {
+  double degrees = 90;
+  int frames = 0;  ///< of a full turn; 0 for a single picture
+
+  void declare(CommandLine& line);
+  /// The rotation of a frame, computed from the first angle, so that errors do not add up.
+  [[nodiscard]] RotationY rotation(int frame = 0) const;
+};
+
+/// The ending of a frame's name: _007 for 7.
+[[nodiscard]] std::string frame_suffix(int frame);
+
+}  // namespace texmap

@@ -1,0 +1,74 @@
+// How two pictures differ, in figures.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+
+#include "texture/image.hpp"
+
+namespace texmap {
+
+/// Pictures that cannot be compared, such as pictures of different sizes; what() is a sentence.
+class DifferenceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A rectangle of pixels.
+struct Box {
+  int left = 0, top = 0, width = 0, height = 0;
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// The pixel that differs most; of several, the first from the top, then from the left.
+struct WorstPixel {
+  int column = 0, row = 0;
+  int levels = 0;  ///< channel_difference(a, b)
+  Rgb8 a, b;       ///< the two values
+};
+
+/// How two pictures differ. Means are over the compared pixels; levels are those of a channel.
+struct Figures {
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
+
+  std::size_t pixels_compared = 0;
+  std::size_t pixels_different = 0;  ///< in any channel, by any amount
+  double share_different = 0;        ///< of the compared pixels, 0 to 1
+  Box box;           ///< the smallest around all pixels that differ; size 0 by 0 if there are none
+  WorstPixel worst;  ///< levels 0 if no pixel differs
+
+  double mean_absolute_error = 0;     ///< levels, mean of |a - b| over pixels and channels
+  double root_mean_square_error = 0;  ///< levels, over pixels and channels
+  double peak_signal_to_noise = 0;    ///< dB; infinity if the pictures are equal
+  double structural_similarity = 1;   ///< mean of ssim_rows, -1 to 1; 1 if equal
+  double flip = 0;                    ///< mean of flip_rows, 0 to 1; 0 if equal
+  double mean_a = 0, mean_b = 0;      ///< levels, mean over pixels and channels of each picture
+
+  /// How many of the compared pixels have a channel_difference of 0, 1, ... 255 levels.
+  std::array<std::size_t, 256> pixels_by_levels{};
+};
+
+/// The largest difference of a channel, in levels, 0 to 255.
+[[nodiscard]] int channel_difference(Rgb8 p, Rgb8 q);
+
+/// True unless the mask is black at this pixel. With an empty mask, all pixels are compared.
+[[nodiscard]] bool is_compared(const Image& mask, int column, int row);
+
+/// Checks that the pictures and the mask have one size and the pictures have pixels.
+/// Errors: DifferenceError with the sizes.
+void check_sizes(const Image& a, const Image& b, const Image& mask = {});
+
+/// Compares two pictures. How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
+///
+/// @param a, b  pictures of one size, at least one pixel
+/// @param mask  a picture of the same size whose black pixels are left out; empty for none
+/// Errors: DifferenceError if the sizes differ, the pictures are empty, or no pixel is compared.
+[[nodiscard]] Figures measure(const Image& a, const Image& b, const Image& mask = {});
+
+/// How many of the compared pixels have a channel_difference above so many levels.
+///
+/// @param levels  0 to 255
+[[nodiscard]] std::size_t pixels_off_by_more_than(const Figures& figures, int levels);
+
+}  // namespace texmap

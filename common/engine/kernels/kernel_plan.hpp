@@ -1,0 +1,140 @@
+// The kernels of a picture, chosen once from its budget, and the paints that use them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/kernels/budget.hpp"
+#include "engine/kernels/fetched_texels.hpp"
+#include "engine/kernels/power_kernel.hpp"
+#include "engine/kernels/root_texture.hpp"
+#include "engine/kernels/turns.hpp"
+#include "number/compiler.hpp"
+#include "scene/paint.hpp"
+#include "texture/conventions.hpp"
+#include "texture/mapped.hpp"
+#include "texture/rotated.hpp"
+
+namespace texmap {
+
+/// The kernels of a picture. The default is the reference formulas.
+struct KernelPlan {
+  int uv_degree = 0;               ///< of the arc tangent; 0 for the formula in texture/uv.hpp
+  bool floats_are_enough = false;  ///< the arc tangent was chosen for float
+  Smoothing smoothing = {};        ///< which pixels are patches
+  bool root_texels = false;        ///< texels as ten-bit roots of light
+  int srgb_terms = 0;              ///< of the curve from light to bytes; 0 for the exact curve
+  int power_terms = 0;             ///< of Phong's power; 0 for the formula in scene/phong.hpp
+  std::string text;                ///< what was chosen, and its largest error: a line each
+};
+
+/// The plan for a textured surface whose pixels have many samples.
+///
+/// @param reads  how many texels the picture reads
+[[nodiscard]] KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads);
+/// The plan for a surface with a highlight and one ray a pixel.
+[[nodiscard]] KernelPlan plan_highlight(const Budget& budget);
+
+/// draw(mapping) with the mapping for that degree; all results must have one type.
+template <class Draw>
+decltype(auto) with_uv_mapping(int degree, const Draw& draw) {
+  switch (degree) {
+    case 5:
+      return draw(FastUnitMapping<5>{});
+    case 7:
+      return draw(FastUnitMapping<7>{});
+    case 9:
+      return draw(FastUnitMapping<9>{});
+    case 11:
+      return draw(FastUnitMapping<11>{});
+    case 13:
+      return draw(FastUnitMapping<13>{});
+    case 15:
+      return draw(FastUnitMapping<15>{});
+    case 17:
+      return draw(FastUnitMapping<17>{});
+    case 23:
+      return draw(FastUnitMapping<23>{});
+    case 29:
+      return draw(FastUnitMapping<29>{});
+    case 35:
+      return draw(FastUnitMapping<35>{});
+    default:
+      return draw(RtiowMapping{});
+  }
+}
+
+/// The (u, v) of unit vectors by the plan's kernel.
+struct PlannedMapping {
+  int degree = 0;  ///< as KernelPlan::uv_degree
+  Convention convention = Convention::rtiow;
+  RotationY rotation = {};
+
+  /// Out of line: eleven mappings inlined into every loop take minutes to compile.
+  template <class Real>
+  [[nodiscard]] TEXMAP_NOINLINE Uv<Real> operator()(Vec3<Real> p) const {
+    if (rotation.sine != 0 || rotation.cosine != 1) p = rotation(p);
+    return in_convention(convention,
+                         with_uv_mapping(degree, [&p](const auto& mapping) { return mapping(p); }));
+  }
+};
+[[nodiscard]] inline PlannedMapping planned_mapping(int degree, const RtiowMapping& /*mapping*/) {
+  return {degree};
+}
+[[nodiscard]] inline PlannedMapping planned_mapping(int degree,
+                                                    const Rotated<ConventionMapping>& mapping) {
+  return {degree, mapping.mapping.convention, mapping.rotation};
+}
+
+/// A texture by the plan's kernel: roots of light if the plan made them, else the image.
+struct PlannedTexture {
+  const ImageTexture* exact;  ///< not owned
+  RootTexture roots = {};
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    return roots.texels.empty() ? (*exact)(uv) : roots(uv);
+  }
+};
+
+/// Phong's power by the plan's kernel.
+struct PlannedPower {
+  int terms;  ///< 3, 4, 6 or 8
+  double exponent;
+
+  /// @param versine  1 - cos, 0 or more
+  template <class Real>
+  [[nodiscard]] Real operator()(const Real& versine) const {
+    switch (terms) {
+      case 3:
+        return PowerKernel<3>(exponent)(versine);
+      case 4:
+        return PowerKernel<4>(exponent)(versine);
+      case 6:
+        return PowerKernel<6>(exponent)(versine);
+      default:
+        return PowerKernel<8>(exponent)(versine);
+    }
+  }
+};
+
+/// A scene's objects with the plan's paints. Other kinds of paint stay as they are.
+template <class Mapping>
+requires requires(const Mapping& mapping) { planned_mapping(0, mapping); }
+[[nodiscard]] std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
+    const KernelPlan& plan, const std::vector<Painted<Mapped<Mapping, ImageTexture>>>& objects) {
+  std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned;
+  for (const auto& object : objects) {
+    const ImageTexture& texture = object.paint.texture;
+    planned.push_back({object.shape,
+                       {planned_mapping(plan.uv_degree, object.paint.mapping),
+                        {&texture, plan.root_texels ? RootTexture(texture) : RootTexture()}}});
+  }
+  return planned;
+}
+template <class Paint>
+[[nodiscard]] const std::vector<Painted<Paint>>& planned_objects(
+    const KernelPlan& /*plan*/, const std::vector<Painted<Paint>>& objects) {
+  return objects;
+}
+
+}  // namespace texmap

@@ -1,0 +1,66 @@
+// From light to bytes by the sRGB curve, without calling pow.
+#pragma once
+#include "engine/kernels/polynomial.hpp"
+#include "math/srgb.hpp"
+
+namespace texmap {
+
+/// The curve at `linear`, times 255 and not yet rounded.
+///
+/// @tparam Terms  of the polynomial: 3, 4 or 6
+/// @param linear  light; limited to [0, 1], NaN to 0
+/// @return        -1.5 to 256.5
+/// Bound: 1.5, 0.49 and 0.083 levels.
+template <int Terms, class Real>
+[[nodiscard]] Real srgb_level(const Real& linear) {
+  const Real light = clamp(linear, Real(0), Real(1));
+  return select(light <= Real(0.0031308), light * Real(255 * 12.92),
+                polynomial<fits::SrgbCurve<Terms>>(sqrt(light)));
+}
+
+/// The byte of `linear`, as a whole number from 0 to 255.
+/// Bound: one from that of the exact curve with 4 or 6 terms, two with 3.
+template <int Terms, class Real>
+[[nodiscard]] Real srgb_byte(const Real& linear) {
+  return clamp(floor(srgb_level<Terms>(linear) + Real(0.5)), Real(0), Real(255));
+}
+
+/// Where bytes begin: entry b is the least light, of type `T`, with a byte of b or more; entry 256
+/// is infinity.
+template <class T>
+[[nodiscard]] const std::array<T, 257>& srgb_thresholds() {
+  static const std::array<T, 257> table = [] {
+    std::array<T, 257> least{};
+    least[0] = -std::numeric_limits<T>::infinity();
+    least[256] = std::numeric_limits<T>::infinity();
+    for (std::size_t byte = 1; byte < 256; ++byte) {
+      const long double light = srgb_decode((static_cast<long double>(byte) - 0.5L) / 255);
+      least[byte] = static_cast<T>(light);
+      if (static_cast<long double>(least[byte]) < light)
+        least[byte] = std::nextafter(least[byte], T(1));
+    }
+    return least;
+  }();
+  return table;
+}
+
+/// The byte of `linear` by the exact curve: srgb_encode times 255, rounded to nearest.
+/// The polynomial is at most one off; the two thresholds around its byte correct it.
+///
+/// @param linear  below 0 and NaN give 0, above 1 gives 255
+/// Bound: exact; in long double, within 8 epsilons of a threshold, either byte.
+template <class Real>
+[[nodiscard]] Real srgb_byte_exact(const Real& linear) {
+  const auto& thresholds = srgb_thresholds<Scalar<Real>>();
+  const Real light = clamp(linear, Real(0), Real(1));
+  const Real near = srgb_byte<6>(light);
+  const auto threshold = [&](std::size_t step) {
+    return from_lanes<Real>(
+        [&](std::size_t i) { return thresholds[static_cast<std::size_t>(lane(near, i)) + step]; });
+  };
+  const Real least = threshold(0);
+  const Real next = threshold(1);
+  return near - select(light < least, Real(1), Real(0)) + select(light >= next, Real(1), Real(0));
+}
+
+}  // namespace texmap

@@ -1,0 +1,48 @@
+// Which of several works is faster, on a machine that is never quiet.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "engine/measure/stopwatch.hpp"
+
+namespace texmap {
+
+/// Something to be timed: does its work once, from beginning to end.
+using Work = std::function<void()>;
+
+/// When timing has gone on for long enough: on a busy machine a round may take ten times as long.
+class TimeLimit {
+ public:
+  /// @param milliseconds  after these no further round begins,
+  /// @param least_rounds  unless there were fewer than these
+  /// @param elapsed       the clock, milliseconds; without one, a clock that starts now
+  explicit TimeLimit(double milliseconds, int least_rounds = 1,
+                     std::function<double()> elapsed = {});
+
+  /// True if so many rounds are enough.
+  [[nodiscard]] bool operator()(int rounds) const {
+    return rounds >= least_rounds_ && elapsed_() >= milliseconds_;
+  }
+
+ private:
+  double milliseconds_;
+  int least_rounds_;
+  std::function<double()> elapsed_;
+};
+
+/// The shortest time that each of several works took, all timed alternately.
+///
+/// @param rounds  how often each is timed, after one run that fills the caches; 1 or more
+/// @param report  called with (runs done, runs in all) after each run; may be empty
+/// @param enough  asked with the rounds timed so far after each; true skips the rest; may be empty
+/// @return  milliseconds, one for each work, in their order
+[[nodiscard]] std::vector<double> shortest_times(const std::vector<Work>& works, int rounds,
+                                                 const std::function<void(int, int)>& report = {},
+                                                 const std::function<bool(int)>& enough = {});
+
+/// How many rounds of these works fit into a time, found by timing one; `least` or more, `most` or
+/// fewer.
+[[nodiscard]] int rounds_within(double milliseconds, const std::vector<Work>& works, int least,
+                                int most);
+
+}  // namespace texmap

@@ -1,0 +1,38 @@
+// From a picture to a PNG file.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/picture/files/file_error.hpp"
+#include "texture/image.hpp"
+
+namespace texmap {
+
+/// Checks, before a picture is drawn, that it can be written to this path afterwards.
+///
+/// @param path  a new file in a folder that exists, a file to replace, or a device
+/// Errors: FileError `cannot write 'F': why`.
+void check_output(const std::string& path);
+
+/// The bytes of a picture as a PNG file of 8 bits a channel.
+///
+/// @param image  1 to 16384 pixels a side, 2^27 in all
+/// Errors: FileError with the reason; std::bad_alloc.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image);
+
+/// What saving a picture took, in milliseconds.
+struct SavingTime {
+  double encode = 0;  ///< from pixels to the bytes of a PNG file
+  double write = 0;   ///< until the disk has them
+};
+
+/// Writes a picture as a PNG file of 8 bits a channel; the file is there as a whole or not at all.
+///
+/// @param image  1 to 16384 pixels a side, 2^27 in all
+/// @param path   as for check_output
+/// @return       how long encoding and writing took
+/// Errors: FileError `cannot write 'F': why`, then the old file is unchanged; std::bad_alloc.
+SavingTime save_png(const Image& image, const std::string& path);
+
+}  // namespace texmap

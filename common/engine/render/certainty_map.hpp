@@ -1,0 +1,59 @@
+// Certainty maps: which pixels of a picture rounding could change.
+#pragma once
+#include <algorithm>
+
+#include "engine/render/render.hpp"
+#include "number/kinds/interval.hpp"
+
+namespace texmap {
+
+/// The bytes between which a color channel lies.
+struct ByteBounds {
+  std::uint8_t low = 0, high = 255;
+};
+
+[[nodiscard]] inline ByteBounds byte_bounds(const Interval& channel) {
+  return {byte_of(channel.low()), byte_of(channel.high())};
+}
+
+/// The widest bound of a color's three channels, in levels; 0 where the bytes are certain.
+[[nodiscard]] inline int uncertain_levels(const Color<Interval>& color) {
+  int widest = 0;
+  for (const Interval* channel : {&color.r, &color.g, &color.b}) {
+    const ByteBounds bounds = byte_bounds(*channel);
+    widest = std::max(widest, bounds.high - bounds.low);
+  }
+  return widest;
+}
+
+/// A pixel of the map: the picture in gray where it is certain; yellow for one uncertain level,
+/// through red, to violet for 255.
+[[nodiscard]] inline Rgb8 shade_of_uncertainty(const Color<Interval>& color, int levels) {
+  if (levels == 0) {
+    const double light = 0.3 * color.r.low() + 0.6 * color.g.low() + 0.1 * color.b.low();
+    const auto shade = static_cast<std::uint8_t>(40 + clamp(light, 0.0, 1.0) * 200);
+    return {shade, shade, shade};
+  }
+  const double t = std::log2(static_cast<double>(levels)) / 8;
+  const Rgb low{1, 0.85, 0.1}, middle{0.85, 0.1, 0.1}, high{0.45, 0.1, 0.7};
+  const Rgb shade = t < 0.5 ? mix(low, middle, 2 * t) : mix(middle, high, 2 * t - 1);
+  return {byte_of(shade.r), byte_of(shade.g), byte_of(shade.b)};
+}
+
+/// The certainty map of a lesson, from its own code run with intervals.
+/// Double and every number with more digits draw each pixel within its bounds.
+template <class Lesson>
+[[nodiscard]] Image draw_certainty_map(const Lesson& lesson, const View<>& view,
+                                       const RenderSettings& settings) {
+  Image image(view.width, view.height);
+  for_each_row(view.height, settings.threads, settings.progress, [&](int row) {
+    for (int column = 0; column < view.width; ++column) {
+      const auto color =
+          pixel_color<Interval>(lesson, view, Interval(column), Interval(row), settings.samples);
+      image.at(column, row) = shade_of_uncertainty(color, uncertain_levels(color));
+    }
+  });
+  return image;
+}
+
+}  // namespace texmap

@@ -1,0 +1,167 @@
+// Draws a lesson with the number that the user chose.
+#pragma once
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "engine/render/certainty_map.hpp"
+#include "engine/render/gather.hpp"
+#include "engine/render/render.hpp"
+#include "number/kinds/pack2.hpp"
+
+namespace texmap {
+
+/// True for lessons whose code compiles for packs: those whose `about` says nothing else.
+template <class Lesson>
+[[nodiscard]] constexpr bool compiles_for_packs() {
+  if constexpr (requires { Lesson::about.numbers; }) {
+    return Lesson::about.numbers == std::remove_cvref_t<decltype(Lesson::about.numbers)>::all;
+  } else {
+    return true;
+  }
+}
+
+/// Draws a lesson's picture with any number.
+template <class Lesson>
+struct DrawWork {
+  using Result = Image;
+  static constexpr bool for_packs = compiles_for_packs<Lesson>();
+
+  const Lesson& lesson;
+  const View<>& view;
+  const RenderSettings& settings;
+
+  template <class Real>
+  [[nodiscard]] Image run() const {
+    return render<Real>(lesson, view, settings);
+  }
+};
+
+/// Gathers a lesson's light with any number.
+template <class Lesson, class Paint>
+struct GatherWork {
+  using Result = Film;
+
+  const Lesson& lesson;
+  const std::vector<Painted<Paint>>& objects;  ///< the lesson's or a plan's
+  const View<>& view;
+  const SampleRange& range;
+  std::optional<ViewBounds> bounds;
+  const RenderSettings& settings;
+
+  template <class Real>
+  [[nodiscard]] Film run() const {
+    return gather<Real>(lesson, objects, view, range, bounds, settings);
+  }
+};
+
+/// True for lessons that gather light over many samples: they have a member `sampling`.
+template <class Lesson>
+concept GathersLight = requires(const Lesson& lesson) {
+  lesson.sampling;
+};
+
+template <class Lesson>
+struct WorkOfLesson {
+  using Type = DrawWork<Lesson>;
+};
+template <GathersLight Lesson>
+struct WorkOfLesson<Lesson> {
+  template <class Paint>
+  static GatherWork<Lesson, Paint> work(const std::vector<Painted<Paint>>& objects);
+  using Type = decltype(work(planned_objects(KernelPlan{}, std::declval<const Lesson&>().objects)));
+};
+/// The work that draws a lesson.
+template <class Lesson>
+using WorkOf = typename WorkOfLesson<Lesson>::Type;
+
+/// Runs a work with packs of one instruction set, two packs at a time (0.7 to 0.8 of the time).
+///
+/// @param number  float_pack or double_pack
+template <class Arch, class Work>
+[[nodiscard]] typename Work::Result run_in_packs(const Work& work, NumberKind number) {
+  if constexpr (requires { requires !Work::for_packs; }) {
+    throw std::logic_error("this lesson's code does not compile for packs");
+  } else {
+    if (number == NumberKind::float_pack) return work.template run<Pack2<Pack<float, Arch>>>();
+    return work.template run<Pack2<Pack<double, Arch>>>();
+  }
+}
+
+/// The same with wider instructions: defined in files that CMake adds for each set (wide/), called
+/// only on machines that have them.
+template <Instructions instructions, class Work>
+[[nodiscard]] typename Work::Result run_in_wide_packs(const Work& work, NumberKind number);
+
+/// Runs a work with a number.
+template <class Work>
+[[nodiscard]] typename Work::Result run_in_number(const Work& work, NumberKind number,
+                                                  [[maybe_unused]] Instructions instructions) {
+  if constexpr (all_numbers) {
+    switch (number) {
+      case NumberKind::float_:
+        return work.template run<float>();
+      case NumberKind::extended:
+        return work.template run<long double>();
+      case NumberKind::float_pack:
+      case NumberKind::double_pack:
+#ifdef TEXMAP_WIDE_PACKS
+        if (instructions == Instructions::avx512)
+          return run_in_wide_packs<Instructions::avx512>(work, number);
+        if (instructions == Instructions::avx2)
+          return run_in_wide_packs<Instructions::avx2>(work, number);
+#endif
+        return run_in_packs<simd::default_arch>(work, number);
+      case NumberKind::interval:
+      case NumberKind::double_:
+        break;
+    }
+  }
+  if (number == NumberKind::interval) {
+    throw std::runtime_error(
+        "--number interval bounds one ray a pixel, not light that is gathered by chance");
+  }
+  return work.template run<double>();
+}
+
+/// The same for code that does not compile for packs.
+template <class Work>
+[[nodiscard]] typename Work::Result run_in_single_number(const Work& work,
+                                                         [[maybe_unused]] NumberKind number) {
+  if constexpr (all_numbers) {
+    if (number == NumberKind::float_) return work.template run<float>();
+    if (number == NumberKind::extended) return work.template run<long double>();
+  }
+  return work.template run<double>();
+}
+
+/// The picture of a lesson, drawn with `number`.
+template <class Lesson>
+[[nodiscard]] Image draw(const Lesson& lesson, const View<>& view, NumberKind number,
+                         const RenderSettings& settings) {
+  if constexpr (all_numbers) {
+    if (number == NumberKind::interval) return draw_certainty_map(lesson, view, settings);
+  }
+  return run_in_number(DrawWork<Lesson>{lesson, view, settings}, number, settings.instructions);
+}
+/// The same for a lesson that does not compile for packs and intervals.
+template <class Lesson>
+[[nodiscard]] Image draw_single(const Lesson& lesson, const View<>& view, NumberKind number,
+                                const RenderSettings& settings) {
+  return run_in_single_number(DrawWork<Lesson>{lesson, view, settings}, number);
+}
+
+/// The light of a lesson, gathered with `number`.
+///
+/// @param objects  the lesson's or a plan's
+template <class Lesson, class Paint>
+[[nodiscard]] Film gather(const Lesson& lesson, const std::vector<Painted<Paint>>& objects,
+                          const View<>& view, const SampleRange& range, const Smoothing& smoothing,
+                          NumberKind number, const RenderSettings& settings) {
+  const auto bounds = bounds_of_view(lesson, objects, view, smoothing, range.sampler.samples());
+  return run_in_number(GatherWork<Lesson, Paint>{lesson, objects, view, range, bounds, settings},
+                       number, settings.instructions);
+}
+
+}  // namespace texmap

@@ -1,0 +1,106 @@
+// A film: light gathered over many samples, and its estimated error.
+#pragma once
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "math/color.hpp"
+
+namespace texmap {
+
+/// Red, green and blue light in 16 bytes: doubles without the sign and the lowest 21 bits.
+/// Domain: channels 0 or more and finite. Bound: 2^-32 of each channel.
+class PackedLight {
+ public:
+  PackedLight() = default;
+  explicit PackedLight(const Rgb& light) {
+    const std::uint64_t r = short_bits(light.r), g = short_bits(light.g), b = short_bits(light.b);
+    low_ = r | g << 42;
+    high_ = g >> 22 | b << 20;
+  }
+  [[nodiscard]] Rgb light() const {
+    const std::uint64_t g = low_ >> 42 | high_ << 22;
+    return {long_number(low_), long_number(g), long_number(high_ >> 20)};
+  }
+
+ private:
+  static constexpr std::uint64_t mask = (std::uint64_t{1} << 42) - 1;
+  [[nodiscard]] static std::uint64_t short_bits(double x) {
+    return ((std::bit_cast<std::uint64_t>(x) + (std::uint64_t{1} << 20)) >> 21) & mask;
+  }
+  [[nodiscard]] static double long_number(std::uint64_t bits) {
+    return std::bit_cast<double>((bits & mask) << 21);
+  }
+
+  std::uint64_t low_ = 0, high_ = 0;
+};
+
+/// The light of a picture: the mean of each pixel's samples.
+class Film {
+ public:
+  Film(int width, int height, long samples)
+      : width_(width),
+        height_(height),
+        samples_(samples),
+        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] long samples() const { return samples_; }
+  [[nodiscard]] Rgb light(int column, int row) const { return pixels_[place(column, row)].light(); }
+  void set_light(int column, int row, const Rgb& mean) {
+    pixels_[place(column, row)] = PackedLight(mean);
+  }
+
+  /// Adds the samples of another film of the same size.
+  void add(const Film& other) {
+    const auto all = static_cast<double>(samples_ + other.samples_);
+    const double ours = static_cast<double>(samples_) / all;
+    const double theirs = static_cast<double>(other.samples_) / all;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      pixels_[i] = PackedLight(pixels_[i].light() * ours + other.pixels_[i].light() * theirs);
+    }
+    samples_ += other.samples_;
+  }
+
+  /// Estimated error of the mean, root mean square in units of light; +infinity if unknown.
+  double error = infinity<double>();
+
+ private:
+  [[nodiscard]] std::size_t place(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(column);
+  }
+
+  int width_;
+  int height_;
+  long samples_;
+  std::vector<PackedLight> pixels_;
+};
+
+/// The sum of the squared differences of two colors' channels.
+[[nodiscard]] inline double squared_difference(const Rgb& a, const Rgb& b) {
+  return square(a.r - b.r) + square(a.g - b.g) + square(a.b - b.b);
+}
+
+/// The error of the mean, estimated from its two halves: half their difference, root mean square
+/// over pixels and channels. Patterns that are worse in halves have smaller errors than this.
+///
+/// @param squared_differences  of the halves' means, summed over `pixels` pixels
+[[nodiscard]] inline double error_of_halves(double squared_differences, double pixels) {
+  return std::sqrt(squared_differences / (3 * pixels)) / 2;
+}
+
+/// The same for two films of one size.
+[[nodiscard]] inline double error_of_halves(const Film& first, const Film& second) {
+  double sum = 0;
+  for (int row = 0; row < first.height(); ++row) {
+    for (int column = 0; column < first.width(); ++column) {
+      sum += squared_difference(first.light(column, row), second.light(column, row));
+    }
+  }
+  return error_of_halves(sum, static_cast<double>(first.width()) * first.height());
+}
+
+}  // namespace texmap

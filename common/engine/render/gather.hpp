@@ -1,0 +1,197 @@
+// Gathers light: many samples a pixel, one path each.
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/kernels/kernel_plan.hpp"
+#include "engine/render/film.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/sample_random.hpp"
+#include "engine/render/smoothing/pixel_lists.hpp"
+#include "engine/render/smoothing/pixel_patch.hpp"
+
+namespace texmap {
+
+/// All samples of a sampler, in two halves; their difference estimates the error.
+struct SampleRange {
+  Sampler sampler{SamplerKind::sobol, 1};
+
+  [[nodiscard]] int first_half() const { return sampler.samples() / 2; }
+};
+
+/// A film that threads fill row by row.
+class GrowingFilm {
+ public:
+  GrowingFilm(int width, int height, const SampleRange& range,
+              std::function<void(double)> error_so_far)
+      : film_(width, height, range.sampler.samples()),
+        first_(range.first_half()),
+        second_(range.sampler.samples() - first_),
+        differences_(static_cast<std::size_t>(height)),
+        error_so_far_(std::move(error_so_far)) {}
+
+  [[nodiscard]] int first() const { return first_; }
+  [[nodiscard]] int second() const { return second_; }
+
+  /// Sets a pixel from the sums of its two halves. One thread sets all pixels of a row.
+  void set(const Pixel& at, const Rgb& first, const Rgb& second) {
+    film_.set_light(at.column, at.row, (first + second) * (1.0 / (first_ + second_)));
+    if (first_ == 0 || second_ == 0) return;
+    differences_[static_cast<std::size_t>(at.row)] +=
+        squared_difference(first * (1.0 / first_), second * (1.0 / second_));
+  }
+  /// Reports that rows are complete; called from any thread.
+  void finish_rows(int begin, int end) {
+    if (!error_so_far_ || first_ == 0 || second_ == 0) return;
+    const std::lock_guard guard(lock_);
+    for (int row = begin; row < end; ++row)
+      finished_ += differences_[static_cast<std::size_t>(row)];
+    rows_ += end - begin;
+    error_so_far_(error_of_halves(finished_, static_cast<double>(film_.width()) * rows_));
+  }
+  /// The film, when all rows are complete.
+  [[nodiscard]] Film take() {
+    double sum = 0;
+    for (const double difference : differences_) sum += difference;
+    if (first_ > 0 && second_ > 0)
+      film_.error = error_of_halves(sum, static_cast<double>(film_.width()) * film_.height());
+    return std::move(film_);
+  }
+
+ private:
+  Film film_;
+  int first_, second_;
+  std::vector<double> differences_;  // of each row: squared, of the means of the halves
+  std::function<void(double)> error_so_far_;
+  std::mutex lock_;
+  double finished_ = 0;
+  int rows_ = 0;
+};
+
+/// Draws the samples of some pixels and sets them on the film.
+///
+/// @param pixels   packed in this order
+/// @param path_of  called with columns and rows of a pack, returns the function of one sample
+template <class Real, class PathOf>
+void gather_pixels(const SampleRange& range, const std::vector<Pixel>& pixels,
+                   const PathOf& path_of, GrowingFilm& film) {
+  SampleSums<Real> sums(range.sampler);
+  for (std::size_t begin = 0; begin < pixels.size(); begin += lanes<Real>) {
+    // Lanes beyond the end draw the last pixel again and are not used.
+    const auto pixel = [&](std::size_t i) -> const Pixel& {
+      return pixels[std::min(begin + i, pixels.size() - 1)];
+    };
+    const Real column =
+        from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).column); });
+    const Real row =
+        from_lanes<Real>([&](std::size_t i) { return static_cast<Scalar<Real>>(pixel(i).row); });
+    const UInt<Real> hashes = hash_pixels<Real>(uint_from_real(column), uint_from_real(row));
+    const auto path = path_of(column, row);
+    Color<Real> first_half{}, second_half{};
+    sums.add(hashes, 0, film.first(), path, first_half);
+    sums.add(hashes, film.first(), film.first() + film.second(), path, second_half);
+
+    const auto lanes_of = [](const Color<Real>& c) {
+      return std::array{all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)};
+    };
+    const auto firsts = lanes_of(first_half);
+    const auto seconds = lanes_of(second_half);
+    for (std::size_t i = 0; i < std::min(lanes<Real>, pixels.size() - begin); ++i) {
+      const auto in_lane = [i](const auto& channels) {
+        return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
+                   static_cast<double>(channels[2][i])};
+      };
+      film.set(pixel(i), in_lane(firsts), in_lane(seconds));
+    }
+  }
+}
+
+/// What is known of a picture before a ray is traced: something for one sphere and a pinhole.
+template <class Lesson, class Paint>
+[[nodiscard]] std::optional<ViewBounds> bounds_of_view(const Lesson& lesson,
+                                                       const std::vector<Painted<Paint>>& objects,
+                                                       const View<>& view,
+                                                       const Smoothing& smoothing, int samples) {
+  if (objects.size() != 1) return {};
+  if constexpr (requires { lesson.sampling.lens; }) {
+    if (lesson.sampling.lens.blurs()) return {};
+  }
+  const GradientSky<>& sky = lesson.stage.sky;
+  return ViewBounds{screen_bounds(view, objects.front().shape),
+                    sky.is_constant() ? std::optional(sky.below) : std::nullopt,
+                    samples < least_samples_of_patch ? Smoothing{} : smoothing};
+}
+
+/// The light of a lesson's picture. Pixels that miss a lone sphere skip it, smooth pixels are
+/// patches, and pixels of one kind are packed together.
+///
+/// @param lesson   called with a prepared scene, a place and random numbers, returns the light
+/// @param objects  the lesson's or a plan's
+/// @param bounds   as bounds_of_view gives them
+template <class Real, class Lesson, class Paint>
+[[nodiscard]] Film gather(const Lesson& lesson, const std::vector<Painted<Paint>>& objects,
+                          const View<>& view, const SampleRange& range,
+                          const std::optional<ViewBounds>& bounds, const RenderSettings& settings) {
+  constexpr int rows_at_a_time = 4;  // lists so long fill their packs
+  const PreparedScene<Real, Paint> scene = prepare_scene<Real>(view, objects, lesson.stage.sky);
+  const PreparedScene<Real, Paint> sky_alone = scene.without_objects();
+  GrowingFilm film(view.width, view.height, range, settings.error_so_far);
+
+  const auto paths_in = [&](const auto& seen) {
+    return [&](const Real& column, const Real& row) {
+      return [&, column, row](auto& random) {
+        return lesson(seen, PixelPlace<Real>{column, row}, random);
+      };
+    };
+  };
+  const int blocks = (view.height + rows_at_a_time - 1) / rows_at_a_time;
+  const auto rows_done = [&](int done, int) {
+    settings.progress(std::min(done * rows_at_a_time, view.height), view.height);
+  };
+  const auto draw_block = [&](int block) {
+    const int first_row = block * rows_at_a_time;
+    const int end_row = std::min(first_row + rows_at_a_time, view.height);
+    PixelLists lists;
+    for (int row = first_row; row < end_row; ++row) {
+      if (bounds) {
+        add_row<Real>(lists, row, view.width, scene, *bounds);
+      } else {
+        add_row(lists, row, view.width);
+      }
+    }
+    if (bounds && bounds->light) {
+      const Rgb first = *bounds->light * static_cast<double>(film.first());
+      const Rgb second = *bounds->light * static_cast<double>(film.second());
+      for (const Pixel& at : lists.misses) film.set(at, first, second);
+    } else if (bounds && bounds->smooths_sky(view)) {
+      gather_pixels<Real>(
+          range, lists.misses,
+          [&](const Real& column, const Real& row) {
+            return SkyPatch<Real>(scene.view, scene.sky, column, row);
+          },
+          film);
+    } else {
+      gather_pixels<Real>(range, lists.misses, paths_in(sky_alone), film);
+    }
+    if constexpr (HasMapping<Paint, Real>) {
+      gather_pixels<Real>(
+          range, lists.patches,
+          [&](const Real& column, const Real& row) {
+            return PixelPatch<Real, Paint>(scene.view, scene.objects.front().shape,
+                                           scene.objects.front().paint, scene.sky, column, row);
+          },
+          film);
+    }
+    gather_pixels<Real>(range, lists.others, paths_in(scene), film);
+    film.finish_rows(first_row, end_row);
+  };
+  for_each_row(blocks, settings.threads,
+               settings.progress ? rows_done : decltype(settings.progress){}, draw_block);
+  return film.take();
+}
+
+}  // namespace texmap

@@ -1,0 +1,86 @@
+// Renders a picture: rays through its pixels, on many threads, with any number.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+
+#include "engine/render/settings.hpp"
+#include "engine/render/threads.hpp"
+#include "math/color.hpp"
+#include "number/compiler.hpp"
+#include "number/uint.hpp"
+#include "scene/camera.hpp"
+#include "texture/image.hpp"
+
+namespace texmap {
+
+/// Color channels as bytes: 255 times the value, cut off, as in the source documents.
+///
+/// @param channel  any number; below 0 and NaN give 0, above 1 gives 255
+template <class Real>
+[[nodiscard]] UInt<Real> bytes_of(const Real& channel) {
+  const Real inside = clamp(channel, Real(0), Real(1));
+  if constexpr (std::is_same_v<Scalar<Real>, float> || std::is_same_v<Scalar<Real>, double>) {
+    // No product is rounded up to a whole number; docs/numerics.md proves it.
+    return uint_from_real(inside * Real(255));
+  } else {
+    return bytes_of(static_cast<double>(inside));
+  }
+}
+/// The same for one number.
+[[nodiscard]] inline std::uint8_t byte_of(double value) {
+  return static_cast<std::uint8_t>(bytes_of(value));
+}
+
+/// Where in its pixel a sample is: the first at the center, the others evenly spread, from the
+/// center, each coordinate in [-0.5, 0.5) pixels.
+/// Source: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018), sequence R2.
+struct PixelOffset {
+  double column = 0, row = 0;
+};
+[[nodiscard]] PixelOffset pixel_offset(int sample);
+
+/// The color of a pixel, or of a pack of neighboring pixels: the mean of its samples.
+template <class Real, class Lesson>
+[[nodiscard]] Color<Real> pixel_color(const Lesson& lesson, const View<>& view, const Real& column,
+                                      const Real& row, int samples) {
+  Color<Real> sum{};
+  for (int i = 0; i < samples; ++i) {
+    // Without this test the call would cost 2 % of a picture with one sample.
+    const PixelOffset offset = i == 0 ? PixelOffset{} : pixel_offset(i);
+    sum = sum + lesson(ray_through(view, column + Real(offset.column), row + Real(offset.row)));
+  }
+  return samples == 1 ? sum : sum * (Real(1) / Real(samples));
+}
+
+/// The picture of `lesson` in `view`, the same for any number of threads.
+///
+/// @param lesson  called with a Ray<Real> from many threads, returns a Color<Real>
+template <class Real, class Lesson>
+[[nodiscard]] Image render(const Lesson& lesson, const View<>& view,
+                           const RenderSettings& settings = {}) {
+  constexpr int step = static_cast<int>(lanes<Real>);
+  Image image(view.width, view.height);
+  for_each_row(view.height, settings.threads, settings.progress, [&](int row) TEXMAP_FLATTEN {
+    for (int column = 0; column < view.width; column += step) {
+      const auto first = static_cast<Scalar<Real>>(column);
+      const Real columns =
+          from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
+      const Color<Real> color =
+          pixel_color<Real>(lesson, view, columns, Real(row), settings.samples);
+      const UInt<Real> pixels =
+          bytes_of(color.r) | bytes_of(color.g) << 8 | bytes_of(color.b) << 16;
+      // The last pack of a row may reach beyond the picture.
+      const int end = std::min(step, view.width - column);
+      for (int i = 0; i < end; ++i) {
+        const std::uint32_t pixel = uint_lane<Real>(pixels, static_cast<std::size_t>(i));
+        image.at(column + i, row) = {static_cast<std::uint8_t>(pixel),
+                                     static_cast<std::uint8_t>(pixel >> 8),
+                                     static_cast<std::uint8_t>(pixel >> 16)};
+      }
+    }
+  });
+  return image;
+}
+
+}  // namespace texmap

@@ -1,0 +1,38 @@
+// How a picture is rendered: number, instructions, threads, samples.
+#pragma once
+#include <functional>
+
+#include "engine/render/instructions.hpp"
+
+namespace texmap {
+
+/// The numbers that a picture can be drawn with.
+enum class NumberKind {
+  float_,       ///< 24 significant bits
+  double_,      ///< 53
+  extended,     ///< long double: 64 on x86
+  float_pack,   ///< several floats at once
+  double_pack,  ///< several doubles at once
+  interval,     ///< two doubles around the true number: draws the certainty map
+};
+
+/// False in programs for learning: they have double alone, so that they compile in a second.
+#ifdef TEXMAP_LEARN
+constexpr bool all_numbers = false;
+#else
+constexpr bool all_numbers = true;
+#endif
+
+/// The fastest number that draws the same picture as double in every chapter (tests/packs).
+inline constexpr NumberKind default_number = NumberKind::double_pack;
+
+/// How a picture is rendered; only `samples` changes what it shows.
+struct RenderSettings {
+  int samples = 1;                                         ///< rays a pixel, at least 1
+  int threads = 0;                                         ///< 0: all cores
+  Instructions instructions = widest_instructions();       ///< the widest to use
+  std::function<void(int done, int total)> progress = {};  ///< after each row, from any thread
+  std::function<void(double error)> error_so_far = {};     ///< the same with a Film's error
+};
+
+}  // namespace texmap

@@ -1,0 +1,169 @@
+// What packs are built on: xsimd's batches if CMake found xsimd, else arrays with the same names.
+#pragma once
+#ifdef TEXMAP_HAVE_XSIMD
+#include <xsimd/xsimd.hpp>
+
+namespace texmap::simd {
+
+/// True where a batch is a vector of the machine's.
+inline constexpr bool has_machine_vectors = true;
+
+using xsimd::abs;
+using xsimd::any;
+using xsimd::batch;
+using xsimd::batch_bool;
+using xsimd::bitofsign;
+using xsimd::default_arch;
+using xsimd::exp;
+using xsimd::floor;
+using xsimd::log1p;
+using xsimd::max;
+using xsimd::min;
+using xsimd::select;
+using xsimd::sqrt;
+
+}  // namespace texmap::simd
+
+#else
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace texmap::simd {
+
+/// No particular machine instructions.
+struct default_arch {};
+
+/// 16 bytes of numbers in an array.
+template <class T>
+inline constexpr std::size_t batch_size = 16 / sizeof(T);
+
+template <class T, class Arch>
+struct batch_bool {
+  std::array<bool, batch_size<T> > lanes{};
+
+  friend batch_bool operator&&(const batch_bool& a, const batch_bool& b) {
+    return each([&](std::size_t i) { return a.lanes[i] && b.lanes[i]; });
+  }
+  friend batch_bool operator||(const batch_bool& a, const batch_bool& b) {
+    return each([&](std::size_t i) { return a.lanes[i] || b.lanes[i]; });
+  }
+  friend batch_bool operator!(const batch_bool& a) {
+    return each([&](std::size_t i) { return !a.lanes[i]; });
+  }
+  template <class Value>
+  [[nodiscard]] static batch_bool each(const Value& value) {
+    batch_bool result;
+    for (std::size_t i = 0; i < result.lanes.size(); ++i) result.lanes[i] = value(i);
+    return result;
+  }
+};
+
+template <class T, class Arch>
+struct alignas(16) batch {
+  static constexpr std::size_t size = batch_size<T>;
+  using Mask = batch_bool<T, Arch>;
+
+  std::array<T, size> lanes;
+
+  batch() = default;
+  explicit(false) batch(T value) { lanes.fill(value); }
+
+  [[nodiscard]] T get(std::size_t i) const { return lanes[i]; }
+  void store_unaligned(T* to) const {
+    for (std::size_t i = 0; i < size; ++i) to[i] = lanes[i];
+  }
+  [[nodiscard]] static batch load_aligned(const T* from) {
+    return each([from](std::size_t i) { return from[i]; });
+  }
+
+  friend batch operator+(const batch& a, const batch& b) {
+    return each([&](std::size_t i) { return a.lanes[i] + b.lanes[i]; });
+  }
+  friend batch operator-(const batch& a, const batch& b) {
+    return each([&](std::size_t i) { return a.lanes[i] - b.lanes[i]; });
+  }
+  friend batch operator*(const batch& a, const batch& b) {
+    return each([&](std::size_t i) { return a.lanes[i] * b.lanes[i]; });
+  }
+  friend batch operator/(const batch& a, const batch& b) {
+    return each([&](std::size_t i) { return a.lanes[i] / b.lanes[i]; });
+  }
+  friend batch operator-(const batch& a) {
+    return each([&](std::size_t i) { return -a.lanes[i]; });
+  }
+  /// `a`, 0 or more, with the sign that `bitofsign` returned.
+  friend batch operator|(const batch& a, const batch& sign) {
+    return each([&](std::size_t i) {
+      return std::signbit(sign.lanes[i]) ? -std::abs(a.lanes[i]) : a.lanes[i];
+    });
+  }
+
+  friend Mask operator<(const batch& a, const batch& b) {
+    return Mask::each([&](std::size_t i) { return a.lanes[i] < b.lanes[i]; });
+  }
+  friend Mask operator<=(const batch& a, const batch& b) {
+    return Mask::each([&](std::size_t i) { return a.lanes[i] <= b.lanes[i]; });
+  }
+  friend Mask operator>(const batch& a, const batch& b) { return b < a; }
+  friend Mask operator>=(const batch& a, const batch& b) { return b <= a; }
+  friend Mask operator==(const batch& a, const batch& b) {
+    return Mask::each([&](std::size_t i) { return a.lanes[i] == b.lanes[i]; });
+  }
+
+  template <class Value>
+  [[nodiscard]] static batch each(const Value& value) {
+    batch result;
+    for (std::size_t i = 0; i < size; ++i) result.lanes[i] = value(i);
+    return result;
+  }
+};
+
+template <class T, class Arch>
+[[nodiscard]] bool any(const batch_bool<T, Arch>& a) {
+  bool found = false;
+  for (const bool lane : a.lanes) found = found || lane;
+  return found;
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> select(const batch_bool<T, Arch>& mask, const batch<T, Arch>& yes,
+                                    const batch<T, Arch>& no) {
+  return batch<T, Arch>::each(
+      [&](std::size_t i) { return mask.lanes[i] ? yes.lanes[i] : no.lanes[i]; });
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> max(const batch<T, Arch>& a, const batch<T, Arch>& b) {
+  return select(a > b, a, b);
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> min(const batch<T, Arch>& a, const batch<T, Arch>& b) {
+  return select(a < b, a, b);
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> abs(const batch<T, Arch>& a) {
+  return batch<T, Arch>::each([&](std::size_t i) { return std::abs(a.lanes[i]); });
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> sqrt(const batch<T, Arch>& a) {
+  return batch<T, Arch>::each([&](std::size_t i) { return std::sqrt(a.lanes[i]); });
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> floor(const batch<T, Arch>& a) {
+  return batch<T, Arch>::each([&](std::size_t i) { return std::floor(a.lanes[i]); });
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> exp(const batch<T, Arch>& a) {
+  return batch<T, Arch>::each([&](std::size_t i) { return std::exp(a.lanes[i]); });
+}
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> log1p(const batch<T, Arch>& a) {
+  return batch<T, Arch>::each([&](std::size_t i) { return std::log1p(a.lanes[i]); });
+}
+/// Zeros with the signs of `a`.
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> bitofsign(const batch<T, Arch>& a) {
+  return batch<T, Arch>::each([&](std::size_t i) { return std::copysign(T(0), a.lanes[i]); });
+}
+
+}  // namespace texmap::simd
+#endif

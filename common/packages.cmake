@@ -1,0 +1,41 @@
+# What the project borrows from the system's packages. Every missing header is noted, so that all can be named at once before
+# anything compiles.
+
+# borrow(NAME HEADER [folder]): the target NAME for a header.
+function(borrow name header)
+  find_path(${name}_INCLUDE_DIR ${header} PATH_SUFFIXES ${ARGN})
+  mark_as_advanced(${name}_INCLUDE_DIR)
+  add_library(${name} INTERFACE)
+  if(${name}_INCLUDE_DIR)
+    target_include_directories(${name} SYSTEM INTERFACE "${${name}_INCLUDE_DIR}")
+  else()
+    set_property(GLOBAL APPEND PROPERTY MISSING_HEADERS ${header})
+  endif()
+endfunction()
+
+borrow(stb_image stb_image.h stb)
+borrow(stb_image_write stb_image_write.h stb)
+borrow(doctest doctest.h doctest)
+
+get_property(missing GLOBAL PROPERTY MISSING_HEADERS)
+if(missing)
+  list(JOIN missing ", " missing)
+  message(FATAL_ERROR "Missing: ${missing}. Install them and configure again:\n"
+    "  Debian, Ubuntu   apt-get install libstb-dev doctest-dev\n"
+    "  Fedora           dnf install stb_image-devel stb_image_write-devel doctest-devel\n"
+    "  Arch             pacman -S stb doctest\n"
+    "  vcpkg            vcpkg install stb doctest     (then -D CMAKE_TOOLCHAIN_FILE=.../vcpkg.cmake)\n"
+    "  Homebrew         brew install doctest          (it has no stb: clone https://github.com/nothings/stb and set\n"
+    "                   -D stb_image_INCLUDE_DIR=... -D stb_image_write_INCLUDE_DIR=... to that folder)")
+endif()
+
+# Packs of numbers: with xsimd they are fast, without it a fallback compiles everywhere (number/kinds/batch.hpp).
+find_path(xsimd_INCLUDE_DIR xsimd/xsimd.hpp)
+mark_as_advanced(xsimd_INCLUDE_DIR)
+add_library(packs INTERFACE)
+if(xsimd_INCLUDE_DIR)
+  target_include_directories(packs SYSTEM INTERFACE "${xsimd_INCLUDE_DIR}")
+  target_compile_definitions(packs INTERFACE TEXMAP_HAVE_XSIMD)
+else()
+  message(STATUS "xsimd not found: packs of numbers will be slow (Debian libxsimd-dev, Fedora xsimd-devel, Arch, brew, vcpkg xsimd)")
+endif()

@@ -1,0 +1,40 @@
+// The triangle article's weights of a triangle's corners, from side lengths alone: to compare with
+// and to show where they fail.
+#pragma once
+#include "scene/triangle.hpp"
+
+namespace texmap::published {
+
+/// The area of a triangle from the lengths of its sides, by Heron's formula.
+///
+/// Fails on thin triangles: s - x cancels, and the error grows with length / width, up to NaN.
+/// Source: the triangle article.
+template <class Real>
+[[nodiscard]] Real heron_area(const Real& x, const Real& y, const Real& z) {
+  const Real s = (x + y + z) / Real(2);
+  return sqrt(s * (s - x) * (s - y) * (s - z));
+}
+
+/// The corners' weights at `p`: two by Heron's areas over the whole area, the third by subtraction.
+///
+/// @param p  a point inside the triangle; for single numbers only, not for packs
+/// Fails outside, because areas have no sign, on thin triangles like heron_area, and on triangles
+/// without an area, by a division by 0 or by a rounding error. `degenerate` is never set.
+/// Source: the triangle article.
+template <class Real>
+[[nodiscard]] Barycentric<Real> barycentric_heron(const Triangle& triangle, const Vec3<Real>& p) {
+  const Vec3<Real> a = number_cast<Real>(triangle.a);
+  const Vec3<Real> b = number_cast<Real>(triangle.b);
+  const Vec3<Real> c = number_cast<Real>(triangle.c);
+  const Real bc = length(c - b);
+  const Real ca = length(a - c);
+  const Real pa = length(a - p);
+  const Real pb = length(b - p);
+  const Real pc = length(c - p);
+  const Real whole = heron_area(length(b - a), bc, ca);
+  const Real at_a = heron_area(pb, bc, pc);
+  const Real at_b = heron_area(pc, ca, pa);
+  return {at_a / whole, at_b / whole, (whole - at_a - at_b) / whole, false};
+}
+
+}  // namespace texmap::published

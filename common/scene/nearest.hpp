@@ -1,0 +1,63 @@
+// The nearest object along a ray, and whether an object blocks it.
+#pragma once
+#include "scene/sphere.hpp"
+
+namespace texmap {
+
+/// The first object that a ray meets.
+template <class Real>
+struct Nearest {
+  Real distance = infinity<Real>();  ///< +infinity for a miss
+  Real index = Real(-1);             ///< in the list of objects; -1 for a miss
+};
+
+/// The first of `objects`, each with a `shape`, that the ray meets.
+template <class Real, class Objects>
+[[nodiscard]] Nearest<Real> find_nearest(const Objects& objects, const Ray<Real>& ray) {
+  Nearest<Real> nearest;
+  double index = 0;
+  for (const auto& object : objects) {
+    const Real distance = distance_to(object.shape, ray);
+    const auto nearer = distance < nearest.distance;
+    nearest.distance = select(nearer, distance, nearest.distance);
+    nearest.index = select(nearer, Real(index), nearest.index);
+    index += 1;
+  }
+  return nearest;
+}
+
+/// True where an object lies between the ray's origin and `distance` along it. The sphere with the
+/// address `leaving`, from which the ray starts outward, is skipped.
+template <class Real, class Objects>
+[[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray,
+                                     const Real& distance, const void* leaving = nullptr) {
+  Real first = infinity<Real>();
+  for (const auto& object : objects) {
+    if (&object.shape != leaving) first = min(distance_to(object.shape, ray), first);
+  }
+  return first < distance;
+}
+
+/// The color along a ray: that of the first object it meets, or the background.
+///
+/// @param background  called with the ray if some lane meets nothing
+/// @param shade       called with (object, hit) once for each object that some lane meets first
+template <class Real, class Objects, class Background, class Shade>
+[[nodiscard]] auto color_along(const Objects& objects, const Ray<Real>& ray,
+                               const Background& background, const Shade& shade) {
+  const Nearest<Real> nearest = find_nearest(objects, ray);
+  decltype(background(ray)) color{};
+  if (any(nearest.index < Real(0))) color = background(ray);
+  double index = 0;
+  for (const auto& object : objects) {
+    const Mask<Real> here = nearest.index == Real(index);
+    index += 1;
+    if (!any(here)) continue;
+    // Other lanes get the distance 1; their result is not used.
+    const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+    color = select(here, shade(object, hit), color);
+  }
+  return color;
+}
+
+}  // namespace texmap

@@ -1,0 +1,68 @@
+// Paths of light between Lambertian surfaces and the sky.
+#pragma once
+#include <iterator>
+
+#include "math/color.hpp"
+#include "sampling/directions.hpp"
+#include "scene/nearest.hpp"
+
+namespace texmap {
+
+/// light_along for a scene of one sphere, which is convex: light from its surface is sky light.
+/// Under a uniform sky no direction is drawn, since every direction brings the same light.
+template <class Real, class Object, class Sky, class Random>
+[[nodiscard]] Color<Real> light_past_one(const Object& object, const Ray<Real>& ray, const Sky& sky,
+                                         Random& random) {
+  const Real distance = distance_to(object.shape, ray);
+  const Mask<Real> met = distance < infinity<Real>();
+  const bool anywhere = sky.is_constant();
+  Color<Real> light = gray(Real(0));
+  if (any(!met)) light = sky(anywhere ? ray : Ray<Real>{ray.origin, normalize(ray.direction)});
+  if (!any(met)) return light;
+
+  const Hit<Real> hit = hit_at(object.shape, ray, select(met, distance, Real(1)));
+  const Ray<Real> next =
+      anywhere ? ray : Ray<Real>{hit.outside, cosine_direction(hit.normal, random.next_2d())};
+  return select(met, object.paint(hit) * sky(next), light);
+}
+
+/// The light that arrives along a ray from Lambertian surfaces under a bright sky: one path,
+/// continued at each surface in a cosine-weighted direction. The mean of many paths is the light.
+///
+/// @param objects, bounces  paints are albedos, 0 to 1; after `bounces` >= 1 a path brings no light
+/// @param sky, random       called with a unit ray; next_2d() returns two numbers in [0, 1)
+/// Source: Kajiya, "The Rendering Equation" (1986); One Weekend 2020, Next Week.
+template <class Real, class Objects, class Sky, class Random>
+[[nodiscard]] Color<Real> light_along(const Objects& objects, Ray<Real> ray, const Sky& sky,
+                                      int bounces, Random& random) {
+  if (std::empty(objects))
+    return sky(sky.is_constant() ? ray : Ray<Real>{ray.origin, normalize(ray.direction)});
+  if (std::size(objects) == 1) return light_past_one(*std::begin(objects), ray, sky, random);
+  ray.direction = normalize(ray.direction);
+  Color<Real> carried = gray(Real(1));
+  Color<Real> light = gray(Real(0));
+  Mask<Real> under_way = Real(0) < Real(1);
+  for (int bounce = 0;; ++bounce) {
+    const Nearest<Real> nearest = find_nearest(objects, ray);
+    const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
+    light = select(under_way && !met, carried * sky(ray), light);
+    under_way = met;
+    if (bounce == bounces || !any(under_way)) return light;
+
+    const Point2<Real>& sample = random.next_2d();
+    Ray<Real> next = ray;
+    double index = 0;
+    for (const auto& object : objects) {
+      const Mask<Real> here = under_way && nearest.index == Real(index);
+      index += 1;
+      if (!any(here)) continue;
+      const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+      carried = select(here, carried * object.paint(hit), carried);
+      next.origin = select(here, hit.outside, next.origin);
+      next.direction = select(here, cosine_direction(hit.normal, sample), next.direction);
+    }
+    ray = next;
+  }
+}
+
+}  // namespace texmap

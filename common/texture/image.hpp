@@ -1,0 +1,40 @@
+// An image in memory.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace texmap {
+
+/// Red, green and blue of one pixel, 0 to 255.
+struct Rgb8 {
+  std::uint8_t r = 0, g = 0, b = 0;
+  friend bool operator==(const Rgb8&, const Rgb8&) = default;
+};
+
+/// The pixels of an image, row by row from the top, each row from the left.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Rgb8> pixels;
+
+  Image() = default;
+  Image(int columns, int rows, Rgb8 fill = {})
+      : width(columns),
+        height(rows),
+        pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill) {}
+
+  /// The pixel in a column and a row, both from 0, rows from the top; not checked.
+  [[nodiscard]] Rgb8& at(int column, int row) { return pixels[place(column, row)]; }
+  [[nodiscard]] const Rgb8& at(int column, int row) const { return pixels[place(column, row)]; }
+
+  friend bool operator==(const Image&, const Image&) = default;
+
+ private:
+  [[nodiscard]] std::size_t place(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+};
+
+}  // namespace texmap

@@ -1,0 +1,143 @@
+// The program compare: how two pictures differ, in figures, as a picture, and as an exit status.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/app/command_line.hpp"
+#include "engine/app/run_guarded.hpp"
+#include "engine/app/standard_streams.hpp"
+#include "engine/compare/difference.hpp"
+#include "engine/compare/difference_map.hpp"
+#include "engine/compare/figures_json.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/picture/files/file_error.hpp"
+#include "engine/picture/files/read_file.hpp"
+#include "engine/picture/files/write_file.hpp"
+#include "engine/picture/save_png.hpp"
+
+namespace {
+
+using namespace texmap;
+
+/// A share as typed: "0.02%" is 0.02 of 100, "0.0002" is 0.0002 of 1. Dividing 0.02 by 100
+/// would round, and a share of exactly so many pixels could then exceed the limit.
+struct Share {
+  double number = 0;
+  double whole = 1;
+
+  [[nodiscard]] bool holds(std::size_t part, std::size_t all) const {
+    return whole * static_cast<double>(part) / static_cast<double>(all) <= number;
+  }
+};
+
+Share parse_share(const std::string& text) {
+  if (!text.ends_with('%')) return {parse_decimal("--at-most", text, 0, 1), 1};
+  return {parse_decimal("--at-most", text.substr(0, text.size() - 1), 0, 100), 100};
+}
+
+struct Request {
+  std::string a, b;
+  int levels = 0;
+  std::string at_most = "0";
+  std::string map, json, mask;
+  bool quiet = false;
+
+  void declare(CommandLine& line) {
+    line.positional("A.png", a, "a picture, PNG or JPEG");
+    line.positional("B.png", b, "a picture of the same size to hold against it");
+    line.whole("--pixels-off-by-more-than", levels, 0, 255,
+               "levels a channel may differ by before its pixel counts");
+    line.text("--at-most", "SHARE", at_most,
+              "share of such pixels that still is the same: 0 to 1, or with a % sign");
+    line.text("--map", "FILE", map, "where to put a picture of the differences, a PNG");
+    line.text("--json", "FILE", json, "where to put the figures, as JSON");
+    line.text("--mask", "FILE", mask,
+              "a picture of the same size; where it is black, nothing is compared");
+    line.flag("--quiet", quiet, "print nothing");
+    line.statuses("0 the same; 1 they differ; 2 trouble, such as a file that cannot be read");
+  }
+};
+
+Image load(const std::string& path) {
+  try {
+    return decode_image(read_file(path));
+  } catch (const FileError& error) {
+    throw FileError("cannot load '" + path + "': " + error.what());
+  }
+}
+
+void save_json(const std::string& json, const std::string& path) {
+  try {
+    write_file_atomically(path, std::vector<std::uint8_t>(json.begin(), json.end()));
+  } catch (const FileError& error) {
+    throw FileError("cannot write '" + path + "': " + error.what());
+  }
+}
+
+std::string text_of(Rgb8 color) { return text("(%d, %d, %d)", color.r, color.g, color.b); }
+
+std::string table(const Figures& f) {
+  std::string lines;
+  const auto line = [&lines](const char* name, const std::string& value) {
+    lines += text("%-21s%s\n", name, value.c_str());
+  };
+  line("size", text("%d x %d pixels, %zu compared", f.width, f.height, f.pixels_compared));
+  line("different", text("%zu pixels (%g %%)", f.pixels_different, 100 * f.share_different));
+  if (f.pixels_different > 0) {
+    line("within", text("columns %d to %d, rows %d to %d", f.box.left, f.box.left + f.box.width - 1,
+                        f.box.top, f.box.top + f.box.height - 1));
+    line("largest difference",
+         text("%d levels at column %d, row %d: %s and %s", f.worst.levels, f.worst.column,
+              f.worst.row, text_of(f.worst.a).c_str(), text_of(f.worst.b).c_str()));
+  }
+  line("mean absolute error", text("%g levels", f.mean_absolute_error));
+  line("RMSE", text("%g levels", f.root_mean_square_error));
+  const double psnr = f.peak_signal_to_noise;
+  line("PSNR", std::isinf(psnr) ? "infinite dB" : text("%g dB", psnr));
+  line("SSIM", text("%.10g (1: equal)", f.structural_similarity));
+  line("FLIP", text("%g (0: equal, 1: most)", f.flip));
+  line("mean value", text("%g and %g levels", f.mean_a, f.mean_b));
+  return lines;
+}
+
+/// The last line: the rule, what it found, and the verdict.
+std::string verdict(const Request& request, std::size_t off, bool same) {
+  return text("off by more than %d: %zu pixels, %s of all allowed: %s\n", request.levels, off,
+              request.at_most.c_str(), same ? "the same" : "they differ");
+}
+
+/// Does all that was asked for. Returns whether the pictures are the same by the chosen rule.
+bool compare(const Request& request) {
+  const Share at_most = parse_share(request.at_most);
+  if (!request.map.empty()) check_output(request.map);
+  if (!request.json.empty()) check_output(request.json);
+
+  const Image a = load(request.a);
+  const Image b = load(request.b);
+  const Image mask = request.mask.empty() ? Image() : load(request.mask);
+  const Figures figures = measure(a, b, mask);
+  const std::size_t off = pixels_off_by_more_than(figures, request.levels);
+  const bool same = at_most.holds(off, figures.pixels_compared);
+
+  if (!request.map.empty()) save_png(difference_map(a, b, mask), request.map);
+  if (!request.json.empty()) save_json(figures_json(figures), request.json);
+  if (!request.quiet) print(table(figures) + verdict(request, off, same));
+  return same;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  texmap::CommandLine line("compare", "how two pictures differ");
+  Request request;
+  request.declare(line);
+  bool same = true;
+  const int status = texmap::run_guarded(line, [&] {
+    if (line.parse(argc, argv)) same = compare(request);
+  });
+  if (status != 0) return 2;
+  return same ? 0 : 1;
+}

@@ -1,0 +1,84 @@
+// A chapter drawn for a comparison: its picture, and what is seen at each pixel.
+#pragma once
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/app/run_chapter.hpp"
+#include "scene/nearest.hpp"
+#include "scene/paint.hpp"
+#include "texture/uv.hpp"
+
+namespace texmap::steps {
+
+/// A lesson's picture of the stage with everything that a comparison asks about it.
+struct DrawnStep {
+  std::string chapter;  ///< its folder, such as 02_checkerboard_uv
+  Image picture;
+  std::vector<int> objects;     ///< index of the object at each pixel's center, -1 for the sky
+  std::vector<Uv<double>> uv;   ///< texture coordinates there, NaN where the paint has none
+  std::vector<int> may_change;  ///< the objects that this step may change from the one before
+  double milliseconds = 0;      ///< time of drawing, the least of three
+};
+
+/// The (u, v) with which a paint is looked up at a hit; NaN for a paint that has none.
+template <class Paint>
+[[nodiscard]] Uv<double> uv_of_paint(const Paint& paint, const Hit<double>& hit) {
+  if constexpr (requires { paint.mapping(hit.normal); }) {
+    return paint.mapping(hit.normal);
+  } else {
+    return {std::nan(""), std::nan("")};
+  }
+}
+template <class... Paints>
+[[nodiscard]] Uv<double> uv_of_paint(const AnyOf<Paints...>& paint, const Hit<double>& hit) {
+  return std::visit([&hit](const auto& one) { return uv_of_paint(one, hit); },
+                    static_cast<const std::variant<Paints...>&>(paint));
+}
+
+/// Draws a lesson as its program does without options; for chapter 04, its stage and not its sheet.
+template <class Lesson>
+[[nodiscard]] DrawnStep draw_step(const std::string& chapter, int width, int height, int threads) {
+  Lesson lesson;
+  CommandLine line(chapter, "");
+  Session session(chapter, line, Lesson::about, offers_for(lesson));
+  session.settings.quiet = true;
+  session.settings.width = width;
+  session.settings.height = height;
+  session.settings.threads = threads;
+  lesson.prepare(session);
+
+  DrawnStep step;
+  step.chapter = chapter;
+  for (int object = 0; object < static_cast<int>(lesson.objects.size()); ++object) {
+    if (Lesson::about.changed_objects.contains(object)) step.may_change.push_back(object);
+  }
+  step.milliseconds = infinity<double>();
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const auto start = std::chrono::steady_clock::now();
+    step.picture = session.draw(lesson);
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    step.milliseconds = min(elapsed.count(), step.milliseconds);
+  }
+
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const Ray<double> ray = ray_through<double>(view, column, row);
+      const Nearest<double> nearest = find_nearest(lesson.objects, ray);
+      step.objects.push_back(static_cast<int>(nearest.index));
+      if (nearest.index < 0) {
+        step.uv.push_back({std::nan(""), std::nan("")});
+        continue;
+      }
+      const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
+      step.uv.push_back(uv_of_paint(object.paint, hit_at(object.shape, ray, nearest.distance)));
+    }
+  }
+  return step;
+}
+
+}  // namespace texmap::steps

@@ -1,0 +1,74 @@
+// A chapter's lesson as something to be timed: its picture, on one thread.
+#pragma once
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "engine/app/planned_highlight.hpp"
+#include "engine/render/develop.hpp"
+#include "pictures.hpp"
+#include "variants.hpp"
+
+namespace texmap::bench {
+
+/// A lesson and all that drawing it needs.
+///
+/// @tparam As  what its work is run as: itself, or InDouble
+template <class Lesson, template <class> class As = std::type_identity_t>
+class LessonWork {
+ public:
+  /// @param samples, plan  of lessons that gather light
+  LessonWork(Lesson lesson, int width, int height, int samples = 8, KernelPlan plan = {})
+      : lesson_(std::move(lesson)),
+        plan_(std::move(plan)),
+        objects_(objects_of(plan_, lesson_)),
+        view_(view_of(lesson_.stage.camera, width, height)),
+        range_{Sampler(SamplerKind::sobol, samples)} {}
+  LessonWork(const LessonWork&) = delete;  // planned objects point into the lesson
+  LessonWork& operator=(const LessonWork&) = delete;
+
+  void run(const Variant& variant) {
+    settings_.instructions = variant.instructions;
+    if constexpr (GathersLight<Lesson>) {
+      const int samples = range_.sampler.samples();
+      run_work({lesson_, objects_, view_, range_,
+                bounds_of_view(lesson_, objects_, view_, plan_.smoothing, samples), settings_},
+               variant);
+    } else {
+      run_work({lesson_, view_, settings_}, variant);
+    }
+  }
+  /// The picture that one run draws.
+  [[nodiscard]] Image picture(const Variant& variant) {
+    run(variant);
+    if constexpr (GathersLight<Lesson>) {
+      return develop(*result_, Transfer::srgb, plan_.srgb_terms);
+    } else {
+      return *result_;
+    }
+  }
+
+ private:
+  using Work = WorkOf<Lesson>;
+
+  [[nodiscard]] static auto objects_of(const KernelPlan& plan, const Lesson& lesson) {
+    if constexpr (GathersLight<Lesson>) {
+      return planned_objects(plan, lesson.objects);
+    } else {
+      return std::false_type();
+    }
+  }
+  void run_work(const Work& work, const Variant& variant) {
+    result_ = run_in_number(As<Work>{work}, variant.number, variant.instructions);
+  }
+
+  Lesson lesson_;
+  KernelPlan plan_;
+  decltype(objects_of({}, std::declval<const Lesson&>())) objects_;
+  View<> view_;
+  SampleRange range_;
+  RenderSettings settings_{.threads = 1};
+  std::optional<typename Work::Result> result_;
+};
+
+}  // namespace texmap::bench

@@ -1,0 +1,2 @@
+#pragma once
+#include "scene/ray.hpp"

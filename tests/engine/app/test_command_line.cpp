@@ -1,0 +1,231 @@
+// The command line: what is read as a number, what is refused, and what the message says.
+#include <doctest.h>
+
+#include <array>
+#include <clocale>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/app/command_line.hpp"
+
+using namespace texmap;
+
+namespace {
+
+struct Fruit {
+  int count = 3;
+  double weight = 0.5;
+  std::string name = "apple";
+  bool ripe = false;
+  int color = 1;
+};
+
+CommandLine line_for(Fruit& fruit) {
+  CommandLine line("fruit", "counts fruit");
+  line.whole("--count", fruit.count, 1, 16384, "how many");
+  line.decimal("--weight", fruit.weight, -1e300, 1e300, "in kilograms");
+  line.text("--name", "NAME", fruit.name, "what it is");
+  line.flag("--ripe", fruit.ripe, "it is");
+  line.choice<int>("--color", fruit.color, {{"red", 1}, {"green", 2}}, "its color");
+  return line;
+}
+
+template <class... Words>
+Fruit read(Words... words) {
+  Fruit fruit;
+  CommandLine line = line_for(fruit);
+  const std::array<const char*, sizeof...(words) + 1> typed = {"fruit", words...};
+  const bool goes_on = line.parse(static_cast<int>(typed.size()), typed.data());
+  CHECK(goes_on);
+  return fruit;
+}
+
+template <class... Words>
+std::string complaint(Words... words) {
+  try {
+    (void)read(words...);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("without options everything keeps its default") {
+  const Fruit fruit = read();
+  CHECK(fruit.count == 3);
+  CHECK(fruit.weight == 0.5);
+  CHECK(fruit.name == "apple");
+  CHECK_FALSE(fruit.ripe);
+  CHECK(fruit.color == 1);
+}
+
+TEST_CASE(
+    "options are read in any order, with a space or an equals sign, and the last one counts") {
+  const Fruit fruit = read("--ripe", "--color", "green", "--count=7", "--weight", "-2.5e-3",
+                           "--name=a b=c", "--count", "8");
+  CHECK(fruit.ripe);
+  CHECK(fruit.color == 2);
+  CHECK(fruit.count == 8);
+  CHECK(fruit.weight == -2.5e-3);
+  CHECK(fruit.name == "a b=c");
+}
+
+TEST_CASE("a whole number is digits and nothing else, within its range") {
+  for (const char* good : {"1", "16384", "007"}) CHECK(complaint("--count", good).empty());
+  for (const char* bad : {"0", "-1", "nan", "4.5", "1e3", "", " 4", "4 ", "4x", "x4", "0x10", "+4",
+                          "16385", "2147483648", "99999999999999999999", "1,000", "\xef\xbc\x91"}) {
+    CAPTURE(bad);
+    CHECK(complaint("--count", bad) ==
+          "--count takes a whole number from 1 to 16384, not '" + std::string(bad) + "'");
+  }
+}
+
+TEST_CASE("a decimal number has one exact reading") {
+  const std::array<std::pair<const char*, double>, 9> readings = {{{"0", 0.0},
+                                                                   {"-0.25", -0.25},
+                                                                   {"+3", 3.0},
+                                                                   {".5", 0.5},
+                                                                   {"5.", 5.0},
+                                                                   {"1e3", 1000.0},
+                                                                   {"1E-3", 0.001},
+                                                                   {"0.1", 0.1},
+                                                                   {"1e300", 1e300}}};
+  for (const auto& reading : readings) {
+    CAPTURE(reading.first);
+    CHECK(read("--weight", reading.first).weight == reading.second);
+  }
+  for (const char* bad :
+       {"",      ".",     "-",   "e3", "1e", "1e+",  "nan", "NAN",   "inf", "-inf",  "infinity",
+        "1e400", "0x1p3", "1,5", " 1", "1 ", "1..2", "--1", "1.2.3", "abc", "1e3.5", "1e301"}) {
+    CAPTURE(bad);
+    CHECK(complaint("--weight", bad) ==
+          "--weight takes a number from -1e+300 to 1e+300, not '" + std::string(bad) + "'");
+  }
+}
+
+TEST_CASE("a locale with a decimal comma changes nothing") {
+  const char* set = std::setlocale(LC_ALL, "de_DE.UTF-8");
+  if (set == nullptr)
+    MESSAGE("the locale de_DE.UTF-8 is not installed: only the C locale was tried");
+  CHECK(read("--weight", "0.25").weight == 0.25);
+  CHECK_FALSE(complaint("--weight", "0,25").empty());
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("the message says what is wrong and what would be right") {
+  CHECK(complaint("--count") == "--count needs a value: --count N");
+  CHECK(complaint("--name", "") == "--name takes a name, and was given an empty one");
+  CHECK(complaint("--color", "blue") == "--color takes red|green, not 'blue'");
+  CHECK(complaint("--colour", "red") == "there is no option --colour");
+  CHECK(complaint("--ripe=yes") == "--ripe takes no value");
+  CHECK(complaint("pear") == "'pear' is not an option; options begin with --");
+  CHECK(complaint("-x") == "there is no option -x");
+}
+
+TEST_CASE("the help names every option with its default") {
+  Fruit fruit;
+  const std::string help = line_for(fruit).help();
+  for (const char* part : {"--count N", "(default: 3)", "--weight X", "(default: 0.5)",
+                           "--name NAME", "(default: apple)", "--ripe", "--color red|green",
+                           "(default: red)", "--help", "--version", "exit status"}) {
+    CAPTURE(part);
+    CHECK(help.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("typed says which options the user gave") {
+  Fruit fruit;
+  CommandLine line = line_for(fruit);
+  const std::array<const char*, 3> typed = {"fruit", "--count", "3"};
+  CHECK(line.parse(3, typed.data()));
+  CHECK(line.was_given("--count"));
+  CHECK_FALSE(line.was_given("--weight"));
+}
+
+namespace {
+
+struct Basket {
+  std::string first, second;
+  int count = 3;
+};
+
+template <class... Words>
+std::string filled(Basket& basket, Words... words) {
+  CommandLine line("basket", "holds two fruits");
+  line.positional("FIRST", basket.first, "on the left");
+  line.whole("--count", basket.count, 1, 9, "how many");
+  line.positional("SECOND", basket.second, "on the right");
+  line.statuses("0 it fits; 5 it does not");
+  const std::array<const char*, sizeof...(words) + 1> typed = {"basket", words...};
+  try {
+    const bool goes_on = line.parse(static_cast<int>(typed.size()), typed.data());
+    CHECK(goes_on);
+    CHECK(line.was_given("FIRST"));
+    CHECK(line.was_given("SECOND"));
+  } catch (const UsageError& error) {
+    return std::string(error.what()) + "\n" + line.usage();
+  }
+  return line.help();
+}
+
+}  // namespace
+
+TEST_CASE("words without an option are taken in their order, among options or not") {
+  for (int order = 0; order < 3; ++order) {
+    Basket basket;
+    if (order == 0) (void)filled(basket, "pear", "fig", "--count", "7");
+    if (order == 1) (void)filled(basket, "--count=7", "pear", "fig");
+    if (order == 2) (void)filled(basket, "pear", "--count", "7", "fig");
+    CHECK(basket.first == "pear");
+    CHECK(basket.second == "fig");
+    CHECK(basket.count == 7);
+  }
+}
+
+TEST_CASE(
+    "a missing word, one too many and an empty one are refused, with the call that would be "
+    "right") {
+  const std::string call = "\nusage: basket FIRST SECOND [options]     (basket --help lists them)";
+  Basket basket;
+  CHECK(filled(basket) == "FIRST is missing" + call);
+  CHECK(filled(basket, "pear") == "SECOND is missing" + call);
+  CHECK(filled(basket, "pear", "--count", "7") == "SECOND is missing" + call);
+  CHECK(filled(basket, "pear", "fig", "plum") ==
+        "'plum' is not an option; options begin with --" + call);
+  CHECK(filled(basket, "pear", "") == "SECOND must not be empty" + call);
+  CHECK(filled(basket, "pear", "-fig") == "there is no option -fig" + call);
+}
+
+TEST_CASE("the help shows the words, and the statuses the program has") {
+  Basket basket;
+  const std::string help = filled(basket, "pear", "fig");
+  for (const char* part :
+       {"usage: basket FIRST SECOND [options]\n", "  FIRST ", "on the left\n", "  SECOND ",
+        "on the right\n", "\nexit status: 0 it fits; 5 it does not\n"}) {
+    CAPTURE(part);
+    CHECK(help.find(part) != std::string::npos);
+  }
+  Fruit fruit;
+  CHECK(line_for(fruit).help().find("usage: fruit [options]\n") != std::string::npos);
+  CHECK(line_for(fruit).usage() == "usage: fruit [options]     (fruit --help lists them)");
+  CHECK(line_for(fruit).help().find(
+            "0 the picture is on disk; 1 it could not be made; 2 the command line is wrong") !=
+        std::string::npos);
+}
+
+TEST_CASE(
+    "an option that may be given several times collects its texts in their order, and refuses an "
+    "empty one") {
+  std::vector<std::string> stones;
+  CommandLine line("fruit", "counts fruit");
+  line.texts("--stone", "NAME", stones, "may be given several times");
+  const std::array<const char*, 4> typed = {"fruit", "--stone", "plum", "--stone=cherry"};
+  CHECK(line.parse(static_cast<int>(typed.size()), typed.data()));
+  CHECK(stones == std::vector<std::string>{"plum", "cherry"});
+  const std::array<const char*, 3> empty = {"fruit", "--stone", ""};
+  CHECK_THROWS_AS((void)line.parse(static_cast<int>(empty.size()), empty.data()), UsageError);
+  CHECK(line.help().find("--stone NAME") != std::string::npos);
+}

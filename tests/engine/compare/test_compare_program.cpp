@@ -1,0 +1,195 @@
+// The program compare from outside: its statuses, what it prints and what it writes.
+#include <doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/compare/difference_map.hpp"
+#include "engine/compare/figures_json.hpp"
+#include "engine/compare/made_pictures.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "support/running.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+const std::string program = "'" TEXMAP_COMPARE "' ";
+
+/// A folder with pictures a and b of 100 x 100, where 2 pixels of b are off by 5 levels and 1 by 1,
+/// and another one of 99 x 100.
+struct Desk {
+  TemporaryFolder folder;
+  Image a = noise(100, 100, 1);
+  Image b = a;
+
+  Desk() {
+    const auto move = [this](int column, int row, int levels) {
+      Rgb8& pixel = b.at(column, row);
+      pixel.g = static_cast<std::uint8_t>(pixel.g < 128 ? pixel.g + levels : pixel.g - levels);
+    };
+    move(10, 20, 5);
+    move(12, 25, 5);
+    move(50, 21, 1);
+    save_png(a, folder / "a.png");
+    save_png(b, folder / "b.png");
+    save_png(noise(99, 100, 1), folder / "narrow.png");
+  }
+
+  /// Runs the program in the folder.
+  [[nodiscard]] Outcome compare(const std::string& words) const {
+    return run("cd '" + folder.path() + "' && " + program + words);
+  }
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+TEST_CASE("0 for the same, 1 for a difference, exactly by default") {
+  const Desk desk;
+  CHECK(desk.compare("a.png a.png").status == 0);
+  CHECK(desk.compare("a.png b.png").status == 1);
+  CHECK(desk.compare("b.png a.png").status == 1);
+}
+
+TEST_CASE("the tolerant rule: how far, and how many") {
+  const Desk desk;
+  const auto status = [&desk](const std::string& rule) {
+    return desk.compare("a.png b.png --quiet " + rule).status;
+  };
+  CHECK(status("--pixels-off-by-more-than 5") == 0);
+  CHECK(status("--pixels-off-by-more-than 4") == 1);
+  CHECK(status("--pixels-off-by-more-than 1 --at-most 0.0002") == 0);  // 2 of 10,000
+  CHECK(status("--pixels-off-by-more-than 1 --at-most 0.02%") == 0);
+  CHECK(status("--pixels-off-by-more-than 1 --at-most 0.00019") == 1);
+  CHECK(status("--pixels-off-by-more-than 1 --at-most 0.019%") == 1);
+  CHECK(status("--pixels-off-by-more-than 0 --at-most 0.0002") == 1);
+  CHECK(status("--at-most 0.0003") == 0);
+  CHECK(status("--at-most=3e-2%") == 0);
+  CHECK(status("--at-most 1") == 0);
+  CHECK(status("--at-most 100%") == 0);
+}
+
+TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
+  const Desk desk;
+  put(desk.folder / "text.png", {'h', 'e', 'l', 'l', 'o'});
+  const auto refused = [&desk](const std::string& words, const std::string& reason) {
+    const Outcome outcome = desk.compare(words);
+    CAPTURE(words);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(first_line(outcome.err) == "error: " + reason);
+  };
+  refused("a.png narrow.png", "the pictures differ in size: 100 x 100 and 99 x 100 pixels");
+  refused("a.png b.png --mask narrow.png",
+          "the mask differs from the pictures in size: 99 x 100 and 100 x 100 pixels");
+  refused("a.png none.png", "cannot load 'none.png': there is no such file");
+  refused("text.png a.png",
+          "cannot load 'text.png': it is not a PNG or JPEG file, whatever its name says");
+  refused("a.png b.png --mask none.png", "cannot load 'none.png': there is no such file");
+  refused("a.png b.png --map no/map.png",
+          "cannot write 'no/map.png': the folder 'no' does not exist");
+  refused("a.png b.png --json no/f.json",
+          "cannot write 'no/f.json': the folder 'no' does not exist");
+  // What cannot be written is found out before anything is read.
+  refused("none.png b.png --map no/map.png",
+          "cannot write 'no/map.png': the folder 'no' does not exist");
+  refused("none.png b.png --json no/f.json",
+          "cannot write 'no/f.json': the folder 'no' does not exist");
+  refused("", "A.png is missing");
+  refused("a.png", "B.png is missing");
+  refused("a.png b.png c.png", "'c.png' is not an option; options begin with --");
+  refused("a.png ''", "B.png must not be empty");
+  refused("a.png b.png --mad x", "there is no option --mad");
+  refused("a.png b.png --pixels-off-by-more-than 256",
+          "--pixels-off-by-more-than takes a whole number from 0 to 255, not '256'");
+  refused("a.png b.png --at-most 1.1", "--at-most takes a number from 0 to 1, not '1.1'");
+  refused("a.png b.png --at-most 101%", "--at-most takes a number from 0 to 100, not '101'");
+  refused("a.png b.png --at-most %", "--at-most takes a number from 0 to 100, not ''");
+  refused("a.png b.png --at-most -0.1", "--at-most takes a number from 0 to 1, not '-0.1'");
+  refused("a.png b.png --at-most nan", "--at-most takes a number from 0 to 1, not 'nan'");
+  CHECK(desk.folder.size() == 4);  // the three pictures and the text: nothing was written
+  CHECK(has(desk.compare("a.png").err, "usage: compare A.png B.png [options]"));
+}
+
+TEST_CASE("trouble with a file leaves what was written before as it was") {
+  const Desk desk;
+  put(desk.folder / "map.png", {1, 2, 3});
+  CHECK(desk.compare("a.png narrow.png --map map.png").status == 2);
+  CHECK(bytes_of(desk.folder / "map.png") == std::vector<std::uint8_t>{1, 2, 3});
+}
+
+TEST_CASE("a stdout that takes nothing is trouble") {
+  const Desk desk;
+  if (run("echo x >/dev/full").status == 0) return;  // no such device here
+  CHECK(desk.compare("a.png a.png >/dev/full").status == 2);
+  CHECK(desk.compare("a.png b.png >/dev/full").status == 2);
+  CHECK(desk.compare("a.png b.png --quiet >/dev/full").status == 1);
+}
+
+TEST_CASE("the table has every figure with its unit, and the verdict last") {
+  const Desk desk;
+  const std::string table = desk.compare("a.png b.png").out;
+  CAPTURE(table);
+  CHECK(has(table, "100 x 100 pixels, 10000 compared\n"));
+  CHECK(has(table, "3 pixels (0.03 %)\n"));
+  CHECK(has(table, "columns 10 to 50, rows 20 to 25\n"));
+  CHECK(has(table, "5 levels at column 10, row 20: ("));
+  CHECK(has(table, "0.000366667 levels\n"));  // 11 of 30,000
+  CHECK(has(table, "0.0412311 levels\n"));    // the root of 51 of 30,000
+  CHECK(has(table, "75.8263 dB\n"));          // 20 log10(255 / 0.0412311)
+  for (const char* name : {"SSIM", "FLIP", "mean value"}) CHECK(has(table, name));
+  CHECK(table.ends_with("off by more than 0: 3 pixels, 0 of all allowed: they differ\n"));
+  CHECK(has(desk.compare("a.png a.png").out, "infinite dB\n"));
+  CHECK(desk.compare("a.png b.png --pixels-off-by-more-than 1 --at-most 0.02%")
+            .out.ends_with("off by more than 1: 2 pixels, 0.02% of all allowed: the same\n"));
+}
+
+TEST_CASE("quiet prints nothing, whatever the result") {
+  const Desk desk;
+  for (const char* words : {"a.png a.png --quiet", "--quiet a.png b.png"}) {
+    const Outcome outcome = desk.compare(words);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.empty());
+  }
+}
+
+TEST_CASE("the map, the figures and the mask are those of the library") {
+  const Desk desk;
+  Image mask(100, 100, {255, 255, 255});
+  mask.at(10, 20) = {};
+  save_png(mask, desk.folder / "mask.png");
+  CHECK(desk.compare("a.png b.png --quiet --mask mask.png --map map.png --json f.json").status ==
+        1);
+  CHECK(load_image(desk.folder / "map.png") == difference_map(desk.a, desk.b, mask));
+  const std::vector<std::uint8_t> json = bytes_of(desk.folder / "f.json");
+  CHECK(std::string(json.begin(), json.end()) == figures_json(measure(desk.a, desk.b, mask)));
+  CHECK(measure(desk.a, desk.b, mask).pixels_different == 2);
+
+  // With all that differs left out, the pictures are the same.
+  for (const auto& [column, row] : {std::pair{12, 25}, {50, 21}}) mask.at(column, row) = {};
+  save_png(mask, desk.folder / "mask.png");
+  CHECK(desk.compare("a.png b.png --quiet --mask mask.png").status == 0);
+}
+
+TEST_CASE("help and version are answers, not comparisons") {
+  const Outcome help = run(program + "--help");
+  CHECK(help.status == 0);
+  for (const char* part : {"usage: compare A.png B.png [options]", "--pixels-off-by-more-than N",
+                           "--at-most SHARE", "--map FILE", "--json FILE", "--mask FILE", "--quiet",
+                           "exit status: 0 the same; 1 they differ; 2 trouble"}) {
+    CAPTURE(part);
+    CHECK(has(help.out, part));
+  }
+  const Outcome version = run(program + "--version");
+  CHECK(version.status == 0);
+  CHECK(version.out.starts_with("compare "));
+}

@@ -1,0 +1,82 @@
+// Alternate timing: the order, the counts and the shortest time; never how long anything takes on
+// this machine.
+#include "engine/measure/interleaved.hpp"
+
+#include <doctest.h>
+
+#include <string>
+
+TEST_CASE("works alternate, and each is run once more than it is timed") {
+  std::string order;
+  const auto times = texmap::shortest_times({[&] { order += 'a'; }, [&] { order += 'b'; }}, 3);
+  CHECK(order == "abababab");
+  REQUIRE(times.size() == 2);
+  for (const double time : times)
+    CHECK((time >= 0 && time < 1e9));  // a clock that goes forward, and no infinity left
+}
+
+TEST_CASE("the run before the first round is not timed, and the shortest time stays") {
+  // The first run, a wait that no round repeats, would be the longest; the third, empty, is the
+  // shortest.
+  int run = 0;
+  const texmap::Stopwatch all;
+  const auto wait_until = [&](double milliseconds) {
+    const texmap::Stopwatch watch;
+    while (watch.milliseconds() < milliseconds) {
+    }
+  };
+  double first = 0, second = 0;
+  const auto times = texmap::shortest_times({[&] {
+                                              const texmap::Stopwatch watch;
+                                              wait_until(run == 0 ? 20 : 2);
+                                              (run == 0 ? first : second) = watch.milliseconds();
+                                              ++run;
+                                            }},
+                                            1);
+  CHECK(run == 2);
+  CHECK(times[0] >= second);  // at least what the work itself took the second time,
+  CHECK(times[0] <= all.milliseconds() - first);  // at most what was left after the first
+}
+
+TEST_CASE("progress is told after every run, up to the whole") {
+  std::vector<std::pair<int, int>> told;
+  (void)texmap::shortest_times({[] {}, [] {}}, 1,
+                               [&](int done, int total) { told.emplace_back(done, total); });
+  CHECK(told == std::vector<std::pair<int, int>>{{1, 4}, {2, 4}, {3, 4}, {4, 4}});
+}
+
+TEST_CASE(
+    "after each timed round it is asked whether that is enough, and then the rest is skipped") {
+  std::vector<int> asked;
+  int runs = 0;
+  const auto times =
+      texmap::shortest_times({[&] { ++runs; }, [&] { ++runs; }}, 9, {}, [&](int rounds) {
+        asked.push_back(rounds);
+        return rounds == 3;
+      });
+  CHECK(asked == std::vector<int>{1, 2, 3});
+  CHECK(runs == 2 * (1 + 3));
+  for (const double time : times) CHECK(time < 1e9);
+}
+
+TEST_CASE(
+    "a time limit is reached when its time is over, but not before the least number of rounds") {
+  double now = 0;
+  const texmap::TimeLimit enough(100, 3, [&now] { return now; });
+  CHECK_FALSE(enough(7));
+  now = 99;
+  CHECK_FALSE(enough(7));
+  now = 100;
+  CHECK(enough(7));
+  CHECK(enough(3));
+  CHECK_FALSE(enough(2));
+  CHECK_FALSE(texmap::TimeLimit(1e9)(1));  // by the clock
+  CHECK(texmap::TimeLimit(0)(1));
+}
+
+TEST_CASE("nothing to time takes no time") { CHECK(texmap::shortest_times({}, 5).empty()); }
+
+TEST_CASE("as many rounds as fit into the time, within their limits") {
+  CHECK(texmap::rounds_within(0, {[] {}}, 7, 100) == 7);
+  CHECK(texmap::rounds_within(1e9, {[] {}}, 7, 100) == 100);
+}

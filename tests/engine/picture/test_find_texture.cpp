@@ -1,0 +1,153 @@
+// Where a texture is looked for.
+#include <doctest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "engine/picture/find_texture.hpp"
+#include "support/image_errors.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using texmap::find_texture;
+using texmap::test::image_error_of;
+using texmap::test::put;
+using texmap::test::TemporaryFolder;
+
+constexpr const char* variable = "TEXMAP_ASSETS";
+
+// The current folder and the variable of the environment, put back at the end of a test.
+class Surroundings {
+ public:
+  explicit Surroundings(const std::string& folder) : folder_before_(fs::current_path()) {
+    const char* const value = std::getenv(variable);
+    if (value != nullptr) value_before_ = value;
+    was_set_ = value != nullptr;
+    unsetenv(variable);
+    fs::current_path(folder);
+  }
+  ~Surroundings() {
+    fs::current_path(folder_before_);
+    if (was_set_) setenv(variable, value_before_.c_str(), 1);
+    if (!was_set_) unsetenv(variable);
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+ private:
+  fs::path folder_before_;
+  std::string value_before_;
+  bool was_set_ = false;
+};
+
+std::string error_of_finding(const std::string& name) {
+  return image_error_of([&] { static_cast<void>(find_texture(name)); });
+}
+
+std::string beside_the_program() {
+  return fs::read_symlink("/proc/self/exe").parent_path().string() + "/assets";
+}
+
+}  // namespace
+
+TEST_CASE("a file in the current folder is taken as it is named") {
+  const TemporaryFolder folder;
+  const Surroundings surroundings(folder.path());
+  put("here.png", {1});
+  CHECK(find_texture("here.png") == "here.png");
+}
+
+TEST_CASE("a name with a slash comes back as it is whether there is such a file or not") {
+  const TemporaryFolder folder;
+  put(folder / "there.png", {1});
+  for (const std::string& name : {folder / "there.png", folder / "missing.png",
+                                  std::string("./missing.png"), std::string("a/b")}) {
+    CHECK(find_texture(name) == name);
+  }
+}
+
+TEST_CASE("a name that is there but cannot be loaded comes back as it is") {
+  const TemporaryFolder folder;
+  const Surroundings surroundings(folder.path());
+  fs::create_symlink("nowhere", "dangling");
+  fs::create_directory("folder");
+  const std::string too_long(300, 'x');
+  for (const std::string& name :
+       {std::string("dangling"), std::string("folder"), too_long, std::string()}) {
+    CHECK(find_texture(name) == name);
+  }
+}
+
+TEST_CASE("a bare name is looked for in the folder that the environment names") {
+  const TemporaryFolder folder;
+  const TemporaryFolder assets;
+  const Surroundings surroundings(folder.path());
+  const std::string name = "a texture that only this test has.png";
+  put(assets / name, {1});
+  CHECK(error_of_finding(name) != "nothing was thrown");
+  setenv(variable, assets.path().c_str(), 1);
+  CHECK(find_texture(name) == assets / name);
+}
+
+TEST_CASE("the current folder comes before the folder of the environment") {
+  const TemporaryFolder folder;
+  const TemporaryFolder assets;
+  const Surroundings surroundings(folder.path());
+  setenv(variable, assets.path().c_str(), 1);
+  put("both.png", {1});
+  put(assets / "both.png", {1});
+  CHECK(find_texture("both.png") == "both.png");
+}
+
+TEST_CASE("the assets beside the program come before the folder of the environment") {
+  if (!fs::exists("/proc/self/exe")) return;
+  const TemporaryFolder folder;
+  const TemporaryFolder assets;
+  const Surroundings surroundings(folder.path());
+  setenv(variable, assets.path().c_str(), 1);
+  const std::string name = "texmap-test-" + std::to_string(getpid()) + ".png";
+  const bool made = fs::create_directory(beside_the_program());
+  put(beside_the_program() + "/" + name, {1});
+  put(assets / name, {1});
+  CHECK(find_texture(name) == beside_the_program() + "/" + name);
+  fs::remove(beside_the_program() + "/" + name);
+  CHECK(find_texture(name) == assets / name);
+  if (made) fs::remove(beside_the_program());
+}
+
+TEST_CASE("a name that is nowhere is an error that lists every place in order") {
+  const TemporaryFolder folder;
+  const Surroundings surroundings(folder.path());
+  setenv(variable, "/an/empty/place", 1);
+  const std::string name = "nowhere to be found.png";
+  const std::string front =
+      "cannot load texture '" + name + "': not found; looked for " + name + ", /";
+  const std::string back = "assets/" + name + ", /an/empty/place/" + name;
+  const std::string said = error_of_finding(name);
+  INFO("said: ", said);
+  CHECK(said.substr(0, front.size()) == front);
+  CHECK(said.ends_with(back));
+  if (fs::exists("/proc/self/exe"))
+    CHECK(said.find(", " + beside_the_program() + "/" + name + ", ") != std::string::npos);
+
+  unsetenv(variable);
+  const std::string without = error_of_finding(name);
+  CHECK(without.find("/an/empty/place") == std::string::npos);
+  CHECK(said.substr(0, without.size()) == without);
+  setenv(variable, "", 1);
+  CHECK(error_of_finding(name) == without);
+}
+
+TEST_CASE("the assets of the build come first of all assets") {
+  const TemporaryFolder folder;
+  const Surroundings surroundings(folder.path());
+  const fs::path assets = fs::path(TEXMAP_TESTS_DIR).parent_path() / "assets";
+  const std::string said = error_of_finding("nowhere.png");
+  INFO("said: ", said);
+  CHECK(said.find("looked for nowhere.png, " + assets.string() + "/nowhere.png") !=
+        std::string::npos);
+}

@@ -1,0 +1,259 @@
+// Loading a texture: what must load, what must not, and how it says so.
+#include <doctest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "engine/picture/codecs/checksums.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/picture/files/bytes.hpp"
+#include "engine/picture/load_image.hpp"
+#include "support/image_errors.hpp"
+#include "support/sha256.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using texmap::FileError;
+using texmap::Image;
+using texmap::load_image;
+using texmap::test::bytes_of;
+using texmap::test::image_error_of;
+using texmap::test::TemporaryFolder;
+
+const std::string corpus = std::string(TEXMAP_TESTS_DIR) + "/corpus/";
+
+// A row of the corpus' manifest.
+struct Row {
+  std::string file, sha256, expected, why, width, height, bytes, split, level, rgb8_sha256;
+};
+
+std::vector<Row> rows_of_manifest() {
+  std::ifstream manifest(corpus + "manifest.tsv");
+  std::vector<Row> rows;
+  std::string line;
+  std::getline(manifest, line);
+  REQUIRE(line == "file\tsha256\texpected\twhy\twidth\theight\tbytes\tsplit\tlevel\trgb8_sha256");
+  while (std::getline(manifest, line)) {
+    std::istringstream fields(line);
+    Row row;
+    for (std::string* field : {&row.file, &row.sha256, &row.expected, &row.why, &row.width,
+                               &row.height, &row.bytes, &row.split, &row.level, &row.rgb8_sha256}) {
+      REQUIRE(std::getline(fields, *field, '\t'));
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string sum_of_pixels(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  for (const texmap::Rgb8 pixel : image.pixels)
+    bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
+  return texmap::test::sha256(bytes);
+}
+
+std::string error_of_loading(const std::string& path) {
+  return image_error_of([&] { static_cast<void>(load_image(path)); });
+}
+
+// The sentence that a refused file must give: exact in front, and with a reason behind.
+void check_sentence(const std::string& said, const std::string& path) {
+  const std::string front = "cannot load texture '" + path + "': ";
+  INFO("said: ", said);
+  CHECK(said.substr(0, front.size()) == front);
+  CHECK(said.size() > front.size() + 10);
+  CHECK(said.find('\n') == std::string::npos);
+}
+
+// A file of the corpus with some bytes replaced, and the checksums of its PNG chunks made right.
+std::vector<std::uint8_t> with_right_checksums(std::vector<std::uint8_t> png) {
+  std::size_t place = 8;
+  while (place + 12 <= png.size()) {
+    const std::size_t length = texmap::big_endian_32(png, place);
+    const std::uint32_t sum = texmap::crc32(texmap::Bytes(png).subspan(place + 4, length + 4));
+    for (std::size_t i = 0; i < 4; ++i)
+      png[place + 8 + length + i] = static_cast<std::uint8_t>(sum >> (24 - 8 * i) & 0xFFU);
+    place += 12 + length;
+  }
+  return png;
+}
+
+}  // namespace
+
+TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
+  const std::vector<Row> rows = rows_of_manifest();
+  std::set<std::string> seen;
+  int loaded = 0;
+  int refused = 0;
+  int compared = 0;
+  for (const Row& row : rows) {
+    CAPTURE(row.file);
+    CAPTURE(row.why);
+    const std::string path = corpus + row.file;
+    seen.insert(row.file);
+    REQUIRE(texmap::test::sha256(bytes_of(path)) == row.sha256);
+    const auto start = std::chrono::steady_clock::now();
+    if (row.expected == "load") {
+      Image image;
+      REQUIRE_NOTHROW(image = load_image(path));
+      CHECK(std::to_string(image.width) == row.width);
+      CHECK(std::to_string(image.height) == row.height);
+      CHECK(image.pixels.size() ==
+            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+      if (row.rgb8_sha256 != "-") {
+        CHECK(sum_of_pixels(image) == row.rgb8_sha256);
+        ++compared;
+      }
+      ++loaded;
+    } else {
+      REQUIRE(row.expected == "error");
+      check_sentence(error_of_loading(path), path);
+      ++refused;
+    }
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  }
+  CHECK(rows.size() == 70);
+  CHECK(seen.size() == 70);
+  CHECK(loaded == 31);
+  CHECK(refused == 39);
+  CHECK(compared == 21);
+}
+
+TEST_CASE("an error names the thing that is wrong") {
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"bad_bomb_100000x100000.png", "100000 x 100000 pixels"},
+      {"bad_bomb_16384x16384_hdr.png", "at most 134217728"},
+      {"bad_chunklen_7fffffff.png", "IDAT chunk should have 2147483647 bytes"},
+      {"bad_chunklen_ffffffff.png", "IDAT chunk should have 4294967295 bytes"},
+      {"bad_ct5.png", "color type 5"},
+      {"bad_depth3.png", "3 bits"},
+      {"bad_double_ihdr.png", "two headers"},
+      {"bad_idat_too_short.png", "pixels"},
+      {"bad_jpg_12bit.jpg", "12 bits a channel"},
+      {"bad_jpg_2comp.jpg", "2 color channels"},
+      {"bad_jpg_samp50.jpg", "sampling factor"},
+      {"bad_jpg_soieoi.jpg", "no picture"},
+      {"bad_jpg_trunc_half.jpg", "cut short"},
+      {"bad_jpg_w0.jpg", "0 x 35 pixels"},
+      {"bad_no_iend.png", "IEND"},
+      {"bad_one_byte.png", "not a PNG or JPEG file"},
+      {"bad_pal_index_range.png", "color 200 of a palette with 2 colors"},
+      {"bad_rgb_depth4.png", "color type 2 with 4 bits"},
+      {"bad_trns_before_plte.png", "tRNS"},
+      {"bad_zero_height.png", "x 0 pixels"},
+      {"fmt_html.jpg", "not a PNG or JPEG file"},
+  };
+  for (const auto& row : table) {
+    const std::string said = error_of_loading(corpus + row.first);
+    CAPTURE(row.first);
+    INFO("said: ", said);
+    CHECK(said.find(row.second) != std::string::npos);
+  }
+}
+
+TEST_CASE("every file of the corpus cut anywhere is refused") {
+  int cuts = 0;
+  for (const std::string file : {"png_pal8_trns.png", "png_adam7_pal4_3x5.png",
+                                 "png_rgb8_1x257.png", "jpg_420.jpg", "jpg_restart.jpg"}) {
+    const std::vector<std::uint8_t> whole = bytes_of(corpus + file);
+    REQUIRE_NOTHROW(static_cast<void>(texmap::decode_image(whole)));
+    for (std::size_t length = 0; length < whole.size(); ++length, ++cuts) {
+      CAPTURE(file);
+      CAPTURE(length);
+      CHECK_THROWS_AS(static_cast<void>(texmap::decode_image(texmap::Bytes(whole).first(length))),
+                      texmap::FileError);
+    }
+  }
+  CHECK(cuts == 3214);
+}
+
+TEST_CASE("a PNG file with any one bit turned over is refused") {
+  for (const std::string file : {"png_pal8_short5.png", "png_grey2.png"}) {
+    std::vector<std::uint8_t> bytes = bytes_of(corpus + file);
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+      bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+      CAPTURE(file);
+      CAPTURE(bit);
+      CHECK_THROWS_AS(static_cast<void>(texmap::decode_image(bytes)), texmap::FileError);
+      bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+    }
+  }
+}
+
+TEST_CASE("a PNG file whose pixels have a wrong checksum is refused even if its chunks are right") {
+  std::vector<std::uint8_t> bytes = bytes_of(corpus + "png_no_extension");
+  REQUIRE_NOTHROW(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))));
+  bytes[bytes.size() - 12 - 4 - 1] ^=
+      1;  // the last byte of the last IDAT: before its checksum and IEND
+  CHECK_THROWS_WITH_AS(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))),
+                       "the PNG file is damaged: the checksum of its pixels is wrong",
+                       texmap::FileError);
+}
+
+TEST_CASE("special files are refused at once") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  std::filesystem::create_symlink("nowhere", folder / "dangling");
+  std::filesystem::create_symlink("loop", folder / "loop");
+  texmap::test::put(folder / "empty.png", {});
+  texmap::test::put(folder / "sparse.png", {});
+  std::filesystem::resize_file(folder / "sparse.png", std::uintmax_t{10} << 30);
+  const std::string too_long = folder / std::string(300, 'x');
+
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"", "the name is empty"},
+      {folder / "missing.png", "there is no such file"},
+      {folder / "empty.png/below.png", "a part of the path is a file, not a folder"},
+      {folder / "dangling", "it is a link to a file that does not exist"},
+      {folder / "loop", "too many symbolic links; one probably points back at itself"},
+      {too_long, "the name is too long"},
+      {folder.path(), "it is a folder, not an image file"},
+      {folder / "pipe", "it is a pipe, not an image file"},
+      {folder / "empty.png", "the file is empty"},
+      {folder / "sparse.png", "the file has 10737418240 bytes, more than 67108864 (64 MiB)"},
+      {"/dev/zero", "it is a device, not an image file"},
+      {"/dev/null", "it is a device, not an image file"},
+      {"/dev/urandom", "it is a device, not an image file"},
+      {std::string("a\0b", 3), "the name has a zero byte in it"},
+  };
+  for (const auto& [path, why] : table) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string said = error_of_loading(path);
+    CHECK(said == "cannot load texture '" + std::string(path.c_str()) + "': " + why);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  }
+}
+
+TEST_CASE("a name in any alphabet and in no alphabet at all works") {
+  const TemporaryFolder folder;
+  const Image expected = load_image(corpus + "png_no_extension");
+  for (const std::string name : {"Erde \xC3\xA4\xC3\xB6\xC3\xBC.png", "\xE5\x9C\xB0\xE7\x90\x83",
+                                 "not UTF-8 \xFF\xFE", "'quoted' \"twice\""}) {
+    CAPTURE(name);
+    std::filesystem::copy_file(corpus + "png_no_extension", folder / name);
+    CHECK(load_image(folder / name) == expected);
+    check_sentence(error_of_loading(folder / (name + "?")), folder / (name + "?"));
+  }
+}
+
+TEST_CASE("no file of the corpus leaves an open file behind") {
+  const auto open_files = [] {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"),
+                         std::filesystem::directory_iterator());
+  };
+  if (!std::filesystem::exists("/proc/self/fd")) return;
+  const auto before = open_files();
+  for (const Row& row : rows_of_manifest()) static_cast<void>(error_of_loading(corpus + row.file));
+  static_cast<void>(error_of_loading("/dev/null"));
+  CHECK(open_files() == before);
+}

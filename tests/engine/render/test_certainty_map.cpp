@@ -1,0 +1,100 @@
+// Bounds of pictures by the lessons' own code with intervals: at every pixel they contain the
+// result of every number with enough digits.
+#include "engine/render/certainty_map.hpp"
+
+#include <doctest.h>
+
+#include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "support/pictures.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+struct Count {
+  int pixels = 0;
+  int certain = 0;  ///< pixels whose bytes no rounding can change
+  int outside = 0;  ///< pixels of another number outside the bounds
+};
+
+/// Bounds by `judge`, and the color of `lesson` in the number Real against them.
+template <class Real, class Lesson>
+Count against_bounds(const Lesson& judge, const Lesson& lesson) {
+  const View<> view = view_of(lesson.stage.camera, 120, 90);
+  Count count;
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const auto bounds = pixel_color<Interval>(judge, view, Interval(column), Interval(row), 1);
+      const auto color =
+          pixel_color<Real>(lesson, view, static_cast<Real>(column), static_cast<Real>(row), 1);
+      const auto inside = [](const Interval& bound, Real channel) {
+        return static_cast<Real>(bound.low()) <= channel &&
+               channel <= static_cast<Real>(bound.high());
+      };
+      ++count.pixels;
+      count.certain += uncertain_levels(bounds) == 0 ? 1 : 0;
+      count.outside +=
+          inside(bounds.r, color.r) && inside(bounds.g, color.g) && inside(bounds.b, color.b) ? 0
+                                                                                              : 1;
+    }
+  }
+  return count;
+}
+
+template <class Lesson>
+void check_bounds(const Lesson& lesson) {
+  CAPTURE(Lesson::about.idea);
+  const Count in_double = against_bounds<double>(lesson, lesson);
+  CHECK(in_double.outside == 0);
+  CHECK(against_bounds<long double>(lesson, lesson).outside == 0);
+  CHECK(in_double.certain > in_double.pixels * 97 / 100);
+  MESSAGE(std::string(Lesson::about.idea)
+          << ": " << in_double.certain << " of " << in_double.pixels << " pixels are certain");
+
+  // The twin: bounds that hold anything would be no bounds.
+  Lesson moved = lesson;
+  moved.stage.light.position.x += 1e-9;
+  CHECK(against_bounds<double>(lesson, moved).outside > in_double.pixels / 10);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "double and extended precision stay inside the bounds of every chapter at every pixel, and "
+    "another picture does not") {
+  check_bounds(chapter_02::Lesson{});
+  check_bounds(prepared<chapter_03::Lesson>());
+  check_bounds(prepared<chapter_05::Lesson>({"--degrees", "37"}));
+  check_bounds(prepared<chapter_06::Lesson>());
+}
+
+TEST_CASE(
+    "the hybrid form is bounded too, and from far away the textbook's is bounded with more doubt") {
+  const auto certain = [](SphereForm form) {
+    chapter_02::Lesson lesson;
+    lesson.stage.camera = {.eye = {0, 20000, 80000}, .target = {0, 0, 0}, .fov_y_degrees = 0.006};
+    for (auto& object : lesson.objects) object.shape.form = form;
+    const Count count = against_bounds<double>(lesson, lesson);
+    CHECK(count.outside == 0);
+    return count.certain;
+  };
+  const int plain = certain(SphereForm::plain);
+  CHECK(plain < certain(SphereForm::robust));
+  CHECK(plain < certain(SphereForm::hybrid));
+}
+
+TEST_CASE("the map is gray where a pixel is certain, and colored where it is not") {
+  const Color<Interval> sure{Interval(0.5), Interval(0.25), Interval(0.125)};
+  CHECK(uncertain_levels(sure) == 0);
+  const Rgb8 gray_shade = shade_of_uncertainty(sure, 0);
+  CHECK(gray_shade.r == gray_shade.g);
+  CHECK(gray_shade.g == gray_shade.b);
+  CHECK(shade_of_uncertainty(sure, 1) == Rgb8{255, 216, 25});
+  CHECK(shade_of_uncertainty(sure, 255).b > shade_of_uncertainty(sure, 255).g);
+  CHECK(uncertain_levels({Interval(0.0), Interval(1.0), hull(Interval(0.0), Interval(1.0))}) ==
+        255);
+}

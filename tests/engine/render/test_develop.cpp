@@ -1,0 +1,97 @@
+// Tests of engine/render/develop.hpp: from light to bytes, for all numbers and threads.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "engine/render/develop.hpp"
+#include "number/kinds/pack2.hpp"
+#include "support/dice.hpp"
+
+namespace texmap::test {
+namespace {
+
+constexpr Transfer transfers[] = {Transfer::srgb, Transfer::sqrt, Transfer::stb};
+
+TEST_CASE("light becomes bytes by the curve that was asked for") {
+  for (int byte = 0; byte < 256; ++byte) {
+    CAPTURE(byte);
+    REQUIRE(byte_of_light(srgb_decode(byte / 255.0), Transfer::srgb) == byte);
+    REQUIRE(byte_of_light(std::pow(byte / 255.0, 2.2), Transfer::stb) == byte);
+    REQUIRE(byte_of_light(square(byte / 256.0), Transfer::sqrt) == byte);
+  }
+  for (const Transfer transfer : transfers) {
+    CHECK(byte_of_light(0.0, transfer) == 0);
+    CHECK(byte_of_light(-1.0, transfer) == 0);
+    CHECK(byte_of_light(std::nan(""), transfer) == 0);
+    CHECK(byte_of_light(1.0, transfer) == 255);
+    CHECK(byte_of_light(infinity<double>(), transfer) == 255);
+  }
+}
+
+TEST_CASE("a curve of fewer terms moves a byte by as many levels as it states") {
+  int moved_by_four = 0;
+  int moved_by_three = 0;
+  for (int i = 0; i <= 100000; ++i) {
+    const double light = i / 100000.0;
+    const double exact = byte_of_light(light, Transfer::srgb);
+    const double six = std::abs(byte_of_light(light, Transfer::srgb, 6) - exact);
+    const double four = std::abs(byte_of_light(light, Transfer::srgb, 4) - exact);
+    const double three = std::abs(byte_of_light(light, Transfer::srgb, 3) - exact);
+    REQUIRE(exact == std::lround(255 * srgb_encode(light)));
+    REQUIRE(six <= 1);
+    REQUIRE(four <= 1);
+    REQUIRE(three <= 2);
+    moved_by_four += four > six ? 1 : 0;
+    moved_by_three += three > 1 ? 1 : 0;
+  }
+  CHECK(moved_by_four > 0);
+  CHECK(moved_by_three > 0);
+}
+
+/// Light of all sizes, in a picture that no pack divides.
+Film any_film() {
+  Dice dice;
+  Film film(37, 23, 1);
+  for (int row = 0; row < film.height(); ++row) {
+    for (int column = 0; column < film.width(); ++column) {
+      const auto any = [&] {
+        return dice.once_in(4) ? std::abs(dice.any_size(-9, 1)) : dice.between(0, 1);
+      };
+      film.set_light(column, row, {any(), any(), any()});
+    }
+  }
+  return film;
+}
+
+TEST_CASE("a pixel of the picture is the byte of its light in each channel") {
+  const Film film = any_film();
+  for (const Transfer transfer : transfers) {
+    const Image image = develop(film, transfer);
+    for (int row = 0; row < film.height(); ++row) {
+      for (int column = 0; column < film.width(); ++column) {
+        const Rgb light = film.light(column, row);
+        const auto byte = [&](double x) {
+          return static_cast<std::uint8_t>(byte_of_light(x, transfer));
+        };
+        REQUIRE(image.at(column, row) == Rgb8{byte(light.r), byte(light.g), byte(light.b)});
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("packs and any number of threads develop the picture of double", Real, double,
+                   Pack<double>, Pack2<Pack<double>>) {
+  const Film film = any_film();
+  for (const Transfer transfer : transfers) {
+    for (const int terms : {0, 3, 4, 6}) {
+      const Image alone = develop<double>(film, transfer, terms, 1);
+      for (const int threads : {0, 1, 2, 7})
+        CHECK(develop<Real>(film, transfer, terms, threads) == alone);
+    }
+  }
+  CHECK(develop<Real>(film, Transfer::srgb) != develop<Real>(film, Transfer::sqrt));
+  CHECK(develop<Real>(film, Transfer::srgb) != develop<Real>(film, Transfer::srgb, 3));
+}
+
+}  // namespace
+}  // namespace texmap::test

@@ -1,0 +1,144 @@
+// Tests of common/engine/render/smoothing/screen_bounds.hpp: the rectangle contains all of a sphere
+// and is no larger than needed.
+#include <doctest.h>
+
+#include <algorithm>
+
+#include "engine/render/smoothing/screen_bounds.hpp"
+#include "support/dice.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// A camera and a sphere: most often in front of it, at least partly in the picture, otherwise
+/// anywhere near or around the eye.
+struct Scene {
+  Camera camera;
+  Sphere<> sphere;
+};
+
+Scene any_scene(Dice& dice) {
+  const Point eye = dice.direction<double>() * dice.between(0, 5);
+  const Point forward = dice.direction<double>();
+  if (dice.once_in(4)) {
+    const Point center = eye + dice.direction<double>() * dice.between(0, 3);
+    return {{.eye = eye, .target = eye + forward, .fov_y_degrees = dice.between(20, 90)},
+            {center, dice.between(0.5, 2)}};
+  }
+  const double away = dice.between(2, 20);
+  const Point aside = dice.direction<double>() * (away * dice.between(0, 0.6));
+  return {{.eye = eye, .target = eye + forward, .fov_y_degrees = dice.between(20, 90)},
+          {eye + forward * away + aside, dice.between(0.05, 0.6) * away}};
+}
+
+bool is_met(const View<>& view, const Sphere<>& sphere, double column, double row) {
+  return distance_to(sphere, ray_through(view, column, row)) < infinity<double>();
+}
+
+/// True if no pixel from `first` to `last` of a row can show what is inside the bounds.
+bool miss(const ScreenBounds& bounds, int first, int last, int row) {
+  const Span columns = bounds.columns(row, 40);
+  return last < columns.first || first >= columns.end;
+}
+
+TEST_CASE(
+    "no ray through a pixel outside the bounds meets the sphere, wherever camera and sphere are") {
+  Dice dice;
+  int outside = 0;
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Scene scene = any_scene(dice);
+    const View<> view = view_of(scene.camera, 40, 30);
+    const ScreenBounds bounds = screen_bounds(view, scene.sphere);
+    for (int k = 0; k < 100; ++k) {
+      const int column = dice.below(40);
+      const int row = dice.below(30);
+      const bool seen = is_met(view, scene.sphere, column + dice.between(-0.5, 0.5),
+                               row + dice.between(-0.5, 0.5));
+      if (seen) ++met;
+      if (!miss(bounds, column, column, row)) continue;
+      ++outside;
+      REQUIRE_FALSE(seen);
+    }
+  }
+  CHECK(outside > 50000);
+  CHECK(met > 20000);
+}
+
+TEST_CASE(
+    "the bounds are no more than the pixel that is added from the outline, on all four sides") {
+  Dice dice;
+  int inside = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Scene scene = any_scene(dice);
+    const View<> view = view_of(scene.camera, 40, 30);
+    const ScreenBounds bounds = screen_bounds(view, scene.sphere);
+    // Only where the whole outline is in the picture.
+    if (!(bounds.left > 0 && bounds.right < 39 && bounds.top > 0 && bounds.bottom < 29)) continue;
+    ++inside;
+    double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+    for (double row = bounds.top; row <= bounds.bottom; row += 0.02) {
+      for (double column = bounds.left; column <= bounds.right; column += 0.02) {
+        if (!is_met(view, scene.sphere, column, row)) continue;
+        left = std::min(left, column);
+        right = std::max(right, column);
+        top = std::min(top, row);
+        bottom = std::max(bottom, row);
+      }
+    }
+    CAPTURE(i);
+    CHECK(left - bounds.left == doctest::Approx(1).epsilon(0.1));
+    CHECK(bounds.right - right == doctest::Approx(1).epsilon(0.1));
+    CHECK(top - bounds.top == doctest::Approx(1).epsilon(0.1));
+    CHECK(bounds.bottom - bottom == doctest::Approx(1).epsilon(0.1));
+  }
+  CHECK(inside > 20);
+}
+
+TEST_CASE(
+    "round the eye a sphere is everywhere, and one that reaches behind the eye has no edge on that "
+    "side") {
+  const View<> view =
+      view_of({.eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_y_degrees = 60}, 40, 30);
+  const ScreenBounds around = screen_bounds(view, {{0.5, 0, 0}, 1});
+  for (int row = 0; row < 30; ++row) CHECK_FALSE(miss(around, 0, 0, row));
+  CHECK_FALSE(miss(around, 39, 39, 0));
+
+  const ScreenBounds to_the_right = screen_bounds(view, {{2, 0, -0.5}, 1.9});
+  CHECK(to_the_right.right == infinity<double>());
+  CHECK(to_the_right.left > -infinity<double>());
+  const ScreenBounds below = screen_bounds(view, {{0, -1000, -1}, 999.5});
+  CHECK(below.bottom == infinity<double>());
+  CHECK(below.top > 0);
+  CHECK(below.top < 30);
+  CHECK(miss(below, 0, 39, 0));
+  CHECK_FALSE(miss(below, 0, 39, 29));
+}
+
+TEST_CASE("the columns of a row are those of the picture, whole numbers between the bounds") {
+  const auto equal = [](Span a, Span b) { return a.first == b.first && a.end == b.end; };
+  CHECK(equal(ScreenBounds{9.5, 20.5, 0, 9}.columns(3, 40), {10, 21}));
+  CHECK(equal(ScreenBounds{-7, 20, 0, 9}.columns(3, 40), {0, 21}));
+  CHECK(equal(ScreenBounds{30, 70, 0, 9}.columns(3, 40), {30, 40}));
+  CHECK(equal(ScreenBounds{-infinity<double>(), infinity<double>(), 0, 9}.columns(3, 40), {0, 40}));
+  CHECK(equal(ScreenBounds{-9, -3, 0, 9}.columns(3, 40), {40, 40}));
+  CHECK(equal(ScreenBounds{41, 50, 0, 9}.columns(3, 40), {40, 40}));
+  CHECK(equal(ScreenBounds{10, 20, 4, 9}.columns(3, 40), {40, 40}));
+}
+
+TEST_CASE("pixels from a first to a last miss the rectangle when all of them do") {
+  const ScreenBounds bounds{10, 20, 5, 8};
+  CHECK(miss(bounds, 0, 9, 6));
+  CHECK_FALSE(miss(bounds, 0, 10, 6));
+  CHECK_FALSE(miss(bounds, 12, 13, 6));
+  CHECK_FALSE(miss(bounds, 0, 39, 6));
+  CHECK_FALSE(miss(bounds, 20, 30, 6));
+  CHECK(miss(bounds, 21, 30, 6));
+  CHECK(miss(bounds, 12, 13, 4));
+  CHECK_FALSE(miss(bounds, 12, 13, 5));
+  CHECK_FALSE(miss(bounds, 12, 13, 8));
+  CHECK(miss(bounds, 12, 13, 9));
+}
+
+}  // namespace
+}  // namespace texmap::test

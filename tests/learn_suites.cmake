@@ -1,0 +1,17 @@
+# The build for learning: its programs draw the golden pictures, too, and say what they lack. Included by CMakeLists.txt here.
+
+if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
+  set(learn "${CMAKE_BINARY_DIR}/learn")
+  set(chapters 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
+    07_earth_by_sampling 14_numerical_extremes)
+  add_test(NAME learn_configure COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_SOURCE_DIR}" -B "${learn}" -G "${CMAKE_GENERATOR}"
+    "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DTEXMAP_LEARN=ON)
+  add_test(NAME learn_build COMMAND "${CMAKE_COMMAND}" --build "${learn}" --parallel 2 --target ${chapters} compare_program)
+  add_test(NAME learn_pictures COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/golden/programs.sh" "${learn}/bin" ${chapters})
+  add_test(NAME learn_has_one_number COMMAND "${learn}/bin/02_checkerboard_uv" --number float --out /dev/null)
+  set_tests_properties(learn_has_one_number PROPERTIES PASS_REGULAR_EXPRESSION "this one was built for learning")
+  set_tests_properties(learn_configure PROPERTIES FIXTURES_SETUP learn_configured)
+  set_tests_properties(learn_build PROPERTIES FIXTURES_REQUIRED learn_configured FIXTURES_SETUP learn_built TIMEOUT 600)
+  set_tests_properties(learn_pictures learn_has_one_number PROPERTIES FIXTURES_REQUIRED learn_built)
+  set_tests_properties(learn_configure learn_build learn_pictures learn_has_one_number PROPERTIES LABELS learn)
+endif()

@@ -1,0 +1,21 @@
+# Lessons as their writers may write them, and what the compiler says of their mistakes. Included by CMakeLists.txt here.
+
+add_suite(lessons/test_lessons ON app LABELS lessons)
+
+# add_mistake(NAME NUMBER MESSAGE): a lesson that must not compile, and what the message must say.
+function(add_mistake name number message)
+  add_test(NAME lesson_${name} COMMAND "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -DTEXMAP_LEARN
+    "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp")
+  set_tests_properties(lesson_${name} PROPERTIES LABELS lessons)
+  if(message)
+    set_tests_properties(lesson_${name} PROPERTIES PASS_REGULAR_EXPRESSION "${message}")
+  endif()
+endfunction()
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  add_mistake(without_a_mistake_compiles 0 "")
+  add_mistake(with_a_misspelt_hook_does_not 1 "prepair.*marked .*override.*, but does not override|only virtual member functions can be marked 'override'|prepair.*override")
+  add_mistake(with_a_misspelt_fact_does_not 2 "no non-static data member named .*idae|field designator 'idae'")
+  add_mistake(without_hooks_does_not 3 "a lesson begins with")
+  add_mistake(without_facts_does_not 4 "a lesson says what it is about")
+  add_mistake(with_a_hook_that_lacks_its_parameter_does_not 5 "prepare.*override")
+endif()

@@ -1,0 +1,168 @@
+// Tests of common/scene/light.hpp: Lambert's law and shadows.
+#include <doctest.h>
+
+#include <vector>
+
+#include "number/kinds/pack.hpp"
+#include "scene/light.hpp"
+
+namespace texmap::test {
+namespace {
+
+struct Thing {
+  Sphere<> shape;
+};
+
+/// A point of the ground, which faces up.
+template <class Real>
+const Hit<Real> ground{
+    .normal = {0, 1, 0}, .point = {0, 0, 0}, .outside = {0, 0, 0}, .inside = {0, 0, 0}};
+
+const std::vector<Thing> nothing;
+
+/// A list of objects that counts how often somebody looks at it.
+struct Watched {
+  const std::vector<Thing>& things;
+  int& looks;
+  [[nodiscard]] auto begin() const {
+    ++looks;
+    return things.begin();
+  }
+  [[nodiscard]] auto end() const { return things.end(); }
+};
+
+TEST_CASE_TEMPLATE("brightness follows the cosine at exact points", Real, float, double,
+                   long double) {
+  struct Row {
+    Point light;
+    long double cosine;
+  };
+  const Row table[] = {
+      {{0, 5, 0}, 1},        {{3, 4, 0}, 0.8L},      {{0, 3, -4}, 0.6L}, {{0, 1e-3, 0}, 1},
+      {{2, 1, 2}, 1 / 3.0L}, {{-2, 3, 6}, 3 / 7.0L}, {{5, 0, 0}, 0},     {{0, -5, 0}, 0},
+      {{3, -4, 0}, 0},       {{3e6, 4e6, 0}, 0.8L},
+  };
+  for (const Row& row : table) {
+    CAPTURE(row.light.x);
+    CAPTURE(row.light.y);
+    const LightSample<Real> light = sample_light(PointLight{row.light}, nothing, ground<Real>);
+    const Real epsilon = std::numeric_limits<Real>::epsilon();
+    CHECK(abs(light.cosine - static_cast<Real>(row.cosine)) <= epsilon);
+    CHECK(abs(length(light.to_light) - Real(1)) <= Real(3) * epsilon);
+    CHECK(dot(light.to_light, number_cast<Real>(row.light)) > Real(0));
+    const Real brightness = lambert(Lambertian{.ambient = 0.25, .diffuse = 0.5}, light);
+    CHECK(abs(brightness - static_cast<Real>(0.25L + 0.5L * row.cosine)) <= epsilon);
+  }
+}
+
+TEST_CASE_TEMPLATE("a matt surface is 0.2 in shadow and 1 under the light unless told otherwise",
+                   Real, float, double, long double) {
+  CHECK(lambert(Lambertian{}, LightSample<Real>{{0, 1, 0}, Real(0)}) == Real(0.2));
+  // 0.2 and 0.8 are numbers of a scene, rounded in double.
+  const Real lit = lambert(Lambertian{}, LightSample<Real>{{0, 1, 0}, Real(1)});
+  CHECK(abs(lit - Real(1)) <= static_cast<Real>(std::numeric_limits<double>::epsilon()) / Real(2));
+}
+
+TEST_CASE_TEMPLATE(
+    "a thing between the light and the surface takes the light, and anything elsewhere leaves it",
+    Real, float, double, long double) {
+  const PointLight above{{0, 5, 0}};
+  struct Row {
+    const char* where;
+    Sphere<> sphere;
+    bool dark;
+  };
+  const Row table[] = {
+      {"between", {{0, 2.5, 0}, 0.5}, true},
+      {"between, off the line", {{0.4, 2.5, 0}, 0.5}, true},
+      {"beside", {{0.6, 2.5, 0}, 0.5}, false},
+      {"behind the light", {{0, 7, 0}, 0.5}, false},
+      {"below the ground", {{0, -2, 0}, 0.5}, false},
+      {"around the light", {{0, 5, 0}, 0.5}, true},
+      {"around everything", {{0, 0, 0}, 50}, false},
+  };
+  for (const Row& row : table) {
+    CAPTURE(row.where);
+    for (const std::vector<Thing>& things : {std::vector<Thing>{{row.sphere}},
+                                             {{row.sphere}, {{{9, 9, 9}, 1}}},
+                                             {{{{9, 9, 9}, 1}}, {row.sphere}}}) {
+      const LightSample<Real> light = sample_light(above, things, ground<Real>);
+      CHECK(light.cosine == (row.dark ? Real(0) : Real(1)));
+      CHECK(light.to_light.y == Real(1));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "a face turned away from the light costs no shadow ray and is as dark as with one", Real, float,
+    double, long double) {
+  const std::vector<Thing> things = {{{{0, 2.5, 0}, 0.5}}, {{{0, -2.5, 0}, 0.5}}};
+  for (const Point& position :
+       {Point{0, -5, 0}, Point{3, -4, 0}, Point{5, 0, 0}, Point{0, 5, 0}, Point{3, 4, 0}}) {
+    int looks = 0;
+    const LightSample<Real> light =
+        sample_light(PointLight{position}, Watched{things, looks}, ground<Real>);
+    CAPTURE(position.x);
+    CAPTURE(position.y);
+    CHECK(looks == (position.y > 0 ? 1 : 0));
+    if (position.y <= 0) CHECK(light.cosine == Real(0));
+  }
+}
+
+TEST_CASE_TEMPLATE("a sphere does not shade the half of itself that faces the light", Real, float,
+                   double, long double) {
+  for (const double radius : {1e-3, 1.0, 1e3}) {
+    const std::vector<Thing> things = {{{{radius, -2 * radius, 3 * radius}, radius}}};
+    const Sphere<>& sphere = things[0].shape;
+    const PointLight lamp{{9 * radius, 7 * radius, 5 * radius}};
+    int lit = 0;
+    int wrong = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double y = 1 - (2 * i + 1.0) / 2000;
+      const Point out{std::sqrt(1 - y * y) * std::cos(i * 2.4), y,
+                      std::sqrt(1 - y * y) * std::sin(i * 2.4)};
+      const Point eye = sphere.center + out * (3 * radius);
+      const Ray<Real> ray{number_cast<Real>(eye), number_cast<Real>(-out)};
+      const Hit<Real> hit = hit_at(sphere, ray, distance_to(sphere, ray));
+      const LightSample<Real> alone = sample_light(lamp, nothing, hit);
+      const LightSample<Real> light = sample_light(lamp, things, hit);
+      if (light.cosine != alone.cosine) ++wrong;
+      if (light.cosine > Real(0)) ++lit;
+    }
+    CAPTURE(radius);
+    CHECK(wrong == 0);
+    CHECK(lit > 800);
+    CHECK(lit < 1000);
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "the shadow ray starts at the lifted point, and the light's direction at the hit point", Real,
+    float, double, long double) {
+  const std::vector<Thing> things = {{{{0, 2, 0}, 1}}};
+  const PointLight above{{0, 9, 0}};
+  Hit<Real> hit = ground<Real>;
+  hit.outside = {0, Real(3.5), 0};  // already past the thing
+  CHECK(sample_light(above, things, hit).cosine == Real(1));
+  CHECK(sample_light(above, things, ground<Real>).cosine == Real(0));
+}
+
+TEST_CASE_TEMPLATE("each lane of a pack has its own shadow", T, float, double) {
+  using Many = Pack<T>;
+  const std::vector<Thing> things = {{{{0, 2, 0}, 0.5}}};
+  const PointLight above{{0, 4, 0}};
+  const auto x = from_lanes<Many>([](std::size_t i) { return i % 2 == 0 ? T(0) : T(3); });
+  const Vec3<Many> at{x, Many(0), Many(0)};
+  const LightSample<Many> lamps =
+      sample_light(above, things, Hit<Many>{{Many(0), Many(1), Many(0)}, at, at, at});
+  for (std::size_t i = 0; i < lanes<Many>; ++i) {
+    const Vec3<T> one{lane(x, i), 0, 0};
+    const LightSample<T> light = sample_light(above, things, Hit<T>{{0, 1, 0}, one, one, one});
+    CHECK(lane(lamps.cosine, i) == light.cosine);
+    CHECK(lane(lamps.to_light.x, i) == light.to_light.x);
+    CHECK((light.cosine > T(0)) == (i % 2 == 1));
+  }
+}
+
+}  // namespace
+}  // namespace texmap::test

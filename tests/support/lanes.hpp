@@ -1,0 +1,90 @@
+// The law of packs: each lane computes what a plain number computes.
+#pragma once
+#include <doctest.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "math/color.hpp"
+#include "number/kinds/pack.hpp"
+#include "scene/ray.hpp"
+#include "support/dice.hpp"
+#include "support/lane_of.hpp"
+#include "texture/uv.hpp"
+
+namespace texmap::test {
+
+/// The same numbers to the last bit, or NaN in both.
+template <class T>
+[[nodiscard]] bool alike(T a, T b) {
+  if (a != a || b != b) return a != a && b != b;
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+template <class T>
+[[nodiscard]] bool alike(const Vec3<T>& a, const Vec3<T>& b) {
+  return alike(a.x, b.x) && alike(a.y, b.y) && alike(a.z, b.z);
+}
+template <class T>
+[[nodiscard]] bool alike(const Color<T>& a, const Color<T>& b) {
+  return alike(a.r, b.r) && alike(a.g, b.g) && alike(a.b, b.b);
+}
+template <class T>
+[[nodiscard]] bool alike(const Uv<T>& a, const Uv<T>& b) {
+  return alike(a.u, b.u) && alike(a.v, b.v);
+}
+template <class T>
+[[nodiscard]] bool alike(const Ray<T>& a, const Ray<T>& b) {
+  return alike(a.origin, b.origin) && alike(a.direction, b.direction);
+}
+template <class... Parts>
+[[nodiscard]] bool alike(const std::tuple<Parts...>& a, const std::tuple<Parts...>& b) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return (alike(std::get<i>(a), std::get<i>(b)) && ...);
+  }
+  (std::make_index_sequence<sizeof...(Parts)>());
+}
+
+/// Checks that `function` gives for packs, in each lane, what it gives for that lane's numbers.
+///
+/// @param inputs  packs, or vectors, colors, places and rays of them
+template <class Many, class Function, class... Inputs>
+void check_each_lane(const Function& function, const Inputs&... inputs) {
+  const auto many = function(inputs...);
+  for (std::size_t i = 0; i < lanes<Many>; ++i) {
+    CAPTURE(i);
+    REQUIRE(alike(lane_of(many, i), function(lane_of(inputs, i)...)));
+  }
+}
+
+/// Another number in each lane, from `low` to `high`.
+template <class Many>
+[[nodiscard]] Many any_pack(Dice& dice, double low, double high) {
+  return from_lanes<Many>(
+      [&](std::size_t) { return static_cast<Scalar<Many>>(dice.between(low, high)); });
+}
+template <class Many>
+[[nodiscard]] Vec3<Many> any_vectors(Dice& dice, double low, double high) {
+  return {any_pack<Many>(dice, low, high), any_pack<Many>(dice, low, high),
+          any_pack<Many>(dice, low, high)};
+}
+
+/// The law for a texture, at 200 packs of places in and around the picture.
+template <class T, class Texture>
+void check_lanes_of_texture(const Texture& texture) {
+  for (int start = 0; start < 200; ++start) {
+    const auto places = [start](int step, int between, int count) {
+      return from_lanes<Pack<T>>([=](std::size_t lane) {
+        return static_cast<T>((start * step + static_cast<int>(lane) * between) % (count + 20) -
+                              10) /
+               static_cast<T>(count);
+      });
+    };
+    check_each_lane<Pack<T>>(
+        [&]<class Real>(const Real& u, const Real& v) {
+          return texture(Uv<Real>{u, v});
+        },
+        places(7, 31, 211), places(13, 5, 196));
+  }
+}
+
+}  // namespace texmap::test

@@ -1,0 +1,47 @@
+// Laws for every chapter's lesson: all numbers draw one picture; a step changes what it declares.
+#pragma once
+#include <doctest.h>
+
+#include "number/kinds/pack.hpp"
+#include "support/pictures.hpp"
+
+namespace texmap::test {
+
+/// Checks that all numbers draw a lesson alike, in a size that no pack divides.
+///
+/// @param most_in_float  pixels that may differ in float; some must, or float was not used
+template <class Lesson>
+void check_all_numbers(const Lesson& lesson, long most_in_float) {
+  const auto in = [&]<class Real>(Real) { return picture<Real>(lesson, 803, 601); };
+  const Image reference = in(1.0);
+  const Image in_float = in(1.0F);
+  CHECK(in(1.0L) == reference);
+  CHECK(in(Pack<double>(1)) == reference);
+  CHECK(in(Pack<float>(1)) == in_float);
+  CHECK(count_different(in_float, reference) <= most_in_float);
+  CHECK(count_different(in_float, reference) > 0);
+}
+
+/// Checks that only the objects that the step declares have changed, and that it finds a stray one.
+///
+/// @param stray  an object that may not change: it is painted `blue`
+/// @return  how many pixels have changed
+template <class Before, class After>
+long check_step(const Before& before, const After& after, std::size_t stray) {
+  const std::vector<int> seen = objects_seen(before);
+  const Image first = picture(before);
+  Image second = picture(after);
+  const auto elsewhere = [&](const Image& image) {
+    return changed_elsewhere(first, image, seen, After::about.changed_objects);
+  };
+  CHECK(elsewhere(second) == 0);
+  const long changed = count_different(first, second);
+  After wrong = after;
+  wrong.objects[stray].paint = Solid{blue};
+  CHECK(elsewhere(picture(wrong)) > 1000);
+  second.at(10, 10).b ^= 1;
+  CHECK(elsewhere(second) == 1);
+  return changed;
+}
+
+}  // namespace texmap::test
