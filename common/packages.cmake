@@ -24,18 +24,30 @@ if(missing)
     "  Debian, Ubuntu   apt-get install libstb-dev doctest-dev\n"
     "  Fedora           dnf install stb_image-devel stb_image_write-devel doctest-devel\n"
     "  Arch             pacman -S stb doctest\n"
-    "  vcpkg            vcpkg install stb doctest     (then -D CMAKE_TOOLCHAIN_FILE=.../vcpkg.cmake)\n"
+    "  vcpkg            set VCPKG_ROOT to its folder; then cmake --preset vcpkg installs them for this project\n"
     "  Homebrew         brew install doctest          (it has no stb: clone https://github.com/nothings/stb and set\n"
     "                   -D stb_image_INCLUDE_DIR=... -D stb_image_write_INCLUDE_DIR=... to that folder)")
 endif()
 
 # Packs of numbers: with xsimd they are fast, without it a fallback compiles everywhere (number/kinds/batch.hpp).
+# Its file being there is not enough: it has to know the machine, and to round as single numbers do, which 32-bit ARM's vectors do not.
 find_path(xsimd_INCLUDE_DIR xsimd/xsimd.hpp)
 mark_as_advanced(xsimd_INCLUDE_DIR)
-add_library(packs INTERFACE)
 if(xsimd_INCLUDE_DIR)
+  include(CheckCXXSourceCompiles)
+  set(CMAKE_REQUIRED_INCLUDES "${xsimd_INCLUDE_DIR}")
+  check_cxx_source_compiles("
+    #include <xsimd/xsimd.hpp>
+    #if XSIMD_VERSION_MAJOR < 8 || defined(XSIMD_NO_SUPPORTED_ARCHITECTURE) || defined(__arm__)
+    #error
+    #endif
+    int main() { return xsimd::batch<float>(1.0F).get(0) < 1; }" XSIMD_KNOWS_THIS_MACHINE)
+  unset(CMAKE_REQUIRED_INCLUDES)
+endif()
+add_library(packs INTERFACE)
+if(xsimd_INCLUDE_DIR AND XSIMD_KNOWS_THIS_MACHINE)
   target_include_directories(packs SYSTEM INTERFACE "${xsimd_INCLUDE_DIR}")
   target_compile_definitions(packs INTERFACE TEXMAP_HAVE_XSIMD)
 else()
-  message(STATUS "xsimd not found: packs of numbers will be slow (Debian libxsimd-dev, Fedora xsimd-devel, Arch, brew, vcpkg xsimd)")
+  message(STATUS "no xsimd for this machine: packs of numbers will be slow (Debian libxsimd-dev, Fedora xsimd-devel, Arch, brew, vcpkg xsimd)")
 endif()

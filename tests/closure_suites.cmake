@@ -56,7 +56,7 @@ add_test(NAME architecture_page COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURC
 set_tests_properties(layers layers_refuse_a_climber architecture_page PROPERTIES LABELS closure)
 
 # No work before main, in the libraries and in the chapters.
-if(CMAKE_NM AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT TEXMAP_INSTRUMENT)
+if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
   set(files "")
   foreach(library texture picture kernels render app)
     list(APPEND files "$<TARGET_FILE:${library}>")

@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
+
+#ifdef __FAST_MATH__
+#error "This course measures rounding errors: it cannot be compiled with -ffast-math or -Ofast."
+#endif
 
 namespace texmap {
 
@@ -38,12 +41,15 @@ using Mask = typename NumberTraits<Real>::Mask;
 template <class Real>
 inline constexpr std::size_t lanes = NumberTraits<Real>::lanes;
 
+/// The digits of pi for every `long double` there is. (libc++ has std::numbers::pi in double.)
+inline constexpr long double pi_digits = 3.14159265358979323846264338327950288L;
+
 // Constants are functions, so that no global is initialized before main.
 
 /// Pi to every digit of `Real`.
 template <class Real>
 [[nodiscard]] inline Real pi() {
-  return Real(std::numbers::pi_v<Scalar<Real>>);
+  return Real(static_cast<Scalar<Real>>(pi_digits));
 }
 
 /// Plus infinity: the distance of a ray that hits nothing.

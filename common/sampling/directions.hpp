@@ -25,7 +25,7 @@ struct CircleSeries {
   std::array<Number, terms> cosine{}, sine{};
 
   constexpr CircleSeries() {
-    const Number turn = Number(2) * std::numbers::pi_v<Number>;
+    const Number turn = Number(2) * static_cast<Number>(pi_digits);
     cosine[0] = Number(1);
     sine[0] = turn;
     for (std::size_t k = 1; k < terms; ++k) {

@@ -1,6 +1,7 @@
 // What packs are built on: xsimd's batches if CMake found xsimd, else arrays with the same names.
 #pragma once
 #ifdef TEXMAP_HAVE_XSIMD
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 namespace texmap::simd {
@@ -20,7 +21,24 @@ using xsimd::log1p;
 using xsimd::max;
 using xsimd::min;
 using xsimd::select;
-using xsimd::sqrt;
+
+/// a / b, rounded in each lane like a single number.
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> divide(const batch<T, Arch>& a, const batch<T, Arch>& b) {
+#ifdef __aarch64__  // xsimd 8 divides floats by Newton's method there
+  if constexpr (std::is_same_v<T, float>) return batch<T, Arch>(vdivq_f32(a, b));
+#endif
+  return a / b;
+}
+
+/// The square root, rounded in each lane like a single number's.
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> sqrt(const batch<T, Arch>& a) {
+#ifdef __aarch64__
+  if constexpr (std::is_same_v<T, float>) return batch<T, Arch>(vsqrtq_f32(a));
+#endif
+  return xsimd::sqrt(a);
+}
 
 }  // namespace texmap::simd
 
@@ -119,6 +137,10 @@ struct alignas(16) batch {
   }
 };
 
+template <class T, class Arch>
+[[nodiscard]] batch<T, Arch> divide(const batch<T, Arch>& a, const batch<T, Arch>& b) {
+  return a / b;
+}
 template <class T, class Arch>
 [[nodiscard]] bool any(const batch_bool<T, Arch>& a) {
   bool found = false;

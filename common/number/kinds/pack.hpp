@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
 #include "number/kinds/batch.hpp"
@@ -35,7 +34,7 @@ class Pack {
   friend Pack operator+(const Pack& a, const Pack& b) { return a.values_ + b.values_; }
   friend Pack operator-(const Pack& a, const Pack& b) { return a.values_ - b.values_; }
   friend Pack operator*(const Pack& a, const Pack& b) { return a.values_ * b.values_; }
-  friend Pack operator/(const Pack& a, const Pack& b) { return a.values_ / b.values_; }
+  friend Pack operator/(const Pack& a, const Pack& b) { return simd::divide(a.values_, b.values_); }
   friend Pack operator-(const Pack& a) { return -a.values_; }
 
   friend Mask operator<(const Pack& a, const Pack& b) { return a.values_ < b.values_; }
@@ -75,9 +74,9 @@ class Pack {
         simd::select(diagonal, narrow - wide, narrow) / simd::select(diagonal, narrow + wide, wide);
     const Batch angle = t + t * arc_tangent_rest(t * t);
 
-    constexpr long double quarter = std::numbers::pi_v<long double> / 4;
-    constexpr T high = static_cast<T>(quarter);
-    constexpr T low = static_cast<T>(quarter - static_cast<long double>(high));
+    // pi / 4 in two parts; the lower one is written out, since long double may have no more digits.
+    constexpr T high = static_cast<T>(pi_digits / 4);
+    constexpr T low = std::is_same_v<T, float> ? T(-2.18556941e-8L) : T(3.06161699786838302e-17L);
     const auto twice_if_steep = [&](T eighth) {
       return simd::select(diagonal, Batch(eighth),
                           simd::select(steep, Batch(T(2) * eighth), Batch(T(0))));

@@ -15,7 +15,7 @@ namespace {
 
 /// The larger of two numbers of a reference; std::max of both names would be ambiguous.
 template <class Number>
-void raise(Number& worst, const Number& other) {
+void keep_worst(Number& worst, const Number& other) {
   if (other > worst) worst = other;
 }
 
@@ -60,8 +60,8 @@ Measured measure(const std::function<Uv<Real>(const Vec3<Real>&)>& mapping,
       // A NaN must not look like no error at all.
       if (!(off_u <= 1 && off_v <= 1) || !(lane(uv.u, i) >= 0 && lane(uv.u, i) < 1))
         return {1e30, 1e30};
-      raise(worst.u, static_cast<double>(off_u));
-      raise(worst.v, static_cast<double>(off_v));
+      keep_worst(worst.u, static_cast<double>(off_u));
+      keep_worst(worst.v, static_cast<double>(off_v));
     }
   }
   return worst;
