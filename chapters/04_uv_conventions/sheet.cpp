@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "conventions_compared.hpp"
-#include "engine/app/standard_streams.hpp"
+#include "engine/system/system.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"

@@ -1,6 +1,6 @@
 // Runs the lesson: says how far it is, prints the tables, and writes plots, figures and the sheet.
 #include "engine/app/budget_options.hpp"
-#include "engine/app/standard_streams.hpp"
+#include "engine/system/system.hpp"
 #include "lesson.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -13,7 +13,7 @@ void Lesson::show(Session& session) {
   std::vector<Budget> budgets = {read_budget("exact"), read_budget("texels=0.01"),
                                  read_budget("levels=1")};
   if (!budget.empty()) budgets.push_back(read_budget(budget));
-  check_report(settings.out);
+  check_report(path_of(settings.out));
   const Globe globe(texture.load());
   const SheetLayout layout(settings.width, settings.height);
   const View<> view = globe.view(layout.panel_width, layout.panel_height);
@@ -35,7 +35,7 @@ void Lesson::show(Session& session) {
     for (const Budget& each : budgets) lines += recommendation(all, each, globe.nearest.image);
     print(lines);
   }
-  write_report(settings.out, all);
+  write_report(path_of(settings.out), all);
   session.save(sheet);
 }
 

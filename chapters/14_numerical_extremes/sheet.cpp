@@ -5,7 +5,7 @@
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
-#include "engine/app/standard_streams.hpp"
+#include "engine/system/system.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"

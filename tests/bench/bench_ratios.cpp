@@ -12,7 +12,7 @@
 #include "bench.hpp"
 #include "engine/app/command_line.hpp"
 #include "engine/app/run_chapter.hpp"
-#include "engine/app/standard_streams.hpp"
+#include "engine/system/system.hpp"
 #include "measure.hpp"
 #include "processes.hpp"
 #include "report.hpp"

@@ -8,7 +8,7 @@
 #include "03_image_texture/lesson.hpp"
 #include "bench.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/files/read_file.hpp"
+#include "engine/system/system.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/save_png.hpp"
 #include "pictures.hpp"

@@ -3,7 +3,7 @@
 
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 #include "support/lesson_laws.hpp"
 
 using namespace texmap;

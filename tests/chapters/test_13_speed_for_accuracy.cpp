@@ -577,19 +577,18 @@ TEST_CASE("the progress names what comes next, and ends with the run") {
 TEST_CASE("a picture that goes to a device has no report, and others have five files") {
   CHECK(names_of_report("/dev/null").empty());
   CHECK(names_of_report("out/13.png") ==
-        std::vector<std::string>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
+        std::vector<std::filesystem::path>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
                                  "out/13_error_samples.svg", "out/13_error_seconds.svg",
                                  "out/13.json"});
 }
 
 TEST_CASE("a number and samples cannot be chosen, and budgets that are none are refused") {
-  const auto show = [](std::vector<const char*> words) {
+  const auto show = [](const std::vector<std::string>& words) {
     Lesson lesson;
     CommandLine line("test", "");
     lesson.options(line);
     Session session("test", line, Lesson::about);
-    words.insert(words.begin(), "test");
-    if (line.parse(static_cast<int>(words.size()), words.data())) lesson.show(session);
+    if (line.parse(words)) lesson.show(session);
   };
   CHECK_THROWS_AS(show({"--number", "float"}), UsageError);
   CHECK_THROWS_AS(show({"--samples", "4"}), UsageError);

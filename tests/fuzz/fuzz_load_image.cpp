@@ -16,7 +16,7 @@
 #include "engine/picture/codecs/png_chunks.hpp"
 #include "engine/picture/codecs/read_png.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 
 namespace texmap::test {
 

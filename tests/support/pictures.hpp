@@ -20,10 +20,7 @@ Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) 
   CommandLine line("test", "");
   lesson.options(line);
   Session session("test", line, Lesson::about, offers_for(lesson));
-  std::vector<const char*> typed = {"test"};
-  for (const std::string& word : words) typed.push_back(word.c_str());
-  if (!line.parse(static_cast<int>(typed.size()), typed.data()))
-    throw std::runtime_error("no picture was asked for");
+  if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
   lesson.prepare(session);
   const Budget budget = read_budget(session.settings.budget);
   if constexpr (requires { lesson.phong; }) lesson.phong.plan(session, budget);

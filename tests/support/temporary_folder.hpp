@@ -1,13 +1,11 @@
 // A folder for one test, gone with it.
 #pragma once
-#include <unistd.h>
-
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,10 +15,12 @@ namespace texmap::test {
 /// A new empty folder that vanishes with everything in it at the end of the test.
 class TemporaryFolder {
  public:
-  TemporaryFolder()
-      : path_((std::filesystem::temp_directory_path() / "texmap-test-XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr)
-      throw std::runtime_error("cannot make a folder for a test at " + path_);
+  TemporaryFolder() {
+    const std::filesystem::path place = std::filesystem::temp_directory_path();
+    std::random_device random;
+    do {
+      path_ = (place / ("texmap-test-" + std::to_string(random()))).generic_string();
+    } while (!std::filesystem::create_directory(path_));  // false where there is one
   }
   ~TemporaryFolder() {
     std::error_code nobody_asks;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <locale>
 #include <sstream>
 
-#include "engine/app/standard_streams.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 namespace {
@@ -16,41 +16,6 @@ namespace {
                                std::string_view typed) {
   throw UsageError(std::string(option) + " takes " + std::string(expected) + ", not '" +
                    std::string(typed) + "'");
-}
-
-/// A number as people write it: 0.3, not 0.299999.
-std::string shown(double value) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << value;
-  return out.str();
-}
-
-bool all_digits(std::string_view text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-/// [+-] digits [. digits] [e [+-] digits], with a digit before or after the point.
-bool is_decimal(std::string_view text) {
-  const auto skip_sign = [&text] {
-    if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
-  };
-  skip_sign();
-  if (const auto e = text.find_first_of("eE"); e != std::string_view::npos) {
-    std::string_view exponent = text.substr(e + 1);
-    if (!exponent.empty() && (exponent.front() == '-' || exponent.front() == '+'))
-      exponent.remove_prefix(1);
-    if (!all_digits(exponent)) return false;
-    text = text.substr(0, e);
-  }
-  if (const auto point = text.find('.'); point != std::string_view::npos) {
-    const std::string_view whole = text.substr(0, point);
-    const std::string_view part = text.substr(point + 1);
-    return (all_digits(whole) && (part.empty() || all_digits(part))) ||
-           (whole.empty() && all_digits(part));
-  }
-  return all_digits(text);
 }
 
 }  // namespace
@@ -66,14 +31,7 @@ int parse_whole(std::string_view option, std::string_view text, int low, int hig
 }
 
 double parse_decimal(std::string_view option, std::string_view text, double low, double high) {
-  double value = std::nan("");
-  if (is_decimal(text)) {
-    std::istringstream in{std::string(text)};
-    in.imbue(std::locale::classic());
-    in >> value;
-    if (in.fail() && std::abs(value) > 1)
-      value = std::nan("");  // beyond the largest double; a number that is too small is 0
-  }
+  const double value = read_decimal(text).value_or(std::nan(""));
   // Written so that a NaN fails it.
   if (!(value >= low && value <= high)) {
     refuse_value(option, "a number from " + shown(low) + " to " + shown(high), text);
@@ -139,11 +97,11 @@ void CommandLine::positional(std::string_view name, std::string& value, std::str
 
 void CommandLine::statuses(std::string_view text) { statuses_ = text; }
 
-bool CommandLine::parse(int argc, const char* const* argv) {
+bool CommandLine::parse(const std::vector<std::string>& words) {
   typed_.clear();
   auto awaited = positionals_.begin();
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string_view word = words[i];
     if (word == "--help" || word == "-h") {
       print(help());
       return false;
@@ -174,8 +132,8 @@ bool CommandLine::parse(int argc, const char* const* argv) {
       option->read("");
     } else if (equals != std::string_view::npos) {
       option->read(word.substr(equals + 1));
-    } else if (i + 1 < argc) {
-      option->read(argv[++i]);
+    } else if (i + 1 < words.size()) {
+      option->read(words[++i]);
     } else {
       throw UsageError(option->name + " needs a value: " + option->name + " " +
                        option->placeholder);
@@ -183,6 +141,10 @@ bool CommandLine::parse(int argc, const char* const* argv) {
   }
   if (awaited != positionals_.end()) throw UsageError(awaited->name + " is missing");
   return true;
+}
+
+bool CommandLine::parse(int argc, const char* const* argv) {
+  return parse(typed_words(argc, argv));
 }
 
 bool CommandLine::was_given(std::string_view name) const {

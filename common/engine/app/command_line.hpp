@@ -78,8 +78,11 @@ class CommandLine {
 
   /// Reads what the user typed.
   ///
+  /// @param words  without the program's name
   /// @return  false after --help or --version, which were answered on stdout
   /// Errors: UsageError.
+  [[nodiscard]] bool parse(const std::vector<std::string>& words);
+  /// The same for what `main` was called with.
   [[nodiscard]] bool parse(int argc, const char* const* argv);
 
   /// True when the option was typed; valid after parse().

@@ -8,9 +8,9 @@
 #include "engine/app/budget_options.hpp"
 #include "engine/app/sampling_options.hpp"
 #include "engine/app/session.hpp"
-#include "engine/app/standard_streams.hpp"
 #include "engine/render/develop.hpp"
 #include "engine/render/draw.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 

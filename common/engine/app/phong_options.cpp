@@ -3,8 +3,8 @@
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
-#include "engine/app/standard_streams.hpp"
 #include "engine/kernels/kernel_plan.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 

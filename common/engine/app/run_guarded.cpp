@@ -1,16 +1,14 @@
 // What every main program does with errors: a message and an exit status.
 #include "engine/app/run_guarded.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <string_view>
+#include <string>
 
 #include "engine/app/command_line.hpp"
-#include "engine/app/standard_streams.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 namespace {
@@ -20,9 +18,7 @@ void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_
 /// Called when there is not even the memory to throw an exception.
 [[noreturn]] void give_up() {
   if (std::current_exception()) std::abort();
-  constexpr std::string_view words = "error: not enough memory\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
-  _exit(1);
+  end_with("error: not enough memory\n");
 }
 
 }  // namespace

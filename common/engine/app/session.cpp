@@ -7,11 +7,11 @@
 #include <system_error>
 
 #include "engine/app/command_line.hpp"
-#include "engine/app/standard_streams.hpp"
 #include "engine/measure/stopwatch.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/progress.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 namespace {
@@ -137,17 +137,15 @@ void Session::check() const {
     std::error_code error;
     std::filesystem::create_directories("out", error);  // check_output reports an error
   }
-  check_output(settings.out);
+  check_output(path_of(settings.out));
 }
 
-std::string Session::file_name(std::string_view suffix) const {
-  const std::string& out = settings.out;
-  const auto slash = out.find_last_of('/');
-  const auto dot = out.find_last_of('.');
-  const bool has_ending =
-      dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
-  const std::size_t at = has_ending ? dot : out.size();
-  return out.substr(0, at) + std::string(suffix) + out.substr(at);
+std::filesystem::path Session::file_name(std::string_view suffix) const {
+  std::filesystem::path file = path_of(settings.out);
+  std::filesystem::path name = file.stem();
+  name += path_of(suffix);
+  name += file.extension();
+  return file.replace_filename(name);
 }
 
 Image Session::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
@@ -168,11 +166,11 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
 void Session::count_rays(double rays) { times_->rays += rays; }
 
 void Session::save(const Image& image, std::string_view suffix) {
-  const std::string file = file_name(suffix);
+  const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
   if (!settings.quiet) {
     const double all = times_->load + times_->render + saving.encode + saving.write;
-    print(file +
+    print(name_of(file) +
           text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f), "
                "%.1f million rays/s\n",
                image.width, image.height, all, times_->load, times_->render, saving.encode,

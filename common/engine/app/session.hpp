@@ -1,5 +1,6 @@
 // One run of a chapter's program: the user's choices, drawing, saving.
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -70,7 +71,7 @@ class Session {
   /// Errors: FileError; the old file is then unchanged.
   void save(const Image& image, std::string_view suffix = "");
   /// The name of the file that save() writes.
-  [[nodiscard]] std::string file_name(std::string_view suffix) const;
+  [[nodiscard]] std::filesystem::path file_name(std::string_view suffix) const;
 
   /// What `work` draws with the user's settings; save() reports its time and rays.
   [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);

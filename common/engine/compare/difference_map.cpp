@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/files/image_limits.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
 #include "math/srgb.hpp"
 
 namespace texmap {

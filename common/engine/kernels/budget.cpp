@@ -2,9 +2,7 @@
 #include "engine/kernels/budget.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <locale>
-#include <sstream>
+#include <optional>
 #include <vector>
 
 #include "engine/kernels/biquadratic.hpp"
@@ -12,17 +10,10 @@
 #include "engine/kernels/root_texture.hpp"
 #include "engine/kernels/srgb_kernel.hpp"
 #include "engine/kernels/turns.hpp"
+#include "engine/measure/text.hpp"
 
 namespace texmap {
 namespace {
-
-std::string shown(double value) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(2);
-  out << value;
-  return out.str();
-}
 
 [[noreturn]] void refuse(std::string_view text) {
   throw std::invalid_argument(
@@ -62,7 +53,7 @@ std::string brief(const Budget& budget) {
   const std::string text = to_text(budget);
   return budget.unit == Budget::Unit::exact
              ? text
-             : text.substr(0, text.find('=') + 1) + shown(budget.limit);
+             : text.substr(0, text.find('=') + 1) + shown(budget.limit, 2);
 }
 
 std::string describe(const UvChoice& choice, const Budget& budget, int width, int height) {
@@ -73,9 +64,9 @@ std::string describe(const UvChoice& choice, const Budget& budget, int width, in
   }
   return "(u, v) for " + brief(budget) + " on " + size + ": polynomials in " +
          (choice.number == KernelNumber::float_ ? "float" : "double") + ", arc tangent of degree " +
-         std::to_string(choice.degree) + ", unit vectors; at worst " + shown(choice.worst_texels) +
-         " texels and " + shown(choice.worst_levels) + " levels; " + shown(choice.cost) +
-         " of the reference's time";
+         std::to_string(choice.degree) + ", unit vectors; at worst " +
+         shown(choice.worst_texels, 2) + " texels and " + shown(choice.worst_levels, 2) +
+         " levels; " + shown(choice.cost, 2) + " of the reference's time";
 }
 
 bool keeps_to(const Budget& budget, const UvChoice& choice) {
@@ -94,8 +85,8 @@ std::string describe(const std::string& what, const Budget& budget, int terms, d
                      const std::string& exact) {
   const std::string start = what + " for " + brief(budget) + ": ";
   if (terms == 0) return start + exact;
-  return start + "a polynomial of " + std::to_string(terms) + " terms; at worst " + shown(worst) +
-         " levels";
+  return start + "a polynomial of " + std::to_string(terms) + " terms; at worst " +
+         shown(worst, 2) + " levels";
 }
 
 }  // namespace
@@ -112,35 +103,17 @@ Budget parse_budget(std::string_view text) {
     refuse(text);
   }
   number.remove_prefix(7);
-  // from_chars would also accept inf and nan, which begin with a letter.
-  if (number.empty() ||
-      !(number.front() == '.' || (number.front() >= '0' && number.front() <= '9')))
-    refuse(text);
-  const auto [end, error] =
-      std::from_chars(number.data(), number.data() + number.size(), budget.limit);
-  if (error != std::errc() || end != number.data() + number.size() ||
-      !(budget.limit > 0 && budget.limit <= 255))
-    refuse(text);
+  // A sign is none that a budget has.
+  const bool begins = number.starts_with('.') || (number >= "0" && number < ":");
+  const std::optional<double> limit = begins ? read_decimal(number) : std::nullopt;
+  if (!limit || !(*limit > 0 && *limit <= 255)) refuse(text);
+  budget.limit = *limit;
   return budget;
 }
 
 std::string to_text(const Budget& budget) {
   if (budget.unit == Budget::Unit::exact) return "exact";
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(17);
-  // The shortest text that reads back as the same number.
-  std::string number;
-  for (int digits = 1; digits <= 17; ++digits) {
-    out.str("");
-    out.precision(digits);
-    out << budget.limit;
-    number = out.str();
-    double again = 0;
-    std::from_chars(number.data(), number.data() + number.size(), again);
-    if (again == budget.limit) break;
-  }
-  return (budget.unit == Budget::Unit::texels ? "texels=" : "levels=") + number;
+  return (budget.unit == Budget::Unit::texels ? "texels=" : "levels=") + round_trip(budget.limit);
 }
 
 UvChoice choose_uv_kernel(const Budget& budget, int width, int height) {
@@ -195,8 +168,8 @@ SurfaceChoice choose_surface_kernel(const Budget& budget, int width, int height)
   }
   choice.text = choice.mapping.text + "\npixels for " + brief(budget) +
                 ": polynomials through nine probes for each that bends the picture by less than " +
-                shown(choice.smoothing.most_curvature_error) + "; at worst " +
-                (levels ? shown(budget.limit) + " levels" : shown(budget.limit) + " texels") +
+                shown(choice.smoothing.most_curvature_error, 2) + "; at worst " +
+                (levels ? shown(budget.limit, 2) + " levels" : shown(budget.limit, 2) + " texels") +
                 " with (u, v)";
   return choice;
 }
@@ -239,7 +212,7 @@ TexelChoice choose_texel_kernel(const Budget& budget) {
   const std::string start = "texels for " + brief(budget) + ": ";
   if (budget.unit == Budget::Unit::levels && 2 * worst <= budget.limit) {
     return {true, worst,
-            start + "ten bits for the root of light; at worst " + shown(worst) + " levels"};
+            start + "ten bits for the root of light; at worst " + shown(worst, 2) + " levels"};
   }
   return {false, 0, start + "as they are, decoded by a table"};
 }

@@ -2,8 +2,6 @@
 #include "engine/measure/json.hpp"
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "engine/measure/text.hpp"
 
@@ -27,22 +25,6 @@ Json enclosed(char open, const std::vector<std::string>& members, char close, bo
 }
 
 }  // namespace
-
-std::string round_trip(double value) {
-  std::string digits;
-  for (const int precision : {15, 16, 17}) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(precision);
-    out << value;
-    digits = out.str();
-    std::istringstream in(digits);
-    in.imbue(std::locale::classic());
-    double read = 0;
-    if (in >> read && read == value) break;
-  }
-  return digits;
-}
 
 Json::Json(double value) : text(std::isfinite(value) ? round_trip(value) : "null") {}
 

@@ -9,12 +9,6 @@
 
 namespace texmap {
 
-/// A number as the shortest of 15, 16 or 17 digits that reads back as the same number, whatever the
-/// locale is.
-///
-/// @param value  finite
-[[nodiscard]] std::string round_trip(double value);
-
 /// A value as JSON text. Numbers that are not finite are null, which is all that JSON has for them.
 struct Json {
   std::string text;

@@ -1,10 +1,70 @@
 // Numbers in sentences.
 #include "engine/measure/text.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <locale>
+#include <sstream>
 
 namespace texmap {
+namespace {
+
+bool all_digits(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// [+-] digits [. digits] [e [+-] digits], with a digit before or after the point.
+bool is_decimal(std::string_view text) {
+  const auto skip_sign = [&text] {
+    if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  };
+  skip_sign();
+  if (const auto e = text.find_first_of("eE"); e != std::string_view::npos) {
+    std::string_view exponent = text.substr(e + 1);
+    if (!exponent.empty() && (exponent.front() == '-' || exponent.front() == '+'))
+      exponent.remove_prefix(1);
+    if (!all_digits(exponent)) return false;
+    text = text.substr(0, e);
+  }
+  if (const auto point = text.find('.'); point != std::string_view::npos) {
+    const std::string_view whole = text.substr(0, point);
+    const std::string_view part = text.substr(point + 1);
+    return (all_digits(whole) && (part.empty() || all_digits(part))) ||
+           (whole.empty() && all_digits(part));
+  }
+  return all_digits(text);
+}
+
+}  // namespace
+
+std::optional<double> read_decimal(std::string_view text) {
+  if (!is_decimal(text)) return {};
+  std::istringstream in{std::string(text)};
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> value;
+  if (in.fail() && std::abs(value) > 1) return {};  // a number that is too small is 0
+  return value;
+}
+
+std::string shown(double value, int digits) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(digits);
+  out << value;
+  return out.str();
+}
+
+std::string round_trip(double value) {
+  for (const int digits : {15, 16}) {
+    std::string text = shown(value, digits);
+    if (read_decimal(text) == value) return text;
+  }
+  return shown(value, 17);
+}
 
 std::string text(const char* format, ...) {
   std::va_list values;

@@ -3,8 +3,8 @@
 
 #include "engine/picture/codecs/read_jpeg.hpp"
 #include "engine/picture/codecs/read_png.hpp"
-#include "engine/picture/files/file_error.hpp"
-#include "engine/picture/files/image_limits.hpp"
+#include "engine/system/file_error.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
 
 namespace texmap {
 

@@ -1,8 +1,8 @@
 // From the name of a PNG or JPEG file to a picture.
 #pragma once
-#include <string>
+#include <filesystem>
 
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
@@ -12,6 +12,6 @@ namespace texmap {
 /// @param path  a regular file of 1 byte to 64 MiB with at most 16384 pixels a side and 2^27 in all
 /// @return      8 bits a channel, no alpha; decode_image says how other files are converted
 /// Errors: FileError `cannot load texture 'F': why`, never a part of a picture; std::bad_alloc.
-[[nodiscard]] Image load_image(const std::string& path);
+[[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 }  // namespace texmap

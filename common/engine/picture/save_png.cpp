@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/measure/stopwatch.hpp"
-#include "engine/picture/files/image_limits.hpp"
-#include "engine/picture/files/write_file.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 namespace {
@@ -49,11 +49,11 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return bytes;
 }
 
-void check_output(const std::string& path) {
+void check_output(const std::filesystem::path& path) {
   with_name("cannot write", path, [&] { check_writable(path); });
 }
 
-SavingTime save_png(const Image& image, const std::string& path) {
+SavingTime save_png(const Image& image, const std::filesystem::path& path) {
   SavingTime time;
   with_name("cannot write", path, [&] {
     const Stopwatch encoding;

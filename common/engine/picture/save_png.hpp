@@ -1,10 +1,10 @@
 // From a picture to a PNG file.
 #pragma once
 #include <cstdint>
-#include <string>
+#include <filesystem>
 #include <vector>
 
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
@@ -13,7 +13,7 @@ namespace texmap {
 ///
 /// @param path  a new file in a folder that exists, a file to replace, or a device
 /// Errors: FileError `cannot write 'F': why`.
-void check_output(const std::string& path);
+void check_output(const std::filesystem::path& path);
 
 /// The bytes of a picture as a PNG file of 8 bits a channel.
 ///
@@ -33,6 +33,6 @@ struct SavingTime {
 /// @param path   as for check_output
 /// @return       how long encoding and writing took
 /// Errors: FileError `cannot write 'F': why`, then the old file is unchanged; std::bad_alloc.
-SavingTime save_png(const Image& image, const std::string& path);
+SavingTime save_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace texmap

@@ -1,17 +1,16 @@
 // The progress line on the terminal.
 #include "engine/render/progress.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <utility>
 
 #include "engine/measure/text.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap {
 
 Progress::Progress(bool wanted, std::function<std::string()> remark)
-    : enabled_(wanted && isatty(STDERR_FILENO) == 1), remark_(std::move(remark)) {}
+    : enabled_(wanted && stderr_is_watched()), remark_(std::move(remark)) {}
 
 Progress::~Progress() {
   // Spaces and carriage returns only: every terminal understands them.

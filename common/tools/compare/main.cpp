@@ -7,16 +7,15 @@
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/run_guarded.hpp"
-#include "engine/app/standard_streams.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/difference_map.hpp"
 #include "engine/compare/figures_json.hpp"
 #include "engine/measure/text.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/files/file_error.hpp"
-#include "engine/picture/files/read_file.hpp"
-#include "engine/picture/files/write_file.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/system/file_error.hpp"
+#include "engine/system/system.hpp"
 
 namespace {
 
@@ -61,20 +60,15 @@ struct Request {
   }
 };
 
-Image load(const std::string& path) {
-  try {
-    return decode_image(read_file(path));
-  } catch (const FileError& error) {
-    throw FileError("cannot load '" + path + "': " + error.what());
-  }
+Image load(const std::string& typed) {
+  const std::filesystem::path path = path_of(typed);
+  return with_name("cannot load", path,
+                   [&] { return decode_image(read_file(path, max_file_bytes)); });
 }
 
-void save_json(const std::string& json, const std::string& path) {
-  try {
-    write_file_atomically(path, std::vector<std::uint8_t>(json.begin(), json.end()));
-  } catch (const FileError& error) {
-    throw FileError("cannot write '" + path + "': " + error.what());
-  }
+void save_json(const std::string& json, const std::string& typed) {
+  const std::filesystem::path path = path_of(typed);
+  with_name("cannot write", path, [&] { write_text_atomically(path, json); });
 }
 
 std::string text_of(Rgb8 color) { return text("(%d, %d, %d)", color.r, color.g, color.b); }
@@ -112,8 +106,8 @@ std::string verdict(const Request& request, std::size_t off, bool same) {
 /// Does all that was asked for. Returns whether the pictures are the same by the chosen rule.
 bool compare(const Request& request) {
   const Share at_most = parse_share(request.at_most);
-  if (!request.map.empty()) check_output(request.map);
-  if (!request.json.empty()) check_output(request.json);
+  if (!request.map.empty()) check_output(path_of(request.map));
+  if (!request.json.empty()) check_output(path_of(request.json));
 
   const Image a = load(request.a);
   const Image b = load(request.b);
@@ -122,7 +116,7 @@ bool compare(const Request& request) {
   const std::size_t off = pixels_off_by_more_than(figures, request.levels);
   const bool same = at_most.holds(off, figures.pixels_compared);
 
-  if (!request.map.empty()) save_png(difference_map(a, b, mask), request.map);
+  if (!request.map.empty()) save_png(difference_map(a, b, mask), path_of(request.map));
   if (!request.json.empty()) save_json(figures_json(figures), request.json);
   if (!request.quiet) print(table(figures) + verdict(request, off, same));
   return same;

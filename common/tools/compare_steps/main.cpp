@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <span>
 #include <sstream>
 
 #include "01_plain_spheres/lesson.hpp"
@@ -17,8 +16,7 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "comparison.hpp"
 #include "engine/app/run_chapter.hpp"
-#include "engine/app/standard_streams.hpp"
-#include "engine/picture/files/write_file.hpp"
+#include "engine/system/system.hpp"
 
 namespace {
 
@@ -68,21 +66,16 @@ constexpr std::array<Chapter, 6> chapters = {{
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string text_of(const std::string& path) {
+std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path);
   std::ostringstream text;
   text << in.rdbuf();
-  if (!in) throw std::runtime_error("cannot read '" + path + "'");
+  if (!in) throw std::runtime_error("cannot read '" + name_of(path) + "'");
   return text.str();
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  try {
-    write_file_atomically(
-        path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-  } catch (const FileError& error) {
-    throw std::runtime_error("cannot write '" + path + "': " + error.what());
-  }
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  with_name("cannot write", path, [&] { write_text_atomically(path, text); });
 }
 
 /// Compares chapters[from] with chapters[to] and writes the page; true if nothing else changed.
@@ -98,16 +91,17 @@ bool compare_pair(std::size_t from, std::size_t to, const Choices& choices) {
   may_change.erase(std::unique(may_change.begin(), may_change.end()), may_change.end());
 
   const steps::Comparison result = steps::compare(std::move(before), std::move(after), may_change);
-  const std::string place = choices.folder + "/" + std::string(chapters[from].name, 2) + "-" +
-                            std::string(chapters[to].name, 2);
+  const std::filesystem::path place =
+      path_of(choices.folder) /
+      (std::string(chapters[from].name, 2) + "-" + std::string(chapters[to].name, 2));
   std::filesystem::create_directories(place);
   const auto lesson = [&](std::size_t i) {
-    return text_of(choices.source + "/" + chapters[i].name + "/lesson.hpp");
+    return text_of(path_of(choices.source) / chapters[i].name / "lesson.hpp");
   };
-  write_text(place + "/report.json", steps::report_json(result));
-  write_text(place + "/index.html", steps::report_page(result, lesson(from), lesson(to)));
-  if (!choices.quiet || result.changed_elsewhere > 0)
-    print(steps::summary(result, place + "/index.html"));
+  write_text(place / "report.json", steps::report_json(result));
+  const std::filesystem::path page = place / "index.html";
+  write_text(page, steps::report_page(result, lesson(from), lesson(to)));
+  if (!choices.quiet || result.changed_elsewhere > 0) print(steps::summary(result, name_of(page)));
   return result.changed_elsewhere == 0;
 }
 
@@ -127,9 +121,9 @@ std::size_t place_of(const std::string& typed) {
 
 /// The chapter's folder, whether it can be compared or not.
 /// Errors: UsageError if there is none.
-std::string name_of(const std::string& typed, const std::string& source) {
-  for (const auto& entry : std::filesystem::directory_iterator(source)) {
-    std::string name = entry.path().filename().string();
+std::string chapter_named(const std::string& typed, const std::string& source) {
+  for (const auto& entry : std::filesystem::directory_iterator(path_of(source))) {
+    std::string name = name_of(entry.path().filename());
     const bool is_chapter =
         name.size() > 3 && is_digit(name[0]) && is_digit(name[1]) && name[2] == '_';
     if (is_chapter && is_number_of(typed, name)) return name;
@@ -139,10 +133,10 @@ std::string name_of(const std::string& typed, const std::string& source) {
 
 /// What to say of two chapters with different scenes: where their difference can be read.
 std::string why_not(const std::string& before, const std::string& after, const Choices& choices) {
-  const std::string from = name_of(before, choices.source);
-  const std::string to = name_of(after, choices.source);
+  const std::string from = chapter_named(before, choices.source);
+  const std::string to = chapter_named(after, choices.source);
   const std::string new_scene = place_of(after) == chapters.size() ? to : from;
-  const std::string folder = std::filesystem::proximate(choices.source).string();
+  const std::string folder = name_of(std::filesystem::proximate(path_of(choices.source)));
   return "chapter " + new_scene.substr(0, 2) +
          " begins a new scene, and pictures of different scenes have no pixels to compare.\nThe "
          "step is told in " +

@@ -35,8 +35,7 @@ template <class... Words>
 Fruit read(Words... words) {
   Fruit fruit;
   CommandLine line = line_for(fruit);
-  const std::array<const char*, sizeof...(words) + 1> typed = {"fruit", words...};
-  const bool goes_on = line.parse(static_cast<int>(typed.size()), typed.data());
+  const bool goes_on = line.parse({words...});
   CHECK(goes_on);
   return fruit;
 }
@@ -139,8 +138,7 @@ TEST_CASE("the help names every option with its default") {
 TEST_CASE("typed says which options the user gave") {
   Fruit fruit;
   CommandLine line = line_for(fruit);
-  const std::array<const char*, 3> typed = {"fruit", "--count", "3"};
-  CHECK(line.parse(3, typed.data()));
+  CHECK(line.parse({"--count", "3"}));
   CHECK(line.was_given("--count"));
   CHECK_FALSE(line.was_given("--weight"));
 }
@@ -159,9 +157,8 @@ std::string filled(Basket& basket, Words... words) {
   line.whole("--count", basket.count, 1, 9, "how many");
   line.positional("SECOND", basket.second, "on the right");
   line.statuses("0 it fits; 5 it does not");
-  const std::array<const char*, sizeof...(words) + 1> typed = {"basket", words...};
   try {
-    const bool goes_on = line.parse(static_cast<int>(typed.size()), typed.data());
+    const bool goes_on = line.parse({words...});
     CHECK(goes_on);
     CHECK(line.was_given("FIRST"));
     CHECK(line.was_given("SECOND"));
@@ -222,10 +219,8 @@ TEST_CASE(
   std::vector<std::string> stones;
   CommandLine line("fruit", "counts fruit");
   line.texts("--stone", "NAME", stones, "may be given several times");
-  const std::array<const char*, 4> typed = {"fruit", "--stone", "plum", "--stone=cherry"};
-  CHECK(line.parse(static_cast<int>(typed.size()), typed.data()));
+  CHECK(line.parse({"--stone", "plum", "--stone=cherry"}));
   CHECK(stones == std::vector<std::string>{"plum", "cherry"});
-  const std::array<const char*, 3> empty = {"fruit", "--stone", ""};
-  CHECK_THROWS_AS((void)line.parse(static_cast<int>(empty.size()), empty.data()), UsageError);
+  CHECK_THROWS_AS((void)line.parse({"--stone", ""}), UsageError);
   CHECK(line.help().find("--stone NAME") != std::string::npos);
 }

@@ -69,8 +69,7 @@ TEST_CASE("numbers are offered as far as the lesson's code runs with them") {
 
 TEST_CASE("a chapter's own size holds unless the user chose another") {
   Started started({.idea = "an idea"});
-  const char* const typed[] = {"lesson", "--width", "640"};
-  REQUIRE(started.line.parse(3, typed));
+  REQUIRE(started.line.parse({"--width", "640"}));
   started.session.default_size(400, 200);
   CHECK(started.session.settings.width == 640);
   CHECK(started.session.settings.height == 200);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/compare/made_pictures.hpp"
 #include "engine/picture/load_image.hpp"
+#include "support/made_pictures.hpp"
 
 namespace texmap::test {
 

@@ -6,9 +6,9 @@
 
 #include "engine/compare/difference_map.hpp"
 #include "engine/compare/figures_json.hpp"
-#include "engine/compare/made_pictures.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "support/made_pictures.hpp"
 #include "support/running.hpp"
 #include "support/temporary_folder.hpp"
 

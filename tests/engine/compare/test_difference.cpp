@@ -11,9 +11,9 @@
 
 #include "engine/compare/difference.hpp"
 #include "engine/compare/flip.hpp"
-#include "engine/compare/made_pictures.hpp"
 #include "engine/compare/naive_figures.hpp"
 #include "engine/compare/ssim.hpp"
+#include "support/made_pictures.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/compare/difference_map.hpp"
-#include "engine/compare/made_pictures.hpp"
 #include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/files/image_limits.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
+#include "support/made_pictures.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/compare/figures_json.hpp"
+#include "engine/measure/text.hpp"
 
 using namespace texmap;
 

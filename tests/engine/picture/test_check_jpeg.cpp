@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 
 namespace {
 

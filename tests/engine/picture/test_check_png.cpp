@@ -21,7 +21,7 @@
 #include "dice.hpp"
 #include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 
 namespace {
 

@@ -1,7 +1,5 @@
 // Loading a texture: what must load, what must not, and how it says so.
 #include <doctest.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 
 #include <chrono>
 #include <cstdint>
@@ -13,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/picture/codecs/bytes.hpp"
 #include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/files/bytes.hpp"
 #include "engine/picture/load_image.hpp"
 #include "support/image_errors.hpp"
 #include "support/sha256.hpp"
@@ -28,7 +26,6 @@ using texmap::Image;
 using texmap::load_image;
 using texmap::test::bytes_of;
 using texmap::test::image_error_of;
-using texmap::test::TemporaryFolder;
 
 const std::string corpus = std::string(TEXMAP_TESTS_DIR) + "/corpus/";
 
@@ -198,62 +195,4 @@ TEST_CASE("a PNG file whose pixels have a wrong checksum is refused even if its 
   CHECK_THROWS_WITH_AS(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))),
                        "the PNG file is damaged: the checksum of its pixels is wrong",
                        texmap::FileError);
-}
-
-TEST_CASE("special files are refused at once") {
-  const TemporaryFolder folder;
-  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
-  std::filesystem::create_symlink("nowhere", folder / "dangling");
-  std::filesystem::create_symlink("loop", folder / "loop");
-  texmap::test::put(folder / "empty.png", {});
-  texmap::test::put(folder / "sparse.png", {});
-  std::filesystem::resize_file(folder / "sparse.png", std::uintmax_t{10} << 30);
-  const std::string too_long = folder / std::string(300, 'x');
-
-  const std::vector<std::pair<std::string, std::string>> table = {
-      {"", "the name is empty"},
-      {folder / "missing.png", "there is no such file"},
-      {folder / "empty.png/below.png", "a part of the path is a file, not a folder"},
-      {folder / "dangling", "it is a link to a file that does not exist"},
-      {folder / "loop", "too many symbolic links; one probably points back at itself"},
-      {too_long, "the name is too long"},
-      {folder.path(), "it is a folder, not an image file"},
-      {folder / "pipe", "it is a pipe, not an image file"},
-      {folder / "empty.png", "the file is empty"},
-      {folder / "sparse.png", "the file has 10737418240 bytes, more than 67108864 (64 MiB)"},
-      {"/dev/zero", "it is a device, not an image file"},
-      {"/dev/null", "it is a device, not an image file"},
-      {"/dev/urandom", "it is a device, not an image file"},
-      {std::string("a\0b", 3), "the name has a zero byte in it"},
-  };
-  for (const auto& [path, why] : table) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::string said = error_of_loading(path);
-    CHECK(said == "cannot load texture '" + std::string(path.c_str()) + "': " + why);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
-  }
-}
-
-TEST_CASE("a name in any alphabet and in no alphabet at all works") {
-  const TemporaryFolder folder;
-  const Image expected = load_image(corpus + "png_no_extension");
-  for (const std::string name : {"Erde \xC3\xA4\xC3\xB6\xC3\xBC.png", "\xE5\x9C\xB0\xE7\x90\x83",
-                                 "not UTF-8 \xFF\xFE", "'quoted' \"twice\""}) {
-    CAPTURE(name);
-    std::filesystem::copy_file(corpus + "png_no_extension", folder / name);
-    CHECK(load_image(folder / name) == expected);
-    check_sentence(error_of_loading(folder / (name + "?")), folder / (name + "?"));
-  }
-}
-
-TEST_CASE("no file of the corpus leaves an open file behind") {
-  const auto open_files = [] {
-    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"),
-                         std::filesystem::directory_iterator());
-  };
-  if (!std::filesystem::exists("/proc/self/fd")) return;
-  const auto before = open_files();
-  for (const Row& row : rows_of_manifest()) static_cast<void>(error_of_loading(corpus + row.file));
-  static_cast<void>(error_of_loading("/dev/null"));
-  CHECK(open_files() == before);
 }

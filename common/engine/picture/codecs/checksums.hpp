@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "engine/picture/files/bytes.hpp"
+#include "engine/picture/codecs/bytes.hpp"
 
 namespace texmap {
 

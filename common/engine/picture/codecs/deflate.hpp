@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/picture/files/bytes.hpp"
+#include "engine/picture/codecs/bytes.hpp"
 
 namespace texmap {
 

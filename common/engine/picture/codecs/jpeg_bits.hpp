@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/picture/files/bytes.hpp"
-#include "engine/picture/files/file_error.hpp"
+#include "engine/picture/codecs/bytes.hpp"
+#include "engine/system/file_error.hpp"
 
 namespace texmap {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/picture/codecs/checksums.hpp"
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 
 namespace texmap {
 namespace {

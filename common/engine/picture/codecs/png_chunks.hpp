@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/picture/files/bytes.hpp"
-#include "engine/picture/files/image_limits.hpp"
+#include "engine/picture/codecs/bytes.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
 
 namespace texmap {
 

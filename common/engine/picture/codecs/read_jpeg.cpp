@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "engine/picture/codecs/jpeg_bits.hpp"
-#include "engine/picture/files/file_error.hpp"
-#include "engine/picture/files/image_limits.hpp"
+#include "engine/system/file_error.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
 
 namespace texmap {
 namespace {

@@ -1,6 +1,6 @@
 // From the bytes of a PNG file to a picture.
 #pragma once
-#include "engine/picture/files/bytes.hpp"
+#include "engine/picture/codecs/bytes.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {

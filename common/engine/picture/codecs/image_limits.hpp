@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/picture/files/file_error.hpp"
+#include "engine/system/file_error.hpp"
 
 namespace texmap {
 

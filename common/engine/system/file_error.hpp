@@ -1,0 +1,40 @@
+// What goes wrong with a file.
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace texmap {
+
+/// A file that cannot be read, understood or written. Functions that know its name say `cannot load
+/// texture 'F': why` or `cannot write 'F': why` in what(); others say only why.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The path that a user typed: UTF-8 on Windows, any bytes elsewhere.
+[[nodiscard]] inline std::filesystem::path path_of(std::string_view typed) {
+  return std::u8string(typed.begin(), typed.end());
+}
+
+/// A path as text, in the encoding of `path_of`.
+[[nodiscard]] inline std::string name_of(const std::filesystem::path& path) {
+  const std::u8string name = path.u8string();
+  return {name.begin(), name.end()};
+}
+
+/// What `work` returns; a FileError from it gets `failed 'PATH': ` in front.
+template <class Work>
+auto with_name(const std::string& failed, const std::filesystem::path& path, Work work) {
+  try {
+    return work();
+  } catch (const FileError& error) {
+    // Up to a zero byte, if the name has one: what() ends there.
+    const std::string name = name_of(path);
+    throw FileError(failed + " '" + name.c_str() + "': " + error.what());
+  }
+}
+
+}  // namespace texmap

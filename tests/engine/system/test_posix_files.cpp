@@ -1,0 +1,330 @@
+// Files as Linux, macOS and their like have them: links, pipes, devices, permissions, signals.
+#include <doctest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "support/image_errors.hpp"
+#include "support/made_pictures.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace texmap;
+using namespace texmap::test;
+
+const std::string some_picture = std::string(TEXMAP_TESTS_DIR) + "/corpus/png_no_extension";
+
+std::string error_of_loading(const std::string& path) {
+  return image_error_of([&] { static_cast<void>(load_image(path)); });
+}
+
+mode_t permissions(const std::string& path) {
+  struct stat status {};
+  REQUIRE(stat(path.c_str(), &status) == 0);
+  return status.st_mode & 07777U;
+}
+
+std::string error_of_saving(const std::string& path) {
+  return image_error_of([&] { save_png(noise(3, 2, 1), path); });
+}
+
+std::string error_of_checking(const std::string& path) {
+  return image_error_of([&] { check_output(path); });
+}
+
+// How work in a child process ends: its exit status, or 1000 plus the signal that ended it.
+template <class Work>
+int outcome_in_child(Work work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    int status = 99;
+    try {
+      status = work();
+    } catch (...) {
+      status = 98;
+    }
+    _exit(status);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+}
+
+}  // namespace
+
+TEST_CASE("checking a path that can be written says nothing and makes nothing") {
+  const TemporaryFolder folder;
+  put(folder / "old.png", {1, 2, 3});
+  fs::create_symlink("made later.png", folder / "link.png");
+  for (const std::string& path :
+       {folder / "new.png", folder / "old.png", folder / "link.png", std::string("/dev/null")}) {
+    CHECK_NOTHROW(check_output(path));
+  }
+  CHECK(folder.size() == 2);
+  CHECK(bytes_of(folder / "old.png") == std::vector<std::uint8_t>{1, 2, 3});
+}
+
+TEST_CASE("a path that cannot be written is named before any work and again when writing") {
+  const TemporaryFolder folder;
+  put(folder / "file", {1});
+  fs::create_symlink("loop", folder / "loop");
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"", "the name is empty"},
+      {std::string("a\0b", 3), "the name has a zero byte in it"},
+      {folder.path(), "it is a folder"},
+      {folder / "", "the name is that of a folder"},
+      {folder / "missing/picture.png", "the folder '" + (folder / "missing") + "' does not exist"},
+      {folder / "file/picture.png",
+       std::string("'") + (folder / "file") + "' is a file, not a folder"},
+      {folder / std::string(300, 'x'), "the name is too long"},
+      {folder / std::string(256, 'x'), "the name is too long"},
+      {folder / "loop", "too many symbolic links; one probably points back at itself"},
+  };
+  for (const auto& [path, why] : table) {
+    const std::string expected = "cannot write '" + std::string(path.c_str()) + "': " + why;
+    CHECK(error_of_checking(path) == expected);
+    CHECK(error_of_saving(path) == expected);
+  }
+  CHECK(folder.size() == 2);
+}
+
+TEST_CASE("a name of 255 bytes, the longest there is, is written") {
+  const TemporaryFolder folder;
+  const std::string path = folder / std::string(255, 'x');
+  CHECK_NOTHROW(check_output(path));
+  CHECK_NOTHROW(save_png(noise(2, 2, 1), path));
+  CHECK(load_image(path) == noise(2, 2, 1));
+}
+
+TEST_CASE("a name without a folder is written into the current folder") {
+  const TemporaryFolder folder;
+  CHECK(outcome_in_child([&] {
+          if (chdir(folder.path().c_str()) != 0) return 3;
+          check_output("here.png");
+          save_png(noise(2, 2, 1), "here.png");
+          return 0;
+        }) == 0);
+  CHECK(load_image(folder / "here.png") == noise(2, 2, 1));
+}
+
+TEST_CASE("folders and files without permission are refused to all but root") {
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms::all);
+  put(folder / "read-only.png", {1, 2, 3});
+  fs::permissions(folder / "read-only.png", fs::perms::owner_read);
+  fs::create_directory(folder / "closed");
+  fs::permissions(folder / "closed", fs::perms::owner_read | fs::perms::owner_exec);
+  const int status = outcome_in_child([&] {
+    if (geteuid() == 0 && setuid(65534) != 0) return 3;
+    if (error_of_checking(folder / "read-only.png").find("permission") == std::string::npos)
+      return 4;
+    if (error_of_saving(folder / "read-only.png").find("permission") == std::string::npos) return 5;
+    if (error_of_checking(folder / "closed/new.png").find("permission") == std::string::npos)
+      return 6;
+    if (error_of_saving(folder / "closed/new.png").find("permission") == std::string::npos)
+      return 7;
+    if (image_error_of([&] {
+          static_cast<void>(load_image(folder / "read-only.png"));
+        }).find("permission") == std::string::npos) {
+      return geteuid() == 65534 ? 8 : 0;
+    }
+    return 0;
+  });
+  CHECK(status == 0);
+  CHECK(bytes_of(folder / "read-only.png") == std::vector<std::uint8_t>{1, 2, 3});
+  fs::permissions(folder / "closed", fs::perms::owner_all);
+}
+
+TEST_CASE("a symbolic link stays one and the file it points to is replaced") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "below");
+  put(folder / "below/target.png", {1, 2, 3});
+  fs::create_symlink("below/target.png", folder / "link.png");
+  fs::create_symlink("link.png", folder / "link to link.png");
+  save_png(noise(5, 4, 1), folder / "link to link.png");
+  CHECK(fs::is_symlink(folder / "link to link.png"));
+  CHECK(fs::is_symlink(folder / "link.png"));
+  CHECK_FALSE(fs::is_symlink(folder / "below/target.png"));
+  CHECK(load_image(folder / "below/target.png") == noise(5, 4, 1));
+  CHECK(folder.size() == 3);
+}
+
+TEST_CASE("a symbolic link that leads nowhere yet leads to the new file") {
+  const TemporaryFolder folder;
+  fs::create_symlink(folder / "new.png", folder / "link.png");
+  save_png(noise(5, 4, 1), folder / "link.png");
+  CHECK(fs::is_symlink(folder / "link.png"));
+  CHECK(load_image(folder / "new.png") == noise(5, 4, 1));
+}
+
+TEST_CASE("a new file has the permissions that the umask leaves and a replaced one keeps its own") {
+  const TemporaryFolder folder;
+  for (const mode_t mask : {mode_t{0}, mode_t{022}, mode_t{027}, mode_t{077}}) {
+    const mode_t before = umask(mask);
+    const std::string path = folder / std::to_string(mask);
+    save_png(noise(2, 2, 1), path);
+    CHECK(permissions(path) == (0666U & ~mask));
+    CHECK(umask(before) == mask);
+  }
+  put(folder / "own.png", {1});
+  REQUIRE(chmod((folder / "own.png").c_str(), 0640) == 0);
+  save_png(noise(2, 2, 1), folder / "own.png");
+  CHECK(permissions(folder / "own.png") == 0640);
+}
+
+TEST_CASE("a device is written to and stays a device") {
+  CHECK_NOTHROW(check_output("/dev/null"));
+  CHECK_NOTHROW(save_png(noise(40, 30, 1), "/dev/null"));
+  CHECK(fs::is_character_file("/dev/null"));
+  if (fs::exists("/dev/full")) {
+    CHECK(error_of_saving("/dev/full") == "cannot write '/dev/full': the disk is full");
+    CHECK(fs::is_character_file("/dev/full"));
+  }
+}
+
+TEST_CASE("a pipe that nobody reads is an error and one that somebody reads gets the picture") {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(error_of_saving(pipe) ==
+        "cannot write '" + pipe + "': nobody is at the other end of the pipe");
+
+  const Image image = noise(200, 200, 1);  // more than a pipe holds at once
+  std::vector<std::uint8_t> received;
+  std::thread reader([&] { received = bytes_of(pipe); });
+  bool sent = false;
+  for (int attempt = 0; attempt < 1000 && !sent; ++attempt) {
+    sent = image_error_of([&] { save_png(image, pipe); }) == "nothing was thrown";
+    if (!sent) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  REQUIRE(sent);
+  reader.join();
+  put(folder / "received.png", received);
+  CHECK(load_image(folder / "received.png") == image);
+}
+
+TEST_CASE("when the disk is full the old picture stays as it was and nothing else is left") {
+  const TemporaryFolder folder;
+  save_png(noise(10, 10, 1), folder / "old.png");
+  const std::vector<std::uint8_t> before = bytes_of(folder / "old.png");
+  for (const std::string name : {"old.png", "new.png"}) {
+    CAPTURE(name);
+    CHECK(outcome_in_child([&] {
+            const rlimit limit = {4096, 4096};
+            if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return 3;
+            const std::string said =
+                image_error_of([&] { save_png(noise(100, 100, 1), folder / name); });
+            return said == "cannot write '" + (folder / name) +
+                               "': the file would be larger than the system allows"
+                       ? 0
+                       : 4;
+          }) == 0);
+    CHECK(bytes_of(folder / "old.png") == before);
+    CHECK(folder.size() == 1);
+  }
+}
+
+TEST_CASE("a signal while writing waits until the file is whole and none is lost") {
+  const TemporaryFolder folder;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    save_png(noise(10, 10, 1), folder / "picture.png");
+    const pid_t child = fork();
+    if (child == 0) {
+      ::signal(signal, SIG_DFL);  // the framework of the tests has put its own handler there
+      while (true) save_png(noise(60, 60, 1), folder / "picture.png");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    REQUIRE(kill(child, signal) == 0);
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+    CHECK(load_image(folder / "picture.png") == noise(60, 60, 1));
+    CHECK(folder.size() == 1);
+  }
+}
+
+TEST_CASE("with the first three descriptors closed the picture is whole and holds nothing else") {
+  const TemporaryFolder folder;
+  CHECK(outcome_in_child([&] {
+          for (const int number : {0, 1, 2}) close(number);
+          save_png(noise(20, 10, 1), folder / "picture.png");
+          return 0;
+        }) == 0);
+  CHECK(load_image(folder / "picture.png") == noise(20, 10, 1));
+}
+
+TEST_CASE("special files are refused at once") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  fs::create_symlink("nowhere", folder / "dangling");
+  fs::create_symlink("loop", folder / "loop");
+  put(folder / "empty.png", {});
+  put(folder / "sparse.png", {});
+  fs::resize_file(folder / "sparse.png", std::uintmax_t{10} << 30);
+  const std::string too_long = folder / std::string(300, 'x');
+
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"", "the name is empty"},
+      {folder / "missing.png", "there is no such file"},
+      {folder / "empty.png/below.png", "a part of the path is a file, not a folder"},
+      {folder / "dangling", "it is a link to a file that does not exist"},
+      {folder / "loop", "too many symbolic links; one probably points back at itself"},
+      {too_long, "the name is too long"},
+      {folder.path(), "it is a folder, not an image file"},
+      {folder / "pipe", "it is a pipe, not an image file"},
+      {folder / "empty.png", "the file is empty"},
+      {folder / "sparse.png", "the file has 10737418240 bytes, more than 67108864 (64 MiB)"},
+      {"/dev/zero", "it is a device, not an image file"},
+      {"/dev/null", "it is a device, not an image file"},
+      {"/dev/urandom", "it is a device, not an image file"},
+      {std::string("a\0b", 3), "the name has a zero byte in it"},
+  };
+  for (const auto& [path, why] : table) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string said = error_of_loading(path);
+    CHECK(said == "cannot load texture '" + std::string(path.c_str()) + "': " + why);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  }
+}
+
+TEST_CASE("a name in any alphabet and in no alphabet at all works") {
+  const TemporaryFolder folder;
+  const Image expected = load_image(some_picture);
+  for (const std::string name : {"Erde \xC3\xA4\xC3\xB6\xC3\xBC.png", "\xE5\x9C\xB0\xE7\x90\x83",
+                                 "not UTF-8 \xFF\xFE", "'quoted' \"twice\""}) {
+    CAPTURE(name);
+    fs::copy_file(some_picture, folder / name);
+    CHECK(load_image(folder / name) == expected);
+    const std::string missing = folder / (name + "?");
+    CHECK(error_of_loading(missing) ==
+          "cannot load texture '" + missing + "': there is no such file");
+  }
+}
+
+TEST_CASE("no file, loaded or refused, is left open") {
+  const auto open_files = [] {
+    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+  };
+  if (!fs::exists("/proc/self/fd")) return;
+  const auto before = open_files();
+  for (const auto& file : fs::directory_iterator(fs::path(some_picture).parent_path()))
+    static_cast<void>(error_of_loading(file.path()));
+  static_cast<void>(error_of_loading("/dev/null"));
+  CHECK(open_files() == before);
+}
