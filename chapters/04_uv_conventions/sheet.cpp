@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "conventions_compared.hpp"
-#include "engine/system/system.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"
 #include "engine/render/render.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap::chapter_04 {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
-#include "engine/system/system.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"
 #include "engine/render/threads.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap::chapter_14 {
 namespace {

@@ -8,9 +8,9 @@
 #include "03_image_texture/lesson.hpp"
 #include "bench.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/system/system.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
 #include "pictures.hpp"
 #include "stb_alone.hpp"
 

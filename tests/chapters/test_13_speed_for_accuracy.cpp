@@ -578,8 +578,8 @@ TEST_CASE("a picture that goes to a device has no report, and others have five f
   CHECK(names_of_report("/dev/null").empty());
   CHECK(names_of_report("out/13.png") ==
         std::vector<std::filesystem::path>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
-                                 "out/13_error_samples.svg", "out/13_error_seconds.svg",
-                                 "out/13.json"});
+                                           "out/13_error_samples.svg", "out/13_error_seconds.svg",
+                                           "out/13.json"});
 }
 
 TEST_CASE("a number and samples cannot be chosen, and budgets that are none are refused") {

@@ -1,10 +1,10 @@
 // From the bytes of a PNG or JPEG file to a picture.
 #include "engine/picture/decode_image.hpp"
 
+#include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/codecs/read_jpeg.hpp"
 #include "engine/picture/codecs/read_png.hpp"
 #include "engine/system/file_error.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
 
 namespace texmap {
 

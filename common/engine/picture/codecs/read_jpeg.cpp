@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/codecs/jpeg_bits.hpp"
 #include "engine/system/file_error.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
 
 namespace texmap {
 namespace {
