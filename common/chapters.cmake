@@ -16,13 +16,19 @@ check_cxx_compiler_flag(-mmove-max=256 HAVE_MOVE_MAX)
 if(HAVE_MOVE_MAX)
   list(APPEND wide_avx2 -mmove-max=256 -mstore-max=256)
 endif()
+check_cxx_compiler_flag(-Wa,-muse-unaligned-vector-move HAVE_UNALIGNED_MOVES)
+if(MINGW AND HAVE_UNALIGNED_MOVES)
+  # On Windows g++ aligns the stack for 16 bytes, and then takes it for 32 or 64 (its bug 54412).
+  list(APPEND wide_avx2 -Wa,-muse-unaligned-vector-move)
+  list(APPEND wide_avx512 -Wa,-muse-unaligned-vector-move)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 warns of its own headers of these instructions.
   list(APPEND wide_avx2 -Wno-uninitialized -Wno-maybe-uninitialized)
   list(APPEND wide_avx512 -Wno-uninitialized -Wno-maybe-uninitialized)
 endif()
 set(WIDE_PACKS "")
-if(TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND XSIMD_KNOWS_THIS_MACHINE AND NOT TEXMAP_INSTRUMENT
+if((NOT MINGW OR HAVE_UNALIGNED_MOVES) AND TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND XSIMD_KNOWS_THIS_MACHINE AND NOT TEXMAP_INSTRUMENT
    AND NOT CMAKE_CXX_FLAGS MATCHES "-m(arch|avx)")
   set(WIDE_PACKS avx2 avx512)
 endif()

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/compare/difference.hpp"
 #include "engine/kernels/kernel_plan.hpp"

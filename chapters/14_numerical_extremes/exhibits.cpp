@@ -3,6 +3,7 @@
 #include "exhibits.hpp"
 
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "engine/render/draw.hpp"

@@ -1,5 +1,7 @@
 // A pinhole camera: from a pixel to the ray through it.
 #pragma once
+#include <numbers>
+
 #include "scene/ray.hpp"
 
 namespace texmap {

@@ -1,5 +1,7 @@
 // A camera's lens and exposure: defocus blur and motion blur.
 #pragma once
+#include <numbers>
+
 #include "sampling/directions.hpp"
 #include "scene/camera.hpp"
 

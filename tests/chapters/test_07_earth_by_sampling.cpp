@@ -58,8 +58,8 @@ struct Stated {
 };
 Stated stated_by_program(const std::string& options) {
   const TemporaryFolder folder;
-  const Outcome outcome = run(std::string(TEXMAP_CHAPTER) + " --width 64 --height 36 --out '" +
-                              (folder / "x.png") + "' " + options);
+  const Outcome outcome = run(std::string(TEXMAP_CHAPTER) + " --width 64 --height 36 --out \"" +
+                              (folder / "x.png") + "\" " + options);
   REQUIRE(outcome.status == 0);
   const std::size_t error = outcome.out.find("about ");
   REQUIRE(error != std::string::npos);

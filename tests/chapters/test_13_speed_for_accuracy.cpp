@@ -3,6 +3,7 @@
 #include <doctest.h>
 
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "13_speed_for_accuracy/lesson.hpp"

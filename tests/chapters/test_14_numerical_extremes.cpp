@@ -206,7 +206,7 @@ TEST_CASE("what only one exhibit has a use for is refused for the sheet, and its
     const test::TemporaryFolder folder;
     const test::Outcome outcome =
         test::run(std::string(TEXMAP_CHAPTER) + " --quiet --width 20 --height 20 " + option +
-                  " --out '" + (folder / "x.png") + "'");
+                  " --out \"" + (folder / "x.png") + "\"");
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("need --exhibit NAME") != std::string::npos);
     const auto at = help.find("  " + option.substr(0, option.find(' ') + 1));
@@ -222,7 +222,7 @@ TEST_CASE("the chapter offers the numbers that its formulas run with, and nothin
   const test::TemporaryFolder folder;
   const auto picture = [&](const std::string& options) {
     CAPTURE(options);
-    CHECK(test::run(program + options + " --out '" + (folder / "x.png") + "'").status == 0);
+    CHECK(test::run(program + options + " --out \"" + (folder / "x.png") + "\"").status == 0);
     return test::bytes_of(folder / "x.png");
   };
   const auto in_float = picture("--formulas published --number float");

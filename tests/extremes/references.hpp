@@ -1,5 +1,7 @@
 // The exact answers, each by two formulas: if one of them were wrong, they would not agree.
 #pragma once
+#include <numbers>
+
 #include "digits.hpp"
 #include "scene/ray.hpp"
 

@@ -2,6 +2,8 @@
 #include <doctest.h>
 
 #include "published/uv.hpp"
+
+#include <numbers>
 #include "support/whole_numbers.hpp"
 #include "texture/texel.hpp"
 #include "texture/uv.hpp"

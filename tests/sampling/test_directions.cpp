@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("the circle: cosine and sine of an eighth, within the stated 
   double worst = 0;
   const auto judge = [](const OnCircle<Real>& found, double turns) {
     double error = 0;
-    const long double angle = 2 * std::numbers::pi_v<long double> * static_cast<long double>(turns);
+    const long double angle = 2 * pi_digits * static_cast<long double>(turns);
     for (std::size_t i = 0; i < lanes<Real>; ++i) {
       const long double cosine_error =
           std::abs(static_cast<long double>(lane(found.cosine, i)) - std::cos(angle));

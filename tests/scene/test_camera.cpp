@@ -2,6 +2,8 @@
 #include <doctest.h>
 
 #include "scene/camera.hpp"
+
+#include <numbers>
 #include "support/lanes.hpp"
 
 namespace texmap::test {

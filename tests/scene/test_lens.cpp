@@ -2,6 +2,8 @@
 #include <doctest.h>
 
 #include "sampling/sampled_numbers.hpp"
+
+#include <numbers>
 #include "sampling/samplers.hpp"
 #include "scene/lens.hpp"
 #include "support/lanes.hpp"

@@ -1,6 +1,8 @@
 // Running a program and reading what it says.
 #pragma once
+#ifndef _WIN32
 #include <sys/wait.h>
+#endif
 
 #include <cstdio>
 #include <cstdlib>
@@ -17,16 +19,21 @@ struct Outcome {
   std::string err;  ///< what it wrote to stderr
 };
 
-/// Runs a line of the shell.
+/// Runs a program: on Windows a line of cmd, elsewhere of sh. Double quotes serve both.
 [[nodiscard]] inline Outcome run(const std::string& command) {
   const TemporaryFolder folder;
-  const int result = std::system(
-      ("{ " + command + "; } >'" + (folder / "out") + "' 2>'" + (folder / "err") + "'").c_str());
+  const std::string streams = " >\"" + (folder / "out") + "\" 2>\"" + (folder / "err") + "\"";
+#ifdef _WIN32
+  const int status = std::system(("\"" + command + streams + "\"").c_str());
+#else
+  const int result = std::system(("{ " + command + "; }" + streams).c_str());
+  const int status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
+#endif
   const auto text = [&folder](const char* name) {
     const std::vector<std::uint8_t> bytes = bytes_of(folder / name);
     return std::string(bytes.begin(), bytes.end());
   };
-  return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, text("out"), text("err")};
+  return {status, text("out"), text("err")};
 }
 
 }  // namespace texmap::test

@@ -3,6 +3,8 @@
 #include <doctest.h>
 
 #include "number/kinds/pack.hpp"
+
+#include <numbers>
 #include "published/uv.hpp"
 #include "support/whole_numbers.hpp"
 #include "texture/conventions.hpp"

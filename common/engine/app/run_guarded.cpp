@@ -17,7 +17,14 @@ void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_
 
 /// Called when there is not even the memory to throw an exception.
 [[noreturn]] void give_up() {
-  if (std::current_exception()) std::abort();
+  if (std::current_exception()) {
+    try {
+      throw;
+    } catch (const std::bad_alloc&) {  // libc++ keeps some memory for this exception
+    } catch (...) {
+      std::abort();
+    }
+  }
   end_with("error: not enough memory\n");
 }
 

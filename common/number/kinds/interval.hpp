@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <concepts>
 #include <cstdint>
+#include <numbers>
 
 #include "number/compensated.hpp"
 

@@ -39,7 +39,7 @@ TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, enco
   const TemporaryFolder folder;
   const std::string command = TEXMAP_CHAPTER
       " --width 40 --height 30 --samples 256 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
-  const Outcome outcome = run(command + "'" + (folder / "picture.png") + "'");
+  const Outcome outcome = run(command + "\"" + (folder / "picture.png") + "\"");
   REQUIRE(outcome.status == 0);
   const std::vector<Line> lines = lines_of(outcome.out);
   REQUIRE(lines.size() == 1);
@@ -58,7 +58,7 @@ TEST_CASE("loading counts for the first of several pictures only") {
   const TemporaryFolder folder;
   const std::string command = TEXMAP_CHAPTER
       " --width 40 --height 30 --turntable 3 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
-  const std::vector<Line> lines = lines_of(run(command + "'" + (folder / "turn.png") + "'").out);
+  const std::vector<Line> lines = lines_of(run(command + "\"" + (folder / "turn.png") + "\"").out);
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].load > 1);
   CHECK(lines[1].load == 0);
@@ -69,5 +69,5 @@ TEST_CASE("a quiet chapter prints no line") {
   const TemporaryFolder folder;
   const std::string command = TEXMAP_CHAPTER
       " --quiet --width 40 --height 30 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
-  CHECK(run(command + "'" + (folder / "picture.png") + "'").out == "");
+  CHECK(run(command + "\"" + (folder / "picture.png") + "\"").out == "");
 }

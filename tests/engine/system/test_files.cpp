@@ -75,10 +75,10 @@ TEST_CASE("what cannot be written is named before any work and again when writin
       {folder / "file/picture.png", "'" + (folder / "file") + "' is a file, not a folder"},
       {folder / std::string(256, 'x'), "the name is too long"},
   };
-  for (const auto& [name, why] : table) {
-    CAPTURE(name);
-    CHECK(error_of_checking(path_of(name)) == why);
-    CHECK(error_of_writing(path_of(name)) == why);
+  for (const auto& row : table) {
+    CAPTURE(row.first);
+    CHECK(error_of_checking(path_of(row.first)) == row.second);
+    CHECK(error_of_writing(path_of(row.first)) == row.second);
   }
   CHECK(folder.size() == 1);
 }

@@ -269,6 +269,18 @@ TEST_CASE("with the first three descriptors closed the picture is whole and hold
   CHECK(load_image(folder / "picture.png") == noise(20, 10, 1));
 }
 
+#ifndef TEXMAP_INSTRUMENTED  // which takes memory of its own
+TEST_CASE("a large picture is saved and loaded in memory for its pixels and little more") {
+  const TemporaryFolder folder;
+  save_png(Image(16384, 4096), folder / "large.png");
+  CHECK(outcome_in_child([&] {
+          const rlimit limit = {rlim_t{288} << 20, rlim_t{288} << 20};  // 192 MiB are the pixels
+          if (setrlimit(RLIMIT_AS, &limit) != 0) return 3;
+          return load_image(folder / "large.png").height == 4096 ? 0 : 4;
+        }) == 0);
+}
+#endif
+
 TEST_CASE("special files are refused at once") {
   const TemporaryFolder folder;
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);

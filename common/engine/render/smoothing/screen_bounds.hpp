@@ -1,5 +1,7 @@
 // The part of the picture in which a sphere can be seen.
 #pragma once
+#include <numbers>
+
 #include "scene/camera.hpp"
 #include "scene/sphere.hpp"
 
