@@ -54,8 +54,7 @@ std::vector<Seen> all_errors(const Globe& globe, double east, double up, int wid
   const auto hits = reference_hits(globe, view);
   std::vector<Seen> all;
   for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    const Image reference =
-        picture_of(globe, view, {.number = NumberKind::extended, .filter = filter}, 0);
+    const Image reference = reference_picture(globe, view, filter, 0);
     for (const Trial& trial : all_places(Instructions::baseline)) {
       if (trial.variant.filter == filter)
         all.push_back(
@@ -207,13 +206,10 @@ TEST_CASE_TEMPLATE(
     for (std::uint32_t i = 1; i <= 40000; ++i) {
       const Vec3<T> p = direction<T>(i);
       const Uv<T> uv = mapping(p);
-      const Uv<long double> exact =
-          uv_rtiow(Vec3<long double>{static_cast<long double>(p.x), static_cast<long double>(p.y),
-                                     static_cast<long double>(p.z)});
-      const long double across = std::abs(static_cast<long double>(uv.u) - exact.u);
-      worst.u = std::max(worst.u, static_cast<double>(std::min(across, 1 - across)));
-      worst.v = std::max(worst.v,
-                         static_cast<double>(std::abs(static_cast<long double>(uv.v) - exact.v)));
+      const Uv<Judge> exact = uv_rtiow(number_cast<Judge>(p));
+      const Judge across = abs(Judge(uv.u) - exact.u);
+      worst.u = std::max(worst.u, static_cast<double>(min(across, Judge(1) - across)));
+      worst.v = std::max(worst.v, static_cast<double>(abs(Judge(uv.v) - exact.v)));
     }
     CAPTURE(degree);
     CHECK(worst.u <= stated.u);
