@@ -511,7 +511,14 @@ TEST_CASE("the errors on the chapter's page are those of its program") {
                                      name_of_kernel(trial.variant.degree).c_str());
       if (trial.variant.filter != Filter::nearest || !line.starts_with(start)) continue;
       CAPTURE(line);
-      CHECK(line.ends_with(errors_text(trial)));
+      // The page's judge is long double, which finds no error in itself; pairs do.
+      const bool judges_itself = trial.variant.number == NumberKind::extended;
+      if (judge_is_pair && judges_itself) {
+        CHECK(trial.errors.worst_texels > 0);
+        CHECK(trial.errors.worst_texels < trial.errors.texels_bound);
+      } else {
+        CHECK(line.ends_with(errors_text(trial)));
+      }
       ++found;
     }
   }
