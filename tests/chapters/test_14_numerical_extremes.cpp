@@ -132,7 +132,7 @@ int differing_pixels(const Scene& exhibit) {
     const auto differ = [](const Judge& a, const Fifty& b) {
       const auto most = static_cast<double>(a);
       const auto rest = static_cast<double>(a - Judge(most));
-      return abs(Fifty(most) + Fifty(rest) - b) > Fifty(1e-13);
+      return abs(Fifty(most) + Fifty(rest) - b) > Fifty(1e-17);
     };
     const bool same_color =
         !differ(seen.color.r, truth.color.r) && !differ(seen.color.g, truth.color.g);
