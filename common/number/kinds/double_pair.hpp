@@ -86,7 +86,6 @@ class std::numeric_limits<texmap::DoublePair> {
   static constexpr bool has_quiet_NaN = true;
   static constexpr int digits = 102;  ///< that every operation gets right; numbers may have more
   static constexpr int digits10 = 30;
-  static constexpr int max_digits10 = 33;
   static constexpr int radix = 2;
   static constexpr int min_exponent = Double::min_exponent;
   static constexpr int max_exponent = Double::max_exponent;
