@@ -1,6 +1,7 @@
 # The suites that prove the common code: one file a header, in folders as common/ has them. Included by CMakeLists.txt here.
 
 foreach(suite
+    number/test_double_pair
     number/test_interval
     number/test_number
     number/test_pack
@@ -79,7 +80,7 @@ add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
 mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(boost_multiprecision_INCLUDE_DIR)
-  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables interval triangle)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

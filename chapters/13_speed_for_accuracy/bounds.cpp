@@ -55,12 +55,13 @@ PlaceBound place_bound(const Globe& globe, const Variant& variant, const Referen
 
 /// The largest difference, in levels of 255, between a texel and those that a place can be on as
 /// well: all that the rectangle of `off` around it touches.
-int levels_between_texels(const Image& image, long double x, long double y, const PlaceBound& off) {
-  const auto index = [](long double at) { return static_cast<int>(std::floor(at)); };
-  const int left = index(x - static_cast<long double>(off.columns));
-  const int right = index(x + static_cast<long double>(off.columns));
-  const int low = std::max(index(y - static_cast<long double>(off.rows)), 0);
-  const int high = std::min(index(y + static_cast<long double>(off.rows)), image.height - 1);
+int levels_between_texels(const Image& image, const Judge& x, const Judge& y,
+                          const PlaceBound& off) {
+  const auto index = [](const Judge& at) { return static_cast<int>(floor(at)); };
+  const int left = index(x - Judge(off.columns));
+  const int right = index(x + Judge(off.columns));
+  const int low = std::max(index(y - Judge(off.rows)), 0);
+  const int high = std::min(index(y + Judge(off.rows)), image.height - 1);
   if (left == right && low == high) return 0;
 
   const auto texel = [&image](int column, int row) {  // u wraps, v ends; v = 0 is the lowest row
@@ -141,8 +142,8 @@ int levels_bound(const Globe& globe, const Variant& variant, const ReferenceHit&
   const Image& image = globe.nearest.image;
   const PlaceBound off = place_bound(globe, variant, hit);
   if (off.columns >= image.width || off.rows >= image.height) return 255;
-  const long double x = hit.u * static_cast<long double>(image.width);
-  const long double y = hit.v * static_cast<long double>(image.height);
+  const Judge x = hit.uv.u * Judge(image.width);
+  const Judge y = hit.uv.v * Judge(image.height);
   if (variant.filter == Filter::nearest) return levels_between_texels(image, x, y, off);
   const double mixing = 255 * 8 * roundoff_of(variant.number);  // 8 unit roundoffs are allowed for
   return levels_between_places(globe.bilinear, static_cast<double>(x), static_cast<double>(y), off,

@@ -2,6 +2,7 @@
 // then show.
 #pragma once
 #include "engine/kernels/turns.hpp"
+#include "number/kinds/judge.hpp"
 #include "variant.hpp"
 
 namespace texmap::chapter_13 {
@@ -19,13 +20,13 @@ inline constexpr double least_cosine = 0.141;
 /// the rim than `least_cosine`, for any view: the kernel's error and the normal's.
 [[nodiscard]] double texels_bound(const Globe& globe, NumberKind number, int degree);
 
-/// Where a pixel's ray meets the globe, in extended precision.
+/// Where a pixel's ray meets the globe, by the judge.
 struct ReferenceHit {
   bool met = false;
   double cosine = 0;    ///< of the angle between normal and ray
   double from_rim = 0;  ///< how far from touching the globe the ray passes, in radii
   double round = 0;     ///< length of the circle of this v, as a part of the equator's
-  long double u = 0, v = 0;
+  Uv<Judge> uv{};
 };
 
 /// By how many levels of 255 a pixel can be off; 0 if no rounding can change its bytes. Pixels

@@ -46,8 +46,8 @@ void for_each_ray(const View<>& view, const Visit& visit) {
 template <class Real>
 void measure_places(const Globe& globe, const View<>& view, const PlannedMapping& mapping,
                     const std::vector<ReferenceHit>& hits, Errors& errors) {
-  const auto width = static_cast<long double>(globe.nearest.image.width);
-  const auto height = static_cast<long double>(globe.nearest.image.height);
+  const Judge width(globe.nearest.image.width);
+  const Judge height(globe.nearest.image.height);
   double sum = 0;
   long count = 0;
   for_each_ray<Real>(view, [&](int row, int column, const Ray<Real>& ray) {
@@ -62,11 +62,10 @@ void measure_places(const Globe& globe, const View<>& view, const PlannedMapping
           hits[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
                static_cast<std::size_t>(column) + i];
       if (!hit.met || hit.cosine < least_cosine) continue;
-      const long double across = std::abs(static_cast<long double>(u[i]) - hit.u);
-      const long double along_u =  // u = 0 and u = 1 are one place
-          std::min(across, 1 - across) * static_cast<long double>(hit.round) * width;
-      const long double along_v = std::abs(static_cast<long double>(v[i]) - hit.v) * height;
-      const auto texels = static_cast<double>(std::max(along_u, along_v));
+      const Judge across = abs(Judge(u[i]) - hit.uv.u);  // u = 0 and u = 1 are one place
+      const Judge along_u = min(across, Judge(1) - across) * Judge(hit.round) * width;
+      const Judge along_v = abs(Judge(v[i]) - hit.uv.v) * height;
+      const auto texels = static_cast<double>(max(along_u, along_v));
       errors.worst_texels = std::max(errors.worst_texels, texels);
       sum += texels;
       ++count;
@@ -140,8 +139,12 @@ Film sampled(const Globe& globe, const View<>& view, const Variant& variant, con
                 {.threads = threads, .instructions = variant.instructions});
 }
 
+Image reference_picture(const Globe& globe, const View<>& view, Filter filter, int threads) {
+  return render<Judge>(ReferenceScene{&globe, filter}, view, {.threads = threads});
+}
+
 std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view) {
-  using Real = long double;
+  using Real = Judge;
   std::vector<ReferenceHit> hits;
   for_each_ray<Real>(view, [&](int, int, const Ray<Real>& ray) {
     const Vec3<Real> moment =
@@ -149,14 +152,12 @@ std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view)
     const Real passes = length(moment) / Real(globe.sphere.radius);
     const Real distance = distance_to(globe.sphere, ray);
     ReferenceHit hit{.met = distance < infinity<Real>(),
-                     .from_rim = static_cast<double>(abs(passes - 1))};
+                     .from_rim = static_cast<double>(abs(passes - Real(1)))};
     if (hit.met) {
       const Vec3<Real> normal = normal_at(globe.sphere, ray, distance);
-      const Uv<Real> uv = uv_rtiow(normal);
       hit.cosine = static_cast<double>(-dot(normal, ray.direction));
       hit.round = static_cast<double>(sqrt(square(normal.x) + square(normal.z)));
-      hit.u = uv.u;
-      hit.v = uv.v;
+      hit.uv = uv_rtiow(normal);
     }
     hits.push_back(hit);
   });

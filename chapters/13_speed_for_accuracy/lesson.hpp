@@ -43,7 +43,7 @@ struct Lesson : LessonHooks {
                                      const Tick& tick) const {
     Measurements all{view.width, view.height, all_places(widest), all_curves(widest)};
 
-    // Errors: compared with the same picture in extended precision. Times: on one thread, all
+    // Errors: compared with the same picture in Judge. Times: on one thread, all
     // alternately, the shortest.
     find_errors_of_places(all.places, globe, view, tick);
     find_errors_of_curves(all.curves, globe, view, tick);

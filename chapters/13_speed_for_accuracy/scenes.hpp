@@ -76,6 +76,23 @@ struct OneRayScene {
   }
 };
 
+/// One ray a pixel without a curve, by the reference formula: what variants are compared with.
+struct ReferenceScene {
+  const Globe* globe;
+  Filter filter;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    const Real distance = distance_to(globe->sphere, ray);
+    Color<Real> color = number_cast<Real>(globe->sky);
+    if (distance < infinity<Real>()) {
+      const Uv<Real> uv = uv_rtiow(normal_at(globe->sphere, ray, distance));
+      color = filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv);
+    }
+    return color + gray(Real(0.5 / 255));  // the middle of its byte: see OneRayScene
+  }
+};
+
 /// Many rays a pixel, spread by a sampler, under the sky's light.
 struct ManyRayScene {
   /// A paint that hides its mapping: no patches are compiled for it.

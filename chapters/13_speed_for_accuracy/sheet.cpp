@@ -94,8 +94,7 @@ class Sheet {
 void add_places(Sheet& sheet, const Globe& globe, const View<>& view, Filter filter, int threads) {
   const bool nearest = filter == Filter::nearest;
   const auto hits = reference_hits(globe, view);
-  const Image reference =
-      picture_of(globe, view, {.number = NumberKind::extended, .filter = filter}, threads);
+  const Image reference = reference_picture(globe, view, filter, threads);
   const Image& texture = globe.nearest.image;
   sheet.add(reference, nearest ? "nearest texel, extended" : "bilinear filter, extended",
             text("the picture, %d x %d pixels", reference.width, reference.height),

@@ -141,7 +141,7 @@ std::string table_of(const Measurements& all) {
                         text("The same with %d rays a pixel, %d x %d pixels; time 1 is that of "
                              "plain double with bytes",
                              texel_format_samples, noise_width, noise_height)) +
-         table_of_noise(all) + skipped_text(all);
+         table_of_noise(all) + judge_line() + skipped_text(all);
 }
 
 std::string json_of(const Measurements& all) {

@@ -20,10 +20,8 @@ void compare_bytes(const Image& image, const Image& reference, Errors& errors) {
 void find_errors_of_places(std::vector<Trial>& trials, const Globe& globe, const View<>& view,
                            const Tick& tick) {
   const auto hits = reference_hits(globe, view);
-  const auto reference = [&](Filter filter) {
-    return picture_of(globe, view, {.number = NumberKind::extended, .filter = filter}, 0);
-  };
-  const std::array references = {reference(Filter::nearest), reference(Filter::bilinear)};
+  const std::array references = {reference_picture(globe, view, Filter::nearest),
+                                 reference_picture(globe, view, Filter::bilinear)};
   for (Trial& trial : trials) {
     Variant first = trial.variant;
     first.instructions = Instructions::baseline;

@@ -18,12 +18,16 @@ using Tick = std::function<void()>;
 [[nodiscard]] Image picture_of(const Globe& globe, const View<>& view, const Variant& variant,
                                int threads = 1);
 
+/// The picture that variants are compared with: by the reference formula, in Judge.
+[[nodiscard]] Image reference_picture(const Globe& globe, const View<>& view, Filter filter,
+                                      int threads = 0);
+
 /// The light that a view shows, gathered with a variant's number, kernel and texels.
 [[nodiscard]] Film sampled(const Globe& globe, const View<>& view, const Variant& variant,
                            const Sampler& sampler, int threads);
 
 /// The reference of places: where each pixel's ray meets the globe, by the reference formula in
-/// extended precision.
+/// Judge.
 [[nodiscard]] std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view);
 
 /// Counts the pixels that differ between a picture and its reference, and their largest difference.
@@ -31,7 +35,7 @@ void compare_bytes(const Image& image, const Image& reference, Errors& errors);
 
 /// How far off the places and the bytes of a variant are in a view, and how far they can be.
 ///
-/// @param reference  the view in extended precision, with the variant's filter
+/// @param reference  the reference_picture of the variant's filter
 [[nodiscard]] Errors errors_of_places(const Globe& globe, const View<>& view,
                                       const Variant& variant, const std::vector<ReferenceHit>& hits,
                                       const Image& reference);

@@ -6,6 +6,7 @@
 
 #include "engine/render/settings.hpp"
 #include "math/color.hpp"
+#include "number/kinds/judge.hpp"
 #include "texture/image.hpp"
 #include "texture/uv.hpp"
 
@@ -30,7 +31,7 @@ struct SurfacePoint {
 /// One picture of an exhibit, and what each of its pixels sees.
 struct Panel {
   Image image;
-  std::vector<SurfacePoint<long double>> points;  ///< without their colors
+  std::vector<SurfacePoint<Judge>> points;  ///< without their colors
 
   Panel(int width, int height) : image(width, height), points(image.pixels.size()) {}
 };
@@ -41,7 +42,7 @@ enum Variant {
   robust_float,
   published_double,
   robust_double,
-  reference,  ///< robust, in extended precision
+  reference,  ///< robust, in Judge
   variants
 };
 

@@ -1,5 +1,5 @@
-// Draws each exhibit in float, double and extended. A file of its own, because it takes long to
-// compile and seldom changes.
+// Draws each exhibit in float, double, extended and the judge. A file of its own, because it takes
+// long to compile and seldom changes.
 #include "exhibits.hpp"
 
 #include <memory>
@@ -20,10 +20,10 @@ void draw_row(Panel& panel, const Scene& scene, Formulas formulas, int row) {
     panel.image.at(column, row) = {byte(point.color.r), byte(point.color.g), byte(point.color.b)};
     panel.points[static_cast<std::size_t>(row * view.width + column)] = {
         {},
-        {static_cast<long double>(point.uv.u), static_cast<long double>(point.uv.v)},
+        {number_cast<Judge>(point.uv.u), number_cast<Judge>(point.uv.v)},
         point.hit,
         point.mapped,
-        static_cast<long double>(point.round)};
+        number_cast<Judge>(point.round)};
   }
 }
 
@@ -39,7 +39,7 @@ void draw_row(Panel& panel, const Scene& scene, Variant variant, int row) {
     case robust_double:
       return draw_row<double>(panel, scene, Formulas::robust, row);
     default:
-      return draw_row<long double>(panel, scene, Formulas::robust, row);
+      return draw_row<Judge>(panel, scene, Formulas::robust, row);
   }
 }
 

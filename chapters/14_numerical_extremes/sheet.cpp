@@ -32,14 +32,15 @@ bool differ(Rgb8 a, Rgb8 b) {
 Mistakes mistakes_of(const Panel& panel, const Panel& truth) {
   Mistakes mistakes;
   for (std::size_t i = 0; i < truth.points.size(); ++i) {
-    const SurfacePoint<long double>& seen = panel.points[i];
-    const SurfacePoint<long double>& right = truth.points[i];
+    const SurfacePoint<Judge>& seen = panel.points[i];
+    const SurfacePoint<Judge>& right = truth.points[i];
     if (differ(panel.image.pixels[i], truth.image.pixels[i])) ++mistakes.wrong;
     if (seen.hit != right.hit) ++mistakes.missed;
     if (!seen.mapped || !right.mapped) continue;
-    const long double across = std::abs(seen.uv.u - right.uv.u);  // u = 0 and u = 1 are one place
-    mistakes.texels = std::max({mistakes.texels, std::min(across, 1 - across) * right.round * 8192,
-                                std::abs(seen.uv.v - right.uv.v) * 4096});
+    const Judge across = abs(seen.uv.u - right.uv.u);  // u = 0 and u = 1 are one place
+    const Judge along_u = min(across, Judge(1) - across) * right.round * Judge(8192);
+    const Judge along_v = abs(seen.uv.v - right.uv.v) * Judge(4096);
+    mistakes.texels = max(max(along_u, along_v), mistakes.texels);
   }
   return mistakes;
 }
@@ -164,6 +165,7 @@ Sheet draw_sheet(const std::vector<Exhibit>& exhibits, Session& session) {
       "exhibit     number     wrong  missed  texels     wrong  missed  texels\n";
   for (std::size_t i = 0; i < exhibits.size(); ++i)
     add_to_sheet(sheet, exhibits[i], panels[i], layout);
+  sheet.table += judge_line();
   return sheet;
 }
 

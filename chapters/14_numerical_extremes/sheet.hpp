@@ -29,9 +29,9 @@ struct ExhibitOptions {
 
 /// How far one picture is from the reference.
 struct Mistakes {
-  int wrong = 0;           ///< pixels of another color, by more than one level of 255
-  int missed = 0;          ///< pixels where only one of the two sees a surface
-  long double texels = 0;  ///< the largest distance between the places on a texture of 8192 x 4096
+  int wrong = 0;            ///< pixels of another color, by more than one level of 255
+  int missed = 0;           ///< pixels where only one of the two sees a surface
+  Judge texels = Judge(0);  ///< the largest distance between the places on a texture of 8192 x 4096
 };
 
 /// The sheet and its figures.

@@ -45,12 +45,13 @@ struct BilinearTexture {
   [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
     const Real row = v_axis == VAxis::down ? from_zero : Real(image.height - 1) - from_zero;
     const bool decoded = light != TexelLight::encoded;
-    const auto* levels = decoded ? light_of_bytes<Scalar<Real>>(light).data() : nullptr;
+    const auto* levels = decoded ? light_of_bytes<LightEntry<Real>>(light).data() : nullptr;
     const auto channels = look_up(
         [&](int at_column, int at_row) {
           const Rgb8& bytes = image.at(at_column, at_row);
           const auto level = [&](std::uint8_t byte) {
-            return decoded ? levels[byte] : static_cast<Scalar<Real>>(byte);
+            return static_cast<Scalar<Real>>(decoded ? levels[byte]
+                                                     : static_cast<LightEntry<Real>>(byte));
           };
           return std::array{level(bytes.r), level(bytes.g), level(bytes.b)};
         },

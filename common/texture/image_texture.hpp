@@ -36,6 +36,11 @@ template <class Number>
   return std::get<LightTables<Number>>(light_tables)[static_cast<std::size_t>(light)];
 }
 
+/// The entries of the table that a number reads: the widest for numbers without one of their own.
+template <class Real>
+using LightEntry =
+    std::conditional_t<std::is_floating_point_v<Scalar<Real>>, Scalar<Real>, long double>;
+
 /// A texel's column from the left and row from the top, whole numbers from 0.
 template <class Real>
 struct TexelPlace {
@@ -85,9 +90,7 @@ template <class Real>
   // Intervals and 50-digit numbers compute byte / 255 themselves: a table entry is rounded.
   constexpr bool table_is_exact_enough = std::is_floating_point_v<Real> || lanes<Real> != 1;
   if (table_is_exact_enough || texture.light != TexelLight::encoded) {
-    using Entry =
-        std::conditional_t<std::is_floating_point_v<Scalar<Real>>, Scalar<Real>, long double>;
-    const std::array<Entry, 256>& light = light_of_bytes<Entry>(texture.light);
+    const auto& light = light_of_bytes<LightEntry<Real>>(texture.light);
     const auto channels = look_up(
         [&](int column, int row) {
           const Rgb8& texel = texture.image.at(column, row);

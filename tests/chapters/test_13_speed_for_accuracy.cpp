@@ -55,8 +55,7 @@ std::vector<Seen> all_errors(const Globe& globe, double east, double up, int wid
   const auto hits = reference_hits(globe, view);
   std::vector<Seen> all;
   for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    const Image reference =
-        picture_of(globe, view, {.number = NumberKind::extended, .filter = filter}, 0);
+    const Image reference = reference_picture(globe, view, filter, 0);
     for (const Trial& trial : all_places(Instructions::baseline)) {
       if (trial.variant.filter == filter)
         all.push_back(
@@ -208,13 +207,10 @@ TEST_CASE_TEMPLATE(
     for (std::uint32_t i = 1; i <= 40000; ++i) {
       const Vec3<T> p = direction<T>(i);
       const Uv<T> uv = mapping(p);
-      const Uv<long double> exact =
-          uv_rtiow(Vec3<long double>{static_cast<long double>(p.x), static_cast<long double>(p.y),
-                                     static_cast<long double>(p.z)});
-      const long double across = std::abs(static_cast<long double>(uv.u) - exact.u);
-      worst.u = std::max(worst.u, static_cast<double>(std::min(across, 1 - across)));
-      worst.v = std::max(worst.v,
-                         static_cast<double>(std::abs(static_cast<long double>(uv.v) - exact.v)));
+      const Uv<Judge> exact = uv_rtiow(number_cast<Judge>(p));
+      const Judge across = abs(Judge(uv.u) - exact.u);
+      worst.u = std::max(worst.u, static_cast<double>(min(across, Judge(1) - across)));
+      worst.v = std::max(worst.v, static_cast<double>(abs(Judge(uv.v) - exact.v)));
     }
     CAPTURE(degree);
     CHECK(worst.u <= stated.u);
@@ -516,7 +512,14 @@ TEST_CASE("the errors on the chapter's page are those of its program") {
                                      name_of_kernel(trial.variant.degree).c_str());
       if (trial.variant.filter != Filter::nearest || !line.starts_with(start)) continue;
       CAPTURE(line);
-      CHECK(line.ends_with(errors_text(trial)));
+      // The page's judge is long double, which finds no error in itself; pairs do.
+      const bool judges_itself = trial.variant.number == NumberKind::extended;
+      if (judge_is_pair && judges_itself) {
+        CHECK(trial.errors.worst_texels > 0);
+        CHECK(trial.errors.worst_texels < trial.errors.texels_bound);
+      } else {
+        CHECK(line.ends_with(errors_text(trial)));
+      }
       ++found;
     }
   }

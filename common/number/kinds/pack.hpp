@@ -70,8 +70,8 @@ class Pack {
     const Batch narrow = simd::select(steep, wide_x, wide_y) * scale;
     const Batch wide = wider * scale;
     const Mask diagonal = narrow > wide * Batch(T(0.41421356237309504880L));
-    const Batch t =
-        simd::select(diagonal, narrow - wide, narrow) / simd::select(diagonal, narrow + wide, wide);
+    const Batch t = simd::divide(simd::select(diagonal, narrow - wide, narrow),
+                                 simd::select(diagonal, narrow + wide, wide));
     const Batch angle = t + t * arc_tangent_rest(t * t);
 
     // pi / 4 in two parts; the lower one is written out, since long double may have no more digits.

@@ -205,7 +205,8 @@ class Reader {
     check_decoding_bytes(blocks * 64 * (progressive_ ? 3 : 1) + pixels);
     if (!progressive_) return;
     for (Channel& channel : channels_)
-      channel.known_not_zero.resize(units_ * channel.across * channel.down);
+      channel.known_not_zero.resize(
+          static_cast<std::size_t>(units_ * channel.across * channel.down));
   }
 
   // Scans: each says what it sends, and then come its codes.
@@ -309,7 +310,9 @@ class Reader {
     if (scan.last == 0) return;
     std::uint64_t unused = 0;
     std::uint64_t& not_zero =
-        progressive_ ? channel.known_not_zero[row * channel.stride + column] : unused;
+        progressive_
+            ? channel.known_not_zero[static_cast<std::size_t>(row * channel.stride + column)]
+            : unused;
     if (scan.bit_before != 0) {
       refine(scan, *channel.ac, not_zero);
     } else {

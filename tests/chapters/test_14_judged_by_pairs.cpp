@@ -1,0 +1,62 @@
+// Chapter 14 judged by pairs of doubles, as where long double is double: CMake compiles its sources
+// once more for this suite, with TEXMAP_JUDGE_PAIR.
+#include <doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "14_numerical_extremes/lesson.hpp"
+#include "engine/picture/load_image.hpp"
+#include "support/pictures.hpp"
+
+using namespace texmap;
+using namespace texmap::chapter_14;
+
+static_assert(judge_is_pair);
+
+namespace {
+
+const Sheet& sheet() {
+  static const Sheet drawn = [] {
+    CommandLine line("test", "");
+    Session session("test", line, Lesson::about);
+    return draw_sheet(Lesson{}.exhibits(), session);
+  }();
+  return drawn;
+}
+
+}  // namespace
+
+TEST_CASE("the sheet is the golden one, drawn where the judge is long double") {
+  const Image golden =
+      load_image(std::string(TEXMAP_TESTS_DIR) + "/golden/14_numerical_extremes.png");
+  const auto different = test::count_different(sheet().picture, golden, 1);
+  CHECK(different <= 446);  // 0.02 %, as test_golden allows
+#ifdef TEXMAP_REFERENCE_PLATFORM
+  CHECK(different == 0);  // judged by double it is 359
+#endif
+}
+
+TEST_CASE("the judge finds errors in double, which double does not find in itself") {
+  int textured = 0;
+  for (const auto& mistakes : sheet().mistakes) {
+    if (!(mistakes[published_float].texels > Judge(0))) continue;
+    ++textured;
+    CHECK(mistakes[robust_double].texels > Judge(0));
+    CHECK(mistakes[robust_double].texels < Judge(1e-10));
+  }
+  CHECK(textured == 10);
+}
+
+TEST_CASE("every exhibit has the figures of the chapter's page, judged there by long double") {
+  std::ifstream file(std::string(TEXMAP_TESTS_DIR) +
+                     "/../chapters/14_numerical_extremes/README.md");
+  std::stringstream page;
+  page << file.rdbuf();
+  REQUIRE(page.str().find("judge: long double, 64 bits") != std::string::npos);
+  const auto figures = sheet().table.find("judge: pairs of doubles, 102 bits");
+  REQUIRE(figures != std::string::npos);
+#ifdef TEXMAP_REFERENCE_PLATFORM
+  CHECK(page.str().find(sheet().table.substr(0, figures)) != std::string::npos);
+#endif
+}
