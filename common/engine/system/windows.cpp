@@ -261,7 +261,8 @@ void secure_standard_streams() {
   // What is printed is UTF-8, and the same bytes as on other systems.
   SetConsoleOutputCP(CP_UTF8);
   for (std::FILE* const stream : {stdin, stdout, stderr}) {
-    if (_fileno(stream) < 0) std::freopen("NUL", stream == stdin ? "r" : "w", stream);
+    const bool open = _fileno(stream) >= 0 && _get_osfhandle(_fileno(stream)) >= 0;
+    if (!open && std::freopen("NUL", stream == stdin ? "r" : "w", stream) == nullptr) continue;
     _setmode(_fileno(stream), _O_BINARY);
   }
 }

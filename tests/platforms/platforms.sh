@@ -1,0 +1,119 @@
+#!/bin/sh
+# Builds the course for another system on a Debian machine, and tries it: pictures against the golden ones, and suites of tests.
+# usage: platforms.sh SYSTEM [CMAKE_OPTION...]     with a native build in build/release; builds in build/platforms/SYSTEM
+#        SYSTEM: windows (mingw, wine) | arm64 | armhf (qemu) | libcxx (clang++ with the library of macOS)
+# exit status: 0 all is well; 1 something is not; 77 a package is missing
+set -eu
+system=${1:?usage: platforms.sh windows|arm64|armhf|libcxx [CMAKE_OPTION...]}
+shift
+tree=$(cd "$(dirname "$0")/../.." && pwd)
+build=$tree/build/platforms/$system
+native=$tree/build/release/bin/compare
+[ -x "$native" ] || {
+  echo "there is no $native: cmake --build build/release --target compare_program" >&2
+  exit 1
+}
+
+# need PROGRAM PACKAGE...: ends with 77 unless the program is there.
+need() {
+  command -v "$1" >/dev/null 2>&1 || {
+    echo "skipped: $system needs $1 (Debian $2)"
+    exit 77
+  }
+}
+
+# Another system's compiler must not see /usr/include: it is shown these folders alone.
+headers=$tree/build/platforms/headers
+mkdir -p "$headers/include" "$build"
+for package in stb doctest xsimd boost; do
+  [ ! -d "/usr/include/$package" ] || ln -sfn "/usr/include/$package" "$headers/include/$package"
+done
+
+# configure NAME PROCESSOR COMPILER ROOT EMULATOR: for another machine.
+configure() {
+  name=$1 processor=$2 compiler=$3 root=$4 emulator=$5
+  shift 5
+  cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_SYSTEM_NAME="$name" -D CMAKE_SYSTEM_PROCESSOR="$processor" \
+    -D CMAKE_CXX_COMPILER="$compiler" -D CMAKE_FIND_ROOT_PATH="$root;$headers" -D CMAKE_CROSSCOMPILING_EMULATOR="$emulator" \
+    -D CMAKE_FIND_ROOT_PATH_MODE_PROGRAM=NEVER -D CMAKE_FIND_ROOT_PATH_MODE_INCLUDE=ONLY -D CMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY "$@"
+}
+
+images="test_check_jpeg test_check_png test_deflate test_load_image test_save_png test_bitmap_font"
+numbers="test_number test_pack test_pack2 test_pack_u32 test_interval test_vec3"
+run=""
+ending=""
+case $system in
+  windows)
+    need x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
+    need wine wine
+    chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
+      07_earth_by_sampling 14_numerical_extremes"
+    suites="$numbers $images test_files test_windows_files test_command_line test_session_line"
+    export WINEPREFIX="$tree/build/platforms/wine" WINEDEBUG=-all
+    timeout 120 wineboot -i >/dev/null 2>&1 </dev/null || true
+    run=wine
+    ending=.exe
+    configure Windows x86_64 x86_64-w64-mingw32-g++-posix /usr/x86_64-w64-mingw32 wine "$@"
+    ;;
+  arm64)
+    need aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
+    need qemu-aarch64 qemu-user
+    chapters="01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling"
+    suites="$numbers test_uv test_texel test_image_texture test_conventions test_checkerboard test_bilinear test_sphere test_triangle
+      test_turns test_directions test_double_pair"
+    run="qemu-aarch64 -L /usr/aarch64-linux-gnu"
+    configure Linux aarch64 aarch64-linux-gnu-g++ /usr/aarch64-linux-gnu "qemu-aarch64;-L;/usr/aarch64-linux-gnu" "$@"
+    ;;
+  armhf)
+    need arm-linux-gnueabihf-g++ g++-arm-linux-gnueabihf
+    need qemu-arm qemu-user
+    chapters="01_plain_spheres 14_numerical_extremes"
+    suites="test_number test_pack test_double_pair"
+    run="qemu-arm -L /usr/arm-linux-gnueabihf"
+    configure Linux arm arm-linux-gnueabihf-g++ /usr/arm-linux-gnueabihf "qemu-arm;-L;/usr/arm-linux-gnueabihf" "$@"
+    ;;
+  libcxx)
+    need clang++ clang
+    printf '#include <__config>\n' | clang++ -stdlib=libc++ -x c++ -E - >/dev/null 2>&1 || {
+      echo "skipped: libcxx needs libc++ (Debian libc++-dev libc++abi-dev)"
+      exit 77
+    }
+    chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
+      07_earth_by_sampling 13_speed_for_accuracy 14_numerical_extremes"
+    suites=""
+    # -O1: half the time to compile, and the same pictures.
+    cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-O1 -D CMAKE_CXX_COMPILER=clang++ \
+      -D CMAKE_CXX_FLAGS=-stdlib=libc++ "$@"
+    ;;
+  *)
+    echo "there is no system '$system': windows, arm64, armhf or libcxx" >&2
+    exit 1
+    ;;
+esac
+
+if [ -n "$suites" ]; then
+  pattern="^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$"
+  # shellcheck disable=SC2086  # lists of targets
+  cmake --build "$build" --parallel 2 --target $chapters $suites
+  ctest --test-dir "$build" -R "$pattern" --output-on-failure --no-tests=error
+else
+  # shellcheck disable=SC2086
+  cmake --build "$build" --parallel 2 --target $chapters suites_common
+  ctest --test-dir "$build" -L common --output-on-failure --no-tests=error -j2
+fi
+
+# The golden pictures are asked of programs by their bare names, and compared here.
+wrapped=$build/wrapped
+rm -rf "$wrapped"
+mkdir -p "$wrapped"
+ln -s "$native" "$wrapped/compare"
+for chapter in $chapters; do
+  printf '#!/bin/sh\nexec %s "%s" "$@"\n' "$run" "$build/bin/$chapter$ending" >"$wrapped/$chapter"
+  chmod +x "$wrapped/$chapter"
+done
+# shellcheck disable=SC2086
+sh "$tree/tests/golden/programs.sh" "$wrapped" $chapters
+if [ "$system" = windows ]; then
+  sh "$tree/tests/platforms/windows_faults.sh" "$wrapped"
+  timeout 10 wineserver -k || true # nothing of wine stays
+fi
