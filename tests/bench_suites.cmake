@@ -43,7 +43,7 @@ endforeach()
 add_executable(bench_ratios EXCLUDE_FROM_ALL bench/bench_ratios.cpp bench/processes.cpp)
 target_link_libraries(bench_ratios PRIVATE ${bench_objects} project_options)
 set_source_files_properties(bench/processes.cpp PROPERTIES COMPILE_DEFINITIONS
-  "TEXMAP_BIN_DIR=\"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}\";TEXMAP_CHAPTER_NAMES={\"${chapter_names}\"}")
+  "TEXMAP_BIN_DIR=\"${CMAKE_BINARY_DIR}/bin\";TEXMAP_CHAPTER_NAMES={\"${chapter_names}\"}")
 set_source_files_properties(bench/bench_ratios.cpp PROPERTIES COMPILE_DEFINITIONS "TEXMAP_PROJECT_DIR=\"${CMAKE_SOURCE_DIR}\"")
 add_dependencies(bench_ratios ${chapter_programs})  # --beside runs them
 

@@ -40,6 +40,7 @@ configure() {
 
 images="test_check_jpeg test_check_png test_deflate test_load_image test_save_png test_bitmap_font"
 numbers="test_number test_pack test_pack2 test_pack_u32 test_interval test_vec3"
+o1=-DCMAKE_CXX_FLAGS_RELEASE=-O1 # half the time to compile, and the same pictures
 run=""
 ending=""
 case $system in
@@ -60,9 +61,9 @@ case $system in
     need qemu-aarch64 qemu-user
     chapters="01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling"
     suites="$numbers test_uv test_texel test_image_texture test_conventions test_checkerboard test_bilinear test_sphere test_triangle
-      test_turns test_directions test_double_pair"
+      test_directions test_double_pair"
     run="qemu-aarch64 -L /usr/aarch64-linux-gnu"
-    configure Linux aarch64 aarch64-linux-gnu-g++ /usr/aarch64-linux-gnu "qemu-aarch64;-L;/usr/aarch64-linux-gnu" "$@"
+    configure Linux aarch64 aarch64-linux-gnu-g++ /usr/aarch64-linux-gnu "qemu-aarch64;-L;/usr/aarch64-linux-gnu" "$o1" "$@"
     ;;
   armhf)
     need arm-linux-gnueabihf-g++ g++-arm-linux-gnueabihf
@@ -70,7 +71,7 @@ case $system in
     chapters="01_plain_spheres 14_numerical_extremes"
     suites="test_number test_pack test_double_pair"
     run="qemu-arm -L /usr/arm-linux-gnueabihf"
-    configure Linux arm arm-linux-gnueabihf-g++ /usr/arm-linux-gnueabihf "qemu-arm;-L;/usr/arm-linux-gnueabihf" "$@"
+    configure Linux arm arm-linux-gnueabihf-g++ /usr/arm-linux-gnueabihf "qemu-arm;-L;/usr/arm-linux-gnueabihf" "$o1" "$@"
     ;;
   libcxx)
     need clang++ clang
@@ -81,9 +82,7 @@ case $system in
     chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
       07_earth_by_sampling 13_speed_for_accuracy 14_numerical_extremes"
     suites=""
-    # -O1: half the time to compile, and the same pictures.
-    cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-O1 -D CMAKE_CXX_COMPILER=clang++ \
-      -D CMAKE_CXX_FLAGS=-stdlib=libc++ "$@"
+    cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_CXX_FLAGS=-stdlib=libc++ "$o1" "$@"
     ;;
   *)
     echo "there is no system '$system': windows, arm64, armhf or libcxx" >&2
@@ -95,7 +94,7 @@ if [ -n "$suites" ]; then
   pattern="^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$"
   # shellcheck disable=SC2086  # lists of targets
   cmake --build "$build" --parallel 2 --target $chapters $suites
-  ctest --test-dir "$build" -R "$pattern" --output-on-failure --no-tests=error
+  ctest --test-dir "$build" -R "$pattern" --output-on-failure --no-tests=error -j2
 else
   # shellcheck disable=SC2086
   cmake --build "$build" --parallel 2 --target $chapters suites_common
@@ -113,6 +112,17 @@ for chapter in $chapters; do
 done
 # shellcheck disable=SC2086
 sh "$tree/tests/golden/programs.sh" "$wrapped" $chapters
+if [ "$system" = arm64 ]; then # packs of float, which no golden picture shows, as this machine draws them
+  for chapter in $chapters; do
+    "$wrapped/$chapter" --quiet --number float-pack --out "$build/there.png"
+    "$tree/build/release/bin/$chapter" --quiet --number float-pack --out "$build/here.png"
+    "$native" --quiet "$build/here.png" "$build/there.png" || {
+      echo "FAIL: $chapter draws another picture with packs of float"
+      exit 1
+    }
+  done
+  echo "packs of float draw the same pictures"
+fi
 if [ "$system" = windows ]; then
   sh "$tree/tests/platforms/windows_faults.sh" "$wrapped"
   timeout 10 wineserver -k || true # nothing of wine stays
