@@ -25,8 +25,8 @@ if(missing)
     "  Fedora           dnf install stb_image-devel stb_image_write-devel doctest-devel\n"
     "  Arch             pacman -S stb doctest\n"
     "  vcpkg            set VCPKG_ROOT to its folder; then cmake --preset vcpkg installs them for this project\n"
-    "  Homebrew         brew install doctest          (it has no stb: clone https://github.com/nothings/stb and set\n"
-    "                   -D stb_image_INCLUDE_DIR=... -D stb_image_write_INCLUDE_DIR=... to that folder)")
+    "  Homebrew         brew install doctest          (it has no stb: git clone https://github.com/nothings/stb ../stb\n"
+    "                   and set the environment variable CMAKE_INCLUDE_PATH to that folder)")
 endif()
 
 # Packs of numbers: with xsimd they are fast, without it a fallback compiles everywhere (number/kinds/batch.hpp).
