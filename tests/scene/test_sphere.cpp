@@ -290,7 +290,7 @@ TEST_CASE_TEMPLATE(
                                                   widened(unit_roundoff<Real>())));
   }
   CHECK(worst <= 2);
-  CHECK(worst > 1.5);
+  if (std::numeric_limits<Exact>::digits > std::numeric_limits<Real>::digits) CHECK(worst > 1.5);
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   CHECK(root_ahead(Real(0), Real(0), Real(1), Real(0)) == infinity<Real>());
   CHECK(root_ahead(Real(0), Real(0), Real(-1), Real(0)) == infinity<Real>());

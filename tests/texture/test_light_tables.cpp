@@ -42,18 +42,16 @@ TEST_CASE_TEMPLATE("an encoded byte is the nearest number to byte / 255", T, flo
       [](T entry, const Exact& exact) { CHECK(entry == static_cast<T>(exact)); });
 }
 
-TEST_CASE_TEMPLATE("a byte's light is the nearest number to the standard's curve", T, float,
-                   double) {
-  for_each_byte<T>(TexelLight::linear, linear_light,
-                   [](T entry, const Exact& exact) { CHECK(entry == static_cast<T>(exact)); });
-}
-
-TEST_CASE("in long double a byte's light is within 8 ulp of the curve") {
-  for_each_byte<long double>(TexelLight::linear, linear_light,
-                             [](long double entry, const Exact& exact) {
-                               const Exact ulp = std::nextafter(entry, 2.0L) - entry;
-                               CHECK(abs(Exact(entry) - exact) <= 8 * ulp);
-                             });
+TEST_CASE_TEMPLATE(
+    "a byte's light is the nearest number to the standard's curve, in long double within 8 ulp", T,
+    float, double, long double) {
+  // The table is computed in long double, on some machines no wider than double.
+  constexpr bool as_wide =
+      std::numeric_limits<T>::digits == std::numeric_limits<long double>::digits;
+  for_each_byte<T>(TexelLight::linear, linear_light, [](T entry, const Exact& exact) {
+    const Exact ulp = std::nextafter(entry, T(2)) - entry;
+    CHECK((as_wide ? abs(Exact(entry) - exact) <= 8 * ulp : entry == static_cast<T>(exact)));
+  });
 }
 
 TEST_CASE_TEMPLATE("a byte's light is srgb_decode's within 8 ulp", T, float, double, long double) {

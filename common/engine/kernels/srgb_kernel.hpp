@@ -48,7 +48,7 @@ template <class T>
 /// The polynomial is at most one off; the two thresholds around its byte correct it.
 ///
 /// @param linear  below 0 and NaN give 0, above 1 gives 255
-/// Bound: exact; in long double, within 8 epsilons of a threshold, either byte.
+/// Bound: exact; in a number as wide as long double, within 8 epsilons of a threshold, either byte.
 template <class Real>
 [[nodiscard]] Real srgb_byte_exact(const Real& linear) {
   const auto& thresholds = srgb_thresholds<Scalar<Real>>();
