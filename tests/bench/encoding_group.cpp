@@ -7,6 +7,7 @@
 #include "01_plain_spheres/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
 #include "bench.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/save_png.hpp"
@@ -48,8 +49,8 @@ struct TemporaryFile {
 template <class Function>
 [[nodiscard]] std::function<Work()> on_earth(Function function) {
   return [function]() -> Work {
-    const auto bytes =
-        std::make_shared<std::vector<std::uint8_t>>(read_file(find_texture("earth.png")));
+    const auto bytes = std::make_shared<std::vector<std::uint8_t>>(
+        read_file(find_texture("earth.png"), max_file_bytes));
     return [function, bytes] { function(*bytes); };
   };
 }
