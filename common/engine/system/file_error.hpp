@@ -1,5 +1,6 @@
 // What goes wrong with a file.
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -31,9 +32,9 @@ auto with_name(const std::string& failed, const std::filesystem::path& path, Wor
   try {
     return work();
   } catch (const FileError& error) {
-    // Up to a zero byte, if the name has one: what() ends there.
-    const std::string name = name_of(path);
-    throw FileError(failed + " '" + name.c_str() + "': " + error.what());
+    std::string name = name_of(path);
+    name.resize(std::min(name.size(), name.find('\0')));  // what() ends at a zero byte
+    throw FileError(failed + " '" + name + "': " + error.what());
   }
 }
 

@@ -46,6 +46,7 @@ struct DoublePair {
   }
 
   /// By the high parts, then by the low ones; a NaN makes every comparison false.
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of <=> for a pointer
   friend constexpr auto operator<=>(const DoublePair&, const DoublePair&) = default;
 
   friend DoublePair operator-(const DoublePair& a) { return {-a.high, -a.low}; }
