@@ -29,7 +29,7 @@ std::vector<fs::path> asset_folders() {
 }  // namespace
 
 fs::path find_texture(const std::string& name) {
-  const fs::path typed = path_of(name);
+  fs::path typed = path_of(name);
   if (typed.empty() || typed.has_parent_path() || is_there(typed)) return typed;
   std::string tried = name;
   for (const fs::path& folder : asset_folders()) {

@@ -204,9 +204,10 @@ class Reader {
     const std::uint64_t pixels = sizeof(Rgb8) * std::uint64_t{size_.width} * size_.height;
     check_decoding_bytes(blocks * 64 * (progressive_ ? 3 : 1) + pixels);
     if (!progressive_) return;
-    for (Channel& channel : channels_)
+    for (Channel& channel : channels_) {
       channel.known_not_zero.resize(
           static_cast<std::size_t>(units_ * channel.across * channel.down));
+    }
   }
 
   // Scans: each says what it sends, and then come its codes.
