@@ -2,6 +2,7 @@
 #pragma once
 #include <compare>
 #include <concepts>
+#include <numbers>
 #include <type_traits>
 
 #include "number/compensated.hpp"
