@@ -28,7 +28,7 @@ template <class... Paints>
 struct AnyOf : std::variant<Paints...> {
   using std::variant<Paints...>::variant;
 
-  /// The color of the paint in use; all lanes of a pack are asked together.
+  /// The color of the paint that this object has.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Hit<Real>& hit) const {
     static_assert(

@@ -1,4 +1,4 @@
-// Whole programs, timed alternately: the chapters' own beside any other.
+// Times whole programs alternately: the chapters' and commands of the user's.
 #pragma once
 #include <functional>
 #include <string>

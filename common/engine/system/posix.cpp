@@ -186,7 +186,7 @@ void write_through(const Target& target, std::span<const std::uint8_t> bytes) {
   require_success(file.close());
 }
 
-// A new file beside the target, which is gone again unless it takes the target's name.
+// A temporary file in the target's folder. It is renamed to the target, or deleted.
 class Draft {
  public:
   explicit Draft(const Target& target)

@@ -74,12 +74,12 @@ class Handle {
   HANDLE handle_;
 };
 
-// What a file is written with may not be interrupted: Ctrl-C and a closed window wait for it.
+// While a file is being written, Ctrl-C and closing the window wait.
 std::atomic<int> files_being_written = 0;
 
 BOOL WINAPI wait_for_files(DWORD) {
   while (files_being_written > 0) Sleep(1);
-  return FALSE;  // then what would have happened happens
+  return FALSE;  // the system then ends the program as usual
 }
 
 class SignalGuard {
@@ -93,7 +93,7 @@ class SignalGuard {
   SignalGuard& operator=(const SignalGuard&) = delete;
 };
 
-// NUL and /dev/null: what is written there is gone.
+// NUL and /dev/null discard what is written to them.
 bool is_null_device(const std::filesystem::path& path) {
   std::string name = name_of(path.filename());
   std::transform(name.begin(), name.end(), name.begin(),
@@ -144,7 +144,7 @@ void write_all(const Handle& file, std::span<const std::uint8_t> bytes) {
   }
 }
 
-// A new file beside the target, which is gone again unless it takes the target's name.
+// A temporary file in the target's folder. It is renamed to the target, or deleted.
 class Draft {
  public:
   explicit Draft(const std::filesystem::path& target)
@@ -167,7 +167,7 @@ class Draft {
     require_success(file_.close());
   }
 
-  // Windows refuses while somebody reads the old file, for a moment each time.
+  // Windows refuses while another program reads the old file, so try again for a second.
   void take_name_of(const std::filesystem::path& target) {
     constexpr int most_attempts = 200;
     for (int attempt = 1;; ++attempt) {
