@@ -93,11 +93,11 @@ esac
 if [ -n "$suites" ]; then
   pattern="^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$"
   # shellcheck disable=SC2086  # lists of targets
-  cmake --build "$build" --parallel 2 --target $chapters $suites
+  cmake --build "$build" --parallel 2 --target $chapters compare_program $suites
   ctest --test-dir "$build" -R "$pattern" --output-on-failure --no-tests=error -j2
 else
   # shellcheck disable=SC2086
-  cmake --build "$build" --parallel 2 --target $chapters suites_common
+  cmake --build "$build" --parallel 2 --target $chapters compare_program suites_common
   ctest --test-dir "$build" -L common --output-on-failure --no-tests=error -j2
 fi
 
@@ -112,6 +112,14 @@ for chapter in $chapters; do
 done
 # shellcheck disable=SC2086
 sh "$tree/tests/golden/programs.sh" "$wrapped" $chapters
+# Its own program compare, too: a picture is itself, and not another one.
+golden=$tree/tests/golden
+status=0
+$run "$build/bin/compare$ending" --quiet "$golden/01_plain_spheres.png" "$golden/02_checkerboard_uv.png" || status=$?
+if [ "$status" -ne 1 ] || ! $run "$build/bin/compare$ending" --quiet "$golden/01_plain_spheres.png" "$golden/01_plain_spheres.png"; then
+  echo "FAIL: compare does not tell two pictures apart, or one from itself"
+  exit 1
+fi
 if [ "$system" = arm64 ]; then # packs of float, which no golden picture shows, as this machine draws them
   for chapter in $chapters; do
     "$wrapped/$chapter" --quiet --number float-pack --out "$build/there.png"
