@@ -909,7 +909,7 @@ check_surroundings() {
   # Progress is for terminals only. A slow machine has half a minute to show it on one; the others then run for twice what it took.
   choose 1
   mkdir "$T/progress"
-  long='--width 40 --height 9000 --samples 1000'   # short rows: progress comes after each
+  long='--width 40 --height 9000 --samples 16000'   # half a minute, in short rows: progress comes after each
   enough=2
   if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
     : >"$T/stdout"
