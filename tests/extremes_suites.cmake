@@ -9,7 +9,7 @@ if(NOT boost_multiprecision_INCLUDE_DIR)
 endif()
 
 # A library, because four programs share it and Boost's numbers take long to compile.
-add_library(claims STATIC extremes/page.cpp)
+add_library(claims STATIC extremes/page.cpp extremes/search.cpp)
 foreach(family arithmetic rotation secondary_rays shading spheres textures triangles uv)
   target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
 endforeach()
@@ -25,7 +25,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 # Builds without optimisation are some ten times slower.
-set(extremes_inputs 2000)
+set(extremes_inputs 6000)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(extremes_inputs 500)
 endif()

@@ -67,9 +67,11 @@ struct OnDisk {
 /// Source: Shirley and Chiu, "A Low Distortion Map Between Disk and Square" (1997).
 template <class Real>
 [[nodiscard]] inline OnDisk<Real> uniform_disk(const Point2<Real>& sample) {
-  // Moves multiples of 2^-24 to the middle of their step, exactly; more digits are clamped.
+  // Moves multiples of 2^-24 to the middle of their step, exactly. The outermost steps are clamped,
+  // or rounding would leave the disk; so is the rest of numbers with more digits.
   const auto centered = [](const Real& x) {
-    return min((Real(2) * x - Real(1)) + Real(0x1p-24F), Real(1) - Real(0x1p-24F));
+    const Real most = Real(1) - Real(0x1p-22F);
+    return max(-most, min((Real(2) * x - Real(1)) + Real(0x1p-24F), most));
   };
   const Real a = centered(sample.u);
   const Real b = centered(sample.v);

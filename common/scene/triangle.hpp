@@ -68,10 +68,10 @@ template <class Real>
 
 /// True where the normal's direction may come from rounding alone: where moving each coordinate
 /// by 2 unit roundoffs of itself (at least those of double) can bring the corners onto a line.
+/// The farther out `a` is, the more it takes in beyond that: each corner is asked as `a`.
 ///
-/// @param normal   cross(ab, ac)
-/// @param ab, ac   the sides from a
-/// @param a, b, c  the corners, in the same scale
+/// @param normal, ab, ac  cross(ab, ac) and the sides at a, of either sign
+/// @param a, b, c         the corners, in the same scale
 template <class Real>
 [[nodiscard]] Mask<Real> may_be_flat(const Vec3<Real>& normal, const ExactDifference<Real>& ab,
                                      const ExactDifference<Real>& ac, const Vec3<Real>& a,
@@ -96,14 +96,28 @@ template <class Real>
                               change(ab.y, ab_grain.y, ac.x, ac_grain.x);
 }
 
-/// The barycentric coordinates of `p`, also outside of the triangle.
+/// True where a point comes first in the order by x, then y, then z.
+[[nodiscard]] inline bool is_before(const Point& a, const Point& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/// The barycentric coordinates of `p`, also outside, and alike for any order of the corners.
 ///
 /// @param p  a point in the triangle's plane; of other points, the foot on the plane counts
 /// Textbook: three signed areas, n . ((b - p) x (c - p)) and so on, divided by their sum.
-/// Domain: coordinates below half of the largest number. Bound: 3 u (largest weight)^2.
+/// Domain, bound: coordinates below half of the largest number; inside, 3 u (largest weight)^2.
 /// Source: Ericson, Real-Time Collision Detection (2005), section 3.4; Kahan's determinants.
 template <class Real>
 [[nodiscard]] Barycentric<Real> barycentric(const Triangle& triangle, const Vec3<Real>& p) {
+  if (is_before(triangle.b, triangle.a)) {
+    const auto w = barycentric<Real>({triangle.b, triangle.a, triangle.c}, p);
+    return {select(w.degenerate, w.a, w.b), select(w.degenerate, w.b, w.a), w.c, w.degenerate};
+  }
+  if (is_before(triangle.c, triangle.b)) {
+    const auto w = barycentric<Real>({triangle.a, triangle.c, triangle.b}, p);
+    return {w.a, w.c, w.b, w.degenerate};
+  }
   const Vec3<Real> a = number_cast<Real>(triangle.a);
   const Vec3<Real> b = number_cast<Real>(triangle.b);
   const Vec3<Real> c = number_cast<Real>(triangle.c);
@@ -115,7 +129,13 @@ template <class Real>
   const ExactDifference<Real> ab = a_to_b * scale;
   const ExactDifference<Real> ac = a_to_c * scale;
   const Vec3<Real> normal = cross(ab, ac);
-  const Mask<Real> flat = may_be_flat(normal, ab, ac, a * scale, b * scale, c * scale);
+  const ExactDifference<Real> bc = exact_difference(c, b) * scale;
+  const Vec3<Real> corner_a = a * scale;
+  const Vec3<Real> corner_b = b * scale;
+  const Vec3<Real> corner_c = c * scale;
+  const Mask<Real> flat = may_be_flat(normal, ab, ac, corner_a, corner_b, corner_c) ||
+                          may_be_flat(normal, ab, bc, corner_b, corner_a, corner_c) ||
+                          may_be_flat(normal, ac, bc, corner_c, corner_a, corner_b);
 
   // Three areas along the normal. Only their ratios count, so each factor has its own scale.
   const Vec3<Real> along = normal * power_of_two_scale(largest(normal));

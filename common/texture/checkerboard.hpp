@@ -19,7 +19,7 @@ struct Checkerboard {
   Rgb odd;
   double squares = 10;  ///< in u and in v, 1 or more; an odd number shows at the seam
 
-  /// The color of the square that holds (u, v).
+  /// The color of the square that holds (u, v); v = 1 and beyond belong to the last row.
   ///
   /// @param uv  any numbers; a NaN counts as odd
   /// Domain: to 2^22 squares in float, 2^51 in double.
@@ -27,7 +27,7 @@ struct Checkerboard {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     const Real column = floor(uv.u * Real(squares));
-    const Real row = floor(uv.v * Real(squares));
+    const Real row = floor(min(below_one<Real>(), uv.v) * Real(squares));
     return select(is_even(column + row), number_cast<Real>(even), number_cast<Real>(odd));
   }
 };

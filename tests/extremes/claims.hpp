@@ -15,40 +15,53 @@ namespace texmap::extremes {
 /// The worst that was seen.
 struct Worst {
   double off = 0;
-  std::string where;  ///< the input that did it
+  std::string where{};    ///< the input that did it
+  bool describes = true;  ///< or `where` stays empty
 
   /// @param describe  gives the input as text; called for a new worst only
   template <class Describe>
   void see(double now, const Describe& describe) {
     if (now <= off) return;
     off = std::isnan(now) ? std::numeric_limits<double>::infinity() : now;
-    where = describe();
+    if (describes) where = describe();
   }
   /// For claims that count: one more, if it happened.
   template <class Describe>
   void count(bool happened, const Describe& describe) {
     if (!happened) return;
     off += 1;
-    if (where.empty()) where = describe();
+    if (describes && where.empty()) where = describe();
   }
 };
 
-/// A claim's measurement: `one_input(dice, worst)` draws an input and reports its error.
-///
-/// @param times  how many to draw for each input that is asked for; more than 1 where it is cheap
+/// How a claim is measured: over inputs that dice draw, or over every input.
+struct Measurement {
+  std::function<void(Dice&, Worst&)> one_input{};  ///< draws one and reports its error
+  int times = 1;  ///< how many to draw for each that is asked for; more where it is cheap
+  std::function<Worst()> every_input{};  ///< instead, where the domain is small
+  std::string how_many{};                ///< every input: what they are
+};
+
 template <class OneInput>
-[[nodiscard]] auto worst_over(int times, OneInput one_input) {
-  return [=](int inputs, std::uint64_t seed) {
-    Dice dice(seed);
-    Worst worst;
-    for (int i = 0; i < times * inputs; ++i) one_input(dice, worst);
-    return worst;
-  };
+[[nodiscard]] Measurement worst_over(int times, OneInput one_input) {
+  return {.one_input = one_input, .times = times};
 }
 template <class OneInput>
-[[nodiscard]] auto worst_over(OneInput one_input) {
+[[nodiscard]] Measurement worst_over(OneInput one_input) {
   return worst_over(1, one_input);
 }
+
+/// The claim's rung on the page's ladder of certainty.
+[[nodiscard]] inline std::string certainty(const Measurement& measurement) {
+  return measurement.every_input ? "exhaustive, " + measurement.how_many : "searched";
+}
+
+/// The worst of so many inputs as they are drawn.
+[[nodiscard]] Worst sampled(const Measurement& measurement, int inputs, std::uint64_t seed);
+
+/// The worst that a search finds among so many inputs: the worst of those drawn are changed a
+/// little, again and again, and what is worse is kept. The same on every run.
+[[nodiscard]] Worst searched(const Measurement& measurement, int inputs, std::uint64_t seed);
 
 /// Sees what `function` gives for inputs of all lanes, lane by lane.
 ///
@@ -84,15 +97,22 @@ template <class Real, class Draw, class Function, class Off>
   return worst_lanes<Real>(1, draw, function, off);
 }
 
-/// How many of the 256 bytes are `changed(byte)`; their domain is too small to draw from.
-template <class Changed>
-[[nodiscard]] auto count_bytes(Changed changed) {
-  return [=](int, std::uint64_t) {
+/// The worst over the 256 bytes; `one_byte(byte, worst)` reports the error of one.
+template <class OneByte>
+[[nodiscard]] Measurement worst_byte(OneByte one_byte) {
+  const auto every = [one_byte] {
     Worst worst;
-    for (int byte = 0; byte < 256; ++byte)
-      worst.count(changed(byte), [&] { return std::to_string(byte); });
+    for (int byte = 0; byte < 256; ++byte) one_byte(byte, worst);
     return worst;
   };
+  return {.every_input = every, .how_many = "256 bytes"};
+}
+/// How many of the bytes are `changed(byte)`.
+template <class Changed>
+[[nodiscard]] Measurement count_bytes(Changed changed) {
+  return worst_byte([changed](int byte, Worst& worst) {
+    worst.count(changed(byte), [&] { return std::to_string(byte); });
+  });
 }
 
 /// Two programs that do the same amount of work: the function's, and that of a well-known function.
@@ -114,7 +134,7 @@ struct Claim {
   std::string domain;
   double bound = 0;
   std::string unit;  ///< of the bound: ulp, texel, or what is counted
-  std::function<Worst(int inputs, std::uint64_t seed)> worst;  ///< over inputs of the domain
+  Measurement measurement;
   Cost cost{};
   Expect expect = Expect::within;
 };
@@ -147,13 +167,13 @@ struct Family {
   /// Adds a row: a claim about `function` in Real. Set cost and Expect::beyond on the result.
   template <class Real>
   Claim& add(std::string function, std::string domain, const Bound& bound,
-             std::function<Worst(int, std::uint64_t)> worst) {
+             Measurement measurement) {
     claims.push_back({.function = std::move(function),
                       .number = name_of<Real>,
                       .domain = std::move(domain),
                       .bound = bound.most,
                       .unit = bound.unit,
-                      .worst = std::move(worst)});
+                      .measurement = std::move(measurement)});
     return claims.back();
   }
 };

@@ -46,13 +46,17 @@ Real shone(const PhongMaterial& material, const Gloss<Real>& gloss) {
   return highlight(material, LightSample<Real>{gloss[1], Real(1)}, gloss[0], gloss[2]);
 }
 
+/// Exponents of 1 and more have an end like a cosine's; below, the highlight ends steeply.
+enum class End { smooth, steep };
+
 /// The highlight's difference from that of exactly normalized vectors, in u sqrt(1 + shininess).
 template <class Real>
-auto worst_highlight() {
+auto worst_highlight(End end) {
   using T = Scalar<Real>;
-  return worst_over([](Dice& dice, Worst& worst) {
-    const double shininess = dice.once_in(4) ? static_cast<double>(dice.within(0, 1000))
-                                             : static_cast<double>(dice.number<float>(-10, 60));
+  return worst_over([end](Dice& dice, Worst& worst) {
+    const double shininess = end == End::steep ? static_cast<double>(dice.number<float>(-10, 0))
+                             : dice.once_in(4) ? static_cast<double>(dice.within(1, 1000))
+                                               : static_cast<double>(dice.number<float>(0, 60));
     const PhongMaterial material{{}, 1, shininess};
     see_lanes<Real>(
         worst, [&] { return draw_gloss<T>(dice); },
@@ -65,8 +69,7 @@ auto worst_highlight() {
           const Digits50 cosine = 2 * dot(n, l) * dot(n, e) - dot(l, e);
           const Digits50 exact =
               cosine > 0 ? Digits50(pow(cosine, Digits50(shininess))) : Digits50(0);
-          // At exponents below 1 the highlight ends with a step, or steeply, at 90 degrees.
-          if (shininess < 1 && abs(cosine) < 0.1) return 0.0;
+          if (end == End::steep && abs(cosine) < 0.1) return 0.0;
           return units_off(got, exact, roundoff<T>() * sqrt(Digits50(1 + shininess)));
         },
         [&] { return "shininess " + described(shininess); });
@@ -226,10 +229,8 @@ auto glosses() {
 template <class Real>
 void add_number(Family& family) {
   family
-      .add<Real>("highlight",
-                 "vectors of unit length but for rounding; shininess 0.001 to 1e18, below 1 to a "
-                 "cosine of 0.1",
-                 {6, "u sqrt(1 + shininess)"}, worst_highlight<Real>())
+      .add<Real>("highlight", "vectors of unit length but for rounding; shininess 1 to 1e18",
+                 {8, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::smooth))
       .cost = {"the power of the cosine, double",
                working_through(glosses<Real>(),
                                [](const Gloss<Real>& gloss) {
@@ -240,6 +241,10 @@ void add_number(Family& family) {
                  const Vec3<double> mirrored = normal * (2 * dot(normal, to_light)) - to_light;
                  return std::pow(max(dot(mirrored, to_eye), 0.0), 50.0);
                })};
+  family.add<Real>("highlight, below 1",
+                   "vectors of unit length but for rounding; shininess 0.001 to 1, to a cosine of "
+                   "0.1",
+                   {24, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::steep));
   family.add<Real>(
       "highlight, range", "vectors of unit length but for rounding; shininess 0 to 1e30",
       {0, "outside [0, specular]"}, count_wrong_highlights<Real>(HighlightFormula::phong));
@@ -256,7 +261,7 @@ void add_number(Family& family) {
 
 template <class T>
 void add_lambert(Family& family) {
-  family.add<T>("lambert", "ambient, diffuse and cosine in [0, 1]", {2.5, "u of itself"},
+  family.add<T>("lambert", "ambient, diffuse and cosine in [0, 1]", {3, "u of itself"},
                 worst_lambert<T>());
 }
 

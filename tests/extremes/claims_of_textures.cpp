@@ -219,15 +219,11 @@ Digits50 exact_encode(const Digits50& x) {
 /// The table's light of every byte, which the compiler rounds once from more digits.
 template <class T>
 auto worst_table() {
-  return [](int, std::uint64_t) {
-    Worst worst;
-    for (std::size_t byte = 0; byte < 256; ++byte) {
-      const T light = light_of_bytes<T>(TexelLight::linear)[byte];
-      worst.see(ulps_off(light, exact_decode(Digits50(byte) / 255)),
-                [&] { return std::to_string(byte); });
-    }
-    return worst;
-  };
+  return worst_byte([](int byte, Worst& worst) {
+    const T light = light_of_bytes<T>(TexelLight::linear)[static_cast<std::size_t>(byte)];
+    worst.see(ulps_off(light, exact_decode(Digits50(byte) / 255)),
+              [&] { return std::to_string(byte); });
+  });
 }
 
 /// Bytes that do not come back from light.

@@ -20,19 +20,27 @@ Point as_point(const Vec3<long double>& p) {
   return number_cast<double>(rounded<T>(p));
 }
 
-/// A needle or a cap at any angle to the axes, up to 10^`aspect` times longer than wide, and a
-/// point inside.
+/// Which needles and caps are drawn, with a point inside or outside.
+struct Thin {
+  long double aspect;       ///< power of ten: how many times longer than wide, at most
+  int scale = 0;            ///< sizes are multiplied by powers of two up to this and its inverse
+  bool along_axis = false;  ///< or at any angle to the axes
+  long double farthest{};   ///< power of ten: the point is as many sides outside; 0: it is inside
+};
+
 template <class T>
-Case<T> draw_thin(Dice& dice, long double aspect, int scale) {
+Case<T> draw_thin(Dice& dice, const Thin& thin) {
   using Corner = std::conditional_t<(sizeof(T) > sizeof(double)), double,
                                     T>;  // triangles of a scene are double
-  const Vec3<long double> along = dice.direction();
-  const Vec3<long double> across = dice.across(along) * dice.power_of_ten(-aspect, 0);
+  const Vec3<long double> along = thin.along_axis ? Vec3<long double>{1, 0, 0} : dice.direction();
+  const Vec3<long double> across =
+      (thin.along_axis ? Vec3<long double>{0, 0, 1} : dice.across(along)) *
+      dice.power_of_ten(-thin.aspect, 0);
   const long double foot = dice.once_in(2)
                                ? dice.uniform(0, 1)
                                : 1;  // a cap's top is over its base, a needle's at its end
-  const Vec3<long double> from = dice.direction() * dice.uniform(0, 1);
-  const int size = dice.within(-scale, scale);
+  const Vec3<long double> from = dice.direction() * (thin.along_axis ? 0.0L : dice.uniform(0, 1));
+  const int size = dice.within(-thin.scale, thin.scale);
   const auto corner = [&](const Vec3<long double>& p) { return scaled(as_point<Corner>(p), size); };
   const Triangle triangle{corner(from), corner(from + along), corner(from + along * foot + across)};
   long double at_b = dice.uniform(0, 1);
@@ -41,28 +49,44 @@ Case<T> draw_thin(Dice& dice, long double aspect, int scale) {
     at_b = 1 - at_b;
     at_c = 1 - at_c;
   }
+  if (thin.farthest > 0) {
+    at_b = dice.sign() * dice.power_of_ten(0, thin.farthest);
+    at_c = dice.sign() * dice.power_of_ten(-thin.farthest, thin.farthest);
+  }
   return {triangle, scaled(rounded<T>(from + along * (at_b + at_c * foot) + across * at_c), size)};
+}
+
+/// The point's distance from a corner over the triangle's smallest height.
+template <class T>
+Digits50 reach_over_height(const Case<T>& one) {
+  const Vec3<Digits50> ab = exactly(one.triangle.b) - exactly(one.triangle.a);
+  const Vec3<Digits50> ac = exactly(one.triangle.c) - exactly(one.triangle.a);
+  const Vec3<Digits50> bc = ac - ab;
+  const Digits50 longest = sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)}));
+  return length(exactly(one.p) - exactly(one.triangle.a)) * longest / length(cross(ab, ac));
 }
 
 template <class T>
 double weights_off(const Barycentric<T>& got, const Case<T>& one) {
-  const Vec3<Digits50> exact = exact_weights(exactly(one.triangle.a), exactly(one.triangle.b),
-                                             exactly(one.triangle.c), exactly(one.p));
-  // A point that rounding moved out of a thin triangle has large weights; errors scale with them.
+  const Vec3<Digits50> exact = exact_weights_by_areas(
+      exactly(one.triangle.a), exactly(one.triangle.b), exactly(one.triangle.c), exactly(one.p));
+  // Far outside, weights are large; errors grow with them, and where p sees the sides as almost
+  // one line also with the distance over the triangle's height.
   const Digits50 most = std::max(Digits50(1), largest(exact));
-  const Digits50 unit = roundoff<T>() * most * most;
+  const Digits50 unit = roundoff<T>() * most * most * (1 + roundoff<T>() * reach_over_height(one));
   return std::max({units_off(got.a, exact.x, unit), units_off(got.b, exact.y, unit),
                    units_off(got.c, exact.z, unit)});
 }
 
 /// The weights of all lanes' points in one triangle; the first lane's triangle is everyone's.
 template <class Real, class Function>
-auto worst_weights(Function function, long double aspect, int scale) {
+auto worst_weights(Function function, const Thin& thin) {
   using T = Scalar<Real>;
   return worst_over([=](Dice& dice, Worst& worst) {
-    const Case<T> one = draw_thin<T>(dice, aspect, scale);
+    const Case<T> one = draw_thin<T>(dice, thin);
     const Barycentric<Real> got = function(one.triangle, number_cast<Real>(one.p));
     const std::size_t k = lanes<Real> - 1;
+    if (thin.farthest > 0 && lane(select(got.degenerate, Real(1), Real(0)), k) > 0) return;
     worst.see(weights_off<T>({lane(got.a, k), lane(got.b, k), lane(got.c, k), false}, one),
               [&] { return described(one.triangle) + " at " + described(one.p); });
   });
@@ -70,9 +94,9 @@ auto worst_weights(Function function, long double aspect, int scale) {
 
 /// Triangles of this shape that are called degenerate although they are far from it.
 template <class T>
-auto count_refused(long double aspect, int scale) {
+auto count_refused(const Thin& thin) {
   return worst_over(4, [=](Dice& dice, Worst& worst) {
-    const Case<T> one = draw_thin<T>(dice, aspect, scale);
+    const Case<T> one = draw_thin<T>(dice, thin);
     worst.count(barycentric(one.triangle, one.p).degenerate,
                 [&] { return described(one.triangle); });
   });
@@ -89,6 +113,24 @@ Triangle draw_flat(Dice& dice) {
   return {corner(), corner(), corner()};
 }
 
+/// Triangles whose corners in another order have other weights, or are called degenerate there.
+template <class T>
+auto count_of_order(int scale) {
+  return worst_over(4, [=](Dice& dice, Worst& worst) {
+    Case<T> one = draw_thin<T>(dice, {.aspect = 20, .scale = scale});
+    if (dice.once_in(3)) one.triangle = draw_flat<T>(dice);
+    const auto& [a, b, c] = one.triangle;
+    const Barycentric<T> w = barycentric(one.triangle, one.p);
+    const Barycentric<T> turned = barycentric<T>({b, c, a}, one.p);
+    const Barycentric<T> mirrored = barycentric<T>({a, c, b}, one.p);
+    const bool alike = w.degenerate
+                           ? turned.degenerate && mirrored.degenerate
+                           : turned.a == w.b && turned.b == w.c && turned.c == w.a &&
+                                 mirrored.a == w.a && mirrored.b == w.c && mirrored.c == w.b;
+    worst.count(!alike, [&] { return described(one.triangle) + " at " + described(one.p); });
+  });
+}
+
 /// Triangles without an area that are not called so.
 template <class T>
 auto count_missed_flats() {
@@ -103,7 +145,7 @@ auto count_missed_flats() {
 template <class T, class Function>
 auto count_nan(Function function) {
   return worst_over(4, [=](Dice& dice, Worst& worst) {
-    Case<T> one = draw_thin<T>(dice, 20, 0);
+    Case<T> one = draw_thin<T>(dice, {.aspect = 20});
     if (dice.once_in(3)) one.triangle = draw_flat<T>(dice);
     if (dice.once_in(3)) one.p = {dice.anything<T>(), dice.anything<T>(), dice.anything<T>()};
     const Barycentric<T> got = function(one.triangle, one.p);
@@ -166,13 +208,13 @@ auto adding_up(Function function) {
 
 /// Which triangles are drawn, and what the page calls them.
 struct Shapes {
-  long double aspect;  ///< power of ten
-  const char* thin;
-  int scale;  ///< power of two
+  Thin thin;
+  const char* aspect;
   const char* range;
+  long double thinnest;  ///< power of ten, of those along an axis
 
   [[nodiscard]] std::string text() const {
-    return std::string("needles and caps at any angle, to ") + thin +
+    return std::string("needles and caps at any angle, to ") + aspect +
            " times longer than wide; sides of " + range;
   }
 };
@@ -181,14 +223,28 @@ template <class Real>
 void add_weights(Family& family, const Shapes& shapes) {
   family
       .add<Real>("barycentric", shapes.text() + "; points inside", {3, "u (largest weight)^2"},
-                 worst_weights<Real>(ours, shapes.aspect, shapes.scale))
+                 worst_weights<Real>(ours, shapes.thin))
       .cost = {"Heron's formula, double", adding_up<Real>(ours), adding_up<double>(heron)};
+  Thin outside{.aspect = shapes.thin.aspect, .farthest = 4};
+  const Bound far{10, "u (largest weight)^2 (1 + u distance / height)"};
+  family.add<Real>("barycentric, outside",
+                   std::string("needles and caps at any angle, to ") + shapes.aspect +
+                       " times longer than wide; points to 1e4 sides outside",
+                   far, worst_weights<Real>(ours, outside));
+  outside = {.aspect = shapes.thinnest, .along_axis = true, .farthest = 4};
+  family.add<Real>("barycentric, outside of the thinnest",
+                   "needles and caps along an axis, to u^-1.5 times longer than wide; points to "
+                   "1e4 sides outside",
+                   far, worst_weights<Real>(ours, outside));
 }
 
 template <class T>
 void add_single_number(Family& family, const Shapes& shapes) {
   family.add<T>("barycentric, refused", shapes.text(), {0, "called degenerate"},
-                count_refused<T>(shapes.aspect, shapes.scale));
+                count_refused<T>(shapes.thin));
+  family.add<T>("barycentric, order of the corners",
+                "triangles of any shape, flat ones too; points inside",
+                {0, "other weights, to the last digit"}, count_of_order<T>(shapes.thin.scale));
   family.add<T>("barycentric, flat",
                 "corners equal or on a line through the origin, as nearly as they can be written",
                 {0, "not called degenerate"}, count_missed_flats<T>());
@@ -205,10 +261,10 @@ void add_single_number(Family& family, const Shapes& shapes) {
 
 Family claims_of_triangles() {
   Family family{"Triangles and the floor",
-                "Exact: Cramer's rule on dot products in 50 digits, checked against areas along "
-                "the normal in 100. The last rows are the areas by Heron's formula."};
-  const Shapes in_float{5, "1e5", 60, "1e-18 to 1e18"};
-  const Shapes in_double{13, "1e13", 900, "1e-270 to 1e270"};
+                "Exact: areas along the normal in 50 digits, checked against Cramer's rule on dot "
+                "products in 100. The last rows are the areas by Heron's formula."};
+  const Shapes in_float{{.aspect = 5, .scale = 60}, "1e5", "1e-18 to 1e18", 10.8L};
+  const Shapes in_double{{.aspect = 13, .scale = 900}, "1e13", "1e-270 to 1e270", 24};
   add_weights<float>(family, in_float);
   add_weights<double>(family, in_double);
   add_weights<long double>(family, in_double);
@@ -221,7 +277,7 @@ Family claims_of_triangles() {
   family
       .add<double>(function,
                    "needles and caps at any angle, to 1e4 times longer than wide; points inside",
-                   {3, "u (largest weight)^2"}, worst_weights<double>(heron, 4, 0))
+                   {3, "u (largest weight)^2"}, worst_weights<double>(heron, {.aspect = 4}))
       .expect = Expect::beyond;
   family
       .add<float>(function, "triangles of any shape; points of anything the type can hold",

@@ -16,7 +16,7 @@ constexpr int inputs = 20000;
 
 Cells measured(const Claim& claim) {
   std::cerr << claim.function << ", " << claim.number << '\n';
-  const texmap::extremes::Worst seen = claim.worst(inputs, 2);
+  const texmap::extremes::Worst seen = searched(claim.measurement, inputs, 2);
   const double worst = seen.off;
   if ((worst <= claim.bound) != (claim.expect == Expect::within)) {
     std::cerr << "warning: " << worst << " for a bound of " << claim.bound << ' ' << claim.unit

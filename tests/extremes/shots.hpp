@@ -76,11 +76,15 @@ Shot<T> draw_shot(Dice& dice, const Shots& shots, const Shared& shared) {
   if (shots.centered && shots.around_surface && dice.once_in(4))
     return draw_grazing_shot<T>(dice, shots, shared);
   const long double radius = shared.radius;
-  const long double ratio = shots.around_surface && dice.once_in(4)
+  // From near by, through the outermost tenth of the sphere: there errors are largest.
+  const bool at_limb = shots.around_surface && dice.once_in(4);
+  const long double ratio = at_limb ? dice.uniform(0.9L, 3)
+                            : shots.around_surface && dice.once_in(4)
                                 ? 1 + dice.sign() * dice.power_of_ten(-7, -1)
                                 : dice.power_of_ten(shots.nearest, shots.farthest);
   const long double away = ratio * radius;
   const long double impact = radius * [&] {
+    if (at_limb) return dice.uniform(0.9L, 0.99L);
     switch (dice.below(4)) {
       case 0:
         return 1 + dice.sign() * dice.power_of_ten(-1 - std::numeric_limits<T>::digits10, -0.5L);

@@ -6,6 +6,7 @@
 #include "number/kinds/pack.hpp"
 #include "published/sphere.hpp"
 #include "scene/sphere.hpp"
+#include "scene/sphere_choice.hpp"
 #include "support/dice.hpp"
 #include "support/exact.hpp"
 #include "support/lanes.hpp"
@@ -234,6 +235,63 @@ Secondaries trace_secondaries(double radius, double away, int rays) {
     if (!(distance_to(sphere, ray_from(hit, -outward)) < infinity<Real>())) ++seen.lost;
   }
   return seen;
+}
+
+TEST_CASE("a ray from 1e4 radii away leaves its sphere for good, in float") {
+  const Ray<float> ray{{1542.07446F, 769.21637F, -8833.47656F},
+                       {-.171341956F, -.0854512379F, .981498837F}};
+  const Vec3<float> onward{-.327263355F, .554320931F, -.451564074F};
+  for (const SphereForm form : {SphereForm::robust, SphereForm::hybrid}) {
+    const Sphere<> sphere{{0, 0, 0}, 1, form};
+    const Hit<float> hit = hit_at(sphere, ray, distance_to(sphere, ray));
+    CHECK(abs(widened(length(hit.normal)) - 1) < 4 * widened(unit_roundoff<float>()));
+    CHECK(dot(hit.normal, onward) > 0);
+    CHECK(distance_to(sphere, ray_from(hit, onward)) == infinity<float>());
+  }
+}
+
+TEST_CASE_TEMPLATE("a sphere without a radius is missed by every form, and from everywhere", Real,
+                   float, double, long double, Pack<float>) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
+    for (const double radius : {0.0, -0.0, -1.0, -1e-30, nan}) {
+      const Sphere<> sphere{{0, 0, 0}, radius, form};
+      for (const Vec3<Real>& origin :
+           {Vec3<Real>{}, Vec3<Real>{Real(0), Real(0), Real(3)}, Vec3<Real>{Real(0.5), Real(0)}}) {
+        const Ray<Real> ray{origin, {Real(0), Real(0), Real(-1)}};
+        CHECK(lane(distance_to(sphere, ray), 0) == infinity<Scalar<Real>>());
+      }
+    }
+  }
+}
+
+TEST_CASE("robust gives way to hybrid where it does not hold") {
+  struct Object {
+    Sphere<> shape;
+  };
+  const auto chosen = [](double radius, double away, int digits, SphereForm form) {
+    std::vector<Object> objects{{{{0, 0, -away}, radius, form}}};
+    keep_to_domains(objects, {0, 0, 0}, digits);
+    return objects[0].shape.form;
+  };
+  const SphereForm robust = SphereForm::robust;
+  const SphereForm hybrid = SphereForm::hybrid;
+  CHECK(chosen(1, 1e4, 24, robust) == robust);
+  CHECK(chosen(1, 1.01e4, 24, robust) == hybrid);
+  CHECK(chosen(1e3, 1e7, 24, robust) == robust);
+  CHECK(chosen(1, 1e7, 53, robust) == robust);
+  CHECK(chosen(1, 1.01e7, 53, robust) == hybrid);
+  CHECK(chosen(1e30, 2e30, 24, robust) == hybrid);
+  CHECK(chosen(1e-30, 2e-30, 24, robust) == hybrid);
+  CHECK(chosen(1e30, 2e30, 53, robust) == robust);
+  CHECK(chosen(1, 1e9, 24, SphereForm::plain) == SphereForm::plain);
+  CHECK(chosen(1, 1, 24, hybrid) == hybrid);
+
+  // Rays start on other objects, too: the large one's far side is 2e6 radii from the small one.
+  std::vector<Object> objects{{{{0, 0, 0}, 1e-3}}, {{{0, -1000, 0}, 1e3}}};
+  keep_to_domains(objects, {0, 0, 1}, 24);
+  CHECK(objects[0].shape.form == hybrid);
+  CHECK(objects[1].shape.form == robust);
 }
 
 TEST_CASE_TEMPLATE("rays that leave a sphere never meet it, and rays into it find the far side",

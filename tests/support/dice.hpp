@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "math/vec3.hpp"
 
@@ -17,15 +18,19 @@ template <class T>
 /// Draws by splitmix64: equal seeds give equal draws.
 class Dice {
  public:
+  using Tape = std::vector<std::uint64_t>;
+
   explicit Dice(std::uint64_t seed = 1) : state_(seed) {}
+  /// Draws what is on the tape first, and records on it what is drawn after its end.
+  Dice(Tape& tape, std::uint64_t seed) : state_(seed), tape_(&tape) {}
 
   std::uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
+    if (tape_ == nullptr) return draw();
+    if (taken_ == tape_->size()) tape_->push_back(draw());
+    return (*tape_)[taken_++];
   }
+  /// How many places of the tape were used.
+  [[nodiscard]] std::size_t taken() const { return taken_; }
   /// 0 to n - 1.
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   int within(int low, int high) { return low + below(high - low + 1); }
@@ -112,7 +117,17 @@ class Dice {
   }
 
  private:
+  std::uint64_t draw() {
+    state_ += 0x9e3779b97f4a7c15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
+
   std::uint64_t state_;
+  Tape* tape_ = nullptr;
+  std::size_t taken_ = 0;
 };
 
 template <class T>

@@ -59,6 +59,28 @@ TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long 
   CHECK(square_at(board, std::nextafter(Real(0.25), Real(0)), Real(0)) == 'e');
 }
 
+TEST_CASE_TEMPLATE("v = 1, a pole, belongs to the last row, as it does for a picture", Real, float,
+                   double, long double, Pack<float>, Pack<double>) {
+  using T = Scalar<Real>;
+  for (const double squares : {1.0, 2.0, 3.0, 2.5, 10.0, 4095.0, 4096.0, 4194303.0}) {
+    const Checkerboard board{even, odd, squares};
+    CAPTURE(squares);
+    for (const double u : {0.0, 0.3, 0.9}) {
+      const auto at = [&](T v) {
+        return lane(board(Uv<Real>{Real(static_cast<T>(u)), Real(v)}).r, 0);
+      };
+      const T below = std::nextafter(T(1), T(0));
+      CHECK(at(T(1)) == at(below));
+      CHECK(at(T(2)) == at(below));
+    }
+  }
+  // A board of one square has one color.
+  const Checkerboard one{even, odd, 1};
+  CHECK(lane(one(Uv<Real>{Real(0), Real(1)}).r, 0) == T(0.25));
+  const Uv<Real> nowhere{Real(0), Real(std::numeric_limits<T>::quiet_NaN())};
+  CHECK(lane(one(nowhere).r, 0) == T(1));
+}
+
 TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Real, float, double,
                    long double) {
   const Checkerboard board{even, odd, 1};

@@ -14,6 +14,7 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/render/draw.hpp"
 #include "math/rotation.hpp"
+#include "scene/sphere_choice.hpp"
 
 namespace texmap {
 
@@ -71,6 +72,12 @@ template <class Lesson>
 inline constexpr bool shows_itself =
     !std::is_same_v<decltype(&Lesson::show), void (LessonHooks::*)(Session&)>;
 
+/// The digits of a number in base 2; those of double for all that have more.
+[[nodiscard]] constexpr int digits(NumberKind number) {
+  const bool is_float = number == NumberKind::float_ || number == NumberKind::float_pack;
+  return is_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
+}
+
 /// Lessons with a list of objects, whose spheres the user may choose formulas for.
 template <class Lesson>
 concept HasObjects = requires(const Lesson& lesson) {
@@ -127,7 +134,9 @@ template <class Lesson>
       if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
     }
     if constexpr (HasObjects<Lesson>) {
-      for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
+      if (session.was_given("--spheres"))
+        for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
+      keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
     }
     if constexpr (requires { lesson.phong; }) {
       lesson.phong.plan(session, read_budget(session.settings.budget));

@@ -61,9 +61,9 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
                              {"robust", SphereForm::robust},
                              {"hybrid", SphereForm::hybrid}},
                             "formulas for meeting a sphere: robust draws every scene of the "
-                            "course; hybrid, some 6 times slower, is for float "
-                            "beyond 100 radii, an eye close above a surface, or tiny and huge "
-                            "units; plain shows how the textbook's fails");
+                            "course; hybrid, some 6 times slower, is for float beyond 100 radii "
+                            "and an eye close above a surface, and taken for robust beyond 1e4 "
+                            "radii in float, 1e7 in double; plain shows how the textbook's fails");
   }
   line.flag("--quiet", settings.quiet, "no progress, nothing printed on success");
 }
