@@ -1,9 +1,10 @@
 // Any bytes as a picture file: the loader loads or refuses them, nothing else.
 #include <stb_image.h>
 
+#include <algorithm>
+#include <cstring>
 #include <new>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "engine/picture/codecs/checksums.hpp"
@@ -21,15 +22,32 @@ void put_big_endian_32(std::span<std::uint8_t> place, std::uint32_t number) {
     place[i] = static_cast<std::uint8_t>(number >> (24 - 8 * i) & 0xFFU);
 }
 
-// Calls `use` with the type and the data of each chunk, up to one that is longer than the file.
-template <class Use>
-void each_chunk(std::span<std::uint8_t> png, const Use& use) {
+struct Chunk {
+  std::size_t data, length;  // where its data begins in the file
+};
+
+// The chunks of a PNG file, up to one that is longer than the file.
+std::vector<Chunk> chunks_of(Bytes png) {
+  std::vector<Chunk> chunks;
   for (std::size_t place = png_signature.size(); png.size() - place >= 12;) {
     const std::size_t length = big_endian_32(png, place);
-    if (length > png.size() - place - 12) return;
-    use(std::string_view(reinterpret_cast<const char*>(&png[place + 4]), 4), place + 8, length);
+    if (length > png.size() - place - 12) break;
+    chunks.push_back({place + 8, length});
     place += 12 + length;
   }
+  return chunks;
+}
+
+// Lets libFuzzer change the data of one chunk, of any length, and keeps the file's other parts.
+std::size_t change_chunk(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                         const Chunk& chunk) {
+  const std::size_t most = chunk.length + max_size - size;
+  if (most == 0) return size;
+  const std::vector<std::uint8_t> rest(data + chunk.data + chunk.length, data + size);
+  const std::size_t length = LLVMFuzzerMutate(data + chunk.data, chunk.length, most);
+  std::copy(rest.begin(), rest.end(), data + chunk.data + length);
+  put_big_endian_32({data + chunk.data - 8, 4}, static_cast<std::uint32_t>(length));
+  return size - chunk.length + length;
 }
 
 // Corrects the checksum of the pixels, whose stream may be cut into several chunks anywhere.
@@ -37,13 +55,13 @@ void fix_pixel_checksum(std::span<std::uint8_t> png) {
   static std::vector<char> unpacked(std::size_t{1} << 20);
   std::vector<char> stream;
   std::vector<std::uint8_t*> places;  // of the stream's bytes in the file
-  each_chunk(png, [&](std::string_view type, std::size_t data, std::size_t length) {
-    if (type != "IDAT") return;
-    for (std::uint8_t& byte : png.subspan(data, length)) {
+  for (const Chunk& chunk : chunks_of(png)) {
+    if (std::memcmp(&png[chunk.data - 4], "IDAT", 4) != 0) continue;
+    for (std::uint8_t& byte : png.subspan(chunk.data, chunk.length)) {
       stream.push_back(static_cast<char>(byte));
       places.push_back(&byte);
     }
-  });
+  }
   if (stream.size() < 6) return;
   const int made = stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()),
                                            stream.data(), static_cast<int>(stream.size()));
@@ -58,22 +76,26 @@ void fix_pixel_checksum(std::span<std::uint8_t> png) {
 // Corrects the checksums of a PNG file: a wrong one would end every other run at the first check.
 void fix_checksums(std::span<std::uint8_t> png) {
   fix_pixel_checksum(png);
-  each_chunk(png, [&](std::string_view, std::size_t data, std::size_t length) {
-    put_big_endian_32(png.subspan(data + length, 4), crc32(png.subspan(data - 4, length + 4)));
-  });
+  for (const Chunk& chunk : chunks_of(png)) {
+    put_big_endian_32(png.subspan(chunk.data + chunk.length, 4),
+                      crc32(png.subspan(chunk.data - 4, chunk.length + 4)));
+  }
 }
 
 }  // namespace
 }  // namespace texmap::test
 
-// JPEG files have no checksums: libFuzzer's own changes do for them.
+// JPEG files have no checksums and short segments: libFuzzer's own changes do for them.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned seed) {
-  const std::size_t mutated = LLVMFuzzerMutate(data, size, max_size);
-  const std::span<std::uint8_t> bytes(data, mutated);
-  // One in eight keeps the wrong checksums.
-  if (seed % 8 != 0 && texmap::looks_like_png(bytes)) texmap::test::fix_checksums(bytes);
-  return mutated;
+  using namespace texmap::test;
+  // One in eight PNG files is changed anywhere and keeps the wrong checksums, one the right ones.
+  const bool png = texmap::looks_like_png({data, size});
+  const auto chunks = png && seed % 8 > 1 ? chunks_of({data, size}) : std::vector<Chunk>();
+  size = chunks.empty() ? LLVMFuzzerMutate(data, size, max_size)
+                        : change_chunk(data, size, max_size, chunks[seed / 8 % chunks.size()]);
+  if (seed % 8 > 0 && texmap::looks_like_png({data, size})) fix_checksums({data, size});
+  return size;
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -177,6 +177,7 @@ void check_directions(const Head& head, const Vec3<Real>& p) {
   }
   for (std::size_t i = 0; i < lanes<Real>; ++i) {
     const Vec3<T> one = lane_of(p, i);
+    claim(same(uv_rtiow(one), uv_rtiow(one + Vec3<T>{})), "-0 has the place of 0");
     check_rtiow(one, uv_rtiow(one));
     check_rtiow(one, lane_of(rtiow, i));
     check_turned(turn, one, turn(one));
