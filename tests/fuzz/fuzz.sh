@@ -1,0 +1,106 @@
+#!/bin/sh
+# Searches for inputs that break a claim, with libFuzzer and sanitizers. Builds in build/fuzz.
+# usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target unless told otherwise, two targets at a time
+#        TARGET: fuzz_load_image | fuzz_command_line | fuzz_texture_places; all unless told otherwise
+# What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
+# build/fuzz/finds. Once mended, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
+# exit status: 0 nothing was found; 1 something was, or the targets do not compile; 77 a package is missing
+set -eu
+usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_command_line|fuzz_texture_places ...]'
+tree=$(cd "$(dirname "$0")/../.." && pwd)
+build=$tree/build/fuzz
+finds=$build/finds
+
+seconds=60
+case ${1-} in
+  [0-9]*)
+    seconds=$1
+    shift
+    ;;
+esac
+case $seconds in
+  *[!0-9]* | 0*)
+    echo "$usage" >&2
+    exit 1
+    ;;
+esac
+[ $# -gt 0 ] || set -- fuzz_load_image fuzz_command_line fuzz_texture_places
+for target in "$@"; do
+  if [ "$target" = "${target#fuzz_}" ] || [ ! -f "$tree/tests/fuzz/$target.cpp" ]; then
+    echo "there is no target '$target'; $usage" >&2
+    exit 1
+  fi
+done
+
+mkdir -p "$build/logs" "$finds"
+probe='#include <cstddef>
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, std::size_t) { return 0; }'
+if ! printf '%s\n' "$probe" | clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o "$build/probe" >"$build/logs/probe" 2>&1; then
+  echo "skipped: fuzzing needs clang++ and libFuzzer (Debian clang libclang-rt-14-dev)"
+  exit 77
+fi
+
+if ! { cmake -S "$tree" --preset fuzz && cmake --build "$build" --parallel 2 --target "$@"; } >"$build/logs/build" 2>&1; then
+  tail -n 40 "$build/logs/build"
+  echo "FAILED: the targets do not compile"
+  exit 1
+fi
+export UBSAN_OPTIONS=print_stacktrace=1
+limits="-timeout=5 -rss_limit_mb=1024"
+
+# search TARGET: writes logs/TARGET; ends with the status of libFuzzer, which is not 0 after a find.
+search() {
+  program=$build/tests/$1
+  corpus=$build/corpus/$1
+  seeds=$tree/tests/fuzz/seeds/$1
+  [ "$1" != fuzz_load_image ] || seeds=$tree/tests/corpus
+  mkdir -p "$corpus"
+  cp "$seeds"/* "$corpus"
+  for mended in "$tree/tests/fuzz/finds/$1"/*; do
+    [ -f "$mended" ] || continue
+    # shellcheck disable=SC2086  # a list of options
+    "$program" $limits "$mended" >/dev/null 2>"$build/logs/$1" || {
+      cp "$mended" "$finds/$1-again-${mended##*/}"
+      return 1
+    }
+  done
+  # shellcheck disable=SC2086
+  "$program" $limits -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="$finds/$1-" "$corpus" \
+    >/dev/null 2>"$build/logs/$1" || return
+}
+
+# report TARGET: one line of figures; after a find, what was found and how to see it again.
+report() {
+  log=$build/logs/$1
+  runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  speed=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")
+  cover=$(sed -n 's/^#.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
+  count=$(find "$finds" -name "$1-*" -newer "$build/started" | wc -l)
+  printf '%-20s %9s runs %7s a second   cov: %-6s finds: %d\n' "$1" "${runs:-?}" "${speed:-?}" "${cover:-?}" "$count"
+  [ "$2" -ne 0 ] || return 0
+  grep -E 'this claim|runtime error:|SUMMARY:|ERROR:' "$log" | head -n 4
+  find "$finds" -name "$1-*" -newer "$build/started" | while read -r input; do
+    echo "  again: $build/tests/$1 $limits $input"
+  done
+  echo "  all that it said: $log"
+}
+
+: >"$build/started"
+status=0
+while [ $# -gt 0 ]; do
+  first=$1 second=${2-}
+  shift
+  search "$first" &
+  pid=$!
+  of_second=0
+  if [ -n "$second" ]; then
+    shift
+    search "$second" || of_second=$?
+  fi
+  of_first=0
+  wait "$pid" || of_first=$?
+  report "$first" "$of_first"
+  [ -z "$second" ] || report "$second" "$of_second"
+  [ "$of_first$of_second" = 00 ] || status=1
+done
+exit "$status"
