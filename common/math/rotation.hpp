@@ -39,7 +39,7 @@ struct RotationY {
   /// The rotated point: x' = x cos + z sin, y' = y, z' = z cos - x sin.
   ///
   /// @param p  any point or direction with coordinates below half of the largest number
-  /// Bound: the length changes by at most 2 unit roundoffs (not below those of double).
+  /// Bound: the length changes by at most 3.5 unit roundoffs (not below those of double).
   /// Source: the lecture, which multiplies row vectors by the matrix.
   template <class Real>
   [[nodiscard]] Vec3<Real> operator()(const Vec3<Real>& p) const {

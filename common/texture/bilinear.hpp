@@ -14,7 +14,7 @@ struct BilinearTexture {
 
   /// The color at (u, v), exact at texel centers.
   ///
-  /// @param uv  u any number, wrapped; v 0 to 1, clamped; NaN and infinities count as 0
+  /// @param uv  u any number, wrapped; v 0 to 1, clamped; NaN and infinite u count as 0
   /// Bound: 4 unit roundoffs of 1 for the color, 2 for the place.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {

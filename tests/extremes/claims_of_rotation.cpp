@@ -145,11 +145,11 @@ Family claims_of_rotation() {
   add_angle<float>(family, 127, "1e38");
   add_angle<double>(family, 1000, "1e300");
   add_angle<long double>(family, 16000, "1e4800");
-  add_turn<float>(family, 2, 1e-3);
-  add_turn<double>(family, 2, 2e-12);
-  add_turn<long double>(family, 2048, 4e-13);
-  add_turn<Pack<float>>(family, 2, 1e-3);
-  add_turn<Pack<double>>(family, 2, 2e-12);
+  add_turn<float>(family, 3.5, 1e-3);
+  add_turn<double>(family, 3.5, 2e-12);
+  add_turn<long double>(family, 4096, 4e-13);
+  add_turn<Pack<float>>(family, 3.5, 1e-3);
+  add_turn<Pack<double>>(family, 3.5, 2e-12);
   add_radians<float>(family, 1e-3);
   add_radians<double>(family, 2e-12);
   return family;
