@@ -1,11 +1,14 @@
 // What ./course diff says about two steps.
 #include <doctest.h>
 
+#include <cmath>
+
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "code_difference.hpp"
 #include "comparison.hpp"
+#include "engine/compare/difference_map.hpp"
 #include "support/running.hpp"
 
 using namespace texmap;
@@ -104,6 +107,29 @@ TEST_CASE("code on the page cannot become part of the page") {
   CHECK(page.find("<script>alert") == std::string::npos);
   CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;") != std::string::npos);
   CHECK(page.find("a &amp;&amp; b") != std::string::npos);
+}
+
+TEST_CASE("the map of texture coordinates shows |du| and |dv|, and gray where a step has none") {
+  steps::Comparison pixels;
+  pixels.before.picture = Image(2, 1);
+  pixels.before.uv = {{0.95, 0.25}, {std::nan(""), 0}};
+  pixels.after.uv = {{0.2, 1}, {0, 0}};
+  const Image map = steps::uv_difference_map(pixels);
+  CHECK(map.width == 4);
+  CHECK(map.at(0, 0) == difference_color(127));  // a quarter of a turn, the short way round
+  CHECK(map.at(2, 0) == difference_color(191));
+  CHECK(map.at(1, 0) == Rgb8{128, 128, 128});
+  CHECK(map.at(3, 0) == Rgb8{128, 128, 128});
+}
+
+TEST_CASE("the page has the map where both steps have texture coordinates") {
+  const auto page_after = [](const DrawnStep& before) {
+    return steps::report_page(steps::compare(before, second(), {}), "", "");
+  };
+  DrawnStep upside_down = second();
+  for (Uv<double>& uv : upside_down.uv) uv.v = 1 - uv.v;
+  CHECK(page_after(upside_down).find("<h2>Texture coordinates</h2>") != std::string::npos);
+  CHECK(page_after(first()).find("<h2>Texture coordinates</h2>") == std::string::npos);
 }
 
 TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {

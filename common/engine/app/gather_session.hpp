@@ -65,9 +65,18 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   std::atomic<double> error_so_far = infinity<double>();
   session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
   std::string sentence;
+  const int rows = settings.height;
+  const int rows_behind = 2 * rows / most;  // to develop takes as long as two samples
   const Image image = session.timed(0, [&](RenderSettings render_settings) {
-    if (!limited)
+    const auto report = render_settings.progress;
+    std::function<void(int, int)> developed;
+    if (!limited) {
       render_settings.error_so_far = [&error_so_far](double error) { error_so_far = error; };
+      render_settings.progress = [&](int done, int) { report(done, rows + rows_behind); };
+      developed = [&](int done, int) {
+        report(rows + done * rows_behind / rows, rows + rows_behind);
+      };
+    }
     Film film =
         gather_within_limits(options, most, error_so_far, [&](int samples, std::uint32_t pattern) {
           return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)},
@@ -76,7 +85,8 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
     session.count_rays(static_cast<double>(settings.width) * settings.height *
                        static_cast<double>(film.samples()));
     sentence = describe_error(film, options);
-    return develop<DevelopingNumber>(film, options.transfer, plan.srgb_terms, settings.threads);
+    return develop<DevelopingNumber>(film, options.transfer, plan.srgb_terms, settings.threads,
+                                     developed);
   });
   session.remark = {};
   if (!settings.quiet) print(sentence);

@@ -1,6 +1,7 @@
 // Develops a film: from light to bytes.
 #pragma once
 #include <algorithm>
+#include <functional>
 
 #include "engine/kernels/srgb_kernel.hpp"
 #include "engine/render/film.hpp"
@@ -28,14 +29,16 @@ template <class Real>
 
 /// The picture of a film.
 ///
-/// @tparam Real    double or a pack of it, with the same result
-/// @param terms    as for byte_of_light
-/// @param threads  0: all cores
+/// @tparam Real     double or a pack of it, with the same result
+/// @param terms     as for byte_of_light
+/// @param threads   0: all cores
+/// @param finished  as for for_each_row
 template <class Real = double>
-[[nodiscard]] Image develop(const Film& film, Transfer transfer, int terms = 0, int threads = 0) {
+[[nodiscard]] Image develop(const Film& film, Transfer transfer, int terms = 0, int threads = 0,
+                            const std::function<void(int, int)>& finished = {}) {
   Image image(film.width(), film.height());
   constexpr int step = static_cast<int>(lanes<Real>);
-  for_each_row(film.height(), threads, {}, [&](int row) {
+  for_each_row(film.height(), threads, finished, [&](int row) {
     for (int first = 0; first < film.width(); first += step) {
       const int count = std::min(step, film.width() - first);
       std::array<Rgb, lanes<Real>> light;

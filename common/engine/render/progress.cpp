@@ -25,10 +25,12 @@ void Progress::report(int done, int total) {
   if (elapsed < std::chrono::milliseconds(500) || now - last_ < std::chrono::milliseconds(100))
     return;
   last_ = now;
-  const double left = elapsed.count() * (total - done) / done;
-  const std::string line =
-      text("%3d %% done, about %.0f s left", static_cast<int>(100.0 * done / total), left) +
-      (remark_ ? remark_() : "");
+  const double percent = 100.0 * done / total;
+  std::string line = text("%3d %% done", static_cast<int>(percent));
+  // The first rows come after the memory for all, and would promise hours.
+  if (percent >= 1)
+    line += text(", about %.0f s left", elapsed.count() * (100 - percent) / percent);
+  if (remark_) line += remark_();
   std::fprintf(stderr, "\r%-*s", written_, line.c_str());
   const int length = static_cast<int>(line.size());
   if (length > written_) written_ = length;

@@ -7,6 +7,7 @@
 #include <mach-o/dyld.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -21,6 +22,7 @@ namespace texmap {
 namespace {
 
 constexpr int most_links = 40;  // as many as the system itself follows
+constexpr std::size_t bytes_in_piece = std::size_t{8} << 20;  // written without looking for signals
 
 // errno; a quota that is used up is a full disk.
 std::error_code last_error() { return {errno == EDQUOT ? ENOSPC : errno, std::generic_category()}; }
@@ -61,34 +63,60 @@ class FileDescriptor {
   int number_;
 };
 
-// While it lives, signals that would end the program wait. Signals about a file at its size limit
-// or a pipe without a reader become errors of the write. All other threads must have ended: a
-// signal could still end the program in one of them.
-class SignalGuard {
+// While it lives, a file at its size limit and a pipe without a reader are errors of the write
+// instead of signals.
+class QuietWrites {
  public:
-  SignalGuard() {
-    sigset_t waiting;
-    sigemptyset(&waiting);
-    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2, SIGTSTP})
-      sigaddset(&waiting, signal);
-    pthread_sigmask(SIG_BLOCK, &waiting, &mask_before_);
+  QuietWrites() {
     struct sigaction ignore {};
     ignore.sa_handler = SIG_IGN;
     for (std::size_t i = 0; i < ignored.size(); ++i)
       sigaction(ignored[i], &ignore, &action_before_[i]);
   }
-  ~SignalGuard() {
+  ~QuietWrites() {
     for (std::size_t i = 0; i < ignored.size(); ++i)
       sigaction(ignored[i], &action_before_[i], nullptr);
-    pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
   }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
+  QuietWrites(const QuietWrites&) = delete;
+  QuietWrites& operator=(const QuietWrites&) = delete;
 
  private:
   static constexpr std::array<int, 2> ignored = {SIGPIPE, SIGXFSZ};
-  sigset_t mask_before_{};
   std::array<struct sigaction, 2> action_before_{};
+};
+
+// While it lives, signals that would end or stop the program wait. All other threads must have
+// ended: a signal could still end the program in one of them.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    sigset_t waiting;
+    sigemptyset(&waiting);
+    for (const int signal : ending) sigaddset(&waiting, signal);
+    sigaddset(&waiting, SIGTSTP);
+    pthread_sigmask(SIG_BLOCK, &waiting, &mask_before_);
+  }
+  ~SignalGuard() { pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr); }
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
+
+  // A signal waits that will end the program when the guard is gone. (One that is ignored, as under
+  // nohup, waits too.)
+  [[nodiscard]] bool end_is_near() const {
+    sigset_t waiting;
+    sigemptyset(&waiting);
+    sigpending(&waiting);
+    return std::any_of(ending.begin(), ending.end(), [&](int signal) {
+      struct sigaction action {};
+      return sigismember(&waiting, signal) == 1 && sigismember(&mask_before_, signal) == 0 &&
+             sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
+    });
+  }
+
+ private:
+  static constexpr std::array<int, 7> ending = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM,
+                                                SIGALRM, SIGUSR1, SIGUSR2};
+  sigset_t mask_before_{};
 };
 
 // open() alone says the same about a missing file and about a link that leads nowhere.
@@ -200,10 +228,16 @@ class Draft {
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  void fill(std::span<const std::uint8_t> bytes, const Target& target) {
+  // Gives up between two pieces if the program is about to end: a large file takes seconds.
+  void fill(std::span<const std::uint8_t> bytes, const Target& target, const SignalGuard& guard) {
     require_success(fchmod(file_.number(), target.permissions) == 0);
-    write_all(file_, bytes);
-    require_success(fsync(file_.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
+    while (!bytes.empty()) {
+      if (guard.end_is_near()) throw FileError("a signal came");
+      const std::size_t length = std::min(bytes.size(), bytes_in_piece);
+      write_all(file_, bytes.first(length));
+      require_success(fsync(file_.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
+      bytes = bytes.subspan(length);
+    }
     require_success(file_.close());
   }
 
@@ -246,12 +280,13 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 void check_writable(const std::filesystem::path& path) { check_target(find_target(path)); }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  const SignalGuard guard;
+  const QuietWrites quiet;
   const Target target = find_target(path);
   check_target(target);
   if (target.written_through) return write_through(target, bytes);
+  const SignalGuard guard;
   Draft draft(target);
-  draft.fill(bytes, target);
+  draft.fill(bytes, target, guard);
   draft.take_name_of(target);
 }
 

@@ -47,3 +47,20 @@ TEST_CASE("a plot has its titles, its series and its labels, escaped") {
                            ">first<", ">last<", ">the front<", "stroke-dasharray"})
     CHECK(svg.find(part) != std::string::npos);
 }
+
+TEST_CASE("series have dots, squares or triangles, and a label far from its point has a line") {
+  Plot plot{.title = "", .x_title = "", .y_title = ""};
+  plot.series.push_back({"squares", 1, {{1, 2, ""}, {10, 1, ""}}});
+  plot.series.push_back({"triangles", 2, {{1, 1, ""}, {10, 2, ""}}});
+  const std::string line = "stroke=\"#999\"";
+  std::string svg = svg_of(plot);
+  CHECK(svg.find("<rect x=") != std::string::npos);
+  CHECK(svg.find("l5 9h-10z") != std::string::npos);
+  CHECK(svg.find(line) == std::string::npos);
+  CHECK(svg.find("<circle") == std::string::npos);
+  plot.series.push_back({"dots", 0, {}});
+  for (int i = 0; i < 12; ++i) plot.series.back().points.push_back({3, 1.5, "in the way"});
+  svg = svg_of(plot);
+  CHECK(svg.find("<circle") != std::string::npos);
+  CHECK(svg.find(line) != std::string::npos);
+}

@@ -259,8 +259,16 @@ TEST_CASE("a coefficient that was sent takes a bit each time its block is made f
   const File before = joined({scan(0, 0, 0, {0x00}), scan(1, 63, 1, {0xAA, 0xAA, 0xA0})});
   const File all = joined({before, scan(1, 63, 0x10, {0x00})});
   CHECK(outcome(coded(0x01, 2, 0xC2, 4, all)).substr(0, 8) == "it loads");
-  CHECK(outcome(coded(0x01, 2, 0xC2, 5, all)) ==
-        "the JPEG file is cut short or damaged: its pixels end too early");
+  const std::string short_of_bits =
+      "the JPEG file is cut short or damaged: its pixels end too early";
+  CHECK(outcome(coded(0x01, 2, 0xC2, 5, all)) == short_of_bits);
+  // So it does where a new coefficient, 10 and a bit, is placed behind it: with the end 5 bits a
+  // block, and 5 bytes are enough for 8 blocks.
+  const File eight =
+      joined({scan(0, 0, 0, {0x00, 0x00}), scan(1, 63, 1, {0xAA, 0xAA, 0xAA, 0xAA, 0xA0}),
+              scan(1, 63, 0x10, {0x84, 0x21, 0x08, 0x42, 0x10})});
+  CHECK(outcome(coded(0x01, 2, 0xC2, 8, eight)).substr(0, 8) == "it loads");
+  CHECK(outcome(coded(0x01, 2, 0xC2, 9, eight)) == short_of_bits);
 }
 
 TEST_CASE("a scan reads what its kind of file holds, and nothing of the scan before it") {

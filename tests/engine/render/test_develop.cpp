@@ -1,6 +1,7 @@
 // Tests of engine/render/develop.hpp: from light to bytes, for all numbers and threads.
 #include <doctest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "engine/render/develop.hpp"
@@ -91,6 +92,14 @@ TEST_CASE_TEMPLATE("packs and any number of threads develop the picture of doubl
   }
   CHECK(develop<Real>(film, Transfer::srgb) != develop<Real>(film, Transfer::sqrt));
   CHECK(develop<Real>(film, Transfer::srgb) != develop<Real>(film, Transfer::srgb, 3));
+}
+
+TEST_CASE("progress of developing is told of every row") {
+  const Film film = any_film();
+  std::atomic<int> told = 0;
+  const auto finished = [&](int, int total) { told += total; };
+  CHECK(develop(film, Transfer::srgb, 0, 2, finished) == develop(film, Transfer::srgb));
+  CHECK(told == film.height() * film.height());
 }
 
 }  // namespace

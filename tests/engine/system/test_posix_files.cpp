@@ -1,5 +1,7 @@
 // Files as Linux, macOS and their like have them: links, pipes, devices, permissions, signals.
 #include <doctest.h>
+#include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -17,6 +19,7 @@
 
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
 #include "support/image_errors.hpp"
 #include "support/made_pictures.hpp"
 #include "support/temporary_folder.hpp"
@@ -247,6 +250,88 @@ TEST_CASE("a signal while writing waits until the file is whole and none is lost
     CHECK(load_image(folder / "picture.png") == noise(60, 60, 1));
     CHECK(folder.size() == 1);
   }
+}
+
+TEST_CASE("a signal while a long file is written ends the program before the file is whole") {
+  const TemporaryFolder folder;
+  const std::vector<std::uint8_t> bytes(std::size_t{64} << 20, 7);
+  bool given_up = false;
+  for (int attempt = 0; attempt < 100 && !given_up; ++attempt) {  // it may come too late
+    put(folder / "file", {1, 2, 3});
+    const pid_t child = fork();
+    if (child == 0) {
+      ::signal(SIGINT, SIG_DFL);
+      try {
+        write_file_atomically(folder / "file", bytes);
+      } catch (const FileError&) {
+        _exit(98);
+      }
+      _exit(0);
+    }
+    int status = 0;
+    pid_t ended = 0;
+    while (folder.size() < 2 && ended == 0) ended = waitpid(child, &status, WNOHANG);
+    if (ended == 0) {
+      REQUIRE(kill(child, SIGINT) == 0);
+      REQUIRE(waitpid(child, &status, 0) == child);
+    }
+    CHECK((WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status) - SIGINT) == 0);
+    CHECK(folder.size() == 1);
+    given_up = WIFSIGNALED(status) && fs::file_size(folder / "file") == 3;
+  }
+  CHECK(given_up);
+}
+
+TEST_CASE("a signal that the program ignores does not end the writing of a long file") {
+  const TemporaryFolder folder;
+  const std::vector<std::uint8_t> bytes(std::size_t{32} << 20, 7);
+  const pid_t child = fork();
+  if (child == 0) {
+    ::signal(SIGHUP, SIG_IGN);
+    try {
+      write_file_atomically(folder / "file", bytes);
+    } catch (const FileError&) {
+      _exit(98);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  while (folder.size() == 0 && waitpid(child, &status, WNOHANG) == 0) {
+  }
+  pid_t ended = 0;
+  while (ended == 0) {
+    kill(child, SIGHUP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ended = waitpid(child, &status, WNOHANG);
+  }
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(fs::file_size(folder / "file") == bytes.size());
+}
+
+TEST_CASE("a signal ends a program whose pipe is full and not read") {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  REQUIRE(reader >= 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    ::signal(SIGINT, SIG_DFL);
+    write_file_atomically(pipe, std::vector<std::uint8_t>(std::size_t{1} << 20, 7));
+    _exit(0);
+  }
+  pollfd arrived = {.fd = reader, .events = POLLIN, .revents = 0};
+  CHECK(poll(&arrived, 1, 60000) == 1);
+  REQUIRE(kill(child, SIGINT) == 0);
+  int status = 0;
+  for (int attempt = 0; attempt < 1000 && waitpid(child, &status, WNOHANG) == 0; ++attempt) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (attempt == 999) kill(child, SIGKILL);
+  }
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGINT);
+  close(reader);
 }
 
 TEST_CASE("with the first three descriptors closed the picture is whole and holds nothing else") {

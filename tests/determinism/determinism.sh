@@ -1,0 +1,187 @@
+#!/bin/sh
+# Every build draws the same picture of a chapter in a number: whatever compiler, optimisation, machine code and number of threads.
+#
+#   determinism.sh [COMPILER[:FLAGS]...]   builds chapters 01 to 07 for each, in build/determinism, and compares all pictures with those
+#                                          of the first; without arguments: g++ and clang++ with -O0, -O2, -O3 and -O2 -march=native
+#   determinism.sh --part                  for CI: the programs in build/release, those that there are in build/clang and build/no-xsimd,
+#                                          and chapter 06 built with -O0 -march=native
+#   determinism.sh --self-test BIN         shows that a build, or a number of threads, that draws another picture is noticed
+#
+# A build whose compiler is missing is skipped. BIN holds the chapters' programs and compare.
+# exit status: 0 one picture everywhere; 1 not so; 77 there are no two builds to compare
+set -eu
+tree=$(cd "$(dirname "$0")/../.." && pwd)
+builds=$tree/build/determinism
+all_threads="1 2 3 8"
+chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
+  07_earth_by_sampling"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+mkdir "$work/first"
+compare=
+compared=0
+failed=0
+
+# check_pictures NAME BIN: draws all that BIN's programs offer. A picture that is new is kept; it is what later ones are compared with.
+check_pictures() {
+  name=$1 bin=$2
+  drawn=0
+  against=0
+  differing=
+  for chapter in $chapters; do
+    [ -x "$bin/$chapter" ] || continue
+    "$bin/$chapter" --help >"$work/help"
+    numbers=$(sed -n 's/^ *--number \([a-z|-]*\)$/\1/p' "$work/help" | tr '|' ' ')
+    [ -n "$numbers" ] || {
+      echo "FAIL: $name: $chapter offers no --number"
+      failed=1
+    }
+    budgets=exact
+    ! grep -q '^ *--budget ' "$work/help" || budgets="exact levels=1"
+    for number in $numbers; do
+      for budget in $budgets; do
+        picture=$chapter-$number
+        set -- --width 64 --height 48 --samples 16 --number "$number"
+        if [ "$budget" != exact ]; then
+          picture=$picture-$budget
+          set -- "$@" --budget "$budget"
+        fi
+        for threads in $all_threads; do
+          drawn=$((drawn + 1))
+          "$bin/$chapter" --quiet --out "$work/drawn.png" --threads "$threads" "$@" 2>"$work/log" || {
+            differing="$differing $picture(threads=$threads: $(head -n 1 "$work/log"))"
+            continue
+          }
+          if [ ! -e "$work/first/$picture.png" ]; then
+            mv "$work/drawn.png" "$work/first/$picture.png"
+            continue
+          fi
+          against=$((against + 1))
+          # A picture has one PNG, unless another encoder wrote it.
+          cmp -s "$work/first/$picture.png" "$work/drawn.png" || "$compare" --quiet "$work/first/$picture.png" "$work/drawn.png" ||
+            differing="$differing $picture(threads=$threads)"
+        done
+      done
+    done
+  done
+  printf '%s: %s pictures drawn, %s compared, differing:%s\n' "$name" "$drawn" "$against" "${differing:- none}"
+  [ -z "$differing" ] || failed=1
+  compared=$((compared + against))
+}
+
+# build NAME COMPILER FLAGS TARGET...: in build/determinism/NAME.
+build() {
+  name=$1 compiler=$2 flags=$3
+  shift 3
+  mkdir -p "$builds"
+  if ! cmake -S "$tree" -B "$builds/$name" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER="$compiler" \
+    -D CMAKE_CXX_FLAGS="$flags" -D CMAKE_CXX_FLAGS_RELEASE= -D CMAKE_EXPORT_COMPILE_COMMANDS=ON >"$builds/$name.log" 2>&1 ||
+    ! cmake --build "$builds/$name" --parallel 2 --target "$@" >>"$builds/$name.log" 2>&1; then
+    tail -n 30 "$builds/$name.log"
+    echo "FAIL: $name cannot be built"
+    exit 1
+  fi
+  # A fused a*b+c rounds once: no unit may have them, neither by the compiler's choice nor by a library's.
+  # (Header sets and work_before_main, a planted fault, are in no program.)
+  grep '"command":' "$builds/$name/compile_commands.json" >"$work/commands"
+  if grep -v -e ' -ffp-contract=off ' -e _verify_interface_header_sets -e work_before_main "$work/commands" >"$work/unguarded"; then
+    echo "FAIL: $name: units are compiled without -ffp-contract=off, such as the first of these"
+    head -n 3 "$work/unguarded"
+    failed=1
+  fi
+  for chapter in $chapters; do
+    if [ -x "$builds/$name/bin/$chapter" ] && command -v objdump >/dev/null 2>&1 &&
+      objdump -d --no-show-raw-insn "$builds/$name/bin/$chapter" | grep -q 'vfn\{0,1\}m\(add\|sub\)'; then
+      echo "FAIL: $name: $chapter has fused multiplications and additions"
+      failed=1
+    fi
+  done
+}
+
+take_compare() {
+  compare=$1/compare
+  [ -x "$compare" ] || {
+    echo "there is no $compare: build compare_program" >&2
+    exit 1
+  }
+}
+
+case ${1:-} in
+  --self-test)
+    bin=${2:?usage: determinism.sh --self-test BIN}
+    take_compare "$bin"
+    chapters="02_checkerboard_uv 07_earth_by_sampling"
+    right=$bin
+    check_pictures right "$right" >"$work/found"
+    [ "$failed" = 0 ] || {
+      cat "$work/found"
+      exit 1
+    }
+    mkdir "$work/wrong"
+    cat >"$work/wrong/02_checkerboard_uv" <<END
+#!/bin/sh
+case "\$*" in *"--threads 3 "*"--number float") set -- "\$@" --samples 1 ;; esac
+exec "$right/02_checkerboard_uv" "\$@"
+END
+    cat >"$work/wrong/07_earth_by_sampling" <<END
+#!/bin/sh
+case "\$*" in *"--number double --budget"*) set -- "\$@" --seed 1 ;; esac
+exec "$right/07_earth_by_sampling" "\$@"
+END
+    chmod +x "$work/wrong"/*
+    check_pictures wrong "$work/wrong" >"$work/found"
+    expected=" 02_checkerboard_uv-float(threads=3)"
+    for threads in $all_threads; do expected="$expected 07_earth_by_sampling-double-levels=1(threads=$threads)"; done
+    if ! grep -qF "differing:$expected" "$work/found" || [ "$failed" = 0 ]; then
+      echo "FAIL: not noticed as they should be:$expected"
+      cat "$work/found"
+      exit 1
+    fi
+    echo "pictures that differ are noticed"
+    exit 0
+    ;;
+  --part)
+    release=$tree/build/release/bin
+    take_compare "$release"
+    check_pictures release "$release"
+    for built in clang no-xsimd; do
+      [ ! -d "$tree/build/$built/bin" ] || check_pictures "$built" "$tree/build/$built/bin"
+    done
+    build part g++ "-O0 -march=native" 06_phong_texture_blend
+    check_pictures "g++ -O0 -march=native" "$builds/part/bin"
+    ;;
+  -*)
+    echo "usage: determinism.sh [--part | --self-test BIN | COMPILER[:FLAGS]...]" >&2
+    exit 1
+    ;;
+  *)
+    if [ $# = 0 ]; then
+      for compiler in g++ clang++; do
+        set -- "$@" "$compiler:-O0" "$compiler:-O2" "$compiler:-O3" "$compiler:-O2 -march=native"
+      done
+    fi
+    tried=0
+    for wanted in "$@"; do
+      compiler=${wanted%%:*}
+      flags=${wanted#"$compiler"}
+      flags=${flags#:}
+      command -v "$compiler" >/dev/null 2>&1 || {
+        echo "$compiler $flags: skipped, there is no $compiler"
+        continue
+      }
+      name=$(printf '%s' "${compiler##*/} $flags" | tr -cs 'A-Za-z0-9+.\n' -)
+      # shellcheck disable=SC2086  # a list of targets
+      build "$name" "$compiler" "$flags" $chapters compare_program
+      [ -n "$compare" ] || compare=$builds/$name/bin/compare
+      check_pictures "$compiler $flags" "$builds/$name/bin"
+      tried=$((tried + 1))
+    done
+    [ "$tried" -ge 2 ] || {
+      echo "skipped: no two builds to compare"
+      exit 77
+    }
+    ;;
+esac
+[ "$failed" = 0 ] && [ "$compared" -gt 0 ] || exit 1
+echo "$compared pictures compared: one for each chapter and number"
