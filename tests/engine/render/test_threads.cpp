@@ -67,7 +67,7 @@ TEST_CASE("one thread is the caller's own and goes through the rows in order") {
   CHECK(same_thread);
 }
 
-/// A place where so many threads meet. Whoever waits in vain for a minute gives up, and with it all.
+/// A place where so many threads meet. If one waits in vain for a minute, all give up.
 class MeetingPlace {
  public:
   explicit MeetingPlace(int expected) : expected_(expected) {}
