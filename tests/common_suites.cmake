@@ -21,6 +21,7 @@ foreach(suite
     scene/test_light
     scene/test_nearest
     scene/test_paint
+    scene/test_path
     scene/test_phong
     scene/test_sky
     scene/test_sphere
