@@ -9,6 +9,7 @@ foreach(suite
     number/test_pack2
     number/test_pack2_fallback
     number/test_pack_u32
+    number/test_pack_u32_fallback
     math/test_srgb
     math/test_vec3
     sampling/test_directions
@@ -20,6 +21,7 @@ foreach(suite
     scene/test_light
     scene/test_nearest
     scene/test_paint
+    scene/test_path
     scene/test_phong
     scene/test_sky
     scene/test_sphere
@@ -71,8 +73,10 @@ target_link_libraries(test_save_png PRIVATE stb_image)
 add_suite(engine/app/test_command_line ON app LABELS common)
 add_suite(engine/app/test_gather_session ON app LABELS common)
 add_suite(engine/app/test_lesson ON app LABELS common)
+add_suite(engine/app/test_sampling_options ON app LABELS common)
 add_suite(engine/app/test_session_line ON picture LABELS common)
-target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>")
+target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
+  TEXMAP_VERSION="${PROJECT_VERSION}")
 add_dependencies(test_session_line 05_y_rotation)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 

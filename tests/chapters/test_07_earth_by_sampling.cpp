@@ -367,3 +367,16 @@ TEST_CASE("the program draws as many samples as were asked for, or stops at the 
   CHECK(stated_by_program("--samples 100 --target-error 0.001").samples ==
         48);  // 16 and 32; the next pair would be beyond
 }
+
+TEST_CASE(
+    "a limit without --samples draws until it is met, up to 2^20 samples, not the usual 100") {
+  CHECK(stated_by_program("").samples == 100);
+  const Stated fine = stated_by_program("--target-error 0.3");
+  CHECK(fine.error <= 0.305);  // it is told with two decimals
+  CHECK(fine.samples > 200);
+  CHECK(stated_by_program("--time-limit 1e-6").samples == 16);  // the first pair is always drawn
+  // A pixel that stays above its error: pairs that double up to 2^14 samples, then as many as fit.
+  const Stated most =
+      stated_by_program("--width 1 --height 1 --sampler random --target-error 1e-9");
+  CHECK(most.samples == 2 * (8 * 4095 + 30 * 16384));
+}

@@ -85,6 +85,42 @@ TEST_CASE(
   CHECK(length(sum) / 1024 < 0.01 * radius);
 }
 
+TEST_CASE("a ray starts at the place on the lens that its second pair of numbers names") {
+  for (const double degrees : {1e-9, 0.5, 3.0, 90.0}) {
+    const Lens lens{.defocus_degrees = degrees, .focus_distance = 8};
+    CHECK(lens.blurs());
+    const double radius = 8 * std::tan(degrees / 2 * (std::numbers::pi / 180));
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      SampledNumbers<double> again{.sample = i, .dimension = 1};
+      const auto on_lens = uniform_disk(again.next_2d());
+      SampledNumbers<double> random{.sample = i};
+      const Ray<double> ray = lens.ray(view, PixelPlace<double>{column, row}, random);
+      const Point offset = ray.origin - view.eye;
+      REQUIRE(std::abs(dot(offset, view.right) - radius * on_lens.x) <= 1e-14 * (radius + 1));
+      REQUIRE(std::abs(dot(offset, view.up) - radius * on_lens.y) <= 1e-14 * (radius + 1));
+      REQUIRE(random.dimension == 2);
+    }
+  }
+}
+
+TEST_CASE("a shift of any size and sign is an exposure, and lowers the eye by a part of itself") {
+  for (const double shift : {5e-324, 1e-300, -1e-300, 1e-6, 1.0, -1.0, -0.5, 100.0, -100.0}) {
+    CAPTURE(shift);
+    const Lens lens{.shift = shift};
+    CHECK(lens.blurs());
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      SampledNumbers<double> again{.sample = i, .dimension = 1};
+      const double expected = view.eye.y - shift * again.next_2d().u;
+      SampledNumbers<double> random{.sample = i};
+      const Ray<double> ray = lens.ray(view, PixelPlace<double>{column, row}, random);
+      REQUIRE(random.dimension == 2);
+      REQUIRE(ray.origin.y == expected);
+      REQUIRE((ray.origin.x == view.eye.x && ray.origin.z == view.eye.z));
+    }
+  }
+  CHECK_FALSE(Lens{.shift = -0.0}.blurs());
+}
+
 TEST_CASE("a scene that moves up is seen by an eye that moves down as far") {
   const Lens lens{.shift = 0.5};
   CHECK(lens.blurs());

@@ -356,6 +356,38 @@ TEST_CASE_TEMPLATE(
   CHECK(root_ahead(Real(1), Real(1), Real(1), nan) == infinity<Real>());
 }
 
+TEST_CASE_TEMPLATE("all three forms meet an ordinary sphere in the same place, wherever it stands",
+                   Real, double, long double) {
+  Dice dice(5);
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Point center = dice.direction<double>() * 7.0;
+    const double radius = 1.5 + dice.between(-1, 1);
+    const Point to_side = dice.direction<double>() * (1.5 * radius);
+    const Point eye = center + dice.direction<double>() * (radius + 3);
+    const Ray<Real> ray{number_cast<Real>(eye), number_cast<Real>((center + to_side - eye) * 0.25)};
+    const Sphere<> robust{center, radius, SphereForm::robust};
+    const Vec3<Real> past = ray.origin - number_cast<Real>(center);
+    const Real nearest = length(cross(past, ray.direction)) / length(ray.direction);
+    if (abs(nearest - Real(radius)) < Real(0.01)) continue;  // there rounding decides
+    for (const SphereForm form : {SphereForm::plain, SphereForm::hybrid}) {
+      const Sphere<> other{center, radius, form};
+      const Real expected = distance_to(robust, ray);
+      const Real distance = distance_to(other, ray);
+      if (!(expected < infinity<Real>())) {
+        REQUIRE(distance == expected);
+        continue;
+      }
+      ++met;
+      REQUIRE(abs(distance - expected) <= Real(1e-12) * expected);
+      REQUIRE(largest(normal_at(other, ray, distance) - normal_at(robust, ray, expected)) <=
+              Real(1e-12));
+    }
+  }
+  CHECK(met > 1000);
+  CHECK(met < 3800);
+}
+
 TEST_CASE_TEMPLATE(
     "a ray without a direction, or with one that is no number, leaves from outside and meets "
     "nothing",

@@ -62,6 +62,42 @@ bool has_nan(const Barycentric<Real>& w) {
 
 const Triangle right_triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
+/// Equal corners, and corners on a line, many of them in the plane z = 0.
+const Triangle degenerate_triangles[] = {
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}},
+    {{1, 2, 3}, {1, 2, 3}, {4, 5, 7}},
+    {{1, 2, 3}, {4, 5, 7}, {1, 2, 3}},
+    {{4, 5, 7}, {1, 2, 3}, {1, 2, 3}},
+    {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+    {{0, 0, 0}, {0, 2, 0}, {0, 1, 0}},
+    {{1, 1, 1}, {-1, -1, -1}, {3, 3, 3}},
+    {{0, 0, 0}, {1, 2, 3}, {-3, -6, -9}},
+    {{1e30, 1e30, 0}, {2e30, 2e30, 0}, {3e30, 3e30, 0}},
+    {{1e-30, 1e-30, 0}, {2e-30, 2e-30, 0}, {3e-30, 3e-30, 0}},
+    {{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}},
+    // On a line only before their tenths were rounded.
+    {{0, 0, 0}, {0.1, 0.1, 0}, {0.3, 0.3, 0}},
+    {{0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}},
+    {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}},
+    {{1.1, 1.2, 1.3}, {1.2, 1.4, 1.6}, {1.4, 1.8, 2.2}},
+    {{-0.1, 0.7, 0}, {0.2, -1.4, 0}, {0.3, -2.1, 0}},
+};
+
+constexpr int orders_of_axes = 6;
+
+/// The point with its coordinates in another order: what lies in the plane z = 0 then lies in
+/// x = 0 or y = 0.
+template <class Real>
+Vec3<Real> with_axes(const Vec3<Real>& p, int order) {
+  const Vec3<Real> turned[] = {p, {p.y, p.z, p.x}, {p.z, p.x, p.y}};
+  const Vec3<Real>& q = turned[order % 3];
+  return order < 3 ? q : Vec3<Real>{q.y, q.x, q.z};
+}
+Triangle with_axes(const Triangle& t, int order) {
+  return {with_axes(t.a, order), with_axes(t.b, order), with_axes(t.c, order)};
+}
+
 TEST_CASE_TEMPLATE(
     "P24: at a corner all the weight is that corner's, to the bit, for a triangle of any shape",
     Real, float, double, long double) {
@@ -127,33 +163,17 @@ TEST_CASE_TEMPLATE("P25: beyond a side a weight is negative, not folded back ins
 TEST_CASE_TEMPLATE(
     "P26: equal corners and corners on a line are degenerate, and have weights all the same", Real,
     float, double, long double) {
-  const Triangle table[] = {
-      {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-      {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}},
-      {{1, 2, 3}, {1, 2, 3}, {4, 5, 7}},
-      {{1, 2, 3}, {4, 5, 7}, {1, 2, 3}},
-      {{4, 5, 7}, {1, 2, 3}, {1, 2, 3}},
-      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
-      {{0, 0, 0}, {0, 2, 0}, {0, 1, 0}},
-      {{1, 1, 1}, {-1, -1, -1}, {3, 3, 3}},
-      {{0, 0, 0}, {1, 2, 3}, {-3, -6, -9}},
-      {{1e30, 1e30, 0}, {2e30, 2e30, 0}, {3e30, 3e30, 0}},
-      {{1e-30, 1e-30, 0}, {2e-30, 2e-30, 0}, {3e-30, 3e-30, 0}},
-      {{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}},
-      // On a line only before their tenths were rounded.
-      {{0, 0, 0}, {0.1, 0.1, 0}, {0.3, 0.3, 0}},
-      {{0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}},
-      {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}},
-      {{1.1, 1.2, 1.3}, {1.2, 1.4, 1.6}, {1.4, 1.8, 2.2}},
-      {{-0.1, 0.7, 0}, {0.2, -1.4, 0}, {0.3, -2.1, 0}},
-  };
-  for (const Triangle& t : table) {
-    CAPTURE(t.b.x);
-    CAPTURE(t.c.y);
-    CHECK(is_degenerate(barycentric(t, number_cast<Real>(t.a))));
-    CHECK(is_degenerate(barycentric(t, number_cast<Real>(t.b))));
-    CHECK(is_degenerate(barycentric(t, Vec3<Real>{Real(0.25), Real(-7), Real(1e6)})));
-    CHECK(is_degenerate(barycentric(t, number_cast<Real>((t.a + t.b + t.c) * (1.0 / 3)))));
+  for (const Triangle& of_table : degenerate_triangles) {
+    for (int order = 0; order < orders_of_axes; ++order) {
+      const Triangle t = with_axes(of_table, order);
+      CAPTURE(order);
+      CAPTURE(of_table.b.x);
+      CAPTURE(of_table.c.y);
+      CHECK(is_degenerate(barycentric(t, number_cast<Real>(t.a))));
+      CHECK(is_degenerate(barycentric(t, number_cast<Real>(t.b))));
+      CHECK(is_degenerate(barycentric(t, Vec3<Real>{Real(0.25), Real(-7), Real(1e6)})));
+      CHECK(is_degenerate(barycentric(t, number_cast<Real>((t.a + t.b + t.c) * (1.0 / 3)))));
+    }
   }
 }
 
@@ -174,12 +194,16 @@ TEST_CASE_TEMPLATE("a triangle that is thin along an axis is one at any width", 
                    long double) {
   for (double width = 1; width >= 1e-30; width /= 2) {
     CAPTURE(width);
-    REQUIRE(is(barycentric({{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}},
-                           Vec3<Real>{Real(0.5), Real(width / 2), 0}),
-               0.25, 0.25, 0.5));
-    REQUIRE(is(barycentric({{0, 0, 0}, {0, 0, 1}, {0, width, 0}},
-                           Vec3<Real>{0, Real(width / 2), Real(0.25)}),
-               0.25, 0.25, 0.5));
+    const Triangle thin{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}};
+    const Vec3<Real> inside{Real(0.5), Real(width / 2), 0};
+    for (int order = 0; order < orders_of_axes; ++order) {
+      CAPTURE(order);
+      const Triangle t = with_axes(thin, order);
+      const Vec3<Real> p = with_axes(inside, order);
+      REQUIRE(is(barycentric(t, p), 0.25, 0.25, 0.5));
+      REQUIRE(is(barycentric({t.b, t.c, t.a}, p), 0.25, 0.5, 0.25));
+      REQUIRE(is(barycentric({t.c, t.a, t.b}, p), 0.5, 0.25, 0.25));
+    }
   }
 }
 

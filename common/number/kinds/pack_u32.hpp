@@ -9,7 +9,12 @@
 
 namespace texmap {
 
-#if defined(__GNUC__)
+// Without the compiler's vector types, or to test what other compilers build: arrays.
+#if defined(__GNUC__) && !defined(TEXMAP_NO_VECTOR_TYPES)
+#define TEXMAP_VECTOR_TYPES
+#endif
+
+#ifdef TEXMAP_VECTOR_TYPES
 /// The compiler's own vector type of `Count` numbers.
 template <class Number, std::size_t Count>
 struct VectorOf {
@@ -29,7 +34,7 @@ class PackU32 {
   /// The same integer in every lane.
   PackU32(std::uint32_t
               value) {  // NOLINT(google-explicit-constructor): constants and scalars mix with lanes
-#if defined(__GNUC__)
+#ifdef TEXMAP_VECTOR_TYPES
     values_ = value - Vector{};
 #else
     for (std::size_t i = 0; i < stored; ++i) values_.lanes[i] = value;
@@ -47,7 +52,7 @@ class PackU32 {
     return std::bit_cast<Lanes>(values_).lanes[i];
   }
 
-#if defined(__GNUC__)
+#ifdef TEXMAP_VECTOR_TYPES
   friend PackU32 operator+(const PackU32& a, const PackU32& b) {
     return {a.values_ + b.values_, 0};
   }
@@ -114,7 +119,7 @@ class PackU32 {
   /// The numbers of a pack as integers, cut off. Domain: 0 to 2^31 - 1.
   template <class Real>
   [[nodiscard]] static PackU32 from_real(const Real& x) {
-#if defined(__GNUC__)
+#ifdef TEXMAP_VECTOR_TYPES
     if constexpr (stored == Count) {
       using Signed = typename VectorOf<std::int32_t, Count>::Type;
       using Lane = typename VectorOf<Scalar<Real>, Count>::Type;
@@ -129,7 +134,7 @@ class PackU32 {
   /// The lanes as a pack of numbers, exact. Domain: below 2^24, for packs of double below 2^31.
   template <class Real>
   [[nodiscard]] Real to_real() const {
-#if defined(__GNUC__)
+#ifdef TEXMAP_VECTOR_TYPES
     if constexpr (stored == Count) {
       // Conversion from signed integers has an instruction; from unsigned ones it takes several.
       using Signed = typename VectorOf<std::int32_t, Count>::Type;
@@ -148,7 +153,7 @@ class PackU32 {
   struct Lanes {
     alignas(4 * stored) std::uint32_t lanes[stored];
   };
-#if defined(__GNUC__)
+#ifdef TEXMAP_VECTOR_TYPES
   using Vector = typename VectorOf<std::uint32_t, stored>::Type;
 #else
   using Vector = Lanes;

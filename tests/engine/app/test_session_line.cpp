@@ -18,17 +18,24 @@ struct Line {
   double total = 0, load = 0, render = 0, encode = 0, write = 0, rays = 0;
 };
 
+/// The lines of an output that has nothing else: no byte before, between or behind them.
 std::vector<Line> lines_of(const std::string& text) {
-  const std::regex form(
+  static const std::regex form(
       "(.*): 40 x 30 pixels, (\\d+\\.\\d) ms \\(load (\\d+\\.\\d), render (\\d+\\.\\d), encode "
-      "(\\d+\\.\\d), write "
-      "(\\d+\\.\\d)\\), "
-      "(\\d+\\.\\d) million rays/s\n");
+      "(\\d+\\.\\d), write (\\d+\\.\\d)\\), (\\d+\\.\\d) million rays/s");
   std::vector<Line> lines;
-  for (std::sregex_iterator at(text.begin(), text.end(), form), end; at != end; ++at) {
-    const auto number = [&](int i) { return std::stod((*at)[static_cast<std::size_t>(i)].str()); };
+  std::size_t start = 0;
+  while (start < text.size()) {
+    const std::size_t end = text.find('\n', start);
+    REQUIRE(end != std::string::npos);
+    const std::string line = text.substr(start, end - start);
+    std::smatch part;
+    CAPTURE(line);
+    REQUIRE(std::regex_match(line, part, form));
+    const auto number = [&](std::size_t i) { return std::stod(part[i].str()); };
     lines.push_back(
-        {(*at)[1].str(), number(2), number(3), number(4), number(5), number(6), number(7)});
+        {part[1].str(), number(2), number(3), number(4), number(5), number(6), number(7)});
+    start = end + 1;
   }
   return lines;
 }
@@ -70,4 +77,33 @@ TEST_CASE("a quiet chapter prints no line") {
   const std::string command = TEXMAP_CHAPTER
       " --quiet --width 40 --height 30 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
   CHECK(run(command + "\"" + (folder / "picture.png") + "\"").out == "");
+}
+
+TEST_CASE("what a chapter prints is its text to the byte, and ends with one end of a line") {
+  const Outcome version = run(TEXMAP_CHAPTER " --version");
+  CHECK(version.status == 0);
+  CHECK(version.out == "05_y_rotation " TEXMAP_VERSION " (Texture Mapping, Step by Step)\n");
+  CHECK(version.err == "");
+  const Outcome help = run(TEXMAP_CHAPTER " --help");
+  const std::string end =
+      "\nexit status: 0 the picture is on disk; 1 it could not be made; 2 the command line is "
+      "wrong\n";
+  CHECK(help.status == 0);
+  CHECK(help.out.starts_with("05_y_rotation: "));
+  REQUIRE(help.out.find(end) != std::string::npos);
+  CHECK(help.out.find(end) + end.size() == help.out.size());
+  CHECK(help.err == "");
+}
+
+TEST_CASE("what a chapter says of an error is its text to the byte, on stderr alone") {
+  const Outcome wrong = run(TEXMAP_CHAPTER " --nonsense");
+  CHECK(wrong.status == 2);
+  CHECK(wrong.out == "");
+  CHECK(wrong.err ==
+        "error: there is no option --nonsense\nusage: 05_y_rotation [options]     (05_y_rotation "
+        "--help lists them)\n");
+  const Outcome missing = run(TEXMAP_CHAPTER " --texture no/such/file.png --out x.png");
+  CHECK(missing.status == 1);
+  CHECK(missing.out == "");
+  CHECK(missing.err == "error: cannot load texture 'no/such/file.png': there is no such file\n");
 }

@@ -6,6 +6,7 @@
 
 #include "engine/compare/difference_map.hpp"
 #include "engine/compare/figures_json.hpp"
+#include "engine/measure/text.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "support/made_pictures.hpp"
@@ -151,6 +152,42 @@ TEST_CASE("the table has every figure with its unit, and the verdict last") {
   CHECK(has(desk.compare("a.png a.png").out, "infinite dB\n"));
   CHECK(desk.compare("a.png b.png --pixels-off-by-more-than 1 --at-most 0.02%")
             .out.ends_with("off by more than 1: 2 pixels, 0.02% of all allowed: the same\n"));
+}
+
+TEST_CASE("what is printed is the table and the verdict to the byte, without lines of no meaning") {
+  const Desk desk;
+  save_png(Image(16, 16, {10, 20, 30}), desk.folder / "plain.png");
+  const Outcome same = desk.compare("plain.png plain.png");
+  CHECK(same.err.empty());
+  CHECK(same.out ==
+        "size                 16 x 16 pixels, 256 compared\n"
+        "different            0 pixels (0 %)\n"
+        "mean absolute error  0 levels\n"
+        "RMSE                 0 levels\n"
+        "PSNR                 infinite dB\n"
+        "SSIM                 1 (1: equal)\n"
+        "FLIP                 0 (0: equal, 1: most)\n"
+        "mean value           20 and 20 levels\n"
+        "off by more than 0: 0 pixels, 0 of all allowed: the same\n");
+
+  const Figures figures = measure(desk.a, desk.b, Image());
+  const auto color = [](Rgb8 c) { return text("(%d, %d, %d)", c.r, c.g, c.b); };
+  const Outcome other = desk.compare("a.png b.png");
+  CHECK(other.err.empty());
+  CHECK(other.out ==
+        "size                 100 x 100 pixels, 10000 compared\n"
+        "different            3 pixels (0.03 %)\n"
+        "within               columns 10 to 50, rows 20 to 25\n"
+        "largest difference   5 levels at column 10, row 20: " +
+            color(desk.a.at(10, 20)) + " and " + color(desk.b.at(10, 20)) +
+            "\n"
+            "mean absolute error  0.000366667 levels\n"
+            "RMSE                 0.0412311 levels\n"
+            "PSNR                 75.8263 dB\n" +
+            text("SSIM                 %.10g (1: equal)\n", figures.structural_similarity) +
+            text("FLIP                 %g (0: equal, 1: most)\n", figures.flip) +
+            text("mean value           %g and %g levels\n", figures.mean_a, figures.mean_b) +
+            "off by more than 0: 3 pixels, 0 of all allowed: they differ\n");
 }
 
 TEST_CASE("quiet prints nothing, whatever the result") {

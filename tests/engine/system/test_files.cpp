@@ -1,13 +1,16 @@
 // Files on every system: read whole, written whole or not at all, named in any alphabet.
 #include <doctest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "engine/system/shared.hpp"
 #include "engine/system/system.hpp"
 #include "support/image_errors.hpp"
 #include "support/temporary_folder.hpp"
@@ -45,6 +48,67 @@ TEST_CASE("any bytes are written as they are, none at all included") {
   write_text_atomically(file, "");
   CHECK(bytes_of(folder / "some").empty());
   CHECK(folder.size() == 1);
+}
+
+namespace {
+
+/// Any bytes, the same in every run.
+std::vector<std::uint8_t> some_bytes(std::size_t count) {
+  std::vector<std::uint8_t> bytes(count);
+  std::uint32_t state = 1;
+  for (std::uint8_t& byte : bytes) {
+    state = state * 1664525U + 1013904223U;
+    byte = static_cast<std::uint8_t>(state >> 24);
+  }
+  return bytes;
+}
+
+/// What read_whole makes of a system that says `size` and hands over `there`, a piece at a time.
+std::vector<std::uint8_t> read_in_pieces(const std::vector<std::uint8_t>& there, std::uint64_t size,
+                                         std::size_t piece) {
+  std::size_t from = 0;
+  return read_whole(size, most, [&](std::uint8_t* to, std::size_t room) {
+    const std::size_t got = std::min({piece, room, there.size() - from});
+    std::copy_n(there.begin() + static_cast<std::ptrdiff_t>(from), got, to);
+    from += got;
+    return got;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a file that comes in pieces of any size is read to the byte") {
+  for (const std::size_t length : {1U, 2U, 999U}) {
+    const std::vector<std::uint8_t> bytes = some_bytes(length);
+    for (const std::size_t piece : {1U, 2U, 7U, 998U, 999U, 5000U}) {
+      CAPTURE(length);
+      CAPTURE(piece);
+      CHECK(read_in_pieces(bytes, length, piece) == bytes);
+    }
+  }
+}
+
+TEST_CASE("a file that grows or shrinks while it is read is refused, by one byte or many") {
+  for (const std::size_t length : {1U, 7U, 9U, 12U, 900U}) {
+    for (const std::size_t piece : {1U, 3U, 1000U}) {
+      CAPTURE(length);
+      CAPTURE(piece);
+      CHECK(image_error_of([&] {
+              static_cast<void>(read_in_pieces(some_bytes(length), 8, piece));
+            }) == "the file changed while it was being read");
+    }
+  }
+}
+
+TEST_CASE("a file of a million bytes is read as it is") {
+  const TemporaryFolder folder;
+  const std::vector<std::uint8_t> bytes = some_bytes(1000003);
+  put(folder / "some", bytes);
+  const bool same = read_file(path_of(folder / "some"), bytes.size()) == bytes;
+  CHECK(same);
+  write_file_atomically(path_of(folder / "copy"), bytes);
+  const bool copied = bytes_of(folder / "copy") == bytes;
+  CHECK(copied);
 }
 
 TEST_CASE("what cannot be read is named in the same words on every system") {

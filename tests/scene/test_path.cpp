@@ -1,0 +1,153 @@
+// Tests of scene/path.hpp: the light of paths whose every turn is known.
+#include <doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "sampling/sampled_numbers.hpp"
+#include "sampling/samplers.hpp"
+#include "scene/paint.hpp"
+#include "scene/path.hpp"
+#include "scene/sky.hpp"
+#include "support/dice.hpp"
+#include "support/lanes.hpp"
+
+namespace texmap::test {
+namespace {
+
+using Object = Painted<Solid>;
+
+/// The pairs that a path is to get, one after the other; beyond the last none is there.
+template <class Real>
+struct Planned {
+  std::vector<Point2<Real>> pairs;
+  std::size_t used = 0;
+  const Point2<Real>& next_2d() { return pairs.at(used++); }
+};
+
+/// Numbers that scatter a path along the normal, and nearly along the surface.
+template <class Real>
+const Point2<Real> straight{Real(0.5) - Real(0x1p-25), Real(0.5) - Real(0x1p-25)};
+template <class Real>
+const Point2<Real> aside{Real(1) - Real(0x1p-24), Real(0.5) - Real(0x1p-25)};
+
+/// Two spheres on the z axis, above and below the origin. A path that leaves them along their
+/// normals goes to and fro forever. Albedos are powers of two, so that nothing rounds.
+const std::vector<Object> two_mirrors = {{{{0, 0, -5}, 1}, {{0.5, 0.25, 1}}},
+                                         {{{0, 0, 5}, 1}, {{0.25, 1, 0.5}}}};
+const GradientSky<> plain_sky{.below = {1, 0.5, 0.25}, .above = {1, 0.5, 0.25}};
+const GradientSky<> fading_sky{.below = {1, 1, 1}, .above = {0.5, 0.75, 1}};
+
+template <class Real>
+bool is(const Color<Real>& color, double r, double g, double b) {
+  return color.r == Real(r) && color.g == Real(g) && color.b == Real(b);
+}
+
+TEST_CASE_TEMPLATE(
+    "a path brings the sky's light times every albedo on its way, and none if it bounces too often",
+    Real, float, double, long double) {
+  for (int needed = 1; needed <= 5; ++needed) {
+    Planned<Real> plan;
+    for (int bounce = 1; bounce < needed; ++bounce) plan.pairs.push_back(straight<Real>);
+    plan.pairs.push_back(aside<Real>);
+    const int at_first = (needed + 1) / 2;  // of the spheres the first is met one time more
+    const int at_second = needed / 2;
+    for (int bounces = 1; bounces <= 6; ++bounces) {
+      CAPTURE(needed);
+      CAPTURE(bounces);
+      Planned<Real> random = plan;
+      const Ray<Real> ray{{0, 0, 0}, {0, 0, -3}};
+      const Color<Real> light = light_along(two_mirrors, ray, plain_sky, bounces, random);
+      if (bounces < needed) {
+        CHECK(is(light, 0, 0, 0));
+        CHECK(random.used == static_cast<std::size_t>(bounces));
+      } else {
+        CHECK(is(light, std::pow(0.5, at_first) * std::pow(0.25, at_second),
+                 std::pow(0.25, at_first) * 0.5, std::pow(0.5, at_second) * 0.25));
+        CHECK(random.used == static_cast<std::size_t>(needed));
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a ray that meets nothing sees the sky where it points, at any length", Real,
+                   float, double, long double) {
+  const std::vector<Object> none;
+  const std::vector<Object> one = {two_mirrors[0]};
+  for (const Real scale : {Real(0.125), Real(1), Real(8)}) {
+    const Ray<Real> ray{{0, 0, 0}, Vec3<Real>{0, 3, 4} * scale};
+    for (const auto& objects : {none, one, two_mirrors}) {
+      Planned<Real> random;
+      const Color<Real> light = light_along(objects, ray, fading_sky, 50, random);
+      const Real tolerance = Real(4) * unit_roundoff<Real>();
+      CHECK(abs(light.r - Real(0.6L)) <= tolerance);  // at 4/5 of the way from below to above
+      CHECK(abs(light.g - Real(0.8L)) <= tolerance);
+      CHECK(abs(light.b - Real(1)) <= tolerance);
+      CHECK(is(light_along(objects, ray, plain_sky, 50, random), 1, 0.5, 0.25));
+      CHECK(random.used == 0);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("one sphere alone is lit as it is beside one that nobody sees", Real, double,
+                   long double) {
+  const std::vector<Object> one = {{{{0.5, 0.25, -6}, 2}, {{0.5, 0.25, 1}}}};
+  std::vector<Object> both = one;
+  both.push_back({{{0, 0, 1e6}, 1e-3}, {{0, 0, 0}}});
+  Dice dice;
+  int met = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Ray<Real> ray{{0, 0, 0},
+                        {Real(dice.between(-1, 1)), Real(dice.between(-1, 1)), Real(-2)}};
+    const Point2<Real> sample{Real(dice.between(0, 1)), Real(dice.between(0, 1))};
+    for (const GradientSky<>& sky : {plain_sky, fading_sky}) {
+      Planned<Real> alone{{sample}};
+      Planned<Real> beside{{sample}};
+      const Color<Real> a = light_along(one, ray, sky, 1, alone);
+      const Color<Real> b = light_along(both, ray, sky, 1, beside);
+      const Real apart = max(abs(a.r - b.r), max(abs(a.g - b.g), abs(a.b - b.b)));
+      REQUIRE(apart <= Real(64) * unit_roundoff<Real>());
+      REQUIRE(alone.used == (sky.is_constant() ? 0 : beside.used));
+      met += static_cast<int>(beside.used);
+    }
+  }
+  CHECK(met > 200);
+  CHECK(met < 1800);
+}
+
+/// The numbers of one sample, the same in every lane.
+template <class Real>
+struct SampledNumbers {
+  Sampler sampler{SamplerKind::random, 64};
+  std::uint32_t sample = 0;
+  std::uint32_t dimension = 0;
+  Point2<Real> pair{};
+
+  const Point2<Real>& next_2d() {
+    return pair = sampler.pair<Real>(UInt<Real>(hash_bits(7U)), sample, dimension++);
+  }
+};
+
+TEST_CASE_TEMPLATE("each lane of a pack follows its own path", T, float, double) {
+  std::vector<Object> scene = two_mirrors;
+  scene.push_back({{{3, 0, 0}, 2}, {{0.75, 0.5, 0.25}}});
+  Dice dice;
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    for (const GradientSky<>& sky : {plain_sky, fading_sky}) {
+      for (const std::size_t objects : {1U, 3U}) {
+        const std::vector<Object> some(scene.begin(),
+                                       scene.begin() + static_cast<std::ptrdiff_t>(objects));
+        check_each_lane<Pack<T>>(
+            [&]<class Real>(const Real& x, const Real& y) {
+              SampledNumbers<Real> random{.sample = i % 64};
+              return light_along(some, Ray<Real>{{Real(0), Real(0), Real(0)}, {x, y, Real(-1)}},
+                                 sky, 8, random);
+            },
+            any_pack<Pack<T>>(dice, -1, 1), any_pack<Pack<T>>(dice, -1, 1));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texmap::test
