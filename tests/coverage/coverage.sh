@@ -40,7 +40,11 @@ for program in "$build"/bin/* "$build"/tests/*; do
   if [ -f "$program" ] && [ -x "$program" ]; then set -- "$@" -object "$program"; fi
 done
 shift # the first is named without -object
-"$cov" export -format=lcov -instr-profile="$build/all.profdata" "$@" "$PWD/common" >"$build/lines.info"
+# It warns of functions that one program has and another has not.
+"$cov" export -format=lcov -instr-profile="$build/all.profdata" "$@" "$PWD/common" >"$build/lines.info" 2>"$build/export.log" || {
+  cat "$build/export.log"
+  exit 1
+}
 awk -v root="$PWD/" -v least="$least" -F '[:,]' '
   /^SF:/ { ++files; file = substr($0, length(root) + 4) }
   /^DA:/ {

@@ -1,0 +1,182 @@
+#!/bin/sh
+# The largest pictures, textures and numbers of samples: memory as docs/architecture.md states it, Ctrl-C at any moment, progress.
+# usage: sizes.sh [--part] BIN    BIN holds the chapters' programs. --part: smaller pictures, for CI
+# exit status: 0 all is well; 1 something is not; 77 the system cannot tell (no /proc, no GNU env or date)
+# Ctrl-C should end a program within 0.2 s. More than 0.5 s is a failure: others may use the machine, and to free the memory takes the
+# system up to half a millisecond for each MiB.
+set -eu
+part=no
+if [ "${1:-}" = --part ]; then
+  part=yes
+  shift
+fi
+bin=${1:?usage: sizes.sh [--part] BIN}
+if ! grep -q '^VmHWM:' /proc/self/status 2>/dev/null || ! env --default-signal=INT true 2>/dev/null || [ "$(date +%N)" = N ]; then
+  echo "skipped: no VmHWM in /proc, or no GNU env and date"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+failed=0
+
+fail() {
+  echo "FAIL: $1"
+  failed=1
+}
+
+# --- Memory ------------------------------------------------------------------------------------------------------------------
+
+# measure PROGRAM OPTION...: sets peak, in KiB, and the four times that the program prints, in ms.
+measure() {
+  program=$1
+  shift
+  "$bin/$program" --out "$work/measured.png" "$@" >"$work/said" 2>&1 &
+  running=$!
+  peak=0
+  while kill -0 "$running" 2>/dev/null; do
+    while read -r key value _; do
+      if [ "$key" = VmHWM: ] && [ "$value" -gt "$peak" ]; then peak=$value; fi
+    done 2>/dev/null <"/proc/$running/status" || true
+    sleep 0.01
+  done
+  wait "$running" || fail "$program $*: $(cat "$work/said")"
+  times=$(sed -n 's/.*(load \([0-9]*\).*, render \([0-9]*\).*, encode \([0-9]*\).*, write \([0-9]*\).*/\1 \2 \3 \4/p' "$work/said")
+  read -r load render encode write <<END
+$times
+END
+}
+
+# expect_memory WHAT PIXELS BYTES PROGRAM OPTION...: so many bytes for each of so many pixels or texels, and 16 MiB.
+expect_memory() {
+  what=$1 pixels=$2 bytes=$3
+  shift 3
+  measure "$@"
+  stated=$((pixels * bytes / 1024))
+  most=$((stated + 16384 + 2 * $(wc -c <"$work/measured.png") / 1024))
+  tenths=$((peak * 10 / (pixels / 1024)))
+  printf '%s: %s MiB at most, %s.%s bytes each of %s; load %s, render %s, encode %s, write %s ms\n' \
+    "$what" "$((peak / 1024))" "$((tenths / 10))" "$((tenths % 10))" "$pixels" "$load" "$render" "$encode" "$write"
+  [ "$peak" -le "$most" ] || fail "$what: $peak KiB, and $most KiB are stated"
+  [ "$peak" -ge $((stated - pixels / 1024)) ] || fail "$what: $peak KiB, which is less than what is stated: correct the statement"
+}
+
+if [ "$part" = yes ]; then
+  width=8192 height=2048
+else
+  width=16384 height=4096
+fi
+all=$((width * height))
+size="$width x $height"
+set -- --width "$width" --height "$height"
+expect_memory "01, $size pixels" $all 6 01_plain_spheres "$@"
+expect_memory "03, $size pixels" $all 6 03_image_texture "$@"
+cp "$work/measured.png" "$work/texture.png"
+expect_memory "03, a texture of $size texels" $all 3 03_image_texture --texture "$work/texture.png" --width 64 --height 48
+if [ "$part" = yes ]; then
+  expect_memory "07, 2048 x 1024 pixels, 1 sample" $((2 << 20)) 19 07_earth_by_sampling --width 2048 --height 1024 --samples 1
+else
+  expect_memory "07, $size pixels, 1 sample" $all 19 07_earth_by_sampling "$@" --samples 1
+  expect_memory "07, 4096 x 1024 pixels with a limit of time" $((4 << 20)) 48 07_earth_by_sampling --width 4096 --height 1024 \
+    --samples 48 --time-limit 10000 --number float-pack
+  expect_memory "07, a texture of $size texels, as roots" $all 7 07_earth_by_sampling --texture "$work/texture.png" --width 800 \
+    --height 450 --samples 1000 --budget levels=1
+fi
+expect_memory "07, 64 x 48 pixels, 4096 samples" $((64 * 48)) 19 07_earth_by_sampling --width 64 --height 48 --samples 4096
+cp "$work/measured.png" "$work/samples.png"
+measure 07_earth_by_sampling --width 64 --height 48 --samples 4096 --threads 1
+cmp -s "$work/samples.png" "$work/measured.png" || fail "07, 4096 samples: one thread draws another picture"
+
+# --- Ctrl-C ------------------------------------------------------------------------------------------------------------------
+
+mkdir "$work/there"
+echo "the old file" >"$work/old"
+: >"$work/waits"
+
+# interrupt WHEN PROGRAM OPTION...: Ctrl-C after so many ms, or as soon as the picture is being written.
+interrupt() {
+  when=$1 program=$2
+  shift 2
+  cp "$work/old" "$work/there/out.png"
+  env --default-signal=INT "$bin/$program" --quiet --out "$work/there/out.png" "$@" 2>"$work/said" &
+  running=$!
+  if [ "$when" = writing ]; then
+    while kill -0 "$running" 2>/dev/null && set -- "$work"/there/.[!.]* && [ ! -e "$1" ]; do :; done
+  else
+    sleep "$((when / 1000)).$(printf '%03d' $((when % 1000)))"
+  fi
+  before=$(date +%s%N)
+  kill -s INT "$running" 2>/dev/null || true
+  status=0
+  wait "$running" || status=$?
+  waited=$((($(date +%s%N) - before) / 1000000))
+  case $status in
+    0) late=$((late + 1)) ;;
+    130) echo "$waited $what" >>"$work/waits" ;;
+    *) fail "$program, $what: status $status, $(cat "$work/said")" ;;
+  esac
+  if cmp -s "$work/old" "$work/there/out.png"; then
+    olds=$((olds + 1))
+    [ "$status" != 0 ] || fail "$program, $what: status 0, and no picture"
+  else
+    cmp -s "$work/measured.png" "$work/there/out.png" || fail "$program, $what: neither the old file nor the new one is there"
+  fi
+  [ ! -s "$work/said" ] || fail "$program, $what: it said $(cat "$work/said")"
+  [ "$(ls -A "$work/there")" = out.png ] || fail "$program, $what: left behind: $(ls -A "$work/there")"
+}
+
+# interrupt_often PROGRAM OPTION...: in each part of the run that `measure` has timed.
+interrupt_often() {
+  : >"$work/waits"
+  late=0 olds=0
+  for eighths in 1 4 7; do
+    what=loading
+    interrupt $((load * eighths / 8)) "$@"
+    what=rendering
+    interrupt $((load + render * eighths / 8)) "$@"
+    what=encoding
+    interrupt $((load + render + encode * eighths / 8)) "$@"
+    what=writing
+    interrupt writing "$@"
+  done
+  sort -n "$work/waits" >"$work/sorted"
+  number=$(wc -l <"$work/sorted")
+  [ "$number" -gt 0 ] || fail "$1: no Ctrl-C came in time"
+  longest=$(tail -n 1 "$work/sorted")
+  printf 'Ctrl-C, %s: %s times and %s too late; the old file stays %s times; ends after %s ms (median), %s ms (longest, while %s)\n' "$1" \
+    "$number" "$late" "$olds" "$(sed -n "$(((number + 1) / 2))s/ .*//p" "$work/sorted")" "${longest%% *}" "${longest#* }"
+  [ "${longest%% *}" -le 500 ] || fail "Ctrl-C takes half a second and more"
+}
+
+set -- 03_image_texture --texture "$work/texture.png" --width "$width" --height "$height"
+measure "$@"
+interrupt_often "$@"
+set -- 07_earth_by_sampling --texture "$work/texture.png" --width "$width" --height "$((height / 4))" --samples 2
+measure "$@"
+interrupt_often "$@"
+
+# --- Progress ------------------------------------------------------------------------------------------------------------------
+
+if script -qec true /dev/null >/dev/null 2>&1; then
+  script -qec "'$bin/07_earth_by_sampling' --width $width --height $height --samples 4 --out '$work/measured.png'" /dev/null \
+    </dev/null >"$work/terminal"
+  # Each progress line begins with a carriage return. The last is overwritten by as many spaces, and the next text begins at the left.
+  tr '\r' '\n' <"$work/terminal" | awk '
+    / % done/ {
+      if ($1 < last) falls = 1
+      if (!lines++) first = $1
+      last = $1
+      if (length($0) > longest) longest = length($0)
+      cleared = 0
+      next
+    }
+    lines && /^ +$/ { cleared = length($0) >= longest }
+    END {
+      printf "progress: %d lines, from %d %% to %d %%\n", lines, first, last
+      if (!lines || falls || first > 50 || last < 75 || !cleared) exit 1
+    }' || fail "progress is not as it should be, or the line is not cleared"
+  [ -z "$(find "$work/there" -name '.*' -type f)" ] || fail "a temporary file is left"
+else
+  echo "no progress: there is no program script to make a terminal"
+fi
+exit "$failed"
