@@ -611,7 +611,7 @@ def chosen(options):
     return sample(mutants, options.seed)
 
 
-def summary(results, accepted):
+def summary(results):
     counted = {'killed': 0, 'SURVIVED': 0, 'the same program': 0, 'did not compile': 0, 'equivalent': 0}
     for _, verdict in results:
         for word in counted:
@@ -637,6 +637,7 @@ def arguments():
     parser.add_argument('--files', nargs='+', metavar='GLOB', help='only in these, such as scene/*.hpp')
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--survivors', action='store_true', help='those of survivors.txt once more')
+    parser.add_argument('--resume', action='store_true', help='take what was found before from results.json')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--quick', action='store_true', help='only tests that include the file or are cheap')
     parser.add_argument('--extremes', action='store_true', help='also the tests with Boost, which compile for minutes')
@@ -674,7 +675,9 @@ def main():
     equivalent = dict(read_changes(PROJECT / 'tests/mutation/equivalent.txt'))
 
     results = []
-    started = time.monotonic()
+    found = options.work / 'results.json'
+    known = json.loads(found.read_text()) if options.resume and found.is_file() else {}
+    started, fresh = time.monotonic(), 0
     count = len(mutants) if options.only or options.survivors else options.count
     try:
         for mutant in mutants:
@@ -683,15 +686,20 @@ def main():
                 break
             if mutant.path not in build.objects_of:
                 continue  # a file for another system
-            print(f'[{compiled}/{count}, {left(started, compiled, count) if results else "..."}]', end=' ',
-                  file=sys.stderr, flush=True)
+            if mutant.key in known:
+                results.append((mutant, known[mutant.key]))
+                continue
+            remaining = left(started, fresh, fresh + count - compiled) if fresh else '...'
+            print(f'[{compiled}/{count}, {remaining}]', end=' ', file=sys.stderr, flush=True)
+            fresh += 1
             verdict = judged(build, judge, mutant, equivalent)
             results.append((mutant, verdict))
             print(f'{mutant}  {verdict}', flush=True)
             write_survivors(options.work / 'survivors.txt', results)
+            found.write_text(json.dumps({m.key: verdict for m, verdict in results}, indent=1))
     except KeyboardInterrupt:
         print('\nstopped; what was done counts')
-    print(summary(results, equivalent))
+    print(summary(results))
     return 0
 
 
