@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <optional>
+#include <regex>
+#include <string>
 
 #include "07_earth_by_sampling/lesson.hpp"
 #include "support/pictures.hpp"
@@ -379,4 +381,21 @@ TEST_CASE(
   const Stated most =
       stated_by_program("--width 1 --height 1 --sampler random --target-error 1e-9");
   CHECK(most.samples == 2 * (8 * 4095 + 30 * 16384));
+}
+
+TEST_CASE("the rays a second that the program states are columns times rows times samples") {
+  const TemporaryFolder folder;
+  const Outcome outcome = run(std::string(TEXMAP_CHAPTER) +
+                              " --width 96 --height 27 --samples 1000 --number double --threads 1" +
+                              " --out \"" + (folder / "x.png") + "\"");
+  REQUIRE(outcome.status == 0);
+  const std::regex form("render (\\d+\\.\\d), .*, (\\d+\\.\\d) million rays/s\n$");
+  std::smatch part;
+  REQUIRE(std::regex_search(outcome.out, part, form));
+  const double milliseconds = std::stod(part[1]);
+  const double rays = std::stod(part[2]);
+  const double expected = 96 * 27 * 1000 / 1000.0;  // thousands a millisecond are millions a second
+  REQUIRE(milliseconds > 1);
+  CHECK(rays >= expected / (milliseconds + 0.051) - 0.051);
+  CHECK(rays <= expected / (milliseconds - 0.051) + 0.051);
 }

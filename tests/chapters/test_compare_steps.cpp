@@ -1,7 +1,11 @@
 // What ./course diff says about two steps.
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
@@ -9,6 +13,8 @@
 #include "code_difference.hpp"
 #include "comparison.hpp"
 #include "engine/compare/difference_map.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/picture/save_png.hpp"
 #include "support/running.hpp"
 
 using namespace texmap;
@@ -130,6 +136,39 @@ TEST_CASE("the page has the map where both steps have texture coordinates") {
   for (Uv<double>& uv : upside_down.uv) uv.v = 1 - uv.v;
   CHECK(page_after(upside_down).find("<h2>Texture coordinates</h2>") != std::string::npos);
   CHECK(page_after(first()).find("<h2>Texture coordinates</h2>") == std::string::npos);
+}
+
+TEST_CASE("the pictures on the page are those of the two steps, to the byte") {
+  const std::string page = steps::report_page(steps::compare(first(), second(), {}), "", "");
+  const std::string mark = "src=\"data:image/png;base64,";
+  std::vector<std::vector<std::uint8_t>> pictures;
+  for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + 1)) {
+    const std::size_t start = at + mark.size();
+    const std::string text = page.substr(start, page.find('"', start) - start);
+    // RFC 4648, strictly: whole groups of four, zero bits behind the last byte, and then = alone.
+    REQUIRE(text.size() % 4 == 0);
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t bits = 0;
+    int kept = 0;
+    for (const char c : text) {
+      if (c == '=') continue;
+      const std::size_t value =
+          std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(c);
+      REQUIRE(value != std::string::npos);
+      bits = bits << 6 | static_cast<std::uint32_t>(value);
+      kept += 6;
+      if (kept < 8) continue;
+      kept -= 8;
+      bytes.push_back(static_cast<std::uint8_t>(bits >> kept & 0xFFU));
+    }
+    CHECK((bits & ((1U << kept) - 1U)) == 0);
+    CHECK(text.size() == (bytes.size() + 2) / 3 * 4);
+    CHECK(text.find('=') >= text.size() - 2);
+    CHECK(encode_png(decode_image(bytes)) == bytes);
+    pictures.push_back(bytes);
+  }
+  CHECK(std::count(pictures.begin(), pictures.end(), encode_png(first().picture)) >= 1);
+  CHECK(std::count(pictures.begin(), pictures.end(), encode_png(second().picture)) >= 1);
 }
 
 TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {

@@ -509,14 +509,21 @@ class Judge:
         depending = [test for test, target in build.target_of_test.items()
                      if test in self.times and build.all_needs[target] & touched]
         stem = Path(path).stem
-        room = str(Path(path).parent).replace('common', 'tests', 1)
+        room = Path(path).parts[1:-1]
+
+        def rooms_apart(target):
+            """How many folders of the file's room a suite's own folder does not share."""
+            shared = 0
+            for name in self.own_objects(target):
+                folder = Path(name.split('.dir/')[-1]).parts[:-1]
+                shared = max(shared, len(os.path.commonprefix([room, folder])))
+            return len(room) - shared
 
         def rank(test):
             target = build.target_of_test[test]
-            named = test == 'test_' + stem
-            beside = any(name.startswith(room + '/CMakeFiles') or f'/{Path(room).name}/test_' in name
-                         for name in self.own_objects(target))
-            return (not named, target not in near, not beside, cost(test))
+            words = set(stem.split('_')) & set(test.split('_'))  # read_jpeg and test_check_jpeg
+            return (test != 'test_' + stem, target not in near, rooms_apart(target), not words,
+                    cost(test))
 
         ordered = sorted(depending, key=rank)
         groups = [[test] for test in ordered if test == 'test_' + stem]
@@ -525,7 +532,7 @@ class Judge:
         close = [test for test in others if build.target_of_test[test] in near]
         far = [test for test in others if build.target_of_test[test] not in near]
         if self.quick:
-            far = far[:6] + [test for test in far[6:] if test == 'test_golden']
+            far = [test for test in far if cost(test) < 20 or test == 'test_golden']
         for some in (close, far):
             groups += [some[i:i + size] for i in range(0, len(some), size)]
         stages = [(group, sorted({build.target_of_test[test] for test in group})) for group in groups]
@@ -604,7 +611,7 @@ def chosen(options):
     return sample(mutants, options.seed)
 
 
-def summary(results, accepted):
+def summary(results):
     counted = {'killed': 0, 'SURVIVED': 0, 'the same program': 0, 'did not compile': 0, 'equivalent': 0}
     for _, verdict in results:
         for word in counted:
@@ -630,8 +637,9 @@ def arguments():
     parser.add_argument('--files', nargs='+', metavar='GLOB', help='only in these, such as scene/*.hpp')
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--survivors', action='store_true', help='those of survivors.txt once more')
+    parser.add_argument('--resume', action='store_true', help='take what was found before from results.json')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
-    parser.add_argument('--quick', action='store_true', help='only tests that include the file, and a few more')
+    parser.add_argument('--quick', action='store_true', help='only tests that include the file or are cheap')
     parser.add_argument('--extremes', action='store_true', help='also the tests with Boost, which compile for minutes')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
     parser.add_argument('--minutes', type=float, default=1e9, help='begin no mutant later than that')
@@ -667,7 +675,9 @@ def main():
     equivalent = dict(read_changes(PROJECT / 'tests/mutation/equivalent.txt'))
 
     results = []
-    started = time.monotonic()
+    found = options.work / 'results.json'
+    known = json.loads(found.read_text()) if options.resume and found.is_file() else {}
+    started, fresh = time.monotonic(), 0
     count = len(mutants) if options.only or options.survivors else options.count
     try:
         for mutant in mutants:
@@ -676,15 +686,20 @@ def main():
                 break
             if mutant.path not in build.objects_of:
                 continue  # a file for another system
-            print(f'[{compiled}/{count}, {left(started, compiled, count) if results else "..."}]', end=' ',
-                  file=sys.stderr, flush=True)
+            if mutant.key in known:
+                results.append((mutant, known[mutant.key]))
+                continue
+            remaining = left(started, fresh, fresh + count - compiled) if fresh else '...'
+            print(f'[{compiled}/{count}, {remaining}]', end=' ', file=sys.stderr, flush=True)
+            fresh += 1
             verdict = judged(build, judge, mutant, equivalent)
             results.append((mutant, verdict))
             print(f'{mutant}  {verdict}', flush=True)
             write_survivors(options.work / 'survivors.txt', results)
+            found.write_text(json.dumps({m.key: verdict for m, verdict in results}, indent=1))
     except KeyboardInterrupt:
         print('\nstopped; what was done counts')
-    print(summary(results, equivalent))
+    print(summary(results))
     return 0
 
 

@@ -131,6 +131,11 @@ TEST_CASE("functions are as far off as stated") {
   CHECK(off(pow(x, DoublePair(101)), pow(exact(x), 101)) <= 1e-28);
   CHECK(off(acos(-abs(x)), acos(-exact(abs(x)))) <= 1e-30);
   CHECK(off(fmod(DoublePair(100000), DoublePair(360)), Digits50(280)) == 0);
+  CHECK(off(fmod(DoublePair(-100000), DoublePair(360)), Digits50(-280)) == 0);
+  CHECK(off(fmod(DoublePair(100000), DoublePair(-360)), Digits50(280)) == 0);
+  CHECK(off(fmod(DoublePair(-100000), DoublePair(-360)), Digits50(-280)) == 0);
+  CHECK(off(fmod(DoublePair(-100), DoublePair(360)), Digits50(-100)) == 0);
+  CHECK(fmod(DoublePair(-720), DoublePair(360)).high == 0);
 }
 #endif
 

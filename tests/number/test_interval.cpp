@@ -196,6 +196,33 @@ TEST_CASE("powers of numbers lie in the powers of intervals around them") {
   CHECK(same(power(Interval(-1, 2), -1), anything));
 }
 
+TEST_CASE("the powers of an interval reach no farther than they must") {
+  // At most four steps beyond each end, and never below zero where the numbers are not.
+  const auto tight = [](const Interval& got, double low, double high) {
+    const auto below = place(low) - place(got.low());
+    const auto above = place(got.high()) - place(high);
+    return below >= 0 && below <= 4 && above >= 0 && above <= 4;
+  };
+  CHECK(tight(power(Interval(0.25, 4), 0.5), 0.5, 2));
+  CHECK(tight(power(Interval(0.25, 0.75), 2), 0.0625, 0.5625));
+  CHECK(tight(power(Interval(4, 9), 1.5), 8, 27));
+  CHECK(tight(power(Interval(-2, 3), 3), -8, 27));
+  CHECK(tight(power(Interval(-3, -2), 3), -27, -8));
+  CHECK(tight(power(Interval(-3, -2), 2), 4, 9));
+  CHECK(tight(power(Interval(2, 3), 1), 2, 3));
+  for (const double exponent : {0.5, 1.0, 2.0, 2.5, 50.0}) {
+    const Interval from_zero = power(Interval(0, 1), exponent);
+    CHECK(from_zero.low() == 0);
+    CHECK(tight(from_zero, 0, 1));
+  }
+  CHECK(tight(power(Interval(-1, 1), 4), 0, 1));
+  CHECK(power(Interval(-1, 1), 4).low() == 0);
+  // The quotient of a negative exponent is rounded once more.
+  const Interval half = power(Interval(2, 4), -1);
+  CHECK(half.low() > 0.25 - 1e-15);
+  CHECK(half.high() < 0.5 + 1e-15);
+}
+
 TEST_CASE(
     "comparisons say what can be true and what can be false, and are certain where the intervals "
     "are apart") {

@@ -93,7 +93,20 @@ TEST_CASE("the map is gray where a pixel is certain, and colored where it is not
   const Rgb8 gray_shade = shade_of_uncertainty(sure, 0);
   CHECK(gray_shade.r == gray_shade.g);
   CHECK(gray_shade.g == gray_shade.b);
+  // Green weighs twice as much as red, and blue a third of red; from 40 to 240.
+  const auto gray_of = [](double r, double g, double b) {
+    return static_cast<int>(shade_of_uncertainty({Interval(r), Interval(g), Interval(b)}, 0).g);
+  };
+  CHECK(gray_of(0, 0, 0) == 40);
+  CHECK(gray_of(1, 0, 0) == 100);
+  CHECK(gray_of(0, 1, 0) == 160);
+  CHECK(gray_of(0, 0, 1) == 60);
+  CHECK(gray_of(2, 2, 2) == 240);
+  CHECK(gray_of(-1, -1, -1) == 40);
   CHECK(shade_of_uncertainty(sure, 1) == Rgb8{255, 216, 25});
+  CHECK(shade_of_uncertainty(sure, 4) == Rgb8{235, 121, 25});  // half of the way to 16
+  CHECK(shade_of_uncertainty(sure, 16) == Rgb8{216, 25, 25});
+  CHECK(shade_of_uncertainty(sure, 32) == Rgb8{191, 25, 63});  // a quarter of the way to 256
   CHECK(shade_of_uncertainty(sure, 255).b > shade_of_uncertainty(sure, 255).g);
   CHECK(uncertain_levels({Interval(0.0), Interval(1.0), hull(Interval(0.0), Interval(1.0))}) ==
         255);
