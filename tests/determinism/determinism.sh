@@ -42,14 +42,16 @@ check_pictures() {
     for number in $numbers; do
       for budget in $budgets; do
         picture=$chapter-$number
-        set -- --width 64 --height 48 --samples 16 --number "$number"
+        # Many pixels: a number's last bit changes few bytes. Chapter 07 smooths pixels from 32 samples on.
+        set -- --width 256 --height 192 --number "$number"
+        [ "${chapter#07}" = "$chapter" ] || set -- --width 64 --height 48 --samples 32 --number "$number"
         if [ "$budget" != exact ]; then
           picture=$picture-$budget
           set -- "$@" --budget "$budget"
         fi
         for threads in $all_threads; do
           drawn=$((drawn + 1))
-          "$bin/$chapter" --quiet --out "$work/drawn.png" --threads "$threads" "$@" 2>"$work/log" || {
+          timeout 300 "$bin/$chapter" --quiet --out "$work/drawn.png" --threads "$threads" "$@" 2>"$work/log" || {
             differing="$differing $picture(threads=$threads: $(head -n 1 "$work/log"))"
             continue
           }
@@ -122,7 +124,7 @@ case ${1:-} in
     mkdir "$work/wrong"
     cat >"$work/wrong/$chapters" <<END
 #!/bin/sh
-case "\$*" in *"--threads 3 "*"--number float" | *"--number extended") set -- "\$@" --samples 1 ;; esac
+case "\$*" in *"--threads 3 "*"--number float" | *"--number extended") set -- "\$@" --samples 2 ;; esac
 exec "$right/$chapters" "\$@"
 END
     chmod +x "$work/wrong/$chapters"
