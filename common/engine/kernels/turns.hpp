@@ -26,7 +26,8 @@ template <class Real>
   return narrow / (wide + Real(std::numeric_limits<Scalar<Real>>::min()));
 }
 
-/// atan(t) in turns for t from 0 to 1: 0 to 1/8.
+/// atan(t) in turns for t from 0 to 1: 0 to 1/8. From one float to the next it falls by at most
+/// 0.32 epsilon.
 template <int Degree, class Real>
 [[nodiscard]] Real eighth_turn(const Real& t) {
   return t * polynomial<ArcTangentFit<Degree>>(t * t);
@@ -36,7 +37,7 @@ template <int Degree, class Real>
 ///
 /// @param wide_x  |x|
 /// @return  [0, 1): 0, 1/4, 1/2, 3/4 exactly on the axes; 1/2 for zero
-/// Bound: the fit's + 0.6 epsilon; longer side at least 1e-30 in float, 1e-290 in double.
+/// Bound: the fit's + 0.62 epsilon in float; longer side at least 1e-30 in float, 1e-290 in double.
 template <int Degree, class Real>
 [[nodiscard]] Real turn_of_parts(const Real& y, const Real& wide_x, const Mask<Real>& ahead) {
   const Real wide_y = abs(y);
@@ -65,7 +66,7 @@ struct FastUnitMapping {
 
   template <class T>
   static constexpr UvError worst = {
-      ArcTangentFit<Degree>::worst + 0.6 * static_cast<double>(std::numeric_limits<T>::epsilon()),
+      ArcTangentFit<Degree>::worst + 0.62 * static_cast<double>(std::numeric_limits<T>::epsilon()),
       ArcCosineFit<Degree>::worst + 1.3 * static_cast<double>(std::numeric_limits<T>::epsilon()),
   };
 };
