@@ -1,8 +1,8 @@
 # Every float of a kernel's domain, and every texel of every size. Included by CMakeLists.txt here.
 
-# Where programs are slow, one row of floats of so many is run: without optimisation, and with sanitizers.
+# Where programs are slow, one row of floats of so many is run: with sanitizers, without optimisation, without vectors.
 set(one_row_of 1)
-if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug" OR NOT xsimd_INCLUDE_DIR)
   set(one_row_of 64)
 endif()
 foreach(suite kernels texels)
