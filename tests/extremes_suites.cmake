@@ -10,10 +10,10 @@ endif()
 
 # A library, because four programs share it and Boost's numbers take long to compile.
 add_library(claims STATIC extremes/page.cpp extremes/search.cpp)
-foreach(family arithmetic rotation secondary_rays shading spheres textures triangles uv)
+foreach(family arithmetic kernels rotation secondary_rays shading spheres textures triangles uv)
   target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
 endforeach()
-target_link_libraries(claims PUBLIC texture PRIVATE project_options)
+target_link_libraries(claims PUBLIC texture PRIVATE kernels project_options)
 target_include_directories(claims PUBLIC extremes support "${CMAKE_CURRENT_SOURCE_DIR}")
 target_include_directories(claims SYSTEM PUBLIC "${boost_multiprecision_INCLUDE_DIR}")
 set_target_properties(claims PROPERTIES WIDER_REFERENCES ON)

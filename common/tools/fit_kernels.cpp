@@ -3,13 +3,19 @@
 // polynomials"). The worst case in the file is measured on the printed coefficients. Needs a long
 // double of 64 bits or more, whose library functions it uses.
 //
-// Usage: fit_kernels FILE           writes the file
-//        fit_kernels --check FILE   fails unless the file is as good as what would be written
+// What rounding adds to a polynomial is proven, not measured: --gappa writes a question to the
+// program gappa for each polynomial and number, "is the stated bound right?" (tests/proofs).
+//
+// Usage: fit_kernels FILE                  writes the file
+//        fit_kernels --check FILE          fails unless the file is as good as what it would write
+//        fit_kernels --gappa FILE FOLDER   writes the proofs of the file's polynomials into FOLDER
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iomanip>
@@ -229,11 +235,29 @@ std::string shown_bound(Wide x) {
   return shown(std::ceil(x / unit) * unit, 2);
 }
 
+/// A number of coefficients, and the stated bound on what rounding does, in epsilons.
+struct Size {
+  std::size_t count;
+  const char* rounding;
+};
+
+/// What is to be proven of a polynomial q(x), in gappa's language: a small letter is what the
+/// machine has, the same large letter what it would have without rounding.
+struct Proof {
+  char argument;             ///< of the polynomial: the machine's number
+  char exact;                ///< and the exact one
+  std::string before;        ///< makes the argument
+  std::string after;         ///< uses the polynomial q and its exact value Q
+  std::string domain, goal;  ///< what is given, and what is to be bounded
+  std::string parts;         ///< how gappa may cut the domain into pieces
+};
+
 /// One problem, fitted with several numbers of coefficients.
 struct Family {
   std::string name, comment;
   Problem problem;
-  std::vector<std::size_t> counts;
+  Proof proof;
+  std::vector<Size> sizes;
 };
 
 const std::vector<Family> families = {
@@ -241,26 +265,59 @@ const std::vector<Family> families = {
      "/// atan(t) / (2 pi t) by powers of t^2, for t from 0 to 1. `worst` is in turns of the "
      "angle.\n",
      arc_tangent,
-     {3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 18}},
+     {'z', 'Z', "t = rnd(any);\nz rnd= t * t;\nZ = t * t;\n", "e rnd= t * q;\nE = t * Q;\n",
+      "t in [0,1]", "|e - E|", ""},
+     {{3, "0.28"},
+      {4, "0.34"},
+      {5, "0.39"},
+      {6, "0.41"},
+      {7, "0.44"},
+      {8, "0.51"},
+      {9, "0.51"},
+      {10, "0.56"},
+      {12, "0.66"},
+      {15, "0.75"},
+      {18, "0.88"}}},
     {"ArcCosine",
      "/// acos(y) / (pi sqrt(1 - y^2)) by powers of y, for y from 0 to 1. `worst` is in half "
      "turns\n/// of the angle.\n",
      arc_cosine,
-     {4, 5, 6, 7, 8, 9, 10, 11, 15, 18, 21}},
+     {'y', 'y', "y = rnd(any);\n", "S = sqrt(1 - y * y);\ne rnd= s * q;\nE = S * Q;\n",
+      "y in [0,1] /\\ |s -/ S| <= 2.005@epsilon", "|e - E|",
+      "$ y in (0.2,0.35,0.5,0.6,0.7,0.76,0.82,0.86,0.89,0.92,0.94,0.96,0.98,0.99);\n"},
+     {{4, "2"},
+      {5, "2"},
+      {6, "2"},
+      {7, "2"},
+      {8, "2"},
+      {9, "2"},
+      {10, "2"},
+      {11, "2"},
+      {15, "2"},
+      {18, "2.2"},
+      {21, "2.4"}}},
     {"Logarithm",
      "/// log2(1 - w) / w by powers of w, for w from 0 to 1/2. `worst` is relative.\n",
      logarithm,
-     {3, 4, 6, 8}},
+     {'w', 'w', "w = rnd(any);\n", "e rnd= w * q;\nE = w * Q;\n", "w in [1b-100,0.5]", "|e -/ E|",
+      "$ w in 8;\n"},
+     {{3, "1.5"}, {4, "1.4"}, {6, "1.8"}, {8, "1.8"}}},
     {"Exponential",
      "/// (2^y - 1) / y by powers of y, for y from -1 to 0. `worst` is that of "
      "(2^y)^16,\n/// where the result is at most 1.\n",
      exponential,
-     {2, 3, 4}},
+     {'y', 'y', "y = rnd(any);\n",
+      "r = rnd(1 + rnd(y * q));\nR = 1 + y * Q;\nr2 rnd= r * r;\nR2 = R * R;\n"
+      "r4 rnd= r2 * r2;\nR4 = R2 * R2;\nr8 rnd= r4 * r4;\nR8 = R4 * R4;\n"
+      "e rnd= r8 * r8;\nE = R8 * R8;\n",
+      "y in [-1,0]", "|e - E|", "$ y in 16;\n"},
+     {{2, "8.5"}, {3, "8.8"}, {4, "8.8"}}},
     {"SrgbCurve",
      "/// 255 (1.055 r^(5/6) - 0.055) by powers of r, for r from the root of 0.0031308 to 1.\n"
      "/// `worst` is in levels of a byte.\n",
      srgb_curve,
-     {3, 4, 6}},
+     {'r', 'r', "r = rnd(any);\n", "", "r in [0.0559,1]", "|q - Q|", "$ r in 16;\n"},
+     {{3, "400"}, {4, "740"}, {6, "3400"}}},
 };
 
 /// The text of the file.
@@ -273,13 +330,15 @@ std::string coefficients() {
          "// clang-format off\n"
          "namespace texmap::fits {\n\n"
          "// `powers` holds the coefficients, the lowest power first. `worst` is the largest error "
-         "with exact\n// arithmetic.\n";
+         "with exact\n// arithmetic. `rounding` bounds what rounding adds to it, in epsilons, as "
+         "tests/proofs proves for\n// float, double and 80-bit long double.\n";
   for (const Family& family : families) {
     out << "\n" << family.comment << "template <int Terms>\nstruct " << family.name << ";\n";
-    for (const std::size_t count : family.counts) {
+    for (const auto& [count, rounding] : family.sizes) {
       const Fit fit = best(family.problem, count);
       out << "template <>\nstruct " << family.name << "<" << count
           << "> {\n  static constexpr double worst = " << shown_bound(fit.worst)
+          << ";\n  static constexpr double rounding = " << rounding
           << ";\n  static constexpr std::array<long double, " << count << "> powers = {\n";
       for (std::size_t i = 0; i < count; ++i) {
         const bool ends_line = i % 3 == 2 || i + 1 == count;
@@ -316,29 +375,194 @@ SplitText split(const std::string& text) {
   return parts;
 }
 
-/// Throws unless the text is what this program writes, except for coefficients that are as good.
+/// A polynomial of a file: its coefficients by powers, and the stated error.
+struct GivenFit {
+  const Family& family;
+  Size size;
+  Wide worst;
+  std::vector<Wide> powers;
+};
+
+/// The polynomials whose numbers these are, in the file's order.
+std::vector<GivenFit> given_fits(const std::vector<Wide>& numbers, const std::string& path) {
+  std::vector<GivenFit> fits;
+  std::size_t next = 0;
+  for (const Family& family : families) {
+    for (const Size& size : family.sizes) {
+      if (numbers.size() - next < 1 + size.count)
+        throw std::runtime_error(path + " is not what this program writes");
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(next) + 1;
+      fits.push_back(
+          {family, size, numbers[next], {first, first + static_cast<std::ptrdiff_t>(size.count)}});
+      next += 1 + size.count;
+    }
+  }
+  return fits;
+}
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  return text.str();
+}
+
+/// Throws unless the file is what this program writes, except for coefficients that are as good.
 ///
 /// Processors round long double's functions differently. So each polynomial is checked by itself:
 /// its error is at most the stated one, which is at most a tenth larger than the one found here.
-void check(const std::string& text, const std::string& path) {
-  const SplitText given = split(text);
+void check(const std::string& path) {
+  const SplitText given = split(contents(path));
   const SplitText found = split(coefficients());
   if (given.rest != found.rest || given.numbers.size() != found.numbers.size()) {
     throw std::runtime_error(path + " is not what this program writes");
   }
+  const std::vector<GivenFit> found_fits = given_fits(found.numbers, path);
   std::size_t next = 0;
-  for (const Family& family : families) {
-    for (const std::size_t count : family.counts) {
-      const auto first = given.numbers.begin() + static_cast<std::ptrdiff_t>(next) + 1;
-      const std::vector<Wide> powers(first, first + static_cast<std::ptrdiff_t>(count));
-      const Wide stated = given.numbers[next];
-      const std::string which = path + ", " + family.name + "<" + std::to_string(count) + ">: ";
-      if (!(worst_of(family.problem, powers) <= stated))
-        throw std::runtime_error(which + "the error is larger than stated");
-      if (!(stated <= Wide(1.1L) * found.numbers[next]))
-        throw std::runtime_error(which + "there is a better polynomial");
-      next += 1 + count;
+  for (const GivenFit& fit : given_fits(given.numbers, path)) {
+    const std::string which =
+        path + ", " + fit.family.name + "<" + std::to_string(fit.size.count) + ">: ";
+    if (!(worst_of(fit.family.problem, fit.powers) <= fit.worst))
+      throw std::runtime_error(which + "the error is larger than stated");
+    if (!(fit.worst <= Wide(1.1L) * found_fits[next++].worst))
+      throw std::runtime_error(which + "there is a better polynomial");
+  }
+}
+
+/// A number that polynomials run on.
+struct Format {
+  std::string name, gappa_name;
+  int digits;
+};
+const std::vector<Format> formats = {
+    {"float", "ieee_32", 24}, {"double", "ieee_64", 53}, {"extended", "x86_80", 64}};
+
+/// `x` exactly, as a whole number times a power of two: 3b-4 is 3/16.
+std::string in_binary(Wide x) {
+  int exponent = 0;
+  Wide digits = std::frexp(x, &exponent);
+  for (; digits != std::floor(digits); --exponent) digits *= 2;
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(0) << digits << "b" << exponent;
+  return out.str();
+}
+
+/// A coefficient rounded to the format.
+Wide rounded(Wide x, const Format& format) {
+  if (format.digits == 24) return static_cast<Wide>(static_cast<float>(x));
+  if (format.digits == 53) return static_cast<Wide>(static_cast<double>(x));
+  return x;
+}
+
+/// Names of one sum of polynomial.hpp: as the machine has it, and exact.
+struct Sum {
+  std::string machine, exact;
+};
+
+/// `text` with numbers in place of products such as 0.5@epsilon.
+std::string with_epsilons(std::string text, const Format& format) {
+  const std::string word = "@epsilon";
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word)) {
+    const std::size_t start = text.rfind(' ', at) + 1;
+    const Wide times = std::strtold(text.c_str() + start, nullptr);
+    // Not above the product: no more is proven than what is stated.
+    const Wide product = std::ldexp(std::floor(std::ldexp(times, 20)), -20 + 1 - format.digits);
+    text.replace(start, at + word.size() - start, in_binary(product));
+  }
+  return text;
+}
+
+/// c3 from 'c' and 3.
+std::string numbered(char letter, std::size_t k) {
+  std::string name(1, letter);
+  name += std::to_string(k);
+  return name;
+}
+
+/// The question whether rounding keeps to a bound, about polynomial.hpp's sums term by term.
+std::string question(const GivenFit& fit, const Format& format) {
+  const Proof& proof = fit.family.proof;
+  const std::size_t top = fit.size.count - 1;
+  std::ostringstream out;
+  out << "# " << fit.family.name << "<" << fit.size.count << "> in " << format.name << ": "
+      << proof.goal << " <= " << fit.size.rounding
+      << " epsilon\n# Written by common/tools/fit_kernels.cpp.\n@rnd = float<" << format.gappa_name
+      << ",ne>;\n"
+      << proof.before;
+  for (std::size_t k = 0; k <= top; ++k) {
+    out << "c" << k << " = " << in_binary(rounded(fit.powers[k], format)) << ";\nC" << k << " = "
+        << in_binary(fit.powers[k]) << ";\n";
+  }
+  out << "x2 rnd= " << proof.argument << " * " << proof.argument << ";\nX2 = " << proof.exact
+      << " * " << proof.exact << ";\n";
+  const auto horner = [&](std::size_t from) {
+    Sum sum{numbered('c', from), numbered('C', from)};
+    for (std::size_t k = from; k >= 2; k -= 2) {
+      const Sum next{numbered('s', k - 2), numbered('S', k - 2)};
+      out << next.machine << " = rnd(rnd(" << sum.machine << " * x2) + " << numbered('c', k - 2)
+          << ");\n"
+          << next.exact << " = " << sum.exact << " * X2 + " << numbered('C', k - 2) << ";\n";
+      sum = next;
     }
+    return sum;
+  };
+  const Sum with_top = horner(top);
+  const Sum others = horner(top - 1);
+  const Sum& even = top % 2 == 0 ? with_top : others;
+  const Sum& odd = top % 2 == 0 ? others : with_top;
+  out << "q = rnd(" << even.machine << " + rnd(" << odd.machine << " * " << proof.argument
+      << "));\nQ = " << even.exact << " + " << odd.exact << " * " << proof.exact << ";\n"
+      << proof.after << "{ "
+      << with_epsilons(proof.domain + " -> " + proof.goal + " <= " + fit.size.rounding + "@epsilon",
+                       format)
+      << " }\n"
+      << proof.parts;
+  return out.str();
+}
+
+/// What surrounds the polynomials of turns.hpp: an angle's last steps, in the octant with most of
+/// them, and the distance from the axis.
+struct Surrounding {
+  std::string name, lines, domain, goal, bound;
+};
+const std::vector<Surrounding> surroundings = {
+    {"OctantSteps",
+     "e = rnd(any);\nq rnd= 0.25 - e;\nQ = 0.25 - e;\nh rnd= 0.5 - q;\nH = 0.5 - Q;\n"
+     "t rnd= 1 - h;\nT = 1 - H;\n",
+     "e in [0,0.126]", "|t - T|", "0.4375"},
+    {"FromAxis",
+     "x = rnd(any_x);\nz = rnd(any_z);\nm = rnd(rnd(x * x) + rnd(z * z));\nM = x * x + z * z;\n"
+     "s rnd= sqrt(m);\nS = sqrt(M);\n",
+     "x in [1b-60,2] /\\ z in [1b-60,2]", "|s -/ S|", "1.005"},
+};
+
+std::string question(const Surrounding& about, const Format& format) {
+  return "# " + about.name + " in " + format.name + ": " + about.goal + " <= " + about.bound +
+         " epsilon\n# Written by common/tools/fit_kernels.cpp.\n@rnd = float<" + format.gappa_name +
+         ",ne>;\n" + about.lines + "{ " +
+         with_epsilons(about.domain + " -> " + about.goal + " <= " + about.bound + "@epsilon",
+                       format) +
+         " }\n";
+}
+
+/// Writes a question for each polynomial and number.
+void write_questions(const std::string& path, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream file(folder / (name + ".g"), std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw std::runtime_error((folder / name).string() + ".g: cannot be written");
+  };
+  const std::vector<Wide> numbers = split(contents(path)).numbers;
+  for (const Format& format : formats) {
+    for (const GivenFit& fit : given_fits(numbers, path))
+      write(fit.family.name + "_" + std::to_string(fit.size.count) + "_" + format.name,
+            question(fit, format));
+    for (const Surrounding& about : surroundings)
+      write(about.name + "_" + format.name, question(about, format));
   }
 }
 
@@ -346,23 +570,22 @@ void check(const std::string& text, const std::string& path) {
 
 int main(int count, char** arguments) {
   try {
-    const bool checking = count == 3 && std::string(arguments[1]) == "--check";
-    if (count != 2 && !checking) throw std::invalid_argument("Usage: fit_kernels [--check] FILE");
     static_assert(std::numeric_limits<Wide>::digits >= 64,
                   "the fit needs a long double of 64 bits or more");
-    const std::string path = arguments[count - 1];
-    if (checking) {
-      std::ifstream file(path, std::ios::binary);
-      std::ostringstream text;
-      text << file.rdbuf();
-      if (!file) throw std::runtime_error(path + ": cannot be read");
-      check(text.str(), path);
-      return 0;
+    const std::vector<std::string> words(arguments + 1, arguments + count);
+    if (words.size() == 2 && words[0] == "--check") {
+      check(words[1]);
+    } else if (words.size() == 3 && words[0] == "--gappa") {
+      write_questions(words[1], words[2]);
+    } else if (words.size() == 1) {
+      std::ofstream file(words[0], std::ios::binary);
+      file << coefficients();
+      file.close();
+      if (!file) throw std::runtime_error(words[0] + ": cannot be written");
+    } else {
+      throw std::invalid_argument(
+          "Usage: fit_kernels FILE | fit_kernels --check FILE | fit_kernels --gappa FILE FOLDER");
     }
-    std::ofstream file(path, std::ios::binary);
-    file << coefficients();
-    file.close();
-    if (!file) throw std::runtime_error(path + ": cannot be written");
   } catch (const std::exception& error) {
     std::cerr << "fit_kernels: " << error.what() << "\n";
     return 1;

@@ -15,6 +15,7 @@ using texmap::extremes::Expect;
 constexpr int inputs = 20000;
 
 Cells measured(const Claim& claim) {
+  if (!claim.certainty.empty()) return {"", ""};
   std::cerr << claim.function << ", " << claim.number << '\n';
   const texmap::extremes::Worst seen = searched(claim.measurement, inputs, 2);
   const double worst = seen.off;

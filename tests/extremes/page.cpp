@@ -87,8 +87,8 @@ std::string page_of(const std::vector<Family>& families,
       const Cells cells = measured(claim);
       const std::string star = claim.expect == Expect::beyond ? "*" : "";
       page += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
-              " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty(claim.measurement) +
-              " | " + cells.worst + " | " + cells.cost + " |\n";
+              " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty_of(claim) + " | " +
+              cells.worst + " | " + cells.cost + " |\n";
     }
   }
   return page;

@@ -6,7 +6,8 @@
 namespace texmap::fits {
 
 // `powers` holds the coefficients, the lowest power first. `worst` is the largest error with exact
-// arithmetic.
+// arithmetic. `rounding` bounds what rounding adds to it, in epsilons, as tests/proofs proves for
+// float, double and 80-bit long double.
 
 /// atan(t) / (2 pi t) by powers of t^2, for t from 0 to 1. `worst` is in turns of the angle.
 template <int Terms>
@@ -14,6 +15,7 @@ struct ArcTangent;
 template <>
 struct ArcTangent<3> {
   static constexpr double worst = 9.7e-05;
+  static constexpr double rounding = 0.28;
   static constexpr std::array<long double, 3> powers = {
       1.58416138641722169234e-01L, -4.59464783980314565038e-02L, 1.26272006199542793525e-02L,
   };
@@ -21,6 +23,7 @@ struct ArcTangent<3> {
 template <>
 struct ArcTangent<4> {
   static constexpr double worst = 1.3e-05;
+  static constexpr double rounding = 0.34;
   static constexpr std::array<long double, 4> powers = {
       1.59029817477584063190e-01L, -5.11165839693255140096e-02L, 2.32787123880828129897e-02L,
       -6.20489644635138958873e-03L,
@@ -29,6 +32,7 @@ struct ArcTangent<4> {
 template <>
 struct ArcTangent<5> {
   static constexpr double worst = 1.9e-06;
+  static constexpr double rounding = 0.39;
   static constexpr std::array<long double, 5> powers = {
       1.59133668765030163050e-01L, -5.25696393340316875846e-02L, 2.86732422662419263965e-02L,
       -1.35530541466506439316e-02L, 3.31760294984577007607e-03L,
@@ -37,6 +41,7 @@ struct ArcTangent<5> {
 template <>
 struct ArcTangent<6> {
   static constexpr double worst = 2.7e-07;
+  static constexpr double rounding = 0.41;
   static constexpr std::array<long double, 6> powers = {
       1.59151317395729224215e-01L, -5.29385672348973247960e-02L, 3.08029074873473909905e-02L,
       -1.85298499781063373760e-02L, 8.37908608282473513222e-03L, -1.86515832569523099738e-03L,
@@ -45,6 +50,7 @@ struct ArcTangent<6> {
 template <>
 struct ArcTangent<7> {
   static constexpr double worst = 4.0e-08;
+  static constexpr double rounding = 0.44;
   static constexpr std::array<long double, 7> powers = {
       1.59154324225750951906e-01L, -5.30262381651982206737e-02L, 3.15251175702806285185e-02L,
       -2.10615180037185210876e-02L, 1.26725009000918662802e-02L, -5.34827768521474826772e-03L,
@@ -54,6 +60,7 @@ struct ArcTangent<7> {
 template <>
 struct ArcTangent<8> {
   static constexpr double worst = 6.0e-09;
+  static constexpr double rounding = 0.51;
   static constexpr std::array<long double, 8> powers = {
       1.59154837345892870605e-01L, -5.30461209635607028059e-02L, 3.17459452078672436841e-02L,
       -2.21362714312957388157e-02L, 1.53460336388817914790e-02L, -8.89872314606679140241e-03L,
@@ -63,6 +70,7 @@ struct ArcTangent<8> {
 template <>
 struct ArcTangent<9> {
   static constexpr double worst = 9.2e-10;
+  static constexpr double rounding = 0.51;
   static constexpr std::array<long double, 9> powers = {
       1.59154925009197835217e-01L, -5.30504758321733482726e-02L, 3.18085585584301322862e-02L,
       -2.25382963940221289958e-02L, 1.67095921167465727360e-02L, -1.15146340373103178759e-02L,
@@ -72,6 +80,7 @@ struct ArcTangent<9> {
 template <>
 struct ArcTangent<10> {
   static constexpr double worst = 1.5e-10;
+  static constexpr double rounding = 0.56;
   static constexpr std::array<long double, 10> powers = {
       1.59154939997973983351e-01L, -5.30514042595560299316e-02L, 3.18253176293509106406e-02L,
       -2.26751591387068612929e-02L, 1.73128904859875439811e-02L, -1.30726076996211743558e-02L,
@@ -82,6 +91,7 @@ struct ArcTangent<10> {
 template <>
 struct ArcTangent<12> {
   static constexpr double worst = 3.6e-12;
+  static constexpr double rounding = 0.66;
   static constexpr std::array<long double, 12> powers = {
       1.59154943001212250040e-01L, -5.30516376822860188941e-02L, 3.18306600268436676497e-02L,
       -2.27313865357366841286e-02L, 1.76402104266696656606e-02L, -1.42302319434644292481e-02L,
@@ -92,6 +102,7 @@ struct ArcTangent<12> {
 template <>
 struct ArcTangent<15> {
   static constexpr double worst = 1.5e-14;
+  static constexpr double rounding = 0.75;
   static constexpr std::array<long double, 15> powers = {
       1.59154943091439411408e-01L, -5.30516476206660248356e-02L, 3.18309847799418573950e-02L,
       -2.27363301087422716516e-02L, 1.76826673564697664412e-02L, -1.44582179854031118770e-02L,
@@ -103,6 +114,7 @@ struct ArcTangent<15> {
 template <>
 struct ArcTangent<18> {
   static constexpr double worst = 6.1e-17;
+  static constexpr double rounding = 0.88;
   static constexpr std::array<long double, 18> powers = {
       1.59154943091893040201e-01L, -5.30516476967527377681e-02L, 3.18309885796486625221e-02L,
       -2.27364191454337059954e-02L, 1.76838576274716360734e-02L, -1.44683232950040889978e-02L,
@@ -120,6 +132,7 @@ struct ArcCosine;
 template <>
 struct ArcCosine<4> {
   static constexpr double worst = 1.9e-04;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 4> powers = {
       4.99812223324232442027e-01L, -3.10137353871440090444e-01L, 1.92736303871740093238e-01L,
       -6.52637771651731069864e-02L,
@@ -128,6 +141,7 @@ struct ArcCosine<4> {
 template <>
 struct ArcCosine<5> {
   static constexpr double worst = 3.0e-05;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 5> powers = {
       4.99970695117368227545e-01L, -3.16424936437027094327e-01L, 2.30284879883685170515e-01L,
       -1.35136381808131718010e-01L, 3.98383345472467919518e-02L,
@@ -136,6 +150,7 @@ struct ArcCosine<5> {
 template <>
 struct ArcCosine<6> {
   static constexpr double worst = 4.7e-06;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 6> powers = {
       4.99995356903667637988e-01L, -3.17896053344311351369e-01L, 2.43964816601759012279e-01L,
       -1.78799861742318460549e-01L, 9.58704540352802761879e-02L, -2.48666599311323792668e-02L,
@@ -144,6 +159,7 @@ struct ArcCosine<6> {
 template <>
 struct ArcCosine<7> {
   static constexpr double worst = 7.5e-07;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 7> powers = {
       4.99999256238542517304e-01L, -3.18222166954013198240e-01L, 2.48300175644123119538e-01L,
       -1.99565030940228297873e-01L, 1.40294702442345453248e-01L, -6.82478886548975684616e-02L,
@@ -153,6 +169,7 @@ struct ArcCosine<7> {
 template <>
 struct ArcCosine<8> {
   static constexpr double worst = 1.3e-07;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 8> powers = {
       4.99999879866112924130e-01L, -3.18291775431170950462e-01L, 2.49550105624146916752e-01L,
       -2.07882827921323162668e-01L, 1.66399499721272105225e-01L, -1.09968315062396244659e-01L,
@@ -162,6 +179,7 @@ struct ArcCosine<8> {
 template <>
 struct ArcCosine<9> {
   static constexpr double worst = 2.0e-08;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 9> powers = {
       4.99999980468990519770e-01L, -3.18306222714964902863e-01L, 2.49886532158583401844e-01L,
       -2.10838807209523372490e-01L, 1.79052420663156147565e-01L, -1.39181343634354941929e-01L,
@@ -171,6 +189,7 @@ struct ArcCosine<9> {
 template <>
 struct ArcCosine<10> {
   static constexpr double worst = 3.2e-09;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 10> powers = {
       4.99999996808019423389e-01L, -3.18309157164364916657e-01L, 2.49972463404174903326e-01L,
       -2.11799953474663524771e-01L, 1.84401603031058893201e-01L, -1.55808416054202251920e-01L,
@@ -181,6 +200,7 @@ struct ArcCosine<10> {
 template <>
 struct ArcCosine<11> {
   static constexpr double worst = 5.3e-10;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 11> powers = {
       4.99999999476076221669e-01L, -3.18309743041851005163e-01L, 2.49993524408952327978e-01L,
       -2.12091659990190721741e-01L, 1.86441601418733150691e-01L, -1.63961904147534530900e-01L,
@@ -191,6 +211,7 @@ struct ArcCosine<11> {
 template <>
 struct ArcCosine<15> {
   static constexpr double worst = 4.0e-13;
+  static constexpr double rounding = 2;
   static constexpr std::array<long double, 15> powers = {
       4.99999999999607676402e-01L, -3.18309885990570344457e-01L, 2.49999984198732320970e-01L,
       -2.12206079624793151500e-01L, 1.87491303722884183934e-01L, -1.69675566653268585762e-01L,
@@ -202,6 +223,7 @@ struct ArcCosine<15> {
 template <>
 struct ArcCosine<18> {
   static constexpr double worst = 1.9e-15;
+  static constexpr double rounding = 2.2;
   static constexpr std::array<long double, 18> powers = {
       4.99999999999998183528e-01L, -3.18309886182521001107e-01L, 2.49999999852481363832e-01L,
       -2.12206583987663517234e-01L, 1.87499834214831069779e-01L, -1.69762804524321043510e-01L,
@@ -214,6 +236,7 @@ struct ArcCosine<18> {
 template <>
 struct ArcCosine<21> {
   static constexpr double worst = 8.6e-18;
+  static constexpr double rounding = 2.4;
   static constexpr std::array<long double, 21> powers = {
       4.99999999999999991435e-01L, -3.18309886183782659555e-01L, 2.49999999998745066180e-01L,
       -2.12206590711043689037e-01L, 1.87499997418746428002e-01L, -1.69765220318623975189e-01L,
@@ -231,6 +254,7 @@ struct Logarithm;
 template <>
 struct Logarithm<3> {
   static constexpr double worst = 2.3e-03;
+  static constexpr double rounding = 1.5;
   static constexpr std::array<long double, 3> powers = {
       -1.44601151911769247474e+00L, -6.11017258264554814751e-01L, -9.75528946731064515669e-01L,
   };
@@ -238,6 +262,7 @@ struct Logarithm<3> {
 template <>
 struct Logarithm<4> {
   static constexpr double worst = 3.2e-04;
+  static constexpr double rounding = 1.4;
   static constexpr std::array<long double, 4> powers = {
       -1.44224427270588620963e+00L, -7.48482680012906264212e-01L, -2.37085673752040810788e-01L,
       -9.88944571674226222081e-01L,
@@ -246,6 +271,7 @@ struct Logarithm<4> {
 template <>
 struct Logarithm<6> {
   static constexpr double worst = 6.5e-06;
+  static constexpr double rounding = 1.8;
   static constexpr std::array<long double, 6> powers = {
       -1.44268567605472607606e+00L, -7.22639378922110142505e-01L, -4.52531745580039758685e-01L,
       -5.81929498341148426473e-01L, 4.48813556036748649699e-01L, -1.22106802022291569443e+00L,
@@ -254,6 +280,7 @@ struct Logarithm<6> {
 template <>
 struct Logarithm<8> {
   static constexpr double worst = 1.5e-07;
+  static constexpr double rounding = 1.8;
   static constexpr std::array<long double, 8> powers = {
       -1.44269482798652965219e+00L, -7.21400241187554398131e-01L, -4.78776555591012013049e-01L,
       -3.92774506241811010264e-01L, -5.48484403033890533961e-02L, -1.13313753870348622645e+00L,
@@ -268,6 +295,7 @@ struct Exponential;
 template <>
 struct Exponential<2> {
   static constexpr double worst = 2.2e-04;
+  static constexpr double rounding = 8.5;
   static constexpr std::array<long double, 2> powers = {
       6.92027230479235410396e-01L, 2.21797522460778447087e-01L,
   };
@@ -275,6 +303,7 @@ struct Exponential<2> {
 template <>
 struct Exponential<3> {
   static constexpr double worst = 6.1e-06;
+  static constexpr double rounding = 8.8;
   static constexpr std::array<long double, 3> powers = {
       6.93105951557001032559e-01L, 2.39205832696528265612e-01L, 4.94782325466040235197e-02L,
   };
@@ -282,6 +311,7 @@ struct Exponential<3> {
 template <>
 struct Exponential<4> {
   static constexpr double worst = 1.8e-07;
+  static constexpr double rounding = 8.8;
   static constexpr std::array<long double, 4> powers = {
       6.93145702170059721460e-01L, 2.40177572361783950286e-01L, 5.50717156393705357534e-02L,
       8.28470931298006309776e-03L,
@@ -295,6 +325,7 @@ struct SrgbCurve;
 template <>
 struct SrgbCurve<3> {
   static constexpr double worst = 1.5e+00;
+  static constexpr double rounding = 400;
   static constexpr std::array<long double, 3> powers = {
       -5.64252662479459411379e+00L, 3.13684710474579444173e+02L, -5.44661819058283149589e+01L,
   };
@@ -302,6 +333,7 @@ struct SrgbCurve<3> {
 template <>
 struct SrgbCurve<4> {
   static constexpr double worst = 4.9e-01;
+  static constexpr double rounding = 740;
   static constexpr std::array<long double, 4> powers = {
       -8.15110580727890378632e+00L, 3.46163835513180147274e+02L, -1.37860181453614567465e+02L,
       5.53287955688095427313e+01L,
@@ -310,6 +342,7 @@ struct SrgbCurve<4> {
 template <>
 struct SrgbCurve<6> {
   static constexpr double worst = 8.3e-02;
+  static constexpr double rounding = 3400;
   static constexpr std::array<long double, 6> powers = {
       -1.02279419716168596269e+01L, 3.87077357311486634495e+02L, -3.57697557930299299911e+02L,
       5.18051720568113147625e+02L, -4.14033696232674073789e+02L, 1.31912689472608487526e+02L,

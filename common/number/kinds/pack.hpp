@@ -10,7 +10,7 @@
 namespace texmap {
 
 /// As many floats or doubles as a vector register holds; each lane is rounded like a single number.
-/// Bound: atan2 2 ulp; exp and log1p 2 ulp of the C library's. atan2(0, 0) is NaN.
+/// Bound: atan2 2.4 ulp; exp and log1p 2 ulp of the C library's. atan2(0, 0) is NaN.
 ///
 /// @tparam Arch  the machine instructions it is made of. Packs of several widths are different
 ///               types, so the linker cannot confuse their functions.

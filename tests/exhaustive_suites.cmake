@@ -1,0 +1,15 @@
+# Every float of a kernel's domain, and every texel of every size. Included by CMakeLists.txt here.
+
+# Where programs are slow, one row of floats of so many is run: with sanitizers, without optimisation, without vectors.
+set(one_row_of 1)
+if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug" OR NOT xsimd_INCLUDE_DIR)
+  set(one_row_of 64)
+endif()
+foreach(suite kernels texels)
+  add_suite(exhaustive/test_exhaustive_${suite} ON render LABELS exhaustive)
+  target_compile_definitions(test_exhaustive_${suite} PRIVATE TEXMAP_EXHAUSTIVE_ONE_OF=${one_row_of})
+  if(TAKES_GNU_OPTIONS)
+    target_compile_options(test_exhaustive_${suite} PRIVATE $<$<CONFIG:Release>:-O3>)  # suites have -O1, which takes twice as long here
+  endif()
+  set_tests_properties(test_exhaustive_${suite} PROPERTIES PROCESSORS 2)
+endforeach()
