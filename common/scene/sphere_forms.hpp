@@ -77,7 +77,7 @@ struct Meeting {
 /// The first hit ahead, with every digit that the number has: differences and products are kept
 /// with their rounding errors, and lengths are scaled by powers of two.
 /// Textbook: discriminant b^2 - a c. Domain: 1e-6 to 1e7 radii away; any finite sizes and lengths.
-/// Bound, to 0.99 radii from the center: distance 16 ulp, normal 0.0015 texel in float, 3e-12 in
+/// Bound, to 0.99 radii from the center: distance 16 ulp, normal 0.002 texel in float, 4e-12 in
 /// double.
 /// Source: this course; Kahan's determinants.
 template <class Real>

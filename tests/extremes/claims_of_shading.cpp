@@ -230,7 +230,7 @@ template <class Real>
 void add_number(Family& family) {
   family
       .add<Real>("highlight", "vectors of unit length but for rounding; shininess 1 to 1e18",
-                 {8, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::smooth))
+                 {12, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::smooth))
       .cost = {"the power of the cosine, double",
                working_through(glosses<Real>(),
                                [](const Gloss<Real>& gloss) {

@@ -235,12 +235,11 @@ Family claims_of_spheres() {
   };
   const Domain hybrid_float = far(100, 122, "1e-30 to 1e30 and 1e-37 to 1e37");
   const Domain hybrid_double = far(980, 995, "1e-295 to 1e295 and 1e-300 to 1e300");
-  add_hybrid<float>(family, hybrid_float, 0.0015);
-  add_hybrid<double>(family, hybrid_double, 3e-12);
-  add_hybrid<long double>(family, far(980, 16000, "1e-295 to 1e295 and 1e-4800 to 1e4800"),
-                          1.5e-15);
-  add_hybrid<Pack<float>>(family, hybrid_float, 0.0015);
-  add_hybrid<Pack<double>>(family, hybrid_double, 3e-12);
+  add_hybrid<float>(family, hybrid_float, 0.002);
+  add_hybrid<double>(family, hybrid_double, 4e-12);
+  add_hybrid<long double>(family, far(980, 16000, "1e-295 to 1e295 and 1e-4800 to 1e4800"), 2e-15);
+  add_hybrid<Pack<float>>(family, hybrid_float, 0.002);
+  add_hybrid<Pack<double>>(family, hybrid_double, 4e-12);
   const Domain robust_float{4, "1e4", 13, 13, "1e-4 to 1e4"};
   const Domain robust_double = far(220, 220, "1e-66 to 1e66");
   add_robust<float>(family, robust_float, 2e-3);
