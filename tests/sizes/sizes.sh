@@ -27,12 +27,26 @@ fail() {
 
 # --- Memory ------------------------------------------------------------------------------------------------------------------
 
-# measure PROGRAM OPTION...: sets peak, in KiB, and the four times that the program prints, in ms.
-measure() {
+# draw PROGRAM OPTION...: begins to draw measured.png.
+draw() {
   program=$1
   shift
   "$bin/$program" --out "$work/measured.png" "$@" >"$work/said" 2>&1 &
   running=$!
+}
+
+# finish: waits for the end, and sets the four times that the program prints, in ms.
+finish() {
+  wait "$running" || fail "$program: $(cat "$work/said")"
+  times=$(sed -n 's/.*(load \([0-9]*\).*, render \([0-9]*\).*, encode \([0-9]*\).*, write \([0-9]*\).*/\1 \2 \3 \4/p' "$work/said")
+  read -r load render encode write <<END
+$times
+END
+}
+
+# measure PROGRAM OPTION...: draws it and sets peak, in KiB.
+measure() {
+  draw "$@"
   peak=0
   while kill -0 "$running" 2>/dev/null; do
     while read -r key value _; do
@@ -40,11 +54,7 @@ measure() {
     done 2>/dev/null <"/proc/$running/status" || true
     sleep 0.01
   done
-  wait "$running" || fail "$program $*: $(cat "$work/said")"
-  times=$(sed -n 's/.*(load \([0-9]*\).*, render \([0-9]*\).*, encode \([0-9]*\).*, write \([0-9]*\).*/\1 \2 \3 \4/p' "$work/said")
-  read -r load render encode write <<END
-$times
-END
+  finish
 }
 
 # expect_memory WHAT PIXELS BYTES PROGRAM OPTION...: so many bytes for each of so many pixels or texels, and 16 MiB.
@@ -125,8 +135,10 @@ interrupt() {
   [ "$(ls -A "$work/there")" = out.png ] || fail "$program, $what: left behind: $(ls -A "$work/there")"
 }
 
-# interrupt_often PROGRAM OPTION...: in each part of the run that `measure` has timed.
+# interrupt_often PROGRAM OPTION...: in each part of a run.
 interrupt_often() {
+  draw "$@"
+  finish
   : >"$work/waits"
   late=0 olds=0
   for eighths in 1 4 7; do
@@ -141,7 +153,10 @@ interrupt_often() {
   done
   sort -n "$work/waits" >"$work/sorted"
   number=$(wc -l <"$work/sorted")
-  [ "$number" -gt 0 ] || fail "$1: no Ctrl-C came in time"
+  [ "$number" -gt 0 ] || {
+    fail "$1: no Ctrl-C ends it"
+    return
+  }
   longest=$(tail -n 1 "$work/sorted")
   printf 'Ctrl-C, %s: %s times and %s too late; the old file stays %s times; ends after %s ms (median), %s ms (longest, while %s)\n' "$1" \
     "$number" "$late" "$olds" "$(sed -n "$(((number + 1) / 2))s/ .*//p" "$work/sorted")" "${longest%% *}" "${longest#* }"
@@ -149,16 +164,16 @@ interrupt_often() {
 }
 
 set -- 03_image_texture --texture "$work/texture.png" --width "$width" --height "$height"
-measure "$@"
 interrupt_often "$@"
 set -- 07_earth_by_sampling --texture "$work/texture.png" --width "$width" --height "$((height / 4))" --samples 2
-measure "$@"
 interrupt_often "$@"
 
 # --- Progress ------------------------------------------------------------------------------------------------------------------
 
 if script -qec true /dev/null >/dev/null 2>&1; then
-  script -qec "'$bin/07_earth_by_sampling' --width $width --height $height --samples 4 --out '$work/measured.png'" /dev/null \
+  samples=4
+  [ "$part" = no ] || samples=12
+  script -qec "'$bin/07_earth_by_sampling' --width $width --height $height --samples $samples --out '$work/measured.png'" /dev/null \
     </dev/null >"$work/terminal"
   # Each progress line begins with a carriage return. The last is overwritten by as many spaces, and the next text begins at the left.
   tr '\r' '\n' <"$work/terminal" | awk '
