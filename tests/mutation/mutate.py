@@ -532,7 +532,7 @@ class Judge:
         close = [test for test in others if build.target_of_test[test] in near]
         far = [test for test in others if build.target_of_test[test] not in near]
         if self.quick:
-            far = [test for test in far if cost(test) < 20 or test == 'test_golden']
+            far = [test for test in far if cost(test) < 60 or test == 'test_golden']
         for some in (close, far):
             groups += [some[i:i + size] for i in range(0, len(some), size)]
         stages = [(group, sorted({build.target_of_test[test] for test in group})) for group in groups]
