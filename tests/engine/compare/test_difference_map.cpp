@@ -181,6 +181,18 @@ TEST_CASE("a picture as high as a file may be has a map without a legend, not an
   CHECK(map.height == a.height);
 }
 
+#ifndef TEXMAP_INSTRUMENTED  // 600 MB of pixels
+TEST_CASE("a map of exactly as many pixels as a file may have keeps its legend") {
+  const Image small(400, 10);
+  const int legend = difference_map(small, small).height - small.height;
+  const int side = static_cast<int>(max_image_side);
+  const Image a(side, static_cast<int>(max_image_area / max_image_side) - legend, {9, 9, 9});
+  const Image map = difference_map(a, a);
+  CHECK(map.width == side);
+  CHECK(map.height == a.height + legend);
+}
+#endif
+
 TEST_CASE("pictures and masks of other sizes are refused") {
   CHECK_THROWS_AS((void)difference_map(Image(2, 3), Image(3, 2)), DifferenceError);
   CHECK_THROWS_AS((void)difference_map(Image(2, 3), Image(2, 3), Image(2, 2)), DifferenceError);
