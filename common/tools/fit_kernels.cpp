@@ -558,9 +558,10 @@ void write_questions(const std::string& path, const std::filesystem::path& folde
   };
   const std::vector<Wide> numbers = split(contents(path)).numbers;
   for (const Format& format : formats) {
-    for (const GivenFit& fit : given_fits(numbers, path))
+    for (const GivenFit& fit : given_fits(numbers, path)) {
       write(fit.family.name + "_" + std::to_string(fit.size.count) + "_" + format.name,
             question(fit, format));
+    }
     for (const Surrounding& about : surroundings)
       write(about.name + "_" + format.name, question(about, format));
   }

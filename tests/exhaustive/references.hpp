@@ -1,6 +1,10 @@
 // References in double for functions of a float: each within 1e-14 of itself, which their own test
 // holds against long double.
 #pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 #include "every_float.hpp"
 #include "sampling/directions.hpp"
 

@@ -1,5 +1,13 @@
 // The kernels on every float of their domains: bound, range, and steps between neighboring floats.
 // A step back is what a function falls where it should rise, or rises where it should fall.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
 #include "engine/kernels/power_kernel.hpp"
 #include "engine/kernels/root_texture.hpp"
 #include "engine/kernels/srgb_kernel.hpp"
