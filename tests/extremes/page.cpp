@@ -43,7 +43,7 @@ constexpr const char* heading =
     "checks proofs (Gappa) or on paper in [numerics.md](numerics.md).\n"
     "5. *per picture*: interval arithmetic encloses the exact answer for each pixel of the picture "
     "that is being drawn, whatever the formulas: `--number interval`\n"
-    "   shows where the texel is certain (chapters 03 to 06), and where it says so, no bound is "
+    "   shows where the texel is certain (chapters 01 to 06), and where it says so, no bound is "
     "needed.\n"
     "\n"
     "Units: **ulp**, a unit in the last place of the exact result. **u**, the unit roundoff: "
