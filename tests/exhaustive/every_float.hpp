@@ -227,8 +227,8 @@ inline void check_all(const Inputs& inputs, const Prepare& prepare,
     CAPTURE(seen.outside_at);
     MESSAGE(candidate.name << ": " << inputs.count / one_row_of << " floats, at worst "
                            << seen.worst << " of " << candidate.bound
-                           << (candidate.in_ulps ? " ulp" : "") << ", steps back by " << seen.back
-                           << " of " << candidate.step_back);
+                           << std::string(candidate.in_ulps ? " ulp" : "") << ", steps back by "
+                           << seen.back << " of " << candidate.step_back);
     CHECK(seen.outside == 0);
     CHECK(seen.worst <= candidate.bound);
     CHECK(seen.back <= candidate.step_back);

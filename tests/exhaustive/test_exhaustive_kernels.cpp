@@ -96,8 +96,8 @@ std::vector<Candidate> for_each_degree(const Each& each) {
   return all;
 }
 
-TEST_CASE("arc tangents keep their bound for every float from 0 to 1") {
-  check_all(every_float(0, 1), exact_eighth_turn, for_each_degree([]<int Degree>() {
+TEST_CASE("arc tangents keep their bound for every float from 2^-32 to 1") {
+  check_all(every_float(low, 1), exact_eighth_turn, for_each_degree([]<int Degree>() {
               using Fit = ArcTangentFit<Degree>;
               return std::vector<Candidate>{
                   {.name = "arc tangent of degree " + std::to_string(Degree),
@@ -228,16 +228,17 @@ Candidate srgb_byte_of(double bound) {
           .highest = 255};
 }
 
-TEST_CASE("sRGB levels keep their bound for every float from 0 to 1") {
-  check_all(every_float(0, 1), exact_srgb_level,
+// Below 2^-32 light is on the straight part, a product, and less than a millionth of a level.
+TEST_CASE("sRGB levels keep their bound for every float from 2^-32 to 1") {
+  check_all(every_float(low, 1), exact_srgb_level,
             {srgb_level_of<3>(2e-5), srgb_level_of<4>(4e-5), srgb_level_of<6>(2.5e-4)});
 }
 
-TEST_CASE("sRGB bytes keep their bound for every float from 0 to 1, and exact ones are exact") {
+TEST_CASE("sRGB bytes keep their bound for every float from 2^-32 to 1; exact ones are exact") {
   const Candidate exact{.name = "exact sRGB byte",
                         .run = by_packs([](const Floats& light) { return srgb_byte_exact(light); }),
                         .highest = 255};
-  check_all(every_float(0, 1), exact_srgb_byte,
+  check_all(every_float(low, 1), exact_srgb_byte,
             {srgb_byte_of<3>(2), srgb_byte_of<4>(1), srgb_byte_of<6>(1), exact});
 }
 
