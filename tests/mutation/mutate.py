@@ -550,8 +550,10 @@ class Judge:
         for tests, targets in self.stages(mutant.path):
             if targets and not self.build.make(targets):
                 return 'did not compile'
-            programs = [t for t in targets if t in self.build.artifact]
-            any_changed = any_changed or any(self.build.changed(t) for t in programs)
+            any_changed = any_changed or any(
+                self.needs_running(test) for test in tests if test in self.build.target_of_test)
+            if targets and not any_changed:  # before the scripts: a program alone may have changed
+                any_changed = any(self.build.changed(t) for t in targets)
             wanted = [test for test in tests
                       if test not in self.build.target_of_test or self.needs_running(test)]
             if not wanted or not any_changed:

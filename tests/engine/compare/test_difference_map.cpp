@@ -181,7 +181,7 @@ TEST_CASE("a picture as high as a file may be has a map without a legend, not an
   CHECK(map.height == a.height);
 }
 
-#ifndef TEXMAP_INSTRUMENTED  // 600 MB of pixels
+#ifndef TEXMAP_INSTRUMENTED  // 1 GB of pixels
 TEST_CASE("a map of exactly as many pixels as a file may have keeps its legend") {
   const Image small(400, 10);
   const int legend = difference_map(small, small).height - small.height;
