@@ -46,7 +46,7 @@ if ! { cmake -S "$tree" --preset fuzz && cmake --build "$build" --parallel 2 --t
   exit 1
 fi
 export UBSAN_OPTIONS=print_stacktrace=1
-limits="-timeout=5 -rss_limit_mb=1024"
+limits="-timeout=20 -rss_limit_mb=1024 -seed=1"
 
 # search TARGET: writes logs/TARGET; ends with the status of libFuzzer, which is not 0 after a find.
 search() {
