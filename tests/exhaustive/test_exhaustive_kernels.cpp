@@ -323,6 +323,20 @@ TEST_CASE("points on the circle keep their bound for every float from 2^-32 to 1
             {{.name = "sine", .run = sine, .bound = epsilon, .step_back = 0.5 * epsilon}});
 }
 
+TEST_CASE("the disk: no sample of the outermost rings leaves it, all 2^24 of each") {
+  // In exact arithmetic: in double, the squares of two floats have no error, and their sum 2^-53.
+  for (const float out : {0.0F, 0x1p-24F, 0x1p-23F, 0x1p-22F, 1 - 0x1p-23F, 1 - 0x1p-24F}) {
+    double longest = 0;
+    for (int i = 0; i < 1 << 24; i += one_row_of) {
+      const OnDisk<float> disk = uniform_disk<float>({out, static_cast<float>(i) * 0x1p-24F});
+      const double x = disk.x;
+      const double y = disk.y;
+      longest = std::max(longest, x * x + y * y);
+    }
+    CHECK(longest < 1);
+  }
+}
+
 TEST_CASE("the arc tangent of packs keeps its bound for every float from 2^-32 to 1") {
   check_all(every_float(low, 1), exact_eighth_turn,
             {{.name = "atan2 of packs",
