@@ -24,7 +24,7 @@ template <class Real>
   switch (convention) {
     case Convention::daily:
       // 1 - 0 would be 1, which is not in [0, 1).
-      return {clamp_u(select(uv.u > Real(0), Real(1) - uv.u, Real(0))), Real(1) - uv.v};
+      return {clamp_u(select(uv.u > Real(0), Real(1) - uv.u, -uv.u)), Real(1) - uv.v};
     case Convention::lecture: {
       const Real u = uv.u - Real(0.25);
       return {clamp_u(select(u < Real(0), u + Real(1), u)), uv.v};

@@ -6,18 +6,24 @@
 
 namespace texmap {
 
-/// A paint in two parts: a mapping from a direction to (u, v), a texture from (u, v) to a color.
-/// To add a mapping, write a struct that maps a Vec3 to a Uv; a texture maps a Uv to a Color.
+/// A paint in two parts: a mapping to (u, v), a texture from (u, v) to a color.
+/// To add a mapping, write a struct that maps a direction (Vec3) to a Uv, or a whole Hit where the
+/// direction is not enough; a texture maps a Uv to a Color.
 template <class Mapping, class Texture>
 struct Mapped {
   Mapping mapping;
   Texture texture;
 
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Hit<Real>& hit) const {
-    static_assert(CallableWith<Mapping, Vec3<Real>>,
+  template <template <class> class AnyHit, class Real>
+  [[nodiscard]] Color<Real> operator()(const AnyHit<Real>& hit) const {
+    static_assert(CallableWith<Mapping, AnyHit<Real>> || CallableWith<Mapping, Vec3<Real>>,
                   "a mapping cannot be called with a direction in this number: see AnyOf");
-    const auto uv = mapping(hit.normal);
+    const auto uv = [&] {
+      if constexpr (CallableWith<Mapping, AnyHit<Real>>)
+        return mapping(hit);
+      else
+        return mapping(hit.normal);
+    }();
     static_assert(
         CallableWith<Texture, Uv<Real>>,
         "a texture cannot be called with (u, v) in this number: is its operator() const, "

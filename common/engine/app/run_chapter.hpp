@@ -78,17 +78,17 @@ inline constexpr bool shows_itself =
   return is_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
 }
 
-/// Lessons with a list of objects, whose spheres the user may choose formulas for.
+/// Lessons with a list of spheres, for which the user may choose formulas.
 template <class Lesson>
-concept HasObjects = requires(const Lesson& lesson) {
-  lesson.objects;
+concept HasSpheres = requires(const Lesson& lesson) {
+  lesson.objects.front().shape.form;
 };
 
 /// What a session offers for a lesson.
 template <class Lesson>
 [[nodiscard]] Offers offers_for(const Lesson& lesson) {
   Offers offers;
-  offers.spheres = HasObjects<Lesson>;
+  offers.spheres = HasSpheres<Lesson>;
   offers.one_number = !all_numbers;
   if constexpr (GathersLight<Lesson>) {
     offers.budget =
@@ -133,7 +133,7 @@ template <class Lesson>
     if constexpr (requires { lesson.texture.loaded; } && !shows_itself<Lesson>) {
       if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
     }
-    if constexpr (HasObjects<Lesson>) {
+    if constexpr (HasSpheres<Lesson>) {
       if (session.was_given("--spheres"))
         for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
       keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));

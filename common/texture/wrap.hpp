@@ -1,0 +1,69 @@
+// What a texture shows beyond its edges.
+#pragma once
+#include "number/number.hpp"
+
+namespace texmap {
+
+/// What lies beyond the edges of an image. To add one, name it here and in wrapped_texel.
+enum class Wrap {
+  repeat,     ///< the image again
+  mirror,     ///< its mirror image, then the image again
+  clamp,      ///< the texels of its edge
+  border,     ///< a color of its own
+  spherical,  ///< over the poles: half a turn further in u, and back in v; u repeats
+};
+
+/// A whole number modulo `n` >= 1, from 0 to n - 1. Domain: whole numbers to 2^22 in float.
+template <class Real>
+[[nodiscard]] Real remainder_of(const Real& x, const Real& n) {
+  const Real rest = x - n * floor(x / n);  // the quotient may have been rounded to the next number
+  return select(rest < Real(0), rest + n, select(rest >= n, rest - n, rest));
+}
+
+/// `x` mirrored at the edges of [0, n - 1]: n is n - 1, and -1 is 0. Domain: as remainder_of.
+template <class Real>
+[[nodiscard]] Real mirrored(const Real& x, const Real& n) {
+  const Real rest = remainder_of(x, Real(2) * n);
+  return min(rest, Real(2) * n - Real(1) - rest);
+}
+
+/// A texel after wrapping.
+template <class Real>
+struct WrappedTexel {
+  Real column, row;   ///< whole numbers inside the image
+  Mask<Real> inside;  ///< false where the border is seen
+};
+
+/// The texel of the image that is seen at a column and a row, inside the image or beyond.
+///
+/// @param column, row    whole numbers; rows in either direction
+/// @param width, height  of the image, in texels; `spherical` needs an even width
+/// Domain: as remainder_of.
+template <class Real>
+[[nodiscard]] WrappedTexel<Real> wrapped_texel(Wrap wrap, const Real& column, const Real& row,
+                                               int width, int height) {
+  const Real columns = Real(width);
+  const Real rows = Real(height);
+  const Real last_column = Real(width - 1);
+  const Real last_row = Real(height - 1);
+  const Real nearest_column = clamp(column, Real(0), last_column);
+  const Real nearest_row = clamp(row, Real(0), last_row);
+  const Mask<Real> anywhere = Real(0) < Real(1);
+  switch (wrap) {
+    case Wrap::repeat:
+      return {remainder_of(column, columns), remainder_of(row, rows), anywhere};
+    case Wrap::mirror:
+      return {mirrored(column, columns), mirrored(row, rows), anywhere};
+    case Wrap::clamp:
+      return {nearest_column, nearest_row, anywhere};
+    case Wrap::border:
+      return {nearest_column, nearest_row, column == nearest_column && row == nearest_row};
+    case Wrap::spherical:
+      break;
+  }
+  const Mask<Real> beyond_a_pole = remainder_of(row, Real(2) * rows) >= rows;
+  const Real turned = column + select(beyond_a_pole, Real(width / 2), Real(0));
+  return {remainder_of(turned, columns), mirrored(row, rows), anywhere};
+}
+
+}  // namespace texmap
