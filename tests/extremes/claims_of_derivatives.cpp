@@ -28,8 +28,8 @@ Vec3<Real> parts(const Dual<Real>& x) {
   return {x.value, x.dx, x.dy};
 }
 
-/// A vector of any direction, or 1e-12 to 0.1 radians from a pole, or at the seam, and two steps that
-/// are shorter than the vector. Lengths are 1e-15 to 1e15.
+/// A vector of any direction, or 1e-12 to 0.1 radians from a pole, or at the seam, and two steps
+/// that are shorter than the vector. Lengths are 1e-15 to 1e15.
 template <class T>
 Moving<T> any_moving(Dice& dice) {
   Vec3<long double> p = dice.direction();
