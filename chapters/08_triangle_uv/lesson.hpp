@@ -17,9 +17,10 @@ using Textured = Mapped<MeshMapping, Wrapped<ImageTexture>>;
 struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "a crate of triangles, with texture coordinates in its corners",
+      .size = {480, 360},
   };
 
-  Stage stage{.light = {.position = {2, 5, 4}},
+  Stage stage{.light = {.position = {1, 5, 5}},
               .camera = {.eye = {0, 2.4, 4.5}, .target = {0, -0.2, 0}, .fov_y_degrees = 45}};
   Lambertian surface{.ambient = 0.3, .diffuse = 0.7};
   Mesh mesh;

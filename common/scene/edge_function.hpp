@@ -7,8 +7,8 @@ namespace texmap {
 /// A ray with its axes renamed, x to y to z to x, until z is the longest part of its direction.
 template <class Real>
 struct RaySpace {
-  Vec3<Real> origin;       ///< with the world's axes
-  Vec3<Real> direction;    ///< with the renamed axes
+  Vec3<Real> origin;        ///< with the world's axes
+  Vec3<Real> direction;     ///< with the renamed axes
   Mask<Real> x_is_longest;  ///< the world's x
   Mask<Real> y_is_longest;
 

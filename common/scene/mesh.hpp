@@ -35,9 +35,9 @@ struct Mesh {
 template <class Real>
 struct MeshHit : Hit<Real> {
   Mask<Real> met = Real(1) < Real(0);  ///< false: the ray meets no triangle
-  Real distance = Real(1);     ///< in lengths of the ray's direction
-  Real triangle = Real(0);     ///< its number in Mesh::triangles
-  Real a = Real(1), b{}, c{};  ///< the weights of its corners, 0 to 1
+  Real distance = Real(1);             ///< in lengths of the ray's direction
+  Real triangle = Real(0);             ///< its number in Mesh::triangles
+  Real a = Real(1), b{}, c{};          ///< the weights of its corners, 0 to 1
 };
 
 /// True where a ray may meet a triangle in a box before `limit`. Rounding never makes it false:
@@ -111,8 +111,8 @@ template <class Real>
   for_each_crossing(mesh, ray, nearest, [&](int number, const Crossing<Real>& found) {
     const Real index = Real(number);
     const Mask<Real> ahead = found.met && found.distance > Real(0);
-    const Mask<Real> first = ahead && (found.distance < nearest ||
-                                       (found.distance == nearest && index < hit.triangle));
+    const Mask<Real> first =
+        ahead && (found.distance < nearest || (found.distance == nearest && index < hit.triangle));
     nearest = select(first, found.distance, nearest);
     hit.triangle = select(first, index, hit.triangle);
     hit.a = select(first, found.a, hit.a);

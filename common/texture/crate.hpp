@@ -1,6 +1,5 @@
 // A crate of twelve triangles, and a floor of two.
 #pragma once
-#include "math/rotation.hpp"
 #include "texture/mesh_mapping.hpp"
 
 namespace texmap {
@@ -20,13 +19,13 @@ inline void add_rectangle(TexturedMesh& to, const std::array<int, 4>& corners,
   to.mapping.corners.push_back({uv[0], uv[2], uv[3]});
 }
 
-/// A cube from -1 to 1, turned about +y. Each side shows the whole texture, upright; the top and
-/// the bottom are those of a cube that is tipped towards +z.
-[[nodiscard]] inline TexturedMesh crate(const RotationY& rotation = {}) {
+/// A cube from -1 to 1 in x, y and z. Each side shows the whole texture, upright; the top and the
+/// bottom do so once the cube is tipped towards +z or back.
+[[nodiscard]] inline TexturedMesh crate() {
   TexturedMesh crate;
   for (const double z : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      for (const double x : {-1.0, 1.0}) crate.mesh.points.push_back(rotation(Point{x, y, z}));
+      for (const double x : {-1.0, 1.0}) crate.mesh.points.push_back({x, y, z});
     }
   }
   // A corner's index is a sum: 1 at +x, 2 at +y, 4 at +z.
