@@ -22,7 +22,7 @@ struct Lesson : LessonHooks {
 
   Stage stage{.light = {.position = {1, 5, 5}},
               .camera = {.eye = {0, 2.4, 4.5}, .target = {0, -0.2, 0}, .fov_y_degrees = 45}};
-  Lambertian surface{.ambient = 0.3, .diffuse = 0.7};
+  Lambertian surface{.ambient = 0.33, .diffuse = 0.67};
   Mesh mesh;
   Textured paint;
   TextureFile texture{"crate.png", "the picture on the mesh, a PNG or JPEG"};
@@ -41,7 +41,7 @@ struct Lesson : LessonHooks {
     MeshHit<Real> hit = first_hit(mesh, ray);
     if (!any(hit.met)) return stage.sky(ray);
     if (choice.weights == WeightsFormula::heron) hit = published::weighted_by_heron(mesh, hit);
-    const LightSample<Real> light = sample_light(stage.light, mesh, hit);
+    const LightSample<Real> light = sample_light(stage.light, others(mesh, hit), hit);
     return select(hit.met, paint(hit) * lambert(surface, light), stage.sky(ray));
   }
 };

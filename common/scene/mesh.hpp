@@ -135,13 +135,25 @@ template <class Real>
   return hit;
 }
 
-/// True where a triangle of the mesh lies between the ray's origin and `distance` along it.
+/// The triangles of a mesh that can shadow a hit point: all but its own, in each lane.
 template <class Real>
-[[nodiscard]] Mask<Real> is_occluded(const Mesh& mesh, const Ray<Real>& ray, const Real& distance,
-                                     const void* /*leaving*/ = nullptr) {
+struct OtherTriangles {
+  const Mesh& mesh;
+  Real own;
+};
+template <class Real>
+[[nodiscard]] OtherTriangles<Real> others(const Mesh& mesh, const MeshHit<Real>& hit) {
+  return {mesh, hit.triangle};
+}
+
+/// True where one of these triangles lies between the ray's origin and `distance` along it.
+template <class Real>
+[[nodiscard]] Mask<Real> is_occluded(const OtherTriangles<Real>& others, const Ray<Real>& ray,
+                                     const Real& distance, const void* /*leaving*/ = nullptr) {
   Mask<Real> hidden = Real(1) < Real(0);
-  for_each_crossing(mesh, ray, distance, [&](int, const Crossing<Real>& found) {
-    hidden = hidden || (found.met && found.distance > Real(0) && found.distance < distance);
+  for_each_crossing(others.mesh, ray, distance, [&](int number, const Crossing<Real>& found) {
+    hidden = hidden || (found.met && !(others.own == Real(number)) && found.distance > Real(0) &&
+                        found.distance < distance);
   });
   return hidden;
 }

@@ -62,8 +62,7 @@ template <class Real>
       const auto uv = [&](int di, int dk) {
         return Uv<double>{8.0 * (i + di) / columns, 3.0 * (k + dk) / rows};
       };
-      add_rectangle(torus,
-                    {index(i, k), index(i_next, k), index(i_next, k_next), index(i, k_next)},
+      add_rectangle(torus, {index(i, k), index(i_next, k), index(i_next, k_next), index(i, k_next)},
                     {uv(0, 0), uv(1, 0), uv(1, 1), uv(0, 1)});
     }
   }
@@ -118,10 +117,10 @@ template <class Real, class Origin, class Target>
 /// What went wrong with rays at edges and corners.
 struct Leaks {
   long rays = 0;
-  long cracks = 0;    ///< from inside a convex mesh: nothing ahead
-  long doubles = 0;   ///< the same: more than one triangle ahead
-  long unequal = 0;   ///< lines with another number of triangles from the front than from the back
-  long met = 0;       ///< lines that cross the mesh
+  long cracks = 0;   ///< from inside a convex mesh: nothing ahead
+  long doubles = 0;  ///< the same: more than one triangle ahead
+  long unequal = 0;  ///< lines with another number of triangles from the front than from the back
+  long met = 0;      ///< lines that cross the mesh
 };
 
 /// Aims `rays` rays at the edges and corners of cubes from inside, and at closed meshes from
@@ -139,12 +138,11 @@ template <class Real>
     const Mesh& convex = any_cube ? cube : upright;
     const Mesh& closed = dice.once_in(4) ? ring : convex;
     const bool whole = dice.once_in(4);
-    const Ray<Real> inside =
-        aimed<Real>([&] { return whole ? Point{} : point_within(dice, 0.5); },
-                    [&] { return point_on_edge(dice, convex); });
-    const Ray<Real> outside = aimed<Real>(
-        [&] { return whole ? whole_point_within(dice, 4) : point_within(dice, 4); },
-        [&] { return point_on_edge(dice, closed); });
+    const Ray<Real> inside = aimed<Real>([&] { return whole ? Point{} : point_within(dice, 0.5); },
+                                         [&] { return point_on_edge(dice, convex); });
+    const Ray<Real> outside =
+        aimed<Real>([&] { return whole ? whole_point_within(dice, 4) : point_within(dice, 4); },
+                    [&] { return point_on_edge(dice, closed); });
     const CrossingCount<Real> from_inside = count_crossings(convex, inside);
     const CrossingCount<Real> from_anywhere = count_crossings(closed, outside);
     for (std::size_t i = 0; i < lanes<Real>; ++i) {
