@@ -27,6 +27,8 @@ foreach(suite
     scene/test_phong
     scene/test_sky
     scene/test_sphere
+    scene/test_edge_function
+    scene/test_mesh
     scene/test_triangle
     published/test_published_sphere)
   add_suite(${suite} ON texture LABELS common)
@@ -41,6 +43,8 @@ foreach(suite
     texture/test_light_tables
     texture/test_solid_checkerboard
     texture/test_texel
+    texture/test_mesh_mapping
+    texture/test_wrapped
     texture/test_uv
     published/test_published_uv
     engine/kernels/test_budget
@@ -66,6 +70,8 @@ if(WIN32)
 endif()
 add_suite(engine/system/test_posix_files POSIX ON picture LABELS common)
 add_suite(engine/picture/test_find_texture POSIX ON picture LABELS common)  # changes the environment, makes links
+add_suite(engine/mesh/test_box_tree ON mesh LABELS common)
+add_suite(engine/mesh/test_read_obj ON mesh LABELS common)
 foreach(suite bitmap_font check_jpeg check_png deflate load_image save_png sha256)
   add_suite(engine/picture/test_${suite} ON picture LABELS common)
 endforeach()
@@ -86,7 +92,7 @@ add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
 mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(boost_multiprecision_INCLUDE_DIR)
-  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval edge_function mesh_mapping triangle)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

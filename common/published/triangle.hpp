@@ -17,15 +17,13 @@ template <class Real>
 
 /// The corners' weights at `p`: two by Heron's areas over the whole area, the third by subtraction.
 ///
-/// @param p  a point inside the triangle; for single numbers only, not for packs
+/// @param p  a point inside the triangle a, b, c
 /// Fails outside, because areas have no sign, on thin triangles like heron_area, and on triangles
 /// without an area, by a division by 0 or by a rounding error. `degenerate` is never set.
 /// Source: the triangle article.
 template <class Real>
-[[nodiscard]] Barycentric<Real> barycentric_heron(const Triangle& triangle, const Vec3<Real>& p) {
-  const Vec3<Real> a = number_cast<Real>(triangle.a);
-  const Vec3<Real> b = number_cast<Real>(triangle.b);
-  const Vec3<Real> c = number_cast<Real>(triangle.c);
+[[nodiscard]] Barycentric<Real> barycentric_heron(const Vec3<Real>& a, const Vec3<Real>& b,
+                                                  const Vec3<Real>& c, const Vec3<Real>& p) {
   const Real bc = length(c - b);
   const Real ca = length(a - c);
   const Real pa = length(a - p);
@@ -34,7 +32,14 @@ template <class Real>
   const Real whole = heron_area(length(b - a), bc, ca);
   const Real at_a = heron_area(pb, bc, pc);
   const Real at_b = heron_area(pc, ca, pa);
-  return {at_a / whole, at_b / whole, (whole - at_a - at_b) / whole, false};
+  const Mask<Real> never = Real(1) < Real(0);
+  return {at_a / whole, at_b / whole, (whole - at_a - at_b) / whole, never};
+}
+/// The same for a triangle of a scene.
+template <class Real>
+[[nodiscard]] Barycentric<Real> barycentric_heron(const Triangle& triangle, const Vec3<Real>& p) {
+  return barycentric_heron(number_cast<Real>(triangle.a), number_cast<Real>(triangle.b),
+                           number_cast<Real>(triangle.c), p);
 }
 
 }  // namespace texmap::published

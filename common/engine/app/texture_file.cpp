@@ -8,8 +8,7 @@
 namespace texmap {
 
 void TextureFile::declare(CommandLine& line) {
-  line.text("--texture", "FILE", name,
-            "the picture on the globe, a PNG or JPEG twice as wide as high");
+  line.text("--texture", "FILE", name, help);
 }
 
 Image TextureFile::load() const {

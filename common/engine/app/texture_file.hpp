@@ -11,6 +11,7 @@ class CommandLine;
 /// A texture that the user can replace by another image.
 struct TextureFile {
   std::string name;  ///< a path, or a file in assets/
+  const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";
 
   mutable bool loaded = false;  ///< a texture that is offered must be used
 

@@ -1,0 +1,58 @@
+// The options of chapters with a mesh: --degrees, --wrap, --weights, --mesh.
+#include "engine/app/mesh_options.hpp"
+
+#include <algorithm>
+
+#include "engine/app/command_line.hpp"
+#include "engine/mesh/box_tree.hpp"
+#include "engine/mesh/read_obj.hpp"
+#include "math/rotation.hpp"
+#include "texture/crate.hpp"
+
+namespace texmap {
+namespace {
+
+constexpr std::size_t most_in_a_list = 16;  // triangles; a tree is slower for so few
+
+// Moves a mesh to where the crate is: as large as it, in the middle, on the floor.
+void fit_to_crate(Mesh& mesh) {
+  Point low = mesh.points.front();
+  Point high = low;
+  for (const Point& p : mesh.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double size = largest(high - low);
+  const double scale = size > 0 ? 2 / size : 1;
+  const Point foot{(low.x + high.x) / 2, low.y, (low.z + high.z) / 2};
+  for (Point& p : mesh.points) p = (p - foot) * scale + Point{0, -1, 0};
+}
+
+}  // namespace
+
+void MeshOptions::declare(CommandLine& line) {
+  line.decimal("--degrees", degrees, -1e300, 1e300, "turn of the mesh about its axis, any angle");
+  line.choice<Wrap>("--wrap", wrap,
+                    {{"mirror", Wrap::mirror}, {"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}},
+                    "what the texture shows beyond its edges, as on the floor");
+  line.choice<WeightsFormula>(
+      "--weights", weights,
+      {{"signed", WeightsFormula::signed_areas}, {"heron", WeightsFormula::heron}},
+      "the weights of a triangle's corners: signed areas, or the "
+      "article's areas from side lengths");
+  line.text("--mesh", "FILE", file,
+            "a mesh in OBJ format with texture coordinates, in place of the crate");
+}
+
+TexturedMesh MeshOptions::load() const {
+  const RotationY rotation = rotation_y(degrees);
+  TexturedMesh scene = file.empty() ? crate() : load_obj(path_of(file));
+  if (!file.empty()) fit_to_crate(scene.mesh);
+  for (Point& p : scene.mesh.points) p = rotation(p);
+  constexpr double reach = 9;
+  add_floor(scene, reach);
+  if (scene.mesh.triangles.size() > most_in_a_list) build_box_tree(scene.mesh);
+  return scene;
+}
+
+}  // namespace texmap

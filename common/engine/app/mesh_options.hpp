@@ -1,0 +1,31 @@
+// The options of chapters with a mesh: --degrees, --wrap, --weights, --mesh.
+#pragma once
+#include <string>
+
+#include "texture/mesh_mapping.hpp"
+#include "texture/wrap.hpp"
+
+namespace texmap {
+
+class CommandLine;
+
+/// Where the weights of a triangle's corners come from.
+enum class WeightsFormula {
+  signed_areas,  ///< of the ray and the edges
+  heron,         ///< the triangle article: areas from side lengths
+};
+
+/// The user's choices of a mesh and of what its corners' (u, v) mean.
+struct MeshOptions {
+  double degrees = 30;  ///< turn of the mesh about +y
+  Wrap wrap = Wrap::mirror;
+  WeightsFormula weights = WeightsFormula::signed_areas;
+  std::string file;  ///< in OBJ format; empty for the crate
+
+  void declare(CommandLine& line);
+  /// The crate or the file's mesh, as large and turned, on a floor.
+  /// Errors: FileError with the file and the line.
+  [[nodiscard]] TexturedMesh load() const;
+};
+
+}  // namespace texmap

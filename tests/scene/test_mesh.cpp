@@ -1,0 +1,189 @@
+// Tests of scene/mesh.hpp: no ray slips through, none is counted twice.
+#include <doctest.h>
+
+#include "number/kinds/interval.hpp"
+#include "number/kinds/pack2.hpp"
+#include "support/lanes.hpp"
+#include "support/mesh_rays.hpp"
+
+namespace texmap::test {
+namespace {
+
+TEST_CASE_TEMPLATE(
+    "rays at edges and corners: none slips through, none is counted twice, in every number", Real,
+    float, double, long double, Pack2<Pack<float>>, Pack2<Pack<double>>) {
+  const Leaks leaks = count_leaks<Real>(100000, 1);
+  CHECK(leaks.rays >= 100000);
+  CHECK(leaks.met > 30000);
+  CHECK(leaks.cracks == 0);
+  CHECK(leaks.doubles == 0);
+  CHECK(leaks.unequal == 0);
+}
+
+/// The usual test, each triangle for itself. Moeller and Trumbore, "Fast, Minimum Storage
+/// Ray/Triangle Intersection" (1997).
+template <class Real>
+bool usual_test(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c,
+                const Ray<Real>& ray) {
+  const Vec3<Real> ab = b - a;
+  const Vec3<Real> ac = c - a;
+  const Vec3<Real> p = cross(ray.direction, ac);
+  const Real inverse = Real(1) / dot(ab, p);
+  const Vec3<Real> from_a = ray.origin - a;
+  const Real u = dot(from_a, p) * inverse;
+  const Vec3<Real> q = cross(from_a, ab);
+  const Real v = dot(ray.direction, q) * inverse;
+  return u >= Real(0) && v >= Real(0) && u + v <= Real(1) && dot(ac, q) * inverse > Real(0);
+}
+
+TEST_CASE_TEMPLATE("the usual test lets rays slip through and counts others twice", Real, float,
+                   double) {
+  Dice dice;
+  long cracks = 0;
+  long doubles = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Mesh cube = turned_cube(dice);
+    const Ray<Real> ray = aimed<Real>([&] { return point_within(dice, 0.5); },
+                                      [&] { return point_on_edge(dice, cube); });
+    int met = 0;
+    for (int k = 0; k < 12; ++k) {
+      const auto corner = [&](int number) { return number_cast<Real>(cube.corner(k, number)); };
+      met += usual_test(corner(0), corner(1), corner(2), ray) ? 1 : 0;
+    }
+    cracks += met == 0 ? 1 : 0;
+    doubles += met > 1 ? 1 : 0;
+  }
+  MESSAGE(cracks << " cracks and " << doubles << " double hits of 20000");
+  CHECK(cracks > 100);
+  CHECK(doubles > 100);
+}
+
+TEST_CASE_TEMPLATE("the first hit is the nearest, its normal faces the ray, its weights sum to 1",
+                   Real, float, double, long double) {
+  Dice dice;
+  const Mesh ring = torus(24, 12).mesh;
+  const Real u = unit_roundoff<Real>();
+  int met = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Ray<Real> ray =
+        aimed<Real>([&] { return point_within(dice, 3); }, [&] { return point_within(dice, 1); });
+    Real nearest = infinity<Real>();
+    for_each_crossing(ring, ray, nearest, [&](int, const Crossing<Real>& found) {
+      if (found.met && found.distance > Real(0)) nearest = std::min(nearest, found.distance);
+    });
+    const MeshHit<Real> hit = first_hit(ring, ray);
+    REQUIRE(hit.met == (nearest < infinity<Real>()));
+    if (!hit.met) continue;
+    ++met;
+    REQUIRE(hit.distance == nearest);
+    REQUIRE(dot(hit.normal, ray.direction) <= Real(0));
+    REQUIRE(abs(length(hit.normal) - Real(1)) < Real(8) * u);
+    REQUIRE(hit.a >= Real(0));
+    REQUIRE(hit.b >= Real(0));
+    REQUIRE(hit.c >= Real(0));
+    REQUIRE(abs(hit.a + hit.b + hit.c - Real(1)) <= Real(4) * u);
+    // Away from the silhouette the two ways to the point agree.
+    const Real slope = abs(dot(hit.normal, normalize(ray.direction)));
+    const Vec3<Real> along = ray.origin + ray.direction * hit.distance;
+    REQUIRE(largest(hit.point - along) * slope < Real(400) * u);
+  }
+  CHECK(met > 1000);
+}
+
+TEST_CASE_TEMPLATE("a ray outward from `outside` does not meet its own plane again", Real, float,
+                   double) {
+  Dice dice;
+  long from_outside = 0;
+  long from_point = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Mesh cube = turned_cube(dice);
+    const Ray<Real> ray =
+        aimed<Real>([&] { return point_within(dice, 6); }, [&] { return point_within(dice, 1); });
+    const MeshHit<Real> hit = first_hit(cube, ray);
+    if (!hit.met) continue;
+    Vec3<Real> direction = dice.direction<Real>();
+    if (dot(direction, hit.normal) < Real(0)) direction = -direction;
+    // The two triangles of the face.
+    const int face = static_cast<int>(hit.triangle) / 2;
+    const auto meets_face = [&](const Vec3<Real>& origin) {
+      bool met = false;
+      for_each_crossing(cube, Ray<Real>{origin, direction}, infinity<Real>(),
+                        [&](int number, const Crossing<Real>& found) {
+                          met = met || (number / 2 == face && found.distance > Real(0));
+                        });
+      return met;
+    };
+    from_outside += meets_face(hit.outside) ? 1 : 0;
+    from_point += meets_face(hit.point) ? 1 : 0;
+  }
+  CHECK(from_outside == 0);
+  CHECK(from_point > 1000);
+}
+
+TEST_CASE("a mesh without triangles is never met, and a point at a corner is exactly there") {
+  const MeshHit<double> none = first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}});
+  CHECK_FALSE(none.met);
+  const Mesh cube = crate().mesh;
+  const Point eye{0.25, 0.5, 4};
+  for (const Point& corner : cube.points) {
+    const MeshHit<double> hit = first_hit(cube, Ray<double>{eye, corner - eye});
+    if (!hit.met) continue;  // a silhouette may pass by
+    if (hit.distance != 1) continue;
+    CHECK(largest(hit.point - corner) == 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("each lane meets what a plain ray meets", Many, Pack<float>, Pack<double>,
+                   Pack2<Pack<double>>) {
+  Dice dice;
+  const Mesh ring = torus(12, 6).mesh;
+  for (int i = 0; i < 500; ++i) {
+    const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
+                                      [&] { return point_on_edge(dice, ring); });
+    const auto found = [&](const auto& in) {
+      using Real = std::remove_cvref_t<decltype(in.origin.x)>;
+      const MeshHit<Real> hit = first_hit(ring, in);
+      return std::tuple{select(hit.met, Real(1), Real(0)), select(hit.met, hit.point, Vec3<Real>{}),
+                        select(hit.met, hit.normal, Vec3<Real>{}),
+                        select(hit.met, hit.triangle, Real(0)), select(hit.met, hit.b, Real(0))};
+    };
+    check_each_lane<Many>(found, ray);
+  }
+}
+
+TEST_CASE("intervals hold what double and long double meet") {
+  Dice dice;
+  const Mesh cube = turned_cube(dice);
+  int certain = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<double> ray =
+        aimed<double>([&] { return point_within(dice, 4); }, [&] { return point_within(dice, 1); });
+    const MeshHit<double> hit = first_hit(cube, ray);
+    const MeshHit<Interval> bound =
+        first_hit(cube, Ray<Interval>{number_cast<Interval>(ray.origin),
+                                      number_cast<Interval>(ray.direction)});
+    REQUIRE((hit.met ? bound.met.can_be_true : bound.met.can_be_false));
+    if (!hit.met) continue;
+    REQUIRE(bound.distance.contains(hit.distance));
+    REQUIRE(bound.triangle.contains(hit.triangle));
+    REQUIRE(bound.a.contains(hit.a));
+    REQUIRE(bound.point.x.contains(hit.point.x));
+    certain += bound.triangle.is_point() && !bound.met.can_be_false ? 1 : 0;
+  }
+  CHECK(certain > 100);
+}
+
+TEST_CASE("the other triangles of a mesh cast shadows, its own does not") {
+  const Mesh cube = crate().mesh;
+  const MeshHit<double> on_top = first_hit(cube, Ray<double>{{0.5, 4, 0.25}, {0, -1, 0}});
+  REQUIRE(on_top.met);
+  const auto hidden = [&](const Vec3d& direction, double distance) {
+    return is_occluded(others(cube, on_top), Ray<double>{on_top.point, direction}, distance);
+  };
+  CHECK_FALSE(hidden({0, 1, 0}, 10.0));
+  CHECK(hidden({0, -1, 0}, 10.0));  // the bottom
+  CHECK_FALSE(hidden({0, -1, 0}, 1.5));
+}
+
+}  // namespace
+}  // namespace texmap::test
