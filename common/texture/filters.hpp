@@ -134,11 +134,18 @@ struct FilteredTexture {
   struct Taps {
     Real count, width;
   };
+  /// Reads as wide as the picture all see its mean: one is enough, unless they see the border.
   template <class Real>
   [[nodiscard]] Taps<Real> taps_of(const Footprint<Real>& footprint) const {
     const Real least = max(footprint.shorter, Real(1));
     const Real count = clamp(-floor(-footprint.longer / least), Real(1), Real(taps));
-    return {count, max(least, footprint.longer / count)};
+    const Real width = max(least, footprint.longer / count);
+    const Mask<Real> all_alike = width >= Real(widest()) && Real(wrap != Wrap::border) > Real(0);
+    return {select(all_alike, Real(1), count), width};
+  }
+  /// The longer side of the whole picture, in texels.
+  [[nodiscard]] int widest() const {
+    return std::max(pyramid.levels.front().width, pyramid.levels.front().height);
   }
 
   /// The middle of read `i` of `count` along a footprint.
