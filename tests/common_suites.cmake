@@ -40,6 +40,10 @@ foreach(suite
     texture/test_solid_checkerboard
     texture/test_texel
     texture/test_uv
+    texture/test_filters
+    texture/test_footprint
+    texture/test_pyramid
+    texture/test_wrap
     published/test_published_uv
     engine/kernels/test_budget
     engine/kernels/test_kernel_plan
@@ -84,7 +88,7 @@ add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
 mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(boost_multiprecision_INCLUDE_DIR)
-  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle footprint filters)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

@@ -88,7 +88,10 @@ struct FilteredTexture {
   [[nodiscard]] Color<Real> filtered(const Uv<Real>& at, const Footprint<Real>& footprint) const {
     if (filter == Filter::trilinear) return trilinear(at, place(footprint.longer));
     if (filter == Filter::ewa) return elliptical(at, footprint);
-    if (filter == Filter::stochastic) return one_of_many(at, footprint);
+    // Intervals have no integers to hash: they bound the mean of all choices.
+    if constexpr (requires { uint_from_real(at.u); }) {
+      if (filter == Filter::stochastic) return one_of_many(at, footprint);
+    }
     return many(at, footprint);
   }
 
