@@ -8,6 +8,7 @@
 #include "scene/floor.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
+#include "sheet.hpp"
 #include "texture/encoded.hpp"
 #include "texture/filters.hpp"
 #include "texture/floor_mapping.hpp"
@@ -23,7 +24,9 @@ enum ObjectIndex { near, far };  // in the order of `objects`
 
 struct Lesson : LessonHooks {
   static constexpr About about{
-      .idea = "a pixel shows all the texels that it covers",
+      .idea = "a pixel shows the mean of all the texels that it covers",
+      .size = {1200, 648},
+      .size_note = "800x600 with --filter",
   };
 
   Stage stage{.camera = {.eye = {0, 1, 0}, .target = {0, 0.62, -2}, .fov_y_degrees = 50}};
@@ -39,8 +42,15 @@ struct Lesson : LessonHooks {
   void options(CommandLine& line) override { offer(line, texture, filtering); }
   void prepare(Session&) override {
     ground.texture = filtering.load_floor();
-    for (Object& object : objects)
-      object.paint = Textured{{rotation_y(60), {}}, filtering.load_globe(texture)};
+    const FilteredTexture globe = filtering.load_globe(texture);
+    for (Object& object : objects) object.paint = Textured{{rotation_y(60), {}}, globe};
+  }
+  void show(Session& session) override { show_filters(*this, session); }
+
+  /// Lets all textures be read by a filter.
+  void use(Filter filter) {
+    filtering.filter = ground.texture.filter = filter;
+    for (Object& object : objects) object.paint.texture.filter = filter;
   }
 
   /// True if rays bring their derivatives by the pixel's column and row.

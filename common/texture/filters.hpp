@@ -8,7 +8,7 @@
 
 namespace texmap {
 
-/// How a texture is read. To add a filter, name it here and in FilteredTexture.
+/// How a texture is read. To add a filter, name it here and in Filtered.
 enum class Filter {
   nearest,      ///< the texel at the pixel's center: 1 read
   bilinear,     ///< the 4 texels around the center, mixed
@@ -45,8 +45,10 @@ template <class Real>
 
 /// A texture that is filtered: with the footprint of each pixel where the number has derivatives.
 /// Texels have their centers at half numbers: column = u width - 1/2.
-struct FilteredTexture {
-  Pyramid pyramid;  ///< of nothing: black
+/// To read texels in another way, derive from Pyramid and overload texel_light.
+template <class Texels>
+struct Filtered {
+  Texels pyramid;  ///< of nothing: black
   Filter filter = Filter::anisotropic;
   Wrap wrap = Wrap::repeat;
   int taps = 16;  ///< the most reads along a footprint; it then counts as wider
@@ -284,5 +286,6 @@ struct FilteredTexture {
     return select(texel.inside, light, number_cast<Real>(border));
   }
 };
+using FilteredTexture = Filtered<Pyramid>;
 
 }  // namespace texmap

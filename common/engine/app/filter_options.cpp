@@ -1,4 +1,4 @@
-// The options --filter, --wrap, --taps and --floor.
+// The options --filter, --wrap, --taps, --floor and --plot.
 #include "engine/app/filter_options.hpp"
 
 #include "engine/app/command_line.hpp"
@@ -33,6 +33,7 @@ void FilterOptions::declare(CommandLine& line) {
                     "what the floor shows beyond the first copy of its picture");
   line.whole("--taps", taps, 1, 64, "the most reads along a pixel's footprint");
   line.text("--floor", "FILE", floor_file, "the picture on the floor, a PNG or JPEG, or checkers");
+  line.text("--plot", "FILE.svg", plot, "also draws the filters' errors against the texels read");
 }
 
 Image checkers_image(int size, int squares) {

@@ -1,4 +1,4 @@
-// The options --filter, --wrap, --taps and --floor.
+// The options --filter, --wrap, --taps, --floor and --plot.
 #pragma once
 #include <string>
 
@@ -13,6 +13,7 @@ struct FilterOptions {
   Wrap wrap = Wrap::repeat;  ///< of the floor; the globe's is spherical
   int taps = 16;
   std::string floor_file = "checkers";
+  std::string plot;  ///< the file for the plot of errors; empty: none
 
   void declare(CommandLine& line);
   /// True for filters that use the footprints of pixels.
