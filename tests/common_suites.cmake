@@ -46,6 +46,10 @@ foreach(suite
     texture/test_mesh_mapping
     texture/test_wrapped
     texture/test_uv
+    texture/test_filters
+    texture/test_footprint
+    texture/test_pyramid
+    texture/test_wrap
     published/test_published_uv
     engine/kernels/test_budget
     engine/kernels/test_kernel_plan
@@ -93,6 +97,7 @@ find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hp
 mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(boost_multiprecision_INCLUDE_DIR)
   foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval edge_function mesh_mapping triangle)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle footprint filters)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

@@ -37,17 +37,13 @@ struct WrappedTexel {
 /// The texel of the image that is seen at a column and a row, inside the image or beyond.
 ///
 /// @param column, row    whole numbers; rows in either direction
-/// @param width, height  of the image, in texels; `spherical` needs an even width
+/// @param columns, rows  of the image, whole numbers; `spherical` needs an even number of columns
 /// Domain: as remainder_of.
 template <class Real>
 [[nodiscard]] WrappedTexel<Real> wrapped_texel(Wrap wrap, const Real& column, const Real& row,
-                                               int width, int height) {
-  const Real columns = Real(width);
-  const Real rows = Real(height);
-  const Real last_column = Real(width - 1);
-  const Real last_row = Real(height - 1);
-  const Real nearest_column = clamp(column, Real(0), last_column);
-  const Real nearest_row = clamp(row, Real(0), last_row);
+                                               const Real& columns, const Real& rows) {
+  const Real nearest_column = clamp(column, Real(0), columns - Real(1));
+  const Real nearest_row = clamp(row, Real(0), rows - Real(1));
   const Mask<Real> anywhere = Real(0) < Real(1);
   switch (wrap) {
     case Wrap::repeat:
@@ -62,8 +58,14 @@ template <class Real>
       break;
   }
   const Mask<Real> beyond_a_pole = remainder_of(row, Real(2) * rows) >= rows;
-  const Real turned = column + select(beyond_a_pole, Real(width / 2), Real(0));
+  const Real turned = column + select(beyond_a_pole, floor(columns * Real(0.5)), Real(0));
   return {remainder_of(turned, columns), mirrored(row, rows), anywhere};
+}
+/// The same for an image of width x height texels.
+template <class Real>
+[[nodiscard]] WrappedTexel<Real> wrapped_texel(Wrap wrap, const Real& column, const Real& row,
+                                               int width, int height) {
+  return wrapped_texel(wrap, column, row, Real(width), Real(height));
 }
 
 }  // namespace texmap

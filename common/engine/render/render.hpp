@@ -63,6 +63,12 @@ template <class Real, class Lesson>
   return lesson(ray_through(view, column, row));
 }
 
+/// True for lessons that compute with linear light and say how a pixel shows the mean of it.
+template <class Lesson, class Real>
+concept ShowsLight = requires(const Lesson& lesson, const Color<Real>& light) {
+  lesson.shown(light);
+};
+
 /// The color of a pixel, or of a pack of neighboring pixels: the mean of its samples.
 template <class Real, class Lesson>
 [[nodiscard]] Color<Real> pixel_color(const Lesson& lesson, const View<>& view, const Real& column,
@@ -75,7 +81,12 @@ template <class Real, class Lesson>
     sum = sum +
           ray_color(lesson, view, column + Real(offset.column), row + Real(offset.row), spacing);
   }
-  return samples == 1 ? sum : sum * (Real(1) / Real(samples));
+  const Color<Real> mean = samples == 1 ? sum : sum * (Real(1) / Real(samples));
+  if constexpr (ShowsLight<Lesson, Real>) {
+    return lesson.shown(mean);
+  } else {
+    return mean;
+  }
 }
 
 /// The picture of `lesson` in `view`, the same for any number of threads.

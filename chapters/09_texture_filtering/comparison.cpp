@@ -1,0 +1,138 @@
+// What the filters cost and how far off they are, on checkers to the horizon.
+#include "comparison.hpp"
+
+#include <cmath>
+
+#include "engine/app/filter_options.hpp"
+#include "engine/measure/interleaved.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/render/threads.hpp"
+#include "lesson.hpp"
+#include "texture/checkerboard.hpp"
+
+namespace texmap::chapter_09 {
+namespace {
+
+/// A pyramid that counts its reads.
+struct CountedPyramid : Pyramid {
+  long* count = nullptr;
+};
+template <class Real>
+Color<Real> texel_light(const CountedPyramid& pyramid, const PyramidLevel<Real>& level,
+                        const Real& column, const Real& row) {
+  ++*pyramid.count;
+  return texel_light(static_cast<const Pyramid&>(pyramid), level, column, row);
+}
+
+/// A pixel of the floor: its (u, v), and the mean light of its checkers.
+struct FloorPixel {
+  Uv<Dual<double>> uv;
+  double light = 0;
+};
+
+constexpr int width = 192, height = 96;
+constexpr int places = 64;   // in each direction of a pixel
+constexpr int squares = 32;  // of a copy of the picture
+
+/// The pixels that show nothing but floor.
+std::vector<FloorPixel> floor_pixels(int threads) {
+  const Lesson lesson;
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  const auto uv_at = [&](const auto& column, const auto& row) {
+    const auto ray = ray_through(view, column, row);
+    return lesson.ground.mapping(point_on(lesson.floor, ray, distance_to(lesson.floor, ray)));
+  };
+  std::vector<std::vector<FloorPixel>> rows(height);
+  for_each_row(height, threads, {}, [&](int row) {
+    const Ray<double> upper_edge = ray_through(view, 0.0, row - 0.5);
+    if (!(upper_edge.direction.y < 0)) return;
+    for (int column = 0; column < width; ++column) {
+      FloorPixel pixel;
+      pixel.uv = uv_at(Dual<double>{double(column), 1.0, 0.0}, Dual<double>{double(row), 0.0, 1.0});
+      int light_places = 0;
+      for (int i = 0; i < places * places; ++i) {
+        const Uv<double> uv = uv_at(column + (i % places + 0.5) / places - 0.5,
+                                    row + (i / places + 0.5) / places - 0.5);
+        const double square = std::floor(uv.u * squares) - std::floor(-uv.v * squares);
+        light_places += is_even(square) ? 1 : 0;
+      }
+      pixel.light = static_cast<double>(light_places) / (places * places);
+      rows[static_cast<std::size_t>(row)].push_back(pixel);
+    }
+  });
+  std::vector<FloorPixel> pixels;
+  for (const auto& row : rows) pixels.insert(pixels.end(), row.begin(), row.end());
+  return pixels;
+}
+
+template <class Texture>
+Texture texture_for(const FilterFigures& figures, const Pyramid& pyramid) {
+  Texture texture;
+  static_cast<Pyramid&>(texture.pyramid) = pyramid;
+  texture.filter = figures.filter;
+  texture.taps = figures.taps;
+  return texture;
+}
+
+}  // namespace
+
+std::vector<FilterFigures> compare_filters(int threads, bool timed) {
+  std::vector<FilterFigures> all = {
+      {Filter::nearest, 1, "nearest"},           {Filter::bilinear, 1, "bilinear"},
+      {Filter::trilinear, 1, "trilinear"},       {Filter::anisotropic, 2, "anisotropic 2"},
+      {Filter::anisotropic, 4, "anisotropic 4"}, {Filter::anisotropic, 8, "anisotropic 8"},
+      {Filter::anisotropic, 16, "anisotropic"},  {Filter::ewa, 16, "ewa"},
+      {Filter::stochastic, 16, "stochastic"},
+  };
+  const std::vector<FloorPixel> pixels = floor_pixels(threads);
+  const Pyramid pyramid = pyramid_of(light_of(checkers_image(1024, squares), TexelLight::linear));
+  const double count = static_cast<double>(pixels.size());
+  for (FilterFigures& figures : all) {
+    long reads = 0;
+    auto texture = texture_for<Filtered<CountedPyramid>>(figures, pyramid);
+    texture.pyramid.count = &reads;
+    double sum = 0;
+    for (const FloorPixel& pixel : pixels) {
+      sum += square(texture.filtered(pixel.uv).r - pixel.light);
+    }
+    figures.error = std::sqrt(sum / count);
+    figures.reads = static_cast<double>(reads) / count;
+  }
+  if (!timed) return all;
+  std::vector<Work> works;
+  for (const FilterFigures& figures : all) {
+    works.emplace_back([&pixels, texture = texture_for<FilteredTexture>(figures, pyramid)] {
+      double sum = 0;
+      for (const FloorPixel& pixel : pixels) sum += texture.filtered(pixel.uv).r;
+      if (!(sum > 0)) throw std::logic_error("the floor is black");
+    });
+  }
+  const std::vector<double> milliseconds = shortest_times(works, 3);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].nanoseconds = milliseconds[i] * 1e6 / count;
+  return all;
+}
+
+std::string table_of_filters(const std::vector<FilterFigures>& figures) {
+  std::string table =
+      "filter         error   nearest's / error   texels read   ns a look-up (double)\n";
+  for (const FilterFigures& one : figures) {
+    table += text("%-15s%.4f  %17.1f   %11.1f   %7.0f\n", one.name.c_str(), one.error,
+                  figures.front().error / one.error, one.reads, one.nanoseconds);
+  }
+  return table + "\n";
+}
+
+Plot plot_of_filters(const std::vector<FilterFigures>& figures) {
+  Plot plot{.title = "Checkers to the horizon: error against texels read",
+            .x_title = "texels read a pixel, one ray",
+            .y_title = "root mean square error of light"};
+  for (const FilterFigures& one : figures) {
+    const int style = static_cast<int>(one.filter);
+    if (plot.series.empty() || plot.series.back().style != style)
+      plot.series.push_back({.name = "", .style = style, .points = {}, .joined = true});
+    plot.series.back().points.push_back({one.reads, one.error, one.name});
+  }
+  return plot;
+}
+
+}  // namespace texmap::chapter_09

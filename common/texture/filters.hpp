@@ -1,0 +1,291 @@
+// Texture filters: the mean light that a pixel's footprint covers, from few texels.
+#pragma once
+#include "math/color.hpp"
+#include "sampling/hash.hpp"
+#include "texture/footprint.hpp"
+#include "texture/pyramid.hpp"
+#include "texture/wrap.hpp"
+
+namespace texmap {
+
+/// How a texture is read. To add a filter, name it here and in Filtered.
+enum class Filter {
+  nearest,      ///< the texel at the pixel's center: 1 read
+  bilinear,     ///< the 4 texels around the center, mixed
+  trilinear,    ///< bilinear in two levels of the pyramid, as wide as the footprint is long: 8
+  anisotropic,  ///< several such reads along the footprint, as wide as it is short
+  ewa,          ///< all texels in an ellipse, with weights that fall off towards its edge
+  stochastic,   ///< one texel of those that `anisotropic` reads, at random, as often as it weighs
+};
+
+/// Where a filter reads in the pyramid: `fraction` of the way from a level to the next.
+template <class Real>
+struct LevelPlace {
+  Real number;    ///< of the finer level
+  Real fraction;  ///< 0 to 1
+};
+
+/// The place between the levels where the mean square of the texels' widths is `width` squared.
+/// Textbook: log2(width). This has the same whole numbers and needs no logarithm.
+///
+/// @param width  in texels of level 0; below 1 and NaN count as 1
+template <class Real>
+[[nodiscard]] LevelPlace<Real> level_place(const Real& width, int last_level) {
+  Real number = Real(0);
+  Real scaled = max(width, Real(1));
+  for (int level = 0; level < last_level; ++level) {
+    const Mask<Real> coarser = scaled >= Real(2);
+    if (!any(coarser)) break;
+    scaled = select(coarser, scaled * Real(0.5), scaled);
+    number = select(coarser, number + Real(1), number);
+  }
+  const Real fraction = clamp((scaled * scaled - Real(1)) / Real(3), Real(0), Real(1));
+  return {number, select(number < Real(last_level), fraction, Real(0))};
+}
+
+/// A texture that is filtered: with the footprint of each pixel where the number has derivatives.
+/// Texels have their centers at half numbers: column = u width - 1/2.
+/// To read texels in another way, derive from Pyramid and overload texel_light.
+template <class Texels>
+struct Filtered {
+  Texels pyramid;  ///< of nothing: black
+  Filter filter = Filter::anisotropic;
+  Wrap wrap = Wrap::repeat;
+  int taps = 16;  ///< the most reads along a footprint; it then counts as wider
+  VAxis v_axis = VAxis::up;
+  Rgb border{};  ///< seen beyond the edges with Wrap::border
+
+  /// The color at (u, v), without a footprint: the nearest texel, or the bilinear filter.
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
+    if (pyramid.levels.empty()) return gray(Real(0));
+    const Uv<Real> from_top = rows_down(uv);
+    if (filter == Filter::nearest) return nearest(from_top, Real(0));
+    return bilinear(from_top, Real(0));
+  }
+
+  /// The color of a pixel, by the derivatives of (u, v). It is constant: its derivatives are 0.
+  template <class Real>
+  [[nodiscard]] Color<Dual<Real>> operator()(const Uv<Dual<Real>>& uv) const {
+    const Color<Real> color = filtered(uv);
+    return {color.r, color.g, color.b};
+  }
+
+  /// The mean light of the footprint at `uv`.
+  template <class Real>
+  [[nodiscard]] Color<Real> filtered(const Uv<Dual<Real>>& uv) const {
+    const Uv<Real> center{uv.u.value, uv.v.value};
+    if (pyramid.levels.empty() || filter == Filter::nearest || filter == Filter::bilinear)
+      return (*this)(center);
+    const Uv<Dual<Real>> down = rows_down(uv);
+    const PyramidLevel<int>& whole = pyramid.levels.front();
+    const Footprint<Real> footprint = footprint_of(down, Real(whole.width), Real(whole.height));
+    return filtered(rows_down(center), footprint);
+  }
+
+  /// The same for a footprint.
+  ///
+  /// @param at  v counted from the top row
+  template <class Real>
+  [[nodiscard]] Color<Real> filtered(const Uv<Real>& at, const Footprint<Real>& footprint) const {
+    if (filter == Filter::trilinear) return trilinear(at, place(footprint.longer));
+    if (filter == Filter::ewa) return elliptical(at, footprint);
+    // Intervals have no integers to hash: they bound the mean of all choices.
+    if constexpr (requires { uint_from_real(at.u); }) {
+      if (filter == Filter::stochastic) return one_of_many(at, footprint);
+    }
+    return many(at, footprint);
+  }
+
+  /// The place in the pyramid for texels of this width.
+  template <class Real>
+  [[nodiscard]] LevelPlace<Real> place(const Real& width) const {
+    return level_place(width, pyramid.last_level());
+  }
+
+  /// The texel of a level that holds `at`.
+  template <class Real>
+  [[nodiscard]] Color<Real> nearest(const Uv<Real>& at, const Real& number) const {
+    const PyramidLevel<Real> level = level_of(pyramid, number);
+    return wrapped(level, floor(limited(at.u * level.width)), floor(limited(at.v * level.height)));
+  }
+
+  /// The four texels of a level around `at`, mixed; exact at the centers of texels.
+  template <class Real>
+  [[nodiscard]] Color<Real> bilinear(const Uv<Real>& at, const Real& number) const {
+    const PyramidLevel<Real> level = level_of(pyramid, number);
+    const Real x = limited(at.u * level.width - Real(0.5));
+    const Real y = limited(at.v * level.height - Real(0.5));
+    const Real left = floor(x), right = left + Real(1);
+    const Real top = floor(y), bottom = top + Real(1);
+    const Color<Real> upper = mix(wrapped(level, left, top), wrapped(level, right, top), x - left);
+    const Color<Real> lower =
+        mix(wrapped(level, left, bottom), wrapped(level, right, bottom), x - left);
+    return mix(upper, lower, y - top);
+  }
+
+  /// Two levels, mixed.
+  template <class Real>
+  [[nodiscard]] Color<Real> trilinear(const Uv<Real>& at, const LevelPlace<Real>& place) const {
+    const Color<Real> fine = bilinear(at, place.number);
+    const Mask<Real> between = place.fraction > Real(0);
+    if (!any(between)) return fine;
+    const Real next = select(between, place.number + Real(1), place.number);
+    return mix(fine, bilinear(at, next), place.fraction);
+  }
+
+  /// How many reads a footprint needs, and how wide each is.
+  template <class Real>
+  struct Taps {
+    Real count, width;
+  };
+  /// Reads as wide as the picture all see its mean: one is enough, unless they see the border.
+  template <class Real>
+  [[nodiscard]] Taps<Real> taps_of(const Footprint<Real>& footprint) const {
+    const Real least = max(footprint.shorter, Real(1));
+    const Real count = clamp(-floor(-footprint.longer / least), Real(1), Real(taps));
+    const Real width = max(least, footprint.longer / count);
+    const Mask<Real> all_alike = width >= Real(widest()) && Real(wrap != Wrap::border) > Real(0);
+    return {select(all_alike, Real(1), count), width};
+  }
+  /// The longer side of the whole picture, in texels.
+  [[nodiscard]] int widest() const {
+    return std::max(pyramid.levels.front().width, pyramid.levels.front().height);
+  }
+
+  /// The middle of read `i` of `count` along a footprint.
+  template <class Real>
+  [[nodiscard]] Uv<Real> tap(const Uv<Real>& at, const Footprint<Real>& footprint, const Real& i,
+                             const Real& count) const {
+    const PyramidLevel<int>& whole = pyramid.levels.front();
+    const Real along = (i + Real(0.5)) / count - Real(0.5);
+    return {at.u + footprint.along_u * along / Real(whole.width),
+            at.v + footprint.along_v * along / Real(whole.height)};
+  }
+
+  /// The mean of trilinear reads along the footprint's longer side.
+  template <class Real>
+  [[nodiscard]] Color<Real> many(const Uv<Real>& at, const Footprint<Real>& footprint) const {
+    const Taps<Real> reads = taps_of(footprint);
+    const LevelPlace<Real> level = place(reads.width);
+    Color<Real> sum{};
+    for (int i = 0; i < taps; ++i) {
+      const Mask<Real> here = Real(i) < reads.count;
+      if (!any(here)) break;
+      const Color<Real> color = trilinear(tap(at, footprint, Real(i), reads.count), level);
+      sum = select(here, sum + color, sum);
+    }
+    return sum * (Real(1) / reads.count);
+  }
+
+  /// Random numbers in [0, 1): which read, which level, which column, which row.
+  template <class Real>
+  struct Choice {
+    Real tap, level, column, row;
+  };
+
+  /// One texel of those that `many` reads; chosen as often as it weighs there.
+  template <class Real>
+  [[nodiscard]] Color<Real> one_of_many(const Uv<Real>& at, const Footprint<Real>& footprint,
+                                        const Choice<Real>& choice) const {
+    const Taps<Real> reads = taps_of(footprint);
+    const LevelPlace<Real> place = this->place(reads.width);
+    const Uv<Real> middle = tap(at, footprint, floor(choice.tap * reads.count), reads.count);
+    const Real number = select(choice.level < place.fraction, place.number + Real(1), place.number);
+    const PyramidLevel<Real> level = level_of(pyramid, number);
+    // The nearest texel of a place moved by up to half a texel is the right one as often as the
+    // bilinear filter weighs it.
+    return wrapped(level, floor(limited(middle.u * level.width - Real(0.5) + choice.column)),
+                   floor(limited(middle.v * level.height - Real(0.5) + choice.row)));
+  }
+  /// The same with random numbers from a hash of the place.
+  template <class Real>
+  [[nodiscard]] Color<Real> one_of_many(const Uv<Real>& at,
+                                        const Footprint<Real>& footprint) const {
+    const auto bits_of = [](const Real& x) {
+      const Real part = clamp(x - floor(x), Real(0), below_one<Real>());
+      return uint_from_real(part * Real(1073741824));  // 2^30
+    };
+    UInt<Real> hash = hash_bits(UInt<Real>(bits_of(at.u) + 0x9e3779b9U));
+    hash = hash_bits(UInt<Real>(hash + bits_of(at.v)));
+    const auto next = [&hash] {
+      hash = hash_bits(UInt<Real>(hash + 0x9e3779b9U));
+      return unit_interval<Real>(hash);
+    };
+    const Real tap = next(), level = next(), column = next(), row = next();
+    return one_of_many(at, footprint, Choice<Real>{tap, level, column, row});
+  }
+
+  /// The texels in an ellipse with the footprint's axes, with the weight (1 - r^2)^2, r = 1 on its
+  /// edge. In the level where the footprint's shorter side is 1 to 2 texels.
+  /// Source: Greene and Heckbert (1986); their weight is a Gaussian, this one needs no exponential.
+  template <class Real>
+  [[nodiscard]] Color<Real> elliptical(const Uv<Real>& at, const Footprint<Real>& footprint) const {
+    const Real longest = max(footprint.longer, Real(1));
+    const Real width = max(footprint.shorter, longest / Real(taps));
+    const Real number = place(width).number;
+    const PyramidLevel<Real> level = level_of(pyramid, number);
+    const PyramidLevel<int>& whole = pyramid.levels.front();
+    const Real scale_u = level.width / Real(whole.width);
+    const Real scale_v = level.height / Real(whole.height);
+    const Real x = limited(at.u * level.width - Real(0.5));
+    const Real y = limited(at.v * level.height - Real(0.5));
+
+    // The ellipse (C x^2 - 2 B x y + A y^2) / (A C - B^2) <= 1: at least one texel across.
+    const Real share = select(footprint.longer > Real(0), width / footprint.longer, Real(1));
+    const Real rest = max(Real(1) - share * share, Real(0));
+    // Beyond two copies of the image nothing new comes.
+    const Real most_u = Real(2) * level.width, most_v = Real(2) * level.height;
+    const Real u = clamp(footprint.along_u * scale_u, -most_u, most_u);
+    const Real v = clamp(footprint.along_v * scale_v, -most_v, most_v);
+    const Real round_u = square(min(width * scale_u, most_u));
+    const Real round_v = square(min(width * scale_v, most_v));
+    const Real a = Real(ellipse_size) * (u * u * rest + round_u) + Real(1);
+    const Real b = Real(ellipse_size) * (u * v * rest);
+    const Real c = Real(ellipse_size) * (v * v * rest + round_v) + Real(1);
+    const Real inverse = Real(1) / (a * c - b * b);
+
+    const Real left = -floor(-(x - sqrt(a))), top = -floor(-(y - sqrt(c)));
+    const Real right = x + sqrt(a), bottom = y + sqrt(c);
+    Color<Real> sum{};
+    Real weights = Real(0);
+    for (Real row = top; any(row <= bottom); row = row + Real(1)) {
+      for (Real column = left; any(column <= right); column = column + Real(1)) {
+        const Real dx = column - x, dy = row - y;
+        const Real radius = (c * dx * dx - Real(2) * b * dx * dy + a * dy * dy) * inverse;
+        const Mask<Real> inside = radius < Real(1);
+        if (!any(inside)) continue;
+        const Real weight = select(inside, square(Real(1) - radius), Real(0));
+        sum = sum + wrapped(level, column, row) * weight;
+        weights = weights + weight;
+      }
+    }
+    return sum * (Real(1) / weights);
+  }
+  static constexpr double ellipse_size = 2.0 / 3;
+
+ private:
+  /// (u, v) with v counted from the top row.
+  template <class Real>
+  [[nodiscard]] Uv<Real> rows_down(const Uv<Real>& uv) const {
+    return {uv.u, v_axis == VAxis::down ? uv.v : Real(1) - uv.v};
+  }
+  /// A coordinate in texels, limited to what is exact to a quarter; NaN becomes the lowest.
+  template <class Real>
+  [[nodiscard]] Real limited(const Real& x) const {
+    const Real most = Real(0.25) / unit_roundoff<Real>();
+    return clamp(x, -most, most);
+  }
+  /// The texel seen at a column and a row, inside the image or beyond.
+  template <class Real>
+  [[nodiscard]] Color<Real> wrapped(const PyramidLevel<Real>& level, const Real& column,
+                                    const Real& row) const {
+    const WrappedTexel<Real> texel = wrapped_texel(wrap, column, row, level.width, level.height);
+    const Color<Real> light = texel_light(pyramid, level, texel.column, texel.row);
+    if (wrap != Wrap::border) return light;
+    return select(texel.inside, light, number_cast<Real>(border));
+  }
+};
+using FilteredTexture = Filtered<Pyramid>;
+
+}  // namespace texmap

@@ -1,0 +1,124 @@
+// An image in many sizes, each half of the one before: a MIP pyramid.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "texture/light_image.hpp"
+
+namespace texmap {
+
+/// One level of a pyramid as every lane of a number sees it, in texels; all whole numbers.
+template <class Real>
+struct PyramidLevel {
+  Real width, height;
+  Real first_row;  ///< among the rows of all levels
+};
+
+/// The images of a pyramid, from the original (level 0) to a single texel: its mean light.
+/// Memory: 4/3 of the original's for a square.
+/// Source: Williams, "Pyramidal Parametrics" (1983).
+struct Pyramid {
+  std::vector<PyramidLevel<int>> levels;
+  std::vector<std::size_t> row_starts;  ///< of all rows of all levels, the first texel
+  std::vector<Color<float>> texels;     ///< of all levels, the original first
+
+  /// The number of the last level; -1 for a pyramid of nothing.
+  [[nodiscard]] int last_level() const { return static_cast<int>(levels.size()) - 1; }
+
+  /// Adds a level.
+  void add(const LightImage& image) {
+    const int first_row = static_cast<int>(row_starts.size());
+    levels.push_back({image.width, image.height, first_row});
+    for (int row = 0; row < image.height; ++row) {
+      row_starts.push_back(texels.size());
+      for (int column = 0; column < image.width; ++column) texels.push_back(image.at(column, row));
+    }
+  }
+};
+
+/// A row of light, `count` texels, as a row of half as many (at least one), rounded down.
+/// A texel of the result is the mean of what it covers: of two texels, or of parts of four.
+///
+/// @param source  called with 0 to count - 1, returns a Color<float>
+/// @param target  called with 0 to half - 1 and a Color<float>
+template <class Source, class Target>
+void halve_row(int count, const Source& source, const Target& target) {
+  const int half = std::max(count / 2, 1);
+  for (int i = 0; i < half; ++i) {
+    // In units of 1/half of an old texel, the new one covers i count to (i + 1) count.
+    const long low = static_cast<long>(i) * count;
+    const long high = low + count;
+    Rgb sum{};
+    for (long j = low / half; j * half < high; ++j) {
+      const double covered =
+          static_cast<double>(std::min(high, (j + 1) * half) - std::max(low, j * half));
+      const Color<float>& texel = source(static_cast<int>(j));
+      sum = sum + Rgb{texel.r, texel.g, texel.b} * covered;
+    }
+    const double share = 1.0 / count;
+    target(i, Color<float>{static_cast<float>(sum.r * share), static_cast<float>(sum.g * share),
+                           static_cast<float>(sum.b * share)});
+  }
+}
+
+/// An image in half the size, rounded down and at least 1 each way; its mean light is the same.
+/// Bound: 2 roundings of float.
+[[nodiscard]] inline LightImage halved(const LightImage& image) {
+  LightImage narrow(std::max(image.width / 2, 1), image.height);
+  for (int row = 0; row < image.height; ++row) {
+    halve_row(
+        image.width, [&](int column) { return image.at(column, row); },
+        [&](int column, const Color<float>& light) { narrow.at(column, row) = light; });
+  }
+  LightImage result(narrow.width, std::max(image.height / 2, 1));
+  for (int column = 0; column < narrow.width; ++column) {
+    halve_row(
+        image.height, [&](int row) { return narrow.at(column, row); },
+        [&](int row, const Color<float>& light) { result.at(column, row) = light; });
+  }
+  return result;
+}
+
+/// The pyramid of an image of any size; of an empty image, nothing.
+[[nodiscard]] inline Pyramid pyramid_of(LightImage image) {
+  Pyramid pyramid;
+  if (image.texels.empty()) return pyramid;
+  pyramid.add(image);
+  while (image.width > 1 || image.height > 1) {
+    image = halved(image);
+    pyramid.add(image);
+  }
+  return pyramid;
+}
+
+/// The level with this number, another one in each lane.
+///
+/// @param number  a whole number from 0 to last_level()
+template <class Real>
+[[nodiscard]] PyramidLevel<Real> level_of(const Pyramid& pyramid, const Real& number) {
+  const auto level = look_up(
+      [&](int index, int) {
+        const PyramidLevel<int>& one = pyramid.levels[static_cast<std::size_t>(index)];
+        return std::array{static_cast<float>(one.width), static_cast<float>(one.height),
+                          static_cast<float>(one.first_row)};
+      },
+      number, Real(0));
+  return {level[0], level[1], level[2]};
+}
+
+/// A texel of a level, inside its image.
+template <class Real>
+[[nodiscard]] Color<Real> texel_light(const Pyramid& pyramid, const PyramidLevel<Real>& level,
+                                      const Real& column, const Real& row) {
+  const auto channels = look_up(
+      [&](int at_column, int at_row) {
+        const std::size_t start = pyramid.row_starts[static_cast<std::size_t>(at_row)];
+        const Color<float>& texel = pyramid.texels[start + static_cast<std::size_t>(at_column)];
+        return std::array{texel.r, texel.g, texel.b};
+      },
+      column, level.first_row + row);
+  return {channels[0], channels[1], channels[2]};
+}
+
+}  // namespace texmap

@@ -1,0 +1,432 @@
+// Tests of common/texture/filters.hpp: the mean light of a footprint, from few texels.
+#include "texture/filters.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+
+#include "number/kinds/pack2.hpp"
+#include "support/lanes.hpp"
+#include "support/many_digits.hpp"
+
+namespace texmap::test {
+namespace {
+
+constexpr std::array filters = {Filter::nearest,     Filter::bilinear, Filter::trilinear,
+                                Filter::anisotropic, Filter::ewa,      Filter::stochastic};
+constexpr std::array wraps = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border,
+                              Wrap::spherical};
+
+/// A pyramid whose texels hold their own centers and their level.
+Pyramid coordinates(int width, int height) {
+  Pyramid pyramid;
+  for (int level = 0; level == 0 || (width >> (level - 1)) > 1 || (height >> (level - 1)) > 1;
+       ++level) {
+    LightImage image(std::max(width >> level, 1), std::max(height >> level, 1));
+    for (int row = 0; row < image.height; ++row) {
+      for (int column = 0; column < image.width; ++column) {
+        image.at(column, row) = {
+            (static_cast<float>(column) + 0.5F) / static_cast<float>(image.width),
+            (static_cast<float>(row) + 0.5F) / static_cast<float>(image.height),
+            static_cast<float>(level)};
+      }
+    }
+    pyramid.add(image);
+  }
+  return pyramid;
+}
+
+LightImage noise(int width, int height, std::uint64_t seed = 3) {
+  Dice dice(seed);
+  LightImage image(width, height);
+  for (Color<float>& texel : image.texels)
+    texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
+             static_cast<float>(dice.between(0, 1))};
+  return image;
+}
+
+template <class Real>
+Uv<Dual<Real>> place(Real u, Real v, Real u_by_x, Real u_by_y, Real v_by_x, Real v_by_y) {
+  return {{u, u_by_x, u_by_y}, {v, v_by_x, v_by_y}};
+}
+/// A place with an axis-aligned footprint of a x b texels of an image.
+Uv<Dual<double>> place_of(double u, double v, double a, double b, int width, int height) {
+  return place(u, v, a / width, 0.0, 0.0, b / height);
+}
+
+/// How often `read(u, v, level)` does not return the place and the level.
+template <class Read>
+int count_misplaced(const Read& read) {
+  int wrong = 0;
+  for (int level = 0; level <= 3; ++level) {
+    for (int i = 0; i < 100; ++i) {
+      const double u = 0.25 + 0.5 * i / 128, v = 0.3125 + 0.375 * ((i * 37) % 100) / 128;
+      const Color<double> found = read(u, v, level);
+      wrong += found.r != u || found.g != v || found.b != level ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+TEST_CASE("where texels hold their own place and level, the bilinear filter returns them exactly") {
+  const FilteredTexture texture{.pyramid = coordinates(64, 32)};
+  const auto shifted = [&](double right, double down, int up) {
+    return [&texture, right, down, up](double u, double v, int level) {
+      const double l = level + up;
+      return texture.bilinear(Uv<double>{u + right / (64 >> level), v + down / (32 >> level)}, l);
+    };
+  };
+  CHECK(count_misplaced(shifted(0, 0, 0)) == 0);
+  // Faults of published renderers: half a texel aside, a level too high, u and v exchanged.
+  CHECK(count_misplaced(shifted(0.5, 0, 0)) == 400);
+  CHECK(count_misplaced(shifted(0, -0.5, 0)) == 400);
+  CHECK(count_misplaced(shifted(0, 0, 1)) == 400);
+  CHECK(count_misplaced([&](double u, double v, int level) {
+          return texture.bilinear(Uv<double>{v, u}, static_cast<double>(level));
+        }) > 390);
+}
+
+TEST_CASE("where texels hold their level, the trilinear filter returns its own exactly") {
+  const FilteredTexture texture{.pyramid = coordinates(256, 256), .filter = Filter::trilinear};
+  for (const double width : {0.0, 0.25, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 14.0}) {
+    CAPTURE(width);
+    const LevelPlace<double> level = texture.place(width);
+    const double blue = texture.filtered(place_of(0.5, 0.5, width, width, 256, 256)).b;
+    CHECK(std::abs(blue - (level.number + level.fraction)) < 1e-15);
+    if (width >= 1) CHECK(std::abs(blue - std::log2(width)) < 0.17);
+    if (width >= 1) CHECK(std::abs(blue - std::log2(2 * width)) > 0.8);  // a level too high
+  }
+}
+
+TEST_CASE("between two levels the mean square of the widths is the footprint's; no level jumps") {
+  double before = 0;
+  for (int i = 0; i <= 4000; ++i) {
+    const double width = 1 + i / 64.0;
+    const LevelPlace<double> level = level_place(width, 20);
+    const double square = std::pow(4.0, level.number) * (1 + 3 * level.fraction);
+    REQUIRE(std::abs(square - width * width) < 1e-12 * square);
+    const double sum = level.number + level.fraction;
+    REQUIRE(sum >= before);
+    REQUIRE(sum - before < 0.05);
+    before = sum;
+  }
+  for (int level = 0; level <= 14; ++level)
+    CHECK(level_place(std::pow(2.0, level), 14).number == level);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double width : {0.0, -3.0, 1e-20, 0.99, nan}) {
+    CHECK(level_place(width, 14).number == 0);
+    CHECK(level_place(width, 14).fraction == 0);
+  }
+  for (const double width : {16384.0, 1e20, infinity<double>()}) {
+    CHECK(level_place(width, 14).number == 14);
+    CHECK(level_place(width, 14).fraction == 0);
+  }
+}
+
+TEST_CASE("constant in, constant out, whatever the filter, the wrap, the size and the footprint") {
+  Dice dice(7);
+  const Color<float> color{0.25F, 0.7F, 0.001F};
+  for (const auto& [width, height] :
+       {std::pair(1, 1), std::pair(1, 7), std::pair(5, 3), std::pair(16, 16), std::pair(40, 2)}) {
+    for (const Filter filter : filters) {
+      for (const Wrap wrap : wraps) {
+        const FilteredTexture texture{.pyramid = pyramid_of(LightImage(width, height, color)),
+                                      .filter = filter,
+                                      .wrap = wrap,
+                                      .border = {color.r, color.g, color.b}};
+        for (int i = 0; i < 40; ++i) {
+          const double size = std::exp(dice.between(-8, 3));
+          const auto any = [&] { return size * dice.between(-1, 1); };
+          const Color<double> found = texture.filtered(
+              place(dice.between(-2, 3), dice.between(-2, 3), any(), any(), any(), any()));
+          REQUIRE(std::abs(found.r - color.r) < 1e-14);
+          REQUIRE(std::abs(found.g - color.g) < 1e-14);
+          REQUIRE(std::abs(found.b - color.b) < 1e-16);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("no weight is negative: one bright texel never darkens a footprint, and all add up") {
+  Dice dice(8);
+  for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
+    for (int i = 0; i < 12; ++i) {
+      const double size = std::exp(dice.between(-4, 0));
+      const auto any = [&] { return size * dice.between(-1, 1); };
+      const auto where =
+          place(dice.between(-2, 3), dice.between(-2, 3), any(), any(), any(), any());
+      double sum = 0;
+      for (std::size_t texel = 0; texel < 64; ++texel) {
+        LightImage image(8, 8);
+        image.texels[texel].r = 1;
+        const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = filter};
+        const double weight = texture.filtered(where).r;
+        REQUIRE(weight >= 0);
+        sum += weight;
+      }
+      CHECK(std::abs(sum - 1) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("drawn one to one at its texels' centers, a picture comes back to the last bit") {
+  const LightImage image = noise(16, 8);
+  for (const Filter filter : filters) {
+    if (filter == Filter::ewa) continue;  // it mixes neighbors in
+    if (filter == Filter::stochastic) continue;
+    for (const Wrap wrap : wraps) {
+      const FilteredTexture texture{
+          .pyramid = pyramid_of(image), .filter = filter, .wrap = wrap, .v_axis = VAxis::down};
+      for (int row = 0; row < 8; ++row) {
+        for (int column = 0; column < 16; ++column) {
+          const auto found =
+              texture.filtered(place_of((column + 0.5) / 16, (row + 0.5) / 8, 1, 1, 16, 8));
+          REQUIRE(found.r == image.at(column, row).r);
+          REQUIRE(found.g == image.at(column, row).g);
+          REQUIRE(found.b == image.at(column, row).b);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("v up shows the picture, v down shows it upside down") {
+  const LightImage image = noise(4, 4);
+  const FilteredTexture up{.pyramid = pyramid_of(image)};
+  const FilteredTexture down{.pyramid = pyramid_of(image), .v_axis = VAxis::down};
+  CHECK(up(Uv<double>{0.125, 0.875}).r == image.at(0, 0).r);
+  CHECK(down(Uv<double>{0.125, 0.125}).r == image.at(0, 0).r);
+  CHECK(up(Uv<double>{0.125, 0.125}).r == image.at(0, 3).r);
+}
+
+/// The mean of a texture that is 1 on black squares and 0 on white ones, over an interval: squares
+/// of `size`; the sign +1 or -1 of a square wave is integrated by a triangle wave.
+double mean_sign(double low, double high, double size) {
+  const auto integral = [size](double x) {
+    const double within = x - 2 * size * std::floor(x / (2 * size));
+    return within < size ? within : 2 * size - within;
+  };
+  return (integral(high) - integral(low)) / (high - low);
+}
+/// The exact mean of a checkerboard over a box, in units of texels: the square at 0 is white.
+double checkers_in_box(double x, double y, double a, double b, double size) {
+  return 0.5 + 0.5 * mean_sign(x - a / 2, x + a / 2, size) * mean_sign(y - b / 2, y + b / 2, size);
+}
+
+/// Root mean square error of a filter on checkers of `size` texels, for boxes of a x b texels.
+double error_on_checkers(const FilteredTexture& texture, double a, double b, double size,
+                         double too_wide = 1) {
+  Dice dice(11);
+  double sum = 0;
+  const int count = 3000;
+  for (int i = 0; i < count; ++i) {
+    const double x = dice.between(0, 64), y = dice.between(0, 64);
+    const double found =
+        texture.filtered(place_of(x / 64, y / 64, a * too_wide, b * too_wide, 64, 64)).r;
+    sum += square(found - checkers_in_box(x, y, a, b, size));
+  }
+  return std::sqrt(sum / count);
+}
+
+FilteredTexture checkers(Filter filter, int taps = 16) {
+  LightImage image(64, 64);
+  for (int row = 0; row < 64; ++row) {
+    for (int column = 0; column < 64; ++column)
+      image.at(column, row).r = (row / 8 + column / 8) % 2 == 0 ? 1.0F : 0.0F;
+  }
+  return {.pyramid = pyramid_of(image), .filter = filter, .taps = taps, .v_axis = VAxis::down};
+}
+
+TEST_CASE(
+    "filters come near the exact mean of checkers over a box; the order is that of the page") {
+  struct Row {
+    double a, b;
+  };
+  for (const Row& box : {Row{22, 2}, Row{1, 13}, Row{41, 4}, Row{24, 3}}) {
+    CAPTURE(box.a);
+    CAPTURE(box.b);
+    const auto error = [&](Filter filter, int taps = 16) {
+      return error_on_checkers(checkers(filter, taps), box.a, box.b, 8);
+    };
+    const double nearest = error(Filter::nearest);
+    CHECK(error(Filter::trilinear) < 0.75 * nearest);
+    CHECK(error(Filter::anisotropic, 4) < 0.5 * nearest);
+    CHECK(error(Filter::anisotropic) < 0.1 * nearest);
+    CHECK(error(Filter::anisotropic) < 0.3 * error(Filter::trilinear));
+    CHECK(error(Filter::ewa) < 0.2 * nearest);
+  }
+}
+
+TEST_CASE("a footprint twice as wide, as with a level one too high, is noticed on checkers") {
+  for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
+    const double right = error_on_checkers(checkers(filter), 4, 4, 8);
+    CHECK(error_on_checkers(checkers(filter), 4, 4, 8, 2) > 1.7 * right);
+  }
+}
+
+TEST_CASE("the width of the trilinear filter by its response to a cosine") {
+  // At a level's texel centers the bilinear filter adds no width.
+  const int width = 256;
+  for (int level = 0; level <= 4; ++level) {
+    const int cycles = 7;
+    LightImage image(width, 4);
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < width; ++column)
+        image.at(column, row).r =
+            static_cast<float>(0.5 + 0.5 * std::cos(2 * M_PI * cycles * (column + 0.5) / width));
+    }
+    const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = Filter::trilinear};
+    const auto amplitude = [&](double footprint) {
+      double cosine = 0, sine = 0;
+      const int count = width >> level;
+      for (int column = 0; column < count; ++column) {
+        const double u = (column + 0.5) / count, angle = 2 * M_PI * cycles * u;
+        const double light = texture.filtered(place_of(u, 0.5, footprint, 1, width, 4)).r;
+        cosine += light * std::cos(angle);
+        sine += light * std::sin(angle);
+      }
+      return 2 * std::hypot(cosine, sine) / count;
+    };
+    const double span = std::pow(2.0, level), f = static_cast<double>(cycles) / width;
+    const double expected = 0.5 * std::sin(span * M_PI * f) / (span * std::sin(M_PI * f));
+    CHECK(std::abs(amplitude(span) - expected) < 1e-7);
+    CHECK(std::abs(amplitude(2 * span) - expected) > 1e-4);
+  }
+}
+
+TEST_CASE("the stochastic filter's mean is the anisotropic filter's") {
+  const Pyramid pyramid = pyramid_of(noise(32, 32));
+  const FilteredTexture full{.pyramid = pyramid, .filter = Filter::anisotropic, .taps = 4};
+  Dice dice(12);
+  for (int i = 0; i < 8; ++i) {
+    const double size = std::exp(dice.between(-4.5, -2));
+    const auto any = [&] { return size * dice.between(-1, 1); };
+    const Uv<double> at{dice.between(0, 1), dice.between(0, 1)};
+    const auto footprint = footprint_of(place(at.u, at.v, any(), any(), any(), any()), 32.0, 32.0);
+    const Color<double> expected = full.filtered(at, footprint);
+    const int steps = 16;  // strata of each random number, with a place at random in each
+    Color<double> sum{};
+    Color<double> without_levels{};
+    for (int k = 0; k < steps * steps * steps * steps; ++k) {
+      const auto part = [&](int divisor) {
+        return (k / divisor % steps + dice.between(0, 1)) / steps;
+      };
+      const double tap = part(1), level = part(steps), column = part(steps * steps);
+      const double row = part(steps * steps * steps);
+      sum = sum + full.one_of_many(at, footprint, {tap, level, column, row});
+      without_levels = without_levels + full.one_of_many(at, footprint, {tap, 1.0, 0.5, 0.5});
+    }
+    const double share = std::pow(steps, -4);
+    CHECK(std::abs(sum.r * share - expected.r) < 2e-3);
+    CHECK(std::abs(sum.g * share - expected.g) < 2e-3);
+    CHECK(std::abs(sum.b * share - expected.b) < 2e-3);
+    if (i == 0) CHECK(std::abs(without_levels.r * share - expected.r) > 2e-3);
+  }
+}
+
+TEST_CASE("its random numbers come from the place alone, and differ from place to place") {
+  const FilteredTexture texture{.pyramid = pyramid_of(noise(64, 64)), .filter = Filter::stochastic};
+  const FilteredTexture full{.pyramid = texture.pyramid, .filter = Filter::anisotropic};
+  double sum = 0, expected = 0, differences = 0;
+  const int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const auto at = place_of(0.3 + i * 1e-9, 0.4 + i * 3e-9, 12, 3, 64, 64);  // nearly one place
+    const double light = texture.filtered(at).r;
+    REQUIRE(light == texture.filtered(at).r);
+    sum += light;
+    expected += full.filtered(at).r;
+    differences += std::abs(light - full.filtered(at).r);
+  }
+  CHECK(std::abs(sum - expected) / count < 0.01);
+  CHECK(differences / count > 0.02);  // of single texels
+}
+
+TEST_CASE_TEMPLATE("no place and no footprint leaves the image or a color's range", Real, float,
+                   double) {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  const std::array<Real, 10> places = {
+      Real(0),    Real(0.5),   Real(1), Real(-1e-20),     Real(7.75),
+      Real(1e20), Real(-1e20), nan,     infinity<Real>(), -infinity<Real>()};
+  const std::array<Real, 7> steps = {Real(0),    Real(1e-20),      Real(0.01), Real(-3),
+                                     Real(1e20), infinity<Real>(), nan};
+  for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 9), std::pair(16, 8)}) {
+    for (const Filter filter : filters) {
+      for (const Wrap wrap : wraps) {
+        const FilteredTexture texture{
+            .pyramid = pyramid_of(noise(width, height)), .filter = filter, .wrap = wrap, .taps = 4};
+        for (const Real u : places) {
+          for (const Real v : places) {
+            for (const Real a : steps) {
+              for (const Real b : steps) {
+                const Color<Real> found = texture.filtered(place(u, v, a, b, b, a));
+                REQUIRE((found.r >= 0 && found.r <= Real(1.0001)));
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+  const FilteredTexture nothing{};
+  CHECK(nothing.filtered(place(Real(0), Real(0), nan, nan, nan, nan)).r == 0);
+}
+
+TEST_CASE("a footprint as wide as the picture or wider shows its mean") {
+  const LightImage image = noise(64, 32);
+  const Pyramid pyramid = pyramid_of(image);
+  const double mean = pyramid.texels.back().r;
+  for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
+    const FilteredTexture texture{.pyramid = pyramid, .filter = filter};
+    for (const double size : {64.0, 1e3, 1e9, 1e30}) {
+      const double found = texture.filtered(place_of(0.2, 0.7, size, size, 64, 32)).r;
+      CHECK(std::abs(found - mean) < 1e-7);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("packs filter each lane as a plain number", T, float, double) {
+  const Pyramid pyramid = pyramid_of(noise(40, 24));
+  for (const Filter filter : filters) {
+    for (const Wrap wrap : {Wrap::repeat, Wrap::border, Wrap::spherical}) {
+      const FilteredTexture texture{.pyramid = pyramid, .filter = filter, .wrap = wrap};
+      Dice dice(6);
+      for (int i = 0; i < 40; ++i) {
+        const auto any = [&](double size) {
+          const auto sizes = any_pack<Pack2<Pack<T>>>(dice, 0, size);
+          return square(square(sizes)) * any_pack<Pack2<Pack<T>>>(dice, -1, 1);
+        };
+        const auto where = [&] { return any_pack<Pack2<Pack<T>>>(dice, -1, 2); };
+        check_each_lane<Pack2<Pack<T>>>(
+            [&]<class Real>(const Real& u, const Real& v, const Real& a, const Real& b,
+                            const Real& c,
+                            const Real& d) { return texture.filtered(place(u, v, a, b, c, d)); },
+            where(), where(), any(0.9), any(0.9), any(0.9), any(0.9));
+      }
+    }
+  }
+}
+
+#ifdef TEXMAP_HAVE_DIGITS
+TEST_CASE("double filters as 50 digits do, but for rounding") {
+  const Pyramid pyramid = pyramid_of(noise(32, 16));
+  Dice dice(10);
+  for (const Filter filter :
+       {Filter::bilinear, Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
+    const FilteredTexture texture{.pyramid = pyramid, .filter = filter};
+    for (int i = 0; i < 300; ++i) {
+      const double size = std::exp(dice.between(-6, -1));
+      const double u = dice.between(-1, 2), v = dice.between(-1, 2);
+      const double a = size * dice.between(-1, 1), b = size * dice.between(-1, 1);
+      const double c = size * dice.between(-1, 1), d = size * dice.between(-1, 1);
+      const auto in = [&]<class Real>(Real) {
+        return texture.filtered(place(Real(u), Real(v), Real(a), Real(b), Real(c), Real(d)));
+      };
+      CHECK(std::abs(in(0.0).g - static_cast<double>(in(Digits50(0)).g)) < 1e-11);
+    }
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace texmap::test

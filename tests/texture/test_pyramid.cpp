@@ -1,0 +1,146 @@
+// Tests of common/texture/pyramid.hpp: an image in many sizes.
+#include "texture/pyramid.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+
+#include "support/lanes.hpp"
+
+namespace texmap::test {
+namespace {
+
+LightImage noise(int width, int height) {
+  Dice dice(static_cast<std::uint64_t>(width * 4099 + height));
+  LightImage image(width, height);
+  for (Color<float>& texel : image.texels)
+    texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
+             dice.once_in(9) ? 50.0F : 0.0F};
+  return image;
+}
+
+Color<double> mean_of_level(const Pyramid& pyramid, std::size_t level) {
+  const PyramidLevel<int>& size = pyramid.levels[level];
+  Color<double> sum{};
+  for (int row = 0; row < size.height; ++row) {
+    for (int column = 0; column < size.width; ++column)
+      sum = sum + texel_light<double>(pyramid, level_of(pyramid, static_cast<double>(level)),
+                                      column, row);
+  }
+  return sum * (1.0 / (size.width * size.height));
+}
+
+TEST_CASE("every level of every size keeps the mean light, and the last level is it") {
+  std::vector<std::pair<int, int>> sizes = {{1000, 3}, {1, 257}, {129, 1}, {96, 54}};
+  for (int width = 1; width <= 17; ++width) {
+    for (int height = 1; height <= 17; ++height) sizes.emplace_back(width, height);
+  }
+  for (const auto& [width, height] : sizes) {
+    const int w = width, h = height;
+    CAPTURE(w);
+    CAPTURE(h);
+    const Pyramid pyramid = pyramid_of(noise(w, h));
+    const Color<double> mean = mean_of_level(pyramid, 0);
+    for (std::size_t level = 0; level < pyramid.levels.size(); ++level) {
+      const Color<double> here = mean_of_level(pyramid, level);
+      CHECK(std::abs(here.r - mean.r) < 2e-7);
+      CHECK(std::abs(here.g - mean.g) < 2e-7);
+      CHECK(std::abs(here.b - mean.b) < 1e-5);
+      CHECK(pyramid.levels[level].width == std::max(w >> level, 1));
+      CHECK(pyramid.levels[level].height == std::max(h >> level, 1));
+    }
+    CHECK(pyramid.levels.back().width == 1);
+    CHECK(pyramid.levels.back().height == 1);
+  }
+}
+
+TEST_CASE("of a size that is a power of two each texel is the mean of four, without a rounding") {
+  LightImage image(4, 2);
+  for (int i = 0; i < 8; ++i) image.texels[static_cast<std::size_t>(i)].r = static_cast<float>(i);
+  const LightImage half = halved(image);
+  CHECK(half.width == 2);
+  CHECK(half.height == 1);
+  CHECK(half.at(0, 0).r == 2.5F);  // of 0, 1, 4, 5
+  CHECK(half.at(1, 0).r == 4.5F);
+}
+
+TEST_CASE("of an odd size the texel in the middle counts half on either side") {
+  LightImage image(5, 1);
+  for (int i = 0; i < 5; ++i) image.at(i, 0).r = i == 2 ? 5.0F : 0.0F;
+  const LightImage half = halved(image);
+  CHECK(half.width == 2);
+  CHECK(half.at(0, 0).r == 1.0F);
+  CHECK(half.at(1, 0).r == 1.0F);
+  LightImage dropped(5, 1);  // an odd size that leaves its last texel out does not keep the mean
+  dropped.at(4, 0).r = 5;
+  CHECK(halved(dropped).at(1, 0).r == 2.0F);
+}
+
+TEST_CASE("a constant image is the same constant in every level, to the last bit") {
+  const Color<float> color{0.1F, 0.7F, 1e-30F};
+  const Pyramid pyramid = pyramid_of(LightImage(37, 11, color));
+  for (const Color<float>& texel : pyramid.texels) {
+    REQUIRE(texel.r == color.r);
+    REQUIRE(texel.g == color.g);
+    REQUIRE(texel.b == color.b);
+  }
+}
+
+TEST_CASE("a pyramid has at most 4/3 of the texels of a square, and an empty image has none") {
+  for (const int size : {1, 2, 7, 64, 100, 512}) {
+    const Pyramid pyramid = pyramid_of(LightImage(size, size));
+    CHECK(3 * pyramid.texels.size() <= 4 * static_cast<std::size_t>(size * size));
+  }
+  CHECK(pyramid_of(LightImage{}).levels.empty());
+  CHECK(pyramid_of(LightImage{}).last_level() == -1);
+}
+
+/// The amplitude of a cosine of `cycles` cycles over the image, in a level.
+double amplitude_in(const Pyramid& pyramid, int level, int cycles) {
+  const int width = pyramid.levels[static_cast<std::size_t>(level)].width;
+  double cosine = 0, sine = 0;
+  for (int column = 0; column < width; ++column) {
+    const auto texel =
+        texel_light<double>(pyramid, level_of(pyramid, static_cast<double>(level)), column, 0.0);
+    const double angle = 2 * M_PI * cycles * (column + 0.5) / width;
+    cosine += texel.r * std::cos(angle);
+    sine += texel.r * std::sin(angle);
+  }
+  return 2 * std::hypot(cosine, sine) / width;
+}
+
+TEST_CASE("a cosine passes a level as sin(2^l pi f) / (2^l sin(pi f)); a level beside it differs") {
+  const int width = 1024;
+  for (const int cycles : {1, 3, 10, 25}) {
+    LightImage image(width, 1);
+    for (int column = 0; column < width; ++column)
+      image.at(column, 0).r =
+          static_cast<float>(0.5 + 0.5 * std::cos(2 * M_PI * cycles * (column + 0.5) / width));
+    const Pyramid pyramid = pyramid_of(image);
+    for (int level = 0; level <= 4; ++level) {
+      const double f = static_cast<double>(cycles) / width, span = std::pow(2.0, level);
+      const double expected =
+          0.5 * std::abs(std::sin(span * M_PI * f) / (span * std::sin(M_PI * f)));
+      CHECK(std::abs(amplitude_in(pyramid, level, cycles) - expected) < 1e-7);
+      if (cycles == 25) CHECK(std::abs(amplitude_in(pyramid, level + 1, cycles) - expected) > 4e-4);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("packs read another level in each lane", T, float, double) {
+  const Pyramid pyramid = pyramid_of(noise(40, 24));
+  Dice dice(2);
+  for (int i = 0; i < 200; ++i) {
+    check_each_lane<Pack<T>>(
+        [&]<class Real>(const Real& number, const Real& across, const Real& down) {
+          const PyramidLevel<Real> level = level_of(pyramid, floor(number));
+          return texel_light(pyramid, level, floor(across * level.width),
+                             floor(down * level.height));
+        },
+        any_pack<Pack<T>>(dice, 0, 5.99), any_pack<Pack<T>>(dice, 0, 0.99),
+        any_pack<Pack<T>>(dice, 0, 0.99));
+  }
+}
+
+}  // namespace
+}  // namespace texmap::test

@@ -1,0 +1,135 @@
+// Tests of common/texture/wrap.hpp: what lies beyond the edges of an image.
+#include "texture/wrap.hpp"
+
+#include <doctest.h>
+
+#include "support/lanes.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// The remainder of a division that rounds down, in whole numbers.
+int modulo(int x, int n) { return (x % n + n) % n; }
+int mirrored_whole(int x, int n) {
+  const int within = modulo(x, 2 * n);
+  return within < n ? within : 2 * n - 1 - within;
+}
+
+/// Sizes to try: every one up to 40, then some up to 4096.
+std::vector<int> sizes() {
+  std::vector<int> all;
+  for (int n = 1; n <= 40; ++n) all.push_back(n);
+  for (const int n : {63, 64, 65, 100, 127, 255, 256, 257, 1000, 1023, 1024, 2047, 4095, 4096})
+    all.push_back(n);
+  return all;
+}
+
+/// How many whole numbers of four periods `wrapped(x, n)` does not take to `expected(x, n)`.
+template <class Wrapped, class Expected>
+long count_wrong(const Wrapped& wrapped, const Expected& expected) {
+  long wrong = 0;
+  for (const int n : sizes()) {
+    for (int x = -4 * n; x <= 4 * n; ++x) wrong += wrapped(x, n) != expected(x, n) ? 1 : 0;
+  }
+  return wrong;
+}
+
+TEST_CASE_TEMPLATE("repeat and mirror are those of whole numbers, at every place of eight periods",
+                   Real, float, double, long double, Pack<float>, Pack<double>) {
+  const auto repeated = [](int x, int n) {
+    return static_cast<int>(lane(remainder_of(Real(x), Real(n)), 0));
+  };
+  const auto mirror = [](int x, int n) {
+    return static_cast<int>(lane(mirrored(Real(x), Real(n)), 0));
+  };
+  CHECK(count_wrong(repeated, modulo) == 0);
+  CHECK(count_wrong(mirror, mirrored_whole) == 0);
+}
+
+TEST_CASE(
+    "the faults of other renderers are noticed: a mirror that shows its edge once or thrice") {
+  const auto once = [](int x, int n) {  // without the edge's own mirror image
+    const int period = n == 1 ? 1 : 2 * n - 2;
+    const int within = modulo(x, period);
+    return within < n ? within : period - within;
+  };
+  const auto last_of_negative = [](int x, int n) {  // C's remainder, which rounds to zero
+    const int turns = x / n, within = x - turns * n;
+    const int from_zero = within < 0 ? within + n : within;
+    return turns % 2 == 0 ? from_zero : n - 1 - from_zero;
+  };
+  const auto cut_off = [](int x, int n) { return std::abs(x % n); };
+  CHECK(count_wrong(once, mirrored_whole) > 0);
+  CHECK(count_wrong(last_of_negative, mirrored_whole) > 0);
+  CHECK(count_wrong(cut_off, modulo) > 0);
+}
+
+TEST_CASE("a mirror image of a mirror image is the image, and edges meet themselves") {
+  for (const int n : sizes()) {
+    const double size = n;
+    for (int x = -2 * n; x < 2 * n; ++x) {
+      REQUIRE(mirrored(-1.0 - x, size) == mirrored(static_cast<double>(x), size));
+      REQUIRE(mirrored(2 * size - 1 - x, size) == mirrored(static_cast<double>(x), size));
+    }
+    CHECK(mirrored(-1.0, size) == 0);
+    CHECK(mirrored(size, size) == size - 1);
+  }
+}
+
+TEST_CASE("over a pole one comes down on the other side, half a turn on; twice is no step at all") {
+  for (const int rows : {1, 2, 3, 8}) {
+    for (const int columns : {2, 4, 10, 16}) {
+      for (int row = -2 * rows; row < 2 * rows; ++row) {
+        for (int column = -columns; column < 2 * columns; ++column) {
+          const auto at = [&](double x, double y) {
+            const auto texel = wrapped_texel(Wrap::spherical, x, y, columns, rows);
+            return std::pair(texel.column, texel.row);
+          };
+          const auto here = at(column, row);
+          REQUIRE(here.first >= 0);
+          REQUIRE(here.first < columns);
+          REQUIRE(here.second >= 0);
+          REQUIRE(here.second < rows);
+          REQUIRE(at(column + columns / 2, -1 - row) == here);
+          REQUIRE(at(column + columns / 2, 2 * rows - 1 - row) == here);
+          REQUIRE(at(column, row + 2 * rows) == here);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("inside the image every mode shows the image; the border is seen outside alone") {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border, Wrap::spherical}) {
+    for (int row = -6; row < 9; ++row) {
+      for (int column = -8; column < 12; ++column) {
+        const auto texel = wrapped_texel<double>(wrap, column, row, 4, 3);
+        const bool inside = column >= 0 && column < 4 && row >= 0 && row < 3;
+        if (inside) CHECK((texel.column == column && texel.row == row));
+        CHECK(texel.inside == (inside || wrap != Wrap::border));
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("packs wrap each lane as a plain number, with a size of its own", T, float,
+                   double) {
+  Dice dice(5);
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border, Wrap::spherical}) {
+    for (int i = 0; i < 100; ++i) {
+      const auto whole = [&](double low, double high) {
+        return floor(any_pack<Pack<T>>(dice, low, high));
+      };
+      check_each_lane<Pack<T>>(
+          [&]<class Real>(const Real& column, const Real& row, const Real& columns,
+                          const Real& rows) {
+            const auto texel = wrapped_texel(wrap, column, row, columns, rows);
+            return std::tuple(texel.column, texel.row, select(texel.inside, Real(1), Real(0)));
+          },
+          whole(-90, 90), whole(-90, 90), whole(1, 30), whole(1, 30));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texmap::test
