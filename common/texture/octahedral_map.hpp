@@ -18,7 +18,7 @@ template <class Real>
           clamp(Real(0.5) + Real(0.5) * up, Real(0), Real(1))};
 }
 
-/// The octahedral map, seen from above: +y in the middle, +x to the right, -z up, -y in the corners.
+/// The octahedral map, seen from above: +y in the middle, +x right, -z up, -y in the four corners.
 /// On the upper half it is a division by |x| + |y| + |z|; the lower half is mirrored at the square
 /// through the middles of the four edges.
 ///
@@ -43,6 +43,29 @@ template <class Real>
   const Real x = select(below, with_sign_of(right, Real(1) - abs(up)), right);
   const Real minus_z = select(below, with_sign_of(up, Real(1) - abs(right)), up);
   return normalize(Vec3<Real>{x, y, -minus_z});
+}
+
+/// A texel of an octahedral map.
+template <class Real>
+struct OctahedralTexel {
+  Real column, row;  ///< whole numbers inside the image
+};
+
+/// The texel seen beyond an edge of an octahedral map, of either kind. Each edge is folded at its
+/// middle: beyond it, the same edge is met upside down. Texel -1 is texel 0, not 1.
+///
+/// @param column, row    whole numbers from -width to 2 width - 1, -height to 2 height - 1
+/// @param width, height  of the image, in texels
+template <class Real>
+[[nodiscard]] OctahedralTexel<Real> folded_octahedral(const Real& column, const Real& row,
+                                                      int width, int height) {
+  const auto folded = [](const Real& x, int n) {
+    return select(x < Real(0), Real(-1) - x, select(x >= Real(n), Real(2 * n - 1) - x, x));
+  };
+  const Real inner_column = folded(column, width);
+  const Real turned_row = select(inner_column == column, row, Real(height - 1) - row);
+  const Real inner_row = folded(turned_row, height);
+  return {select(inner_row == turned_row, inner_column, Real(width - 1) - inner_column), inner_row};
 }
 
 /// The equal-area octahedral map, laid out as uv_octahedral: each texel has the same solid angle.

@@ -23,7 +23,7 @@ inline constexpr std::array<ProjectionFacts, 7> projections = {{
     {Projection::cylinder, "cylinder", static_cast<double>(pi_digits), four_pi},
     {Projection::cube, "cube", 1.5, four_pi},
     {Projection::equi_angular, "equi-angular", 1.5, four_pi},
-    {Projection::octahedron, "octahedron", 1, four_pi},
+    {Projection::octahedral, "octahedral", 1, four_pi},
     {Projection::equal_area, "equal-area", 1, four_pi},
 }};
 [[nodiscard]] inline const ProjectionFacts& facts_of(Projection projection) {

@@ -14,7 +14,7 @@ enum class Projection {
   cylinder,      ///< straight out onto a cylinder around it: Lambert, equal areas
   cube,          ///< from the middle onto the six faces of a cube
   equi_angular,  ///< the same with equal angles between texels
-  octahedron,    ///< onto an octahedron, its lower half folded out
+  octahedral,    ///< onto an octahedron, its lower half folded out
   equal_area,    ///< the same with equal areas
 };
 
@@ -47,7 +47,7 @@ template <class Real>
       return uv_cube(CubeSpacing::even, p);
     case Projection::equi_angular:
       return uv_cube(CubeSpacing::equi_angular, p);
-    case Projection::octahedron:
+    case Projection::octahedral:
       return uv_octahedral(p);
     case Projection::equal_area:
       return uv_equal_area(p);
@@ -79,7 +79,7 @@ template <class Real>
       return direction_cube(CubeSpacing::even, uv);
     case Projection::equi_angular:
       return direction_cube(CubeSpacing::equi_angular, uv);
-    case Projection::octahedron:
+    case Projection::octahedral:
       return direction_octahedral(uv);
     case Projection::equal_area:
       return direction_equal_area(uv);
