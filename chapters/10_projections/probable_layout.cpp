@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "engine/measure/text.hpp"
 #include "engine/render/convert_projection.hpp"
@@ -20,21 +19,16 @@ double square_of_difference(const Rgb8& a, const Rgb8& b) {
 
 /// The mean square difference of two texels anywhere: twice the variance.
 double spread_of(const Image& image) {
-  double sum = 0;
+  Rgb sum{};
   double squares = 0;
   for (const Rgb8& p : image.pixels) {
-    for (const double channel : {p.r, p.g, p.b}) squares += channel * channel;
+    const Rgb levels{static_cast<double>(p.r), static_cast<double>(p.g), static_cast<double>(p.b)};
+    sum = sum + levels;
+    squares += square(levels.r) + square(levels.g) + square(levels.b);
   }
   const auto count = static_cast<double>(image.pixels.size());
-  const auto mean_square = [&](auto channel) {
-    double total = 0;
-    for (const Rgb8& p : image.pixels) total += channel(p);
-    return square(total / count);
-  };
-  sum = mean_square([](const Rgb8& p) { return p.r; }) +
-        mean_square([](const Rgb8& p) { return p.g; }) +
-        mean_square([](const Rgb8& p) { return p.b; });
-  return 2 * (squares / count - sum);
+  const double mean_squares = square(sum.r / count) + square(sum.g / count) + square(sum.b / count);
+  return 2 * (squares / count - mean_squares);
 }
 
 bool has_shape(const Image& image, Projection projection) {
@@ -44,9 +38,11 @@ bool has_shape(const Image& image, Projection projection) {
          (aspect != 1.5 || (image.width % 3 == 0 && image.height % 2 == 0));
 }
 
-/// The channels of a texel as numbers.
-double channel_of(const Rgb8& p, int channel) {
-  return channel == 0 ? p.r : channel == 1 ? p.g : p.b;
+/// The layout of the same shape and the same seams: the one with the smoother inner edges.
+std::optional<Projection> twin_of(Projection projection) {
+  if (projection == Projection::cube) return Projection::equi_angular;
+  if (projection == Projection::octahedral) return Projection::equal_area;
+  return std::nullopt;
 }
 
 /// The color around the plane's disk is one color, and the disk is not.
@@ -99,88 +95,86 @@ SeamFigures seam_figures(const Image& image, Projection projection) {
   return figures;
 }
 
-double bend_left(const Image& image, Projection projection) {
-  // Across an inner edge the slope of a smooth picture jumps by `bend` times its slope along the
-  // edge: found from the layouts by hand, with t from -1 to 1 along the edge. See the page.
-  const auto bend = [projection](double t) {
-    switch (projection) {
-      case Projection::cube:
-        return t;
-      case Projection::equi_angular:
-        return std::sin(t * std::numbers::pi / 2);
-      case Projection::octahedral:
-        return 2 * t;
-      default:
-        return t < 0 ? -2.0 : 2.0;
+double bend_correlation(const Image& image, Projection projection) {
+  const LightImage bytes = light_of(image, TexelLight::encoded);
+  const auto color = [&](const Vec3<double>& p) {
+    return light_at(bytes, projection, project(projection, p));
+  };
+  const bool cube = facts_of(projection).aspect == 1.5;
+  const double texel = std::numbers::pi / 2 / (image.height / 2.0);  // about, in radians
+  double product = 0;
+  double squares_along = 0;
+  double squares_across = 0;
+  // At a place of an edge: how the color changes along it, and how it bends across it.
+  const auto look = [&](const Vec3<double>& place, const Vec3<double>& onward, double weight) {
+    const Vec3<double> p = normalize(place);
+    const Vec3<double> along = normalize(onward - p * dot(onward, p));
+    const Vec3<double> across = cross(p, along);
+    const Color<double> here = color(p);
+    for (const double step : {3 * texel, 4 * texel, 6 * texel}) {
+      const Color<double> change = color(p + along * step) + color(p - along * step) * -1.0;
+      const Color<double> bent = color(p + across * step) + color(p - across * step) + here * -2.0;
+      product += weight * (change.r * bent.r + change.g * bent.g + change.b * bent.b);
+      squares_along += square(weight) * (square(change.r) + square(change.g) + square(change.b));
+      squares_across += square(bent.r) + square(bent.g) + square(bent.b);
     }
   };
-  double sum = 0;
-  double count = 0;
-  // The edge lies between the columns `edge - 1` and `edge`, or rows if `flipped`.
-  const auto look = [&](int edge, int first, int last, bool flipped) {
-    const auto at = [&](int across, int along, int channel) {
-      return flipped ? channel_of(image.at(along, across), channel)
-                     : channel_of(image.at(across, along), channel);
-    };
-    for (int along = first + 1; along < last; ++along) {
-      const double t = 2 * (along + 0.5 - first) / (last + 1 - first) - 1;
-      for (int channel = 0; channel < 3; ++channel) {
-        const double jump = (at(edge + 1, along, channel) - at(edge, along, channel)) -
-                            (at(edge - 1, along, channel) - at(edge - 2, along, channel));
-        const double slope = (at(edge - 1, along + 1, channel) - at(edge - 1, along - 1, channel) +
-                              at(edge, along + 1, channel) - at(edge, along - 1, channel)) /
-                             4;
-        sum += square(jump - bend(t) * slope);
-        ++count;
+  const int places = image.height / 2;
+  for (int i = 0; i < places; ++i) {
+    const double t = (i + 0.5) / places;
+    for (const double side : {-1.0, 1.0}) {
+      for (const double other : {-1.0, 1.0}) {
+        if (cube) {  // from the middle of each of the twelve edges to both its ends
+          const double weight = std::sin(2 * std::atan(t)) - t;
+          for (const double end : {-1.0, 1.0}) {
+            look({side, end * t, other}, {0, end, 0}, weight);
+            look({end * t, side, other}, {end, 0, 0}, weight);
+            look({side, other, end * t}, {0, 0, end}, weight);
+          }
+        } else {  // from both poles to the equator, along four meridians
+          look({0, side * (1 - t), other * t}, {0, 0, other}, 1 - t);
+          look({other * t, side * (1 - t), 0}, {other, 0, 0}, 1 - t);
+        }
       }
     }
-  };
-  if (facts_of(projection).aspect == 1.5) {
-    for (const int edge : {image.width / 3, 2 * image.width / 3}) {
-      look(edge, 0, image.height / 2 - 1, false);
-      look(edge, image.height / 2, image.height - 1, false);
-    }
-  } else {
-    look(image.width / 2, 0, image.height - 1, false);
-    look(image.height / 2, 0, image.width - 1, true);
   }
-  return sum / count;
+  return product / std::sqrt(squares_along * squares_across + 1e-30);
 }
 
 std::optional<Projection> probable_layout(const Image& image) {
-  std::optional<Projection> best;
-  double least = 0;
   for (const ProjectionFacts& facts : projections) {
     const Projection projection = facts.projection;
     if (!has_shape(image, projection)) continue;
-    const SeamFigures seams = seam_figures(image, projection);
-    if (seams.spread < 1) continue;  // one color
+    if (spread_of(image) < 1) continue;  // one color
     if (projection == Projection::plane) {
       if (is_disk(image)) return projection;
       continue;
     }
+    const SeamFigures seams = seam_figures(image, projection);
     if (seams.inside > 0.5 * seams.spread) continue;  // noise
     if (seams.across > 2 * seams.inside + 2) continue;
-    const bool has_twin = facts.aspect == 1.5 || facts.aspect == 1;
-    const double left = has_twin ? bend_left(image, projection) : 0;
-    if (!best || left < least) {
-      best = projection;
-      least = left;
-    }
+    const std::optional<Projection> twin = twin_of(projection);
+    if (!twin) return projection;
+    const double sum = bend_correlation(image, projection) + bend_correlation(image, *twin);
+    if (std::abs(sum) < 0.01) return std::nullopt;
+    return sum < 0 ? projection : *twin;
   }
-  return best;
+  return std::nullopt;
 }
 
 std::string about_layout(const std::string& name, const Image& image) {
   const std::optional<Projection> layout = probable_layout(image);
-  std::string all = name + ": probably " + (layout ? facts_of(*layout).word : "unknown") + "\n";
+  std::string all = name + ": probably " +
+                    (layout ? facts_of(*layout).word : "not a picture of a sphere, or unknown") +
+                    "\n";
   for (const ProjectionFacts& facts : projections) {
     if (!has_shape(image, facts.projection) || facts.projection == Projection::plane) continue;
     const SeamFigures seams = seam_figures(image, facts.projection);
-    all += text("  %s: neighbors across its seams differ %.2f times as much as those beside them",
+    all += text("  %s: neighbors across its seams differ %.2f times as much as those on one side",
                 facts.word, std::sqrt(seams.across / (seams.inside + 1e-9)));
     const bool has_twin = facts.aspect == 1.5 || facts.aspect == 1;
-    all += has_twin ? text("; bend left %.2f\n", bend_left(image, facts.projection)) : "\n";
+    if (has_twin) all += text("; bend %.3f", bend_correlation(image, facts.projection));
+    all += "\n";
   }
   return all;
 }

@@ -16,13 +16,15 @@ struct SeamFigures {
 };
 [[nodiscard]] SeamFigures seam_figures(const Image& image, Projection projection);
 
-/// How much of the bend at the inner edges of a layout is left when that of the layout is taken out,
-/// as a mean square; smaller is better. Only compared with the other layout of the same shape.
-[[nodiscard]] double bend_left(const Image& image, Projection projection);
+/// How the picture, read in this layout, bends across the layout's inner edges where it changes
+/// along them: a correlation from -1 to 1. It is near 0 in the right layout, because the sphere has
+/// no edges. In the twin layout, with the same seams, it is below 0 for cube read as equi-angular
+/// and octahedral read as equal-area, above 0 the other way round.
+[[nodiscard]] double bend_correlation(const Image& image, Projection projection);
 
-/// The layout that fits: its shape is the picture's, its seams match although the picture is not
-/// of one color, and the picture's lines bend at inner edges as the layout's do. Nothing otherwise,
-/// as for noise and for pictures that are not of a sphere.
+/// The layout that fits: its shape is the picture's, its seams match although neighbors differ
+/// less than texels anywhere, and of two twins the one that bends less. Nothing otherwise, as for
+/// noise, for one color, and for most pictures that are not of a sphere.
 [[nodiscard]] std::optional<Projection> probable_layout(const Image& image);
 
 /// A sentence about a file: what its layout probably is, and the figures for each that has its shape.

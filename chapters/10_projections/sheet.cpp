@@ -77,14 +77,14 @@ Image sheet_of_projections(const Session& session, const Image& picture,
   const int width = session.settings.width;
   const int height = session.settings.height;
   Image sheet(width, height, paper);
-  const int scale = std::max(1, width / 800);
+  const int scale = std::max(1, width / 640);
   const int line = 10 * scale;
   const int cell = std::max(1, width / 4);
   const int cell_height = std::max(1, height / 2);
   const int gap = std::max(1, width / 160);
   // Every picture has as many texels for the sphere as an equirectangular one of this width.
   const int wide =
-      std::max(8, std::min(cell - 2 * gap, (cell_height - 4 * line - 3 * gap) * 7 / 10));
+      std::max(8, std::min((cell - 2 * gap) * 4 / 5, (cell_height - 4 * line - 3 * gap) * 7 / 10));
   const Image model(wide, wide / 2);
 
   for (std::size_t i = 0; i < projections.size(); ++i) {
@@ -119,9 +119,9 @@ Image sheet_of_projections(const Session& session, const Image& picture,
 
   const int left = 3 * cell + gap;
   int top = cell_height + gap;
-  draw_text(sheet, left, top, "small circles, equal on", ink, scale);
-  draw_text(sheet, left, top + line, "the globe; above: blue", ink, scale);
-  draw_text(sheet, left, top + 2 * line, "small texels, red large", ink, scale);
+  draw_text(sheet, left, top, "the circles on the globe", ink, scale);
+  draw_text(sheet, left, top + line, "blue: small texels", ink, scale);
+  draw_text(sheet, left, top + 2 * line, "red: large texels", ink, scale);
   top += 4 * line;
   const int side = std::max(1, cell - 2 * gap);
   blit(sheet, draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side),

@@ -88,6 +88,10 @@ PictureSize converted_size(const Image& image, Projection from, Projection to) {
 
 Texel texel_beside(Projection projection, const Texel& home, int column, int row, int width,
                    int height) {
+  const bool inside = column >= 0 && column < width && row >= 0 && row < height;
+  const bool bands = facts_of(projection).aspect == 1.5;
+  const int middle = (height + 1) / 2;
+  if (inside && (!bands || (row >= middle) == (home.row >= middle))) return {column, row};
   switch (projection) {
     case Projection::plane:
       return {std::clamp(column, 0, width - 1), std::clamp(row, 0, height - 1)};
