@@ -1,0 +1,33 @@
+// Which layout a picture of the whole sphere probably has.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "texture/image.hpp"
+#include "texture/projections.hpp"
+
+namespace texmap::chapter_10 {
+
+/// How well a picture goes on where a layout says that it does.
+struct SeamFigures {
+  double inside = 0;  ///< mean square difference of neighbors beside the seams
+  double across = 0;  ///< the same across the seams
+  double spread = 0;  ///< mean square difference of any two texels
+};
+[[nodiscard]] SeamFigures seam_figures(const Image& image, Projection projection);
+
+/// How the picture, read in this layout, bends across the layout's inner edges where it changes
+/// along them: a correlation from -1 to 1. It is near 0 in the right layout, because the sphere has
+/// no edges. In the twin layout, with the same seams, it is below 0 for cube read as equi-angular
+/// and octahedral read as equal-area, above 0 the other way round.
+[[nodiscard]] double bend_correlation(const Image& image, Projection projection);
+
+/// The layout that fits: its shape is the picture's, its seams match although neighbors differ
+/// less than texels anywhere, and of two twins the one that bends less. Nothing otherwise, as for
+/// noise, for one color, and for most pictures that are not of a sphere.
+[[nodiscard]] std::optional<Projection> probable_layout(const Image& image);
+
+/// A sentence about a file: what its layout probably is, and the figures for each that has its shape.
+[[nodiscard]] std::string about_layout(const std::string& name, const Image& image);
+
+}  // namespace texmap::chapter_10

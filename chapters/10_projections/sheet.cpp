@@ -1,0 +1,150 @@
+// The sheet of projections, the globe in one of them, and the conversion of a file.
+#include "sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "engine/measure/text.hpp"
+#include "engine/picture/bitmap_font.hpp"
+#include "engine/picture/blit.hpp"
+#include "engine/render/convert_projection.hpp"
+#include "engine/render/render.hpp"
+#include "engine/system/system.hpp"
+#include "figures.hpp"
+#include "probable_layout.hpp"
+
+namespace texmap::chapter_10 {
+namespace {
+
+constexpr Rgb8 paper{255, 255, 255};
+constexpr Rgb8 ink{20, 20, 20};
+constexpr Rgb dot_color{0.15, 0.15, 0.15};
+
+/// The color of the solid angle of a texel / that of the mean: in steps of a quarter of an octave.
+Rgb area_color(double area) {
+  const double octaves = std::floor(clamp(4 * std::log2(area), -8.0, 8.0) + 0.5) / 8;
+  if (octaves > 0) return {1, 1 - 0.7 * octaves, 1 - 0.8 * octaves};
+  return {1 + 0.8 * octaves, 1 + 0.5 * octaves, 1};
+}
+
+/// True within 6 degrees of a center: on the axes' and the diagonals' 26 directions, and between.
+bool in_small_circle(const Vec3<double>& n) {
+  constexpr double degree = std::numbers::pi / 180;
+  const double latitude = std::asin(clamp(n.y, -1.0, 1.0)) / degree;
+  const double ring = std::round(latitude / 22.5) * 22.5;
+  const int count = std::max(1, static_cast<int>(std::lround(16 * std::cos(ring * degree))));
+  const double step = 360.0 / count;
+  const double longitude = std::atan2(n.z, n.x) / degree;
+  const double nearest = std::round(longitude / step) * step;
+  const double radius = std::cos(ring * degree);
+  const Vec3<double> center{radius * std::cos(nearest * degree), std::sin(ring * degree),
+                            radius * std::sin(nearest * degree)};
+  return dot(center, n) > std::cos(6 * degree);
+}
+
+std::string bound_of(double value) { return std::isinf(value) ? "no bound" : shown(value, 4); }
+
+}  // namespace
+
+Image distortion_picture(Projection projection, int width, int height, bool plain) {
+  Image image(width, height, paper);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      Rgb sum{};
+      for (int k = 0; k < 9; ++k) {
+        const Uv<double> uv{(column + (k % 3 + 0.5) / 3) / width,
+                            1 - (row + (k / 3 + 0.5) / 3) / height};
+        const bool empty =
+            projection == Projection::plane && std::hypot(uv.u - 0.5, uv.v - 0.5) > 0.5;
+        if (empty) {
+          sum = sum + Rgb{1, 1, 1};
+          continue;
+        }
+        const Vec3<double> n = unproject(projection, uv);
+        const Rgb ground = plain ? Rgb{1, 1, 1} : area_color(distortion(projection, n).area);
+        sum = sum + (in_small_circle(n) ? dot_color : ground);
+      }
+      image.at(column, row) = {byte_of(sum.r / 9), byte_of(sum.g / 9), byte_of(sum.b / 9)};
+    }
+  }
+  return image;
+}
+
+Image sheet_of_projections(const Session& session, const Image& picture,
+                           const DrawGlobe& draw_globe) {
+  const int width = session.settings.width;
+  const int height = session.settings.height;
+  Image sheet(width, height, paper);
+  const int scale = std::max(1, width / 640);
+  const int line = 10 * scale;
+  const int cell = std::max(1, width / 4);
+  const int cell_height = std::max(1, height / 2);
+  const int gap = std::max(1, width / 160);
+  // Every picture has as many texels for the sphere as an equirectangular one of this width.
+  const int wide =
+      std::max(8, std::min((cell - 2 * gap) * 4 / 5, (cell_height - 4 * line - 3 * gap) * 7 / 10));
+  const Image model(wide, wide / 2);
+
+  for (std::size_t i = 0; i < projections.size(); ++i) {
+    const ProjectionFacts& facts = projections[i];
+    const ClosedForms forms = closed_forms(facts.projection);
+    const int left = static_cast<int>(i % 4) * cell + gap;
+    int top = static_cast<int>(i / 4) * cell_height + gap;
+    const auto write = [&](const std::string& words) {
+      draw_text(sheet, left, top, words, ink, scale);
+      top += line;
+    };
+    write(facts.word);
+    write("largest texel " + bound_of(forms.largest_texel));
+    write("stretch " + bound_of(forms.worst_stretch));
+    write("seams " + text("%.0f\u00b0", seam_degrees(facts.projection)));
+    const PictureSize size = converted_size(model, Projection::equirect, facts.projection);
+    Image unfolded = convert_projection(picture, Projection::equirect, facts.projection, size,
+                                        session.settings.threads);
+    if (facts.projection == Projection::plane) {
+      for (int row = 0; row < size.height; ++row) {
+        for (int column = 0; column < size.width; ++column) {
+          const double x = 2 * (column + 0.5) / size.width - 1;
+          const double y = 2 * (row + 0.5) / size.height - 1;
+          if (std::hypot(x, y) > 1) unfolded.at(column, row) = paper;
+        }
+      }
+    }
+    blit(sheet, unfolded, left, top);
+    top += size.height + gap;
+    blit(sheet, distortion_picture(facts.projection, size.width, size.height), left, top);
+  }
+
+  const int left = 3 * cell + gap;
+  int top = cell_height + gap;
+  draw_text(sheet, left, top, "the circles on the globe", ink, scale);
+  draw_text(sheet, left, top + line, "blue: small texels", ink, scale);
+  draw_text(sheet, left, top + 2 * line, "red: large texels", ink, scale);
+  top += 4 * line;
+  const int side = std::max(1, cell - 2 * gap);
+  blit(sheet, draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side),
+       left, top);
+  return sheet;
+}
+
+void save_sheet(Session& session, const Image& sheet) {
+  if (!session.settings.quiet) print(table_of_figures());
+  session.save(sheet);
+}
+
+void save_converted(Session& session, const TextureFile& file, const ProjectionOptions& layout) {
+  const Image image = file.load();
+  const PictureSize size = converted_size(image, layout.from, layout.to);
+  session.default_size(size.width, size.height);
+  session.check();
+  if (!session.settings.quiet) print(about_layout(file.name, image));
+  const PictureSize wanted{session.settings.width, session.settings.height};
+  session.save(session.timed(
+      static_cast<double>(wanted.width) * wanted.height, [&](const RenderSettings& settings) {
+        return convert_projection(image, layout.from, layout.to, wanted, settings.threads);
+      }));
+}
+
+}  // namespace texmap::chapter_10

@@ -1,0 +1,54 @@
+// The sheet of projections, the globe in one of them, and the conversion of a file.
+#pragma once
+#include <functional>
+
+#include "engine/app/projection_options.hpp"
+#include "engine/app/session.hpp"
+#include "texture/mapped.hpp"
+#include "texture/projections.hpp"
+
+namespace texmap::chapter_10 {
+
+/// How a layout distorts: small circles of the globe, equal there, over a color for the solid angle
+/// of the texels: blue where they are small, white for the mean, red where they are large.
+///
+/// @param plain  white everywhere
+[[nodiscard]] Image distortion_picture(Projection projection, int width, int height,
+                                       bool plain = false);
+
+/// The stage from nearby in this size, its globe in this picture, which is equirectangular.
+using DrawGlobe = std::function<Image(const Image& picture, int width, int height)>;
+
+/// The sheet, as large as the session's picture.
+[[nodiscard]] Image sheet_of_projections(const Session& session, const Image& picture,
+                                         const DrawGlobe& draw_globe);
+
+/// The same for a lesson: only its globe's paint changes.
+template <class Lesson>
+[[nodiscard]] Image sheet_of_projections(const Lesson& lesson, Session& session) {
+  const auto draw_globe = [&](const Image& picture, int width, int height) {
+    Lesson globe = lesson;
+    globe.stage.camera.fov_y_degrees = 18;
+    globe.objects[0].paint = Mapped<ProjectionMapping, ImageTexture>{{}, {picture}};
+    return session.draw(globe, width, height);
+  };
+  return sheet_of_projections(session, lesson.texture.load(), draw_globe);
+}
+
+/// Saves the sheet and prints the table of figures.
+void save_sheet(Session& session, const Image& sheet);
+/// Converts the texture's file, saves it, and says which layout the file probably has.
+void save_converted(Session& session, const TextureFile& file, const ProjectionOptions& layout);
+
+/// Draws and saves what the user asked for.
+template <class Lesson>
+void show_projections(const Lesson& lesson, Session& session) {
+  if (session.was_given("--to")) return save_converted(session, lesson.texture, lesson.layout);
+  if (session.was_given("--projection")) {
+    session.default_size(800, 600);
+    return session.save(session.draw(lesson));
+  }
+  save_sheet(session, sheet_of_projections(lesson, session));
+}
+
+}  // namespace texmap::chapter_10
