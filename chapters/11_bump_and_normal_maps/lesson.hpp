@@ -10,6 +10,7 @@
 #include "scene/paint.hpp"
 #include "scene/shading_normal.hpp"
 #include "scene/stage.hpp"
+#include "sheets.hpp"
 #include "texture/bump.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
@@ -30,10 +31,11 @@ struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "bumps: a normal that leans downhill, from a height",
       .size = {800, 800},
+      .size_note = "1600 wide with --show sheet, 1200 with poles and daily",
   };
 
   Stage stage{
-      .light = {.position = {-12, 8, 5}},
+      .light = {.position = {-11, 8, 6}},
       .sky = {.below = {0.02, 0.02, 0.03}, .above = {0.02, 0.02, 0.03}},
       .camera = {.eye = {0, 0, 6}, .target = {0, 0, 0}, .fov_y_degrees = 20},
   };
@@ -57,6 +59,7 @@ struct Lesson : LessonHooks {
     bumps.height = Mapped<Mapping, SmoothTexture>{mapping, {bump.load(), v_axis}};
     objects[middle].paint = Textured{mapping, layout.load(texture)};
   }
+  void show(Session& session) override { show_bumps(*this, session); }
 
   /// The color that one ray sees.
   template <class Real>

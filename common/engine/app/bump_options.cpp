@@ -28,10 +28,10 @@ void BumpOptions::declare(CommandLine& line) {
   line.decimal("--relief", relief, -10, 10,
                "how high white is, in radii of the globe; below 0 mountains are valleys");
   line.choice<HeightKind>(
-      "--height", height,
+      "--relief-from", height,
       {{"image", HeightKind::image}, {"uv", HeightKind::uv}, {"space", HeightKind::space}},
       "what is high: an image, waves in (u, v), waves in space");
-  line.text("--height-image", "FILE", image,
+  line.text("--relief-image", "FILE", image,
             "the heights, a PNG or JPEG twice as wide as high; red counts");
 }
 
