@@ -30,8 +30,8 @@ enum ObjectIndex { middle };  // in the order of `objects`
 struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "bumps: a normal that leans downhill, from a height",
-      .size = {800, 800},
-      .size_note = "1600 wide with --show sheet, 1200 with poles and daily",
+      .size = {600, 600},
+      .size_note = "1600 wide with --show sheet, 1000 with poles and daily",
   };
 
   Stage stage{
@@ -54,6 +54,8 @@ struct Lesson : LessonHooks {
     const Mapping mapping{turn.rotation(), {layout.convention}};
     const VAxis v_axis = v_axis_of(layout.convention);
     bump.apply_to(bumps);
+    objects[middle].paint = Solid{white};
+    if (bump.height == HeightKind::space) bumps.height = SolidWaves{};
     if (bump.height == HeightKind::uv) bumps.height = Mapped<Mapping, UvWaves>{mapping, {}};
     if (bump.height != HeightKind::image) return;
     bumps.height = Mapped<Mapping, SmoothTexture>{mapping, {bump.load(), v_axis}};

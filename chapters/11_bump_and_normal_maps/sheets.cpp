@@ -159,7 +159,7 @@ Image side_by_side(const Image& left, const char* left_caption, const Image& rig
 
 Image sheet_of_bricks(int width) {
   const int half = std::max(1, width / 2);
-  return side_by_side(close_up(half, published_normal), "as published: 19 % point inward",
+  return side_by_side(close_up(half, published_normal), "as published: mortar that points inward",
                       close_up(half, meant_normal), "as meant: a height for every brick");
 }
 

@@ -1,9 +1,11 @@
 // The chapter's sheets: bump or dent, the pole, the daily exercise's bricks.
 #pragma once
+#include <algorithm>
 #include <functional>
 
 #include "engine/app/bump_options.hpp"
 #include "engine/app/session.hpp"
+#include "engine/render/settings.hpp"
 #include "texture/image.hpp"
 
 namespace texmap::chapter_11 {
@@ -29,9 +31,10 @@ template <class Lesson>
     Lesson globe = lesson;
     globe.bump.height = height;
     globe.bump.relief = 0.02;
-    globe.stage.light.position = {-12, 8, -5};
+    globe.stage.light.position = {-12, 9, 2};
     globe.stage.camera.eye = {0, 5.5, 2.4};
-    globe.stage.camera.fov_y_degrees = 14;
+    globe.stage.camera.target = {0, 0.7, 0.1};
+    globe.stage.camera.fov_y_degrees = 17;
     globe.prepare(session);
     return session.draw(globe, half, half);
   };
@@ -45,18 +48,24 @@ void show_bumps(const Lesson& lesson, Session& session) {
   const auto size = [&](int width, int height) {
     session.default_size(session.was_given("--width") ? session.settings.width : width, height);
   };
+  const auto drawn = [&](const std::function<Image(int width)>& draw_sheet) {
+    const double width = session.settings.width;
+    session.save(session.timed(width * session.settings.height, [&](const RenderSettings&) {
+      return draw_sheet(session.settings.width);
+    }));
+  };
   switch (lesson.bump.picture) {
     case BumpPicture::globe:
       return session.save(session.draw(lesson));
     case BumpPicture::sheet:
-      size(1600, 900);
-      return session.save(sheet_of_readings(session.settings.width));
+      size(1600, 868);
+      return drawn(sheet_of_readings);
     case BumpPicture::poles:
-      size(1200, 600);
+      size(1000, 514);
       return session.save(sheet_of_poles(lesson, session));
     case BumpPicture::daily:
-      size(1200, 600);
-      return session.save(sheet_of_bricks(session.settings.width));
+      size(1000, 514);
+      return drawn(sheet_of_bricks);
   }
 }
 

@@ -67,6 +67,12 @@ template <class Real>
   return {byte(normal.x), byte(normal.y), byte(normal.z)};
 }
 
+/// What becomes of the mean of several normals, which a filter gives.
+enum class MeanNormal {
+  unit,     ///< made a unit vector: the light of facets leaning by +t and -t is 1 / cos t too bright
+  as_is,    ///< its length below 1 is kept: the mean of their Lambertian light, exactly
+};
+
 /// A normal map on a surface.
 template <class Mapping, class Texture>
 struct NormalMap {
@@ -74,8 +80,9 @@ struct NormalMap {
   Texture texture;
   Green green = Green::up;  ///< how the program reads the file: up points along +v
   TangentRule rule = TangentRule::from_uv;
+  MeanNormal mean = MeanNormal::unit;
 
-  /// The unit normal at a hit; the surface's own where the map or its frame is not finite.
+  /// The normal at a hit, of unit length or as `mean` says; the surface's own where the map or its frame is not finite.
   ///
   /// @param curvature  of the surface: 1 / radius on a sphere, 0 on a plane
   template <class Real>
@@ -88,7 +95,8 @@ struct NormalMap {
     const Real sign = green == Green::up ? Real(1) : Real(-1);
     const Vec3<Real> sum = along.tangent * n.x + along.bitangent * (n.y * sign) + hit.normal * n.z;
     const Real size = dot(sum, sum);
-    return select(size > Real(0) && size < infinity<Real>(), normalize(sum), hit.normal);
+    const Mask<Real> usual = size > Real(0) && size < infinity<Real>();
+    return select(usual, mean == MeanNormal::unit ? normalize(sum) : sum, hit.normal);
   }
 
   /// The coordinates at a hit.

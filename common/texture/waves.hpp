@@ -21,7 +21,7 @@ struct UvWaves {
 /// A product of three cosines of the normal's coordinates, -1 to 1, `per_unit` waves a radius.
 /// It needs no (u, v): no seam, no poles.
 struct SolidWaves {
-  double per_unit = 3;
+  double per_unit = 5;
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Hit<Real>& hit) const {
