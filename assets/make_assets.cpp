@@ -23,6 +23,9 @@ int main(int argc, char** argv) try {
   keep(texmap::make_uv_map(), "uv_map.png");
   keep(texmap::make_earth(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" / "land-50m.json"),
        "earth.png");
+  keep(texmap::make_earth_relief(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" /
+                                 "land-50m.json"),
+       "earth_relief.png");
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "make_assets: " << error.what() << '\n';

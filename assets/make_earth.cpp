@@ -16,6 +16,7 @@ namespace {
 
 constexpr int width = 2048;
 constexpr int height = 1024;
+constexpr double levels_of_highest_relief = 230;
 constexpr int samples = samples_along_side * samples_along_side;
 
 /// Blue exceeds red by at most 20 on land and by more at sea; both keep a margin to the limit.
@@ -182,6 +183,26 @@ Image make_earth(const std::filesystem::path& land) {
       image.at(column, row) = s.land[i] ? coarsely_rounded(color) : rounded(color);
     }
     image.at(width - 1, row) = image.at(0, row);
+  }
+  return image;
+}
+
+Image make_earth_relief(const std::filesystem::path& land) {
+  const GlobeGrid grid(width - 1, height);
+  const Survey s = survey(grid, land);
+  Image image(width / 2, height / 2);
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      double sum = 0;
+      for (const int j : {2 * row, 2 * row + 1}) {
+        for (const int i : {2 * column, 2 * column + 1}) {
+          const std::size_t place = grid.place(i % grid.columns(), j);
+          sum += s.land[place] ? std::max(s.relief[place], 0.0) : 0;
+        }
+      }
+      const double level = sum / 4 * levels_of_highest_relief;
+      image.at(column, row) = rounded({level, level, level});
+    }
   }
   return image;
 }

@@ -14,4 +14,8 @@ namespace texmap {
 /// Errors: std::runtime_error with the path if the file cannot be read.
 [[nodiscard]] Image make_earth(const std::filesystem::path& land);
 
+/// The painted relief from which make_earth shades its mountains, as grays: 1024 x 512 pixels, each
+/// the mean of 2 x 2 pixels of the Earth's. Sea is 0. No height is measured.
+[[nodiscard]] Image make_earth_relief(const std::filesystem::path& land);
+
 }  // namespace texmap

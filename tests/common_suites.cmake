@@ -25,10 +25,12 @@ foreach(suite
     scene/test_paint
     scene/test_path
     scene/test_phong
+    scene/test_shading_normal
     scene/test_sky
     scene/test_sphere
     scene/test_edge_function
     scene/test_mesh
+    scene/test_steps
     scene/test_triangle
     published/test_published_sphere)
   add_suite(${suite} ON texture LABELS common)
@@ -37,10 +39,13 @@ foreach(suite
     math/test_color
     math/test_rotation
     texture/test_bilinear
+    texture/test_bump
     texture/test_checkerboard
     texture/test_conventions
     texture/test_image_texture
     texture/test_light_tables
+    texture/test_normal_map
+    texture/test_smooth_texture
     texture/test_solid_checkerboard
     texture/test_texel
     texture/test_mesh_mapping
@@ -50,6 +55,7 @@ foreach(suite
     texture/test_footprint
     texture/test_pyramid
     texture/test_wrap
+    published/test_brick_normals
     published/test_published_uv
     engine/kernels/test_budget
     engine/kernels/test_kernel_plan
@@ -98,6 +104,7 @@ mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(boost_multiprecision_INCLUDE_DIR)
   foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval edge_function mesh_mapping triangle)
   foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle footprint filters)
+  foreach(suite bump turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

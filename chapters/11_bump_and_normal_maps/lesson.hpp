@@ -1,0 +1,78 @@
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
+#pragma once
+#include <vector>
+
+#include "engine/app/bump_options.hpp"
+#include "engine/app/layout_options.hpp"
+#include "engine/app/lesson.hpp"
+#include "engine/app/texture_file.hpp"
+#include "engine/app/turntable.hpp"
+#include "scene/paint.hpp"
+#include "scene/shading_normal.hpp"
+#include "scene/stage.hpp"
+#include "sheets.hpp"
+#include "texture/bump.hpp"
+#include "texture/image_texture.hpp"
+#include "texture/mapped.hpp"
+#include "texture/rotated.hpp"
+#include "texture/smooth_texture.hpp"
+#include "texture/waves.hpp"
+
+namespace texmap::chapter_11 {
+
+using Mapping = Rotated<ConventionMapping>;
+using Textured = Mapped<Mapping, ImageTexture>;
+using Height = AnyOf<Mapped<Mapping, SmoothTexture>, Mapped<Mapping, UvWaves>, SolidWaves>;
+using Paint = AnyOf<Solid, Textured>;
+using Object = Painted<Paint>;
+enum ObjectIndex { middle };  // in the order of `objects`
+
+struct Lesson : LessonHooks {
+  static constexpr About about{
+      .idea = "bumps: a normal that leans downhill, from a height",
+      .size = {600, 600},
+      .size_note = "1600 wide with --show sheet, 1000 with poles and daily",
+  };
+
+  Stage stage{
+      .light = {.position = {-11, 8, 6}},
+      .sky = {.below = {0.02, 0.02, 0.03}, .above = {0.02, 0.02, 0.03}},
+      .camera = {.eye = {0, 0, 6}, .target = {0, 0, 0}, .fov_y_degrees = 20},
+  };
+  Lambertian surface{.ambient = 0.04, .diffuse = 0.96};
+  std::vector<Object> objects = {
+      Object{.shape = {.center = {0.0, 0.0, 0.0}, .radius = 1.0}, .paint = Solid{white}},
+  };
+  Bumps<Height> bumps{.height = SolidWaves{}};
+  TextureFile texture{"earth.png"};
+  LayoutOptions layout;
+  Turntable turn{.degrees = 170};
+  BumpOptions bump;
+
+  void options(CommandLine& line) override { offer(line, texture, layout, turn, bump); }
+  void prepare(Session&) override {
+    const Mapping mapping{turn.rotation(), {layout.convention}};
+    const VAxis v_axis = v_axis_of(layout.convention);
+    bump.apply_to(bumps);
+    objects[middle].paint = Solid{white};
+    if (bump.height == HeightKind::space) bumps.height = SolidWaves{};
+    if (bump.height == HeightKind::uv) bumps.height = Mapped<Mapping, UvWaves>{mapping, {}};
+    if (bump.height != HeightKind::image) return;
+    bumps.height = Mapped<Mapping, SmoothTexture>{mapping, {bump.load(), v_axis}};
+    objects[middle].paint = Textured{mapping, layout.load(texture)};
+  }
+  void show(Session& session) override { show_bumps(*this, session); }
+
+  /// The color that one ray sees.
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky, [&](const Object& object, const Hit<Real>& hit) {
+      const Vec3<Real> normal = bumps(hit, inverse_radius<Real>(object.shape));
+      const LightSample<Real> light = sample_light(stage.light, objects, hit, normal);
+      const Color<Real> color = object.paint(hit);
+      return color * lambert(surface, light);
+    });
+  }
+};
+
+}  // namespace texmap::chapter_11

@@ -1,0 +1,156 @@
+// Light on a surface that is shaded with another normal than its own.
+#include "scene/shading_normal.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "sampling/directions.hpp"
+#include "scene/paint.hpp"
+#include "scene/two_facets.hpp"
+#include "support/dice.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+/// The mean over a fine grid of directions above `normal`, weighted by `weight(direction)`, of
+/// equal solid angles; times 2 pi it is the integral.
+template <class Weight>
+double mean_above(const Vec3d& normal, const Weight& weight) {
+  constexpr int rings = 400, spokes = 400;
+  const Frame<double> frame = frame_about(normal);
+  double sum = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double height = (i + 0.5) / rings;  // equal heights are equal areas of a sphere
+    const double radius = std::sqrt(1 - height * height);
+    for (int k = 0; k < spokes; ++k) {
+      const OnCircle<double> around = on_circle((k + 0.5) / spokes);
+      sum += weight(frame.right * (radius * around.cosine) + frame.up * (radius * around.sine) +
+                    normal * height);
+    }
+  }
+  return sum / (rings * spokes);
+}
+
+Vec3d leaning(const Vec3d& normal, double angle, Dice& dice) {
+  const Vec3<long double> n{normal.x, normal.y, normal.z};
+  return normalize(normal * std::cos(angle) + rounded<double>(dice.across(n)) * std::sin(angle));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("with the surface's own normal the light is the plain light, to the bit", Real,
+                   float, double, long double) {
+  const std::vector<Painted<Solid>> objects = {
+      {.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {}},
+      {.shape = {.center = {2, 2, 2}, .radius = 0.5}, .paint = {}}};
+  const PointLight light{{5, 4, 3}};
+  Dice dice(1);
+  int lit = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<Real> ray{{Real(0), Real(0), Real(9)},
+                        rounded<Real>(Vec3<long double>{dice.uniform(-0.1L, 0.1L),
+                                                        dice.uniform(-0.1L, 0.1L), -1})};
+    const Real distance = distance_to(objects[0].shape, ray);
+    if (!(distance < infinity<Real>())) continue;
+    const Hit<Real> hit = hit_at(objects[0].shape, ray, distance);
+    const LightSample<Real> plain = sample_light(light, objects, hit);
+    CHECK(sample_light(light, objects, hit, hit.normal).cosine == plain.cosine);
+    lit += plain.cosine > Real(0) ? 1 : 0;
+  }
+  CHECK(lit > 400);
+}
+
+TEST_CASE("the factor at the terminator is 0 to 1, rises with the true cosine and has no edge") {
+  for (const double shading : {0.1, 0.5, 1.0}) {
+    for (const double between : {0.2, 0.7, 1.0}) {
+      double before = 0;
+      for (double cosine = 0; cosine <= 1; cosine += 0.001) {
+        const double factor = terminator(cosine, shading, between);
+        CHECK(factor >= before);
+        CHECK(factor <= 1);
+        CHECK(factor - before < 0.001 / (shading * between) * 1.5);
+        before = factor;
+      }
+      CHECK(terminator(0.0, shading, between) == 0);
+      CHECK(terminator(shading * between, shading, between) == 1);
+      CHECK(terminator(-0.5, shading, between) == 0);
+    }
+  }
+  CHECK(terminator(0.5, 0.0, 1.0) == 0);
+  CHECK(terminator(0.5, std::nan(""), 1.0) == 0);
+}
+
+TEST_CASE("a bump that faces the lamp stays dark where the globe itself faces away") {
+  const std::vector<Painted<Solid>> objects = {{.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {}}};
+  const Vec3d normal{0, 0, 1};
+  const Hit<double> hit{normal, normal, normal, normal, &objects[0].shape};
+  const Vec3d bent = normalize(Vec3d{-1, 0, 1});
+  CHECK(sample_light(PointLight{{-9, 0, 0.5}}, objects, hit, bent).cosine == 0);
+  CHECK(sample_light(PointLight{{-9, 0, 3}}, objects, hit, bent).cosine > 0.2);
+}
+
+TEST_CASE("furnace: classic normal mapping returns (1 + cos t) / 2 of a white sky") {
+  Dice dice(3);
+  for (const double angle : {0.0, 0.3, 0.8, 1.2, 1.5}) {
+    const Vec3d normal = dice.direction<double>();
+    const Vec3d bent = leaning(normal, angle, dice);
+    // White paint returns light / pi times the cosine; 2 pi is the solid angle of the sky.
+    const double returned =
+        2 * mean_above(normal, [&](const Vec3d& l) { return max(dot(bent, l), 0.0); });
+    CHECK(returned == doctest::Approx(bent_furnace(std::cos(angle))).epsilon(2e-4));
+  }
+  CHECK(bent_furnace(std::cos(0.8)) < 0.85);  // the counterpart: 15 % of the light is lost
+}
+
+TEST_CASE("two facets have the true normal as their mean, and are seen as the surface is") {
+  Dice dice(4);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d normal = dice.direction<double>();
+    const TwoFacets<double> facets = two_facets(normal, leaning(normal, dice.between(0, 1.5), dice));
+    const Vec3d mean = facets.bent * facets.bent_area + facets.upright * facets.upright_area;
+    CHECK(largest(mean - normal) < 1e-14 * facets.bent_area);
+    for (int k = 0; k < 20; ++k) {
+      const Vec3d toward = dice.direction<double>();
+      const double above = dot(normal, toward);
+      const SeenAreas<double> seen = seen_areas(facets, toward);
+      const double chance = chance_to_leave(facets, toward);
+      if (above <= 0) {
+        CHECK(chance == 0);
+      } else {
+        CHECK(chance * (seen.bent + seen.upright) == doctest::Approx(above).epsilon(1e-9));
+      }
+    }
+  }
+}
+
+TEST_CASE("furnace: two facets return all light of a white sky, and one bounce alone does not") {
+  Dice dice(5);
+  for (const double angle : {0.3, 0.8, 1.2}) {
+    const Vec3d normal{0, 0, 1};
+    const TwoFacets<double> facets = two_facets(normal, leaning(normal, angle, dice));
+    // The share of a facet's Lambertian light that leaves; the rest meets the other facet.
+    const auto leaving = [&](const Vec3d& facet) {
+      return 2 * mean_above(facet, [&](const Vec3d& l) {
+               return dot(facet, l) * chance_to_leave(facets, l);
+             });
+    };
+    const double bent = leaving(facets.bent);
+    const double upright = leaving(facets.upright);
+    for (const double first : {bent, upright}) {
+      double returned = 0, under_way = 1;
+      double now = first, other = first == bent ? upright : bent;
+      for (int bounce = 0; bounce < 500; ++bounce) {
+        returned += under_way * now;
+        under_way *= 1 - now;
+        std::swap(now, other);
+      }
+      CHECK(returned == doctest::Approx(1).epsilon(1e-9));
+      CHECK(first < 0.97);  // one bounce alone
+      CHECK(first > 0.1);
+    }
+  }
+}

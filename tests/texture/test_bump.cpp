@@ -1,0 +1,294 @@
+// Bumps: slopes from duals and from differences, and the normals they give.
+#include "texture/bump.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "number/kinds/pack2.hpp"
+#include "scene/sphere.hpp"
+#include "support/dice.hpp"
+#include "support/lane_of.hpp"
+#include "support/many_digits.hpp"
+#include "texture/mapped.hpp"
+#include "texture/waves.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+/// A height that rises by `slope` for each unit along `direction`.
+struct Ramp {
+  Vec3d direction;
+  double slope;
+
+  template <class Real>
+  Color<Real> operator()(const Hit<Real>& hit) const {
+    const Vec3<Real> d{Real(direction.x), Real(direction.y), Real(direction.z)};
+    return gray(dot(hit.point, d) * Real(slope));
+  }
+};
+
+/// How far an ellipsoid with half-axes a, b, c lies outside the unit sphere, along its normal.
+struct EllipsoidHeight {
+  double a = 1.5, b = 0.75, c = 1.25;
+
+  template <class Real>
+  Color<Real> operator()(const Hit<Real>& hit) const {
+    const Vec3<Real> n = hit.normal;
+    const Real x = n.x / Real(a);
+    const Real y = n.y / Real(b);
+    const Real z = n.z / Real(c);
+    return gray(Real(1) / sqrt(x * x + y * y + z * z) - Real(1));
+  }
+  /// The ellipsoid's normal where the ray from its center along `n` leaves it.
+  template <class Real>
+  Vec3<Real> normal(const Vec3<Real>& n) const {
+    return normalize(Vec3<Real>{n.x / (Real(a) * Real(a)), n.y / (Real(b) * Real(b)),
+                                n.z / (Real(c) * Real(c))});
+  }
+};
+
+/// A height with slopes everywhere, of (u, v).
+struct Hills {
+  template <class Real>
+  Color<Real> operator()(const Uv<Real>& uv) const {
+    return gray(uv.u * uv.u * (Real(1) - uv.u) * uv.v + uv.v * uv.v * Real(0.5));
+  }
+};
+
+struct Constant {
+  template <class Real>
+  Color<Real> operator()(const Hit<Real>&) const {
+    return gray(Real(0.375));
+  }
+};
+
+template <class Real>
+Hit<Real> hit_with(const Vec3<Real>& normal) {
+  return {normal, normal, normal, normal};
+}
+template <class Real>
+Hit<Real> hit_with(const Vec3<long double>& normal) {
+  const Vec3<Real> n = normalize(
+      Vec3<Real>{number_cast<Real>(normal.x), number_cast<Real>(normal.y), number_cast<Real>(normal.z)});
+  return hit_with(n);
+}
+
+/// The angle between two unit vectors, without a loss of digits where it is small.
+template <class Real>
+double angle(const Vec3<Real>& p, const Vec3<Real>& q) {
+  const Vec3<long double> a{static_cast<long double>(p.x), static_cast<long double>(p.y), static_cast<long double>(p.z)};
+  const Vec3<long double> b{static_cast<long double>(q.x), static_cast<long double>(q.y), static_cast<long double>(q.z)};
+  return static_cast<double>(std::atan2(length(cross(a, b)), dot(a, b)));
+}
+
+/// The largest angle to the ellipsoid's normal over many directions.
+template <class Real>
+double worst_on_ellipsoid(const Bumps<EllipsoidHeight>& bumps, int tries = 2000) {
+  Dice dice(11);
+  double worst = 0;
+  for (int i = 0; i < tries; ++i) {
+    const Hit<Real> hit = hit_with<Real>(dice.direction());
+    worst = std::max(worst, angle(bumps(hit, Real(1)), bumps.height.normal(hit.normal)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("a height a u on a plane gives one normal, which leans by atan(a)", Real, float,
+                   double, long double) {
+  Dice dice(3);
+  const double bound = 8 * static_cast<double>(unit_roundoff<Real>());
+  for (const double slope : {1e-3, 0.25, 1.0, 40.0}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3<long double> normal = dice.direction();
+      const Vec3<long double> along = dice.across(normal);
+      const Ramp ramp{rounded<double>(along), slope};
+      Hit<Real> hit = hit_with<Real>(normal);
+      hit.point = rounded<Real>(dice.direction());
+      const Vec3<Real> bumped = Bumps<Ramp>{ramp}(hit, Real(0));
+      CHECK(std::abs(angle(bumped, hit.normal) - std::atan(slope)) < bound + 1e-15);
+      // Downhill, and nowhere else.
+      const Vec3<Real> downhill = rounded<Real>(-along);
+      CHECK(std::abs(static_cast<double>(dot(bumped, downhill)) - std::sin(std::atan(slope))) <
+            bound + 1e-15);
+    }
+  }
+}
+
+TEST_CASE("a sphere raised to an ellipsoid has the ellipsoid's normal") {
+  const Bumps<EllipsoidHeight> duals{};
+  MESSAGE("duals: float " << worst_on_ellipsoid<float>(duals) << ", double "
+                          << worst_on_ellipsoid<double>(duals) << ", long double "
+                          << worst_on_ellipsoid<long double>(duals));
+  CHECK(worst_on_ellipsoid<float>(duals) < 1e-6);
+  CHECK(worst_on_ellipsoid<double>(duals) < 2e-15);
+  CHECK(worst_on_ellipsoid<long double>(duals) < 2e-18 + 2e-15 * (sizeof(long double) == 8));
+
+  SUBCASE("in packs each lane is the plain number's") {
+    using Number = Pack2<Pack<double>>;
+    Dice dice(5);
+    for (int i = 0; i < 100; ++i) {
+      std::vector<Vec3d> normals;
+      for (std::size_t k = 0; k < lanes<Number>; ++k) normals.push_back(dice.direction<double>());
+      const auto coordinate = [&](double Vec3d::*part) {
+        return from_lanes<Number>([&](std::size_t k) { return normals[k].*part; });
+      };
+      const Hit<Number> hit =
+          hit_with(Vec3<Number>{coordinate(&Vec3d::x), coordinate(&Vec3d::y), coordinate(&Vec3d::z)});
+      const Vec3<Number> bumped = duals(hit, Number(1));
+      for (std::size_t k = 0; k < lanes<Number>; ++k) {
+        const Vec3d alone = duals(hit_with(normals[k]), 1.0);
+        const Vec3d in_pack = lane_of(bumped, k);
+        CHECK(in_pack.x == alone.x);
+        CHECK(in_pack.y == alone.y);
+        CHECK(in_pack.z == alone.z);
+      }
+    }
+  }
+  SUBCASE("planted faults are seen") {
+    Bumps<EllipsoidHeight> wrong = duals;
+    wrong.relief = -1;  // uphill in place of downhill
+    CHECK(worst_on_ellipsoid<double>(wrong) > 0.1);
+    wrong = duals;
+    wrong.form = BumpForm::blinn;  // without h dn
+    CHECK(worst_on_ellipsoid<double>(wrong) > 0.1);
+    // The two slopes exchanged.
+    double worst = 0;
+    Dice dice(11);
+    for (int i = 0; i < 200; ++i) {
+      const Hit<double> hit = hit_with<double>(dice.direction());
+      const Frame<double> frame = frame_about(hit.normal);
+      Slope<double> slope = slope_of(duals.height, hit, frame, 1.0, SlopeFrom::duals, 1.0);
+      std::swap(slope.right, slope.up);
+      worst = std::max(worst, angle(raised_normal(hit.normal, frame, slope, 1.0, BumpForm::exact),
+                                    duals.height.normal(hit.normal)));
+    }
+    CHECK(worst > 0.1);
+  }
+}
+
+#ifdef TEXMAP_HAVE_DIGITS
+TEST_CASE("with 50 digits the ellipsoid's normal is met to 1e-45") {
+  Dice dice(7);
+  const Bumps<EllipsoidHeight> duals{};
+  for (int i = 0; i < 50; ++i) {
+    const Hit<Digits50> hit = hit_with<Digits50>(dice.direction());
+    const Vec3<Digits50> apart = duals(hit, Digits50(1)) - duals.height.normal(hit.normal);
+    CHECK(length(apart) < Digits50(1e-45));
+  }
+}
+
+TEST_CASE("slopes by duals are those of 50-digit differences") {
+  Dice dice(8);
+  const Mapped<RtiowMapping, Hills> hills{};
+  double worst = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Hit<double> hit = hit_with<double>(dice.direction());
+    if (std::abs(hit.normal.y) > 0.99) continue;
+    const Frame<double> frame = frame_about(hit.normal);
+    const Slope<double> slope = slope_of(hills, hit, frame, 1.0, SlopeFrom::duals, 1.0);
+    const auto exact = [](const Vec3d& p) { return number_cast<Digits50>(p); };
+    const Frame<Digits50> axes{exact(frame.right), exact(frame.up)};
+    const Slope<Digits50> difference =
+        slope_of(hills, Hit<Digits50>{exact(hit.normal), exact(hit.point), exact(hit.point), exact(hit.point)},
+                 axes, Digits50(1), SlopeFrom::central, Digits50(1e-15));
+    worst = std::max({worst, std::abs(slope.right - static_cast<double>(difference.right)),
+                      std::abs(slope.up - static_cast<double>(difference.up))});
+  }
+  MESSAGE("largest difference " << worst);
+  CHECK(worst < 1e-12);
+}
+#endif
+
+TEST_CASE("without the term h dn the slope is too large by exactly 1 + h / R") {
+  Dice dice(12);
+  for (const double radius : {0.5, 1.0, 20.0}) {
+    for (int i = 0; i < 500; ++i) {
+      const Hit<double> hit = hit_with<double>(dice.direction());
+      const Bumps<EllipsoidHeight> exact{};
+      Bumps<EllipsoidHeight> blinn{};
+      blinn.form = BumpForm::blinn;
+      const double h = exact.height(hit).r;
+      const double lean = std::tan(angle(exact(hit, 1 / radius), hit.normal));
+      const double lean_of_blinn = std::tan(angle(blinn(hit, 1 / radius), hit.normal));
+      CHECK(lean_of_blinn == doctest::Approx((1 + h / radius) * lean).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("the normal is the vector product of the raised surface's own derivatives") {
+  Dice dice(13);
+  const Bumps<SolidWaves> bumps{.height = {}, .relief = 0.1};
+  for (int i = 0; i < 500; ++i) {
+    const Hit<double> hit = hit_with<double>(dice.direction());
+    const Frame<double> frame = frame_about(hit.normal);
+    const Hit<Dual<double>> moving = with_steps(hit, frame, 1.0);
+    const Dual<double> height = bumps.height(moving).r * Dual<double>(bumps.relief);
+    const Vec3<Dual<double>> raised = moving.point + moving.normal * height;
+    const Vec3d expected = normalize(cross(dx_of(raised), dy_of(raised)));
+    CHECK(angle(bumps(hit, 1.0), expected) < 2e-15);
+  }
+}
+
+TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in every way") {
+  Dice dice(14);
+  for (const SlopeFrom slopes : {SlopeFrom::duals, SlopeFrom::forward, SlopeFrom::central}) {
+    for (const BumpForm form : {BumpForm::exact, BumpForm::blinn, BumpForm::flat}) {
+      const Bumps<Constant> bumps{.height = {}, .form = form, .slopes = slopes};
+      for (int i = 0; i < 100; ++i) {
+        const Hit<float> hit = hit_with<float>(dice.direction());
+        const Vec3<float> normal = bumps(hit, 1.0F);
+        CHECK(normal.x == hit.normal.x);
+        CHECK(normal.y == hit.normal.y);
+        CHECK(normal.z == hit.normal.z);
+      }
+    }
+  }
+}
+
+TEST_CASE("slopes that are not numbers, or too large to square, leave the normal alone") {
+  const Vec3d n{0, 0, 1};
+  const Frame<double> frame = frame_about(n);
+  const double infinite = infinity<double>();
+  for (const double slope : {std::nan(""), infinite, -infinite, 1e200}) {
+    for (const Slope<double>& bad : {Slope<double>{0, slope, 0}, Slope<double>{0, 1, slope}}) {
+      const Vec3d normal = raised_normal(n, frame, bad, 1.0, BumpForm::exact);
+      CHECK(normal.x == 0);
+      CHECK(normal.y == 0);
+      CHECK(normal.z == 1);
+    }
+  }
+  CHECK(raised_normal(n, frame, {0.0, 1.0, 0.0}, 1.0, BumpForm::exact).x == doctest::Approx(-std::sqrt(0.5)));
+}
+
+TEST_CASE("differences err by truncation with large steps and by rounding with small ones") {
+  const auto error = [](SlopeFrom from, double step) {
+    return worst_on_ellipsoid<double>({.height = {}, .slopes = from, .step = step}, 500);
+  };
+  std::string table = "step: one-sided, central\n";
+  for (int power = -1; power >= -13; --power) {
+    const double step = std::pow(10.0, power);
+    table += std::to_string(power) + ": " + doctest::toString(error(SlopeFrom::forward, step)).c_str() +
+             ", " + doctest::toString(error(SlopeFrom::central, step)).c_str() + "\n";
+  }
+  MESSAGE(table);
+  // Truncation: ten times the step is ten times the error, or a hundred times.
+  CHECK(error(SlopeFrom::forward, 1e-3) / error(SlopeFrom::forward, 1e-4) ==
+        doctest::Approx(10).epsilon(0.05));
+  CHECK(error(SlopeFrom::central, 1e-2) / error(SlopeFrom::central, 1e-3) ==
+        doctest::Approx(100).epsilon(0.05));
+  // Rounding: a tenth of the step is about ten times the error.
+  CHECK(error(SlopeFrom::forward, 1e-12) > 3 * error(SlopeFrom::forward, 1e-11));
+  CHECK(error(SlopeFrom::central, 1e-9) > 3 * error(SlopeFrom::central, 1e-8));
+  // The best that each can do; duals need no step.
+  CHECK(error(SlopeFrom::forward, 1e-8) > 1e-9);
+  CHECK(error(SlopeFrom::central, 1e-5) > 1e-12);
+  CHECK(error(SlopeFrom::central, 1e-5) < 1e-9);
+  CHECK(error(SlopeFrom::duals, 0) < 2e-15);
+}

@@ -1,0 +1,164 @@
+// Normal maps: frames that follow (u, v), colors that hold normals, and their means.
+#include "texture/normal_map.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+
+#include "number/kinds/pack2.hpp"
+#include "support/dice.hpp"
+#include "texture/bilinear.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+struct Plane {
+  template <template <class> class AnyHit, class Real>
+  Uv<Real> operator()(const AnyHit<Real>& hit) const {
+    return {hit.point.x, hit.point.y};
+  }
+};
+
+template <class Real>
+Hit<Real> hit_with(const Vec3<Real>& normal) {
+  return {normal, normal, normal, normal};
+}
+
+template <class Real>
+TangentFrame<Real> rtiow_frame(const Vec3<Real>& normal, TangentRule rule) {
+  const Frame<Real> frame = frame_about(normal);
+  const auto uv = uv_rtiow(with_steps(hit_with(normal), frame, Real(1)).normal);
+  return tangents(rule, normal, point_by_uv(frame, uv));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("on a sphere dP/du and dP/dv are those of the closed form", Real, float, double,
+                   long double) {
+  Dice dice(1);
+  const Real bound = Real(400) * unit_roundoff<Real>();
+  for (int i = 0; i < 500; ++i) {
+    const Vec3<Real> n = dice.direction<Real>();
+    if (std::abs(n.y) > Real(0.99)) continue;
+    const Frame<Real> frame = frame_about(n);
+    const TangentFrame<Real> by_uv =
+        point_by_uv(frame, uv_rtiow(with_steps(hit_with(n), frame, Real(1)).normal));
+    // P = (sin t cos f, -cos t, sin t sin f) with t = pi v and f = pi - 2 pi u.
+    const Real turn = Real(2) * pi<Real>();
+    const Real from_axis = sqrt(n.x * n.x + n.z * n.z);
+    const Vec3<Real> by_u{n.z * turn, Real(0), -n.x * turn};
+    const Vec3<Real> by_v{-n.y * n.x / from_axis * pi<Real>(), from_axis * pi<Real>(),
+                          -n.y * n.z / from_axis * pi<Real>()};
+    CHECK(largest(by_uv.tangent - by_u) < bound);
+    CHECK(largest(by_uv.bitangent - by_v) < bound);
+  }
+}
+
+TEST_CASE("tangent, bitangent and normal form a right-handed frame of unit vectors, by every rule") {
+  Dice dice(2);
+  for (const TangentRule rule : {TangentRule::from_uv, TangentRule::crossed, TangentRule::fixed}) {
+    for (int i = 0; i < 300; ++i) {
+      const Vec3d n = dice.direction<double>();
+      if (std::abs(n.y) > 0.9999) continue;
+      const TangentFrame<double> along = rtiow_frame(n, rule);
+      CHECK(std::abs(length(along.tangent) - 1) < 1e-12);
+      CHECK(std::abs(dot(along.tangent, n)) < 1e-12);
+      CHECK(largest(cross(along.tangent, along.bitangent) - n) < 1e-11);
+    }
+  }
+}
+
+TEST_CASE("round the pole the tangent turns once, so that no frame there is continuous") {
+  for (const double distance : {1e-1, 1e-4, 1e-7}) {
+    double turned = 0;
+    Vec3d before{};
+    constexpr int steps = 1000;
+    for (int i = 0; i <= steps; ++i) {
+      const OnCircle<double> around = on_circle(static_cast<double>(i % steps) / steps);
+      const Vec3d n =
+          normalize(Vec3d{around.cosine * distance, 1, around.sine * distance});
+      const Vec3d tangent = rtiow_frame(n, TangentRule::from_uv).tangent;
+      if (i > 0) turned += std::atan2(cross(before, tangent).y, dot(before, tangent));
+      before = tangent;
+    }
+    CHECK(std::abs(turned) == doctest::Approx(2 * std::numbers::pi).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("at the pole itself the surface's own normal is used, without NaN") {
+  const BilinearTexture leaning{Image(2, 2, {200, 90, 230})};
+  const NormalMap<RtiowMapping, BilinearTexture> map{.mapping = {}, .texture = leaning};
+  for (const double y : {-1.0, 1.0}) {
+    const Vec3d normal = map(hit_with(Vec3d{0, y, 0}), 1.0);
+    CHECK(normal.x == 0);
+    CHECK(normal.y == y);
+    CHECK(normal.z == 0);
+  }
+  CHECK(map(hit_with(Vec3d{0, 0, 1}), 1.0).x > 0.3);
+}
+
+TEST_CASE("a color holds a normal to 1/255 in each part; the flat color leans by 0.32 degrees") {
+  Dice dice(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3d normal = dice.direction<double>();
+    const Rgb8 c = color_of_normal(normal);
+    const Vec3d back = normal_of_color(Rgb{c.r / 255.0, c.g / 255.0, c.b / 255.0});
+    CHECK(largest(back - normal) <= 1 / 255.0 + 1e-12);
+  }
+  const Rgb8 flat = color_of_normal({0, 0, 1});
+  CHECK(flat == Rgb8{128, 128, 255});
+  const Vec3d lean = normalize(normal_of_color(Rgb{128 / 255.0, 128 / 255.0, 1}));
+  const double degrees = std::acos(lean.z) * 180 / std::numbers::pi;
+  CHECK(degrees == doctest::Approx(0.3178).epsilon(1e-3));
+}
+
+TEST_CASE("the mean of two normals, kept short, gives the mean of their light; made long, too much") {
+  // Two texels whose normals lean left and right by the same angle; halfway both count the same.
+  for (const double sine : {0.2, 0.5, 0.8}) {
+    const double cosine = std::sqrt(1 - sine * sine);
+    Image image(2, 1);
+    image.at(0, 0) = color_of_normal({-sine, 0, cosine});
+    image.at(1, 0) = color_of_normal({sine, 0, cosine});
+    NormalMap<Plane, BilinearTexture> map{.mapping = {}, .texture = {image}};
+    const auto at = [&](double u, MeanNormal mean) {
+      map.mean = mean;
+      return map(Hit<double>{{0, 0, 1}, {u, 0.5, 0}, {}, {}}, 0.0);
+    };
+    const Vec3d left = at(0.25, MeanNormal::as_is);
+    const Vec3d right = at(0.75, MeanNormal::as_is);
+    for (const Vec3d& light : {Vec3d{0, 0, 1}, normalize(Vec3d{0.1, 0.4, 1})}) {
+      REQUIRE(dot(left, light) > 0);
+      REQUIRE(dot(right, light) > 0);
+      const double exact = (dot(left, light) + dot(right, light)) / 2;
+      CHECK(dot(at(0.5, MeanNormal::as_is), light) == doctest::Approx(exact).epsilon(1e-12));
+      const double factor = dot(at(0.5, MeanNormal::unit), light) / exact;
+      CHECK(factor == doctest::Approx(1 / cosine).epsilon(0.02));  // 8 bits
+      CHECK(factor > 1.01);
+    }
+  }
+}
+
+TEST_CASE("packs give the plain number's normals, but for the last digits of their atan2") {
+  using Number = Pack2<Pack<double>>;
+  Dice dice(5);
+  Image image(16, 8);
+  for (auto& texel : image.pixels) texel = color_of_normal(normalize(dice.direction<double>() + Vec3d{0, 0, 2}));
+  const NormalMap<RtiowMapping, BilinearTexture> map{.mapping = {}, .texture = {image}};
+  for (int i = 0; i < 100; ++i) {
+    std::array<Vec3d, lanes<Number>> all;
+    for (Vec3d& n : all) n = dice.direction<double>();
+    const auto packed = [&](double Vec3d::*part) {
+      return from_lanes<Number>([&](std::size_t k) { return all[k].*part; });
+    };
+    const Vec3<Number> normal = map(
+        hit_with(Vec3<Number>{packed(&Vec3d::x), packed(&Vec3d::y), packed(&Vec3d::z)}), Number(1));
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Vec3d alone = map(hit_with(all[k]), 1.0);
+      CHECK(std::abs(lane(normal.x, k) - alone.x) < 1e-12);
+      CHECK(std::abs(lane(normal.y, k) - alone.y) < 1e-12);
+      CHECK(std::abs(lane(normal.z, k) - alone.z) < 1e-12);
+    }
+  }
+}

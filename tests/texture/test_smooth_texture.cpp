@@ -1,0 +1,116 @@
+// The smooth texture: a quadratic B-spline of an image.
+#include "texture/smooth_texture.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+
+#include "number/dual.hpp"
+#include "number/kinds/pack2.hpp"
+#include "support/dice.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+LightImage noise(int width, int height, std::uint64_t seed) {
+  Dice dice(seed);
+  LightImage image(width, height);
+  for (auto& texel : image.texels) {
+    const auto value = static_cast<float>(dice.between(0, 1));
+    texel = {value, value / 2, 1 - value};
+  }
+  return image;
+}
+
+Dual<double> with_slopes(const SmoothTexture& texture, double u, double v) {
+  return texture(Uv<Dual<double>>{{u, 1, 0}, {v, 0, 1}}).r;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("the weights of a quadratic B-spline sum to 1 and are not negative", Real, float,
+                   double, long double) {
+  for (int i = -50; i <= 50; ++i) {
+    const auto weights = smooth_weights(Real(i) / Real(100));
+    CHECK(std::abs(weights[0] + weights[1] + weights[2] - Real(1)) <= 2 * unit_roundoff<Real>());
+    for (const Real& weight : weights) CHECK(weight >= Real(0));
+  }
+}
+
+TEST_CASE("a constant image is constant, and its slopes are exactly 0") {
+  const SmoothTexture texture{LightImage(8, 4, {0.5F, 0.25F, 1.0F})};
+  Dice dice(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Dual<double> height = with_slopes(texture, dice.between(-2, 2), dice.between(0, 1));
+    CHECK(std::abs(height.value - 0.5) < 1e-15);
+    CHECK(std::abs(height.dx) < 1e-14);
+    CHECK(std::abs(height.dy) < 1e-14);
+  }
+}
+
+TEST_CASE("a ramp of texels is a ramp, with its slope") {
+  SmoothTexture texture{LightImage(16, 8), VAxis::up, Wrap::clamp};
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 16; ++column) {
+      const auto value = static_cast<float>(3 * (column + 0.5) / 16 - 2 * (7.5 - row) / 8);
+      texture.image.at(column, row) = gray(value);
+    }
+  }
+  Dice dice(2);
+  for (int i = 0; i < 1000; ++i) {
+    const double u = dice.between(0.1, 0.9), v = dice.between(0.2, 0.8);
+    const Dual<double> height = with_slopes(texture, u, v);
+    CHECK(height.value == doctest::Approx(3 * u - 2 * v).epsilon(1e-6));
+    CHECK(height.dx == doctest::Approx(3).epsilon(1e-5));
+    CHECK(height.dy == doctest::Approx(-2).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("value and slopes do not jump from texel to texel, over the seam and over the poles") {
+  const SmoothTexture texture{noise(8, 4, 3)};
+  const double tiny = 1e-9;
+  Dice dice(4);
+  for (int i = 0; i < 400; ++i) {
+    const double u = dice.within(0, 8) / 8.0;  // an edge between texels; 0 and 1 are the seam
+    const double v = dice.between(0, 1);
+    const Dual<double> left = with_slopes(texture, u - tiny, v);
+    const Dual<double> right = with_slopes(texture, u + tiny, v);
+    CHECK(std::abs(left.value - right.value) < 1e-7);
+    CHECK(std::abs(left.dx - right.dx) < 1e-6);
+    CHECK(std::abs(left.dy - right.dy) < 1e-6);
+  }
+  for (int i = 0; i < 400; ++i) {
+    const double u = dice.between(0, 0.5);
+    const double pole = dice.once_in(2) ? tiny : 1 - tiny;
+    const Dual<double> here = with_slopes(texture, u, pole);
+    const Dual<double> beyond = with_slopes(texture, u + 0.5, pole);
+    CHECK(std::abs(here.value - beyond.value) < 1e-7);
+    CHECK(std::abs(here.dx - beyond.dx) < 1e-6);
+    CHECK(std::abs(here.dy + beyond.dy) < 1e-6);  // v turns back
+  }
+  // The counterpart: with clamped rows the pole is a cut.
+  const SmoothTexture cut{noise(8, 4, 3), VAxis::up, Wrap::clamp};
+  CHECK(std::abs(with_slopes(cut, 0.2, tiny).value - with_slopes(cut, 0.7, tiny).value) > 1e-3);
+}
+
+TEST_CASE("each lane of a pack is the plain number's, and NaN reads a texel of the image") {
+  using Number = Pack2<Pack<double>>;
+  const SmoothTexture texture{noise(8, 4, 5)};
+  Dice dice(6);
+  for (int i = 0; i < 200; ++i) {
+    std::array<double, lanes<Number>> u{}, v{};
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      u[k] = dice.between(0, 1);
+      v[k] = dice.between(0, 1);
+    }
+    const Color<Number> color = texture(Uv<Number>{from_lanes<Number>([&](std::size_t k) { return u[k]; }),
+                                                   from_lanes<Number>([&](std::size_t k) { return v[k]; })});
+    for (std::size_t k = 0; k < u.size(); ++k)
+      CHECK(lane(color.r, k) == texture(Uv<double>{u[k], v[k]}).r);
+  }
+  const double nan = std::nan("");
+  CHECK(std::isnan(texture(Uv<double>{nan, nan}).r));
+  CHECK(SmoothTexture{}(Uv<double>{0.5, 0.5}).r == 0);
+}
