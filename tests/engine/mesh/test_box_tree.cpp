@@ -2,6 +2,8 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "engine/mesh/box_tree.hpp"
 #include "number/kinds/pack2.hpp"
@@ -62,24 +64,43 @@ TEST_CASE("boxes that are too small lose hits: the test would notice") {
 TEST_CASE("every triangle is in one leaf, inside all boxes around it") {
   const Mesh tree = with_tree(torus(40, 25).mesh);
   std::vector<int> seen(tree.triangles.size(), 0);
-  for (std::size_t i = 0; i < tree.boxes.size(); ++i) {
-    const MeshBox& box = tree.boxes[i];
-    REQUIRE(box.next > static_cast<int>(i));
-    REQUIRE(box.next <= static_cast<int>(tree.boxes.size()));
-    for (std::size_t k = i; k < static_cast<std::size_t>(box.next); ++k) {
-      for (int at = tree.boxes[k].first; at < tree.boxes[k].end; ++at) {
-        const int triangle = tree.order[static_cast<std::size_t>(at)];
-        if (k == i) ++seen[static_cast<std::size_t>(triangle)];
+  std::size_t deepest = 0;
+  const auto walk = [&](const auto& self, int place, std::vector<int> around) -> void {
+    const MeshBox& box = tree.boxes[static_cast<std::size_t>(place)];
+    around.push_back(place);  // all boxes around this one, from the outermost
+    deepest = std::max(deepest, around.size());
+    for (int at = box.first; at < box.end; ++at) {
+      const int triangle = tree.order[static_cast<std::size_t>(at)];
+      ++seen[static_cast<std::size_t>(triangle)];
+      for (const int outer : around) {
+        const MeshBox& holds = tree.boxes[static_cast<std::size_t>(outer)];
         for (int corner = 0; corner < 3; ++corner) {
-          const Vec3d off = tree.corner(triangle, corner) - box.center;
-          REQUIRE(std::abs(off.x) <= box.half.x);
-          REQUIRE(std::abs(off.y) <= box.half.y);
-          REQUIRE(std::abs(off.z) <= box.half.z);
+          const Vec3d off = tree.corner(triangle, corner) - holds.center;
+          REQUIRE(std::abs(off.x) <= holds.half.x);
+          REQUIRE(std::abs(off.y) <= holds.half.y);
+          REQUIRE(std::abs(off.z) <= holds.half.z);
         }
       }
     }
-  }
+    if (box.first < box.end) return;
+    self(self, place + 1, around);
+    self(self, box.second, around);
+  };
+  walk(walk, 0, {});
+  CHECK(deepest < 20);
   CHECK(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
+}
+
+TEST_CASE("triangles that grow by powers of two nest no deeper than rays can follow") {
+  Mesh nested;
+  for (int i = 0; i < 1000; ++i) {
+    const double size = std::ldexp(1.0, i / 8 - 60);
+    const int first = static_cast<int>(nested.points.size());
+    nested.points.insert(nested.points.end(), {{size, 0, 0}, {0, size, 0}, {0, 0, size}});
+    nested.triangles.push_back({first, first + 1, first + 2});
+  }
+  const Mesh tree = with_tree(nested);
+  CHECK(count_lost<double>(nested, tree, 1000, 2) == 0);
 }
 
 TEST_CASE("triangles at one place, flat ones and none at all have a tree, too") {
