@@ -54,7 +54,7 @@ Lesson plane_lesson() {
 
 TEST_CASE("all numbers draw one picture; float differs at edges of texels and of the crate") {
   const Lesson lesson = prepared<Lesson>();
-  const auto in = [&]<class Real>(Real) { return picture<Real>(lesson, 246, 181); };
+  const auto in = [&]<class Real>(Real) { return picture<Real>(lesson, 482, 361); };
   const Image reference = in(1.0);
   const Image in_float = in(1.0F);
   CHECK(in(1.0L) == reference);
@@ -62,7 +62,7 @@ TEST_CASE("all numbers draw one picture; float differs at edges of texels and of
   CHECK(in(Pack2<Pack<double>>(1)) == reference);
   CHECK(in(Pack2<Pack<float>>(1)) == in_float);
   CHECK(count_different(in_float, reference) > 0);
-  CHECK(count_different(in_float, reference) < 246 * 181 / 500);
+  CHECK(count_different(in_float, reference) < 482 * 361 / 500);
 }
 
 TEST_CASE("three faces of the crate and both triangles of the floor are seen") {
