@@ -12,6 +12,7 @@
 #include "support/made_meshes.hpp"
 #include "support/mesh_rays.hpp"
 #include "support/pictures.hpp"
+#include "support/running.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace texmap;
@@ -185,7 +186,7 @@ TEST_CASE("the certainty map is gray nearly everywhere: rounding hardly changes 
 
 TEST_CASE("a mesh from a file is drawn in place of the crate, as large and on the floor") {
   const TemporaryFolder folder;
-  const std::string file = folder.path() + std::string("/pyramid.obj");
+  const std::string file = folder / "pyramid.obj";
   std::ofstream(file) << "v 100 5 100\nv 140 5 100\nv 140 5 140\nv 100 5 140\nv 120 35 120\n"
                          "vt 0 0\nvt 1 0\nvt 0.5 1\n"
                          "f 4/1 3/2 5/3\nf 3/1 2/2 5/3\nf 2/1 1/2 5/3\nf 1/1 4/2 5/3\n";
@@ -216,4 +217,31 @@ TEST_CASE("a mesh of 100,000 triangles has a tree, and rays meet what they meet 
     REQUIRE(a.triangle == b.triangle);
     REQUIRE(a.distance == b.distance);
   }
+}
+
+TEST_CASE(
+    "the program refuses every bad file with status 1, names it, and leaves the old picture") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "bad.obj";
+  const std::string picture_file = folder / "old.png";
+  const std::vector<std::uint8_t> old = {1, 2, 3};
+  put(picture_file, old);
+  for (const BadMesh& bad : bad_meshes()) {
+    CAPTURE(bad.name);
+    put(file, {bad.text.begin(), bad.text.end()});
+    const Outcome outcome = run(std::string(TEXMAP_CHAPTER) + " --mesh \"" + file +
+                                "\" --width 8 --height 6 --out \"" + picture_file + "\"");
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("error: cannot load mesh '" + file + "': " + bad.error) == 0);
+    CHECK(bytes_of(picture_file) == old);
+    CHECK(folder.size() == 2);
+  }
+  // The same run with a good file draws.
+  const std::string good = good_meshes().front().text;
+  put(file, {good.begin(), good.end()});
+  CHECK(run(std::string(TEXMAP_CHAPTER) + " --quiet --mesh \"" + file +
+            "\" --width 8 --height 6 --out \"" + picture_file + "\"")
+            .status == 0);
+  CHECK(bytes_of(picture_file) != old);
 }
