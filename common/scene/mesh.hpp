@@ -114,7 +114,7 @@ template <class Real>
 
 /// The first triangle that a ray meets ahead of its origin; of several at one distance, that with
 /// the smallest number. The ray does not meet it again from `outside`, nor from `inside`.
-/// Domain: coordinates and directions of 1e-6 to 1e6 or 0; at most 2^24 triangles.
+/// Domain: coordinates 0 or of 1e-6 to 1e6, directions of 0.1 to 1e6; at most 2^24 triangles.
 template <class Real>
 [[nodiscard]] MeshHit<Real> first_hit(const Mesh& mesh, const Ray<Real>& ray) {
   MeshHit<Real> hit;
