@@ -8,13 +8,17 @@
 
 namespace texmap {
 
-/// A box with edges along the axes, in a tree of boxes that is stored in the order of a walk.
+/// A box with edges along the axes. A box without triangles of its own holds two other boxes: the
+/// next one in Mesh::boxes and `second`, which lies further along an axis.
 struct MeshBox {
   Point center;
   Point half;      ///< half its extent in x, y and z
-  int first, end;  ///< its own triangles, in Mesh::order; none for a box with boxes inside
-  int next;        ///< the box that follows when this one and all inside it are skipped
+  int first, end;  ///< its own triangles, in Mesh::order
+  int second;
+  int axis;  ///< 0 for x, 1 for y, 2 for z
 };
+/// The most boxes inside each other.
+inline constexpr std::size_t most_nested_boxes = 64;
 
 /// Triangles that share corners. Seen from outside, corners run counterclockwise.
 struct Mesh {
@@ -77,12 +81,19 @@ void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) visit_triangle(static_cast<int>(i));
     return;
   }
-  for (std::size_t i = 0; i < mesh.boxes.size();) {
-    const MeshBox& box = mesh.boxes[i];
-    const bool near = any(may_meet(space, box, limit));
-    for (int k = box.first; near && k < box.end; ++k)
+  // Boxes to try; the last one first.
+  std::array<int, most_nested_boxes + 1> boxes{};
+  for (std::size_t count = 1; count > 0;) {
+    const int place = boxes[--count];
+    const MeshBox& box = mesh.boxes[static_cast<std::size_t>(place)];
+    if (!any(may_meet(space, box, limit))) continue;
+    for (int k = box.first; k < box.end; ++k)
       visit_triangle(mesh.order[static_cast<std::size_t>(k)]);
-    i = near ? i + 1 : static_cast<std::size_t>(box.next);
+    if (box.first < box.end) continue;
+    const Vec3<Real>& d = ray.direction;
+    const bool backward = any((box.axis == 0 ? d.x : box.axis == 1 ? d.y : d.z) < Real(0));
+    boxes[count++] = backward ? place + 1 : box.second;
+    boxes[count++] = backward ? box.second : place + 1;
   }
 }
 
@@ -103,7 +114,7 @@ template <class Real>
 
 /// The first triangle that a ray meets ahead of its origin; of several at one distance, that with
 /// the smallest number. The ray does not meet it again from `outside`, nor from `inside`.
-/// Domain: coordinates and directions of 1e-6 to 1e6 or 0; at most 2^24 triangles.
+/// Domain: coordinates 0 or of 1e-6 to 1e6, directions of 0.1 to 1e6; at most 2^24 triangles.
 template <class Real>
 [[nodiscard]] MeshHit<Real> first_hit(const Mesh& mesh, const Ray<Real>& ray) {
   MeshHit<Real> hit;

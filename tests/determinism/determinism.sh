@@ -14,7 +14,7 @@ tree=$(cd "$(dirname "$0")/../.." && pwd)
 builds=$tree/build/determinism
 all_threads="1 2 3 8"
 chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-  07_earth_by_sampling"
+  07_earth_by_sampling 08_triangle_uv"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM

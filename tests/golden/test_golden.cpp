@@ -11,6 +11,7 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
@@ -94,6 +95,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_lecture_phong", lecture("phong"));
   check_golden("06_lecture_slides", lecture("lecture"));
   check_golden("07_earth_by_sampling", sampled());
+  check_golden("08_triangle_uv", picture(prepared<chapter_08::Lesson>(), 480, 360));
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }

@@ -120,6 +120,55 @@ TEST_CASE_TEMPLATE("a ray outward from `outside` does not meet its own plane aga
   CHECK(from_point > 1000);
 }
 
+TEST_CASE_TEMPLATE("a scene a million times as large or as small has the same weights, to the bit",
+                   Real, float, double, long double) {
+  Dice dice;
+  const Mesh ring = torus(12, 6).mesh;
+  for (const int power : {-20, 20}) {
+    Mesh other = ring;
+    for (Point& p : other.points) p = scaled(p, power);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Ray<Real> ray =
+          aimed<Real>([&] { return point_within(dice, 3); }, [&] { return point_within(dice, 1); });
+      const MeshHit<Real> a = first_hit(ring, ray);
+      const MeshHit<Real> b =
+          first_hit(other, Ray<Real>{scaled(ray.origin, power), scaled(ray.direction, 3)});
+      REQUIRE(a.met == b.met);
+      if (!a.met) continue;
+      ++met;
+      REQUIRE(a.triangle == b.triangle);
+      REQUIRE(a.a == b.a);
+      REQUIRE(a.b == b.b);
+      REQUIRE(std::ldexp(a.distance, power - 3) == b.distance);
+    }
+    CHECK(met > 200);
+  }
+}
+
+TEST_CASE_TEMPLATE("a closed mesh is entered from the front and left from the back", Real, float,
+                   double, long double) {
+  Dice dice;
+  const Mesh cube = turned_cube(dice);
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const bool inside = i % 2 == 0;
+    const Ray<Real> ray = aimed<Real>(
+        [&] { return inside ? point_within(dice, 0.5) : dice.direction<double>() * 4.0; },
+        [&] { return point_within(dice, 1); });
+    for_each_crossing(cube, ray, infinity<Real>(), [&](int, const Crossing<Real>& found) {
+      const bool ahead = found.distance > Real(0);
+      // From inside the front is behind; from outside both are ahead, and the back is farther.
+      if (inside) REQUIRE(found.front != ahead);
+      if (!inside) REQUIRE(ahead);
+      const MeshHit<Real> first = first_hit(cube, ray);
+      if (!inside) REQUIRE(found.front == (found.distance == first.distance));
+      ++met;
+    });
+  }
+  CHECK(met > 2000);
+}
+
 TEST_CASE("a mesh without triangles is never met, and a point at a corner is exactly there") {
   const MeshHit<double> none = first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}});
   CHECK_FALSE(none.met);
@@ -159,9 +208,9 @@ TEST_CASE("intervals hold what double and long double meet") {
     const Ray<double> ray =
         aimed<double>([&] { return point_within(dice, 4); }, [&] { return point_within(dice, 1); });
     const MeshHit<double> hit = first_hit(cube, ray);
-    const MeshHit<Interval> bound =
-        first_hit(cube, Ray<Interval>{number_cast<Interval>(ray.origin),
-                                      number_cast<Interval>(ray.direction)});
+    const MeshHit<Interval> bound = first_hit(
+        cube,
+        Ray<Interval>{number_cast<Interval>(ray.origin), number_cast<Interval>(ray.direction)});
     REQUIRE((hit.met ? bound.met.can_be_true : bound.met.can_be_false));
     if (!hit.met) continue;
     REQUIRE(bound.distance.contains(hit.distance));

@@ -23,7 +23,7 @@ void fit_to_crate(Mesh& mesh) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   const double size = largest(high - low);
-  const double scale = size > 0 ? 2 / size : 1;
+  const double scale = size > 1e-300 ? 2 / size : 1;  // 2 / size must be finite
   const Point foot{(low.x + high.x) / 2, low.y, (low.z + high.z) / 2};
   for (Point& p : mesh.points) p = (p - foot) * scale + Point{0, -1, 0};
 }

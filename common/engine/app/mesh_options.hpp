@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "published/mesh_weights.hpp"
 #include "texture/mesh_mapping.hpp"
 #include "texture/wrap.hpp"
 
@@ -17,7 +18,7 @@ enum class WeightsFormula {
 
 /// The user's choices of a mesh and of what its corners' (u, v) mean.
 struct MeshOptions {
-  double degrees = 30;  ///< turn of the mesh about +y
+  double degrees = -25;  ///< turn of the mesh about +y
   Wrap wrap = Wrap::mirror;
   WeightsFormula weights = WeightsFormula::signed_areas;
   std::string file;  ///< in OBJ format; empty for the crate
@@ -26,6 +27,12 @@ struct MeshOptions {
   /// The crate or the file's mesh, as large and turned, on a floor.
   /// Errors: FileError with the file and the line.
   [[nodiscard]] TexturedMesh load() const;
+
+  /// The hit with the weights of the chosen formula.
+  template <class Real>
+  [[nodiscard]] MeshHit<Real> weighted(const Mesh& mesh, const MeshHit<Real>& hit) const {
+    return weights == WeightsFormula::heron ? published::weighted_by_heron(mesh, hit) : hit;
+  }
 };
 
 }  // namespace texmap

@@ -53,7 +53,7 @@ class Builder {
   }
 
   // Adds the box of the triangles order[first] to order[end - 1], and the boxes inside it.
-  void add_box(int first, int end) {
+  void add_box(int first, int end, int depth = 0) {
     Bounds around, middles;
     for (int i = first; i < end; ++i) {
       around.add(bounds_of(i));
@@ -61,19 +61,22 @@ class Builder {
     }
     const std::size_t place = mesh_.boxes.size();
     mesh_.boxes.push_back(box_of(around));
-    const int split = end - first <= few ? end : split_of(first, end, around, middles);
-    if (split == end) {
+    const Split split = split_of(first, end, around, middles, depth);
+    if (split.place == end) {
       mesh_.boxes[place].first = first;
       mesh_.boxes[place].end = end;
-    } else {
-      add_box(first, split);
-      add_box(split, end);
+      return;
     }
-    mesh_.boxes[place].next = static_cast<int>(mesh_.boxes.size());
+    mesh_.boxes[place].axis = split.axis;
+    add_box(first, split.place, depth + 1);
+    mesh_.boxes[place].second = static_cast<int>(mesh_.boxes.size());
+    add_box(split.place, end, depth + 1);
   }
 
  private:
-  static constexpr int few = 4;          // triangles that share a box
+  static constexpr int few = 4;          // triangles that always share a box
+  static constexpr int many = 16;        // triangles that may share one
+  static constexpr int deepest = 40;     // then boxes are halved: 22 more for 2^22 triangles
   static constexpr int bins = 16;        // places where a box may be cut
   static constexpr double box_cost = 1;  // of a box, in triangles
 
@@ -92,11 +95,18 @@ class Builder {
       half[k] = std::max(b.high[k] - center[k], center[k] - b.low[k]) *
                 (1 + 4 * std::numeric_limits<double>::epsilon());
     }
-    return {{center[0], center[1], center[2]}, {half[0], half[1], half[2]}, 0, 0, 0};
+    return {{center[0], center[1], center[2]}, {half[0], half[1], half[2]}, 0, 0, 0, 0};
   }
 
-  // Sorts the triangles into two groups and returns where the second begins; `end` for one group.
-  int split_of(int first, int end, const Bounds& around, const Bounds& middles) {
+  struct Split {
+    int place;  // where the second group begins; `end` for one group
+    int axis;
+  };
+  // Sorts the triangles into two groups.
+  Split split_of(int first, int end, const Bounds& around, const Bounds& middles, int depth) {
+    const int all = end - first;
+    if (all <= few) return {end, 0};
+    if (depth > deepest) return {(first + end) / 2, 0};
     double best_cost = HUGE_VAL;
     std::size_t best_axis = 0;
     int best_bin = 0;
@@ -129,17 +139,16 @@ class Builder {
         best_bin = static_cast<int>(bin);
       }
     }
+    if (best_bin == 0)  // the middles of all triangles are at one place
+      return {all > many ? (first + end) / 2 : end, 0};
     const double whole = around.half_surface();
-    const bool one_place = best_bin == 0;  // the middles of all triangles are at one place
-    if (one_place ||
-        (end - first <= 4 * few && best_cost + box_cost * whole >= whole * (end - first)))
-      return one_place && end - first > 4 * few ? (first + end) / 2 : end;
+    if (all <= many && best_cost + box_cost * whole >= whole * all) return {end, 0};
     const auto middle =
         std::partition(mesh_.order.begin() + first, mesh_.order.begin() + end, [&](int triangle) {
           const double at = middles_[static_cast<std::size_t>(triangle)][best_axis];
           return bin_of(at, middles.low[best_axis], middles.high[best_axis]) < best_bin;
         });
-    return static_cast<int>(middle - mesh_.order.begin());
+    return {static_cast<int>(middle - mesh_.order.begin()), static_cast<int>(best_axis)};
   }
 
   static int bin_of(double at, double low, double high) {

@@ -263,9 +263,9 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 
   struct stat status {};
   require_success(fstat(file.number(), &status) == 0);
-  if (S_ISDIR(status.st_mode)) throw FileError("it is a folder, not an image file");
-  if (S_ISFIFO(status.st_mode)) throw FileError("it is a pipe, not an image file");
-  if (!S_ISREG(status.st_mode)) throw FileError("it is a device, not an image file");
+  if (S_ISDIR(status.st_mode)) throw FileError("it is a folder, not a file");
+  if (S_ISFIFO(status.st_mode)) throw FileError("it is a pipe, not a file");
+  if (!S_ISREG(status.st_mode)) throw FileError("it is a device, not a file");
   return read_whole(static_cast<std::uint64_t>(status.st_size), most_bytes,
                     [&file](std::uint8_t* to, std::size_t bytes) {
                       ssize_t got = -1;

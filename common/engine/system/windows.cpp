@@ -193,8 +193,8 @@ class Draft {
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
   check_name(path);
-  if (is_null_device(path)) throw FileError("it is a device, not an image file");
-  if (std::filesystem::is_directory(path)) throw FileError("it is a folder, not an image file");
+  if (is_null_device(path)) throw FileError("it is a device, not a file");
+  if (std::filesystem::is_directory(path)) throw FileError("it is a folder, not a file");
   // Others may replace the file meanwhile.
   const Handle file(CreateFileW(path.c_str(), GENERIC_READ,
                                 FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
@@ -205,7 +205,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
                                                           : words_of(error));
   }
   if (GetFileType(file.get()) != FILE_TYPE_DISK)
-    throw FileError("it is a device, not an image file");
+    throw FileError("it is a device, not a file");
   LARGE_INTEGER size{};
   require_success(GetFileSizeEx(file.get(), &size) != 0);
   return read_whole(

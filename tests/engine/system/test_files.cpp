@@ -119,12 +119,12 @@ TEST_CASE("what cannot be read is named in the same words on every system") {
   CHECK(error_of_reading(path_of("")) == "the name is empty");
   CHECK(error_of_reading(path_of(std::string("a\0b", 3))) == "the name has a zero byte in it");
   CHECK(error_of_reading(path_of(folder / "missing")) == "there is no such file");
-  CHECK(error_of_reading(path_of(folder.path())) == "it is a folder, not an image file");
+  CHECK(error_of_reading(path_of(folder.path())) == "it is a folder, not a file");
   CHECK(error_of_reading(path_of(folder / "empty")) == "the file is empty");
   CHECK(error_of_reading(path_of(folder / "large")) ==
         "the file has 1001 bytes, more than 1000 (0 MiB)");
   CHECK(error_of_reading(path_of(folder / "largest")) == "nothing was thrown");
-  CHECK(error_of_reading("/dev/null") == "it is a device, not an image file");
+  CHECK(error_of_reading("/dev/null") == "it is a device, not a file");
 }
 
 TEST_CASE("what cannot be written is named before any work and again when writing") {

@@ -373,13 +373,13 @@ TEST_CASE("special files are refused at once") {
       {folder / "dangling", "it is a link to a file that does not exist"},
       {folder / "loop", "too many symbolic links; one probably points back at itself"},
       {too_long, "the name is too long"},
-      {folder.path(), "it is a folder, not an image file"},
-      {folder / "pipe", "it is a pipe, not an image file"},
+      {folder.path(), "it is a folder, not a file"},
+      {folder / "pipe", "it is a pipe, not a file"},
       {folder / "empty.png", "the file is empty"},
       {folder / "sparse.png", "the file has 10737418240 bytes, more than 67108864 (64 MiB)"},
-      {"/dev/zero", "it is a device, not an image file"},
-      {"/dev/null", "it is a device, not an image file"},
-      {"/dev/urandom", "it is a device, not an image file"},
+      {"/dev/zero", "it is a device, not a file"},
+      {"/dev/null", "it is a device, not a file"},
+      {"/dev/urandom", "it is a device, not a file"},
       {std::string("a\0b", 3), "the name has a zero byte in it"},
   };
   for (const auto& [path, why] : table) {

@@ -25,7 +25,7 @@ TEST_CASE("NUL takes everything, however it is spelt") {
     CAPTURE(name);
     CHECK(error_of_writing(name) == "nothing was thrown");
     CHECK(image_error_of([&] { static_cast<void>(read_file(name, 9)); }) ==
-          "it is a device, not an image file");
+          "it is a device, not a file");
   }
 }
 

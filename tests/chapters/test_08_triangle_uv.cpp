@@ -1,0 +1,247 @@
+// Chapter 08: texture coordinates in the corners of triangles.
+#include <doctest.h>
+
+#include <fstream>
+
+#include "08_triangle_uv/lesson.hpp"
+#include "engine/mesh/box_tree.hpp"
+#include "number/kinds/interval.hpp"
+#include "number/kinds/pack2.hpp"
+#include "scene/floor.hpp"
+#include "support/image_errors.hpp"
+#include "support/made_meshes.hpp"
+#include "support/mesh_rays.hpp"
+#include "support/pictures.hpp"
+#include "support/running.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+using chapter_08::Lesson;
+
+namespace {
+
+constexpr int width = Lesson::about.size.width;
+constexpr int height = Lesson::about.size.height;
+
+Image drawn(const std::vector<std::string>& words) {
+  return picture(prepared<Lesson>(words), width, height);
+}
+
+/// The triangle that each pixel shows, -1 for the sky.
+std::vector<int> triangles_seen(const Lesson& lesson) {
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  std::vector<int> seen;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const auto hit = first_hit(lesson.scene.mesh, ray_through<double>(view, column, row));
+      seen.push_back(hit.met ? static_cast<int>(hit.triangle) : -1);
+    }
+  }
+  return seen;
+}
+
+/// A lesson with one triangle of the plane y = 0, u = x and v = z in its corners.
+Lesson plane_lesson() {
+  Lesson lesson = prepared<Lesson>({"--texture", "uv_map.png", "--wrap", "repeat"});
+  lesson.scene.mesh = {};
+  lesson.scene.mesh.points = {{-4, 0, 3}, {5, 0, 3}, {0.5, 0, -7}};
+  lesson.scene.mesh.triangles = {{0, 1, 2}};
+  lesson.paint.mapping.corners = {{{{-4, 3}, {5, 3}, {0.5, -7}}}};
+  return lesson;
+}
+
+}  // namespace
+
+TEST_CASE("all numbers draw one picture; float differs at edges of texels and of the crate") {
+  const Lesson lesson = prepared<Lesson>();
+  const auto in = [&]<class Real>(Real) { return picture<Real>(lesson, 482, 361); };
+  const Image reference = in(1.0);
+  const Image in_float = in(1.0F);
+  CHECK(in(1.0L) == reference);
+  CHECK(in(Pack<double>(1)) == reference);
+  CHECK(in(Pack2<Pack<double>>(1)) == reference);
+  CHECK(in(Pack2<Pack<float>>(1)) == in_float);
+  CHECK(count_different(in_float, reference) > 0);
+  CHECK(count_different(in_float, reference) < 482 * 361 / 500);
+}
+
+TEST_CASE("three faces of the crate and both triangles of the floor are seen") {
+  const Lesson lesson = prepared<Lesson>();
+  std::vector<int> pixels(14, 0);
+  int sky = 0;
+  for (const int triangle : triangles_seen(lesson))
+    ++(triangle < 0 ? sky : pixels[static_cast<std::size_t>(triangle)]);
+  for (int face = 0; face < 6; ++face) {
+    const auto first = static_cast<std::size_t>(2 * face);
+    const bool visible = face == 0 || face == 1 || face == 4;  // +z, +x, +y
+    CAPTURE(face);
+    CHECK((pixels[first] > 2000) == visible);
+    CHECK((pixels[first + 1] > 2000) == visible);
+    CHECK((pixels[first] + pixels[first + 1] == 0) == !visible);
+  }
+  CHECK(pixels[12] > 10000);
+  CHECK(pixels[13] > 10000);
+  CHECK(sky > 10000);
+}
+
+TEST_CASE("a quarter turn changes the top of the crate and nothing else") {
+  const Lesson lesson = prepared<Lesson>({"--degrees", "0"});
+  const std::vector<int> seen = triangles_seen(lesson);
+  const Image before = drawn({"--degrees", "0"});
+  const Image after = drawn({"--degrees", "90"});
+  long on_top = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const bool top = seen[i] == 8 || seen[i] == 9;
+    if (!top) REQUIRE(before.pixels[i] == after.pixels[i]);
+    on_top += before.pixels[i] != after.pixels[i] ? 1 : 0;
+  }
+  CHECK(on_top > 1000);
+  CHECK(drawn({"--degrees", "360"}) == before);
+  CHECK(drawn({"--degrees", "-3600000"}) == before);
+  CHECK(count_different(drawn({"--degrees", "1"}), before) > 1000);
+}
+
+TEST_CASE("wrapping changes the floor alone: on the crate (u, v) are 0 to 1") {
+  const std::vector<int> seen = triangles_seen(prepared<Lesson>());
+  const Image mirror = drawn({});
+  for (const char* wrap : {"repeat", "clamp"}) {
+    const Image other = drawn({"--wrap", wrap});
+    long changed = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i] < 12) REQUIRE(other.pixels[i] == mirror.pixels[i]);
+      changed += other.pixels[i] != mirror.pixels[i] ? 1 : 0;
+    }
+    CAPTURE(wrap);
+    CHECK(changed > 20000);
+  }
+}
+
+TEST_CASE("Heron's weights draw the crate, but for texels at the edge of a pixel") {
+  const Image exact = drawn({});
+  CHECK(count_different(drawn({"--weights", "heron"}), exact) < 20);
+  const auto in_float = [](const char* weights) {
+    return picture<float>(prepared<Lesson>({"--weights", weights}), width, height);
+  };
+  const long lost = count_different(in_float("heron"), in_float("signed"));
+  MESSAGE("float: " << lost << " of " << width * height << " pixels");
+  CHECK(lost > 0);
+}
+
+TEST_CASE("with u = x and v = z in its corners a triangle draws the plane map, pixel for pixel") {
+  const Lesson lesson = plane_lesson();
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  long met = 0;
+  long different = 0;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const auto ray = ray_through<double>(view, column, row);
+      const MeshHit<double> hit = first_hit(lesson.scene.mesh, ray);
+      if (!hit.met) continue;
+      const Vec3d point = point_on(Floor{}, ray, distance_to(Floor{}, ray));
+      const Rgb expected = lesson.paint.texture(Uv<double>{point.x, point.z});
+      const Rgb color = lesson.paint(hit);
+      ++met;
+      if (color.r != expected.r || color.g != expected.g || color.b != expected.b) ++different;
+    }
+  }
+  CHECK(met > 20000);
+  CHECK(different <= 2);  // where 1e-15 lies between two texels
+}
+
+TEST_CASE("coordinates mixed in the picture instead of in space are far off: the floor bends") {
+  // The weights of the corners' places in the picture, as a drawing program without depth has them.
+  const Lesson lesson = plane_lesson();
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  const RaySpace<double> forward(Ray<double>{view.eye, view.forward});
+  const auto in_picture = [&](const Point& p) {
+    const Vec3d q = p - view.eye;
+    const double depth = dot(q, view.forward);
+    return Point{dot(q, view.right) / depth, dot(q, view.up) / depth, 1};
+  };
+  double worst = 0;
+  for (int row = 0; row < height; row += 7) {
+    for (int column = 0; column < width; column += 7) {
+      const auto ray = ray_through<double>(view, column, row);
+      const MeshHit<double> hit = first_hit(lesson.scene.mesh, ray);
+      if (!hit.met) continue;
+      const RaySpace<double> space(Ray<double>{{}, in_picture(hit.point)});
+      const auto seen = [&](int k) {
+        return seen_along(space, in_picture(lesson.scene.mesh.corner(0, k)));
+      };
+      const Crossing<double> flat = crossing(space, seen(0), seen(1), seen(2));
+      if (flat.met) worst = std::max(worst, std::abs(flat.a - hit.a));
+    }
+  }
+  CHECK(worst > 0.1);
+}
+
+TEST_CASE("the certainty map is gray nearly everywhere: rounding hardly changes a pixel") {
+  const Lesson lesson = prepared<Lesson>();
+  const Image map = draw_certainty_map(lesson, view_of(lesson.stage.camera, 120, 90), {});
+  long uncertain = 0;
+  for (const Rgb8& pixel : map.pixels) uncertain += pixel.r != pixel.g ? 1 : 0;
+  CHECK(uncertain < 40);
+}
+
+TEST_CASE("a mesh from a file is drawn in place of the crate, as large and on the floor") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "pyramid.obj";
+  std::ofstream(file) << "v 100 5 100\nv 140 5 100\nv 140 5 140\nv 100 5 140\nv 120 35 120\n"
+                         "vt 0 0\nvt 1 0\nvt 0.5 1\n"
+                         "f 4/1 3/2 5/3\nf 3/1 2/2 5/3\nf 2/1 1/2 5/3\nf 1/1 4/2 5/3\n";
+  const Lesson lesson = prepared<Lesson>({"--mesh", file, "--degrees", "0"});
+  CHECK(lesson.scene.mesh.triangles.size() == 6);
+  CHECK(lesson.scene.mesh.points[0].x == -1);
+  CHECK(lesson.scene.mesh.points[0].y == -1);
+  CHECK(lesson.scene.mesh.points[4].y == 0.5);
+  CHECK(count_different(picture(lesson, width, height), drawn({"--degrees", "0"})) > 5000);
+  const std::string error = image_error_of([] {
+    static_cast<void>(prepared<Lesson>({"--mesh", "no/such.obj"}));
+  });
+  CHECK(error.find("cannot load mesh 'no/such.obj'") == 0);
+}
+
+TEST_CASE("a mesh of 100,000 triangles has a tree, and rays meet what they meet without it") {
+  TexturedMesh scene = torus(250, 200);
+  REQUIRE(scene.mesh.triangles.size() == 100000);
+  const Mesh list = scene.mesh;
+  build_box_tree(scene.mesh);
+  Dice dice;
+  for (int i = 0; i < 100; ++i) {
+    const auto ray = aimed<double>([&] { return point_within(dice, 3); },
+                                   [&] { return point_on_edge(dice, list); });
+    const auto a = first_hit(list, ray);
+    const auto b = first_hit(scene.mesh, ray);
+    REQUIRE(a.met == b.met);
+    REQUIRE(a.triangle == b.triangle);
+    REQUIRE(a.distance == b.distance);
+  }
+}
+
+TEST_CASE(
+    "the program refuses every bad file with status 1, names it, and leaves the old picture") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "bad.obj";
+  const std::string picture_file = folder / "old.png";
+  const std::vector<std::uint8_t> old = {1, 2, 3};
+  put(picture_file, old);
+  for (const BadMesh& bad : bad_meshes()) {
+    CAPTURE(bad.name);
+    put(file, {bad.text.begin(), bad.text.end()});
+    const Outcome outcome = run(std::string(TEXMAP_CHAPTER) + " --mesh \"" + file +
+                                "\" --width 8 --height 6 --out \"" + picture_file + "\"");
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("error: cannot load mesh '" + file + "': " + bad.error) == 0);
+    CHECK(bytes_of(picture_file) == old);
+    CHECK(folder.size() == 2);
+  }
+  // The same run with a good file draws.
+  const std::string good = good_meshes().front().text;
+  put(file, {good.begin(), good.end()});
+  CHECK(run(std::string(TEXMAP_CHAPTER) + " --quiet --mesh \"" + file +
+            "\" --width 8 --height 6 --out \"" + picture_file + "\"")
+            .status == 0);
+  CHECK(bytes_of(picture_file) != old);
+}

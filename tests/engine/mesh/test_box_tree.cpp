@@ -1,0 +1,139 @@
+// Tests of engine/mesh/box_tree.hpp: a tree changes no hit.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/mesh/box_tree.hpp"
+#include "number/kinds/pack2.hpp"
+#include "support/lanes.hpp"
+#include "support/mesh_rays.hpp"
+
+namespace texmap::test {
+namespace {
+
+Mesh with_tree(Mesh mesh) {
+  build_box_tree(mesh);
+  return mesh;
+}
+
+/// Rays that meet other things with the tree than without, to the last bit.
+template <class Real>
+long count_lost(const Mesh& list, const Mesh& tree, long rays, double reach) {
+  Dice dice;
+  long different = 0;
+  for (long i = 0; i < rays; ++i) {
+    const Ray<Real> ray = aimed<Real>([&] { return point_within(dice, reach); },
+                                      [&] { return point_on_edge(dice, list); });
+    const MeshHit<Real> a = first_hit(list, ray);
+    const MeshHit<Real> b = first_hit(tree, ray);
+    const bool same = a.met == b.met && (!a.met || (a.triangle == b.triangle && a.a == b.a &&
+                                                    a.b == b.b && a.distance == b.distance));
+    different += same ? 0 : 1;
+  }
+  return different;
+}
+
+TEST_CASE_TEMPLATE("the tree meets what the list meets, to the last bit", Real, float, double,
+                   long double) {
+  const Mesh ring = torus(20, 12).mesh;
+  CHECK(count_lost<Real>(ring, with_tree(ring), 4000, 3) == 0);
+  // Far from the origin, where rounding moves every point.
+  Mesh far = ring;
+  for (Point& p : far.points) p = p + Point{1000, -3000, 500};
+  CHECK(count_lost<Real>(far, with_tree(far), 4000, 4000) == 0);
+  // In planes along the axes the boxes are flat.
+  const Mesh cube = crate().mesh;
+  CHECK(count_lost<Real>(cube, with_tree(cube), 4000, 3) == 0);
+}
+
+TEST_CASE("boxes that are too small lose hits: the test would notice") {
+  const Mesh ring = torus(20, 12).mesh;
+  Mesh tree = with_tree(ring);
+  for (MeshBox& box : tree.boxes) box.half = box.half * (1 - 1e-3);
+  CHECK(count_lost<float>(ring, tree, 4000, 3) > 0);
+  // From afar in float the margin for rounding is 0.0015.
+  Mesh far = crate().mesh;
+  for (Point& p : far.points) p = p + Point{0.1, 0.2, 0.3};
+  Mesh narrow = with_tree(far);
+  for (MeshBox& box : narrow.boxes) box.half = box.half - Point{1, 1, 1} * 0.01;
+  CHECK(count_lost<float>(far, narrow, 4000, 1000) > 0);
+}
+
+TEST_CASE("every triangle is in one leaf, inside all boxes around it") {
+  const Mesh tree = with_tree(torus(40, 25).mesh);
+  std::vector<int> seen(tree.triangles.size(), 0);
+  std::size_t deepest = 0;
+  const auto walk = [&](const auto& self, int place, std::vector<int> around) -> void {
+    const MeshBox& box = tree.boxes[static_cast<std::size_t>(place)];
+    around.push_back(place);  // all boxes around this one, from the outermost
+    deepest = std::max(deepest, around.size());
+    for (int at = box.first; at < box.end; ++at) {
+      const int triangle = tree.order[static_cast<std::size_t>(at)];
+      ++seen[static_cast<std::size_t>(triangle)];
+      for (const int outer : around) {
+        const MeshBox& holds = tree.boxes[static_cast<std::size_t>(outer)];
+        for (int corner = 0; corner < 3; ++corner) {
+          const Vec3d off = tree.corner(triangle, corner) - holds.center;
+          REQUIRE(std::abs(off.x) <= holds.half.x);
+          REQUIRE(std::abs(off.y) <= holds.half.y);
+          REQUIRE(std::abs(off.z) <= holds.half.z);
+        }
+      }
+    }
+    if (box.first < box.end) return;
+    self(self, place + 1, around);
+    self(self, box.second, around);
+  };
+  walk(walk, 0, {});
+  CHECK(deepest < 20);
+  CHECK(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
+}
+
+TEST_CASE("triangles that grow by powers of two nest no deeper than rays can follow") {
+  Mesh nested;
+  for (int i = 0; i < 1000; ++i) {
+    const double size = std::ldexp(1.0, i / 8 - 60);
+    const int first = static_cast<int>(nested.points.size());
+    nested.points.insert(nested.points.end(), {{size, 0, 0}, {0, size, 0}, {0, 0, size}});
+    nested.triangles.push_back({first, first + 1, first + 2});
+  }
+  const Mesh tree = with_tree(nested);
+  CHECK(count_lost<double>(nested, tree, 1000, 2) == 0);
+}
+
+TEST_CASE("triangles at one place, flat ones and none at all have a tree, too") {
+  Mesh same;
+  same.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  same.triangles.assign(1000, {0, 1, 2});
+  const Mesh tree = with_tree(same);
+  const MeshHit<double> hit = first_hit(tree, Ray<double>{{0.25, 0.25, 1}, {0, 0, -1}});
+  CHECK(hit.met);
+  CHECK(hit.triangle == 0);  // of several at one distance, the first
+  Mesh point;
+  point.points = {{1, 2, 3}};
+  point.triangles.assign(100, {0, 0, 0});
+  CHECK_FALSE(first_hit(with_tree(point), Ray<double>{{0, 0, 0}, {1, 2, 3}}).met);
+  CHECK(with_tree(Mesh{}).boxes.empty());
+}
+
+TEST_CASE_TEMPLATE("each lane meets in the tree what a plain ray meets", Many, Pack<float>,
+                   Pack2<Pack<double>>) {
+  Dice dice;
+  const Mesh tree = with_tree(torus(20, 12).mesh);
+  for (int i = 0; i < 500; ++i) {
+    const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
+                                      [&] { return point_on_edge(dice, tree); });
+    check_each_lane<Many>(
+        [&](const auto& in) {
+          using Real = std::remove_cvref_t<decltype(in.origin.x)>;
+          const MeshHit<Real> hit = first_hit(tree, in);
+          return std::tuple{select(hit.met, hit.distance, Real(-1)), hit.triangle};
+        },
+        ray);
+  }
+}
+
+}  // namespace
+}  // namespace texmap::test

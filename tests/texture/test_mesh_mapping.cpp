@@ -1,0 +1,202 @@
+// Tests of texture/mesh_mapping.hpp and texture/crate.hpp, and of published/mesh_weights.hpp.
+#include <doctest.h>
+
+#include <map>
+
+#include "number/dual.hpp"
+#include "number/kinds/pack2.hpp"
+#include "published/mesh_weights.hpp"
+#include "support/lanes.hpp"
+#include "support/many_digits.hpp"
+#include "support/mesh_rays.hpp"
+#include "texture/mapped.hpp"
+
+namespace texmap::test {
+namespace {
+
+TEST_CASE_TEMPLATE("at a corner (u, v) is exactly the corner's", Real, float, double, long double) {
+  Dice dice;
+  const TexturedMesh ring = torus(9, 5);
+  int checked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Point target;
+    const Ray<Real> ray =
+        aimed<Real>([&] { return point_within(dice, 4); },
+                    [&] {
+                      target = ring.mesh.points[static_cast<std::size_t>(dice.below(45))];
+                      return target;
+                    });
+    const MeshHit<Real> hit = first_hit(ring.mesh, ray);
+    if (!hit.met || !(hit.a == Real(1) || hit.b == Real(1) || hit.c == Real(1))) continue;
+    ++checked;
+    const Uv<Real> uv = ring.mapping(hit);
+    const auto& corners = ring.mapping.corners[static_cast<std::size_t>(hit.triangle)];
+    const std::size_t corner = hit.a == Real(1) ? 0 : hit.b == Real(1) ? 1 : 2;
+    REQUIRE(uv.u == static_cast<Real>(corners[corner].u));
+    REQUIRE(uv.v == static_cast<Real>(corners[corner].v));
+  }
+  CHECK(checked > 500);
+}
+
+TEST_CASE_TEMPLATE("with u = x and v = z in the corners, (u, v) is the hit point's x and z", Real,
+                   float, double, long double) {
+  Dice dice;
+  for (int i = 0; i < 5000; ++i) {
+    TexturedMesh one;
+    for (int k = 0; k < 3; ++k) one.mesh.points.push_back(point_within(dice, 4));
+    one.mesh.triangles.push_back({0, 1, 2});
+    const auto& p = one.mesh.points;
+    one.mapping.corners.push_back({{{p[0].x, p[0].z}, {p[1].x, p[1].z}, {p[2].x, p[2].z}}});
+    const Ray<Real> ray = aimed<Real>([&] { return point_within(dice, 9); },
+                                      [&] { return (p[0] + p[1] + p[2]) * (1.0 / 3); });
+    const MeshHit<Real> hit = first_hit(one.mesh, ray);
+    if (!hit.met) continue;
+    const Uv<Real> uv = one.mapping(hit);
+    REQUIRE(uv.u == hit.point.x);
+    REQUIRE(uv.v == hit.point.z);
+  }
+}
+
+/// Rays at a needle from (0, 0, 0) to (1, 0, 0), 1 / aspect wide; u = 0, 1, 0 in its corners. How
+/// far off u is with each formula, in unit roundoffs, compared with that of long double.
+template <class Real>
+struct NeedleErrors {
+  double signed_areas = 0, heron = 0;
+  int heron_nan = 0;
+};
+template <class Real>
+NeedleErrors<Real> needle_errors(double aspect, int tries) {
+  Dice dice;
+  NeedleErrors<Real> worst;
+  for (int i = 0; i < tries; ++i) {
+    TexturedMesh one;
+    const double foot = dice.between(0.2, 0.8);
+    const auto rounded = [](double x) { return static_cast<double>(static_cast<Real>(x)); };
+    one.mesh.points = {{0, 0, 0}, {1, 0, 0}, {rounded(foot), 0, rounded(-1 / aspect)}};
+    one.mesh.triangles.push_back({0, 1, 2});
+    one.mapping.corners.push_back({{{0, 0}, {1, 0}, {0, 1}}});
+    const double b = dice.between(0.1, 0.6);
+    const double c = dice.between(0.1, 0.3);
+    const auto& p = one.mesh.points;
+    const Point at = p[0] * (1 - b - c) + p[1] * b + p[2] * c;
+    const Ray<Real> ray = aimed<Real>(
+        [&] {
+          return Point{dice.between(-1, 2), dice.between(1, 2), dice.between(-1, 1)};
+        },
+        [&] { return at; });
+    const MeshHit<Real> hit = first_hit(one.mesh, ray);
+    if (!hit.met) continue;
+    const MeshHit<long double> exact =
+        first_hit(one.mesh, Ray<long double>{number_cast<long double>(ray.origin),
+                                             number_cast<long double>(ray.direction)});
+    if (!exact.met) continue;
+    const auto off = [&](Real u) {
+      return static_cast<double>(std::abs(static_cast<long double>(u) - exact.b) /
+                                 static_cast<long double>(unit_roundoff<Real>()));
+    };
+    const Real by_heron = one.mapping(published::weighted_by_heron(one.mesh, hit)).u;
+    worst.signed_areas = std::max(worst.signed_areas, off(one.mapping(hit).u));
+    if (by_heron != by_heron) {
+      ++worst.heron_nan;
+    } else {
+      worst.heron = std::max(worst.heron, off(by_heron));
+    }
+  }
+  return worst;
+}
+
+TEST_CASE_TEMPLATE("Heron's areas lose the square of length / width; signed areas length / width",
+                   Real, float, double) {
+  constexpr int tries = 2000;
+  for (const double aspect : {16.0, 256.0, 4096.0}) {
+    const auto errors = needle_errors<Real>(aspect, tries);
+    MESSAGE("aspect " << aspect << ": signed " << errors.signed_areas << " u, Heron "
+                      << errors.heron << " u, NaN " << errors.heron_nan << " of " << tries);
+    CHECK(errors.signed_areas < 2 * aspect);
+    CHECK(errors.heron > 0.02 * aspect * aspect);
+    CHECK(errors.heron < 20 * aspect * aspect);
+  }
+  const auto in_float = needle_errors<float>(1e4, tries);
+  MESSAGE("aspect 1e4 in float: NaN " << in_float.heron_nan << " of " << tries);
+  CHECK(in_float.heron_nan > tries / 2);
+}
+
+TEST_CASE_TEMPLATE("on the crate Heron's areas are as good as signed ones", Real, float, double) {
+  Dice dice;
+  const TexturedMesh box = crate();
+  double worst = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Ray<Real> ray =
+        aimed<Real>([&] { return point_within(dice, 5); }, [&] { return point_within(dice, 1); });
+    const MeshHit<Real> hit = first_hit(box.mesh, ray);
+    if (!hit.met || std::min({hit.a, hit.b, hit.c}) < Real(0.05)) continue;
+    const Uv<Real> exact = box.mapping(hit);
+    const Uv<Real> heron = box.mapping(published::weighted_by_heron(box.mesh, hit));
+    worst = std::max(worst, static_cast<double>(abs(exact.u - heron.u) / unit_roundoff<Real>()));
+  }
+  CHECK(worst > 0);
+  CHECK(worst < 400);
+}
+
+TEST_CASE("the crate is a closed cube: each edge is in two triangles, once in each direction") {
+  const TexturedMesh box = crate();
+  CHECK(box.mesh.points.size() == 8);
+  CHECK(box.mesh.triangles.size() == 12);
+  CHECK(box.mapping.corners.size() == 12);
+  std::map<std::pair<int, int>, int> edges;
+  double volume = 0;
+  for (const auto& t : box.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    const auto p = [&](std::size_t k) { return box.mesh.points[static_cast<std::size_t>(t[k])]; };
+    volume += dot(p(0), cross(p(1), p(2))) / 6;
+  }
+  CHECK(edges.size() == 36);
+  for (const auto& [edge, count] : edges) {
+    CHECK(count == 1);
+    CHECK(edges.count({edge.second, edge.first}) == 1);
+  }
+  CHECK(volume == 8);  // positive: corners run counterclockwise seen from outside
+}
+
+TEST_CASE("each side of the crate shows the texture upright and not mirrored") {
+  const TexturedMesh box = crate();
+  const auto uv_at = [&](const Point& from, const Point& to) {
+    return box.mapping(first_hit(box.mesh, Ray<double>{from, to - from}));
+  };
+  // From each side: a step to the right adds to u, a step up adds to v.
+  for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
+    const RotationY turn = rotation_y(degrees);
+    const auto uv = [&](double x, double y) {
+      return uv_at(turn(Point{x, y, 4}), turn(Point{x, y, 0}));
+    };
+    CHECK(uv(-0.5, -0.5).u == 0.25);
+    CHECK(uv(0.5, -0.5).u == 0.75);
+    CHECK(uv(0.5, 0.5).v == 0.75);
+    CHECK(uv(0.5, -0.5).v == 0.25);
+  }
+  CHECK(uv_at({0.5, 4, 0.5}, {0.5, 0, 0.5}).u == 0.75);
+  CHECK(uv_at({0.5, 4, 0.5}, {0.5, 0, 0.5}).v == 0.25);
+}
+
+TEST_CASE_TEMPLATE("each lane maps as a plain number does", Many, Pack<float>, Pack<double>,
+                   Pack2<Pack<double>>) {
+  Dice dice;
+  const TexturedMesh ring = torus(12, 6);
+  for (int i = 0; i < 300; ++i) {
+    const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
+                                      [&] { return point_on_edge(dice, ring.mesh); });
+    check_each_lane<Many>(
+        [&](const auto& in) {
+          const auto hit = first_hit(ring.mesh, in);
+          return ring.mapping(hit);
+        },
+        ray);
+  }
+}
+
+TEST_CASE("a mapping without corners gives (0, 0)") {
+  CHECK(MeshMapping{}(MeshHit<double>{}).u == 0);
+}
+
+}  // namespace
+}  // namespace texmap::test

@@ -1,0 +1,149 @@
+// Tests of texture/wrapped.hpp, and of published/wrap.hpp where it differs.
+#include <doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "number/dual.hpp"
+#include "number/kinds/interval.hpp"
+#include "number/kinds/pack2.hpp"
+#include "published/wrap.hpp"
+#include "support/dice.hpp"
+#include "support/lanes.hpp"
+#include "texture/image_texture.hpp"
+#include "texture/wrapped.hpp"
+
+namespace texmap::test {
+namespace {
+
+template <class Real>
+int texel(Wrap wrap, Real u, int n) {
+  return texel_number(wrapped_coordinate(wrap, u), n, TexelRounding::floor);
+}
+
+TEST_CASE_TEMPLATE("coordinates far outside come back into [0, 1], and those inside stay", Real,
+                   float, double, long double) {
+  Dice dice;
+  for (int i = 0; i < 20000; ++i) {
+    const Real inside = static_cast<Real>(dice.uniform(0, 1));
+    const Real any = dice.anything<Real>();
+    for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp}) {
+      REQUIRE(wrapped_coordinate(wrap, any) >= Real(0));
+      REQUIRE(wrapped_coordinate(wrap, any) <= Real(1));
+      if (inside < Real(1)) REQUIRE(wrapped_coordinate(wrap, inside) == inside);
+    }
+    REQUIRE(wrapped_coordinate(Wrap::repeat, any) < Real(1));
+  }
+}
+
+TEST_CASE_TEMPLATE("exact places: a step further, mirrored, at the edge", Real, float, double,
+                   long double) {
+  CHECK(wrapped_coordinate(Wrap::repeat, Real(-0.25)) == Real(0.75));
+  CHECK(wrapped_coordinate(Wrap::repeat, Real(3.25)) == Real(0.25));
+  CHECK(wrapped_coordinate(Wrap::repeat, Real(1)) == Real(0));
+  CHECK(wrapped_coordinate(Wrap::mirror, Real(-0.25)) == Real(0.25));
+  CHECK(wrapped_coordinate(Wrap::mirror, Real(1.25)) == Real(0.75));
+  CHECK(wrapped_coordinate(Wrap::mirror, Real(2.25)) == Real(0.25));
+  CHECK(wrapped_coordinate(Wrap::mirror, Real(1)) == Real(1));
+  CHECK(wrapped_coordinate(Wrap::clamp, Real(-0.25)) == Real(0));
+  CHECK(wrapped_coordinate(Wrap::clamp, Real(7)) == Real(1));
+}
+
+TEST_CASE("wrapping the coordinate takes the texel that wrapping the texel takes") {
+  Dice dice;
+  const int sizes[] = {1, 2, 3, 7, 512};
+  for (int i = 0; i < 20000; ++i) {
+    const double u = dice.between(-3, 4);
+    for (const int n : sizes) {
+      for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp}) {
+        const auto expected = wrapped_texel(wrap, std::floor(u * n), 0.0, n, 1).column;
+        REQUIRE(texel(wrap, u, n) == static_cast<int>(expected));
+      }
+    }
+  }
+}
+
+TEST_CASE("every texel has the same share of a period; the article's texel 0 has two around 0") {
+  constexpr int n = 8;
+  constexpr int steps = 1000;  // of a texel
+  std::array<int, n> mirror{}, repeat{}, article{};
+  for (int i = -n * steps; i < n * steps; ++i) {  // u from -1 to 1
+    const double u = (i + 0.5) / (n * steps);
+    ++mirror[static_cast<std::size_t>(texel(Wrap::mirror, u, n))];
+    ++repeat[static_cast<std::size_t>(texel(Wrap::repeat, u, n))];
+    ++article[static_cast<std::size_t>(published::article_texel(u, n))];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    CHECK(mirror[k] == 2 * steps);
+    CHECK(repeat[k] == 2 * steps);
+    CHECK(article[k] == 2 * steps);
+  }
+  // It is one run of two texels: from -1/n to 1/n.
+  CHECK(published::article_texel(-0.99 / n, n) == 0);
+  CHECK(published::article_texel(0.99 / n, n) == 0);
+  CHECK(published::article_texel(-1.01 / n, n) == 1);
+  CHECK(texel(Wrap::repeat, -0.99 / n, n) == n - 1);
+  // In a repeated pattern all others are one texel wide.
+  CHECK(published::article_texel(1.0 - 0.01 / n, n) == n - 1);
+  CHECK(published::article_texel(1.0 + 0.99 / n, n) == 0);
+  CHECK(published::article_texel(1.0 + 1.01 / n, n) == 1);
+}
+
+TEST_CASE("the article mirrors at 0 and repeats at 1; mirror mirrors at both") {
+  constexpr int n = 16;
+  Dice dice;
+  for (int i = 0; i < 10000; ++i) {
+    const double u = dice.between(0, 1);
+    REQUIRE(published::article_texel(-u, n) == published::article_texel(u, n));
+    REQUIRE(published::article_texel(-u, n) == texel(Wrap::mirror, -u, n));
+    REQUIRE(published::article_texel(1 + u, n) == texel(Wrap::repeat, 1 + u, n));
+  }
+  CHECK(texel(Wrap::mirror, 1.1, n) == 14);
+  CHECK(published::article_texel(1.1, n) == 1);
+}
+
+TEST_CASE_TEMPLATE("each lane wraps as a plain number does", Many, Pack<float>, Pack<double>,
+                   Pack2<Pack<double>>) {
+  Dice dice;
+  for (int i = 0; i < 1000; ++i) {
+    const Many u = from_lanes<Many>(
+        [&](std::size_t) { return static_cast<Scalar<Many>>(dice.uniform(-5, 5)); });
+    for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp}) {
+      check_each_lane<Many>([wrap](const auto& x) { return wrapped_coordinate(wrap, x); }, u);
+    }
+  }
+}
+
+TEST_CASE("derivatives keep their size; in the mirror they turn round") {
+  const Dual<double> u{-0.25, 3, 5};
+  CHECK(wrapped_coordinate(Wrap::repeat, u).dx == 3);
+  CHECK(wrapped_coordinate(Wrap::mirror, u).dx == -3);
+  CHECK(wrapped_coordinate(Wrap::mirror, u).dy == -5);
+  CHECK(wrapped_coordinate(Wrap::clamp, u).dx == 0);
+}
+
+TEST_CASE("an interval holds the coordinates of all its numbers") {
+  Dice dice;
+  for (int i = 0; i < 2000; ++i) {
+    const double low = dice.between(-3, 3);
+    const double high = low + dice.between(0, 1);
+    const double u = std::min(high, dice.between(low, high));
+    for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp})
+      REQUIRE(wrapped_coordinate(wrap, Interval(low, high)).contains(wrapped_coordinate(wrap, u)));
+  }
+}
+
+TEST_CASE("a wrapped texture repeats its colors in u and in v") {
+  Image image(2, 2);
+  image.at(0, 0) = {255, 0, 0};
+  image.at(1, 1) = {0, 255, 0};
+  const Wrapped<ImageTexture> tiles{Wrap::repeat, {image}};
+  CHECK(tiles(Uv<double>{0.25, 0.75}).r == 1);
+  CHECK(tiles(Uv<double>{5.25, -0.25}).r == 1);
+  CHECK(tiles(Uv<double>{5.75, -0.75}).g == 1);
+  const Wrapped<ImageTexture> clamped{Wrap::clamp, {image}};
+  CHECK(clamped(Uv<double>{-5, 9}).r == 1);
+}
+
+}  // namespace
+}  // namespace texmap::test
