@@ -40,6 +40,7 @@ foreach(suite
     texture/test_solid_checkerboard
     texture/test_texel
     texture/test_uv
+    texture/test_encoded
     texture/test_filters
     texture/test_footprint
     texture/test_pyramid
