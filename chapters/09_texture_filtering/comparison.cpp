@@ -5,9 +5,9 @@
 
 #include "engine/app/filter_options.hpp"
 #include "engine/measure/interleaved.hpp"
+#include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/threads.hpp"
-#include "lesson.hpp"
 #include "texture/checkerboard.hpp"
 
 namespace texmap::chapter_09 {
@@ -35,12 +35,11 @@ constexpr int places = 64;   // in each direction of a pixel
 constexpr int squares = 32;  // of a copy of the picture
 
 /// The pixels that show nothing but floor.
-std::vector<FloorPixel> floor_pixels(int threads) {
-  const Lesson lesson;
-  const View<> view = view_of(lesson.stage.camera, width, height);
+std::vector<FloorPixel> floor_pixels(const FloorView& scene, int threads) {
+  const View<> view = view_of(scene.camera, width, height);
   const auto uv_at = [&](const auto& column, const auto& row) {
     const auto ray = ray_through(view, column, row);
-    return lesson.ground.mapping(point_on(lesson.floor, ray, distance_to(lesson.floor, ray)));
+    return scene.mapping(point_on(scene.floor, ray, distance_to(scene.floor, ray)));
   };
   std::vector<std::vector<FloorPixel>> rows(height);
   for_each_row(height, threads, {}, [&](int row) {
@@ -76,7 +75,7 @@ Texture texture_for(const FilterFigures& figures, const Pyramid& pyramid) {
 
 }  // namespace
 
-std::vector<FilterFigures> compare_filters(int threads, bool timed) {
+std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
   std::vector<FilterFigures> all = {
       {Filter::nearest, 1, "nearest"},           {Filter::bilinear, 1, "bilinear"},
       {Filter::trilinear, 1, "trilinear"},       {Filter::anisotropic, 2, "anisotropic 2"},
@@ -84,7 +83,7 @@ std::vector<FilterFigures> compare_filters(int threads, bool timed) {
       {Filter::anisotropic, 16, "anisotropic"},  {Filter::ewa, 16, "ewa"},
       {Filter::stochastic, 16, "stochastic"},
   };
-  const std::vector<FloorPixel> pixels = floor_pixels(threads);
+  const std::vector<FloorPixel> pixels = floor_pixels(scene, threads);
   const Pyramid pyramid = pyramid_of(light_of(checkers_image(1024, squares), TexelLight::linear));
   const double count = static_cast<double>(pixels.size());
   for (FilterFigures& figures : all) {

@@ -65,7 +65,9 @@ TEST_CASE("near the eye a pixel covers less than a texel, and no filter changes 
 }
 
 TEST_CASE("the errors of the filters on checkers to the horizon, and what they read for them") {
-  const auto all = chapter_09::compare_filters(0, false);
+  const Lesson lesson;
+  const auto all = chapter_09::compare_filters(
+      {lesson.stage.camera, lesson.floor, lesson.ground.mapping}, 0, false);
   const auto of = [&](const std::string& name) {
     for (const auto& one : all) {
       if (one.name == name) return one;
@@ -187,6 +189,29 @@ TEST_CASE("the filter decides whether rays bring derivatives") {
   CHECK(!filtered("bilinear").needs_footprints());
   for (const char* filter : {"trilinear", "anisotropic", "ewa", "stochastic"})
     CHECK(filtered(filter).needs_footprints());
+}
+
+TEST_CASE("a budget takes the cheapest filter that keeps it, and none where no pixel needs one") {
+  const auto plan = [](const Lesson& lesson, double levels) {
+    return chapter_09::plan_filter(chapter_09::planned_scene(lesson), levels, 400, 300);
+  };
+  const Lesson lesson = filtered("anisotropic");
+  CHECK(plan(lesson, 255).filter == Filter::bilinear);
+  CHECK(plan(lesson, 25).filter == Filter::trilinear);
+  int taps = 0;
+  for (const double levels : {12.0, 7.0, 4.0, 2.8}) {
+    const auto chosen = plan(lesson, levels);
+    CHECK(chosen.filter == Filter::anisotropic);
+    CHECK(chosen.taps > taps);
+    taps = chosen.taps;
+  }
+  CHECK(plan(lesson, 0.001).text.find("no filter keeps the budget") != std::string::npos);
+
+  Lesson close =
+      lesson;  // a hand above the floor, looking straight down but for the "up" of Camera
+  close.stage.camera = {.eye = {0, 0.5, 0}, .target = {0, 0, -0.001}, .fov_y_degrees = 40};
+  CHECK(plan(close, 1).filter == Filter::bilinear);
+  CHECK(plan(close, 1).text.find("none needs a filter") != std::string::npos);
 }
 
 TEST_CASE("averaging bytes instead of light would make the horizon too dark") {
