@@ -8,7 +8,6 @@
 #include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/threads.hpp"
-#include "texture/checkerboard.hpp"
 
 namespace texmap::chapter_09 {
 namespace {
@@ -33,6 +32,7 @@ struct FloorPixel {
 constexpr int width = 192, height = 96;
 constexpr int places = 64;   // in each direction of a pixel
 constexpr int squares = 32;  // of a copy of the picture
+constexpr double far_away = 1 << 30;
 
 /// The pixels that show nothing but floor.
 std::vector<FloorPixel> floor_pixels(const FloorView& scene, int threads) {
@@ -52,8 +52,10 @@ std::vector<FloorPixel> floor_pixels(const FloorView& scene, int threads) {
       for (int i = 0; i < places * places; ++i) {
         const Uv<double> uv = uv_at(column + (i % places + 0.5) / places - 0.5,
                                     row + (i / places + 0.5) / places - 0.5);
-        const double square = std::floor(uv.u * squares) - std::floor(-uv.v * squares);
-        light_places += is_even(square) ? 1 : 0;
+        // Cutting off is faster than rounding down, and the same above 0.
+        const auto column_number = static_cast<long>(uv.u * squares + far_away);
+        const auto row_number = static_cast<long>(far_away - uv.v * squares);
+        light_places += (column_number + row_number) % 2 == 0 ? 1 : 0;
       }
       pixel.light = static_cast<double>(light_places) / (places * places);
       rows[static_cast<std::size_t>(row)].push_back(pixel);

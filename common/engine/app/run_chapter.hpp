@@ -104,6 +104,7 @@ template <class Lesson>
     offers.budget =
         "how far off the light of textured pixels may be: exact or levels=4; says which filter it "
         "takes";
+    offers.intervals = false;  // they bound values, not the derivatives that footprints come from
   }
   return offers;
 }
