@@ -51,6 +51,7 @@ foreach(suite
     texture/test_mesh_mapping
     texture/test_wrapped
     texture/test_uv
+    texture/test_encoded
     texture/test_filters
     texture/test_footprint
     texture/test_pyramid
@@ -116,13 +117,15 @@ endif()
 
 # Each look-up instruction's own program: it has no other code, and does not run where the machine lacks the instructions.
 foreach(instructions IN LISTS WIDE_PACKS)
-  set(suite test_fetched_texels_${instructions})
-  add_executable(${suite} engine/render/test_fetched_texels.cpp)
-  target_include_directories(${suite} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
-  target_link_libraries(${suite} PRIVATE project_options render)
-  target_compile_options(${suite} PRIVATE ${wide_${instructions}})
-  set_target_properties(${suite} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
-  add_test(NAME ${suite} COMMAND ${suite} ${instructions})
-  add_dependencies(suites_common ${suite})
-  set_tests_properties(${suite} PROPERTIES LABELS common SKIP_RETURN_CODE 77)
+  foreach(fetched texels pyramid)
+    set(suite test_fetched_${fetched}_${instructions})
+    add_executable(${suite} engine/render/test_fetched_${fetched}.cpp)
+    target_include_directories(${suite} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+    target_link_libraries(${suite} PRIVATE project_options render)
+    target_compile_options(${suite} PRIVATE ${wide_${instructions}})
+    set_target_properties(${suite} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+    add_test(NAME ${suite} COMMAND ${suite} ${instructions})
+    add_dependencies(suites_common ${suite})
+    set_tests_properties(${suite} PROPERTIES LABELS common SKIP_RETURN_CODE 77)
+  endforeach()
 endforeach()

@@ -5,10 +5,9 @@
 
 #include "engine/app/filter_options.hpp"
 #include "engine/measure/interleaved.hpp"
+#include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/threads.hpp"
-#include "lesson.hpp"
-#include "texture/checkerboard.hpp"
 
 namespace texmap::chapter_09 {
 namespace {
@@ -33,14 +32,14 @@ struct FloorPixel {
 constexpr int width = 192, height = 96;
 constexpr int places = 64;   // in each direction of a pixel
 constexpr int squares = 32;  // of a copy of the picture
+constexpr double far_away = 1 << 30;
 
 /// The pixels that show nothing but floor.
-std::vector<FloorPixel> floor_pixels(int threads) {
-  const Lesson lesson;
-  const View<> view = view_of(lesson.stage.camera, width, height);
+std::vector<FloorPixel> floor_pixels(const FloorView& scene, int threads) {
+  const View<> view = view_of(scene.camera, width, height);
   const auto uv_at = [&](const auto& column, const auto& row) {
     const auto ray = ray_through(view, column, row);
-    return lesson.ground.mapping(point_on(lesson.floor, ray, distance_to(lesson.floor, ray)));
+    return scene.mapping(point_on(scene.floor, ray, distance_to(scene.floor, ray)));
   };
   std::vector<std::vector<FloorPixel>> rows(height);
   for_each_row(height, threads, {}, [&](int row) {
@@ -53,8 +52,10 @@ std::vector<FloorPixel> floor_pixels(int threads) {
       for (int i = 0; i < places * places; ++i) {
         const Uv<double> uv = uv_at(column + (i % places + 0.5) / places - 0.5,
                                     row + (i / places + 0.5) / places - 0.5);
-        const double square = std::floor(uv.u * squares) - std::floor(-uv.v * squares);
-        light_places += is_even(square) ? 1 : 0;
+        // Cutting off is faster than rounding down, and the same above 0.
+        const auto column_number = static_cast<long>(uv.u * squares + far_away);
+        const auto row_number = static_cast<long>(far_away - uv.v * squares);
+        light_places += (column_number + row_number) % 2 == 0 ? 1 : 0;
       }
       pixel.light = static_cast<double>(light_places) / (places * places);
       rows[static_cast<std::size_t>(row)].push_back(pixel);
@@ -76,7 +77,7 @@ Texture texture_for(const FilterFigures& figures, const Pyramid& pyramid) {
 
 }  // namespace
 
-std::vector<FilterFigures> compare_filters(int threads, bool timed) {
+std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
   std::vector<FilterFigures> all = {
       {Filter::nearest, 1, "nearest"},           {Filter::bilinear, 1, "bilinear"},
       {Filter::trilinear, 1, "trilinear"},       {Filter::anisotropic, 2, "anisotropic 2"},
@@ -84,7 +85,7 @@ std::vector<FilterFigures> compare_filters(int threads, bool timed) {
       {Filter::anisotropic, 16, "anisotropic"},  {Filter::ewa, 16, "ewa"},
       {Filter::stochastic, 16, "stochastic"},
   };
-  const std::vector<FloorPixel> pixels = floor_pixels(threads);
+  const std::vector<FloorPixel> pixels = floor_pixels(scene, threads);
   const Pyramid pyramid = pyramid_of(light_of(checkers_image(1024, squares), TexelLight::linear));
   const double count = static_cast<double>(pixels.size());
   for (FilterFigures& figures : all) {

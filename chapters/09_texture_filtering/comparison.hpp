@@ -3,10 +3,24 @@
 #include <string>
 #include <vector>
 
-#include "engine/measure/plot.hpp"
+#include "scene/camera.hpp"
+#include "scene/floor.hpp"
 #include "texture/filters.hpp"
+#include "texture/floor_mapping.hpp"
+#include "texture/rotated.hpp"
+
+namespace texmap {
+struct Plot;
+}
 
 namespace texmap::chapter_09 {
+
+/// A lesson's floor, and who looks at it.
+struct FloorView {
+  Camera camera;
+  Floor floor;
+  Rotated<FloorMapping> mapping;
+};
 
 /// A filter and its figures.
 struct FilterFigures {
@@ -18,12 +32,13 @@ struct FilterFigures {
   double nanoseconds = 0;  ///< a look-up in double on one thread; 0: not timed
 };
 
-/// The filters with their errors and reads, on a floor of checkers, 192 x 96 pixels with the
-/// lesson's camera; the mean over a pixel is that of 64 x 64 places.
+/// The filters with their errors and reads, on a floor of checkers, in 192 x 96 pixels; the mean
+/// over a pixel is that of 64 x 64 places.
 ///
 /// @param threads  0: all cores
 /// @param timed    also measures the time
-[[nodiscard]] std::vector<FilterFigures> compare_filters(int threads, bool timed);
+[[nodiscard]] std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads,
+                                                         bool timed);
 
 /// The figures as the chapter prints them.
 [[nodiscard]] std::string table_of_filters(const std::vector<FilterFigures>& figures);

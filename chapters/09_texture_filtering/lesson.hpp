@@ -26,7 +26,7 @@ struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "a pixel shows the mean of all the texels that it covers",
       .size = {1200, 648},
-      .size_note = "800x600 with --filter",
+      .size_note = "800x600 with --filter or --budget",
   };
 
   Stage stage{.camera = {.eye = {0, 1, 0}, .target = {0, 0.62, -2}, .fov_y_degrees = 50}};
@@ -48,9 +48,9 @@ struct Lesson : LessonHooks {
   void show(Session& session) override { show_filters(*this, session); }
 
   /// Lets all textures be read by a filter.
-  void use(Filter filter) {
-    filtering.filter = ground.texture.filter = filter;
-    for (Object& object : objects) object.paint.texture.filter = filter;
+  void use(Filter filter, int taps) {
+    filtering.apply(filter, taps, ground.texture);
+    for (Object& object : objects) filtering.apply(filter, taps, object.paint.texture);
   }
 
   /// True if rays bring their derivatives by the pixel's column and row.
@@ -70,10 +70,10 @@ struct Lesson : LessonHooks {
     });
   }
 
-  /// The mean light of a pixel as its color.
+  /// The mean light of a pixel as its color; bytes are cut off, so half of one is added.
   template <class Real>
   Color<Real> shown(const Color<Real>& light) const {
-    return encoded(light);
+    return encoded(light) + gray(Real(0.5 / 255));
   }
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "comparison.hpp"
+#include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"
@@ -11,10 +11,11 @@
 
 namespace texmap::chapter_09 {
 
-void show_sheet(Session& session, const std::string& plot, const DrawFiltered& draw) {
+void show_sheet(Session& session, const FloorView& floor, const std::string& plot,
+                const DrawFiltered& draw) {
   const int width = session.settings.width, height = session.settings.height;
   const std::vector<FilterFigures> all =
-      compare_filters(session.settings.threads, !session.settings.quiet);
+      compare_filters(floor, session.settings.threads, !session.settings.quiet);
   Image sheet(width, height, {255, 255, 255});
   constexpr int columns = 3, rows = 2;
   const int scale = std::max(1, width / 600);

@@ -4,16 +4,18 @@
 
 namespace texmap {
 
-/// A channel of light by the sRGB curve of image files: 0 for 0 and below, 1 for 1.
+/// A channel of light by the sRGB curve of image files, exactly 0 at 0 and 1 at 1.
+///
+/// @param light  0 to 1; below 0 and NaN give 0, above 1 the curve goes on
+/// Textbook: 1.055 x^(1/2.4) - 0.055. Here 1 - 1.055 (1 - x^(1/2.4)): 1 keeps its byte.
 /// Bound: 8 unit roundoffs. Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real encoded(const Real& light) {
-  const Real least = Real(static_cast<Scalar<Real>>(0.0031308L));
-  const Real slope = Real(static_cast<Scalar<Real>>(12.92L));
+  const auto constant = [](long double value) { return Real(static_cast<Scalar<Real>>(value)); };
+  const Real least = constant(0.0031308L);
   const Real root = power(max(light, least), static_cast<Scalar<Real>>(1 / 2.4L));
-  const Real factor = Real(static_cast<Scalar<Real>>(1.055L));
-  const Real offset = Real(static_cast<Scalar<Real>>(0.055L));
-  return select(light > least, factor * root - offset, max(light, Real(0)) * slope);
+  return select(light > least, Real(1) - constant(1.055L) * (Real(1) - root),
+                max(light, Real(0)) * constant(12.92L));
 }
 /// The three channels of a color.
 template <class Real>

@@ -60,8 +60,9 @@ struct Filtered {
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (pyramid.levels.empty()) return gray(Real(0));
     const Uv<Real> from_top = rows_down(uv);
-    if (filter == Filter::nearest) return nearest(from_top, Real(0));
-    return bilinear(from_top, Real(0));
+    const PyramidLevel<int>& first = pyramid.levels.front();
+    const PyramidLevel<Real> level{Real(first.width), Real(first.height), Real(0)};
+    return filter == Filter::nearest ? nearest(from_top, level) : bilinear(from_top, level);
   }
 
   /// The color of a pixel, by the derivatives of (u, v). It is constant: its derivatives are 0.
@@ -105,23 +106,34 @@ struct Filtered {
 
   /// The texel of a level that holds `at`.
   template <class Real>
-  [[nodiscard]] Color<Real> nearest(const Uv<Real>& at, const Real& number) const {
-    const PyramidLevel<Real> level = level_of(pyramid, number);
+  [[nodiscard]] Color<Real> nearest(const Uv<Real>& at, const PyramidLevel<Real>& level) const {
     return wrapped(level, floor(limited(at.u * level.width)), floor(limited(at.v * level.height)));
   }
 
   /// The four texels of a level around `at`, mixed; exact at the centers of texels.
   template <class Real>
-  [[nodiscard]] Color<Real> bilinear(const Uv<Real>& at, const Real& number) const {
-    const PyramidLevel<Real> level = level_of(pyramid, number);
+  [[nodiscard]] Color<Real> bilinear(const Uv<Real>& at, const PyramidLevel<Real>& level) const {
     const Real x = limited(at.u * level.width - Real(0.5));
     const Real y = limited(at.v * level.height - Real(0.5));
     const Real left = floor(x), right = left + Real(1);
     const Real top = floor(y), bottom = top + Real(1);
-    const Color<Real> upper = mix(wrapped(level, left, top), wrapped(level, right, top), x - left);
-    const Color<Real> lower =
-        mix(wrapped(level, left, bottom), wrapped(level, right, bottom), x - left);
+    const WrappedTexel<Real> first = place_of(level, left, top);
+    const WrappedTexel<Real> last = place_of(level, right, bottom);
+    // In most modes columns do not depend on rows.
+    const bool apart = wrap != Wrap::border && wrap != Wrap::spherical;
+    const WrappedTexel<Real> upper_right =
+        apart ? WrappedTexel<Real>{last.column, first.row, first.inside}
+              : place_of(level, right, top);
+    const WrappedTexel<Real> lower_left =
+        apart ? WrappedTexel<Real>{first.column, last.row, first.inside}
+              : place_of(level, left, bottom);
+    const Color<Real> upper = mix(light(level, first), light(level, upper_right), x - left);
+    const Color<Real> lower = mix(light(level, lower_left), light(level, last), x - left);
     return mix(upper, lower, y - top);
+  }
+  template <class Real>
+  [[nodiscard]] Color<Real> bilinear(const Uv<Real>& at, const Real& number) const {
+    return bilinear(at, level_of(pyramid, number));
   }
 
   /// Two levels, mixed.
@@ -276,14 +288,23 @@ struct Filtered {
     const Real most = Real(0.25) / unit_roundoff<Real>();
     return clamp(x, -most, most);
   }
+  template <class Real>
+  [[nodiscard]] WrappedTexel<Real> place_of(const PyramidLevel<Real>& level, const Real& column,
+                                            const Real& row) const {
+    return wrapped_texel(wrap, column, row, level.width, level.height);
+  }
+  template <class Real>
+  [[nodiscard]] Color<Real> light(const PyramidLevel<Real>& level,
+                                  const WrappedTexel<Real>& texel) const {
+    const Color<Real> inside = texel_light(pyramid, level, texel.column, texel.row);
+    if (wrap != Wrap::border) return inside;
+    return select(texel.inside, inside, number_cast<Real>(border));
+  }
   /// The texel seen at a column and a row, inside the image or beyond.
   template <class Real>
   [[nodiscard]] Color<Real> wrapped(const PyramidLevel<Real>& level, const Real& column,
                                     const Real& row) const {
-    const WrappedTexel<Real> texel = wrapped_texel(wrap, column, row, level.width, level.height);
-    const Color<Real> light = texel_light(pyramid, level, texel.column, texel.row);
-    if (wrap != Wrap::border) return light;
-    return select(texel.inside, light, number_cast<Real>(border));
+    return light(level, place_of(level, column, row));
   }
 };
 using FilteredTexture = Filtered<Pyramid>;

@@ -16,7 +16,8 @@ enum class Wrap {
 /// A whole number modulo `n` >= 1, from 0 to n - 1. Domain: whole numbers to 2^22 in float.
 template <class Real>
 [[nodiscard]] Real remainder_of(const Real& x, const Real& n) {
-  const Real rest = x - n * floor(x / n);  // the quotient may have been rounded to the next number
+  const Real turns = floor(x * (Real(1) / n));  // rounding can make it one too many or too few
+  const Real rest = x - n * turns;
   return select(rest < Real(0), rest + n, select(rest >= n, rest - n, rest));
 }
 

@@ -20,6 +20,11 @@ struct FilterOptions {
   [[nodiscard]] bool needs_footprints() const {
     return filter != Filter::nearest && filter != Filter::bilinear;
   }
+  /// Chooses another filter, here and for a texture.
+  void apply(Filter other, int most_taps, FilteredTexture& texture) {
+    texture.filter = filter = other;
+    texture.taps = taps = most_taps;
+  }
   /// The floor's picture as a texture.
   [[nodiscard]] FilteredTexture load_floor() const;
   /// The globe's.

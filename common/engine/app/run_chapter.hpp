@@ -100,6 +100,11 @@ template <class Lesson>
   } else if constexpr (requires { lesson.phong; }) {
     offers.budget =
         "how far off Phong's highlight may be: exact or levels=1; says which kernel it takes";
+  } else if constexpr (requires { lesson.filtering; }) {
+    offers.budget =
+        "how far off the light of textured pixels may be: exact or levels=4; says which filter it "
+        "takes";
+    offers.intervals = false;  // they bound values, not the derivatives that footprints come from
   }
   return offers;
 }

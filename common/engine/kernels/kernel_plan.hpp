@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/kernels/budget.hpp"
+#include "engine/kernels/fetched_pyramid.hpp"
 #include "engine/kernels/fetched_texels.hpp"
 #include "engine/kernels/power_kernel.hpp"
 #include "engine/kernels/root_texture.hpp"

@@ -1,0 +1,222 @@
+// Chapter 09: texture filtering.
+#include <doctest.h>
+
+#include "09_texture_filtering/comparison.hpp"
+#include "09_texture_filtering/lesson.hpp"
+#include "support/lesson_laws.hpp"
+#include "texture/uv_inverse.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+using chapter_09::Lesson;
+
+namespace {
+
+Lesson filtered(const std::string& filter, const std::string& taps = "16") {
+  return prepared<Lesson>({"--filter", filter, "--taps", taps});
+}
+
+/// The mean light of a picture's pixels, in levels.
+double brightness(const Image& image) {
+  const Mean mean = mean_of(image, 0, 0, image.width, image.height);
+  return (mean.r + mean.g + mean.b) / 3;
+}
+
+}  // namespace
+
+TEST_CASE("all numbers draw one picture, but where a texel or a byte is on its edge") {
+  for (const char* filter : {"nearest", "trilinear", "anisotropic"}) {
+    CAPTURE(filter);
+    const Lesson lesson = filtered(filter, "8");
+    const auto in = [&]<class Real>(Real) { return picture<Real>(lesson, 403, 301); };
+    const Image reference = in(1.0);
+    const Image in_float = in(1.0F);
+    CHECK(in(Pack<double>(1)) == reference);
+    CHECK(count_different(in(1.0L), reference) <= 8);
+    CHECK(count_different(in(Pack<float>(1)), in_float) <= 8);
+    CHECK(count_different(in_float, reference) <= 6000);  // towards the horizon, in noise
+    CHECK(count_different(in_float, reference) > 0);
+    if (lesson.needs_footprints()) CHECK(count_different(in_float, reference, 2) <= 60);
+  }
+}
+
+TEST_CASE("packs and double draw the same bytes by each filter") {
+  for (const char* filter : {"bilinear", "ewa", "stochastic"}) {
+    CAPTURE(filter);
+    const Lesson lesson = filtered(filter);
+    CHECK(picture<Pack2<Pack<double>>>(lesson, 203, 151) == picture(lesson, 203, 151));
+  }
+}
+
+TEST_CASE("near the eye a pixel covers less than a texel, and no filter changes it") {
+  const Image bilinear = picture(filtered("bilinear"));
+  for (const char* filter : {"trilinear", "anisotropic"}) {
+    Image other = picture(filtered(filter));
+    long near = 0, far = 0;
+    for (int row = 0; row < 600; ++row) {
+      for (int column = 0; column < 800; ++column) {
+        const bool differs = other.at(column, row) != bilinear.at(column, row);
+        (row < 300 ? far : near) += differs ? 1 : 0;
+      }
+    }
+    CHECK(far > 20000);
+    CHECK(near < far);
+  }
+}
+
+TEST_CASE("the errors of the filters on checkers to the horizon, and what they read for them") {
+  const Lesson lesson;
+  const auto all = chapter_09::compare_filters(
+      {lesson.stage.camera, lesson.floor, lesson.ground.mapping}, 0, false);
+  const auto of = [&](const std::string& name) {
+    for (const auto& one : all) {
+      if (one.name == name) return one;
+    }
+    throw std::logic_error(name);
+  };
+  const double nearest = of("nearest").error;
+  CHECK(of("nearest").reads == 1);
+  CHECK(of("bilinear").reads == 4);
+  CHECK(of("stochastic").reads == 1);
+  CHECK(nearest > 0.29);
+  CHECK(of("trilinear").error < nearest / 3);
+  CHECK(of("anisotropic 8").reads < 40.5);
+  CHECK(of("anisotropic 8").error < nearest / 20);
+  CHECK(of("anisotropic").error < nearest / 28);
+  CHECK(of("ewa").error < nearest / 12);
+  CHECK(of("stochastic").error > of("anisotropic").error);  // one read is noise around the mean
+}
+
+TEST_CASE("any number of samples has the same mean: each has a smaller footprint") {
+  for (const char* filter : {"trilinear", "anisotropic", "ewa", "stochastic"}) {
+    CAPTURE(filter);
+    const Lesson lesson = filtered(filter);
+    const View<> view = view_of(lesson.stage.camera, 200, 150);
+    const auto light = [&](int samples) {
+      double sum = 0;
+      for (int row = 60; row < 150; ++row) {
+        for (int column = 0; column < 200; ++column) {
+          double pixel = 0;
+          for (int i = 0; i < samples; ++i) {
+            const PixelOffset offset = pixel_offset(i);
+            pixel += ray_color<double>(lesson, view, column + offset.column, row + offset.row,
+                                       1 / std::sqrt(samples))
+                         .g;
+          }
+          sum += pixel / samples;
+        }
+      }
+      return sum / (90 * 200);
+    };
+    const double one = light(1);
+    CHECK(std::abs(light(4) - one) < 3e-3);
+    CHECK(std::abs(light(16) - one) < 3e-3);
+  }
+}
+
+TEST_CASE("a globe far away shows the mean of its visible half, weighted by projected area") {
+  const Image earth = TextureFile{"earth.png"}.load();
+  const FilteredTexture texture{.pyramid = pyramid_of(light_of(earth, TexelLight::linear)),
+                                .wrap = Wrap::spherical};
+  const LightImage light = light_of(earth, TexelLight::linear);
+  Color<double> half{}, evenly{};
+  double weights = 0, even_weights = 0;
+  for (int row = 0; row < light.height; ++row) {
+    for (int column = 0; column < light.width; ++column) {
+      const double v = 1 - (row + 0.5) / light.height;
+      const Vec3d direction = direction_rtiow(Uv<double>{(column + 0.5) / light.width, v});
+      const double area = std::sin(M_PI * v), seen = std::max(direction.z, 0.0) * area;
+      const Color<float>& texel = light.at(column, row);
+      half = half + Rgb{texel.r, texel.g, texel.b} * seen;
+      weights += seen;
+      if (direction.z > 0) {
+        evenly = evenly + Rgb{texel.r, texel.g, texel.b} * area;
+        even_weights += area;
+      }
+    }
+  }
+  // The globe fills 6 pixels across; filtered with footprints, each pixel's light times its share.
+  const Sphere<> globe{.center = {0, 0, 0}, .radius = 1};
+  const Camera camera{.eye = {0, 0, 1000}, .target = {0, 0, 0}, .fov_y_degrees = 0.2};
+  const View<> view = view_of(camera, 48, 48);
+  Color<double> sum{};
+  double pixels = 0;
+  for (int row = 0; row < 48; ++row) {
+    for (int column = 0; column < 48; ++column) {
+      const auto ray = ray_through(view, Dual<double>{double(column), 1.0, 0.0},
+                                   Dual<double>{double(row), 0.0, 1.0});
+      const Dual<double> distance = distance_to(globe, ray);
+      if (!(distance.value < 1e300)) continue;
+      const auto uv = uv_rtiow(normal_at(globe, ray, distance));
+      sum = sum + texture.filtered(uv);
+      pixels += 1;
+    }
+  }
+  CHECK(pixels > 500);
+  CHECK(std::abs(sum.r / pixels - half.r / weights) < 0.004);
+  CHECK(std::abs(sum.g / pixels - half.g / weights) < 0.004);
+  CHECK(std::abs(sum.b / pixels - half.b / weights) < 0.004);
+  // Weighted by area alone it is another color.
+  CHECK(std::abs(evenly.g / even_weights - half.g / weights) > 0.008);
+}
+
+TEST_CASE("a globe with its map turned by half, and u too, is the same picture") {
+  const auto with = [](bool turned) {
+    Lesson lesson = filtered("anisotropic");
+    if (!turned) return lesson;
+    const Image map = TextureFile{"earth.png"}.load();
+    Image shifted = map;
+    for (int row = 0; row < map.height; ++row) {
+      for (int column = 0; column < map.width; ++column)
+        shifted.at(column, row) = map.at((column + map.width / 2) % map.width, row);
+    }
+    for (auto& object : lesson.objects) {
+      object.paint.texture.pyramid = pyramid_of(light_of(shifted, TexelLight::linear));
+      object.paint.mapping.rotation = rotation_y(60 + 180);
+    }
+    return lesson;
+  };
+  const Image plain = picture(with(false)), turned = picture(with(true));
+  CHECK(count_different(plain, turned, 1) == 0);
+  CHECK(count_different(plain, turned) < 20);
+  Lesson only_rotated = with(false);
+  for (auto& object : only_rotated.objects) object.paint.mapping.rotation = rotation_y(240);
+  CHECK(count_different(plain, picture(only_rotated), 1) > 5000);
+}
+
+TEST_CASE("the filter decides whether rays bring derivatives") {
+  CHECK(!filtered("nearest").needs_footprints());
+  CHECK(!filtered("bilinear").needs_footprints());
+  for (const char* filter : {"trilinear", "anisotropic", "ewa", "stochastic"})
+    CHECK(filtered(filter).needs_footprints());
+}
+
+TEST_CASE("a budget takes the cheapest filter that keeps it, and none where no pixel needs one") {
+  const auto plan = [](const Lesson& lesson, double levels) {
+    return chapter_09::plan_filter(chapter_09::planned_scene(lesson), levels, 400, 300);
+  };
+  const Lesson lesson = filtered("anisotropic");
+  CHECK(plan(lesson, 255).filter == Filter::bilinear);
+  CHECK(plan(lesson, 25).filter == Filter::trilinear);
+  int taps = 0;
+  for (const double levels : {12.0, 7.0, 4.0, 2.8}) {
+    const auto chosen = plan(lesson, levels);
+    CHECK(chosen.filter == Filter::anisotropic);
+    CHECK(chosen.taps > taps);
+    taps = chosen.taps;
+  }
+  CHECK(plan(lesson, 0.001).text.find("no filter keeps the budget") != std::string::npos);
+
+  Lesson close =
+      lesson;  // a hand above the floor, looking straight down but for the "up" of Camera
+  close.stage.camera = {.eye = {0, 0.5, 0}, .target = {0, 0, -0.001}, .fov_y_degrees = 40};
+  CHECK(plan(close, 1).filter == Filter::bilinear);
+  CHECK(plan(close, 1).text.find("none needs a filter") != std::string::npos);
+}
+
+TEST_CASE("averaging bytes instead of light would make the horizon too dark") {
+  const Image image = picture(filtered("anisotropic"));
+  const Rgb8 horizon = image.at(400, 181);
+  CHECK(std::abs(horizon.g - 187) <= 1);  // half the light of white: the byte 187 or 188
+  CHECK(brightness(image) > 100);
+}
