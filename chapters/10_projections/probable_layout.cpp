@@ -155,9 +155,11 @@ std::optional<Projection> probable_layout(const Image& image) {
     if (seams.across > 2 * seams.inside + 2) continue;
     const std::optional<Projection> twin = twin_of(projection);
     if (!twin) return projection;
-    const double sum = bend_correlation(image, projection) + bend_correlation(image, *twin);
-    if (std::abs(sum) < 0.01) return std::nullopt;
-    return sum < 0 ? projection : *twin;
+    const double one = bend_correlation(image, projection);
+    const double other = bend_correlation(image, *twin);
+    const bool undecided = std::abs(one + other) < 0.01;
+    if (undecided || min(std::abs(one), std::abs(other)) > 0.3) return std::nullopt;
+    return one + other < 0 ? projection : *twin;
   }
   return std::nullopt;
 }
