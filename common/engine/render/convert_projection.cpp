@@ -2,6 +2,7 @@
 #include "engine/render/convert_projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/render/threads.hpp"
@@ -120,13 +121,23 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   const int left = static_cast<int>(std::floor(x));
   const int top = static_cast<int>(std::floor(y));
   const Texel home = texel_of(uv, width, height);
-  const auto light = [&](int column, int row) {
-    const Texel texel = texel_beside(projection, home, column, row, width, height);
+  std::array<Color<double>, 4> lights;  // from the left, then from the top
+  for (int i = 0; i < 4; ++i) {
+    const Texel texel = texel_beside(projection, home, left + i % 2, top + i / 2, width, height);
     const Color<float>& found = image.at(texel.column, texel.row);
-    return Color<double>{found.r, found.g, found.b};
-  };
-  return mix(mix(light(left, top), light(left + 1, top), x - left),
-             mix(light(left, top + 1), light(left + 1, top + 1), x - left), y - top);
+    lights[static_cast<std::size_t>(i)] = {found.r, found.g, found.b};
+  }
+  const bool cube = facts_of(projection).aspect == 1.5;
+  if (cube && (left + 1) * 3 % width == 0 && (top + 1) * 2 % height == 0) {
+    // A corner of the cube, where three texels meet: their mean takes the place of the fourth.
+    const int fourth = (home.column == left ? 1 : 0) + (home.row == top ? 2 : 0);
+    Color<double> sum{};
+    for (int i = 0; i < 4; ++i) {
+      if (i != fourth) sum = sum + lights[static_cast<std::size_t>(i)];
+    }
+    lights[static_cast<std::size_t>(fourth)] = sum * (1.0 / 3);
+  }
+  return mix(mix(lights[0], lights[1], x - left), mix(lights[2], lights[3], x - left), y - top);
 }
 
 Image convert_projection(const Image& image, Projection from, Projection to,
