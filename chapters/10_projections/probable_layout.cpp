@@ -111,12 +111,15 @@ double bend_correlation(const Image& image, Projection projection) {
     const Vec3<double> along = normalize(onward - p * dot(onward, p));
     const Vec3<double> across = cross(p, along);
     const Color<double> here = color(p);
-    for (const double step : {3 * texel, 4 * texel, 6 * texel}) {
+    for (const double step : {4 * texel, 5 * texel, 6 * texel}) {
       const Color<double> change = color(p + along * step) + color(p - along * step) * -1.0;
       const Color<double> bent = color(p + across * step) + color(p - across * step) + here * -2.0;
-      product += weight * (change.r * bent.r + change.g * bent.g + change.b * bent.b);
-      squares_along += square(weight) * (square(change.r) + square(change.g) + square(change.b));
-      squares_across += square(bent.r) + square(bent.g) + square(bent.b);
+      const double along_it = square(change.r) + square(change.g) + square(change.b);
+      const double across_it = square(bent.r) + square(bent.g) + square(bent.b);
+      const double share = 1 / (along_it + across_it + 1e-4);  // every place has the same say
+      product += weight * share * (change.r * bent.r + change.g * bent.g + change.b * bent.b);
+      squares_along += square(weight) * share * along_it;
+      squares_across += share * across_it;
     }
   };
   const int places = image.height / 2;
@@ -157,7 +160,7 @@ std::optional<Projection> probable_layout(const Image& image) {
     if (!twin) return projection;
     const double one = bend_correlation(image, projection);
     const double other = bend_correlation(image, *twin);
-    const bool undecided = std::abs(one + other) < 0.01;
+    const bool undecided = std::abs(one + other) < 0.005;
     if (undecided || min(std::abs(one), std::abs(other)) > 0.3) return std::nullopt;
     return one + other < 0 ? projection : *twin;
   }
