@@ -80,7 +80,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
   return image;
 }
 
-Image sheet_of_projections(const Session& session, const Image& picture,
+Image sheet_of_projections(const Session& session, const Image& picture, Projection from,
                            const DrawGlobe& draw_globe) {
   const int width = session.settings.width;
   const int height = session.settings.height;
@@ -88,7 +88,7 @@ Image sheet_of_projections(const Session& session, const Image& picture,
   const int scale = std::max(1, width / 600);
   const int line = 10 * scale;
   const int cell = std::max(1, width / 4);
-  const int second_row = height * 9 / 20;  // its pictures are higher
+  const int second_row = height * 47 / 100;  // its pictures are higher
   const int cell_height = std::max(1, height - second_row);
   const int gap = std::max(1, width / 160);
   // Every picture has as many texels for the sphere as an equirectangular one of this width.
@@ -110,8 +110,8 @@ Image sheet_of_projections(const Session& session, const Image& picture,
     write("stretch " + bound_of(forms.worst_stretch));
     write("seams " + text("%.0f\u00b0", seam_degrees(facts.projection)));
     const PictureSize size = converted_size(model, Projection::equirect, facts.projection);
-    Image unfolded = convert_projection(picture, Projection::equirect, facts.projection, size,
-                                        session.settings.threads);
+    Image unfolded =
+        convert_projection(picture, from, facts.projection, size, session.settings.threads);
     for (Rgb8& pixel : unfolded.pixels) pixel = in_steps(pixel);
     if (facts.projection == Projection::plane) {
       for (int row = 0; row < size.height; ++row) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "03_image_texture/lesson.hpp"
 #include "10_projections/figures.hpp"
@@ -177,6 +178,52 @@ TEST_CASE("the Earth's layout is found in every layout, in three sizes") {
       CHECK(std::string(facts_of(*found).word) == facts.word);
     }
   }
+}
+
+namespace {
+
+/// Waves through space in every direction, seen on the sphere: a picture without land or poles.
+Image waves(std::uint64_t seed, Projection projection, const PictureSize& size) {
+  Dice dice(seed);
+  struct Wave {
+    Vec3<double> direction;
+    double phase;
+  };
+  std::vector<Wave> all;
+  for (int i = 0; i < 24; ++i) {
+    const Vec3<double> p{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)};
+    all.push_back({normalize(p) * dice.between(3, 25), dice.between(0, 6.3)});
+  }
+  Image image(size.width, size.height);
+  for (int row = 0; row < size.height; ++row) {
+    for (int column = 0; column < size.width; ++column) {
+      const Vec3<double> n = unproject(
+          projection, Uv<double>{(column + 0.5) / size.width, 1 - (row + 0.5) / size.height});
+      double sum = 0;
+      for (const Wave& wave : all) sum += std::sin(dot(wave.direction, n) + wave.phase);
+      const auto level = static_cast<std::uint8_t>(clamp(128 + 18 * sum, 0.0, 255.0));
+      image.at(column, row) = {level, static_cast<std::uint8_t>(255 - level), 90};
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("the layout of other pictures of a sphere is found, too") {
+  int right = 0;
+  int tried = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (const ProjectionFacts& facts : projections) {
+      if (facts.projection == Projection::plane) continue;
+      const PictureSize size =
+          converted_size(Image(512, 256), Projection::equirect, facts.projection);
+      const auto found = probable_layout(waves(seed, facts.projection, size));
+      right += found == facts.projection ? 1 : 0;
+      ++tried;
+    }
+  }
+  CHECK(right == tried);
 }
 
 TEST_CASE("noise, one color, a broken seam and other pictures have no layout") {

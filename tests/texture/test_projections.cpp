@@ -300,6 +300,8 @@ TEST_CASE("both sides of every seam of a cube are one direction, and joined face
   }
 }
 
+namespace {
+
 /// The texel that lies across an edge of an octahedral map: its direction is that of the edge's own
 /// texel, mirrored at the plane of the meridian that the edge is.
 Uv<double> mirrored_place(Projection projection, const Uv<double>& inside, bool at_side) {
@@ -334,6 +336,8 @@ int wrong_folds(const Fold& fold) {
   }
   return wrong;
 }
+
+}  // namespace
 
 TEST_CASE("beyond each of the four edges an octahedral map goes on at the mirrored texel") {
   CHECK(wrong_folds([](int column, int row, int n) {
