@@ -33,6 +33,7 @@ add_closure(closure_06 "${lessons}/06_phong_texture_blend/lesson.hpp" HEADERS 35
 add_closure(closure_07 "${lessons}/07_earth_by_sampling/lesson.hpp" HEADERS 40 LINES 2400)
 add_closure(closure_08 "${lessons}/08_triangle_uv/lesson.hpp" HEADERS 45 LINES 2800)
 add_closure(closure_09 "${lessons}/09_texture_filtering/lesson.hpp" HEADERS 45 LINES 2800)
+add_closure(closure_10 "${lessons}/10_projections/lesson.hpp" HEADERS 45 LINES 2800 FORBIDS ${by_06})
 
 # The twins: a check that cannot fail is none.
 set(forbidden "${CMAKE_CURRENT_SOURCE_DIR}/closure/forbidden/lesson.hpp")

@@ -66,7 +66,7 @@ ClosedForms closed_forms(Projection projection) {
 
 double seam_degrees(Projection projection) {
   if (projection == Projection::plane) return 360;  // the equator, where the other half is missing
-  constexpr int steps = 2000;
+  constexpr int steps = 3000;  // a multiple of 3: every corner of a cube is met
   double sum = 0;
   for (const Border& border : borders_of(projection)) {
     const auto at = [&](int i) {

@@ -26,7 +26,7 @@ struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "seven ways to lay the sphere on a flat picture",
       .changed_objects = {middle},
-      .size = {1280, 900},
+      .size = {1200, 800},
       .size_note = "800x600 with --projection, as many texels as the file with --to",
   };
 

@@ -1,8 +1,9 @@
 // Which layout a picture of the whole sphere probably has.
 #include "probable_layout.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
 #include "engine/measure/text.hpp"
 #include "engine/render/convert_projection.hpp"
@@ -52,7 +53,7 @@ bool is_disk(const Image& image) {
     for (int column = 0; column < image.width; ++column) {
       const double x = 2 * (column + 0.5) / image.width - 1;
       const double y = 2 * (row + 0.5) / image.height - 1;
-      const bool outside = std::hypot(x, y) > 1 + 2.0 / image.height;
+      const bool outside = std::hypot(x, y) > 1 + 4.0 / image.height;
       if (outside && image.at(column, row) != corner) return false;
     }
   }
@@ -95,50 +96,49 @@ SeamFigures seam_figures(const Image& image, Projection projection) {
   return figures;
 }
 
-double bend_correlation(const Image& image, Projection projection) {
-  const LightImage bytes = light_of(image, TexelLight::encoded);
-  const auto color = [&](const Vec3<double>& p) {
-    return light_at(bytes, projection, project(projection, p));
+double likelihood(const Image& image, Projection projection) {
+  const int width = image.width;
+  const int height = image.height;
+  const auto level = [&](int column, int row) {
+    const Rgb8& p = image.at(column, row);
+    return 0.3 * p.r + 0.6 * p.g + 0.1 * p.b;
   };
-  const bool cube = facts_of(projection).aspect == 1.5;
-  const double texel = std::numbers::pi / 2 / (image.height / 2.0);  // about, in radians
-  double product = 0;
-  double squares_along = 0;
-  double squares_across = 0;
-  // At a place of an edge: how the color changes along it, and how it bends across it.
-  const auto look = [&](const Vec3<double>& place, const Vec3<double>& onward, double weight) {
-    const Vec3<double> p = normalize(place);
-    const Vec3<double> along = normalize(onward - p * dot(onward, p));
-    const Vec3<double> across = cross(p, along);
-    const Color<double> here = color(p);
-    for (const double step : {3 * texel, 4 * texel, 6 * texel}) {
-      const Color<double> change = color(p + along * step) + color(p - along * step) * -1.0;
-      const Color<double> bent = color(p + across * step) + color(p - across * step) + here * -2.0;
-      product += weight * (change.r * bent.r + change.g * bent.g + change.b * bent.b);
-      squares_along += square(weight) * (square(change.r) + square(change.g) + square(change.b));
-      squares_across += square(bent.r) + square(bent.g) + square(bent.b);
-    }
-  };
-  const int places = image.height / 2;
-  for (int i = 0; i < places; ++i) {
-    const double t = (i + 0.5) / places;
-    for (const double side : {-1.0, 1.0}) {
-      for (const double other : {-1.0, 1.0}) {
-        if (cube) {  // from the middle of each of the twelve edges to both its ends
-          const double weight = std::sin(2 * std::atan(t)) - t;
-          for (const double end : {-1.0, 1.0}) {
-            look({side, end * t, other}, {0, end, 0}, weight);
-            look({end * t, side, other}, {end, 0, 0}, weight);
-            look({side, other, end * t}, {0, 0, end}, weight);
-          }
-        } else {  // from both poles to the equator, along four meridians
-          look({0, side * (1 - t), other * t}, {0, 0, other}, 1 - t);
-          look({other * t, side * (1 - t), 0}, {other, 0, 0}, 1 - t);
-        }
-      }
+  // The slopes of the picture as slopes on the sphere, squared.
+  std::vector<double> squares;
+  double logarithms = 0;  // of the determinants: how much room a slope has in the picture
+  const int stride = std::max(1, height / 256);
+  constexpr int step = 2;
+  for (int row = step; row + step < height; row += stride) {
+    for (int column = step; column + step < width; column += stride) {
+      const double right = level(column + step, row) - level(column - step, row);
+      const double up = level(column, row - step) - level(column, row + step);
+      if (right == 0 && up == 0) continue;  // flat: it says nothing of directions
+      const Vec3<double> n =
+          unproject(projection, Uv<double>{(column + 0.5) / width, 1 - (row + 0.5) / height});
+      const Uv<Dual<double>> uv = project_two_steps(projection, n);
+      const double east = right * uv.u.dx * width + up * uv.v.dx * height;
+      const double north = right * uv.u.dy * width + up * uv.v.dy * height;
+      const double room = std::log(std::abs(uv.u.dx * uv.v.dy - uv.u.dy * uv.v.dx));
+      if (!std::isfinite(room + east + north)) continue;  // on a pole
+      squares.push_back(square(east) + square(north));
+      logarithms += room;
     }
   }
-  return product / std::sqrt(squares_along * squares_across + 1e-30);
+  if (squares.empty()) return 0;
+  const auto count = static_cast<double>(squares.size());
+  // Student's distribution with one degree of freedom: a coast is no surprise. Its width by
+  // expectation and maximization.
+  double variance = 0;
+  for (const double x : squares) variance += std::sqrt(x) / count;
+  variance *= variance;
+  for (int i = 0; i < 40; ++i) {
+    double sum = 0;
+    for (const double x : squares) sum += 1.5 * x / (1 + x / variance);
+    variance = sum / count;
+  }
+  double sum = logarithms / count - std::log(variance);
+  for (const double x : squares) sum -= 1.5 * std::log(1 + x / variance) / count;
+  return sum;
 }
 
 std::optional<Projection> probable_layout(const Image& image) {
@@ -155,9 +155,9 @@ std::optional<Projection> probable_layout(const Image& image) {
     if (seams.across > 2 * seams.inside + 2) continue;
     const std::optional<Projection> twin = twin_of(projection);
     if (!twin) return projection;
-    const double sum = bend_correlation(image, projection) + bend_correlation(image, *twin);
-    if (std::abs(sum) < 0.01) return std::nullopt;
-    return sum < 0 ? projection : *twin;
+    const double advantage = likelihood(image, projection) - likelihood(image, *twin);
+    if (std::abs(advantage) < 0.001) return std::nullopt;
+    return advantage > 0 ? projection : *twin;
   }
   return std::nullopt;
 }
@@ -173,7 +173,7 @@ std::string about_layout(const std::string& name, const Image& image) {
     all += text("  %s: neighbors across its seams differ %.2f times as much as those on one side",
                 facts.word, std::sqrt(seams.across / (seams.inside + 1e-9)));
     const bool has_twin = facts.aspect == 1.5 || facts.aspect == 1;
-    if (has_twin) all += text("; bend %.3f", bend_correlation(image, facts.projection));
+    if (has_twin) all += text("; log likelihood %.4f", likelihood(image, facts.projection));
     all += "\n";
   }
   return all;

@@ -16,18 +16,17 @@ struct SeamFigures {
 };
 [[nodiscard]] SeamFigures seam_figures(const Image& image, Projection projection);
 
-/// How the picture, read in this layout, bends across the layout's inner edges where it changes
-/// along them: a correlation from -1 to 1. It is near 0 in the right layout, because the sphere has
-/// no edges. In the twin layout, with the same seams, it is below 0 for cube read as equi-angular
-/// and octahedral read as equal-area, above 0 the other way round.
-[[nodiscard]] double bend_correlation(const Image& image, Projection projection);
+/// How likely the picture's slopes are in this layout, if on the sphere they are as steep everywhere
+/// and in every direction: the mean logarithm over the texels. To be compared with the value for
+/// the twin layout, which has the same seams and other distortions.
+[[nodiscard]] double likelihood(const Image& image, Projection projection);
 
-/// The layout that fits: its shape is the picture's, its seams match although neighbors differ
-/// less than texels anywhere, and of two twins the one that bends less. Nothing otherwise, as for
-/// noise, for one color, and for most pictures that are not of a sphere.
+/// The layout that fits: its shape is the picture's; its seams match, although neighbors differ less
+/// than texels anywhere; and of two twins it makes the picture more likely. Nothing otherwise: for
+/// noise, for one color, for most pictures that are not of a sphere.
 [[nodiscard]] std::optional<Projection> probable_layout(const Image& image);
 
-/// A sentence about a file: what its layout probably is, and the figures for each that has its shape.
+/// What the layout of a file probably is, and the figures for each layout that has its shape.
 [[nodiscard]] std::string about_layout(const std::string& name, const Image& image);
 
 }  // namespace texmap::chapter_10

@@ -29,7 +29,15 @@ Rgb area_color(double area) {
   return {1 + 0.8 * octaves, 1 + 0.5 * octaves, 1};
 }
 
-/// True within 6 degrees of a center: on the axes' and the diagonals' 26 directions, and between.
+/// The color in steps of 8 levels: a PNG file of the sheet is then half as long.
+Rgb8 in_steps(Rgb8 c) {
+  const auto step = [](std::uint8_t level) {
+    return static_cast<std::uint8_t>(std::min(255, (level + 4) / 8 * 8));
+  };
+  return {step(c.r), step(c.g), step(c.b)};
+}
+
+/// True within 6 degrees of a center; the centers are on circles of latitude, every 22.5 degrees.
 bool in_small_circle(const Vec3<double>& n) {
   constexpr double degree = std::numbers::pi / 180;
   const double latitude = std::asin(clamp(n.y, -1.0, 1.0)) / degree;
@@ -72,15 +80,16 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
   return image;
 }
 
-Image sheet_of_projections(const Session& session, const Image& picture,
+Image sheet_of_projections(const Session& session, const Image& picture, Projection from,
                            const DrawGlobe& draw_globe) {
   const int width = session.settings.width;
   const int height = session.settings.height;
   Image sheet(width, height, paper);
-  const int scale = std::max(1, width / 640);
+  const int scale = std::max(1, width / 600);
   const int line = 10 * scale;
   const int cell = std::max(1, width / 4);
-  const int cell_height = std::max(1, height / 2);
+  const int second_row = height * 47 / 100;  // its pictures are higher
+  const int cell_height = std::max(1, height - second_row);
   const int gap = std::max(1, width / 160);
   // Every picture has as many texels for the sphere as an equirectangular one of this width.
   const int wide =
@@ -91,7 +100,7 @@ Image sheet_of_projections(const Session& session, const Image& picture,
     const ProjectionFacts& facts = projections[i];
     const ClosedForms forms = closed_forms(facts.projection);
     const int left = static_cast<int>(i % 4) * cell + gap;
-    int top = static_cast<int>(i / 4) * cell_height + gap;
+    int top = (i < 4 ? 0 : second_row) + gap;
     const auto write = [&](const std::string& words) {
       draw_text(sheet, left, top, words, ink, scale);
       top += line;
@@ -101,8 +110,9 @@ Image sheet_of_projections(const Session& session, const Image& picture,
     write("stretch " + bound_of(forms.worst_stretch));
     write("seams " + text("%.0f\u00b0", seam_degrees(facts.projection)));
     const PictureSize size = converted_size(model, Projection::equirect, facts.projection);
-    Image unfolded = convert_projection(picture, Projection::equirect, facts.projection, size,
-                                        session.settings.threads);
+    Image unfolded =
+        convert_projection(picture, from, facts.projection, size, session.settings.threads);
+    for (Rgb8& pixel : unfolded.pixels) pixel = in_steps(pixel);
     if (facts.projection == Projection::plane) {
       for (int row = 0; row < size.height; ++row) {
         for (int column = 0; column < size.width; ++column) {
@@ -118,8 +128,8 @@ Image sheet_of_projections(const Session& session, const Image& picture,
   }
 
   const int left = 3 * cell + gap;
-  int top = cell_height + gap;
-  draw_text(sheet, left, top, "the circles on the globe", ink, scale);
+  int top = second_row + gap;
+  draw_text(sheet, left, top, "circles on the globe", ink, scale);
   draw_text(sheet, left, top + line, "blue: small texels", ink, scale);
   draw_text(sheet, left, top + 2 * line, "red: large texels", ink, scale);
   top += 4 * line;

@@ -19,9 +19,9 @@ namespace texmap::chapter_10 {
 /// The stage from nearby in this size, its globe in this picture, which is equirectangular.
 using DrawGlobe = std::function<Image(const Image& picture, int width, int height)>;
 
-/// The sheet, as large as the session's picture.
+/// The sheet, as large as the session's picture, of a picture in the layout `from`.
 [[nodiscard]] Image sheet_of_projections(const Session& session, const Image& picture,
-                                         const DrawGlobe& draw_globe);
+                                         Projection from, const DrawGlobe& draw_globe);
 
 /// The same for a lesson: only its globe's paint changes.
 template <class Lesson>
@@ -32,7 +32,7 @@ template <class Lesson>
     globe.objects[0].paint = Mapped<ProjectionMapping, ImageTexture>{{}, {picture}};
     return session.draw(globe, width, height);
   };
-  return sheet_of_projections(session, lesson.texture.load(), draw_globe);
+  return sheet_of_projections(session, lesson.texture.load(), lesson.layout.from, draw_globe);
 }
 
 /// Saves the sheet and prints the table of figures.

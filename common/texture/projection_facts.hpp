@@ -38,20 +38,28 @@ struct Distortion {
       stretch;  ///< 1 or more: the long axis of the ellipse that a small circle becomes / the short
 };
 
-/// The distortion at a direction, in a picture of the projection's own aspect. Two steps along the
-/// sphere are put through project as duals: no derivative is written by hand.
+/// Texture coordinates of a direction, and how they change for two steps along the sphere that are
+/// perpendicular to each other: no derivative of a projection is written by hand.
 ///
 /// @param n  of unit length, not on a seam, an edge or a pole
-/// Bound: 1e-12 of itself in double.
 template <class Real>
-[[nodiscard]] Distortion<Real> distortion(Projection projection, const Vec3<Real>& n) {
+[[nodiscard]] Uv<Dual<Real>> project_two_steps(Projection projection, const Vec3<Real>& n) {
   const Mask<Real> steep = abs(n.y) > Real(0.7);
   const Vec3<Real> axis{select(steep, Real(1), Real(0)), select(steep, Real(0), Real(1)), Real(0)};
   const Vec3<Real> first = normalize(cross(axis, n));
   const Vec3<Real> second = cross(n, first);
-  const Uv<Dual<Real>> uv = project(projection, Vec3<Dual<Real>>{{n.x, first.x, second.x},
-                                                                 {n.y, first.y, second.y},
-                                                                 {n.z, first.z, second.z}});
+  return project(projection,
+                 Vec3<Dual<Real>>{
+                     {n.x, first.x, second.x}, {n.y, first.y, second.y}, {n.z, first.z, second.z}});
+}
+
+/// The distortion at a direction, in a picture of the projection's own aspect.
+///
+/// @param n  as for project_two_steps
+/// Bound: 1e-12 of itself in double.
+template <class Real>
+[[nodiscard]] Distortion<Real> distortion(Projection projection, const Vec3<Real>& n) {
+  const Uv<Dual<Real>> uv = project_two_steps(projection, n);
   const ProjectionFacts& facts = facts_of(projection);
   const Real wide = Real(facts.aspect);
   const Real determinant = abs(difference_of_products(uv.u.dx, uv.v.dy, uv.u.dy, uv.v.dx));

@@ -66,6 +66,7 @@ done
 check 07_earth_by_sampling 07_earth_by_sampling
 check 08_triangle_uv 08_triangle_uv
 check 09_texture_filtering 09_texture_filtering
+check 10_projections 10_projections
 check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
 check 14_numerical_extremes 14_numerical_extremes
 [ "$tried" -gt 0 ] || {

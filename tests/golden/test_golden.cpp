@@ -12,6 +12,7 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
 #include "08_triangle_uv/lesson.hpp"
+#include "10_projections/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
@@ -65,6 +66,15 @@ Image extremes() {
   return chapter_14::draw_sheet(chapter_14::Lesson{}.exhibits(), session).picture;
 }
 
+Image layouts() {
+  const auto lesson = prepared<chapter_10::Lesson>();
+  CommandLine line("test", "");
+  Session session("test", line, chapter_10::Lesson::about);
+  session.settings.number = NumberKind::double_;
+  session.settings.quiet = true;
+  return chapter_10::sheet_of_projections(lesson, session);
+}
+
 Image trade() {
   const chapter_13::Globe globe(chapter_13::Lesson{}.texture.load());
   return chapter_13::draw_sheet(globe, 1312, 1090, 0, [] {});
@@ -96,6 +106,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_lecture_slides", lecture("lecture"));
   check_golden("07_earth_by_sampling", sampled());
   check_golden("08_triangle_uv", picture(prepared<chapter_08::Lesson>(), 480, 360));
+  check_golden("10_projections", layouts());
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }

@@ -2,6 +2,7 @@
 #include "engine/render/convert_projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/render/threads.hpp"
@@ -66,9 +67,11 @@ std::uint8_t encoded(double light) {
   return static_cast<std::uint8_t>(std::lround(255 * clamp(srgb_encode(light), 0.0, 1.0)));
 }
 
-/// Where a layout shows something: everywhere but around the disk of the plane.
-bool shows(Projection projection, const Uv<double>& uv) {
-  return projection != Projection::plane || square(uv.u - 0.5) + square(uv.v - 0.5) <= 0.25;
+/// Where a layout shows something: everywhere but around the disk of the plane. Texels on its rim
+/// show the nearest direction, so that no black is mixed in.
+bool shows(Projection projection, const Uv<double>& center, int width) {
+  return projection != Projection::plane ||
+         std::hypot(center.u - 0.5, center.v - 0.5) <= 0.5 + 1.5 / width;
 }
 
 }  // namespace
@@ -120,13 +123,23 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   const int left = static_cast<int>(std::floor(x));
   const int top = static_cast<int>(std::floor(y));
   const Texel home = texel_of(uv, width, height);
-  const auto light = [&](int column, int row) {
-    const Texel texel = texel_beside(projection, home, column, row, width, height);
+  std::array<Color<double>, 4> lights;  // from the left, then from the top
+  for (int i = 0; i < 4; ++i) {
+    const Texel texel = texel_beside(projection, home, left + i % 2, top + i / 2, width, height);
     const Color<float>& found = image.at(texel.column, texel.row);
-    return Color<double>{found.r, found.g, found.b};
-  };
-  return mix(mix(light(left, top), light(left + 1, top), x - left),
-             mix(light(left, top + 1), light(left + 1, top + 1), x - left), y - top);
+    lights[static_cast<std::size_t>(i)] = {found.r, found.g, found.b};
+  }
+  const bool cube = facts_of(projection).aspect == 1.5;
+  if (cube && (left + 1) * 3 % width == 0 && (top + 1) * 2 % height == 0) {
+    // A corner of the cube, where three texels meet: their mean takes the place of the fourth.
+    const int fourth = (home.column == left ? 1 : 0) + (home.row == top ? 2 : 0);
+    Color<double> sum{};
+    for (int i = 0; i < 4; ++i) {
+      if (i != fourth) sum = sum + lights[static_cast<std::size_t>(i)];
+    }
+    lights[static_cast<std::size_t>(fourth)] = sum * (1.0 / 3);
+  }
+  return mix(mix(lights[0], lights[1], x - left), mix(lights[2], lights[3], x - left), y - top);
 }
 
 Image convert_projection(const Image& image, Projection from, Projection to,
@@ -137,12 +150,12 @@ Image convert_projection(const Image& image, Projection from, Projection to,
   for_each_row(size.height, threads, {}, [&](int row) {
     for (int column = 0; column < size.width; ++column) {
       const Uv<double> center = center_of({column, row}, size.width, size.height);
+      if (!shows(to, center, size.width)) continue;
       const int n = places_for(light, from, to, center, size);
       Color<double> sum{};
       for (int k = 0; k < n * n; ++k) {
         const Uv<double> uv{(column + (k % n + 0.5) / n) / size.width,
                             1 - (row + (k / n + 0.5) / n) / size.height};
-        if (!shows(to, uv)) continue;
         const Vec3<double> direction = unproject(to, uv);
         if (from == Projection::plane && direction.y < 0) continue;
         sum = sum + light_at(light, from, project(from, direction));

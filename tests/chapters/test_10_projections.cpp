@@ -1,0 +1,294 @@
+// Chapter 10: maps of the sphere, their figures, conversion, and which layout a file has.
+#include <doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "03_image_texture/lesson.hpp"
+#include "10_projections/figures.hpp"
+#include "10_projections/lesson.hpp"
+#include "10_projections/probable_layout.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/render/convert_projection.hpp"
+#include "support/dice.hpp"
+#include "support/lesson_laws.hpp"
+#include "support/made_pictures.hpp"
+#include "support/running.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+using chapter_10::closed_forms;
+using chapter_10::Lesson;
+using chapter_10::probable_layout;
+
+namespace {
+
+Lesson in_layout(const std::string& word) { return prepared<Lesson>({"--projection", word}); }
+
+Image earth(int width) {
+  return convert_projection(load_image(std::string(TEXMAP_ASSETS_DIR) + "/earth.png"),
+                            Projection::equirect, Projection::equirect, {width, width / 2});
+}
+
+Outcome run_chapter_10(const std::string& words) {
+  return run(std::string("\"") + TEXMAP_CHAPTER + "\" " + words);
+}
+
+}  // namespace
+
+TEST_CASE("the globe in the equirectangular layout is chapter 03's, pixel for pixel") {
+  const Image before = picture(prepared<chapter_03::Lesson>());
+  CHECK(picture(in_layout("equirect")) == before);
+  CHECK(check_step(prepared<chapter_03::Lesson>(), in_layout("octahedral"), chapter_10::ground) >
+        0);
+}
+
+TEST_CASE("in every layout of the whole sphere the globe looks the same, but for its texels") {
+  const Image expected = picture(in_layout("equirect"));
+  for (const char* word : {"cylinder", "cube", "equi-angular", "octahedral", "equal-area"}) {
+    CAPTURE(std::string(word));
+    const Lesson lesson = in_layout(word);
+    const Image drawn = picture(lesson);
+    // A few hundred of 12,000 pixels of the globe are on a coast.
+    CHECK(count_different(drawn, expected, 40) < 400);
+    CHECK(count_different(drawn, expected) > 1000);
+    // Read in the wrong layout, the globe is another one.
+    Lesson wrong = lesson;
+    wrong.objects[chapter_10::middle].paint = chapter_10::Textured{
+        {Projection::equirect},
+        std::get<chapter_10::Textured>(lesson.objects[chapter_10::middle].paint).texture};
+    CHECK(count_different(picture(wrong), expected, 40) > 2000);
+  }
+}
+
+TEST_CASE("all numbers draw the globe in every layout") {
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    check_all_numbers(in_layout(facts.word), 400);
+  }
+}
+
+TEST_CASE(
+    "the largest texel and the worst stretch tend to the closed forms, and exceed them nowhere") {
+  Dice dice(2);
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    const chapter_10::ClosedForms forms = closed_forms(facts.projection);
+    double largest_texel = 0;
+    double worst_stretch = 0;
+    for (int i = 0; i < 100000; ++i) {
+      Vec3<double> p{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)};
+      // Also close to each axis, each diagonal and the worst place, but not on an edge.
+      const double near = static_cast<double>(dice.power_of_ten(-6, -2));
+      if (i % 3 == 1) p = forms.worst_place + p * near;
+      if (i % 3 == 2) p = Vec3<double>{1, 1, 1} * (i % 2 == 0 ? 1.0 : 0.0) + p * near;
+      if (facts.projection == Projection::plane) p.y = std::abs(p.y);
+      const auto found = distortion(facts.projection, normalize(p));
+      largest_texel = std::max(largest_texel, found.area);
+      worst_stretch = std::max(worst_stretch, found.stretch);
+      if (facts.projection == Projection::equirect) {
+        const auto equator = distortion(facts.projection, normalize(Vec3<double>{p.x, 0, p.z}));
+        largest_texel = std::max(largest_texel, equator.area);
+      }
+      if (facts.aspect == 1.5) {
+        const auto face = distortion(facts.projection, normalize(Vec3<double>{1, near, near / 2}));
+        largest_texel = std::max(largest_texel, face.area);
+      }
+    }
+    const auto tends_to = [](double found, double closed) {
+      if (std::isinf(closed)) return found > 1000;
+      return found <= closed * (1 + 1e-9) && found >= closed * (1 - 1e-4);
+    };
+    CAPTURE(largest_texel);
+    CAPTURE(worst_stretch);
+    CHECK(tends_to(largest_texel, forms.largest_texel));
+    CHECK(tends_to(worst_stretch, forms.worst_stretch));
+  }
+}
+
+TEST_CASE("the mean over the sphere is the same through every map: areas sum to 4 pi") {
+  for (const ProjectionFacts& facts : projections) {
+    if (facts.projection == Projection::plane) continue;
+    CAPTURE(std::string(facts.word));
+    const auto mean = [&](const auto& value) {
+      return chapter_10::mean_by_texels(facts.projection, 400, value);
+    };
+    CHECK(mean([](const Vec3d&) { return 1.0; }) == doctest::Approx(1).epsilon(3e-5));
+    CHECK(std::abs(mean([](const Vec3d& n) { return n.x * n.y + n.z; })) < 3e-5);
+    CHECK(mean([](const Vec3d& n) { return n.y * n.y; }) == doctest::Approx(1 / 3.0).epsilon(1e-4));
+    CHECK(mean([](const Vec3d& n) { return std::pow(n.x, 4); }) ==
+          doctest::Approx(0.2).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("the same mean light of the Earth comes from every layout's picture, within 0.3 %") {
+  const Image source = earth(512);
+  const auto mean_light = [](const Image& image, Projection projection) {
+    const LightImage light = light_of(image, TexelLight::linear);
+    double sum = 0;
+    double areas = 0;
+    for (int row = 0; row < image.height; ++row) {
+      for (int column = 0; column < image.width; ++column) {
+        const Vec3<double> n = unproject(
+            projection, Uv<double>{(column + 0.5) / image.width, 1 - (row + 0.5) / image.height});
+        const double area = distortion(projection, n).area;
+        sum += area * light.at(column, row).g;
+        areas += area;
+      }
+    }
+    return sum / areas;
+  };
+  const double expected = mean_light(source, Projection::equirect);
+  for (const ProjectionFacts& facts : projections) {
+    if (facts.projection == Projection::plane) continue;
+    CAPTURE(std::string(facts.word));
+    const PictureSize size = converted_size(source, Projection::equirect, facts.projection);
+    const Image image = convert_projection(source, Projection::equirect, facts.projection, size);
+    CHECK(mean_light(image, facts.projection) == doctest::Approx(expected).epsilon(0.003));
+    if (facts.projection == Projection::cylinder)  // without the solid angle it is another mean
+      CHECK(std::abs(mean_light(image, Projection::octahedral) / expected - 1) > 0.01);
+  }
+}
+
+TEST_CASE("the seams: half a circle, a circle, or eight edges of a cube") {
+  const double edge = std::acos(1 / 3.0) * 180 / std::numbers::pi;
+  const auto seams = [](Projection projection) { return chapter_10::seam_degrees(projection); };
+  CHECK(seams(Projection::equirect) == doctest::Approx(180).epsilon(1e-6));
+  CHECK(seams(Projection::cylinder) == doctest::Approx(180).epsilon(1e-4));
+  CHECK(seams(Projection::cube) == doctest::Approx(8 * edge).epsilon(1e-6));
+  CHECK(seams(Projection::equi_angular) == doctest::Approx(8 * edge).epsilon(1e-6));
+  CHECK(seams(Projection::octahedral) == doctest::Approx(360).epsilon(1e-6));
+  CHECK(seams(Projection::equal_area) == doctest::Approx(360).epsilon(1e-6));
+}
+
+TEST_CASE("the Earth's layout is found in every layout, in three sizes") {
+  const Image large = earth(2048);
+  for (const Image& source : {earth(512), earth(800), large}) {
+    for (const ProjectionFacts& facts : projections) {
+      CAPTURE(std::string(facts.word));
+      CAPTURE(source.width);
+      const PictureSize size = converted_size(source, Projection::equirect, facts.projection);
+      const Image image = convert_projection(source, Projection::equirect, facts.projection, size);
+      const auto found = probable_layout(image);
+      REQUIRE(found.has_value());
+      CHECK(std::string(facts_of(*found).word) == facts.word);
+    }
+  }
+}
+
+namespace {
+
+/// Waves through space in every direction, seen on the sphere: a picture without land or poles.
+Image waves(std::uint64_t seed, Projection projection, const PictureSize& size) {
+  Dice dice(seed);
+  struct Wave {
+    Vec3<double> direction;
+    double phase;
+  };
+  std::vector<Wave> all;
+  for (int i = 0; i < 24; ++i) {
+    const Vec3<double> p{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)};
+    all.push_back({normalize(p) * dice.between(3, 25), dice.between(0, 6.3)});
+  }
+  Image image(size.width, size.height);
+  for (int row = 0; row < size.height; ++row) {
+    for (int column = 0; column < size.width; ++column) {
+      const Vec3<double> n = unproject(
+          projection, Uv<double>{(column + 0.5) / size.width, 1 - (row + 0.5) / size.height});
+      double sum = 0;
+      for (const Wave& wave : all) sum += std::sin(dot(wave.direction, n) + wave.phase);
+      const auto level = static_cast<std::uint8_t>(clamp(128 + 18 * sum, 0.0, 255.0));
+      image.at(column, row) = {level, static_cast<std::uint8_t>(255 - level), 90};
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("the layout of other pictures of a sphere is found, too") {
+  int right = 0;
+  int tried = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (const ProjectionFacts& facts : projections) {
+      if (facts.projection == Projection::plane) continue;
+      const PictureSize size =
+          converted_size(Image(512, 256), Projection::equirect, facts.projection);
+      const auto found = probable_layout(waves(seed, facts.projection, size));
+      right += found == facts.projection ? 1 : 0;
+      ++tried;
+    }
+  }
+  CHECK(right == tried);
+}
+
+TEST_CASE("noise, one color, a broken seam and other pictures have no layout") {
+  CHECK_FALSE(probable_layout(noise(256, 128, 1)).has_value());
+  CHECK_FALSE(probable_layout(noise(128, 128, 2)).has_value());
+  CHECK_FALSE(probable_layout(noise(192, 128, 3)).has_value());
+  CHECK_FALSE(probable_layout(noise(402, 128, 4)).has_value());
+  CHECK_FALSE(probable_layout(Image(256, 128, {9, 9, 9})).has_value());
+  CHECK_FALSE(probable_layout(Image(1, 1)).has_value());
+  CHECK_FALSE(probable_layout(ramps(256, 128)).has_value());
+  CHECK_FALSE(
+      probable_layout(load_image(std::string(TEXMAP_ASSETS_DIR) + "/uv_map.png")).has_value());
+  const Image source = earth(512);
+  for (const ProjectionFacts& facts : projections) {
+    if (facts.projection == Projection::plane || facts.projection == Projection::cylinder) continue;
+    CAPTURE(std::string(facts.word));
+    const PictureSize size = converted_size(source, Projection::equirect, facts.projection);
+    Image image = convert_projection(source, Projection::equirect, facts.projection, size);
+    // The upper half moved sideways by a quarter: the seams no longer match.
+    Image broken = image;
+    for (int row = 0; row < image.height / 2; ++row) {
+      for (int column = 0; column < image.width; ++column)
+        broken.at(column, row) =
+            image.at((column + image.width / 4) % image.width, image.height - 1 - row);
+    }
+    if (facts.projection != Projection::equirect) CHECK_FALSE(probable_layout(broken).has_value());
+  }
+}
+
+TEST_CASE("the table names every layout with its figures") {
+  const std::string table = chapter_10::table_of_figures();
+  for (const char* expected :
+       {"equirect", "equi-angular", "equal-area", "1.5708", "1.9099", "1.1781", "1.6540", "1.7321",
+        "2.6180", "2.9984", "no bound", "564.2"}) {
+    CAPTURE(std::string(expected));
+    CHECK(table.find(expected) != std::string::npos);
+  }
+}
+
+TEST_CASE("the program converts a file, says what it probably is, and converts it back") {
+  const TemporaryFolder folder;
+  const std::string source = folder / "earth.png";
+  const std::string cube = folder / "cube.png";
+  const std::string back = folder / "back.png";
+  save_png(earth(512), source);
+  const Outcome there =
+      run_chapter_10("--texture \"" + source + "\" --to cube --out \"" + cube + "\"");
+  CHECK(there.status == 0);
+  CHECK(there.out.find("probably equirect") != std::string::npos);
+  CHECK(there.out.find("444 x 296 pixels") != std::string::npos);
+  const Outcome again = run_chapter_10(
+      "--texture \"" + cube + "\" --from cube --to equirect --width 512 --height 256 --out \"" +
+      back + "\"");
+  CHECK(again.status == 0);
+  CHECK(again.out.find("probably cube") != std::string::npos);
+  CHECK(count_different(load_image(back), earth(512), 60) < 512 * 256 / 50);
+}
+
+TEST_CASE("the program refuses what it cannot do, in words") {
+  const Outcome word = run_chapter_10("--to mercator");
+  CHECK(word.status == 2);
+  CHECK(word.err.find("equal-area") != std::string::npos);
+  const Outcome missing = run_chapter_10("--texture no_such_file.png --to cube --out x.png");
+  CHECK(missing.status == 1);
+  CHECK(missing.err.find("no_such_file.png") != std::string::npos);
+  const Outcome large = run_chapter_10("--to cube --width 16384 --height 16384 --out x.png");
+  CHECK(large.status == 2);
+}

@@ -1,0 +1,161 @@
+// Tests of common/engine/render/convert_projection.hpp.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/render/convert_projection.hpp"
+#include "support/made_pictures.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// A smooth picture of the sphere: each channel a polynomial of the direction.
+Image smooth(Projection projection, const PictureSize& size) {
+  Image image(size.width, size.height);
+  for (int row = 0; row < size.height; ++row) {
+    for (int column = 0; column < size.width; ++column) {
+      const Vec3<double> p = unproject(
+          projection, Uv<double>{(column + 0.5) / size.width, 1 - (row + 0.5) / size.height});
+      const auto level = [](double x) { return static_cast<std::uint8_t>(128 + 100 * x); };
+      image.at(column, row) = {level(p.x * p.y), level(p.z), level(p.x * p.z + p.y * 0.4)};
+    }
+  }
+  return image;
+}
+
+int largest_difference(const Image& a, const Image& b) {
+  int most = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgb8& p = a.pixels[i];
+    const Rgb8& q = b.pixels[i];
+    most = std::max({most, std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("one color stays that color in every layout, from every layout") {
+  const Image gray(96, 48, {90, 130, 200});
+  for (const ProjectionFacts& from : projections) {
+    for (const ProjectionFacts& to : projections) {
+      if (from.projection == Projection::plane || to.projection == Projection::plane) continue;
+      CAPTURE(std::string(from.word));
+      CAPTURE(std::string(to.word));
+      const PictureSize size = converted_size(gray, from.projection, to.projection);
+      const Image image = convert_projection(gray, from.projection, to.projection, size);
+      CHECK(std::count(image.pixels.begin(), image.pixels.end(), Rgb8{90, 130, 200}) ==
+            static_cast<long>(image.pixels.size()));
+    }
+  }
+}
+
+TEST_CASE("a smooth picture in each layout is the equirectangular one converted, within 3 levels") {
+  const Image source = smooth(Projection::equirect, {512, 256});
+  for (const ProjectionFacts& facts : projections) {
+    if (facts.projection == Projection::plane) continue;
+    CAPTURE(std::string(facts.word));
+    const PictureSize size = converted_size(source, Projection::equirect, facts.projection);
+    const Image made = smooth(facts.projection, size);
+    const Image converted =
+        convert_projection(source, Projection::equirect, facts.projection, size);
+    CHECK(largest_difference(made, converted) <= 3);
+    const Image back = convert_projection(converted, facts.projection, Projection::equirect,
+                                          {source.width, source.height});
+    CHECK(largest_difference(source, back) <= 5);
+    // Read in another layout it would not be the same.
+    const Projection other =
+        facts.projection == Projection::cube ? Projection::equi_angular : Projection::cube;
+    const Image wrong =
+        convert_projection(converted, other, Projection::equirect, {source.width, source.height});
+    CHECK(largest_difference(source, wrong) > 5);
+  }
+}
+
+TEST_CASE("to its own layout and size a picture is copied, byte for byte") {
+  const Image image = noise(60, 40, 1);
+  for (const ProjectionFacts& facts : projections)
+    CHECK(convert_projection(image, facts.projection, facts.projection, {60, 40}) == image);
+}
+
+TEST_CASE("light is the same on both sides of every seam, even of noise") {
+  const auto apart_at = [](const LightImage& image, Projection projection, const Vec3<double>& p,
+                           const Vec3<double>& across) {
+    const double step = 1e-9;
+    const Color<double> a = light_at(image, projection, project(projection, p + across * step));
+    const Color<double> b = light_at(image, projection, project(projection, p + across * -step));
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+  };
+  double worst = 0;
+  const LightImage cube = light_of(noise(48, 32, 2), TexelLight::linear);
+  const LightImage square_image = light_of(noise(32, 32, 3), TexelLight::linear);
+  const LightImage wide = light_of(noise(64, 32, 4), TexelLight::linear);
+  for (int i = 0; i < 2000; ++i) {
+    const double t = -1 + 2 * (i + 0.5) / 2000;
+    for (const double one : {-1.0, 1.0}) {
+      for (const double two : {-1.0, 1.0}) {
+        for (const Projection projection : {Projection::cube, Projection::equi_angular}) {
+          worst = std::max({worst, apart_at(cube, projection, {one, t, two}, {1, 0, 0}),
+                            apart_at(cube, projection, {t, one, two}, {0, 1, 0}),
+                            apart_at(cube, projection, {one, two, t}, {1, 0, 0})});
+        }
+      }
+      for (const Projection projection : {Projection::octahedral, Projection::equal_area}) {
+        worst = std::max({worst, apart_at(square_image, projection, {one, -t - 1, 0}, {0, 0, 1}),
+                          apart_at(square_image, projection, {0, -t - 1, one}, {1, 0, 0})});
+      }
+    }
+    for (const Projection projection : {Projection::equirect, Projection::cylinder})
+      worst = std::max(worst, apart_at(wide, projection, {-1, t, 0}, {0, 0, 1}));
+  }
+  MESSAGE("largest jump across a seam: " << worst);
+  CHECK(worst <= 1e-6);
+  // Clamped at the edge, as for a picture without neighbors, noise would jump.
+  CHECK(apart_at(wide, Projection::plane, {-1, 0.3, 0}, {0, 0, 1}) >= 0);
+  const Color<double> left = light_at(wide, Projection::plane, {0.0, 0.5});
+  const Color<double> right = light_at(wide, Projection::plane, {1 - 1e-9, 0.5});
+  CHECK(std::abs(left.r - right.r) > 0.01);
+}
+
+TEST_CASE("converted pictures have as many texels for the sphere, and a cube whole faces") {
+  const Image source(2048, 1024);
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    const PictureSize size = converted_size(source, Projection::equirect, facts.projection);
+    const double texels = static_cast<double>(size.width) * size.height;
+    const double for_the_sphere = texels * 4 * static_cast<double>(pi_digits) / facts.mean_texel;
+    CHECK(for_the_sphere / (2048.0 * 1024) == doctest::Approx(1).epsilon(0.003));
+    CHECK(static_cast<double>(size.width) / size.height ==
+          doctest::Approx(facts.aspect).epsilon(0.002));
+    if (facts.aspect == 1.5) CHECK((size.width % 3 == 0 && size.height % 2 == 0));
+  }
+  CHECK(converted_size(Image(1, 1), Projection::equirect, Projection::cube) == PictureSize{3, 2});
+}
+
+TEST_CASE("a picture that shrinks keeps its mean light, where single samples would not") {
+  // Stripes of one column: a sample sees black or white, their mean is half the light.
+  Image stripes(1024, 512);
+  for (int row = 0; row < 512; ++row) {
+    for (int column = 0; column < 1024; column += 2) stripes.at(column, row) = {255, 255, 255};
+  }
+  const Image small =
+      convert_projection(stripes, Projection::equirect, Projection::cylinder, {201, 64});
+  int off = 0;
+  for (const Rgb8& p : small.pixels)
+    off += std::abs(p.r - 188) > 20 ? 1 : 0;  // 188: half the light
+  CHECK(off <= static_cast<int>(small.pixels.size()) / 20);
+}
+
+TEST_CASE("every number of threads makes the same picture, of every size") {
+  const Image source = smooth(Projection::equirect, {128, 64});
+  for (const PictureSize size : {PictureSize{1, 1}, {3, 2}, {7, 5}, {64, 33}}) {
+    const Image one = convert_projection(source, Projection::equirect, Projection::cube, size, 1);
+    CHECK(one == convert_projection(source, Projection::equirect, Projection::cube, size, 3));
+    CHECK(one.width == size.width);
+    static_cast<void>(convert_projection(one, Projection::cube, Projection::octahedral, {9, 9}));
+  }
+}
+
+}  // namespace texmap::test

@@ -1,0 +1,370 @@
+// Tests of common/texture/projections.hpp, cube_map.hpp and octahedral_map.hpp.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "number/kinds/pack.hpp"
+#include "number/kinds/pack2.hpp"
+#include "scene/hit.hpp"
+#include "support/dice.hpp"
+#include "support/exact.hpp"
+#include "support/lane_of.hpp"
+#include "support/lanes.hpp"
+#include "support/many_digits.hpp"
+#include "texture/projection_facts.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// Directions: the axes, diagonals, places on edges and seams, near the poles, and 20000 others.
+template <class Real>
+std::vector<Vec3<Real>> directions() {
+  std::vector<Vec3<Real>> all;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        all.push_back(normalize(Vec3<Real>{Real(x), Real(y), Real(z)}));
+      }
+    }
+  }
+  Dice dice(7);
+  for (int i = 0; i < 20000; ++i) {
+    const double height = 1 - (2 * i + 1.0) / 20000;
+    const double around = i * 2.399963229728653;
+    const double radius = std::sqrt(1 - height * height);
+    all.push_back(normalize(
+        number_cast<Real>(Point{radius * std::cos(around), height, radius * std::sin(around)})));
+    const double near = static_cast<double>(dice.power_of_ten(-8, -1));
+    const double up = i % 2 == 0 ? 1 : -1;
+    all.push_back(
+        normalize(number_cast<Real>(Point{near * std::cos(around), up, near * std::sin(around)})));
+  }
+  return all;
+}
+
+bool upper_half_alone(Projection projection) { return projection == Projection::plane; }
+
+/// The farther of u and v, in texels of 4096.
+template <class Real>
+double texels(const Uv<Real>& a, const Uv<Real>& b) {
+  return static_cast<double>(std::max(abs(a.u - b.u), abs(a.v - b.v))) * 4096;
+}
+
+struct Named {
+  Vec3<double> p;
+  double u, v;
+};
+
+}  // namespace
+
+TEST_CASE("the six axes have exact places in every layout") {
+  const auto check = [](Projection projection, const std::vector<Named>& rows) {
+    for (const Named& row : rows) {
+      CAPTURE(row.p.x);
+      CAPTURE(row.p.y);
+      CAPTURE(row.p.z);
+      const Uv<double> uv = project(projection, row.p);
+      CHECK(uv.u == row.u);
+      CHECK(uv.v == doctest::Approx(row.v).epsilon(1e-15));
+    }
+  };
+  const Vec3<double> right{1, 0, 0}, left{-1, 0, 0}, top{0, 1, 0}, bottom{0, -1, 0};
+  const Vec3<double> front{0, 0, 1}, back{0, 0, -1};
+  const double last = below_one<double>();
+  check(Projection::equirect, {{left, 0, .5},
+                               {front, .25, .5},
+                               {right, .5, .5},
+                               {back, .75, .5},
+                               {top, .5, 1},
+                               {bottom, .5, 0}});
+  check(Projection::cylinder, {{left, 0, .5},
+                               {front, .25, .5},
+                               {right, .5, .5},
+                               {back, .75, .5},
+                               {top, .5, 1},
+                               {bottom, .5, 0}});
+  check(Projection::plane,
+        {{left, 0, .5}, {front, .5, 0}, {right, last, .5}, {back, .5, 1}, {top, .5, .5}});
+  for (const Projection cube : {Projection::cube, Projection::equi_angular}) {
+    check(cube, {{left, 0.5 / 3, .75},
+                 {front, .5, .75},
+                 {right, 2.5 / 3, .75},
+                 {bottom, 0.5 / 3, .25},
+                 {back, .5, .25},
+                 {top, 2.5 / 3, .25}});
+  }
+  for (const Projection octahedral : {Projection::octahedral, Projection::equal_area}) {
+    check(octahedral,
+          {{left, 0, .5}, {front, .5, 0}, {right, last, .5}, {back, .5, 1}, {top, .5, .5}});
+    const Uv<double> uv = project(octahedral, bottom);  // a corner, any of the four
+    CHECK((uv.u == 0 || uv.u == last));
+    CHECK((uv.v == 0 || uv.v == 1));
+  }
+}
+
+TEST_CASE_TEMPLATE("inverse, then forward: the same place, on 401 x 401 places with all edges",
+                   Real, float, double, long double) {
+  const double bound = std::is_same_v<Real, float> ? 0.001 : 4096e-12;
+  constexpr int n = 400;
+  for (const ProjectionFacts& facts : projections) {
+    double worst = 0;
+    double worst_on_edges = 0;
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= n; ++j) {
+        const Uv<Real> uv{min(Real(i) / Real(n), below_one<Real>()), Real(j) / Real(n)};
+        const bool outside = square(uv.u - Real(0.5)) + square(uv.v - Real(0.5)) > Real(0.25);
+        if (upper_half_alone(facts.projection) && outside) continue;
+        const Vec3<Real> p = unproject(facts.projection, uv);
+        const Uv<Real> again = project(facts.projection, p);
+        // On a seam two places are one direction, and a pole has a whole row.
+        const bool on_edge = i == 0 || i == n || j == 0 || j == n || 2 * j == n;
+        if (on_edge) {
+          const Vec3<Real> q = unproject(facts.projection, again);
+          worst_on_edges = std::max(worst_on_edges, static_cast<double>(length(q - p)));
+        } else {
+          worst = std::max(worst, texels(uv, again));
+        }
+      }
+    }
+    CAPTURE(std::string(facts.word));
+    MESSAGE(std::string(facts.word)
+            << ": " << worst << " texel of 4096, on edges " << worst_on_edges);
+    CHECK(worst <= bound);
+    CHECK(worst_on_edges <= 16 * static_cast<double>(std::numeric_limits<Real>::epsilon()));
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "forward, then inverse: the same direction; plane and cylinder lose half the digits where they "
+    "compress without bound",
+    Real, float, double, long double) {
+  const auto epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
+  for (const ProjectionFacts& facts : projections) {
+    double worst = 0;
+    double worst_compressed = 0;
+    for (const Vec3<Real>& p : directions<Real>()) {
+      if (upper_half_alone(facts.projection) && p.y < Real(0)) continue;
+      const Vec3<Real> q = unproject(facts.projection, project(facts.projection, p));
+      const auto off = static_cast<double>(length(q - p));
+      const bool compressed = (facts.projection == Projection::plane && abs(p.y) < Real(0.2)) ||
+                              (facts.projection == Projection::cylinder && abs(p.y) > Real(0.98));
+      (compressed ? worst_compressed : worst) =
+          std::max(compressed ? worst_compressed : worst, off);
+      REQUIRE(abs(length(q) - Real(1)) <= Real(8) * Real(epsilon));
+    }
+    CAPTURE(std::string(facts.word));
+    CHECK(worst <= 16 * epsilon);
+    CHECK(worst_compressed <= 2 * std::sqrt(epsilon));
+  }
+}
+
+TEST_CASE("in float every place is within 0.001 texel of 4096 of the one in long double") {
+  for (const ProjectionFacts& facts : projections) {
+    double worst = 0;
+    for (const Vec3<float>& p : directions<float>()) {
+      const Vec3<Exact> same = number_cast<Exact>(p);
+      const Uv<float> uv = project(facts.projection, p);
+      const Uv<Exact> exact = project(facts.projection, same);
+      // On a seam, either side.
+      if (abs(widened(uv.u) - exact.u) > 0.3L || abs(widened(uv.v) - exact.v) > 0.3L) continue;
+      worst = std::max(worst, texels(Uv<Exact>{widened(uv.u), widened(uv.v)}, exact));
+    }
+    CAPTURE(std::string(facts.word));
+    MESSAGE(std::string(facts.word) << ": " << worst << " texel of 4096");
+    CHECK(worst <= 0.001);
+  }
+}
+
+TEST_CASE("the textbook's equal-area form is off by a third of a texel near the poles in float") {
+  const auto textbook = [](const Vec3<float>& p) {
+    const float distance = std::sqrt(1 - std::abs(p.y));
+    const float quarter = std::atan2(std::abs(p.z), std::abs(p.x)) * (2 / pi<float>());
+    const float along_z = quarter * distance;
+    return uv_from_square(with_sign_of(p.x, distance - along_z), with_sign_of(-p.z, along_z));
+  };
+  double worst = 0;
+  double ours = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double near = std::pow(10.0, -5 + 4 * (i + 0.5) / 20000);
+    const Vec3<float> p =
+        normalize(number_cast<float>(Point{near * std::cos(i * 2.4), 1, near * std::sin(i * 2.4)}));
+    const Uv<Exact> exact = uv_equal_area(number_cast<Exact>(p));
+    const auto off = [&](const Uv<float>& uv) {
+      return texels(Uv<Exact>{widened(uv.u), widened(uv.v)}, exact);
+    };
+    worst = std::max(worst, off(textbook(p)));
+    ours = std::max(ours, off(uv_equal_area(p)));
+  }
+  MESSAGE("near the pole: textbook " << worst << " texel of 4096, ours " << ours);
+  CHECK(worst > 0.3);
+  CHECK(ours <= 3e-4);
+}
+
+#ifdef TEXMAP_HAVE_DIGITS
+TEST_CASE("double agrees with 50 digits to 1e-15") {
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    Dice dice(3);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3<double> p{dice.between(-1, 1), dice.between(0.1, 1), dice.between(-1, 1)};
+      const Uv<double> uv = project(facts.projection, p);
+      const Uv<Digits50> exact = project(facts.projection, number_cast<Digits50>(p));
+      CHECK(std::abs(static_cast<double>(exact.u - Digits50(uv.u))) <= 1e-15);
+      CHECK(std::abs(static_cast<double>(exact.v - Digits50(uv.v))) <= 1e-15);
+    }
+  }
+}
+#endif
+
+TEST_CASE_TEMPLATE(
+    "each lane of a pack has the place and the direction of its own numbers, but for the rounding "
+    "of the packs' arc tangent",
+    Many, Pack<float>, Pack<double>, Pack2<Pack<float>>, Pack2<Pack<double>>) {
+  using T = Scalar<Many>;
+  const T bound = 8 * std::numeric_limits<T>::epsilon();
+  Dice dice(5);
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    T worst = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3<Many> p = any_vectors<Many>(dice, -1, 1);
+      const Uv<Many> uv = project(facts.projection, p);
+      const Uv<Many> place{any_pack<Many>(dice, 0, 1), any_pack<Many>(dice, 0, 1)};
+      const Vec3<Many> direction = unproject(facts.projection, place);
+      for (std::size_t k = 0; k < lanes<Many>; ++k) {
+        const Uv<T> one = project(facts.projection, lane_of(p, k));
+        const Vec3<T> there = unproject(facts.projection, lane_of(place, k));
+        worst = std::max({worst, abs(lane(uv.u, k) - one.u), abs(lane(uv.v, k) - one.v),
+                          length(lane_of(direction, k) - there)});
+      }
+    }
+    CHECK(worst <= bound);
+  }
+}
+
+TEST_CASE("every picture reads as printed from outside: no layout is mirrored") {
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    for (const Vec3<double>& place : directions<double>()) {
+      const Vec3<double> n = normalize(place + Vec3<double>{0.0123, 0.0077, 0.0051});
+      if (upper_half_alone(facts.projection) && n.y < 0.01) continue;
+      const Vec3<double> east = normalize(cross(Vec3<double>{0, 1, 0}, n));
+      const Vec3<double> north = cross(n, east);
+      const Uv<Dual<double>> uv =
+          project(facts.projection,
+                  Vec3<Dual<double>>{
+                      {n.x, east.x, north.x}, {n.y, east.y, north.y}, {n.z, east.z, north.z}});
+      REQUIRE(uv.u.dx * uv.v.dy - uv.u.dy * uv.v.dx > 0);
+    }
+  }
+}
+
+TEST_CASE("the cylinder's map of a cylinder changes no length") {
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = i * 0.0062831;
+    const Vec3<double> p{std::cos(angle), std::sin(i * 1.0), std::sin(angle)};
+    // One step around the cylinder and one along its axis.
+    const Uv<Dual<double>> uv =
+        uv_cylinder(Vec3<Dual<double>>{{p.x, p.z, 0.0}, {p.y, 0.0, 1.0}, {p.z, -p.x, 0.0}});
+    constexpr double around = 2 * static_cast<double>(pi_digits);
+    CHECK(around * uv.u.dx == doctest::Approx(1).epsilon(1e-14));
+    CHECK(2 * uv.v.dy == 1);
+    CHECK(uv.u.dy == 0);
+    CHECK(uv.v.dx == 0);
+  }
+}
+
+TEST_CASE("both sides of every seam of a cube are one direction, and joined faces go on") {
+  for (const Projection projection : {Projection::cube, Projection::equi_angular}) {
+    for (int i = 0; i <= 100; ++i) {
+      const double t = i / 100.0;
+      // The ends of the upper band meet the middle face of the lower band, turned.
+      const auto at = [&](double u, double v) { return unproject(projection, Uv<double>{u, v}); };
+      CHECK(length(at(0, 0.5 + t / 2) - at((1 + t) / 3 * (1 - 1e-16), 0)) < 1e-14);
+      CHECK(length(at(below_one<double>(), 0.5 + t / 2) -
+                   at((1 + t) / 3, below_one<double>() / 2)) < 1e-14);
+    }
+    Dice dice(11);
+    for (int i = 0; i < 2000; ++i) {  // the join of -x and +z is at x = -z
+      const double across = dice.between(-0.7, 0.7);
+      const Uv<double> one = project(projection, Vec3<double>{-1 - 1e-12, across, 1});
+      const Uv<double> two = project(projection, Vec3<double>{-1 + 1e-12, across, 1});
+      CHECK(std::abs(one.u - two.u) < 1e-11);
+      CHECK(std::abs(one.v - two.v) < 1e-11);
+    }
+  }
+}
+
+namespace {
+
+/// The texel that lies across an edge of an octahedral map: its direction is that of the edge's own
+/// texel, mirrored at the plane of the meridian that the edge is.
+Uv<double> mirrored_place(Projection projection, const Uv<double>& inside, bool at_side) {
+  Vec3<double> p = unproject(projection, inside);
+  (at_side ? p.z : p.x) *= -1;
+  return project(projection, p);
+}
+
+template <class Fold>
+int wrong_folds(const Fold& fold) {
+  int wrong = 0;
+  for (const Projection projection : {Projection::octahedral, Projection::equal_area}) {
+    for (int n = 1; n <= 16; ++n) {
+      for (int i = 0; i < n; ++i) {
+        const auto check = [&](int column, int row) {
+          const int inner_column = std::clamp(column, 0, n - 1);
+          const int inner_row = std::clamp(row, 0, n - 1);
+          const Uv<double> place =
+              mirrored_place(projection, {(inner_column + 0.5) / n, 1 - (inner_row + 0.5) / n},
+                             inner_column != column);
+          const auto texel = fold(column, row, n);
+          const bool same = texel.column == std::floor(place.u * n) &&
+                            texel.row == n - 1 - std::floor(place.v * n);
+          wrong += same ? 0 : 1;
+        };
+        check(-1, i);
+        check(n, i);
+        check(i, -1);
+        check(i, n);
+      }
+    }
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("beyond each of the four edges an octahedral map goes on at the mirrored texel") {
+  CHECK(wrong_folds([](int column, int row, int n) {
+          return folded_octahedral<double>(column, row, n, n);
+        }) == 0);
+  // A renderer's fault: below 0 the coordinate is negated, so texel -1 becomes texel 1.
+  CHECK(wrong_folds([](int column, int row, int n) {
+          OctahedralTexel<double> texel = folded_octahedral<double>(column, row, n, n);
+          if (column < 0) texel.column = -column;
+          if (row < 0) texel.row = -row;
+          return texel;
+        }) > 100);
+  // All four corners are the south pole.
+  const auto corner = folded_octahedral<double>(-1, -1, 8, 8);
+  CHECK(corner.column == 7);
+  CHECK(corner.row == 7);
+}
+
+TEST_CASE("the plane's map of a point is its x and its z") {
+  Hit<double> hit;
+  hit.point = {3, -7, 0.25};
+  CHECK(PlaneMapping{}(hit).u == 3);
+  CHECK(PlaneMapping{}(hit).v == 0.25);
+  const Vec3<double> n = normalize(Vec3<double>{0.3, 0.5, -0.4});
+  const Uv<double> uv = project(Projection::plane, n);
+  CHECK(2 * uv.u - 1 == doctest::Approx(n.x).epsilon(1e-15));
+  CHECK(1 - 2 * uv.v == doctest::Approx(n.z).epsilon(1e-15));
+}
+
+}  // namespace texmap::test
