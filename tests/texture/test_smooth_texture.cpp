@@ -105,8 +105,9 @@ TEST_CASE("each lane of a pack is the plain number's, and NaN reads a texel of t
       u[k] = dice.between(0, 1);
       v[k] = dice.between(0, 1);
     }
-    const Color<Number> color = texture(Uv<Number>{from_lanes<Number>([&](std::size_t k) { return u[k]; }),
-                                                   from_lanes<Number>([&](std::size_t k) { return v[k]; })});
+    const Color<Number> color =
+        texture(Uv<Number>{from_lanes<Number>([&](std::size_t k) { return u[k]; }),
+                           from_lanes<Number>([&](std::size_t k) { return v[k]; })});
     for (std::size_t k = 0; k < u.size(); ++k)
       CHECK(lane(color.r, k) == texture(Uv<double>{u[k], v[k]}).r);
   }
