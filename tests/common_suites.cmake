@@ -2,6 +2,7 @@
 
 foreach(suite
     number/test_double_pair
+    number/test_dual
     number/test_interval
     number/test_number
     number/test_pack
@@ -10,6 +11,7 @@ foreach(suite
     number/test_pack2_fallback
     number/test_pack_u32
     number/test_pack_u32_fallback
+    math/test_circle
     math/test_srgb
     math/test_vec3
     sampling/test_directions

@@ -108,6 +108,33 @@ inline constexpr const char* unused_texture =
     "the lesson offers --texture and never loads it: is its hook spelt `prepare`? With `override` "
     "behind it the compiler says so";
 
+/// Draws and saves what a lesson shows with the options that were read.
+template <class Lesson>
+void draw_and_save(Session& session, Lesson& lesson) {
+  lesson.prepare(session);
+  session.check();
+  if constexpr (requires { lesson.texture.loaded; } && !shows_itself<Lesson>) {
+    if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
+  }
+  if constexpr (HasSpheres<Lesson>) {
+    if (session.was_given("--spheres"))
+      for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
+    keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
+  }
+  if constexpr (requires { lesson.phong; }) {
+    lesson.phong.plan(session, read_budget(session.settings.budget));
+  }
+  if constexpr (shows_itself<Lesson>) {
+    lesson.show(session);
+    return;
+  } else {
+    if constexpr (requires { lesson.turn.frames; }) {
+      if (lesson.turn.frames > 0) return show_turntable(session, lesson);
+    }
+    show_picture(session, lesson);
+  }
+}
+
 /// A chapter's main program.
 ///
 /// @param chapter  its folder's name, such as 02_checkerboard_uv
@@ -128,28 +155,7 @@ template <class Lesson>
     lesson.options(line);
     Session session(chapter, line, Lesson::about, offers_for(lesson));
     if (!line.parse(argc, argv)) return;
-    lesson.prepare(session);
-    session.check();
-    if constexpr (requires { lesson.texture.loaded; } && !shows_itself<Lesson>) {
-      if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
-    }
-    if constexpr (HasSpheres<Lesson>) {
-      if (session.was_given("--spheres"))
-        for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
-      keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
-    }
-    if constexpr (requires { lesson.phong; }) {
-      lesson.phong.plan(session, read_budget(session.settings.budget));
-    }
-    if constexpr (shows_itself<Lesson>) {
-      lesson.show(session);
-      return;
-    } else {
-      if constexpr (requires { lesson.turn.frames; }) {
-        if (lesson.turn.frames > 0) return show_turntable(session, lesson);
-      }
-      show_picture(session, lesson);
-    }
+    draw_and_save(session, lesson);
   });
 }
 

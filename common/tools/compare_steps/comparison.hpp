@@ -44,6 +44,11 @@ struct Comparison {
 [[nodiscard]] std::string report_page(const Comparison& comparison, const std::string& before_code,
                                       const std::string& after_code);
 
+/// The page of two steps with different scenes: both pictures and the code.
+[[nodiscard]] std::string scenes_page(const DrawnStep& before, const DrawnStep& after,
+                                      const std::string& before_code,
+                                      const std::string& after_code);
+
 /// Five lines for the terminal.
 [[nodiscard]] std::string summary(const Comparison& comparison, const std::string& page);
 

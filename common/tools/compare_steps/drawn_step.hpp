@@ -2,18 +2,22 @@
 #pragma once
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/system/system.hpp"
 #include "scene/nearest.hpp"
 #include "scene/paint.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap::steps {
 
-/// A lesson's picture of the stage with everything that a comparison asks about it.
+/// A lesson's picture of the stage with everything that a comparison asks about it; of another
+/// scene the picture alone.
 struct DrawnStep {
   std::string chapter;  ///< its folder, such as 02_checkerboard_uv
   Image picture;
@@ -78,6 +82,25 @@ template <class Lesson>
       step.uv.push_back(uv_of_paint(object.paint, hit_at(object.shape, ray, nearest.distance)));
     }
   }
+  return step;
+}
+
+/// Draws what a chapter's program draws without options, into `file`.
+template <class Lesson>
+[[nodiscard]] DrawnStep draw_scene(const std::string& chapter, const std::filesystem::path& file,
+                                   int threads) {
+  Lesson lesson;
+  CommandLine line(chapter, "");
+  lesson.options(line);
+  Session session(chapter, line, Lesson::about, offers_for(lesson));
+  static_cast<void>(line.parse({}));
+  session.settings.quiet = true;
+  session.settings.threads = threads;
+  session.settings.out = name_of(file);
+  draw_and_save(session, lesson);
+  DrawnStep step;
+  step.chapter = chapter;
+  step.picture = load_image(file);
   return step;
 }
 

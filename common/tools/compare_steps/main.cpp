@@ -14,6 +14,7 @@
 #include "04_uv_conventions/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
 #include "comparison.hpp"
 #include "engine/app/run_chapter.hpp"
 #include "engine/system/system.hpp"
@@ -40,31 +41,37 @@ struct Choices {
 /// A chapter that can be compared.
 struct Chapter {
   const char* name;
-  DrawnStep (*draw)(const Drawing&);
+  DrawnStep (*on_stage)(const char* name, const Drawing&);  ///< the stage, where it draws that
+  DrawnStep (*scene)(const char* name, const std::filesystem::path& file, int threads);
 };
 
-template <class Lesson, const char* Name>
-DrawnStep draw_chapter(const Drawing& drawing) {
-  return steps::draw_step<Lesson>(Name, drawing.width, drawing.height, drawing.threads);
+template <class Lesson>
+DrawnStep draw_on_stage(const char* name, const Drawing& drawing) {
+  return steps::draw_step<Lesson>(name, drawing.width, drawing.height, drawing.threads);
+}
+template <class Lesson>
+DrawnStep draw_scene(const char* name, const std::filesystem::path& file, int threads) {
+  return steps::draw_scene<Lesson>(name, file, threads);
 }
 
-constexpr char name_01[] = "01_plain_spheres";
-constexpr char name_02[] = "02_checkerboard_uv";
-constexpr char name_03[] = "03_image_texture";
-constexpr char name_04[] = "04_uv_conventions";
-constexpr char name_05[] = "05_y_rotation";
-constexpr char name_06[] = "06_phong_texture_blend";
+template <class Lesson>
+constexpr Chapter on_stage(const char* name) {
+  return {name, draw_on_stage<Lesson>, draw_scene<Lesson>};
+}
+template <class Lesson>
+constexpr Chapter own_scene(const char* name) {
+  return {name, nullptr, draw_scene<Lesson>};
+}
 
-constexpr std::array<Chapter, 6> chapters = {{
-    {name_01, draw_chapter<chapter_01::Lesson, name_01>},
-    {name_02, draw_chapter<chapter_02::Lesson, name_02>},
-    {name_03, draw_chapter<chapter_03::Lesson, name_03>},
-    {name_04, draw_chapter<chapter_04::Lesson, name_04>},
-    {name_05, draw_chapter<chapter_05::Lesson, name_05>},
-    {name_06, draw_chapter<chapter_06::Lesson, name_06>},
-}};
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr std::array chapters = {
+    on_stage<chapter_01::Lesson>("01_plain_spheres"),
+    on_stage<chapter_02::Lesson>("02_checkerboard_uv"),
+    on_stage<chapter_03::Lesson>("03_image_texture"),
+    on_stage<chapter_04::Lesson>("04_uv_conventions"),
+    on_stage<chapter_05::Lesson>("05_y_rotation"),
+    on_stage<chapter_06::Lesson>("06_phong_texture_blend"),
+    own_scene<chapter_07::Lesson>("07_earth_by_sampling"),
+};
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path);
@@ -78,19 +85,24 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   with_name("cannot write", path, [&] { write_text_atomically(path, text); });
 }
 
+/// The page of two chapters with different scenes.
+void show_scenes(const Chapter& from, const Chapter& to, const std::filesystem::path& place,
+                 const std::string& before_code, const std::string& after_code,
+                 const Choices& choices) {
+  const int threads = choices.drawing.threads;
+  const DrawnStep before = from.scene(from.name, place / "before.png", threads);
+  const DrawnStep after = to.scene(to.name, place / "after.png", threads);
+  const std::filesystem::path page = place / "index.html";
+  write_text(page, steps::scenes_page(before, after, before_code, after_code));
+  if (!choices.quiet) {
+    print("from " + before.chapter + " to " + after.chapter +
+          ": different scenes, so no pixels are compared; both pictures and the code: " +
+          name_of(page) + "\n");
+  }
+}
+
 /// Compares chapters[from] with chapters[to] and writes the page; true if nothing else changed.
 bool compare_pair(std::size_t from, std::size_t to, const Choices& choices) {
-  DrawnStep before = chapters[from].draw(choices.drawing);
-  DrawnStep after = chapters[to].draw(choices.drawing);
-  std::vector<int> may_change;
-  for (std::size_t i = std::min(from, to) + 1; i <= std::max(from, to); ++i) {
-    const DrawnStep step = i == to ? after : i == from ? before : chapters[i].draw({8, 6, 1});
-    may_change.insert(may_change.end(), step.may_change.begin(), step.may_change.end());
-  }
-  std::sort(may_change.begin(), may_change.end());
-  may_change.erase(std::unique(may_change.begin(), may_change.end()), may_change.end());
-
-  const steps::Comparison result = steps::compare(std::move(before), std::move(after), may_change);
   const std::filesystem::path place =
       path_of(choices.folder) /
       (std::string(chapters[from].name, 2) + "-" + std::string(chapters[to].name, 2));
@@ -98,6 +110,24 @@ bool compare_pair(std::size_t from, std::size_t to, const Choices& choices) {
   const auto lesson = [&](std::size_t i) {
     return text_of(path_of(choices.source) / chapters[i].name / "lesson.hpp");
   };
+  if (chapters[from].on_stage == nullptr || chapters[to].on_stage == nullptr) {
+    show_scenes(chapters[from], chapters[to], place, lesson(from), lesson(to), choices);
+    return true;
+  }
+  const auto draw = [](std::size_t i, const Drawing& drawing) {
+    return chapters[i].on_stage(chapters[i].name, drawing);
+  };
+  DrawnStep before = draw(from, choices.drawing);
+  DrawnStep after = draw(to, choices.drawing);
+  std::vector<int> may_change;
+  for (std::size_t i = std::min(from, to) + 1; i <= std::max(from, to); ++i) {
+    const DrawnStep step = i == to ? after : i == from ? before : draw(i, {8, 6, 1});
+    may_change.insert(may_change.end(), step.may_change.begin(), step.may_change.end());
+  }
+  std::sort(may_change.begin(), may_change.end());
+  may_change.erase(std::unique(may_change.begin(), may_change.end()), may_change.end());
+
+  const steps::Comparison result = steps::compare(std::move(before), std::move(after), may_change);
   write_text(place / "report.json", steps::report_json(result));
   const std::filesystem::path page = place / "index.html";
   write_text(page, steps::report_page(result, lesson(from), lesson(to)));
@@ -111,37 +141,14 @@ bool is_number_of(const std::string& typed, const std::string& name) {
          parse_whole("a chapter", typed, 0, 99) == parse_whole("", name.substr(0, 2), 0, 99);
 }
 
-/// Where the chapter stands among those that can be compared; their number if it is none of them.
+/// The chapter's place among those that can be compared. Errors: UsageError if it is none of them.
 std::size_t place_of(const std::string& typed) {
-  const auto found = std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& chapter) {
-    return is_number_of(typed, chapter.name);
-  });
-  return static_cast<std::size_t>(found - chapters.begin());
-}
-
-/// The chapter's folder, whether it can be compared or not.
-/// Errors: UsageError if there is none.
-std::string chapter_named(const std::string& typed, const std::string& source) {
-  for (const auto& entry : std::filesystem::directory_iterator(path_of(source))) {
-    std::string name = name_of(entry.path().filename());
-    const bool is_chapter =
-        name.size() > 3 && is_digit(name[0]) && is_digit(name[1]) && name[2] == '_';
-    if (is_chapter && is_number_of(typed, name)) return name;
-  }
-  throw UsageError("there is no chapter '" + typed + "' to compare");
-}
-
-/// What to say of two chapters with different scenes: where their difference can be read.
-std::string why_not(const std::string& before, const std::string& after, const Choices& choices) {
-  const std::string from = chapter_named(before, choices.source);
-  const std::string to = chapter_named(after, choices.source);
-  const std::string new_scene = place_of(after) == chapters.size() ? to : from;
-  const std::string folder = name_of(std::filesystem::proximate(path_of(choices.source)));
-  return "chapter " + new_scene.substr(0, 2) +
-         " begins a new scene, and pictures of different scenes have no pixels to compare.\nThe "
-         "step is told in " +
-         folder + "/" + new_scene + "/README.md; its code is shown by:\n  git diff --no-index " +
-         folder + "/" + from + "/lesson.hpp " + folder + "/" + to + "/lesson.hpp";
+  const auto* const found =
+      std::find_if(chapters.begin(), chapters.end(),
+                   [&](const Chapter& chapter) { return is_number_of(typed, chapter.name); });
+  if (found != chapters.end()) return static_cast<std::size_t>(found - chapters.begin());
+  throw UsageError("there is no chapter '" + typed + "' to compare: name two of 01 to " +
+                   std::string(chapters.back().name, 2));
 }
 
 }  // namespace
@@ -174,11 +181,7 @@ int main(int argc, char** argv) {
           "--from and --to go together: name two chapters to compare, or none for all neighbours");
     }
     if (!before.empty()) {
-      const std::size_t from = place_of(before);
-      const std::size_t to = place_of(after);
-      if (std::max(from, to) == chapters.size())
-        throw std::runtime_error(why_not(before, after, choices));
-      as_declared = compare_pair(from, to, choices);
+      as_declared = compare_pair(place_of(before), place_of(after), choices);
       return;
     }
     for (std::size_t i = 0; i + 1 < chapters.size(); ++i)

@@ -155,21 +155,39 @@ std::string code_section(const std::string& before, const std::string& after) {
   return html + "</pre>\n";
 }
 
+std::string head(const std::string& title) {
+  const std::string name = escaped_markup(title);
+  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+         "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         name + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + name + "</h1>\n";
+}
+
+std::string title_of(const DrawnStep& before, const DrawnStep& after) {
+  return "From " + before.chapter + " to " + after.chapter;
+}
+
 }  // namespace
+
+std::string scenes_page(const DrawnStep& before, const DrawnStep& after,
+                        const std::string& before_code, const std::string& after_code) {
+  std::string html = head(title_of(before, after));
+  html +=
+      "<p class=\"verdict good\">The two chapters draw different scenes, so no pixels are "
+      "compared.</p>\n<h2>Both pictures</h2>\n";
+  html += figure(before.picture, "The picture of " + before.chapter);
+  html += figure(after.picture, "The picture of " + after.chapter);
+  html += "<h2>The code</h2>\n" + code_section(before_code, after_code);
+  return html + "</body>\n</html>\n";
+}
 
 std::string report_page(const Comparison& c, const std::string& before_code,
                         const std::string& after_code) {
-  const std::string title = "From " + c.before.chapter + " to " + c.after.chapter;
   std::string declared;
   for (const int object : c.may_change)
     declared += (declared.empty() ? "" : ", ") + object_name(object);
   const bool good = c.changed_elsewhere == 0;
 
-  std::string html = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
-  html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-          escaped_markup(title) + "</title>\n";
-  html += "<style>" + std::string(style) + "</style>\n</head>\n<body>\n<h1>" +
-          escaped_markup(title) + "</h1>\n";
+  std::string html = head(title_of(c.before, c.after));
   html += "<p class=\"verdict " + std::string(good ? "good" : "bad") + "\">";
   html += good ? "Only what may change has changed"
                : text("%zu pixels changed that should not have", c.changed_elsewhere);

@@ -8,8 +8,9 @@ mode=${2:---check}
 longest_lesson=80
 largest_step=25
 largest_new_scene=50 # where the chapter opens a new scene
-new_scenes=" 07 08 "
+new_scenes=" 07 08 09 11 12 "
 begin='<!-- step: made by ./course steps --write -->'
+begin_from='<!-- step from NN: made by ./course steps --write -->' # from another chapter than the one before
 end='<!-- end of step -->'
 alone='<!-- no step: this chapter stands on its own -->'
 
@@ -20,8 +21,9 @@ step_of() {
 
 # The README on standard input with the step from file $1 between its marks.
 with_step() {
-  awk -v begin="$begin" -v end="$end" -v step="$1" '
-    $0 == begin {
+  from=$(printf '%s' "$begin_from" | sed 's/NN/[0-9][0-9]/')
+  awk -v begin="$begin" -v from="^$from\$" -v end="$end" -v step="$1" '
+    $0 == begin || $0 ~ from {
       print
       print "```diff"
       while ((getline line < step) > 0) print line
@@ -49,6 +51,14 @@ check() {
     number=${name%%_*}
     # A chapter has no step if its README says so or if the chapter before is missing.
     if [ "$number" = "$next" ] && ! grep -q -x -F -e "$alone" "$folder/README.md"; then
+      other=$(sed -n 's/^<!-- step from \([0-9][0-9]\): .*/\1/p' "$folder/README.md")
+      if [ -n "$other" ]; then
+        before=$(echo "$1"/chapters/"$other"_*/lesson.hpp)
+        [ -f "$before" ] || {
+          echo "FAIL: $name/README.md shows its step from chapter $other, which is not there" >&2
+          return 1
+        }
+      fi
       step_of "$before" "$folder/lesson.hpp" >"$work/step"
       changed=$(grep -c '^[-+]' "$work/step" || true)
       echo "$changed" >>"$work/sizes"
@@ -59,7 +69,7 @@ check() {
         faults=$((faults + 1))
       fi
       if ! with_step "$work/step" <"$folder/README.md" >"$work/readme"; then
-        echo "FAIL: $name/README.md lacks the marks of its step: $begin and $end" >&2
+        echo "FAIL: $name/README.md lacks the marks of its step: $begin (or $begin_from) and $end" >&2
         faults=$((faults + 1))
       elif ! cmp -s "$work/readme" "$folder/README.md"; then
         if [ "$2" = --write ]; then

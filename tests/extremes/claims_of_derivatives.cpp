@@ -1,0 +1,252 @@
+// Claims of common/number/dual.hpp: derivatives of unchanged code, by two parameters.
+#include <array>
+#include <tuple>
+
+#include "claims.hpp"
+#include "number/dual.hpp"
+#include "references.hpp"
+#include "scene/light.hpp"
+#include "scene/phong.hpp"
+#include "scene/sphere.hpp"
+#include "texture/conventions.hpp"
+
+namespace texmap::extremes {
+namespace {
+
+/// A point and how it moves for a step of each parameter.
+template <class Real>
+using Moving = std::array<Vec3<Real>, 3>;
+
+template <class Real>
+Vec3<Dual<Real>> dual_of(const Moving<Real>& p) {
+  return {{p[0].x, p[1].x, p[2].x}, {p[0].y, p[1].y, p[2].y}, {p[0].z, p[1].z, p[2].z}};
+}
+
+/// Value and derivatives, as a vector that a lane can be taken of.
+template <class Real>
+Vec3<Real> parts(const Dual<Real>& x) {
+  return {x.value, x.dx, x.dy};
+}
+
+/// A vector of any direction, or 1e-12 to 0.1 radians from a pole, or at the seam, and two steps
+/// that are shorter than the vector. Lengths are 1e-15 to 1e15.
+template <class T>
+Moving<T> any_moving(Dice& dice) {
+  Vec3<long double> p = dice.direction();
+  if (dice.once_in(3)) {
+    const long double sine = dice.power_of_ten(-12, -1);
+    p = {p.x * sine, p.y < 0 ? -1.0L : 1.0L, p.z * sine};
+  }
+  if (dice.once_in(4)) p = {-std::abs(p.x), p.y, dice.once_in(2) ? 0 : p.z * 1e-9L};
+  const int size = dice.within(-50, 50);
+  const auto step = [&] {
+    return scaled(rounded<T>(dice.direction() * dice.power_of_ten(-6, 0)), size);
+  };
+  const Vec3<T> place = scaled(rounded<T>(p), size);
+  const Vec3<T> across = step();
+  return {place, across, step()};
+}
+
+/// The error of two derivatives, in unit roundoffs of the gradient's bound `scale` times the steps.
+template <class T>
+double gradient_off(const Vec3<T>& got, const std::array<Digits50, 2>& exact,
+                    const std::array<Digits50, 2>& scale) {
+  double off = 0;
+  const std::array<T, 2> by = {got.y, got.z};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!std::isfinite(by[k])) return std::numeric_limits<double>::infinity();
+    off = std::max(
+        off, static_cast<double>(abs(Digits50(by[k]) - exact[k]) / (scale[k] * roundoff<T>())));
+  }
+  return off;
+}
+
+/// Central differences of a function of a vector, with steps so small that 50 digits see no curve.
+template <class Function>
+auto differences(const Function& function, const Vec3<Digits50>& p, const Vec3<Digits50>& step,
+                 const Digits50& small) {
+  const auto ahead = function(p + step * small);
+  const auto behind = function(p - step * small);
+  return std::array{Digits50(ahead.u - behind.u), Digits50(ahead.v - behind.v)};
+}
+
+/// The derivatives of u and v, relative to the longest that a step of that length can have.
+template <class T>
+double uv_gradient_off(const std::tuple<Vec3<T>, Vec3<T>>& got, const Moving<T>& at) {
+  const Vec3<Digits50> p = exactly(at[0]);
+  const Digits50 from_axis = sqrt(p.x * p.x + p.z * p.z);
+  const Digits50 size = length(p);
+  std::array<Digits50, 2> u, v, u_scale, v_scale;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Vec3<Digits50> step = exactly(at[k + 1]);
+    const Digits50 small = Digits50("1e-18") * from_axis / length(step);
+    const auto [du, dv] = differences([](const auto& q) { return exact_uv(q); }, p, step, small);
+    const Digits50 whole = du > 0.5 ? Digits50(du - 1) : du < -0.5 ? Digits50(du + 1) : du;
+    u[k] = whole / (2 * small);
+    v[k] = dv / (2 * small);
+    u_scale[k] = length(step) / (2 * circle<Digits50>() * from_axis);
+    v_scale[k] = length(step) / (circle<Digits50>() * size);
+  }
+  return std::max(gradient_off(std::get<0>(got), u, u_scale),
+                  gradient_off(std::get<1>(got), v, v_scale));
+}
+
+template <class Real>
+auto worst_uv_gradient() {
+  using T = Scalar<Real>;
+  return worst_lanes<Real>(
+      any_moving<T>,
+      [](const Moving<Real>& p) {
+        const Uv<Dual<Real>> uv = uv_rtiow(dual_of(p));
+        return std::tuple(parts(uv.u), parts(uv.v));
+      },
+      [](const auto& got, const Moving<T>& p) { return uv_gradient_off(got, p); });
+}
+
+/// Whether the value differs from the plain number's, for the whole way from a ray to (u, v).
+template <class Real>
+auto value_differs() {
+  using T = Scalar<Real>;
+  const auto way = [](const auto& from) {
+    const Sphere<> globe{.center = {0.25, 0, 0}, .radius = 1};
+    using Number = std::remove_cvref_t<decltype(from.x)>;
+    const Ray<Number> ray{from, normalize(from * Number(-1))};
+    const Number distance = distance_to(globe, ray);
+    const Uv<Number> uv = uv_of(Convention::lecture, normal_at(globe, ray, distance));
+    return std::tuple(distance, uv.u, uv.v);
+  };
+  return worst_lanes<Real>(
+      [](Dice& dice) {
+        return Moving<T>{rounded<T>(dice.direction() * dice.power_of_ten(0.3L, 2)),
+                         rounded<T>(dice.direction()), rounded<T>(dice.direction())};
+      },
+      [way](const Moving<Real>& p) {
+        const auto dual = way(dual_of(p));
+        const auto plain = way(p[0]);
+        const auto same = [](const Real& a, const Real& b) {
+          return select(a == b, Real(1), Real(0));
+        };
+        return Vec3<Real>{same(std::get<0>(dual).value, std::get<0>(plain)),
+                          same(std::get<1>(dual).value, std::get<1>(plain)),
+                          same(std::get<2>(dual).value, std::get<2>(plain))};
+      },
+      [](const Vec3<T>& same, const Moving<T>&) { return !(same.x + same.y + same.z == T(3)); });
+}
+
+/// A camera's ray at a unit sphere, 1.5 to 20 radii away, within 0.9 radii of its center.
+template <class T>
+Moving<T> any_look(Dice& dice) {
+  const Vec3<long double> towards = dice.direction();
+  const Vec3<long double> beside = dice.across(towards) * dice.uniform(0, 0.9L);
+  const Vec3<long double> eye = towards * dice.uniform(1.5L, 20);
+  const Vec3<T> direction = rounded<T>(beside - eye);
+  return {rounded<T>(eye), direction, rounded<T>(dice.across(towards) * 0.01L)};
+}
+
+/// The distance's derivative by a parameter that moves the direction.
+template <class Real>
+auto worst_distance_gradient() {
+  using T = Scalar<Real>;
+  return worst_lanes<Real>(
+      any_look<T>,
+      [](const Moving<Real>& look) {
+        const Vec3<Real> zero{};
+        const Ray<Dual<Real>> ray{dual_of(Moving<Real>{look[0], zero, zero}),
+                                  dual_of(Moving<Real>{look[1], look[2], zero})};
+        return parts(distance_to(Sphere<>{}, ray));
+      },
+      [](const Vec3<T>& got, const Moving<T>& look) {
+        const Vec3<Digits50> step = exactly(look[2]);
+        const Digits50 small("1e-18");
+        const auto at = [&](const Digits50& t) {
+          return exact_meeting(exactly(look[0]), exactly(look[1]) + step * t, Digits50(1)).distance;
+        };
+        const Digits50 slope = (at(small) - at(-small)) / (2 * small);
+        return static_cast<double>(abs(Digits50(got.y) - slope) /
+                                   (roundoff<T>() * length(step) * length(exactly(look[0]))));
+      });
+}
+
+/// What a hand-made difference of plain numbers is off: the way without duals.
+template <class T>
+auto worst_plain_difference() {
+  return worst_over([](Dice& dice, Worst& worst) {
+    const Moving<T> p = any_moving<T>(dice);
+    const T small = std::sqrt(std::numeric_limits<T>::epsilon());
+    const auto slope = [&](const Vec3<T>& step) {
+      const Uv<T> there = uv_rtiow(p[0] + step * small);
+      const Uv<T> here = uv_rtiow(p[0]);
+      return std::array{(there.u - here.u) / small, (there.v - here.v) / small};
+    };
+    const auto across = slope(p[1]);
+    const auto down = slope(p[2]);
+    worst.see(uv_gradient_off<T>({{T(0), across[0], down[0]}, {T(0), across[1], down[1]}}, p),
+              [&] { return described(p[0]); });
+  });
+}
+
+/// True where du/dx at the seam is not the limit from either side.
+template <class Real>
+auto jumps_at_seam() {
+  using T = Scalar<Real>;
+  return worst_lanes<Real>(
+      [](Dice& dice) {
+        return Vec3<T>{static_cast<T>(-dice.power_of_ten(-3, 3)),
+                       static_cast<T>(dice.uniform(-2, 2)), T(0)};
+      },
+      [](const Vec3<Real>& p) {
+        const auto slope = [&](const Real& z, Convention convention) {
+          return uv_of(convention, Vec3<Dual<Real>>{{p.x, Real(0), Real(0)},
+                                                    {p.y, Real(0), Real(1)},
+                                                    {z, Real(1), Real(0)}});
+        };
+        Real jumps = Real(0);
+        const Real aside = p.x * unit_roundoff<Real>() * Real(0.0625);
+        for (const Convention convention :
+             {Convention::daily, Convention::rtiow, Convention::lecture}) {
+          const Uv<Dual<Real>> on = slope(p.z, convention);
+          for (const Real& z : {-p.z, aside, -aside}) {
+            const Uv<Dual<Real>> near = slope(z, convention);
+            const Real few = Real(16) * unit_roundoff<Real>();
+            const Mask<Real> close = abs(near.u.dx - on.u.dx) <= few * abs(on.u.dx) &&
+                                     abs(near.v.dy - on.v.dy) <= few * abs(on.v.dy) &&
+                                     !(on.u.dx == Real(0));
+            jumps = jumps + select(close, Real(0), Real(1));
+          }
+        }
+        return jumps;
+      },
+      [](const T& jumps, const Vec3<T>&) { return jumps != T(0); });
+}
+
+}  // namespace
+
+Family claims_of_derivatives() {
+  Family family;
+  family.title = "Derivatives";
+  family.introduction =
+      "Dual numbers run through unchanged mappings. Errors in unit roundoffs of the steepest slope "
+      "that a step of that length can have there. "
+      "Exact: central differences with steps of 1e-18 in 50 digits.";
+  for_each_number([&]<class Real>() {
+    family.add<Real>("Dual, value", "rays at a sphere from 2 to 100 radii, through to (u, v)",
+                     {0, "values other than the plain number's"}, value_differs<Real>());
+    family.add<Real>("Dual, uv_rtiow",
+                     "vectors of length 1e-15 to 1e15, 1e-12 rad from a pole and farther, the seam",
+                     {16, "u"}, worst_uv_gradient<Real>());
+    family.add<Real>("Dual, distance_to", "1.5 to 20 radii away, within 0.9 radii of the center",
+                     {6, "u"}, worst_distance_gradient<Real>());
+    family.add<Real>("Dual, seam", "directions at -x in every convention, and 2^-28 u beside",
+                     {0, "jumps of the slope"}, jumps_at_seam<Real>());
+  });
+  const auto by_differences = [&]<class T>() {
+    auto& claim = family.add<T>("one-sided difference of plain numbers", "as Dual, uv_rtiow",
+                                {16, "u"}, worst_plain_difference<T>());
+    claim.expect = Expect::beyond;
+  };
+  by_differences.template operator()<float>();
+  by_differences.template operator()<double>();
+  return family;
+}
+
+}  // namespace texmap::extremes

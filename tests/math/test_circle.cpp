@@ -1,0 +1,69 @@
+// Points of the unit circle in turns, and directions of texture coordinates.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "math/circle.hpp"
+#include "support/exact.hpp"
+#include "support/lanes.hpp"
+#include "texture/uv_inverse.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+TEST_CASE_TEMPLATE("cosine and sine of turns are the library's, and exact at quarters", T, float,
+                   double, long double) {
+  for (int quarter = -9; quarter <= 9; ++quarter) {
+    const OnCircle<T> at = on_circle(static_cast<T>(quarter) / 4);
+    const int wrapped = ((quarter % 4) + 4) % 4;
+    CAPTURE(quarter);
+    CHECK(at.cosine == (wrapped == 0 ? 1 : wrapped == 2 ? -1 : 0));
+    CHECK(at.sine == (wrapped == 1 ? 1 : wrapped == 3 ? -1 : 0));
+  }
+  Dice dice(3);
+  const Exact of_reference = 4 * std::numeric_limits<Exact>::epsilon();  // its angle is rounded
+  const Exact bound = widened(std::numeric_limits<T>::epsilon()) + of_reference;
+  for (int i = 0; i < 5000; ++i) {
+    const T turns = static_cast<T>(dice.uniform(-3, 3));
+    const Exact angle = (widened(turns) - std::floor(widened(turns))) * 2 * pi<Exact>();
+    const OnCircle<T> at = on_circle(turns);
+    CAPTURE(turns);
+    CHECK(std::abs(widened(at.cosine) - std::cos(angle)) <= bound);
+    CHECK(std::abs(widened(at.sine) - std::sin(angle)) <= bound);
+  }
+}
+
+TEST_CASE_TEMPLATE("the direction of (u, v) has that (u, v), poles and seam included", T, float,
+                   double, long double) {
+  const Exact turn = 4 * widened(std::numeric_limits<T>::epsilon());
+  Dice dice(5);
+  for (int i = 0; i < 5000; ++i) {
+    const Uv<T> uv{static_cast<T>(dice.uniform(0, 1)), static_cast<T>(dice.uniform(0, 1))};
+    const Vec3<T> p = direction_rtiow(uv);
+    const Uv<T> back = uv_rtiow(p);
+    const Exact apart = std::abs(widened(back.u) - widened(uv.u));
+    const Exact ring = std::sin(widened(uv.v) * pi<Exact>());
+    CAPTURE(uv.u);
+    CAPTURE(uv.v);
+    CHECK(std::min(apart, 1 - apart) * ring <= turn);
+    CHECK(std::abs(widened(back.v) - widened(uv.v)) <= turn);
+    CHECK(std::abs(widened(length(p)) - 1) <= turn);
+  }
+  CHECK(alike(direction_rtiow(Uv<T>{T(0.25), T(0)}).y, T(-1)));
+  CHECK(direction_rtiow(Uv<T>{T(0.25), T(1)}).y == 1);
+  CHECK(direction_rtiow(Uv<T>{T(0.25), T(1)}).x == 0);
+  CHECK(direction_rtiow(Uv<T>{T(0), T(0.5)}).x == -1);
+  CHECK(direction_rtiow(Uv<T>{T(0.25), T(0.5)}).z == 1);
+  CHECK(direction_rtiow(Uv<T>{T(0.5), T(0.5)}).x == 1);
+}
+
+TEST_CASE_TEMPLATE("packs compute what plain numbers compute", T, float, double) {
+  Dice dice(6);
+  for (int i = 0; i < 200; ++i) {
+    check_each_lane<Pack<T>>(
+        []<class Real>(const Real& u, const Real& v) {
+          return direction_rtiow(Uv<Real>{u, v});
+        },
+        any_pack<Pack<T>>(dice, -2, 2), any_pack<Pack<T>>(dice, 0, 1));
+  }
+}

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Plants known faults of well-known renderers in common/ and sees a test fail for each.
+
+Reads tests/mutation/planted.txt. Works in a copy of the project (build/planted/tree) with a build of its own.
+--write also writes docs/known_faults.md, with the name of the test that failed.
+"""
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+COPIED = ['CMakeLists.txt', 'CMakePresets.json', 'assets', 'chapters', 'common', 'tests', 'docs', 'LICENSE', 'README.md', 'course', 'vcpkg.json']
+PAGE = PROJECT / 'docs' / 'known_faults.md'
+
+
+class Fault:
+    """One entry of planted.txt: what to change, where it was found, and which suite must notice."""
+
+    def __init__(self, name, lines):
+        self.name = name
+        self.fields = {}
+        self.old, self.new = [], []
+        for line in lines:
+            if line.startswith('- '):
+                self.old.append(line[2:])
+            elif line.startswith('+ '):
+                self.new.append(line[2:])
+            elif line.strip():
+                key, _, value = line.partition(': ')
+                self.fields[key] = value
+        missing = {'found in', 'what', 'file', 'suite'} - set(self.fields)
+        if missing or not self.old:
+            sys.exit(f'planted.txt: {name} lacks {", ".join(sorted(missing)) or "the lines to change"}')
+
+    def plant(self, tree):
+        """Changes the file; returns its text from before."""
+        path = tree / self.fields['file']
+        text = path.read_text()
+        # Lines are found whatever their indentation, so that a reformatted file is still understood.
+        pattern = r'\n[ \t]*'.join(re.escape(line.strip()) for line in self.old)
+        found = list(re.finditer(pattern, text))
+        if len(found) != 1:
+            sys.exit(f'planted.txt: {self.name}: its lines are {len(found)} times in {self.fields["file"]}')
+        path.write_text(text[:found[0].start()] + '\n'.join(self.new) + text[found[0].end():])
+        return path, text
+
+
+def faults_of(path):
+    parts = re.split(r'^\[(.+)\]\n', path.read_text(), flags=re.M)[1:]
+    return [Fault(name, lines.splitlines()) for name, lines in zip(parts[::2], parts[1::2])]
+
+
+def run(command, **options):
+    return subprocess.run(command, capture_output=True, text=True, **options)
+
+
+def build(folder, suites, jobs):
+    return run(['cmake', '--build', str(folder), '--parallel', str(jobs), '--target', *suites])
+
+
+def first_failure(output):
+    """The name of the first test case that failed, from doctest's report."""
+    found = re.search(r'TEST CASE:\s+(.+?)\n(?:.*\n)*?.*(?:ERROR|FATAL ERROR|CRASH)', output)
+    return ' '.join(found[1].split()) if found else 'the suite stopped'
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('names', nargs='*', help='faults to plant; without names, all of them')
+    parser.add_argument('--jobs', type=int, default=2)
+    parser.add_argument('--write', action='store_true', help='write docs/known_faults.md')
+    arguments = parser.parse_args()
+    faults = faults_of(PROJECT / 'tests' / 'mutation' / 'planted.txt')
+    if arguments.names:
+        faults = [fault for fault in faults if fault.name in arguments.names]
+    tree = PROJECT / 'build' / 'planted' / 'tree'
+    shutil.rmtree(tree, ignore_errors=True)
+    tree.mkdir(parents=True)
+    for name in COPIED:
+        source = PROJECT / name
+        (shutil.copytree if source.is_dir() else shutil.copy2)(source, tree / name)
+    folder = tree.parent / 'build'
+    configured = run(['cmake', '-S', str(tree), '-B', str(folder), '-D', 'CMAKE_BUILD_TYPE=Release', '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1'])
+    if configured.returncode != 0:
+        sys.exit(configured.stdout + configured.stderr)
+    suites = sorted({fault.fields['suite'] for fault in faults})
+    built = build(folder, suites, arguments.jobs)
+    if built.returncode != 0:
+        sys.exit(built.stdout[-4000:] + built.stderr[-4000:])
+    for suite in suites:
+        if run([str(folder / 'tests' / suite)]).returncode != 0:
+            sys.exit(f'{suite} fails before anything is planted')
+
+    unseen, rows = [], []
+    for fault in faults:
+        path, text = fault.plant(tree)
+        suite = fault.fields['suite']
+        built = build(folder, [suite], arguments.jobs)
+        if built.returncode != 0:
+            sys.exit(f'{fault.name} does not compile:\n' + built.stderr[-3000:] + built.stdout[-3000:])
+        tested = run([str(folder / 'tests' / suite)], timeout=600)
+        path.write_text(text)
+        noticed = first_failure(tested.stdout) if tested.returncode != 0 else None
+        print(f'{fault.name}: {"noticed: " + noticed if noticed else "NOT NOTICED by " + suite}', flush=True)
+        if not noticed:
+            unseen.append(fault.name)
+        rows.append((fault, noticed or '**none**'))
+    if arguments.write and not arguments.names:
+        write_page(rows)
+    print(f'{len(faults)} faults planted, {len(faults) - len(unseen)} noticed')
+    sys.exit(1 if unseen else 0)
+
+
+def write_page(rows):
+    lines = ['# Known faults', '',
+             'Faults that were found in well-known renderers and programs. `python3 tests/mutation/planted.py` plants each of them in a copy of this',
+             'project and runs one suite, which must fail. This page is written by the same program with `--write`.', '',
+             '| fault | found in | planted in | the test that fails |', '|---|---|---|---|']
+    for fault, noticed in rows:
+        lines.append(f'| {fault.fields["what"]} | {fault.fields["found in"]} | `{fault.fields["file"]}` | {noticed} (`{fault.fields["suite"]}`) |')
+    PAGE.write_text('\n'.join(lines) + '\n')
+
+
+if __name__ == '__main__':
+    main()
