@@ -1,6 +1,7 @@
 // Chapter 11: bumps and normal maps.
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -139,6 +140,51 @@ TEST_CASE("a constant height changes no pixel, whichever way its slopes are comp
     CHECK(drawn(lesson) == plain);
   }
   CHECK(count_different(drawn(globe({})), plain) > 5000);
+}
+
+TEST_CASE("at sea, where all nine texels of height are 0, no pixel changes") {
+  const Lesson lesson = globe({});
+  const Image bumps = drawn(lesson);
+  const Image plain = drawn(globe({"--bump", "off"}));
+  const LightImage relief = lesson.bump.load();
+  const View<> view = view_of(lesson.stage.camera, size, size);
+  const Mapping mapping{lesson.turn.rotation(), {}};
+  int sea = 0, changed_at_sea = 0, changed = 0;
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      const Ray<double> ray = ray_through<double>(view, column, row);
+      const double distance = distance_to(lesson.objects[0].shape, ray);
+      if (!(distance < infinity<double>())) continue;
+      const Uv<double> uv = mapping(normal_at(lesson.objects[0].shape, ray, distance));
+      const int middle_column = static_cast<int>(uv.u * relief.width);
+      const int middle_row = static_cast<int>((1 - uv.v) * relief.height);
+      bool flat = true;
+      for (int i = -1; i <= 1; ++i) {
+        for (int j = -1; j <= 1; ++j) {
+          const int at_column = (middle_column + i + relief.width) % relief.width;
+          const int at_row = std::clamp(middle_row + j, 0, relief.height - 1);
+          flat = flat && relief.at(at_column, at_row).r == 0;
+        }
+      }
+      const bool differs = bumps.at(column, row) != plain.at(column, row);
+      sea += flat ? 1 : 0;
+      changed_at_sea += flat && differs ? 1 : 0;
+      changed += differs ? 1 : 0;
+    }
+  }
+  CHECK(sea > 20000);
+  CHECK(changed_at_sea == 0);
+  CHECK(changed > 5000);
+}
+
+TEST_CASE("mountains are bumps in every convention: mirrored (u, v) do not invert them") {
+  // In the daily exercise's convention u runs the other way: the same picture, mirrored in space.
+  Lesson mirrored_globe = globe({"--convention", "daily", "--degrees", "10"});
+  const Point lamp = mirrored_globe.stage.light.position;
+  mirrored_globe.stage.light.position = {-lamp.x, lamp.y, lamp.z};
+  CHECK(count_different(mirrored(drawn(mirrored_globe)), drawn(globe({})), 1) < 100);
+  mirrored_globe.bumps.relief = -mirrored_globe.bumps.relief;
+  CHECK(count_different(mirrored(drawn(mirrored_globe)), drawn(globe({})), 1) > 5000);
 }
 
 TEST_CASE("all numbers draw the same picture") {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "number/kinds/interval.hpp"
 #include "number/kinds/pack2.hpp"
 #include "scene/sphere.hpp"
 #include "support/dice.hpp"
@@ -252,6 +253,23 @@ TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in
         CHECK(normal.z == hit.normal.z);
       }
     }
+  }
+}
+
+TEST_CASE("in interval arithmetic the normal's bounds are narrow and hold the double's") {
+  const Mapped<RtiowMapping, Hills> hills{};
+  const Bumps<Mapped<RtiowMapping, Hills>> bumps{.height = hills};
+  Dice dice(15);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d n = dice.direction<double>();
+    if (std::abs(n.y) > 0.99) continue;
+    const Vec3d in_double = bumps(hit_with(n), 1.0);
+    const Vec3<Interval> bounds =
+        bumps(hit_with(Vec3<Interval>{Interval(n.x), Interval(n.y), Interval(n.z)}), Interval(1));
+    CHECK(bounds.x.contains(in_double.x));
+    CHECK(bounds.y.contains(in_double.y));
+    CHECK(bounds.z.contains(in_double.z));
+    CHECK(bounds.x.high() - bounds.x.low() < 1e-11);
   }
 }
 
