@@ -56,6 +56,18 @@ TEST_CASE_TEMPLATE("on a sphere dP/du and dP/dv are those of the closed form", R
   }
 }
 
+TEST_CASE("the values on the chapter's page") {
+  const Vec3d n{0, 0, 1};
+  const Frame<double> frame = frame_about(n);
+  const TangentFrame<double> by_uv =
+      point_by_uv(frame, uv_rtiow(with_steps(hit_with(n), frame, 1.0).normal));
+  const double turn = 2 * pi<double>();
+  CHECK(largest(by_uv.tangent - Vec3d{turn, 0, 0}) < 1e-14);
+  CHECK(largest(by_uv.bitangent - Vec3d{0, turn / 2, 0}) < 1e-14);
+  const Vec3d red = normal_of_color(Rgb{1, 128 / 255.0, 128 / 255.0});
+  CHECK(largest(red - Vec3d{1, 1 / 255.0, 1 / 255.0}) < 1e-15);
+}
+
 TEST_CASE(
     "tangent, bitangent and normal form a right-handed frame of unit vectors, by every rule") {
   Dice dice(2);
