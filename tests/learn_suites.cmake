@@ -2,8 +2,8 @@
 
 if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   set(learn "${CMAKE_BINARY_DIR}/learn")
-  set(chapters 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-    07_earth_by_sampling 08_triangle_uv 14_numerical_extremes)
+  get_property(chapters GLOBAL PROPERTY CHAPTERS)
+  list(FILTER chapters EXCLUDE REGEX "^13_")  # it has all numbers there, too
   add_test(NAME learn_configure COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_SOURCE_DIR}" -B "${learn}" -G "${CMAKE_GENERATOR}"
     "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DTEXMAP_LEARN=ON)
   add_test(NAME learn_build COMMAND "${CMAKE_COMMAND}" --build "${learn}" --parallel 2 --target ${chapters} compare_program)

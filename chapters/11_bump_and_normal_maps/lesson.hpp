@@ -35,7 +35,7 @@ struct Lesson : LessonHooks {
   };
 
   Stage stage{
-      .light = {.position = {-11, 8, 6}},
+      .light = {.position = {-10, 8, 8}},
       .sky = {.below = {0.02, 0.02, 0.03}, .above = {0.02, 0.02, 0.03}},
       .camera = {.eye = {0, 0, 6}, .target = {0, 0, 0}, .fov_y_degrees = 20},
   };

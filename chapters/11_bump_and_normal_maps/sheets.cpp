@@ -8,6 +8,7 @@
 
 #include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"
+#include "engine/picture/save_png.hpp"
 #include "engine/render/render.hpp"
 #include "published/brick_normals.hpp"
 #include "published/uv.hpp"
@@ -31,8 +32,9 @@ struct Program {
 constexpr std::array<Program, 3> programs = {{
     {TangentRule::from_uv, "A  tangent = dP/du, bitangent = dP/dv (this chapter's program)"},
     {TangentRule::crossed, "B  tangent = dP/du, bitangent = normal x tangent"},
-    {TangentRule::fixed, "C  tangent = +y x normal, bitangent = normal x tangent (the daily "
-                         "exercise)"},
+    {TangentRule::fixed,
+     "C  tangent = +y x normal, bitangent = normal x tangent (the daily "
+     "exercise)"},
 }};
 
 // The daily exercise's scene of 23 February 2026: two red balls, one lamp, Phong's light.
@@ -76,8 +78,7 @@ Rgb color_of_balls(const Ray<double>& ray, const Bend& bend) {
 Vec3d published_normal(const Vec3d& normal) {
   const Vec3d relative = published::brick_normal(published::uv_daily(normal));
   const TangentFrame<double> along = published::brick_tangents(normal);
-  return normalize(along.tangent * relative.x + along.bitangent * relative.y +
-                   normal * relative.z);
+  return normalize(along.tangent * relative.x + along.bitangent * relative.y + normal * relative.z);
 }
 
 /// Bricks as heights: 1 on a brick, 0 in the middle of the mortar, without edges between.
@@ -145,6 +146,10 @@ Image published_bricks(int width, int height) {
   return image;
 }
 
+void check_frames(const Session& session, int frames) {
+  for (int frame = 0; frame < frames; ++frame) check_output(session.file_name(frame_suffix(frame)));
+}
+
 Image side_by_side(const Image& left, const char* left_caption, const Image& right,
                    const char* right_caption) {
   const int scale = std::max(1, left.width / 400);
@@ -191,9 +196,8 @@ Image sheet_of_readings(int width) {
     for (int i = 0; i < 8; ++i) {
       const Reading& reading = readings[static_cast<std::size_t>(i)];
       const int left = gap + i * (plate + gap);
-      blit(sheet,
-           draw_plate(reading, reading.green == Green::up ? green_up : green_down, plate), left,
-           top + line);
+      blit(sheet, draw_plate(reading, reading.green == Green::up ? green_up : green_down, plate),
+           left, top + line);
       const Verdict verdict = verdict_of(reading);
       draw_text(sheet, left, top + line + plate + scale, verdict.word(),
                 verdict.bump ? bump_ink : dent_ink, scale);

@@ -5,6 +5,7 @@
 
 #include "engine/app/bump_options.hpp"
 #include "engine/app/session.hpp"
+#include "engine/app/turntable.hpp"
 #include "engine/render/settings.hpp"
 #include "texture/image.hpp"
 
@@ -42,6 +43,23 @@ template <class Lesson>
                       from_above(HeightKind::space), "waves in space: no pole, no seam");
 }
 
+/// Errors: FileError, before anything is drawn, if a frame of a turntable could not be written.
+void check_frames(const Session& session, int frames);
+
+/// Draws and saves the globe, or all frames of its turntable. The lamp does not turn.
+template <class Lesson>
+void show_globe(const Lesson& lesson, Session& session) {
+  const int frames = lesson.turn.frames;
+  if (frames == 0) return session.save(session.draw(lesson));
+  check_frames(session, frames);
+  for (int frame = 0; frame < frames; ++frame) {
+    Lesson turned = lesson;
+    turned.turn.degrees += 360.0 * frame / frames;
+    turned.prepare(session);
+    session.save(session.draw(turned), frame_suffix(frame));
+  }
+}
+
 /// Draws and saves what the user asked for.
 template <class Lesson>
 void show_bumps(const Lesson& lesson, Session& session) {
@@ -56,7 +74,7 @@ void show_bumps(const Lesson& lesson, Session& session) {
   };
   switch (lesson.bump.picture) {
     case BumpPicture::globe:
-      return session.save(session.draw(lesson));
+      return show_globe(lesson, session);
     case BumpPicture::sheet:
       size(1600, 868);
       return drawn(sheet_of_readings);

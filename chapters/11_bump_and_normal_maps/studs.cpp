@@ -49,8 +49,7 @@ Verdict verdict_of(const Reading& reading) {
   const Hit<double> hit = plate_hit(0.3, 0.3);
   const Frame<double> frame = frame_about(hit.normal);
   const PlateMapping mapping{reading.u_mirrored, reading.v_down};
-  const TangentFrame<double> by_uv =
-      point_by_uv(frame, mapping(with_steps(hit, frame, 0.0)));
+  const TangentFrame<double> by_uv = point_by_uv(frame, mapping(with_steps(hit, frame, 0.0)));
   const TangentFrame<double> used = tangents(reading.rule, hit.normal, by_uv);
 
   // Where the image's right and upper edge lie on the plate, and where red and green are applied.

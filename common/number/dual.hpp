@@ -122,7 +122,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Dual<Real> clamp(const Dual<Real>& x, const Dual<Real>& low, const Dual<Real>& high) {
   const Real value = clamp(x.value, low.value, high.value);
-  const Mask<Real> inside =
+  const Mask<Real> inside =  // the first two comparisons are certain for most intervals
+      (x.value >= low.value && x.value <= high.value) ||
       abs(x.value - value) <= Real(4) * unit_roundoff<Real>() * max(abs(value), Real(1));
   return {value, select(inside, x.dx, Real(0)), select(inside, x.dy, Real(0))};
 }

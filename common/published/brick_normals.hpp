@@ -10,7 +10,7 @@ namespace texmap::published {
 inline constexpr double brick_mortar = 0.05;
 
 /// True on the mortar between 12 x 6 bricks, each second row moved by half a brick: on
-/// 1 - 0.9^2 = 19 % of the square. The published program cuts v off, ours takes its floor: the same.
+/// 1 - 0.9^2 = 19 % of the square.
 [[nodiscard]] inline bool is_brick_mortar(const Uv<double>& uv) {
   const double row = uv.v * 6;
   const bool odd = std::fmod(std::floor(row), 2) == 1;
@@ -28,12 +28,12 @@ inline constexpr double brick_mortar = 0.05;
   const double row = uv.v * 6;
   const bool odd = std::fmod(std::floor(row), 2) == 1;
   const double column = uv.u * 12 + (odd ? 0.5 : 0);
-  const double lean = std::sin((column - std::floor(column)) * 20) *
-                      std::cos((row - std::floor(row)) * 20) * 0.1;
+  const double lean =
+      std::sin((column - std::floor(column)) * 20) * std::cos((row - std::floor(row)) * 20) * 0.1;
   return normalize(Vec3d{lean, lean, 1});
 }
 
-/// Its tangent +y x normal and bitangent normal x tangent; +x x normal within 2.6 degrees of a pole.
+/// Its tangent +y x normal (+x x normal within 2.6 degrees of a pole); bitangent normal x tangent.
 /// With the exercise's (u, v) they are along -dP/du and -dP/dv.
 [[nodiscard]] inline TangentFrame<double> brick_tangents(const Vec3d& normal) {
   const Vec3d axis = std::abs(normal.y) > 0.999 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};

@@ -28,8 +28,7 @@ template <class Real, class Objects>
                                              const Hit<Real>& hit, const Vec3<Real>& shading) {
   const LightSample<Real> plain = sample_light(light, objects, hit);
   const Real cosine = max(dot(shading, plain.to_light), Real(0));
-  return {plain.to_light,
-          cosine * terminator(plain.cosine, cosine, dot(shading, hit.normal))};
+  return {plain.to_light, cosine * terminator(plain.cosine, cosine, dot(shading, hit.normal))};
 }
 
 }  // namespace texmap

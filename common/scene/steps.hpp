@@ -34,7 +34,7 @@ template <class Real>
           moving(hit.inside, Real(1)), hit.shape};
 }
 
-/// The hit after a straight step off `hit`, its normal turned as on a sphere. Bound: to first order.
+/// The hit after a straight step, its normal turned as on a sphere. Bound: right to first order.
 template <class Real>
 [[nodiscard]] Hit<Real> moved(const Hit<Real>& hit, const Vec3<Real>& step, const Real& curvature) {
   return {normalize(hit.normal + step * curvature), hit.point + step, hit.outside + step,

@@ -36,9 +36,7 @@ template <class Real, class Height>
     const Dual<Real> h = height(with_steps(hit, frame, curvature)).r;
     return {h.value, h.dx, h.dy};
   }
-  const auto at = [&](const Vec3<Real>& offset) {
-    return height(moved(hit, offset, curvature)).r;
-  };
+  const auto at = [&](const Vec3<Real>& offset) { return height(moved(hit, offset, curvature)).r; };
   const Real here = height(hit).r;
   const Real right = at(frame.right * step);
   const Real up = at(frame.up * step);
@@ -58,8 +56,7 @@ template <class Real>
                                        const Slope<Real>& slope, const Real& curvature,
                                        BumpForm form) {
   if (form == BumpForm::flat) return normal;
-  const Real stretch =
-      form == BumpForm::exact ? Real(1) + slope.height * curvature : Real(1);
+  const Real stretch = form == BumpForm::exact ? Real(1) + slope.height * curvature : Real(1);
   const Vec3<Real> gradient = frame.right * slope.right + frame.up * slope.up;
   const Real steepness = dot(gradient, gradient);
   const Mask<Real> bends = steepness > Real(0) && steepness < infinity<Real>();
@@ -69,11 +66,11 @@ template <class Real>
 /// Bumps on a surface.
 template <class Height>
 struct Bumps {
-  Height height;              ///< a paint: the red channel of its color is a height
-  double relief = 1;          ///< what a height of 1 is, in units of the scene
+  Height height;      ///< a paint: the red channel of its color is a height
+  double relief = 1;  ///< what a height of 1 is, in units of the scene
   BumpForm form = BumpForm::exact;
   SlopeFrom slopes = SlopeFrom::duals;
-  double step = 1e-3;         ///< of differences, in units of the scene
+  double step = 1e-3;  ///< of differences, in units of the scene
 
   /// The normal of the bumps at a hit.
   ///

@@ -38,7 +38,8 @@ template <class Real>
           (frame.up * uv.u.dx - frame.right * uv.u.dy) * inverse};
 }
 
-/// The unit tangent and bitangent at a normal by a rule. Bound: 8 unit roundoffs, off the poles.
+/// The unit tangent and bitangent at a normal by a rule.
+/// Bound: 1e-11 in double, farther than 0.8 degrees from the poles.
 template <class Real>
 [[nodiscard]] TangentFrame<Real> tangents(TangentRule rule, const Vec3<Real>& normal,
                                           const TangentFrame<Real>& by_uv) {
@@ -69,8 +70,8 @@ template <class Real>
 
 /// What becomes of the mean of several normals, which a filter gives.
 enum class MeanNormal {
-  unit,     ///< made a unit vector: the light of facets leaning by +t and -t is 1 / cos t too bright
-  as_is,    ///< its length below 1 is kept: the mean of their Lambertian light, exactly
+  unit,   ///< made a unit vector: the light of facets leaning by +t and -t is 1 / cos t too bright
+  as_is,  ///< its length below 1 is kept: the mean of their Lambertian light, exactly
 };
 
 /// A normal map on a surface.
@@ -82,7 +83,8 @@ struct NormalMap {
   TangentRule rule = TangentRule::from_uv;
   MeanNormal mean = MeanNormal::unit;
 
-  /// The normal at a hit, of unit length or as `mean` says; the surface's own where the map or its frame is not finite.
+  /// The normal at a hit, of unit length or as `mean` says. Where the map or its frame is not
+  /// finite: the surface's own.
   ///
   /// @param curvature  of the surface: 1 / radius on a sphere, 0 on a plane
   template <class Real>

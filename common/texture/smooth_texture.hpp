@@ -23,34 +23,43 @@ struct SmoothTexture {
   VAxis v_axis = VAxis::up;
   Wrap wrap = Wrap::spherical;  ///< needs an even number of columns
 
+  /// The mean, as the middle texel plus the others' differences from it: a constant stays exact.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    Color<Real> sum = gray(Real(0));
-    if (image.texels.empty()) return sum;
+    if (image.texels.empty()) return gray(Real(0));
     const Real x = uv.u * Real(image.width);
     const Real y = (v_axis == VAxis::down ? uv.v : Real(1) - uv.v) * Real(image.height);
     const Real column = floor(x);
     const Real row = floor(y);
     const std::array<Real, 3> across = smooth_weights(x - column - Real(0.5));
     const std::array<Real, 3> down = smooth_weights(y - row - Real(0.5));
-    for (std::size_t j = 0; j < 3; ++j) {
-      Color<Real> line = gray(Real(0));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto place =
-            wrapped_texel(wrap, column + Real(static_cast<double>(i) - 1),
-                          row + Real(static_cast<double>(j) - 1), image.width, image.height);
-        const std::array<Real, 3> texel = look_up(
-            [&](int at_column, int at_row) {
-              const Color<float>& c = image.at(at_column, at_row);
-              return std::array{c.r, c.g, c.b};
-            },
-            clamp(place.column, Real(0), Real(image.width - 1)),  // a NaN becomes 0
-            clamp(place.row, Real(0), Real(image.height - 1)));
-        line = line + Color<Real>{texel[0], texel[1], texel[2]} * across[i];
+    const Color<Real> middle = texel(column, row);
+    Color<Real> sum = middle;
+    for (int j = -1; j <= 1; ++j) {
+      for (int i = -1; i <= 1; ++i) {
+        if (i == 0 && j == 0) continue;
+        const Color<Real> other = texel(column + Real(i), row + Real(j));
+        const Real weight =
+            across[static_cast<std::size_t>(i + 1)] * down[static_cast<std::size_t>(j + 1)];
+        sum = sum + (other + middle * Real(-1)) * weight;
       }
-      sum = sum + line * down[j];
     }
     return sum;
+  }
+
+ private:
+  /// The texel in a column and a row, whole numbers inside the image or beyond.
+  template <class Real>
+  [[nodiscard]] Color<Real> texel(const Real& column, const Real& row) const {
+    const WrappedTexel<Real> place = wrapped_texel(wrap, column, row, image.width, image.height);
+    const std::array<Real, 3> light = look_up(
+        [&](int at_column, int at_row) {
+          const Color<float>& c = image.at(at_column, at_row);
+          return std::array{c.r, c.g, c.b};
+        },
+        clamp(place.column, Real(0), Real(image.width - 1)),  // a NaN becomes 0
+        clamp(place.row, Real(0), Real(image.height - 1)));
+    return {light[0], light[1], light[2]};
   }
 };
 

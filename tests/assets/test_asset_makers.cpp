@@ -46,6 +46,10 @@ TEST_CASE("making the assets again gives the same pixels") {
   SUBCASE("the labelled map") {
     CHECK(saved_and_loaded(texmap::make_uv_map()) == texmap::load_image(assets + "/uv_map.png"));
   }
+  SUBCASE("the Earth's relief") {
+    CHECK(saved_and_loaded(texmap::make_earth_relief(assets + "/sources/land-50m.json")) ==
+          texmap::load_image(assets + "/earth_relief.png"));
+  }
   SUBCASE("the Earth") {
     CHECK(saved_and_loaded(texmap::make_earth(assets + "/sources/land-50m.json")) ==
           texmap::load_image(assets + "/earth.png"));

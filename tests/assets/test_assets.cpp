@@ -153,6 +153,30 @@ TEST_CASE("land covers between 28 and 30 percent of the globe") {
   CHECK(land / all < 0.30);
 }
 
+TEST_CASE("the Earth's relief is gray, flat at sea, and highest in Tibet and the Andes") {
+  const Image earth = asset("earth.png");
+  const Image relief = asset("earth_relief.png");
+  REQUIRE(relief.width == 1024);
+  REQUIRE(relief.height == 512);
+  int highest = 0;
+  for (int row = 0; row < relief.height; ++row) {
+    for (int column = 0; column < relief.width; ++column) {
+      const Rgb8 level = relief.at(column, row);
+      REQUIRE((level.r == level.g && level.g == level.b));
+      highest = level.r > highest ? level.r : highest;
+      const bool sea = is_sea(earth.at(2 * column, 2 * row)) &&
+                       is_sea(earth.at(2 * column + 1, 2 * row)) &&
+                       is_sea(earth.at(2 * column, 2 * row + 1)) &&
+                       is_sea(earth.at(2 * column + 1, 2 * row + 1));
+      if (sea) REQUIRE(level.r == 0);
+    }
+  }
+  CHECK(highest > 150);
+  CHECK(pixel_at(relief, 88, 33).r > 60);
+  CHECK(pixel_at(relief, -69, -22).r > 40);
+  CHECK(pixel_at(relief, 30, 55).r < 30);
+}
+
 TEST_CASE("no pixel of the Earth leaves a doubt whether it is land or sea") {
   const Image earth = asset("earth.png");
   int doubtful = 0;
@@ -215,5 +239,5 @@ TEST_CASE("the pixels of every asset have the checksum that is written down for 
     CHECK(sum_of_pixels(other) != sum);
     ++assets;
   }
-  CHECK(assets == 3);
+  CHECK(assets == 4);
 }

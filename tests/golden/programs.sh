@@ -67,6 +67,10 @@ check 07_earth_by_sampling 07_earth_by_sampling
 check 08_triangle_uv 08_triangle_uv
 check 09_texture_filtering 09_texture_filtering
 check 10_projections 10_projections
+check 11_bump_and_normal_maps 11_bump_and_normal_maps
+check 11_bump_or_dent 11_bump_and_normal_maps --show sheet
+check 11_poles 11_bump_and_normal_maps --show poles
+check 11_daily_bricks 11_bump_and_normal_maps --show daily
 check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
 check 14_numerical_extremes 14_numerical_extremes
 [ "$tried" -gt 0 ] || {

@@ -13,6 +13,7 @@
 #include "07_earth_by_sampling/lesson.hpp"
 #include "08_triangle_uv/lesson.hpp"
 #include "10_projections/lesson.hpp"
+#include "11_bump_and_normal_maps/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
@@ -93,6 +94,15 @@ Image lecture(const char* highlight) {
   return picture(lesson, 400, 200);
 }
 
+/// Two globes seen from above.
+Image poles() {
+  auto lesson = prepared<chapter_11::Lesson>();
+  CommandLine line("test", "");
+  Session session("test", line, chapter_11::Lesson::about);
+  session.settings.width = 1000;
+  return chapter_11::sheet_of_poles(lesson, session);
+}
+
 }  // namespace
 
 TEST_CASE("every chapter draws its golden picture") {
@@ -107,6 +117,10 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("07_earth_by_sampling", sampled());
   check_golden("08_triangle_uv", picture(prepared<chapter_08::Lesson>(), 480, 360));
   check_golden("10_projections", layouts());
+  check_golden("11_bump_and_normal_maps", picture(prepared<chapter_11::Lesson>(), 600, 600));
+  check_golden("11_bump_or_dent", chapter_11::sheet_of_readings(1600));
+  check_golden("11_poles", poles());
+  check_golden("11_daily_bricks", chapter_11::sheet_of_bricks(1000));
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }
@@ -122,6 +136,9 @@ TEST_CASE(
   CHECK_FALSE(same(golden("03_image_texture"), golden("05_y_rotation")));
   CHECK_FALSE(same(golden("05_y_rotation"), golden("06_phong_texture_blend")));
   CHECK_FALSE(same(golden("06_lecture_phong"), golden("06_lecture_slides")));
+  CHECK_FALSE(same(picture(prepared<chapter_11::Lesson>({"--bump", "off"}), 600, 600),
+                   golden("11_bump_and_normal_maps")));
+  CHECK_FALSE(same(chapter_11::sheet_of_readings(1600), golden("11_poles")));
   const Image earth = golden("03_image_texture");
   CHECK_FALSE(same(picture(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})), earth));
   CHECK_FALSE(same(picture(prepared<chapter_04::Lesson>({"--convention", "daily"})), earth));

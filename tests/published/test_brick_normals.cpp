@@ -73,7 +73,8 @@ TEST_CASE("with the bricks' tangents a bump comes out as a dent: its normals lea
     const Vec3d normal = dice.direction<double>();
     if (std::abs(normal.y) > 0.99) continue;
     const Hit<double> hit{normal, normal, normal, normal};
-    const Bumps<Rising> bumps{.height = {dice.between(-1, 1), dice.between(-1, 1)}, .relief = 0.2,
+    const Bumps<Rising> bumps{.height = {dice.between(-1, 1), dice.between(-1, 1)},
+                              .relief = 0.2,
                               .form = BumpForm::blinn};
     const Vec3d right_one = bumps(hit, 1.0);
     // The map that a correct program reads, and what the exercise makes of it.

@@ -51,9 +51,9 @@ TEST_CASE_TEMPLATE("with the surface's own normal the light is the plain light, 
   Dice dice(1);
   int lit = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Ray<Real> ray{{Real(0), Real(0), Real(9)},
-                        rounded<Real>(Vec3<long double>{dice.uniform(-0.1L, 0.1L),
-                                                        dice.uniform(-0.1L, 0.1L), -1})};
+    const Ray<Real> ray{
+        {Real(0), Real(0), Real(9)},
+        rounded<Real>(Vec3<long double>{dice.uniform(-0.1L, 0.1L), dice.uniform(-0.1L, 0.1L), -1})};
     const Real distance = distance_to(objects[0].shape, ray);
     if (!(distance < infinity<Real>())) continue;
     const Hit<Real> hit = hit_at(objects[0].shape, ray, distance);
@@ -85,7 +85,8 @@ TEST_CASE("the factor at the terminator is 0 to 1, rises with the true cosine an
 }
 
 TEST_CASE("a bump that faces the lamp stays dark where the globe itself faces away") {
-  const std::vector<Painted<Solid>> objects = {{.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {}}};
+  const std::vector<Painted<Solid>> objects = {
+      {.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {}}};
   const Vec3d normal{0, 0, 1};
   const Hit<double> hit{normal, normal, normal, normal, &objects[0].shape};
   const Vec3d bent = normalize(Vec3d{-1, 0, 1});
@@ -110,7 +111,8 @@ TEST_CASE("two facets have the true normal as their mean, and are seen as the su
   Dice dice(4);
   for (int i = 0; i < 300; ++i) {
     const Vec3d normal = dice.direction<double>();
-    const TwoFacets<double> facets = two_facets(normal, leaning(normal, dice.between(0, 1.5), dice));
+    const TwoFacets<double> facets =
+        two_facets(normal, leaning(normal, dice.between(0, 1.5), dice));
     const Vec3d mean = facets.bent * facets.bent_area + facets.upright * facets.upright_area;
     CHECK(largest(mean - normal) < 1e-14 * facets.bent_area);
     for (int k = 0; k < 20; ++k) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "number/kinds/interval.hpp"
 #include "number/kinds/pack2.hpp"
 #include "scene/sphere.hpp"
 #include "support/dice.hpp"
@@ -73,16 +74,18 @@ Hit<Real> hit_with(const Vec3<Real>& normal) {
 }
 template <class Real>
 Hit<Real> hit_with(const Vec3<long double>& normal) {
-  const Vec3<Real> n = normalize(
-      Vec3<Real>{number_cast<Real>(normal.x), number_cast<Real>(normal.y), number_cast<Real>(normal.z)});
+  const Vec3<Real> n = normalize(Vec3<Real>{
+      number_cast<Real>(normal.x), number_cast<Real>(normal.y), number_cast<Real>(normal.z)});
   return hit_with(n);
 }
 
 /// The angle between two unit vectors, without a loss of digits where it is small.
 template <class Real>
 double angle(const Vec3<Real>& p, const Vec3<Real>& q) {
-  const Vec3<long double> a{static_cast<long double>(p.x), static_cast<long double>(p.y), static_cast<long double>(p.z)};
-  const Vec3<long double> b{static_cast<long double>(q.x), static_cast<long double>(q.y), static_cast<long double>(q.z)};
+  const Vec3<long double> a{static_cast<long double>(p.x), static_cast<long double>(p.y),
+                            static_cast<long double>(p.z)};
+  const Vec3<long double> b{static_cast<long double>(q.x), static_cast<long double>(q.y),
+                            static_cast<long double>(q.z)};
   return static_cast<double>(std::atan2(length(cross(a, b)), dot(a, b)));
 }
 
@@ -139,8 +142,8 @@ TEST_CASE("a sphere raised to an ellipsoid has the ellipsoid's normal") {
       const auto coordinate = [&](double Vec3d::*part) {
         return from_lanes<Number>([&](std::size_t k) { return normals[k].*part; });
       };
-      const Hit<Number> hit =
-          hit_with(Vec3<Number>{coordinate(&Vec3d::x), coordinate(&Vec3d::y), coordinate(&Vec3d::z)});
+      const Hit<Number> hit = hit_with(
+          Vec3<Number>{coordinate(&Vec3d::x), coordinate(&Vec3d::y), coordinate(&Vec3d::z)});
       const Vec3<Number> bumped = duals(hit, Number(1));
       for (std::size_t k = 0; k < lanes<Number>; ++k) {
         const Vec3d alone = duals(hit_with(normals[k]), 1.0);
@@ -195,9 +198,10 @@ TEST_CASE("slopes by duals are those of 50-digit differences") {
     const Slope<double> slope = slope_of(hills, hit, frame, 1.0, SlopeFrom::duals, 1.0);
     const auto exact = [](const Vec3d& p) { return number_cast<Digits50>(p); };
     const Frame<Digits50> axes{exact(frame.right), exact(frame.up)};
-    const Slope<Digits50> difference =
-        slope_of(hills, Hit<Digits50>{exact(hit.normal), exact(hit.point), exact(hit.point), exact(hit.point)},
-                 axes, Digits50(1), SlopeFrom::central, Digits50(1e-15));
+    const Slope<Digits50> difference = slope_of(
+        hills,
+        Hit<Digits50>{exact(hit.normal), exact(hit.point), exact(hit.point), exact(hit.point)},
+        axes, Digits50(1), SlopeFrom::central, Digits50(1e-15));
     worst = std::max({worst, std::abs(slope.right - static_cast<double>(difference.right)),
                       std::abs(slope.up - static_cast<double>(difference.up))});
   }
@@ -236,6 +240,23 @@ TEST_CASE("the normal is the vector product of the raised surface's own derivati
   }
 }
 
+TEST_CASE("the steps may point anywhere along the surface: the normal is the same") {
+  Dice dice(16);
+  const SolidWaves waves;
+  for (int i = 0; i < 300; ++i) {
+    const Hit<double> hit = hit_with<double>(dice.direction());
+    const Frame<double> frame = frame_about(hit.normal);
+    const double angle_of_turn = dice.between(0, 6.28);
+    const double c = std::cos(angle_of_turn), s = std::sin(angle_of_turn);
+    const Frame<double> turned{frame.right * c + frame.up * s, frame.up * c - frame.right * s};
+    const auto normal = [&](const Frame<double>& along) {
+      const Slope<double> slope = slope_of(waves, hit, along, 1.0, SlopeFrom::duals, 1.0);
+      return raised_normal(hit.normal, along, slope, 1.0, BumpForm::exact);
+    };
+    CHECK(angle(normal(frame), normal(turned)) < 1e-14);
+  }
+}
+
 TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in every way") {
   Dice dice(14);
   for (const SlopeFrom slopes : {SlopeFrom::duals, SlopeFrom::forward, SlopeFrom::central}) {
@@ -252,6 +273,23 @@ TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in
   }
 }
 
+TEST_CASE("in interval arithmetic the normal's bounds are narrow and hold the double's") {
+  const Mapped<RtiowMapping, Hills> hills{};
+  const Bumps<Mapped<RtiowMapping, Hills>> bumps{.height = hills};
+  Dice dice(15);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d n = dice.direction<double>();
+    if (std::abs(n.y) > 0.99) continue;
+    const Vec3d in_double = bumps(hit_with(n), 1.0);
+    const Vec3<Interval> bounds =
+        bumps(hit_with(Vec3<Interval>{Interval(n.x), Interval(n.y), Interval(n.z)}), Interval(1));
+    CHECK(bounds.x.contains(in_double.x));
+    CHECK(bounds.y.contains(in_double.y));
+    CHECK(bounds.z.contains(in_double.z));
+    CHECK(bounds.x.high() - bounds.x.low() < 1e-11);
+  }
+}
+
 TEST_CASE("slopes that are not numbers, or too large to square, leave the normal alone") {
   const Vec3d n{0, 0, 1};
   const Frame<double> frame = frame_about(n);
@@ -264,7 +302,8 @@ TEST_CASE("slopes that are not numbers, or too large to square, leave the normal
       CHECK(normal.z == 1);
     }
   }
-  CHECK(raised_normal(n, frame, {0.0, 1.0, 0.0}, 1.0, BumpForm::exact).x == doctest::Approx(-std::sqrt(0.5)));
+  CHECK(raised_normal(n, frame, {0.0, 1.0, 0.0}, 1.0, BumpForm::exact).x ==
+        doctest::Approx(-std::sqrt(0.5)));
 }
 
 TEST_CASE("differences err by truncation with large steps and by rounding with small ones") {
@@ -274,8 +313,9 @@ TEST_CASE("differences err by truncation with large steps and by rounding with s
   std::string table = "step: one-sided, central\n";
   for (int power = -1; power >= -13; --power) {
     const double step = std::pow(10.0, power);
-    table += std::to_string(power) + ": " + doctest::toString(error(SlopeFrom::forward, step)).c_str() +
-             ", " + doctest::toString(error(SlopeFrom::central, step)).c_str() + "\n";
+    table += std::to_string(power) + ": " +
+             doctest::toString(error(SlopeFrom::forward, step)).c_str() + ", " +
+             doctest::toString(error(SlopeFrom::central, step)).c_str() + "\n";
   }
   MESSAGE(table);
   // Truncation: ten times the step is ten times the error, or a hundred times.

@@ -56,7 +56,20 @@ TEST_CASE_TEMPLATE("on a sphere dP/du and dP/dv are those of the closed form", R
   }
 }
 
-TEST_CASE("tangent, bitangent and normal form a right-handed frame of unit vectors, by every rule") {
+TEST_CASE("the values on the chapter's page") {
+  const Vec3d n{0, 0, 1};
+  const Frame<double> frame = frame_about(n);
+  const TangentFrame<double> by_uv =
+      point_by_uv(frame, uv_rtiow(with_steps(hit_with(n), frame, 1.0).normal));
+  const double turn = 2 * pi<double>();
+  CHECK(largest(by_uv.tangent - Vec3d{turn, 0, 0}) < 1e-14);
+  CHECK(largest(by_uv.bitangent - Vec3d{0, turn / 2, 0}) < 1e-14);
+  const Vec3d red = normal_of_color(Rgb{1, 128 / 255.0, 128 / 255.0});
+  CHECK(largest(red - Vec3d{1, 1 / 255.0, 1 / 255.0}) < 1e-15);
+}
+
+TEST_CASE(
+    "tangent, bitangent and normal form a right-handed frame of unit vectors, by every rule") {
   Dice dice(2);
   for (const TangentRule rule : {TangentRule::from_uv, TangentRule::crossed, TangentRule::fixed}) {
     for (int i = 0; i < 300; ++i) {
@@ -77,8 +90,7 @@ TEST_CASE("round the pole the tangent turns once, so that no frame there is cont
     constexpr int steps = 1000;
     for (int i = 0; i <= steps; ++i) {
       const OnCircle<double> around = on_circle(static_cast<double>(i % steps) / steps);
-      const Vec3d n =
-          normalize(Vec3d{around.cosine * distance, 1, around.sine * distance});
+      const Vec3d n = normalize(Vec3d{around.cosine * distance, 1, around.sine * distance});
       const Vec3d tangent = rtiow_frame(n, TangentRule::from_uv).tangent;
       if (i > 0) turned += std::atan2(cross(before, tangent).y, dot(before, tangent));
       before = tangent;
@@ -114,7 +126,8 @@ TEST_CASE("a color holds a normal to 1/255 in each part; the flat color leans by
   CHECK(degrees == doctest::Approx(0.3178).epsilon(1e-3));
 }
 
-TEST_CASE("the mean of two normals, kept short, gives the mean of their light; made long, too much") {
+TEST_CASE(
+    "the mean of two normals, kept short, gives the mean of their light; made long, too much") {
   // Two texels whose normals lean left and right by the same angle; halfway both count the same.
   for (const double sine : {0.2, 0.5, 0.8}) {
     const double cosine = std::sqrt(1 - sine * sine);
@@ -144,7 +157,8 @@ TEST_CASE("packs give the plain number's normals, but for the last digits of the
   using Number = Pack2<Pack<double>>;
   Dice dice(5);
   Image image(16, 8);
-  for (auto& texel : image.pixels) texel = color_of_normal(normalize(dice.direction<double>() + Vec3d{0, 0, 2}));
+  for (auto& texel : image.pixels)
+    texel = color_of_normal(normalize(dice.direction<double>() + Vec3d{0, 0, 2}));
   const NormalMap<RtiowMapping, BilinearTexture> map{.mapping = {}, .texture = {image}};
   for (int i = 0; i < 100; ++i) {
     std::array<Vec3d, lanes<Number>> all;
