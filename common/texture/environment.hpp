@@ -1,0 +1,108 @@
+// A picture of everything around: the sky of a scene.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "math/rotation.hpp"
+#include "scene/ray.hpp"
+#include "texture/light_image.hpp"
+#include "texture/texel.hpp"
+#include "texture/uv.hpp"
+#include "texture/wrap.hpp"
+
+namespace texmap {
+
+/// How a color is found between the centers of texels.
+enum class TexelFilter {
+  nearest,   ///< the texel that holds the place
+  bilinear,  ///< mixed from the four nearest, over the poles too
+};
+
+/// A sky painted on a sphere without end: a ray's direction alone decides what it sees.
+/// The picture is an equirectangular map, placed by uv_rtiow: its middle is at +x, +z to the left.
+class Environment {
+ public:
+  Environment() : Environment(LightImage(1, 1)) {}
+  /// @param map      of 1 x 1 texels or more
+  /// @param degrees  turn of the sky about +y, as rotation_y
+  explicit Environment(LightImage map, TexelFilter filter = TexelFilter::bilinear,
+                       double degrees = 0)
+      : map_(std::move(map)), filter_(filter), to_map_(rotation_y(-degrees)) {
+    constant_ = std::all_of(map_.texels.begin(), map_.texels.end(), [&](const Color<float>& c) {
+      const Color<float>& first = map_.texels.front();
+      return c.r == first.r && c.g == first.g && c.b == first.b;
+    });
+  }
+
+  [[nodiscard]] const LightImage& map() const { return map_; }
+  [[nodiscard]] TexelFilter filter() const { return filter_; }
+  /// True if all texels are equal: then a ray's direction does not matter.
+  [[nodiscard]] bool is_constant() const { return constant_; }
+
+  /// A direction of the world as one of the picture.
+  template <class Real>
+  [[nodiscard]] Vec3<Real> to_map(const Vec3<Real>& direction) const {
+    return to_map_(direction);
+  }
+  /// A direction of the picture as one of the world.
+  template <class Real>
+  [[nodiscard]] Vec3<Real> from_map(const Vec3<Real>& direction) const {
+    return RotationY{-to_map_.sine, to_map_.cosine}(direction);
+  }
+
+  /// The light along a ray with a direction of any length.
+  /// Bound: 4 unit roundoffs of the brightest of the four texels for the color, uv_rtiow's place.
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    if (constant_) {
+      const Color<float>& light = map_.texels.front();
+      return {Real(light.r), Real(light.g), Real(light.b)};
+    }
+    return at(uv_rtiow(to_map(ray.direction)));
+  }
+
+  /// The light at a place on the picture.
+  template <class Real>
+  [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
+    const Real x = uv.u * Real(map_.width);
+    const Real y = uv.v * Real(map_.height);
+    if (filter_ == TexelFilter::nearest) {
+      return texel(clamp(floor(x), Real(0), Real(map_.width - 1)),
+                   clamp(floor(y), Real(0), Real(map_.height - 1)));
+    }
+    const Real left = floor(x - Real(0.5));
+    const Real low = floor(y - Real(0.5));
+    const Real across = x - Real(0.5) - left;
+    const auto row = [&](const Real& from_zero) {
+      return mix(wrapped(left, from_zero), wrapped(left + Real(1), from_zero), across);
+    };
+    return mix(row(low), row(low + Real(1)), y - Real(0.5) - low);
+  }
+
+ private:
+  /// A texel inside the picture, its row counted from v = 0.
+  template <class Real>
+  [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
+    const auto channels = look_up(
+        [this](int at_column, int at_row) {
+          const Color<float>& light = map_.at(at_column, at_row);
+          return std::array{light.r, light.g, light.b};
+        },
+        column, Real(map_.height - 1) - from_zero);
+    return {channels[0], channels[1], channels[2]};
+  }
+  template <class Real>
+  [[nodiscard]] Color<Real> wrapped(const Real& column, const Real& from_zero) const {
+    const WrappedTexel<Real> inside =
+        wrapped_texel(Wrap::spherical, column, from_zero, map_.width, map_.height);
+    return texel(inside.column, inside.row);
+  }
+
+  LightImage map_;
+  TexelFilter filter_;
+  RotationY to_map_;
+  bool constant_ = true;
+};
+
+}  // namespace texmap
