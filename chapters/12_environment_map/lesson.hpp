@@ -13,7 +13,7 @@
 namespace texmap::chapter_12 {
 
 using Object = Painted<Coat>;
-enum ObjectIndex { matte, mirroring, ground };  // in the order of `objects`
+enum ObjectIndex { matte, mirroring, small, ground };  // in the order of `objects`
 
 struct Lesson : LessonHooks {
   static constexpr About about{
@@ -26,6 +26,8 @@ struct Lesson : LessonHooks {
       Object{.shape = {.center = {-1.5, 0.0, 0.0}, .radius = 1.0}, .paint = {white}},
       Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0}, .paint = {white, true}},
       Object{.shape = {.center = {0.1, -0.6, 1.4}, .radius = 0.4}, .paint = {red}},
+      Object{.shape = {.center = {0.0, -151.0, 0.0}, .radius = 150.0},
+             .paint = {{0.5, 0.48, 0.42}}},
   };
   SkyOptions sky;
   SkyLight environment;
@@ -41,7 +43,7 @@ struct Lesson : LessonHooks {
   template <class Real>
   Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
     const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
-    return light_under_sky(scene.objects, ray, scene.sky, sky.lighting, sampling.bounces, random);
+    return light_under_sky(scene.objects, ray, scene.sky, sky.matte, sampling.bounces, random);
   }
 };
 

@@ -74,8 +74,10 @@ class AliasTable {
     // What rounding has left over.
     for (; next < small.size(); ++next) {
       Box& box = boxes_[small[next]];
-      if (box.share > 0.5) box.share = 1;
-      else box.other = largest(weights);
+      if (box.share > 0.5)
+        box.share = 1;
+      else
+        box.other = largest(weights);
     }
     for (Box& box : boxes_) box.share = min(box.share, 1.0);
   }

@@ -16,6 +16,12 @@ enum class SkyLighting {
   coefficients,  ///< nine numbers of the sky, and no direction; without shadows
 };
 
+/// How matte surfaces are lit.
+struct MatteLight {
+  SkyLighting way = SkyLighting::cosine;
+  bool caustics = false;  ///< what mirrors throw on them, found by chance: few, very bright dots
+};
+
 /// A paint of one color on a matte surface or on a mirror.
 struct Coat {
   Rgb color;
@@ -57,8 +63,8 @@ template <class Real, class Sky>
     const Real cosine = max(dot(normal, direction), Real(0));
     const Real density = sky.density(direction);
     const Mask<Real> possible = density > Real(0);
-    return {direction, select(possible, cosine / (pi<Real>() * select(possible, density, Real(1))),
-                              Real(0))};
+    return {direction,
+            select(possible, cosine / (pi<Real>() * select(possible, density, Real(1))), Real(0))};
   }
   const Mask<Real> by_cosine = choice.u < Real(0.5);
   const Real rest = Real(2) * choice.u;
@@ -74,16 +80,18 @@ template <class Real, class Sky>
 ///
 /// @param objects, bounces  paints are Coats; after `bounces` >= 1 a path brings no light
 /// @param sky               as SkyLight; a constant one over a lone object needs no direction
-/// By `importance` light that other objects send out of a black part of the sky is lost.
+/// Without `caustics` a mirror is matte to paths that come from a matte surface: Kaplanyan and
+/// Dachsbacher (2013). By `importance` light from objects before a black sky is lost.
 template <class Real, class Objects, class Sky, class Random>
 [[nodiscard]] Color<Real> light_under_sky(const Objects& objects, Ray<Real> ray, const Sky& sky,
-                                          SkyLighting lighting, int bounces, Random& random) {
+                                          const MatteLight& matte, int bounces, Random& random) {
   if (std::empty(objects) || (sky.is_constant() && std::size(objects) == 1))
     return light_along(objects, ray, sky, bounces, random);
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
   Color<Real> light = gray(Real(0));
   Mask<Real> under_way = Real(0) < Real(1);
+  Mask<Real> sharp = under_way;  // mirrors are mirrors
   for (int bounce = 0;; ++bounce) {
     const Nearest<Real> nearest = find_nearest(objects, ray);
     const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
@@ -93,10 +101,11 @@ template <class Real, class Objects, class Sky, class Random>
 
     // Every path draws as many numbers: packs and single numbers then follow the same paths.
     Point2<Real> place{}, choice{};
-    if (lighting != SkyLighting::coefficients) place = random.next_2d();
-    if (lighting == SkyLighting::importance || lighting == SkyLighting::mis)
+    if (matte.way != SkyLighting::coefficients) place = random.next_2d();
+    if (matte.way == SkyLighting::importance || matte.way == SkyLighting::mis)
       choice = random.next_2d();
     Ray<Real> next = ray;
+    Mask<Real> dull = Real(1) < Real(0);
     double index = 0;
     for (const auto& object : objects) {
       const Mask<Real> here = under_way && nearest.index == Real(index);
@@ -105,18 +114,24 @@ template <class Real, class Objects, class Sky, class Random>
       const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
       carried = select(here, carried * object.paint(hit), carried);
       next.origin = select(here, hit.outside, next.origin);
+      Mask<Real> scatters = here;
       if (object.paint.mirrors) {
-        next.direction = select(here, mirror(-ray.direction, hit.normal), next.direction);
-      } else if (lighting == SkyLighting::coefficients) {
-        light = select(here, carried * sky.reflected(hit.normal), light);
-        under_way = under_way && !here;
-      } else {
-        const Scattered<Real> way = scatter(lighting, sky, hit.normal, place, choice);
-        carried = select(here, carried * way.weight, carried);
-        next.direction = select(here, way.direction, next.direction);
-        under_way = under_way && !(here && way.weight <= Real(0));
+        next.direction = select(here && sharp, mirror(-ray.direction, hit.normal), next.direction);
+        scatters = here && !sharp;
+        if (!any(scatters)) continue;
       }
+      if (matte.way == SkyLighting::coefficients) {
+        light = select(scatters, carried * sky.reflected(hit.normal), light);
+        under_way = under_way && !scatters;
+        continue;
+      }
+      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place, choice);
+      carried = select(scatters, carried * next_way.weight, carried);
+      next.direction = select(scatters, next_way.direction, next.direction);
+      under_way = under_way && !(scatters && next_way.weight <= Real(0));
+      if (!matte.caustics) dull = dull || scatters;
     }
+    sharp = sharp && !dull;
     ray = next;
   }
 }

@@ -19,12 +19,35 @@ enum class TexelFilter {
   bilinear,  ///< mixed from the four nearest, over the poles too
 };
 
+/// The four texels about a place on an equirectangular map, and where it lies between them.
+template <class Real>
+struct FourTexels {
+  std::array<WrappedTexel<Real>, 4> texels;  ///< lower left, lower right, upper left, upper right
+  Real across, up;                           ///< 0 to 1, from the left and from the lower ones
+};
+
+/// Texels' centers are at (column + 1/2) / width; over the poles the map goes on at the other side.
+/// @param width  even
+template <class Real>
+[[nodiscard]] FourTexels<Real> four_texels(const Uv<Real>& uv, int width, int height) {
+  const Real x = uv.u * Real(width) - Real(0.5);
+  const Real y = uv.v * Real(height) - Real(0.5);
+  const Real left = floor(x);
+  const Real low = floor(y);
+  const auto at = [&](const Real& column, const Real& row) {
+    return wrapped_texel(Wrap::spherical, column, row, width, height);
+  };
+  const Real right = left + Real(1);
+  const Real high = low + Real(1);
+  return {{at(left, low), at(right, low), at(left, high), at(right, high)}, x - left, y - low};
+}
+
 /// A sky painted on a sphere without end: a ray's direction alone decides what it sees.
 /// The picture is an equirectangular map, placed by uv_rtiow: its middle is at +x, +z to the left.
 class Environment {
  public:
   Environment() : Environment(LightImage(1, 1)) {}
-  /// @param map      of 1 x 1 texels or more
+  /// @param map      of even width, unless all its texels are equal
   /// @param degrees  turn of the sky about +y, as rotation_y
   explicit Environment(LightImage map, TexelFilter filter = TexelFilter::bilinear,
                        double degrees = 0)
@@ -65,19 +88,15 @@ class Environment {
   /// The light at a place on the picture.
   template <class Real>
   [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
-    const Real x = uv.u * Real(map_.width);
-    const Real y = uv.v * Real(map_.height);
     if (filter_ == TexelFilter::nearest) {
-      return texel(clamp(floor(x), Real(0), Real(map_.width - 1)),
-                   clamp(floor(y), Real(0), Real(map_.height - 1)));
+      return texel(clamp(floor(uv.u * Real(map_.width)), Real(0), Real(map_.width - 1)),
+                   clamp(floor(uv.v * Real(map_.height)), Real(0), Real(map_.height - 1)));
     }
-    const Real left = floor(x - Real(0.5));
-    const Real low = floor(y - Real(0.5));
-    const Real across = x - Real(0.5) - left;
-    const auto row = [&](const Real& from_zero) {
-      return mix(wrapped(left, from_zero), wrapped(left + Real(1), from_zero), across);
+    const FourTexels<Real> four = four_texels(uv, map_.width, map_.height);
+    const auto color = [&](std::size_t i) {
+      return texel(four.texels[i].column, four.texels[i].row);
     };
-    return mix(row(low), row(low + Real(1)), y - Real(0.5) - low);
+    return mix(mix(color(0), color(1), four.across), mix(color(2), color(3), four.across), four.up);
   }
 
  private:
@@ -91,12 +110,6 @@ class Environment {
         },
         column, Real(map_.height - 1) - from_zero);
     return {channels[0], channels[1], channels[2]};
-  }
-  template <class Real>
-  [[nodiscard]] Color<Real> wrapped(const Real& column, const Real& from_zero) const {
-    const WrappedTexel<Real> inside =
-        wrapped_texel(Wrap::spherical, column, from_zero, map_.width, map_.height);
-    return texel(inside.column, inside.row);
   }
 
   LightImage map_;

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "texture/sky_texels.hpp"
+#include "math/vec3.hpp"
+#include "texture/environment.hpp"
 
 namespace texmap {
 
@@ -48,12 +49,11 @@ class SkyMoments {
       const Real all = number(0);
       const Real along = number(1) * normal.x + number(2) * normal.y + number(3) * normal.z;
       const Real x = normal.x, y = normal.y, z = normal.z;
-      const Real squared = number(4) * (x * x) + number(5) * (y * y) +
-                           (all - number(4) - number(5)) * (z * z) +
-                           Real(2) * (number(6) * (x * y) + number(7) * (y * z) +
-                                      number(8) * (x * z));
-      const Real sum = all * Real(0.25) + along * Real(0.5) +
-                       (Real(3) * squared - all) * Real(0.15625);
+      const Real squared =
+          number(4) * (x * x) + number(5) * (y * y) + (all - number(4) - number(5)) * (z * z) +
+          Real(2) * (number(6) * (x * y) + number(7) * (y * z) + number(8) * (x * z));
+      const Real sum =
+          all * Real(0.25) + along * Real(0.5) + (Real(3) * squared - all) * Real(0.15625);
       return max(sum / pi<Real>(), Real(0));
     };
     return {channel(&Rgb::r), channel(&Rgb::g), channel(&Rgb::b)};
@@ -72,8 +72,8 @@ class SkyMoments {
     const auto cube_of_cosine = [](double t) { return std::cos(t) * std::cos(t) * std::cos(t); };
     const double sine_cosine_2 = between([&](double t) { return -cube_of_cosine(t) / 3; });
     const double sine_3 = sine - sine_cosine_2;
-    const double sine_2_cosine = between(
-        [](double t) { return std::sin(t) * std::sin(t) * std::sin(t) / 3; });
+    const double sine_2_cosine =
+        between([](double t) { return std::sin(t) * std::sin(t) * std::sin(t) / 3; });
     const auto add = [&](std::size_t k, const Rgb& light, double weight) {
       sums_[k] = sums_[k] + light * weight;
     };

@@ -2,9 +2,8 @@
 #pragma once
 #include <cmath>
 #include <numbers>
-#include <vector>
 
-#include "texture/environment.hpp"
+#include "math/color.hpp"
 
 namespace texmap {
 
@@ -35,31 +34,6 @@ struct SkyBand {
   return (static_cast<double>(light.r) + static_cast<double>(light.g) +
           static_cast<double>(light.b)) /
          3;
-}
-
-/// The mean brightness of a sky over each of its texels, row by row from the top; the bilinear
-/// filter brings 1/8 from the neighbor on each side, over the poles too.
-[[nodiscard]] inline std::vector<double> brightness_of_texels(const Environment& sky) {
-  const LightImage& map = sky.map();
-  std::vector<double> brightness;
-  brightness.reserve(map.texels.size());
-  const auto at = [&](int column, int row) {
-    const auto inside =
-        wrapped_texel<double>(Wrap::spherical, column, row, map.width, map.height);
-    return brightness_of(map.at(static_cast<int>(inside.column), static_cast<int>(inside.row)));
-  };
-  const auto across = [&](int column, int row) {
-    return 0.75 * at(column, row) + 0.125 * (at(column - 1, row) + at(column + 1, row));
-  };
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      brightness.push_back(sky.filter() == TexelFilter::nearest
-                               ? at(column, row)
-                               : 0.75 * across(column, row) +
-                                     0.125 * (across(column, row - 1) + across(column, row + 1)));
-    }
-  }
-  return brightness;
 }
 
 }  // namespace texmap

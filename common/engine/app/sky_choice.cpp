@@ -27,7 +27,7 @@ SkyNoise noise_of(const SkyLight& sky) {
         const double component = along[static_cast<std::size_t>(axis / 2)];
         const double lambert =
             std::max(axis % 2 == 0 ? component : -component, 0.0) / std::numbers::pi;
-        const double density = sky.sampler.densities()[texel];
+        const double density = sky.sampler.probabilities()[texel] / band.solid_angle;
         if (lambert == 0 || density == 0) continue;
         const double sent = density * total * lambert;
         light += sent * band.solid_angle;

@@ -14,14 +14,14 @@ class Session;
 /// The user's choices of a sky and of how its light is gathered.
 struct SkyOptions {
   std::string name = "sky.hdr";  ///< a path, or a file in assets/
-  double exposure = 0;    ///< stops: the light times 2^exposure
-  double degrees = 0;     ///< turn of the sky about +y
+  double exposure = 0;           ///< stops: the light times 2^exposure
+  double degrees = 0;            ///< turn of the sky about +y
   TexelFilter filter = TexelFilter::bilinear;
   std::optional<SkyLighting> chosen;  ///< by the user; else the program chooses
-  SkyLighting lighting = SkyLighting::cosine;  ///< what is drawn, once the sky is loaded
+  MatteLight matte;                   ///< what is drawn, once the sky is loaded
 
   void declare(CommandLine& line);
-  /// The sky as a light; chooses `lighting` unless the user did, and says so.
+  /// The sky as a light; chooses `matte.way` unless the user did, and says so.
   /// Errors: FileError with the file and where it was looked for.
   [[nodiscard]] SkyLight load(const Session& session);
 };

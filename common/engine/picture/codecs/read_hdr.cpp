@@ -65,8 +65,7 @@ class Reader {
     const auto end = std::find(rest_.begin(), rest_.end(), std::uint8_t{'\n'});
     const auto length = static_cast<std::size_t>(end - rest_.begin());
     header_bytes_ += length + 1;
-    if (end == rest_.end() || header_bytes_ > max_header_bytes)
-      damaged("its header does not end");
+    if (end == rest_.end() || header_bytes_ > max_header_bytes) damaged("its header does not end");
     const std::string_view line(reinterpret_cast<const char*>(rest_.data()), length);
     rest_ = rest_.subspan(length + 1);
     return line;
@@ -89,7 +88,8 @@ class Reader {
         }
       }
       if (const std::string_view typed = value_of("EXPOSURE="); !typed.empty()) {
-        const std::string_view digits = typed.substr(std::min(typed.find_first_not_of(" \t"), typed.size()));
+        const std::string_view digits =
+            typed.substr(std::min(typed.find_first_not_of(" \t"), typed.size()));
         exposure *= read_decimal(digits).value_or(0);
         if (!(exposure >= 1e-30 && exposure <= 1e30))
           damaged("the exposure " + printable(typed) + " is not a number from 1e-30 to 1e30");
@@ -132,9 +132,7 @@ class Reader {
     rest_ = rest_.subspan(1);
     return byte;
   }
-  [[noreturn]] static void ends_in(int row) {
-    damaged("it ends in row " + std::to_string(row));
-  }
+  [[noreturn]] static void ends_in(int row) { damaged("it ends in row " + std::to_string(row)); }
 
   void scanline(std::vector<Rgbe>& texels, int row) {
     const std::size_t width = texels.size();
