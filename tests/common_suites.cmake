@@ -67,6 +67,8 @@ add_suite(engine/picture/test_find_texture POSIX ON picture LABELS common)  # ch
 foreach(suite bitmap_font check_jpeg check_png deflate load_image save_png sha256)
   add_suite(engine/picture/test_${suite} ON picture LABELS common)
 endforeach()
+add_suite(engine/picture/test_read_hdr ON picture LABELS common)
+target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
 target_link_libraries(test_check_png PRIVATE stb_image)  # stb_image unpacks the same files
 target_link_libraries(test_deflate PRIVATE stb_image)    # stb_image unpacks what we pack
 target_link_libraries(test_save_png PRIVATE stb_image)
