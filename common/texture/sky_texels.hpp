@@ -24,8 +24,9 @@ struct SkyBand {
     from = below_pole(row);
     to = below_pole(row + 1);
     y_sign = upper ? 1 : -1;
+    const int edges = upper ? 2 * row + 1 : 2 * (height - row) - 1;  // to the middle, in half rows
     solid_angle = 2 * std::numbers::pi / width * 2 * std::sin(polar_angle(1) / 2) *
-                  std::sin((polar_angle(row) + polar_angle(row + 1)) / 2);
+                  std::sin(polar_angle(edges) / 2);
   }
 };
 
