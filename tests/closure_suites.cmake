@@ -31,6 +31,7 @@ add_closure(closure_04 "${lessons}/04_uv_conventions/lesson.hpp" HEADERS 45 LINE
 add_closure(closure_05 "${lessons}/05_y_rotation/lesson.hpp" HEADERS 33 LINES 1950 FORBIDS ${by_06})
 add_closure(closure_06 "${lessons}/06_phong_texture_blend/lesson.hpp" HEADERS 35 LINES 2100 FORBIDS ${by_07})
 add_closure(closure_07 "${lessons}/07_earth_by_sampling/lesson.hpp" HEADERS 40 LINES 2400)
+add_closure(closure_12 "${lessons}/12_environment_map/lesson.hpp" HEADERS 45 LINES 2800)
 
 # The twins: a check that cannot fail is none.
 set(forbidden "${CMAKE_CURRENT_SOURCE_DIR}/closure/forbidden/lesson.hpp")

@@ -12,6 +12,7 @@ foreach(suite
     number/test_pack_u32_fallback
     math/test_srgb
     math/test_vec3
+    sampling/test_alias_table
     sampling/test_directions
     sampling/test_hash
     sampling/test_samplers
@@ -24,6 +25,7 @@ foreach(suite
     scene/test_path
     scene/test_phong
     scene/test_sky
+    scene/test_sky_path
     scene/test_sphere
     scene/test_triangle
     published/test_published_sphere)
@@ -35,8 +37,11 @@ foreach(suite
     texture/test_bilinear
     texture/test_checkerboard
     texture/test_conventions
+    texture/test_environment
     texture/test_image_texture
     texture/test_light_tables
+    texture/test_sky_moments
+    texture/test_sky_sampler
     texture/test_solid_checkerboard
     texture/test_texel
     texture/test_uv
@@ -86,7 +91,7 @@ add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
 mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
 if(boost_multiprecision_INCLUDE_DIR)
-  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle environment sky_sampler)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

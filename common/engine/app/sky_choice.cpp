@@ -52,11 +52,13 @@ SkyNoise noise_of(const SkyLight& sky) {
 }
 
 double cost_of(SkyLighting way) {
-  switch (way) {
+  switch (way) {  // measured: chapter 12's matte objects, packs of double
+    case SkyLighting::uniform:
+      return 0.6;  // half of all paths end below the surface
     case SkyLighting::importance:
-      return 1.7;
+      return 1.4;
     case SkyLighting::mis:
-      return 1.7;
+      return 1.5;
     default:
       return 1;
   }
