@@ -64,6 +64,7 @@ for highlight in phong lecture; do
   check "$picture" 06_phong_texture_blend --scene lecture --shininess 20 --blend 0.1 --highlight "$highlight" --width 400 --height 200
 done
 check 07_earth_by_sampling 07_earth_by_sampling
+check 12_environment_map 12_environment_map
 check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
 check 14_numerical_extremes 14_numerical_extremes
 [ "$tried" -gt 0 ] || {

@@ -1,4 +1,4 @@
-// Tests of common/texture/sky_sampler.hpp and sky_texels.hpp: directions drawn where a sky is bright.
+// Tests of common/texture/sky_sampler.hpp, sky_texels.hpp: directions drawn where a sky is bright.
 #include "texture/sky_sampler.hpp"
 
 #include <doctest.h>

@@ -43,7 +43,7 @@ class GrowingFilm {
     film_.set_light(at.column, at.row, (first + second) * (1.0 / (first_ + second_)));
     if (first_ == 0 || second_ == 0) return;
     differences_[static_cast<std::size_t>(at.row)] +=
-        squared_difference(first * (1.0 / first_), second * (1.0 / second_));
+        visible_difference(first * (1.0 / first_), second * (1.0 / second_));
   }
   /// Reports that rows are complete; called from any thread.
   void finish_rows(int begin, int end) {

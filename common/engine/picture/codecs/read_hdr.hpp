@@ -12,11 +12,10 @@ namespace texmap {
 /// The brightest light that a file may hold; the noon sun has 2e9 of a lamp's units.
 inline constexpr double brightest_texel = 1e12;
 
-/// The light in a Radiance file, in its original units (divided by EXPOSURE): flat, or with runs of
-/// the old or of the new kind. Texels are the middles of their steps, as in Radiance's own reader.
+/// The light in a Radiance file that looks_like_hdr, divided by its EXPOSURE; flat, or with runs of
+/// the old or the new kind. Texels are the middles of their steps, as in Radiance's own reader.
 ///
-/// @param file          a file that looks_like_hdr
-/// @param most_texels   more than these are refused before any is decoded
+/// @param most_texels   more are refused before any is decoded
 /// Errors: FileError unless the picture is whole, -Y +X and RGBE; std::bad_alloc.
 /// Source: Ward, "Real Pixels", Graphics Gems II (1991); Radiance's color.c.
 [[nodiscard]] LightImage read_hdr(Bytes file, std::uint64_t most_texels);
