@@ -5,8 +5,10 @@
 #include <string>
 
 #include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
 #include "make_crate.hpp"
 #include "make_earth.hpp"
+#include "make_sky.hpp"
 #include "make_uv_map.hpp"
 
 int main(int argc, char** argv) try {
@@ -21,6 +23,8 @@ int main(int argc, char** argv) try {
   };
   keep(texmap::make_crate(), "crate.png");
   keep(texmap::make_uv_map(), "uv_map.png");
+  texmap::write_file_atomically(out / "sky.hdr", texmap::radiance_file(texmap::make_sky()));
+  std::cout << (out / "sky.hdr").string() << '\n';
   keep(texmap::make_earth(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" / "land-50m.json"),
        "earth.png");
   keep(texmap::make_earth_relief(std::filesystem::path(TEXMAP_ASSETS_DIR) / "sources" /

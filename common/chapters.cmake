@@ -126,7 +126,7 @@ function(add_chapter name)
   set_property(GLOBAL APPEND PROPERTY CHAPTERS ${name})
 
   # Drawn again only when the program or an asset has changed.
-  file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png")
+  file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
   set(picture "${GALLERY}/${name}.png")
   add_custom_command(OUTPUT "${picture}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"

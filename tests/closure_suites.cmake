@@ -35,6 +35,7 @@ add_closure(closure_08 "${lessons}/08_triangle_uv/lesson.hpp" HEADERS 45 LINES 2
 add_closure(closure_09 "${lessons}/09_texture_filtering/lesson.hpp" HEADERS 45 LINES 2800)
 add_closure(closure_10 "${lessons}/10_projections/lesson.hpp" HEADERS 45 LINES 2800 FORBIDS ${by_06})
 add_closure(closure_11 "${lessons}/11_bump_and_normal_maps/lesson.hpp" HEADERS 45 LINES 2800)
+add_closure(closure_12 "${lessons}/12_environment_map/lesson.hpp" HEADERS 45 LINES 2800)
 
 # The twins: a check that cannot fail is none.
 set(forbidden "${CMAKE_CURRENT_SOURCE_DIR}/closure/forbidden/lesson.hpp")

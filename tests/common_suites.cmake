@@ -14,6 +14,7 @@ foreach(suite
     math/test_circle
     math/test_srgb
     math/test_vec3
+    sampling/test_alias_table
     sampling/test_directions
     sampling/test_hash
     sampling/test_samplers
@@ -27,6 +28,7 @@ foreach(suite
     scene/test_phong
     scene/test_shading_normal
     scene/test_sky
+    scene/test_sky_path
     scene/test_sphere
     scene/test_edge_function
     scene/test_mesh
@@ -42,10 +44,13 @@ foreach(suite
     texture/test_bump
     texture/test_checkerboard
     texture/test_conventions
+    texture/test_environment
     texture/test_image_texture
     texture/test_light_tables
     texture/test_normal_map
     texture/test_smooth_texture
+    texture/test_sky_moments
+    texture/test_sky_sampler
     texture/test_solid_checkerboard
     texture/test_texel
     texture/test_mesh_mapping
@@ -89,6 +94,8 @@ add_suite(engine/mesh/test_read_obj ON mesh LABELS common)
 foreach(suite bitmap_font check_jpeg check_png deflate load_image save_png sha256)
   add_suite(engine/picture/test_${suite} ON picture LABELS common)
 endforeach()
+add_suite(engine/picture/test_read_hdr ON picture LABELS common)
+target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
 target_link_libraries(test_check_png PRIVATE stb_image)  # stb_image unpacks the same files
 target_link_libraries(test_deflate PRIVATE stb_image)    # stb_image unpacks what we pack
 target_link_libraries(test_save_png PRIVATE stb_image)
@@ -109,6 +116,7 @@ if(boost_multiprecision_INCLUDE_DIR)
   foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval edge_function mesh_mapping triangle)
   foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle footprint filters)
   foreach(suite bump turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle)
+  foreach(suite turns srgb_kernel power_kernel kernel_plan light_tables double_pair interval triangle environment sky_sampler)
     target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
   endforeach()
 endif()

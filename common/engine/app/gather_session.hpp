@@ -46,6 +46,18 @@ template <class Lesson>
   }
 }
 
+/// The kernels that a budget allows for a lesson; the reference formulas without a texture.
+///
+/// @param reads  how many texels the picture reads
+template <class Lesson>
+[[nodiscard]] KernelPlan plan_for(const Lesson& lesson, const std::string& budget, double reads) {
+  if constexpr (requires { lesson.objects.front().paint.texture.image; }) {
+    return plan_surface(read_budget(budget), lesson.objects.front().paint.texture.image, reads);
+  } else {
+    return {};
+  }
+}
+
 /// Gathers a lesson's light, saves the picture, and prints the kernels and the error.
 template <class Lesson>
 void show_gathered(Session& session, const Lesson& lesson, const std::string& suffix = "") {
@@ -54,8 +66,7 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   const bool limited = options.time_limit > 0 || options.target_error > 0;
   const int most = limited && !session.was_given("--samples") ? 1 << 20 : settings.samples;
   const double reads = double{1} * settings.width * settings.height * most;
-  const KernelPlan plan =
-      plan_surface(read_budget(settings.budget), lesson.objects.front().paint.texture.image, reads);
+  const KernelPlan plan = plan_for(lesson, settings.budget, reads);
   if (!settings.quiet && session.was_given("--budget")) print(plan.text);
   const bool float_packs = plan.floats_are_enough && !session.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;

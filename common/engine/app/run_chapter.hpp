@@ -91,9 +91,11 @@ template <class Lesson>
   offers.spheres = HasSpheres<Lesson>;
   offers.one_number = !all_numbers;
   if constexpr (GathersLight<Lesson>) {
-    offers.budget =
-        "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
-        "kernels it takes";
+    if constexpr (requires { lesson.texture; }) {
+      offers.budget =
+          "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
+          "kernels it takes";
+    }
     offers.intervals = false;  // they bound one ray a pixel, not light gathered by chance
     offers.samples = lesson.sampling.samples;
     offers.most_samples = most_samples;

@@ -5,7 +5,7 @@
 
 namespace texmap {
 
-void SamplingOptions::declare(CommandLine& line) {
+void SamplingOptions::declare_gathering(CommandLine& line) {
   line.choice<SamplerKind>("--sampler", sampler,
                            {{"random", SamplerKind::random},
                             {"stratified", SamplerKind::stratified},
@@ -19,11 +19,6 @@ void SamplingOptions::declare(CommandLine& line) {
                "stop after so many seconds; --samples is then the most");
   line.decimal("--target-error", target_error, 0, 255,
                "stop when the mean error is below so many levels of 255");
-  line.choice<TexelLight>(
-      "--decode", decoding,
-      {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},
-      "from the texture's bytes to light: the sRGB curve, the power 2.2 kept in bytes (Next Week "
-      "since 2024), or the bytes as they are (before)");
   line.choice<Transfer>(
       "--gamma", transfer,
       {{"srgb", Transfer::srgb}, {"sqrt", Transfer::sqrt}, {"2.2", Transfer::stb}},
@@ -34,6 +29,15 @@ void SamplingOptions::declare(CommandLine& line) {
                "distance of what a lens draws sharp; the globe's front is at 10");
   line.decimal("--shift", lens.shift, -100, 100,
                "the globe moves up by so much during the exposure");
+}
+
+void SamplingOptions::declare(CommandLine& line) {
+  declare_gathering(line);
+  line.choice<TexelLight>(
+      "--decode", decoding,
+      {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},
+      "from the texture's bytes to light: the sRGB curve, the power 2.2 kept in bytes (Next Week "
+      "since 2024), or the bytes as they are (before)");
   line.choice<bool>("--sky", gradient, {{"constant", false}, {"gradient", true}},
                     "uniform, or white below and blue above");
 }

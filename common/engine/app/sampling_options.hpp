@@ -24,6 +24,8 @@ struct SamplingOptions {
   bool gradient = false;  ///< a sky that changes; else uniform
 
   void declare(CommandLine& line);
+  /// The options that are not about a texture or its sky: samples, limits, lens.
+  void declare_gathering(CommandLine& line);
   /// Sets the meaning of the texture's bytes, and the sky.
   void apply_to(ImageTexture& texture, GradientSky<>& sky) const;
 };

@@ -49,23 +49,33 @@ struct PreparedObject {
   const Paint& paint;
 };
 
+/// A sky as it is drawn: a GradientSky converted, any other as it is.
+template <class Real>
+[[nodiscard]] PreparedSky<Real> prepare_sky(const GradientSky<>& sky) {
+  return prepare<Real>(sky);
+}
+template <class Real, class Sky>
+[[nodiscard]] const Sky& prepare_sky(const Sky& sky) {
+  return sky;
+}
+
 /// What all samples of a picture have in common: the argument of lessons that gather light.
-template <class Real, class Paint>
+template <class Real, class Paint, class Sky = PreparedSky<Real>>
 struct PreparedScene {
   View<Real> view;
   std::vector<PreparedObject<Real, Paint>> objects;
-  PreparedSky<Real> sky;
+  Sky sky;
 
   /// The same view and sky without objects.
   [[nodiscard]] PreparedScene without_objects() const { return {view, {}, sky}; }
 };
 
-/// The scene in the number Real. `objects` must live as long as it.
-template <class Real, class Paint>
-[[nodiscard]] PreparedScene<Real, Paint> prepare_scene(const View<>& view,
-                                                       const std::vector<Painted<Paint>>& objects,
-                                                       const GradientSky<>& sky) {
-  PreparedScene<Real, Paint> scene{number_cast<Real>(view), {}, prepare<Real>(sky)};
+/// The scene in the number Real. `objects` and a sky that is no GradientSky must live as long.
+template <class Real, class Paint, class Sky>
+[[nodiscard]] auto prepare_scene(const View<>& view, const std::vector<Painted<Paint>>& objects,
+                                 const Sky& sky) {
+  PreparedScene<Real, Paint, decltype(prepare_sky<Real>(sky))> scene{
+      number_cast<Real>(view), {}, prepare_sky<Real>(sky)};
   for (const Painted<Paint>& object : objects)
     scene.objects.push_back({prepare<Real>(object.shape), object.paint});
   return scene;

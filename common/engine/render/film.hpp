@@ -84,6 +84,12 @@ class Film {
   return square(a.r - b.r) + square(a.g - b.g) + square(a.b - b.b);
 }
 
+/// The same for what a pixel can show of them: light above 1 counts as 1.
+[[nodiscard]] inline double visible_difference(const Rgb& a, const Rgb& b) {
+  const auto shown = [](const Rgb& c) { return Rgb{min(c.r, 1.0), min(c.g, 1.0), min(c.b, 1.0)}; };
+  return squared_difference(shown(a), shown(b));
+}
+
 /// The error of the mean, estimated from its two halves: half their difference, root mean square
 /// over pixels and channels. Patterns that are worse in halves have smaller errors than this.
 ///
@@ -97,7 +103,7 @@ class Film {
   double sum = 0;
   for (int row = 0; row < first.height(); ++row) {
     for (int column = 0; column < first.width(); ++column) {
-      sum += squared_difference(first.light(column, row), second.light(column, row));
+      sum += visible_difference(first.light(column, row), second.light(column, row));
     }
   }
   return error_of_halves(sum, static_cast<double>(first.width()) * first.height());

@@ -4,6 +4,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,7 @@ class GrowingFilm {
     film_.set_light(at.column, at.row, (first + second) * (1.0 / (first_ + second_)));
     if (first_ == 0 || second_ == 0) return;
     differences_[static_cast<std::size_t>(at.row)] +=
-        squared_difference(first * (1.0 / first_), second * (1.0 / second_));
+        visible_difference(first * (1.0 / first_), second * (1.0 / second_));
   }
   /// Reports that rows are complete; called from any thread.
   void finish_rows(int begin, int end) {
@@ -110,6 +111,16 @@ void gather_pixels(const SampleRange& range, const std::vector<Pixel>& pixels,
   }
 }
 
+/// The sky of a lesson: its own if it has a picture of one, else the stage's.
+template <class Lesson>
+[[nodiscard]] const auto& sky_of(const Lesson& lesson) {
+  if constexpr (requires { lesson.environment; }) {
+    return lesson.environment;
+  } else {
+    return lesson.stage.sky;
+  }
+}
+
 /// What is known of a picture before a ray is traced: something for one sphere and a pinhole.
 template <class Lesson, class Paint>
 [[nodiscard]] std::optional<ViewBounds> bounds_of_view(const Lesson& lesson,
@@ -120,10 +131,14 @@ template <class Lesson, class Paint>
   if constexpr (requires { lesson.sampling.lens; }) {
     if (lesson.sampling.lens.blurs()) return {};
   }
-  const GradientSky<>& sky = lesson.stage.sky;
-  return ViewBounds{screen_bounds(view, objects.front().shape),
-                    sky.is_constant() ? std::optional(sky.below) : std::nullopt,
-                    samples < least_samples_of_patch ? Smoothing{} : smoothing};
+  if constexpr (requires { lesson.environment; }) {
+    return {};
+  } else {
+    const GradientSky<>& sky = lesson.stage.sky;
+    return ViewBounds{screen_bounds(view, objects.front().shape),
+                      sky.is_constant() ? std::optional(sky.below) : std::nullopt,
+                      samples < least_samples_of_patch ? Smoothing{} : smoothing};
+  }
 }
 
 /// The light of a lesson's picture. Pixels that miss a lone sphere skip it, smooth pixels are
@@ -137,8 +152,8 @@ template <class Real, class Lesson, class Paint>
                           const View<>& view, const SampleRange& range,
                           const std::optional<ViewBounds>& bounds, const RenderSettings& settings) {
   constexpr int rows_at_a_time = 4;  // lists so long fill their packs
-  const PreparedScene<Real, Paint> scene = prepare_scene<Real>(view, objects, lesson.stage.sky);
-  const PreparedScene<Real, Paint> sky_alone = scene.without_objects();
+  const auto scene = prepare_scene<Real>(view, objects, sky_of(lesson));
+  const auto sky_alone = scene.without_objects();
   GrowingFilm film(view.width, view.height, range, settings.error_so_far);
 
   const auto paths_in = [&](const auto& seen) {
@@ -167,16 +182,20 @@ template <class Real, class Lesson, class Paint>
       const Rgb first = *bounds->light * static_cast<double>(film.first());
       const Rgb second = *bounds->light * static_cast<double>(film.second());
       for (const Pixel& at : lists.misses) film.set(at, first, second);
-    } else if (bounds && bounds->smooths_sky(view)) {
-      gather_pixels<Real>(
-          range, lists.misses,
-          [&](const Real& column, const Real& row) {
-            return SkyPatch<Real>(scene.view, scene.sky, column, row);
-          },
-          film);
-    } else {
-      gather_pixels<Real>(range, lists.misses, paths_in(sky_alone), film);
+      lists.misses.clear();
     }
+    if constexpr (std::is_same_v<decltype(scene.sky), PreparedSky<Real>>) {
+      if (bounds && bounds->smooths_sky(view)) {
+        gather_pixels<Real>(
+            range, lists.misses,
+            [&](const Real& column, const Real& row) {
+              return SkyPatch<Real>(scene.view, scene.sky, column, row);
+            },
+            film);
+        lists.misses.clear();
+      }
+    }
+    gather_pixels<Real>(range, lists.misses, paths_in(sky_alone), film);
     if constexpr (HasMapping<Paint, Real>) {
       gather_pixels<Real>(
           range, lists.patches,

@@ -1,0 +1,50 @@
+// The lesson of this chapter; `idea` says what it adds to the chapter before.
+#pragma once
+#include <vector>
+
+#include "engine/app/lesson.hpp"
+#include "engine/app/sampling_options.hpp"
+#include "engine/app/sky_options.hpp"
+#include "scene/paint.hpp"
+#include "scene/sky_path.hpp"
+#include "scene/stage.hpp"
+#include "texture/sky_light.hpp"
+
+namespace texmap::chapter_12 {
+
+using Object = Painted<Coat>;
+enum ObjectIndex { matte, mirroring, small, ground };  // in the order of `objects`
+
+struct Lesson : LessonHooks {
+  static constexpr About about{
+      .idea = "a picture as the sky: seen, mirrored, and as the light of matte surfaces",
+      .size = {400, 225},
+  };
+
+  Stage stage{.camera = {.eye = {0, 1.2, 9}, .target = {0, 0.35, 0}, .fov_y_degrees = 32}};
+  std::vector<Object> objects = {
+      Object{.shape = {.center = {-1.5, 0.0, 0.0}, .radius = 1.0}, .paint = {white}},
+      Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0}, .paint = {white, true}},
+      Object{.shape = {.center = {0.1, -0.6, 1.4}, .radius = 0.4}, .paint = {red}},
+      Object{.shape = {.center = {0.0, -151.0, 0.0}, .radius = 150.0},
+             .paint = {{0.5, 0.48, 0.42}}},
+  };
+  SkyOptions sky;
+  SkyLight environment;
+  SamplingOptions sampling;
+
+  void options(CommandLine& line) override {
+    offer(line, sky);
+    sampling.declare_gathering(line);
+  }
+  void prepare(Session& session) override { environment = sky.load(session); }
+
+  /// The light of one sample.
+  template <class Real>
+  Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
+    const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);
+    return light_under_sky(scene.objects, ray, scene.sky, sky.matte, sampling.bounces, random);
+  }
+};
+
+}  // namespace texmap::chapter_12

@@ -1,0 +1,139 @@
+// Paths of light between matte and mirroring surfaces under a sky that is a picture.
+#pragma once
+#include <iterator>
+
+#include "scene/path.hpp"
+#include "scene/phong.hpp"
+
+namespace texmap {
+
+/// How light from the sky is found at a matte surface.
+enum class SkyLighting {
+  uniform,       ///< directions from the whole sphere, all equally likely
+  cosine,        ///< likely where Lambert's cosine is large
+  importance,    ///< likely where the sky is bright
+  mis,           ///< half of them by the cosine, half by the sky: multiple importance sampling
+  coefficients,  ///< nine numbers of the sky, and no direction; without shadows
+};
+
+/// How matte surfaces are lit.
+struct MatteLight {
+  SkyLighting way = SkyLighting::cosine;
+  bool caustics = false;  ///< what mirrors throw on them, found by chance: few, very bright dots
+};
+
+/// A paint of one color on a matte surface or on a mirror.
+struct Coat {
+  Rgb color;
+  bool mirrors = false;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Hit<Real>&) const {
+    return number_cast<Real>(color);
+  }
+};
+
+/// A direction in which a path goes on.
+template <class Real>
+struct Scattered {
+  Vec3<Real> direction;  ///< of unit length
+  Real weight;           ///< cosine / pi / density of the direction: a factor on its light
+};
+
+/// The next direction of a path at a matte surface. The mean of weight times light over many of
+/// them is the light that a white surface sends out.
+///
+/// @param normal, place, choice  of unit length; two samples in [0, 1), `choice` for the sky alone
+/// Source: Veach and Guibas, "Optimally Combining Sampling Techniques" (1995): `mis` is their
+/// balance heuristic with one direction, cosine / pi / ((cosine / pi + density) / 2).
+template <class Real, class Sky>
+[[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
+                                      const Vec3<Real>& normal, const Point2<Real>& place,
+                                      const Point2<Real>& choice) {
+  if (lighting == SkyLighting::cosine) return {cosine_direction(normal, place), Real(1)};
+  if (lighting == SkyLighting::uniform) {
+    const OnCircle<Real> around = on_circle(place.u);
+    const Real y = Real(1) - Real(2) * place.v;
+    const Real radius = Real(2) * sqrt(place.v * (Real(1) - place.v));
+    const Vec3<Real> direction = {radius * around.cosine, y, radius * around.sine};
+    return {direction, Real(4) * max(dot(normal, direction), Real(0))};
+  }
+  if (lighting == SkyLighting::importance) {
+    const Vec3<Real> direction = sky.direction(choice, place);
+    const Real cosine = max(dot(normal, direction), Real(0));
+    const Real density = sky.density(direction);
+    const Mask<Real> possible = density > Real(0);
+    return {direction,
+            select(possible, cosine / (pi<Real>() * select(possible, density, Real(1))), Real(0))};
+  }
+  const Mask<Real> by_cosine = choice.u < Real(0.5);
+  const Real rest = Real(2) * choice.u;
+  const Point2<Real> of_sky = {select(by_cosine, rest, rest - Real(1)), choice.v};
+  const Vec3<Real> direction =
+      select(by_cosine, cosine_direction(normal, place), sky.direction(of_sky, place));
+  const Real cosine = max(dot(normal, direction), Real(0));
+  const Real both = cosine + pi<Real>() * sky.density(direction);
+  return {direction, select(both > Real(0), Real(2) * cosine / both, Real(0))};
+}
+
+/// The light that arrives along a ray from matte and mirroring objects under a sky: one path.
+///
+/// @param objects, bounces  paints are Coats; after `bounces` >= 1 a path brings no light
+/// @param sky               as SkyLight; a constant one over a lone object needs no direction
+/// Without `caustics` a mirror is matte to paths that come from a matte surface: Kaplanyan and
+/// Dachsbacher (2013). By `importance` light from objects before a black sky is lost.
+template <class Real, class Objects, class Sky, class Random>
+[[nodiscard]] Color<Real> light_under_sky(const Objects& objects, Ray<Real> ray, const Sky& sky,
+                                          const MatteLight& matte, int bounces, Random& random) {
+  if (std::empty(objects) || (sky.is_constant() && std::size(objects) == 1))
+    return light_along(objects, ray, sky, bounces, random);
+  ray.direction = normalize(ray.direction);
+  Color<Real> carried = gray(Real(1));
+  Color<Real> light = gray(Real(0));
+  Mask<Real> under_way = Real(0) < Real(1);
+  Mask<Real> sharp = under_way;  // mirrors are mirrors
+  for (int bounce = 0;; ++bounce) {
+    const Nearest<Real> nearest = find_nearest(objects, ray);
+    const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
+    if (any(under_way && !met)) light = select(under_way && !met, carried * sky(ray), light);
+    under_way = met;
+    if (bounce == bounces || !any(under_way)) return light;
+
+    // Every path draws as many numbers: packs and single numbers then follow the same paths.
+    Point2<Real> place{}, choice{};
+    if (matte.way != SkyLighting::coefficients) place = random.next_2d();
+    if (matte.way == SkyLighting::importance || matte.way == SkyLighting::mis)
+      choice = random.next_2d();
+    Ray<Real> next = ray;
+    Mask<Real> dull = Real(1) < Real(0);
+    double index = 0;
+    for (const auto& object : objects) {
+      const Mask<Real> here = under_way && nearest.index == Real(index);
+      index += 1;
+      if (!any(here)) continue;
+      const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+      carried = select(here, carried * object.paint(hit), carried);
+      next.origin = select(here, hit.outside, next.origin);
+      Mask<Real> scatters = here;
+      if (object.paint.mirrors) {
+        next.direction = select(here && sharp, mirror(-ray.direction, hit.normal), next.direction);
+        scatters = here && !sharp;
+        if (!any(scatters)) continue;
+      }
+      if (matte.way == SkyLighting::coefficients) {
+        light = select(scatters, carried * sky.reflected(hit.normal), light);
+        under_way = under_way && !scatters;
+        continue;
+      }
+      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place, choice);
+      carried = select(scatters, carried * next_way.weight, carried);
+      next.direction = select(scatters, next_way.direction, next.direction);
+      under_way = under_way && !(scatters && next_way.weight <= Real(0));
+      if (!matte.caustics) dull = dull || scatters;
+    }
+    sharp = sharp && !dull;
+    ray = next;
+  }
+}
+
+}  // namespace texmap

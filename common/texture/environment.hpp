@@ -1,0 +1,121 @@
+// A picture of everything around: the sky of a scene.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "math/rotation.hpp"
+#include "scene/ray.hpp"
+#include "texture/light_image.hpp"
+#include "texture/texel.hpp"
+#include "texture/uv.hpp"
+#include "texture/wrap.hpp"
+
+namespace texmap {
+
+/// How a color is found between the centers of texels.
+enum class TexelFilter {
+  nearest,   ///< the texel that holds the place
+  bilinear,  ///< mixed from the four nearest, over the poles too
+};
+
+/// The four texels about a place on an equirectangular map, and where it lies between them.
+template <class Real>
+struct FourTexels {
+  std::array<WrappedTexel<Real>, 4> texels;  ///< lower left, lower right, upper left, upper right
+  Real across, up;                           ///< 0 to 1, from the left and from the lower ones
+};
+
+/// Texels' centers are at (column + 1/2) / width; over the poles the map goes on at the other side.
+/// @param width  even
+template <class Real>
+[[nodiscard]] FourTexels<Real> four_texels(const Uv<Real>& uv, int width, int height) {
+  const Real x = uv.u * Real(width) - Real(0.5);
+  const Real y = uv.v * Real(height) - Real(0.5);
+  const Real left = floor(x);
+  const Real low = floor(y);
+  const auto at = [&](const Real& column, const Real& row) {
+    return wrapped_texel(Wrap::spherical, column, row, width, height);
+  };
+  const Real right = left + Real(1);
+  const Real high = low + Real(1);
+  return {{at(left, low), at(right, low), at(left, high), at(right, high)}, x - left, y - low};
+}
+
+/// A sky painted on a sphere without end: a ray's direction alone decides what it sees.
+/// The picture is an equirectangular map, placed by uv_rtiow: its middle is at +x, +z to the left.
+class Environment {
+ public:
+  Environment() : Environment(LightImage(1, 1)) {}
+  /// @param map      of even width, unless all its texels are equal
+  /// @param degrees  turn of the sky about +y, as rotation_y
+  explicit Environment(LightImage map, TexelFilter filter = TexelFilter::bilinear,
+                       double degrees = 0)
+      : map_(std::move(map)), filter_(filter), to_map_(rotation_y(-degrees)) {
+    constant_ = std::all_of(map_.texels.begin(), map_.texels.end(), [&](const Color<float>& c) {
+      const Color<float>& first = map_.texels.front();
+      return c.r == first.r && c.g == first.g && c.b == first.b;
+    });
+  }
+
+  [[nodiscard]] const LightImage& map() const { return map_; }
+  [[nodiscard]] TexelFilter filter() const { return filter_; }
+  /// True if all texels are equal: then a ray's direction does not matter.
+  [[nodiscard]] bool is_constant() const { return constant_; }
+
+  /// A direction of the world as one of the picture.
+  template <class Real>
+  [[nodiscard]] Vec3<Real> to_map(const Vec3<Real>& direction) const {
+    return to_map_(direction);
+  }
+  /// A direction of the picture as one of the world.
+  template <class Real>
+  [[nodiscard]] Vec3<Real> from_map(const Vec3<Real>& direction) const {
+    return RotationY{-to_map_.sine, to_map_.cosine}(direction);
+  }
+
+  /// The light along a ray with a direction of any length.
+  /// Bound: 4 unit roundoffs of the brightest of the four texels for the color, uv_rtiow's place.
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    if (constant_) {
+      const Color<float>& light = map_.texels.front();
+      return {Real(light.r), Real(light.g), Real(light.b)};
+    }
+    return at(uv_rtiow(to_map(ray.direction)));
+  }
+
+  /// The light at a place on the picture.
+  template <class Real>
+  [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
+    if (filter_ == TexelFilter::nearest) {
+      return texel(clamp(floor(uv.u * Real(map_.width)), Real(0), Real(map_.width - 1)),
+                   clamp(floor(uv.v * Real(map_.height)), Real(0), Real(map_.height - 1)));
+    }
+    const FourTexels<Real> four = four_texels(uv, map_.width, map_.height);
+    const auto color = [&](std::size_t i) {
+      return texel(four.texels[i].column, four.texels[i].row);
+    };
+    return mix(mix(color(0), color(1), four.across), mix(color(2), color(3), four.across), four.up);
+  }
+
+ private:
+  /// A texel inside the picture, its row counted from v = 0.
+  template <class Real>
+  [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
+    const auto channels = look_up(
+        [this](int at_column, int at_row) {
+          const Color<float>& light = map_.at(at_column, at_row);
+          return std::array{light.r, light.g, light.b};
+        },
+        column, Real(map_.height - 1) - from_zero);
+    return {channels[0], channels[1], channels[2]};
+  }
+
+  LightImage map_;
+  TexelFilter filter_;
+  RotationY to_map_;
+  bool constant_ = true;
+};
+
+}  // namespace texmap

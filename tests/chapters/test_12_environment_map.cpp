@@ -1,0 +1,273 @@
+// Chapter 12: a picture as the sky, against what is known without drawing it.
+#include <doctest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "07_earth_by_sampling/lesson.hpp"
+#include "12_environment_map/lesson.hpp"
+#include "engine/app/sky_choice.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_light.hpp"
+#include "engine/picture/save_png.hpp"
+#include "support/made_hdr.hpp"
+#include "support/pictures.hpp"
+#include "support/running.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+using chapter_12::Lesson;
+
+namespace {
+
+/// How a film is drawn, besides its samples.
+struct Drawn {
+  Size size = {64, 36};
+  int threads = 0;
+  SamplerKind kind = SamplerKind::sobol;
+  std::uint32_t seed = 0;
+};
+
+template <class Real = double, class AnyLesson>
+Film film_of(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {
+  const View<> view = view_of(lesson.stage.camera, drawn.size.width, drawn.size.height);
+  return gather<Real>(lesson, lesson.objects, view, {Sampler(drawn.kind, samples, drawn.seed)},
+                      bounds_of_view(lesson, lesson.objects, view, {}, samples),
+                      {.threads = drawn.threads});
+}
+template <class Real = double, class AnyLesson>
+Image developed(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {
+  return develop(film_of<Real>(lesson, samples, drawn), Transfer::srgb);
+}
+
+/// The lesson under another sky, its light gathered in that way.
+Lesson under(LightImage map, SkyLighting way = SkyLighting::cosine, double degrees = 0) {
+  Lesson lesson;
+  lesson.environment = SkyLight(Environment(std::move(map), TexelFilter::bilinear, degrees));
+  lesson.sky.matte.way = way;
+  return lesson;
+}
+
+LightImage sky_of_the_chapter() { return load_light(find_texture("sky.hdr")); }
+
+/// Root mean square difference of two films, over pixels and channels.
+double apart(const Film& a, const Film& b) { return 2 * error_of_halves(a, b); }
+
+/// The light of a whole sky: brightness times solid angle, of each channel.
+Rgb energy_of(const LightImage& map) { return SkyMoments(Environment(map)).sums()[0]; }
+
+}  // namespace
+
+TEST_CASE(
+    "under a constant picture a ball is drawn as in chapter 07 under its uniform sky: 0 pixels") {
+  auto before = prepared<chapter_07::Lesson>();
+  const Rgb8 paint = {188, 128, 64};
+  before.objects[0].paint.texture.image = Image(1, 1, paint);
+  Lesson after = under(LightImage(8, 4, {0.7F, 0.8F, 1.0F}));
+  after.stage = before.stage;
+  const auto& levels = light_of_bytes<double>(TexelLight::linear);
+  after.objects = {{.shape = before.objects[0].shape,
+                    .paint = {{levels[paint.r], levels[paint.g], levels[paint.b]}}}};
+  const Image expected = developed(before, 16);
+  CHECK(count_different(developed(after, 16), expected) == 0);
+  after.objects[0].paint.mirrors = true;  // a mirror of that color sees the same light everywhere
+  CHECK(count_different(developed(after, 16), expected) == 0);
+  after.environment = SkyLight(Environment(LightImage(8, 4, {0.7F, 0.82F, 1.0F})));
+  CHECK(count_different(developed(after, 16), expected) > 1000);
+}
+
+TEST_CASE("white furnace: under a sky of ones the white chapter cannot be told from the sky") {
+  Lesson lesson = under(LightImage(8, 4, gray(1.0F)));
+  lesson.sampling.bounces = 1000;
+  for (auto& object : lesson.objects) object.paint.color = {1, 1, 1};
+  const Film film = film_of(lesson, 4);
+  for (int row = 0; row < 36; ++row) {
+    for (int column = 0; column < 64; ++column) {
+      REQUIRE(film.light(column, row).r == 1);
+      REQUIRE(film.light(column, row).b == 1);
+    }
+  }
+  lesson.environment = SkyLight(Environment(LightImage(8, 4, gray(0.5F))));
+  CHECK(film_of(lesson, 1).light(32, 20).g == 0.5);
+}
+
+TEST_CASE("all ways gather the same light: their pictures come together as samples grow") {
+  const Size size = {32, 18};
+  const Drawn drawn = {.size = size};
+  LightImage map = sky_of_the_chapter();
+  for (Color<float>& texel : map.texels) {  // a weaker sun: chance alone must find it, too
+    const auto limited = [](float x) { return std::min(x, 20.0F); };
+    texel = {limited(texel.r), limited(texel.g), limited(texel.b)};
+  }
+  const Film reference = film_of<Pack<double>>(under(map, SkyLighting::mis), 4096, drawn);
+  for (const SkyLighting way :
+       {SkyLighting::uniform, SkyLighting::cosine, SkyLighting::importance}) {
+    CAPTURE(static_cast<int>(way));
+    const double few = apart(film_of<Pack<double>>(under(map, way), 64, drawn), reference);
+    const double many = apart(film_of<Pack<double>>(under(map, way), 4096, drawn), reference);
+    MESSAGE("way " << static_cast<int>(way) << ": off by " << few << " with 64 samples, " << many
+                   << " with 4096");
+    CHECK(many < few / 5);
+    CHECK(many < 0.012);
+  }
+  // Nine coefficients have no noise, but no shadows: more samples do not help.
+  const double without_shadows =
+      apart(film_of<Pack<double>>(under(map, SkyLighting::coefficients), 256, drawn), reference);
+  MESSAGE("nine coefficients, which know no shadow, are off by " << without_shadows);
+  CHECK(without_shadows > 0.01);
+}
+
+TEST_CASE("the choice is what the sky requires: nothing under a constant one, mis under a sun") {
+  const auto choice = [](LightImage map) {
+    return best_lighting(noise_of(SkyLight(Environment(std::move(map)))));
+  };
+  CHECK(choice(LightImage(8, 4, gray(3.0F))) == SkyLighting::cosine);
+  CHECK(choice(LightImage(8, 4)) == SkyLighting::cosine);
+  LightImage gradient(64, 32);
+  for (int row = 0; row < 32; ++row) {
+    for (int column = 0; column < 64; ++column)
+      gradient.at(column, row) = gray(1 - static_cast<float>(row) / 80);
+  }
+  CHECK(choice(gradient) == SkyLighting::cosine);
+  CHECK(choice(sky_of_the_chapter()) == SkyLighting::mis);
+}
+
+TEST_CASE("the noise that the choice goes by is that of drawn directions") {
+  const SkyLight sky(Environment(sky_of_the_chapter(), TexelFilter::nearest));
+  const SkyNoise noise = noise_of(sky);
+  const std::array normals = {Vec3d{1, 0, 0},  Vec3d{-1, 0, 0}, Vec3d{0, 1, 0},
+                              Vec3d{0, -1, 0}, Vec3d{0, 0, 1},  Vec3d{0, 0, -1}};
+  const auto measured = [&](SkyLighting way) {
+    double variance = 0, light = 0;
+    for (const Vec3d& normal : normals) {
+      double sum = 0, squares = 0;
+      constexpr std::uint32_t count = 16384;
+      const Sampler sampler(SamplerKind::sobol, count);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const auto hash = hash_pixels<double>(3U, 4U);
+        const Scattered<double> next = scatter(way, sky, normal, sampler.pair<double>(hash, i, 1),
+                                               sampler.pair<double>(hash, i, 2));
+        const Color<double> seen = sky(Ray<double>{{}, next.direction});
+        const double value = next.weight * (seen.r + seen.g + seen.b) / 3;
+        sum += value / count;
+        squares += value * value / count;
+      }
+      variance += squares - sum * sum;
+      light += sum * sum;
+    }
+    return std::sqrt(variance / light);
+  };
+  CHECK(measured(SkyLighting::importance) == doctest::Approx(noise.importance).epsilon(0.03));
+  CHECK(measured(SkyLighting::mis) == doctest::Approx(noise.mis).epsilon(0.03));
+  CHECK(measured(SkyLighting::cosine) == doctest::Approx(noise.cosine).epsilon(0.2));
+}
+
+TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
+  for (const SkyLighting way : {SkyLighting::uniform, SkyLighting::cosine, SkyLighting::importance,
+                                SkyLighting::mis, SkyLighting::coefficients}) {
+    Lesson lesson = under(sky_of_the_chapter(), way, 30);
+    const Drawn drawn = {.size = {61, 33}, .threads = 1};
+    const Image one = developed(lesson, 9, drawn);
+    CHECK(developed(lesson, 9, {.size = {61, 33}, .threads = 3}) == one);
+    CHECK(count_different(developed<Pack<double>>(lesson, 9, drawn), one) <= 1);
+    CHECK(count_different(developed<long double>(lesson, 9, drawn), one) <= 6);
+    const Image in_float = developed<float>(lesson, 9, drawn);
+    CHECK(count_different(developed<Pack<float>>(lesson, 9, drawn), in_float) <= 4);
+    CHECK(count_different(in_float, one) <= 100);  // paths near an edge take the other side
+    CHECK(count_different(developed(lesson, 9, {.size = {61, 33}, .seed = 1}), one) > 100);
+  }
+}
+
+TEST_CASE("a stop more is twice the light, and a full turn is none") {
+  const auto lesson = [](const std::vector<std::string>& words) { return prepared<Lesson>(words); };
+  const Film plain = film_of(lesson({"--light", "mis"}), 4);
+  const Film brighter = film_of(lesson({"--light", "mis", "--exposure", "1"}), 4);
+  double worst = 0;
+  for (int row = 0; row < 36; ++row) {
+    for (int column = 0; column < 64; ++column)
+      worst = std::max(
+          worst, std::abs(brighter.light(column, row).g / plain.light(column, row).g / 2 - 1));
+  }
+  CHECK(worst < 1e-8);
+  CHECK(developed(lesson({"--degrees", "360"}), 4) == developed(lesson({}), 4));
+  CHECK(count_different(developed(lesson({"--degrees", "90"}), 4), developed(lesson({}), 4)) >
+        1000);
+}
+
+TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 1") {
+  const LightImage full = sky_of_the_chapter();
+  LightImage cut = full;
+  double brightest = 0;
+  for (Color<float>& texel : cut.texels) {
+    brightest = std::max(brightest, static_cast<double>(texel.r));
+    texel = {std::min(texel.r, 1.0F), std::min(texel.g, 1.0F), std::min(texel.b, 1.0F)};
+  }
+  const Rgb all = energy_of(full), left = energy_of(cut);
+  const auto missing = [](double whole, double rest) { return 100 * (1 - rest / whole); };
+  MESSAGE("brightest texel " << brightest << "; missing: red " << missing(all.r, left.r)
+                             << " %, green " << missing(all.g, left.g) << " %, blue "
+                             << missing(all.b, left.b) << " %");
+  CHECK(missing(all.r, left.r) > 20);
+  CHECK(missing(all.r, left.r) > missing(all.b, left.b) + 3);  // what is left is bluer
+  // The same by a real PNG file, within its bytes' rounding.
+  Image png(full.width, full.height);
+  for (std::size_t i = 0; i < full.texels.size(); ++i) {
+    const auto byte = [](float x) {
+      return static_cast<std::uint8_t>(byte_of_light(static_cast<double>(x), Transfer::srgb));
+    };
+    png.pixels[i] = {byte(full.texels[i].r), byte(full.texels[i].g), byte(full.texels[i].b)};
+  }
+  const TemporaryFolder folder;
+  save_png(png, folder / "sky.png");
+  CHECK(energy_of(load_light(folder / "sky.png")).r == doctest::Approx(left.r).epsilon(1e-3));
+  Lesson by_png = prepared<Lesson>({"--sky", folder / "sky.png", "--light", "mis"});
+  CHECK(best_lighting(noise_of(by_png.environment)) == SkyLighting::cosine);  // no sun is left
+}
+
+TEST_CASE("the program refuses every damaged sky with its name, status 1 and no picture") {
+  const TemporaryFolder folder;
+  const std::string program = std::string(TEXMAP_CHAPTER) +
+                              " --width 16 --height 9 --samples 1 --quiet --out \"" +
+                              (folder / "x.png") + "\" --sky \"" + (folder / "sky.hdr") + "\"";
+  for (const HdrCase& item : hdr_corpus()) {
+    CAPTURE(item.name);
+    put(folder / "sky.hdr", item.file);
+    const Outcome outcome = run(program);
+    CAPTURE(outcome.err);
+    if (std::string(item.error).empty()) {
+      CHECK(outcome.status == 0);
+      std::filesystem::remove(folder / "x.png");
+      continue;
+    }
+    CHECK(outcome.status == 1);
+    const bool named =
+        outcome.err.find("error: cannot load texture '" + (folder / "sky.hdr") + "': ") == 0;
+    // A signature cut off is no Radiance file; the message says so.
+    CHECK(named);
+    CHECK(outcome.out.empty());
+    CHECK(folder.size() == 1);
+  }
+  put(folder / "sky.hdr",
+      hdr_start + (bytes_of_text(hdr_size(3, 1)) + (flat(2) + flat(1, {9, 9, 9, 129}))));
+  const Outcome odd = run(program);
+  CHECK(odd.status == 1);
+  CHECK(odd.err.find("it is 3 pixels wide, and a sky needs an even number") != std::string::npos);
+}
+
+TEST_CASE("the program's options: wrong words are status 2, and auto says what it took") {
+  const TemporaryFolder folder;
+  const std::string program = std::string(TEXMAP_CHAPTER) +
+                              " --width 16 --height 9 --samples 2 --out \"" + (folder / "x.png") +
+                              "\" ";
+  CHECK(run(program + "--light best").status == 2);
+  CHECK(run(program + "--exposure nan").status == 2);
+  CHECK(run(program + "--sky \"\"").status == 2);
+  CHECK(run(program + "--budget levels=1").status == 2);
+  CHECK(run(program + "--sky none.hdr").status == 1);
+  const Outcome outcome = run(program);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.find("--light mis\n") != std::string::npos);
+  const Outcome chosen = run(program + "--light cosine");
+  CHECK(chosen.out.find("--light") == std::string::npos);
+}

@@ -1,0 +1,299 @@
+// Tests of common/scene/sky_path.hpp: light from a sky that is a picture, found in five ways.
+#include "scene/sky_path.hpp"
+
+#include <doctest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "sampling/samplers.hpp"
+#include "scene/paint.hpp"
+#include "texture/sky_light.hpp"
+#include "texture/uv_inverse.hpp"
+
+namespace texmap::test {
+namespace {
+
+constexpr std::array sampled_ways = {SkyLighting::uniform, SkyLighting::cosine,
+                                     SkyLighting::importance, SkyLighting::mis};
+
+/// The numbers of one sample.
+struct Numbers {
+  Sampler sampler;
+  std::uint32_t sample;
+  std::uint32_t dimension = 0;
+
+  [[nodiscard]] Point2<double> next_2d() {
+    return sampler.pair<double>(hash_pixels<double>(5U, 2U), sample, dimension++);
+  }
+};
+
+/// Mean and relative variance.
+struct Spread {
+  double mean, variance;
+};
+template <class Draw>
+Spread spread(std::uint32_t count, const Draw& draw, SamplerKind kind = SamplerKind::sobol) {
+  double sum = 0, squares = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Numbers numbers{Sampler(kind, static_cast<int>(count)), i};
+    const double value = draw(numbers);
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / count;
+  return {mean, squares / count / (mean * mean) - 1};
+}
+
+/// The light that a white surface with this normal sends out, by one direction.
+double one_direction(SkyLighting way, const SkyLight& sky, const Vec3d& normal, Numbers& numbers) {
+  const Point2<double> place = numbers.next_2d();
+  const Scattered<double> next = scatter(way, sky, normal, place, numbers.next_2d());
+  return next.weight == 0 ? 0 : next.weight * sky(Ray<double>{{}, next.direction}).g;
+}
+
+/// The same by summing over 16 x 16 places in each texel.
+double summed(const SkyLight& sky, const Vec3d& normal) {
+  const int columns = 16 * sky.picture.map().width, rows = 16 * sky.picture.map().height;
+  double sum = 0;
+  for (int row = 0; row < rows; ++row) {
+    const double v = (row + 0.5) / rows;
+    for (int column = 0; column < columns; ++column) {
+      const Vec3d d =
+          sky.picture.from_map(direction_rtiow(Uv<double>{(column + 0.5) / columns, v}));
+      sum += on_circle(v / 2).sine * std::max(dot(normal, d), 0.0) * sky(Ray<double>{{}, d}).g;
+    }
+  }
+  return sum * 2 * std::numbers::pi / columns / rows;
+}
+
+/// A sky brighter above, with a sun.
+LightImage with_sun(float sun) {
+  LightImage image(32, 16);
+  for (int row = 0; row < 16; ++row) {
+    for (int column = 0; column < 32; ++column)
+      image.at(column, row) = gray(1 - static_cast<float>(row) / 20);
+  }
+  image.at(20, 4) = gray(sun);
+  return image;
+}
+
+SkyLight constant_sky(float light) { return SkyLight(Environment(LightImage(4, 2, gray(light)))); }
+
+const std::vector<Painted<Coat>> two_balls = {
+    {.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {{1, 1, 1}}},
+    {.shape = {.center = {1.8, 0, 0}, .radius = 0.8}, .paint = {{1, 1, 1}}}};
+
+}  // namespace
+
+TEST_CASE("white furnace: every cosine-sampled path brings exactly the albedo, with variance 0") {
+  const SkyLight sky = constant_sky(1);
+  std::vector<Painted<Coat>> balls = two_balls;
+  balls[1].shape = {.center = {0, 0, 900}, .radius = 0.001};  // never met: each path has one bounce
+  for (const double albedo : {1.0, 0.5, 0.3}) {
+    balls[0].paint.color = {albedo, albedo, albedo};
+    for (std::uint32_t i = 0; i < 256; ++i) {
+      Numbers numbers{Sampler(SamplerKind::random, 256), i};
+      const Color<double> light = light_under_sky(balls, Ray<double>{{0.2, 0.3, 5}, {0, 0, -2}},
+                                                  sky, {SkyLighting::cosine}, 50, numbers);
+      REQUIRE(light.r == albedo);
+    }
+  }
+}
+
+TEST_CASE(
+    "white balls and mirrors under a sky of ones cannot be told from it, however long paths are") {
+  const SkyLight sky = constant_sky(1);
+  for (const bool mirrors : {false, true}) {
+    for (const bool caustics : {false, true}) {
+      std::vector<Painted<Coat>> balls = two_balls;
+      balls[1].paint.mirrors = mirrors;
+      for (std::uint32_t i = 0; i < 512; ++i) {
+        Numbers numbers{Sampler(SamplerKind::random, 512), i};
+        const Ray<double> ray = {{0.2, 0.1, 5}, {0.003 * (i % 256), 0, -5}};
+        const Color<double> light =
+            light_under_sky(balls, ray, sky, {SkyLighting::cosine, caustics}, 1000, numbers);
+        REQUIRE(light.g == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("a constant picture over a lone ball needs no number, in the mirror neither") {
+  struct NoNumbers {
+    Point2<double> next_2d() {
+      FAIL("a number was drawn");
+      return {};
+    }
+  } none;
+  const SkyLight sky = constant_sky(0.25F);
+  for (const bool mirrors : {false, true}) {
+    const std::vector<Painted<Coat>> ball = {{.shape = {}, .paint = {{0.5, 0.5, 0.5}, mirrors}}};
+    const auto seen = [&](const Vec3d& direction) {
+      return light_under_sky(ball, Ray<double>{{0, 0, 5}, direction}, sky, {SkyLighting::mis}, 50,
+                             none)
+          .r;
+    };
+    CHECK(seen({0, 0, -1}) == 0.125);
+    CHECK(seen({0, 1, -1}) == 0.25);
+  }
+}
+
+TEST_CASE("all ways to draw directions find the same light, under every sky and normal") {
+  for (const float sun : {0.5F, 30.0F, 1000.0F}) {
+    for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+      const SkyLight sky(Environment(with_sun(sun), filter, 15));
+      for (const Vec3d& normal : {Vec3d{0, 1, 0}, Vec3d{0.8, 0, 0.6}, Vec3d{-0.48, -0.6, -0.64}}) {
+        const double exact = summed(sky, normal);
+        for (const SkyLighting way : sampled_ways) {
+          CAPTURE(static_cast<int>(way));
+          const Spread found = spread(
+              16384, [&](Numbers& numbers) { return one_direction(way, sky, normal, numbers); });
+          CHECK(found.mean ==
+                doctest::Approx(exact).epsilon(5e-4 + 2.5 * std::sqrt(found.variance / 16384)));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("planted faults are noticed: pi forgotten, the cosine twice, half a texel aside") {
+  const SkyLight sky(Environment(with_sun(30), TexelFilter::nearest));
+  const Vec3d normal = {0, 1, 0};
+  const double exact = summed(sky, normal);
+  const auto off = [&](const auto& fault) {
+    return std::abs(spread(
+                        4096,
+                        [&](Numbers& numbers) {
+                          const Point2<double> place = numbers.next_2d();
+                          const Scattered<double> next = scatter(SkyLighting::importance, sky,
+                                                                 normal, place, numbers.next_2d());
+                          return fault(next);
+                        }).mean /
+                        exact -
+                    1);
+  };
+  const auto light = [&](const Vec3d& d) { return sky(Ray<double>{{}, d}).g; };
+  CHECK(off([&](const auto& next) { return next.weight * light(next.direction); }) < 0.01);
+  CHECK(off([&](const auto& next) {
+          return next.weight * light(next.direction) * std::numbers::pi;
+        }) > 1);
+  CHECK(off([&](const auto& next) {
+          return next.weight * light(next.direction) * next.direction.y;
+        }) > 0.1);
+  CHECK(off([&](const auto& next) {
+          return next.weight * light(rotation_y(360.0 / 64)(next.direction));
+        }) > 0.02);
+}
+
+TEST_CASE(
+    "of one bright texel w importance leaves only the cosine to vary; uniformly the variance is 4 "
+    "pi / w - 1") {
+  LightImage map(64, 32);
+  map.at(40, 9) = gray(5.0F);
+  const SkyLight sky(Environment(map, TexelFilter::nearest));
+  const double w = SkyBand(9, 64, 32).solid_angle;
+  const Vec3d lamp = direction_rtiow(Uv<double>{40.5 / 64, 1 - 9.5 / 32});
+  const Vec3d aside = normalize(cross(lamp, Vec3d{0, 1, 0}));
+  for (const double tilt : {0.0, 0.9}) {
+    const Vec3d normal = normalize(lamp + aside * tilt);
+    const double mean = summed(sky, normal);
+    // The variance of the cosine within the texel, relative: exact moments by a fine sum.
+    double cosines = 0, squares = 0;
+    constexpr int n = 200;
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < n; ++k) {
+        const Vec3d d = sky.direction(Point2<double>{0, 1 - 0x1p-24},
+                                      Point2<double>{(i + 0.5) / n, (k + 0.5) / n});
+        cosines += dot(normal, d) / (n * n);
+        squares += square(dot(normal, d)) / (n * n);
+      }
+    }
+    const double of_cosine = squares / (cosines * cosines) - 1;
+    CHECK(mean == doctest::Approx(5 * w * cosines / std::numbers::pi).epsilon(1e-4));
+    const Spread importance = spread(4096, [&](Numbers& numbers) {
+      return one_direction(SkyLighting::importance, sky, normal, numbers);
+    });
+    CHECK(importance.variance == doctest::Approx(of_cosine).epsilon(0.01));
+    CHECK(of_cosine < 0.002);
+    const Spread uniform = spread(16384, [&](Numbers& numbers) {
+      return one_direction(SkyLighting::uniform, sky, normal, numbers);
+    });
+    // Second moment 4 pi / w, times that of the cosine.
+    CHECK(uniform.variance + 1 ==
+          doctest::Approx(4 * std::numbers::pi / w * (1 + of_cosine)).epsilon(0.03));
+    MESSAGE("relative variance: uniform " << uniform.variance
+                                          << ", 4 pi / w - 1 = " << 4 * std::numbers::pi / w - 1
+                                          << ", importance " << importance.variance);
+  }
+}
+
+TEST_CASE("the weights of mis stay below 2: no direction can be a dot brighter than its light") {
+  const SkyLight sky(Environment(with_sun(1e6F)));
+  double most = 0, most_by_importance = 0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    Numbers numbers{Sampler(SamplerKind::random, 4096), i};
+    const Point2<double> place = numbers.next_2d(), choice = numbers.next_2d();
+    most = std::max(most, scatter(SkyLighting::mis, sky, Vec3d{0, 1, 0}, place, choice).weight);
+    most_by_importance =
+        std::max(most_by_importance,
+                 scatter(SkyLighting::importance, sky, Vec3d{0, 1, 0}, place, choice).weight);
+  }
+  CHECK(most <= 2);
+  CHECK(most_by_importance > 10);
+}
+
+TEST_CASE("a mirror shows the sky of the mirrored ray, times its color") {
+  const SkyLight sky(Environment(with_sun(30)));
+  const std::vector<Painted<Coat>> ball = {
+      {.shape = {}, .paint = {{0.5, 0.25, 1}, true}},
+      {.shape = {.center = {0, 0, 900}, .radius = 0.001}, .paint = {}}};
+  for (double x = -0.9; x < 1; x += 0.3) {
+    Numbers numbers{Sampler(SamplerKind::random, 1), 0};
+    const Ray<double> ray = {{x, 0.2, 5}, {0, 0, -1}};
+    const Color<double> light = light_under_sky(ball, ray, sky, {SkyLighting::mis}, 50, numbers);
+    const Vec3d n = {x, 0.2, std::sqrt(1 - x * x - 0.04)};
+    const Vec3d mirrored = ray.direction - n * (2 * dot(n, ray.direction));
+    const double expected = sky(Ray<double>{{}, mirrored}).r;
+    CHECK(light.r == doctest::Approx(0.5 * expected).epsilon(1e-9));
+    CHECK(light.g == doctest::Approx(0.25 * expected).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("with shadows all ways agree too; nine coefficients know no shadow") {
+  const SkyLight sky(Environment(with_sun(200)));
+  std::vector<Painted<Coat>> balls = two_balls;
+  for (Painted<Coat>& ball : balls) ball.paint.color = {0.6, 0.6, 0.6};
+  const Ray<double> ray = {{0.55, 0, 5}, {0, 0, -1}};  // near the other ball
+  const auto light = [&](SkyLighting way) {
+    return spread(16384, [&](Numbers& numbers) {
+      return light_under_sky(balls, ray, sky, {way}, 50, numbers).g;
+    });
+  };
+  const Spread by_mis = light(SkyLighting::mis);
+  for (const SkyLighting way : sampled_ways) {
+    const Spread found = light(way);
+    CHECK(found.mean ==
+          doctest::Approx(by_mis.mean).epsilon(1e-3 + 3 * std::sqrt(found.variance / 16384)));
+  }
+  CHECK(std::abs(light(SkyLighting::coefficients).mean / by_mis.mean - 1) > 0.02);
+}
+
+TEST_CASE("mirrors throw light on matte balls only with caustics, and by chance alone") {
+  const SkyLight sky(Environment(with_sun(5000)));
+  std::vector<Painted<Coat>> balls = two_balls;
+  balls[1].paint.mirrors = true;
+  const Ray<double> ray = {{0.5, 0.3, -5}, {0, 0, 1}};
+  const auto light = [&](bool caustics) {
+    return spread(16384, [&](Numbers& numbers) {
+      return light_under_sky(balls, ray, sky, {SkyLighting::mis, caustics}, 50, numbers).g;
+    });
+  };
+  const Spread with = light(true), without = light(false);
+  MESSAGE("relative variance with caustics " << with.variance << ", without " << without.variance);
+  CHECK(with.variance > 2 * without.variance);
+}
+
+}  // namespace texmap::test

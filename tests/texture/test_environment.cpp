@@ -1,0 +1,181 @@
+// Tests of common/texture/environment.hpp: what a ray sees of a sky that is a picture.
+#include "texture/environment.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+
+#include "number/kinds/pack2.hpp"
+#include "support/lanes.hpp"
+#include "support/many_digits.hpp"
+#include "texture/uv_inverse.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// Texels that are all different, whole numbers up to 255.
+LightImage patterned(int width, int height) {
+  LightImage image(width, height);
+  std::uint32_t state = 3;
+  for (Color<float>& texel : image.texels) {
+    const auto next = [&state] {
+      state = state * 1664525U + 1013904223U;
+      return static_cast<float>(state >> 24);
+    };
+    texel.r = next();
+    texel.g = next();
+    texel.b = next();
+  }
+  return image;
+}
+
+/// The direction of a place on the map, in texels from its upper left corner.
+template <class Real = double>
+Vec3<Real> toward(const LightImage& map, double column, double row) {
+  return direction_rtiow(
+      Uv<Real>{Real(column) / Real(map.width), Real(1) - Real(row) / Real(map.height)});
+}
+
+double apart(const Color<double>& a, const Color<float>& b) {
+  return std::max({std::abs(a.r - static_cast<double>(b.r)),
+                   std::abs(a.g - static_cast<double>(b.g)),
+                   std::abs(a.b - static_cast<double>(b.b))});
+}
+double apart(const Color<double>& a, const Color<double>& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// How far the sky is from its texels, seen at their centers; `shift` texels plant a fault.
+double off_at_centers(const Environment& sky, double shift = 0) {
+  double worst = 0;
+  for (int row = 0; row < sky.map().height; ++row) {
+    for (int column = 0; column < sky.map().width; ++column) {
+      const Vec3d direction = toward(sky.map(), column + 0.5 + shift, row + 0.5);
+      worst = std::max(worst, apart(sky(Ray<double>{{}, direction}), sky.map().at(column, row)));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("at the centers of texels a sky has their light, in either filter") {
+  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+    const Environment sky(patterned(16, 8), filter);
+    CHECK(off_at_centers(sky) < 1e-10);
+  }
+  CHECK(off_at_centers(Environment(patterned(16, 8)), 0.5) > 50);  // half a texel aside is noticed
+}
+
+TEST_CASE("the middle of the picture is at +x, its left edge at -x, +z to the left of the middle") {
+  LightImage map(4, 2);
+  map.at(1, 0) = {1, 0, 0};  // u from 1/4 to 1/2, above
+  const Environment sky(map, TexelFilter::nearest);
+  CHECK(sky(Ray<double>{{}, {1, 1, 1}}).r == 1);
+  CHECK(sky(Ray<double>{{}, {1, 1, -1}}).r == 0);
+  CHECK(sky(Ray<double>{{}, {-1, 1, 1}}).r == 0);
+  CHECK(sky(Ray<double>{{}, {1, -1, 1}}).r == 0);
+}
+
+TEST_CASE("a bilinear sky has no seam, and goes on over the poles") {
+  const Environment sky(patterned(16, 8));
+  const auto light = [&](const Vec3d& d) { return sky(Ray<double>{{}, d}); };
+  for (double row = 0.1; row < 8; row += 0.37) {
+    const double seam =
+        apart(light(toward(sky.map(), 1e-9, row)), light(toward(sky.map(), 16 - 1e-9, row)));
+    CHECK(seam < 1e-5);
+  }
+  // On both sides of a pole, 1e-9 texels away, the light is the same; across from it, another.
+  for (const double row : {1e-9, 8 - 1e-9}) {
+    for (double column = 0.3; column < 8; column += 1) {
+      const double over =
+          apart(light(toward(sky.map(), column, row)), light(toward(sky.map(), column + 8, row)));
+      CHECK(over < 1e-5);
+    }
+  }
+  // The fault planted: rows clamped at the pole, as a picture's edge. Two sides then differ.
+  const LightImage& map = sky.map();
+  const auto clamped = [&](int column) {
+    return (static_cast<double>(map.at(column, 0).r) +
+            static_cast<double>(map.at(column + 1, 0).r)) /
+           2;
+  };
+  CHECK(std::abs(clamped(3) - clamped(11)) > 10);
+  const double both = (clamped(3) + clamped(11)) / 2;  // half of each is seen at the pole
+  CHECK(light(toward(map, 4, 1e-9)).r == doctest::Approx(both).epsilon(1e-6));
+}
+
+TEST_CASE("a bilinear color is that of the four texels by another formula") {
+  const Environment sky(patterned(16, 8));
+  for (double row = 0.6; row < 7.4; row += 0.43) {
+    for (double column = 0.7; column < 15; column += 0.61) {
+      Color<double> sum{};
+      for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 16; ++x) {
+          const double weight = std::max(0.0, 1 - std::abs(column - x - 0.5)) *
+                                std::max(0.0, 1 - std::abs(row - y - 0.5));
+          const Color<float>& texel = sky.map().at(x, y);
+          sum = sum + Color<double>{texel.r, texel.g, texel.b} * weight;
+        }
+      }
+      CHECK(apart(sky(Ray<double>{{}, toward(sky.map(), column, row)}), sum) < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("a turned sky is the sky seen in the other direction") {
+  const LightImage map = patterned(16, 8);
+  const Environment still(map);
+  const Environment turned(map, TexelFilter::bilinear, 37);
+  for (double row = 0.2; row < 8; row += 0.7) {
+    for (double column = 0.1; column < 16; column += 0.9) {
+      const Vec3d d = toward(map, column, row);
+      const Vec3d moved = rotation_y(37)(d);
+      CHECK(apart(turned(Ray<double>{{}, moved}), still(Ray<double>{{}, d})) < 1e-9);
+      const Vec3d back = turned.to_map(turned.from_map(d));
+      CHECK(length(back - d) < 1e-15);
+    }
+  }
+  // A quarter of a turn is four columns of sixteen, exactly.
+  const Environment quarter(map, TexelFilter::nearest, 90);
+  CHECK(quarter(Ray<double>{{}, toward(map, 6.5, 2.5)}).r == static_cast<double>(map.at(2, 2).r));
+}
+
+TEST_CASE("a sky of equal texels is constant, and one channel off by a rounding is not") {
+  LightImage map(4, 2, {0.1F, 0.2F, 0.3F});
+  CHECK(Environment(map).is_constant());
+  CHECK(Environment(map)(Ray<double>{{}, {0, 0, 0}}).g == static_cast<double>(0.2F));
+  map.at(3, 1).b = std::nextafter(0.3F, 1.0F);
+  CHECK_FALSE(Environment(map).is_constant());
+  CHECK(Environment().is_constant());
+  CHECK(Environment()(Ray<double>{{}, {1, 0, 0}}).r == 0);
+}
+
+TEST_CASE_TEMPLATE("every number sees the same sky", T, float, long double, Pack<double>,
+                   Pack2<Pack<float>>) {
+  const Environment sky(patterned(16, 8), TexelFilter::bilinear, 10);
+  const double bound = std::is_same_v<Scalar<T>, float> ? 2e-3 : 1e-10;
+  for (double row = 0.03; row < 8; row += 0.31) {
+    const Vec3d d = toward(sky.map(), row * 1.9, row);
+    const Color<T> seen = sky(Ray<T>{{}, number_cast<T>(d)});
+    const Color<double> expected = sky(Ray<double>{{}, d});
+    for (std::size_t i = 0; i < lanes<T>; ++i) {
+      CHECK(std::abs(static_cast<double>(lane(seen.r, i)) - expected.r) < bound);
+      CHECK(std::abs(static_cast<double>(lane(seen.b, i)) - expected.b) < bound);
+    }
+  }
+}
+
+#ifdef TEXMAP_HAVE_DIGITS
+TEST_CASE("in 50 digits the light is the same within double's roundings") {
+  const Environment sky(patterned(16, 8));
+  for (double row = 0.03; row < 8; row += 0.31) {
+    const Vec3d d = toward(sky.map(), row * 1.7, row);
+    const Color<Digits50> exact = sky(Ray<Digits50>{{}, number_cast<Digits50>(d)});
+    const Color<double> found = sky(Ray<double>{{}, d});
+    CHECK(std::abs(static_cast<double>(exact.g - Digits50(found.g))) < 1e-11);
+  }
+}
+#endif
+
+}  // namespace texmap::test

@@ -1,0 +1,222 @@
+// Tests of common/texture/sky_sampler.hpp, sky_texels.hpp: directions drawn where a sky is bright.
+#include "texture/sky_sampler.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "number/kinds/pack2.hpp"
+#include "sampling/samplers.hpp"
+#include "support/many_digits.hpp"
+
+namespace texmap::test {
+namespace {
+
+constexpr double sphere = 4 * std::numbers::pi;
+
+/// A sky with all brightnesses from 0 up, one texel much brighter than the others.
+LightImage contrasts(int width, int height) {
+  LightImage image(width, height);
+  std::uint32_t state = 11;
+  for (Color<float>& texel : image.texels) {
+    state = state * 1664525U + 1013904223U;
+    const float brightness = state >> 31 == 0 ? 0.0F : static_cast<float>(state >> 8) * 0x1p-23F;
+    texel = gray(brightness);
+  }
+  image.at(width / 3, height / 3) = gray(300.0F);
+  return image;
+}
+
+/// Pair number `i` of `count` for one of three uses.
+Point2<double> pair(std::uint32_t i, std::uint32_t count, std::uint32_t use) {
+  return Sampler(SamplerKind::sobol, static_cast<int>(count))
+      .pair<double>(hash_pixels<double>(1U, 2U), i, use);
+}
+
+/// The integral of a function over the sphere, by 40 x 40 places in each texel of a sky.
+template <class Function>
+double integral(const Environment& sky, const Function& function) {
+  const int columns = 40 * sky.map().width, rows = 40 * sky.map().height;
+  double sum = 0;
+  for (int row = 0; row < rows; ++row) {
+    const double v = (row + 0.5) / rows;
+    const double sine = on_circle(v / 2).sine;
+    for (int column = 0; column < columns; ++column) {
+      const Vec3d on_map = direction_rtiow(Uv<double>{(column + 0.5) / columns, v});
+      sum += sine * function(sky.from_map(on_map));
+    }
+  }
+  return sum * 2 * std::numbers::pi * std::numbers::pi / columns / rows;
+}
+
+}  // namespace
+
+TEST_CASE("the solid angles of all texels add up to the sphere, in maps of every height") {
+  for (const int height : {1, 2, 3, 7, 64, 1000, 4096}) {
+    CompensatedSum<double> sum;
+    for (int row = 0; row < height; ++row) {
+      const SkyBand band(row, 2 * height, height);
+      sum.add(2 * height * band.solid_angle);
+      const double of_edges = 2 * std::numbers::pi / (2 * height) * std::abs(band.to - band.from);
+      CHECK(band.solid_angle == doctest::Approx(of_edges).epsilon(1e-9));
+    }
+    CHECK(sum.value() == doctest::Approx(sphere).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a texel's solid angle without its sine, or with it twice, is noticed") {
+  constexpr int height = 64;
+  double plain = 0, twice = 0;
+  for (int row = 0; row < height; ++row) {
+    const double sine = std::sin(std::numbers::pi * (row + 0.5) / height);
+    const double texel = std::numbers::pi / height * std::numbers::pi / height;
+    plain += 2 * height * texel;
+    twice += 2 * height * texel * sine * sine;
+  }
+  CHECK(plain / sphere == doctest::Approx(std::numbers::pi / 2));
+  CHECK(twice / sphere == doctest::Approx(std::numbers::pi / 4));
+}
+
+#ifdef TEXMAP_HAVE_DIGITS
+TEST_CASE("a texel's solid angle is the difference of two cosines, in 50 digits") {
+  const Digits50 pi_50 = boost::math::constants::pi<Digits50>();
+  double worst = 0;
+  for (const int height : {2, 3, 192, 4096}) {
+    for (int row = 0; row < height; row += 1 + height / 50) {
+      const Digits50 exact =
+          2 * pi_50 / (2 * height) * (cos(pi_50 * row / height) - cos(pi_50 * (row + 1) / height));
+      const double found = SkyBand(row, 2 * height, height).solid_angle;
+      worst = std::max(worst, std::abs(static_cast<double>((found - exact) / exact)));
+    }
+  }
+  CHECK(worst < 1e-15);
+}
+#endif
+
+TEST_CASE("the weights of a sky of ones add up to 4 pi") {
+  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+    const SkySampler sampler(Environment(LightImage(64, 32, gray(1.0F)), filter));
+    CHECK(sampler.total() == doctest::Approx(sphere).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("densities integrate to 1 and follow the light; a turn changes neither") {
+  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+    const Environment sky(contrasts(16, 8), filter, 25);
+    const SkySampler sampler(sky);
+    const double whole = integral(sky, [&](const Vec3d& d) { return sampler.density(sky, d); });
+    CHECK(whole == doctest::Approx(1).epsilon(1e-5));
+    // Where texels are small, density over light is nearly the same everywhere.
+    const Environment fine(LightImage(512, 256, gray(1.0F)), filter);
+    LightImage ramp = fine.map();
+    for (int row = 0; row < 256; ++row) {
+      for (int column = 0; column < 512; ++column)
+        ramp.at(column, row) = gray(1 + static_cast<float>(row) / 64);
+    }
+    const Environment smooth(ramp, filter);
+    const SkySampler of_smooth(smooth);
+    for (double y = -0.98; y < 1; y += 0.13) {
+      const Vec3d d = {std::sqrt(1 - y * y), y, 0.001};
+      const double light = smooth(Ray<double>{{}, d}).r;
+      CHECK(of_smooth.density(smooth, d) * of_smooth.total() / light ==
+            doctest::Approx(1).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("by nearest texels a drawn direction lies in its texel, where the density is its own") {
+  const Environment sky(contrasts(16, 8), TexelFilter::nearest);
+  const SkySampler sampler(sky);
+  int edges = 0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    const Point2<double> choice = pair(i, 4096, 1);
+    const std::uint32_t texel = sampler.texels().draw(choice.u, choice.v);
+    const Vec3d d = sampler.direction(sky, choice, pair(i, 4096, 2));
+    REQUIRE(std::abs(length(d) - 1) < 1e-15);
+    const double expected =
+        sampler.probabilities()[texel] / sampler.bands()[texel / 16].solid_angle;
+    edges += std::abs(sampler.density(sky, d) / expected - 1) > 1e-14 ? 1 : 0;
+  }
+  CHECK(edges == 0);
+}
+
+TEST_CASE("the mean of f / density over drawn directions is the integral of f") {
+  // f = light times (1 + y / 2 + x^2): each factor of the density counts.
+  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+    const Environment sky(contrasts(16, 8), filter, -70);
+    const SkySampler sampler(sky);
+    const auto f = [&](const Vec3d& d) {
+      return sky(Ray<double>{{}, d}).r * (1 + d.y / 2 + d.x * d.x);
+    };
+    constexpr std::uint32_t count = 16384;
+    double mean = 0, without_sine = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
+      const double value = f(d) / sampler.density(sky, d);
+      mean += value / count;
+      without_sine += value * std::sqrt(1 - d.y * d.y) / count;  // the fault planted
+    }
+    const double exact = integral(sky, f);
+    CHECK(mean == doctest::Approx(exact).epsilon(2e-3));
+    CHECK(std::abs(without_sine / exact - 1) > 0.02);
+  }
+}
+
+TEST_CASE("light over density is nearly constant, so what is drawn well varies little") {
+  const Environment sky(contrasts(64, 32));
+  const SkySampler sampler(sky);
+  double sum = 0, squares = 0, squares_half_off = 0, sum_half_off = 0;
+  constexpr std::uint32_t count = 4096;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
+    const double value = sky(Ray<double>{{}, d}).r / sampler.density(sky, d);
+    sum += value;
+    squares += value * value;
+    // The fault planted: the sky half a texel aside from its sampler.
+    const double aside =
+        sky(Ray<double>{{}, rotation_y(360 / 128.0)(d)}).r / sampler.density(sky, d);
+    sum_half_off += aside;
+    squares_half_off += aside * aside;
+  }
+  const double variance = squares * count / (sum * sum) - 1;
+  const double half_off = squares_half_off * count / (sum_half_off * sum_half_off) - 1;
+  MESSAGE("relative variance " << variance << ", half a texel aside " << half_off);
+  CHECK(variance < 0.01);
+  CHECK(half_off > 20 * variance);
+}
+
+TEST_CASE_TEMPLATE("every number draws the same directions", T, float, long double, Pack<double>,
+                   Pack2<Pack<float>>) {
+  const double bound = std::is_same_v<Scalar<T>, float> ? 2e-6 : 1e-14;
+  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+    const Environment sky(contrasts(16, 8), filter, 25);
+    const SkySampler sampler(sky);
+    for (std::uint32_t i = 0; i < 256; ++i) {
+      const Point2<double> choice = pair(i, 256, 1);
+      const Point2<double> within = pair(i, 256, 2);
+      const auto in = [](const Point2<double>& p) {
+        return Point2<T>{T(static_cast<Scalar<T>>(p.u)), T(static_cast<Scalar<T>>(p.v))};
+      };
+      const Vec3d expected = sampler.direction(sky, choice, within);
+      const Vec3<T> found = sampler.direction(sky, in(choice), in(within));
+      const T density = sampler.density(sky, number_cast<T>(expected));
+      for (std::size_t k = 0; k < lanes<T>; ++k) {
+        CHECK(std::abs(static_cast<double>(lane(found.x, k)) - expected.x) < bound);
+        CHECK(std::abs(static_cast<double>(lane(found.y, k)) - expected.y) < bound);
+        CHECK(static_cast<double>(lane(density, k)) ==
+              doctest::Approx(sampler.density(sky, expected)).epsilon(1e-4));
+      }
+    }
+  }
+}
+
+TEST_CASE("a black sky has no light and draws something") {
+  const Environment sky(LightImage(4, 2));
+  const SkySampler sampler(sky);
+  CHECK(sampler.total() == 0);
+  CHECK(sampler.density(sky, Vec3d{1, 0, 0}) == 0);
+  CHECK(std::isfinite(sampler.direction(sky, Point2<double>{0.5, 0.5}, Point2<double>{0, 0}).x));
+}
+
+}  // namespace texmap::test
