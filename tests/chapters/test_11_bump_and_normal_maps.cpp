@@ -135,7 +135,7 @@ TEST_CASE("a constant height changes no pixel, whichever way its slopes are comp
   for (const char* slopes : {"duals", "forward", "central"}) {
     CAPTURE(slopes);
     Lesson lesson = globe({"--slopes", slopes, "--relief", "5"});
-    const auto height = Mapped<Mapping, SmoothTexture>{{}, {LightImage(64, 32, {0.5F, 0, 0})}};
+    const auto height = Mapped<GlobeMapping, SmoothTexture>{{}, {LightImage(64, 32, {0.5F, 0, 0})}};
     lesson.bumps.height = height;
     CHECK(drawn(lesson) == plain);
   }
@@ -148,7 +148,7 @@ TEST_CASE("at sea, where all nine texels of height are 0, no pixel changes") {
   const Image plain = drawn(globe({"--bump", "off"}));
   const LightImage relief = lesson.bump.load();
   const View<> view = view_of(lesson.stage.camera, size, size);
-  const Mapping mapping{lesson.turn.rotation(), {}};
+  const GlobeMapping mapping{lesson.turn.rotation(), {}};
   int sea = 0, changed_at_sea = 0, changed = 0;
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
