@@ -1,6 +1,8 @@
 // The heights that the globe can have.
 #pragma once
 #include "engine/app/bump_options.hpp"
+#include "scene/paint.hpp"
+#include "texture/bump.hpp"
 #include "texture/conventions.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/app/bump_options.hpp"
 #include "engine/app/layout_options.hpp"
 #include "engine/app/lesson.hpp"
 #include "engine/app/texture_file.hpp"
