@@ -7,22 +7,18 @@
 #include "engine/app/lesson.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/app/turntable.hpp"
+#include "heights.hpp"
 #include "scene/paint.hpp"
 #include "scene/shading_normal.hpp"
 #include "scene/stage.hpp"
 #include "sheets.hpp"
-#include "texture/bump.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"
-#include "texture/smooth_texture.hpp"
-#include "texture/waves.hpp"
 
 namespace texmap::chapter_11 {
 
-using Mapping = Rotated<ConventionMapping>;
-using Textured = Mapped<Mapping, ImageTexture>;
-using Height = AnyOf<Mapped<Mapping, SmoothTexture>, Mapped<Mapping, UvWaves>, SolidWaves>;
+using Textured = Mapped<Rotated<ConventionMapping>, ImageTexture>;
 using Paint = AnyOf<Solid, Textured>;
 using Object = Painted<Paint>;
 enum ObjectIndex { middle };  // in the order of `objects`
@@ -43,23 +39,17 @@ struct Lesson : LessonHooks {
   std::vector<Object> objects = {
       Object{.shape = {.center = {0.0, 0.0, 0.0}, .radius = 1.0}, .paint = Solid{white}},
   };
-  Bumps<Height> bumps{.height = SolidWaves{}};
   TextureFile texture{"earth.png"};
   LayoutOptions layout;
   Turntable turn{.degrees = 170};
   BumpOptions bump;
+  Bumps<Height> bumps{.height = SolidWaves{}};
 
   void options(CommandLine& line) override { offer(line, texture, layout, turn, bump); }
   void prepare(Session&) override {
-    const Mapping mapping{turn.rotation(), {layout.convention}};
-    const VAxis v_axis = v_axis_of(layout.convention);
-    bump.apply_to(bumps);
-    objects[middle].paint = Solid{white};
-    if (bump.height == HeightKind::space) bumps.height = SolidWaves{};
-    if (bump.height == HeightKind::uv) bumps.height = Mapped<Mapping, UvWaves>{mapping, {}};
-    if (bump.height != HeightKind::image) return;
-    bumps.height = Mapped<Mapping, SmoothTexture>{mapping, {bump.load(), v_axis}};
-    objects[middle].paint = Textured{mapping, layout.load(texture)};
+    bumps = make_bumps(bump, {turn.rotation(), {layout.convention}});
+    if (bump.height != HeightKind::image) return;  // waves are seen best in white
+    objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
   }
   void show(Session& session) override { show_bumps(*this, session); }
 

@@ -7,6 +7,8 @@
 #include "engine/app/session.hpp"
 #include "engine/app/turntable.hpp"
 #include "engine/render/settings.hpp"
+#include "scene/paint.hpp"
+#include "scene/stage.hpp"
 #include "texture/image.hpp"
 
 namespace texmap::chapter_11 {
@@ -31,6 +33,7 @@ template <class Lesson>
   const auto from_above = [&](HeightKind height) {
     Lesson globe = lesson;
     globe.bump.height = height;
+    globe.objects[0].paint = Solid{white};
     globe.bump.relief = 0.02;
     globe.stage.light.position = {-12, 9, 2};
     globe.stage.camera.eye = {0, 5.5, 2.4};

@@ -1,5 +1,8 @@
 // Normal maps: images of normals, relative to a frame that follows (u, v) over the surface.
 #pragma once
+#include <cmath>
+#include <cstdint>
+
 #include "math/color.hpp"
 #include "scene/steps.hpp"
 #include "texture/image.hpp"

@@ -2,7 +2,9 @@
 #pragma once
 #include <array>
 
+#include "texture/image_texture.hpp"
 #include "texture/light_image.hpp"
+#include "texture/uv.hpp"
 #include "texture/wrap.hpp"
 
 namespace texmap {

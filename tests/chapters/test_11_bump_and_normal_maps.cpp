@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "11_bump_and_normal_maps/studs.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/running.hpp"
+#include "support/sha256.hpp"
 #include "texture/uv_inverse.hpp"
 
 using namespace texmap;
@@ -133,7 +135,7 @@ TEST_CASE("a constant height changes no pixel, whichever way its slopes are comp
   for (const char* slopes : {"duals", "forward", "central"}) {
     CAPTURE(slopes);
     Lesson lesson = globe({"--slopes", slopes, "--relief", "5"});
-    const auto height = Mapped<Mapping, SmoothTexture>{{}, {LightImage(64, 32, {0.5F, 0, 0})}};
+    const auto height = Mapped<GlobeMapping, SmoothTexture>{{}, {LightImage(64, 32, {0.5F, 0, 0})}};
     lesson.bumps.height = height;
     CHECK(drawn(lesson) == plain);
   }
@@ -146,7 +148,7 @@ TEST_CASE("at sea, where all nine texels of height are 0, no pixel changes") {
   const Image plain = drawn(globe({"--bump", "off"}));
   const LightImage relief = lesson.bump.load();
   const View<> view = view_of(lesson.stage.camera, size, size);
-  const Mapping mapping{lesson.turn.rotation(), {}};
+  const GlobeMapping mapping{lesson.turn.rotation(), {}};
   int sea = 0, changed_at_sea = 0, changed = 0;
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
@@ -338,4 +340,13 @@ TEST_CASE("the daily exercise's figures hold on our picture of its bricks, and s
   CHECK(ball_pixels(200, 300, 100) == 298);
   CHECK(ball_pixels(600, 300, 100) == 298);
   CHECK(ball_pixels(490, 300, 80) == 6400);  // the ball is here
+  // A black ball would have passed: the check demands a mean above 10.
+  CHECK(right.mean[0] * (1 - 298 / 10000.0) > 180);
+#ifdef TEXMAP_REFERENCE_PLATFORM
+  // The published picture's own pixels, row by row.
+  std::vector<std::uint8_t> bytes;
+  for (const Rgb8 p : image.pixels) bytes.insert(bytes.end(), {p.r, p.g, p.b});
+  CHECK(sha256(std::span<const std::uint8_t>(bytes)) ==
+        "8f8a4d49a5c33e1fd76dd2b3904ea00525a2246d2c8225f63695a1b509482a65");
+#endif
 }
