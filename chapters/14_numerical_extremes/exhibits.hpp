@@ -16,6 +16,7 @@
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/solid_checkerboard.hpp"
+#include "texture_exhibits.hpp"
 
 namespace texmap::chapter_14 {
 
@@ -271,6 +272,10 @@ struct OddExponent {
       FarFloor{},
       ManyTurns{.texture = {earth}},
       OddExponent{},
+      Cracks{.camera = towards_origin({0.3, 0.2, 2.7}, 0.8)},
+      MapMiddle{},
+      SeamFootprint(earth),
+      MirrorWrap{},
   };
 }
 

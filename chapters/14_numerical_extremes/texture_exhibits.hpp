@@ -1,0 +1,181 @@
+// Exhibits of chapters 08 to 10: edges of triangles, footprints, wrapping, the middle of a map.
+#pragma once
+#include "exhibit.hpp"
+#include "number/dual.hpp"
+#include "published/equal_area.hpp"
+#include "published/triangle_hit.hpp"
+#include "published/wrap.hpp"
+#include "scene/camera.hpp"
+#include "scene/mesh.hpp"
+#include "scene/sphere.hpp"
+#include "texture/filters.hpp"
+#include "texture/image_texture.hpp"
+
+namespace texmap::chapter_14 {
+
+/// A turned board of triangles. Rays that pass an edge within a pixel are aimed at the edge.
+struct Cracks {
+  const char* name = "cracks";
+  const char* caption = "rays at the edges of triangles";
+  Camera camera;
+  Rgb crack{1, 0, 1};
+  Rgb beside{0.1, 0.1, 0.15};
+  Mesh mesh = board();
+
+  static constexpr int cells = 6;  ///< in each direction, two triangles each
+  static constexpr double sine = 0.28, cosine = 0.96;
+
+  [[nodiscard]] static Mesh board() {
+    Mesh mesh;
+    for (int j = 0; j <= cells; ++j) {
+      for (int i = 0; i <= cells; ++i) {
+        const double x = 2.0 * i / cells - 1, y = 2.0 * j / cells - 1;
+        mesh.points.push_back({x * cosine - y * sine, x * sine + y * cosine, 0});
+      }
+    }
+    for (int j = 0; j < cells; ++j) {
+      for (int i = 0; i < cells; ++i) {
+        const int a = j * (cells + 1) + i, b = a + 1, c = a + cells + 1;
+        mesh.triangles.push_back({a, b, c + 1});
+        mesh.triangles.push_back({a, c + 1, c});
+      }
+    }
+    return mesh;
+  }
+
+  template <class Real>
+  [[nodiscard]] bool is_met(const Ray<Real>& ray, Formulas formulas) const {
+    if (formulas == Formulas::robust) return first_hit(mesh, ray).met;
+    for (int k = 0; k < static_cast<int>(mesh.triangles.size()); ++k) {
+      const auto corner = [&](int number) { return number_cast<Real>(mesh.corner(k, number)); };
+      if (published::meets_triangle(corner(0), corner(1), corner(2), ray)) return true;
+    }
+    return false;
+  }
+
+  template <class Real>
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    // The place on the board in cells, moved to the nearest edge if that is within 0.06 cells.
+    const Real away = ray.origin.z / -ray.direction.z;
+    const Real px = ray.origin.x + ray.direction.x * away;
+    const Real py = ray.origin.y + ray.direction.y * away;
+    const Real half = Real(cells) / Real(2);
+    Real x = (px * Real(cosine) + py * Real(sine) + Real(1)) * half;
+    Real y = (py * Real(cosine) - px * Real(sine) + Real(1)) * half;
+    if (!(x > Real(0.1) && y > Real(0.1) && x < Real(cells - 0.1) && y < Real(cells - 0.1)))
+      return {number_cast<Real>(beside)};
+    const Real column = floor(x + Real(0.5)), row = floor(y + Real(0.5));
+    const Real diagonal = (x - y) - floor(x - y + Real(0.5));
+    if (abs(x - column) < Real(0.06)) {
+      x = column;
+    } else if (abs(y - row) < Real(0.06)) {
+      y = row;
+    } else if (abs(diagonal) < Real(0.06)) {
+      y = y + diagonal;
+    }
+    const Real across = x / half - Real(1), up = y / half - Real(1);
+    const Vec3<Real> target{across * Real(cosine) - up * Real(sine),
+                            across * Real(sine) + up * Real(cosine), Real(0)};
+    const bool met = is_met(Ray<Real>{ray.origin, target - ray.origin}, formulas);
+    const Real shade = Real(0.45) + Real(0.09) * x;
+    return {met ? gray(shade) : number_cast<Real>(crack), {}, met};
+  }
+};
+
+/// The middle of the equal-area octahedral map, its pole, with rings of half a texel of 4096.
+struct MapMiddle {
+  const char* name = "map-middle";
+  const char* caption = "the pole of an equal-area map";
+  Camera camera{.eye = {0, 1.1, 0.01}, .target = {0, 1, 0}, .fov_y_degrees = 1.5};
+  Sphere<> sphere{.center = {}, .radius = 1, .form = SphereForm::hybrid};
+  Rgb light{0.95, 0.9, 0.75};
+  Rgb dark{0.15, 0.3, 0.65};
+
+  template <class Real>
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    const Real distance = distance_to(sphere, ray);
+    if (!(distance < infinity<Real>())) return {};
+    const Vec3<Real> n = hit_at(sphere, ray, distance).normal;
+    const Uv<Real> uv =
+        formulas == Formulas::published ? published::uv_equal_area(n) : uv_equal_area(n);
+    const Real from_middle = abs(uv.u - Real(0.5)) + abs(uv.v - Real(0.5));
+    const Real ring = floor(from_middle * Real(8192) + Real(0.5));
+    const bool is_number = uv.u == uv.u && uv.v == uv.v;
+    return {number_cast<Real>(is_even(ring) ? light : dark), uv, true, is_number};
+  }
+};
+
+/// A globe around its seam, filtered. The published footprint is the difference of (u, v) between
+/// neighboring pixels; at the seam that is the whole texture.
+struct SeamFootprint {
+  const char* name = "footprint";
+  const char* caption = "a filtered globe, at its seam";
+  Camera camera{.eye = {-3, 0.8, 0.4}, .target = {0, 0, 0}, .fov_y_degrees = 44};
+  Sphere<> sphere{.center = {}, .radius = 1};
+  Rgb background{0.1, 0.1, 0.15};
+  FilteredTexture texture;
+
+  explicit SeamFootprint(const Image& picture)
+      : texture{.pyramid = pyramid_of(light_of(picture, TexelLight::encoded)),
+                .filter = Filter::trilinear,
+                .wrap = Wrap::spherical} {}
+
+  /// (u, v) where a ray meets the globe.
+  template <class Real>
+  [[nodiscard]] Uv<Real> uv_along(const Ray<Real>& ray) const {
+    return uv_rtiow(normal_at(sphere, ray, distance_to(sphere, ray)));
+  }
+
+  template <class Real>
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    if (!(distance_to(sphere, ray) < infinity<Real>())) return {number_cast<Real>(background)};
+    // A hundredth of the picture to the right, and as much down.
+    const View<> view = view_of(camera, 100, 100);
+    const Vec3<Real> right = number_cast<Real>(view.right * view.pixel);
+    const Vec3<Real> down = number_cast<Real>(view.up * -view.pixel);
+    const Uv<Real> here = uv_along(ray);
+    Uv<Dual<Real>> uv;
+    if (formulas == Formulas::published) {
+      const Uv<Real> beside = uv_along(Ray<Real>{ray.origin, ray.direction + right});
+      const Uv<Real> below = uv_along(Ray<Real>{ray.origin, ray.direction + down});
+      uv = {{here.u, beside.u - here.u, below.u - here.u},
+            {here.v, beside.v - here.v, below.v - here.v}};
+    } else {
+      const auto moving = [](const Real& x, const Real& dx, const Real& dy) {
+        return Dual<Real>{x, dx, dy};
+      };
+      const Vec3<Real>& d = ray.direction;
+      uv = uv_along(Ray<Dual<Real>>{number_cast<Dual<Real>>(ray.origin),
+                                    {moving(d.x, right.x, down.x), moving(d.y, right.y, down.y),
+                                     moving(d.z, right.z, down.z)}});
+    }
+    return {texture.filtered(uv), here, true, true};
+  }
+};
+
+/// A texture of 8 texels that goes on as its mirror image, from u = -1 to 1.
+struct MirrorWrap {
+  const char* name = "mirror";
+  const char* caption = "8 texels, mirrored at 0";
+  Camera camera{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
+  std::array<Rgb, 8> texels{{{0.9, 0.2, 0.2},
+                             {0.95, 0.6, 0.1},
+                             {0.95, 0.9, 0.2},
+                             {0.4, 0.8, 0.2},
+                             {0.2, 0.7, 0.7},
+                             {0.2, 0.4, 0.9},
+                             {0.5, 0.2, 0.8},
+                             {0.9, 0.9, 0.9}}};
+
+  template <class Real>
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    const Real u = ray.direction.x / -ray.direction.z;
+    const int n = static_cast<int>(texels.size());
+    const Real robust = mirrored(floor(u * Real(n)), Real(n));
+    const int texel =
+        formulas == Formulas::published ? published::article_texel(u, n) : static_cast<int>(robust);
+    return {number_cast<Real>(texels[static_cast<std::size_t>(texel)]), {}, true};
+  }
+};
+
+}  // namespace texmap::chapter_14
