@@ -65,6 +65,9 @@ for highlight in phong lecture; do
 done
 check 07_earth_by_sampling 07_earth_by_sampling
 check 08_triangle_uv 08_triangle_uv
+for wrap in repeat clamp; do
+  check "08_$wrap" 08_triangle_uv --wrap "$wrap" --width 240 --height 180
+done
 check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
 check 14_numerical_extremes 14_numerical_extremes
 [ "$tried" -gt 0 ] || {

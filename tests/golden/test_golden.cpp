@@ -96,6 +96,8 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_lecture_slides", lecture("lecture"));
   check_golden("07_earth_by_sampling", sampled());
   check_golden("08_triangle_uv", picture(prepared<chapter_08::Lesson>(), 480, 360));
+  for (const std::string wrap : {"repeat", "clamp"})
+    check_golden("08_" + wrap, picture(prepared<chapter_08::Lesson>({"--wrap", wrap}), 240, 180));
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }
@@ -111,6 +113,7 @@ TEST_CASE(
   CHECK_FALSE(same(golden("03_image_texture"), golden("05_y_rotation")));
   CHECK_FALSE(same(golden("05_y_rotation"), golden("06_phong_texture_blend")));
   CHECK_FALSE(same(golden("06_lecture_phong"), golden("06_lecture_slides")));
+  CHECK_FALSE(same(golden("08_repeat"), golden("08_clamp")));
   const Image earth = golden("03_image_texture");
   CHECK_FALSE(same(picture(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})), earth));
   CHECK_FALSE(same(picture(prepared<chapter_04::Lesson>({"--convention", "daily"})), earth));
