@@ -20,6 +20,36 @@ TEST_CASE_TEMPLATE(
   CHECK(leaks.unequal == 0);
 }
 
+TEST_CASE_TEMPLATE(
+    "from inside a closed mesh that is not convex, an odd number of triangles is ahead", Real,
+    float, double, long double, Pack2<Pack<double>>) {
+  Dice dice;
+  constexpr int columns = 9;
+  constexpr int rows = 5;
+  const Mesh ring = torus(columns, rows).mesh;
+  long once = 0;
+  long more = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Ray<Real> ray = aimed<Real>(
+        [&] {  // the middle of the tube
+          const int first = rows * dice.below(columns);
+          Point middle;
+          for (int k = 0; k < rows; ++k)
+            middle = middle + ring.points[static_cast<std::size_t>(first + k)] * (1.0 / rows);
+          return middle;
+        },
+        [&] { return point_on_edge(dice, ring); });
+    const CrossingCount<Real> count = count_crossings(ring, ray);
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const auto ahead = static_cast<long>(lane(count.ahead, k));
+      REQUIRE(ahead % 2 == 1);
+      ++(ahead == 1 ? once : more);
+    }
+  }
+  CHECK(once > 1000);
+  CHECK(more > 1000);
+}
+
 /// The usual test, each triangle for itself. Moeller and Trumbore, "Fast, Minimum Storage
 /// Ray/Triangle Intersection" (1997).
 template <class Real>
