@@ -38,7 +38,7 @@ template <class Real>
 /// A point as a ray sees it. (x, y) is its place in a picture with the ray at (0, 0), and z is its
 /// depth: the point itself decides, so that all triangles at a corner see it at the same place.
 /// A point on the ray, origin + direction as rounded, is at (0, 0) without an error.
-/// Bound: x, y within 5 unit roundoffs of |direction| (|point| + |origin|), in largest parts.
+/// Bound: x, y within 6 unit roundoffs of |direction| (|point| + |origin|), in largest parts.
 /// Source: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013).
 template <class Real>
 [[nodiscard]] Vec3<Real> seen_along(const RaySpace<Real>& space, const Vec3<Real>& point) {

@@ -136,7 +136,9 @@ template <class Real>
   hit.distance = select(hit.met, nearest, Real(1));
   const auto [a, b, c] = corners_of(mesh, hit.triangle);
   const Vec3<Real> across = cross(b - a, c - a);
-  const Vec3<Real> normal = normalize(across * (Real(1) / largest(across)));
+  // Rounding may lose the whole area of a needle; its normal then points back along the ray.
+  const Vec3<Real> side = select(largest(across) > Real(0), across, -ray.direction);
+  const Vec3<Real> normal = normalize(side * (Real(1) / largest(side)));
   hit.normal = select(dot(normal, ray.direction) > Real(0), -normal, normal);
   hit.point = a * hit.a + b * hit.b + c * hit.c;
   const Real size = max(largest(a), max(largest(b), largest(c))) + largest(ray.origin);

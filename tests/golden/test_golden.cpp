@@ -121,6 +121,8 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("11_bump_or_dent", chapter_11::sheet_of_readings(1600));
   check_golden("11_poles", poles());
   check_golden("11_daily_bricks", chapter_11::sheet_of_bricks(1000));
+  for (const std::string wrap : {"repeat", "clamp"})
+    check_golden("08_" + wrap, picture(prepared<chapter_08::Lesson>({"--wrap", wrap}), 240, 180));
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }
@@ -139,6 +141,7 @@ TEST_CASE(
   CHECK_FALSE(same(picture(prepared<chapter_11::Lesson>({"--bump", "off"}), 600, 600),
                    golden("11_bump_and_normal_maps")));
   CHECK_FALSE(same(chapter_11::sheet_of_readings(1600), golden("11_poles")));
+  CHECK_FALSE(same(golden("08_repeat"), golden("08_clamp")));
   const Image earth = golden("03_image_texture");
   CHECK_FALSE(same(picture(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})), earth));
   CHECK_FALSE(same(picture(prepared<chapter_04::Lesson>({"--convention", "daily"})), earth));

@@ -170,6 +170,34 @@ TEST_CASE_TEMPLATE("a ray along origin + direction sees that point at (0, 0), an
   CHECK(met > 2000);
 }
 
+#ifdef TEXMAP_HAVE_DIGITS
+TEST_CASE_TEMPLATE(
+    "a place in the view is within 6 unit roundoffs of |direction| (|point| + |origin|)", Real,
+    float, double) {
+  Dice dice;
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto any = [&](int power) {
+      return scaled(dice.direction<Real>(), dice.within(-power, power));
+    };
+    const Ray<Real> ray{any(6), any(3)};
+    const Vec3<Real> point = any(6);
+    const RaySpace<Real> space(ray);
+    const Vec3<Real> seen = seen_along(space, point);
+    const Vec3<Real> d = space.direction;
+    const Vec3<Real> p = space.renamed(point);
+    const Vec3<Real> o = space.renamed(ray.origin);
+    const auto wide = [](Real x) { return Digits50(x); };
+    const Digits50 x = (wide(p.x) - wide(o.x)) * wide(d.z) - (wide(p.z) - wide(o.z)) * wide(d.x);
+    const Digits50 off = abs(x - wide(seen.x));
+    const Real size = largest(ray.direction) * (largest(point) + largest(ray.origin));
+    worst = std::max(worst, static_cast<double>(off / (wide(size) * wide(unit_roundoff<Real>()))));
+  }
+  CHECK(worst > 1);
+  CHECK(worst <= 6);
+}
+#endif
+
 TEST_CASE("on an edge with depths 1 and 3, the middle of the screen is a quarter of the edge") {
   // The middle of the picture of the edge from (-1, 0, -1) to (3, 0, -3) is straight ahead.
   const RaySpace<double> space(Ray<double>{{0, 0, 0}, {0, 0, -1}});

@@ -21,6 +21,36 @@ TEST_CASE_TEMPLATE(
   CHECK(leaks.unequal == 0);
 }
 
+TEST_CASE_TEMPLATE(
+    "from inside a closed mesh that is not convex, an odd number of triangles is ahead", Real,
+    float, double, long double, Pack2<Pack<double>>) {
+  Dice dice;
+  constexpr int columns = 9;
+  constexpr int rows = 5;
+  const Mesh ring = torus(columns, rows).mesh;
+  long once = 0;
+  long more = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Ray<Real> ray = aimed<Real>(
+        [&] {  // the middle of the tube
+          const int first = rows * dice.below(columns);
+          Point middle;
+          for (int k = 0; k < rows; ++k)
+            middle = middle + ring.points[static_cast<std::size_t>(first + k)] * (1.0 / rows);
+          return middle;
+        },
+        [&] { return point_on_edge(dice, ring); });
+    const CrossingCount<Real> count = count_crossings(ring, ray);
+    for (std::size_t k = 0; k < lanes<Real>; ++k) {
+      const auto ahead = static_cast<long>(lane(count.ahead, k));
+      REQUIRE(ahead % 2 == 1);
+      ++(ahead == 1 ? once : more);
+    }
+  }
+  CHECK(once > 1000);
+  CHECK(more > 1000);
+}
+
 TEST_CASE_TEMPLATE("the usual test lets rays slip through and counts others twice", Real, float,
                    double) {
   Dice dice;
@@ -152,6 +182,37 @@ TEST_CASE_TEMPLATE("a closed mesh is entered from the front and left from the ba
     });
   }
   CHECK(met > 2000);
+}
+
+TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding loses their area", Real,
+                   float, double, long double) {
+  Dice dice;
+  int met = 0;
+  int lost = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // Corners on a line through the origin, rounded to Real: only rounding gives them an area.
+    const Vec3d along = dice.direction<double>();
+    Mesh needle;
+    for (const double t : {1.0, 2.0, dice.between(1.1, 1.9)}) {
+      const auto p = number_cast<Real>(along * t);
+      needle.points.push_back(
+          {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+    }
+    needle.triangles = {{0, 1, 2}};
+    const auto& p = needle.points;
+    const Ray<Real> ray = aimed<Real>([&] { return point_within(dice, 0.5); },
+                                      [&] { return (p[0] + p[1] + p[2]) * (1.0 / 3); });
+    const MeshHit<Real> hit = first_hit(needle, ray);
+    if (!hit.met) continue;
+    ++met;
+    const auto [a, b, c] = corners_of(needle, Real(0));
+    lost += largest(cross(b - a, c - a)) > Real(0) ? 0 : 1;
+    REQUIRE(abs(length(hit.normal) - Real(1)) < Real(8) * unit_roundoff<Real>());
+    REQUIRE(dot(hit.normal, ray.direction) <= Real(0));
+    REQUIRE(hit.a + hit.b + hit.c > Real(0.99));
+  }
+  CHECK(met > 100);
+  MESSAGE(met << " met, " << lost << " without an area");
 }
 
 TEST_CASE("a mesh without triangles is never met, and a point at a corner is exactly there") {

@@ -76,7 +76,7 @@ class Builder {
  private:
   static constexpr int few = 4;          // triangles that always share a box
   static constexpr int many = 16;        // triangles that may share one
-  static constexpr int deepest = 40;     // then boxes are halved: 22 more for 2^22 triangles
+  static constexpr int deepest = 40;     // then boxes are halved: 21 more for 2^21 triangles
   static constexpr int bins = 16;        // places where a box may be cut
   static constexpr double box_cost = 1;  // of a box, in triangles
 

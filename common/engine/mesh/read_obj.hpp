@@ -11,7 +11,7 @@ namespace texmap {
 
 inline constexpr std::size_t max_mesh_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t max_mesh_line = std::size_t{1} << 16;
-inline constexpr std::size_t max_mesh_triangles = std::size_t{1} << 22;
+inline constexpr std::size_t max_mesh_triangles = std::size_t{1} << 21;
 inline constexpr double max_mesh_number = 1e30;
 
 /// The mesh that the text of an OBJ file describes. Reads v, vt and f, with polygons as fans and
