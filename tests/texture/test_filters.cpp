@@ -191,6 +191,19 @@ TEST_CASE("drawn one to one at its texels' centers, a picture comes back to the 
   }
 }
 
+TEST_CASE("beyond the edges the border is seen, and on an edge half of it") {
+  const FilteredTexture texture{.pyramid = pyramid_of(LightImage(8, 8, {1, 0, 0})),
+                                .wrap = Wrap::border,
+                                .border = {0.25, 0.5, 0.75}};
+  CHECK(texture(Uv<double>{1.5, 0.5}).g == 0.5);
+  CHECK(texture(Uv<double>{0.5, -3.0}).b == 0.75);
+  CHECK(texture(Uv<double>{0.5, 0.5}).g == 0);
+  CHECK(texture(Uv<double>{0, 0.5}).g == 0.25);
+  CHECK(texture(Uv<double>{1, 1}).b == 0.75 * 0.75);
+  // A footprint of four texels, two of them outside.
+  CHECK(std::abs(texture.filtered(place_of(1.0, 0.5, 4, 1, 8, 8)).g - 0.25) < 1e-15);
+}
+
 TEST_CASE("v up shows the picture, v down shows it upside down") {
   const LightImage image = noise(4, 4);
   const FilteredTexture up{.pyramid = pyramid_of(image)};
