@@ -65,9 +65,7 @@ TEST_CASE("near the eye a pixel covers less than a texel, and no filter changes 
 }
 
 TEST_CASE("the errors of the filters on checkers to the horizon, and what they read for them") {
-  const Lesson lesson;
-  const auto all = chapter_09::compare_filters(
-      {lesson.stage.camera, lesson.floor, lesson.ground.mapping}, 0, false);
+  const auto all = chapter_09::compare_filters(chapter_09::floor_of(Lesson{}), 0, false);
   const auto of = [&](const std::string& name) {
     for (const auto& one : all) {
       if (one.name == name) return one;

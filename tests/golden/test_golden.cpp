@@ -11,6 +11,7 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "09_texture_filtering/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
@@ -58,6 +59,14 @@ Image sheet() {
   return chapter_04::sheet_of_conventions(lesson, session);
 }
 
+Image filters() {
+  const auto lesson = prepared<chapter_09::Lesson>();
+  CommandLine line("test", "");
+  Session session("test", line, chapter_09::Lesson::about);
+  const auto figures = chapter_09::compare_filters(chapter_09::floor_of(lesson), 0, false);
+  return chapter_09::sheet_of_filters(session, figures, chapter_09::drawn_by(lesson, session));
+}
+
 Image extremes() {
   CommandLine line("test", "");
   Session session("test", line, chapter_14::Lesson::about);
@@ -94,6 +103,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("06_lecture_phong", lecture("phong"));
   check_golden("06_lecture_slides", lecture("lecture"));
   check_golden("07_earth_by_sampling", sampled());
+  check_golden("09_texture_filtering", filters());
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }
