@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "number/kinds/pack2.hpp"
 #include "support/lanes.hpp"
@@ -286,15 +287,15 @@ TEST_CASE("the width of the trilinear filter by its response to a cosine") {
     LightImage image(width, 4);
     for (int row = 0; row < 4; ++row) {
       for (int column = 0; column < width; ++column)
-        image.at(column, row).r =
-            static_cast<float>(0.5 + 0.5 * std::cos(2 * M_PI * cycles * (column + 0.5) / width));
+        image.at(column, row).r = static_cast<float>(
+            0.5 + 0.5 * std::cos(2 * std::numbers::pi * cycles * (column + 0.5) / width));
     }
     const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = Filter::trilinear};
     const auto amplitude = [&](double footprint) {
       double cosine = 0, sine = 0;
       const int count = width >> level;
       for (int column = 0; column < count; ++column) {
-        const double u = (column + 0.5) / count, angle = 2 * M_PI * cycles * u;
+        const double u = (column + 0.5) / count, angle = 2 * std::numbers::pi * cycles * u;
         const double light = texture.filtered(place_of(u, 0.5, footprint, 1, width, 4)).r;
         cosine += light * std::cos(angle);
         sine += light * std::sin(angle);
@@ -302,7 +303,8 @@ TEST_CASE("the width of the trilinear filter by its response to a cosine") {
       return 2 * std::hypot(cosine, sine) / count;
     };
     const double span = std::pow(2.0, level), f = static_cast<double>(cycles) / width;
-    const double expected = 0.5 * std::sin(span * M_PI * f) / (span * std::sin(M_PI * f));
+    const double expected =
+        0.5 * std::sin(span * std::numbers::pi * f) / (span * std::sin(std::numbers::pi * f));
     CHECK(std::abs(amplitude(span) - expected) < 1e-7);
     CHECK(std::abs(amplitude(2 * span) - expected) > 1e-4);
   }
