@@ -400,6 +400,23 @@ TEST_CASE("a footprint as wide as the picture or wider shows its mean") {
   }
 }
 
+TEST_CASE("a pixel on a globe's pole shows the land around it and not the whole globe's mean") {
+  LightImage map(1024, 512);
+  for (int row = 0; row < 64; ++row) {  // ice
+    for (int column = 0; column < 1024; ++column) map.at(column, row).r = 1;
+  }
+  for (const double aside : {0.0, 1e-100, 1e-12, 1e-4, -1e-4}) {
+    CAPTURE(aside);
+    const Vec3<Dual<double>> direction{{aside, 0.01, 0.0}, {1.0}, {aside, 0.0, 0.01}};
+    const auto light = [&](Wrap wrap) {
+      const FilteredTexture texture{.pyramid = pyramid_of(map), .wrap = wrap};
+      return texture.filtered(uv_rtiow(direction)).r;
+    };
+    CHECK(light(Wrap::spherical) > 0.75);
+    if (aside > 0 && aside < 1e-3) CHECK(light(Wrap::clamp) < 0.3);  // without a limit to u
+  }
+}
+
 TEST_CASE_TEMPLATE("packs filter each lane as a plain number", T, float, double) {
   const Pyramid pyramid = pyramid_of(noise(40, 24));
   for (const Filter filter : filters) {
