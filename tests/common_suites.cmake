@@ -58,6 +58,7 @@ foreach(suite
     texture/test_uv
     texture/test_encoded
     texture/test_filters
+    texture/test_floor_mapping
     texture/test_footprint
     texture/test_pyramid
     texture/test_wrap

@@ -11,11 +11,9 @@
 
 namespace texmap::chapter_09 {
 
-void show_sheet(Session& session, const FloorView& floor, const std::string& plot,
-                const DrawFiltered& draw) {
+Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
+                       const DrawFiltered& draw) {
   const int width = session.settings.width, height = session.settings.height;
-  const std::vector<FilterFigures> all =
-      compare_filters(floor, session.settings.threads, !session.settings.quiet);
   Image sheet(width, height, {255, 255, 255});
   constexpr int columns = 3, rows = 2;
   const int scale = std::max(1, width / 600);
@@ -37,6 +35,14 @@ void show_sheet(Session& session, const FloorView& floor, const std::string& plo
     blit(sheet, draw(filter, panel_width, panel_height), left, top + line);
     ++panel;
   }
+  return sheet;
+}
+
+void show_sheet(Session& session, const FloorView& floor, const std::string& plot,
+                const DrawFiltered& draw) {
+  const std::vector<FilterFigures> all =
+      compare_filters(floor, session.settings.threads, !session.settings.quiet);
+  const Image sheet = sheet_of_filters(session, all, draw);
   if (!session.settings.quiet) print(table_of_filters(all));
   if (!plot.empty()) write_text_atomically(plot, svg_of(plot_of_filters(all)));
   session.save(sheet);

@@ -1,6 +1,8 @@
 // The sheet of filters: the same scene by each of them.
 #pragma once
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "comparison.hpp"
 #include "engine/app/session.hpp"
@@ -12,9 +14,29 @@ namespace texmap::chapter_09 {
 /// The scene by a filter, in a size.
 using DrawFiltered = std::function<Image(Filter filter, int width, int height)>;
 
+/// The sheet, as large as the session's picture, with each filter's reads and error.
+[[nodiscard]] Image sheet_of_filters(const Session& session,
+                                     const std::vector<FilterFigures>& figures,
+                                     const DrawFiltered& draw);
+
 /// Draws and saves the sheet, prints the table of errors and reads, and saves their plot if asked.
 void show_sheet(Session& session, const FloorView& floor, const std::string& plot,
                 const DrawFiltered& draw);
+
+/// A lesson's floor as the figures need it.
+template <class Lesson>
+[[nodiscard]] FloorView floor_of(const Lesson& lesson) {
+  return {lesson.stage.camera, lesson.floor, lesson.ground.mapping};
+}
+
+/// A lesson's scene by any filter. Must not outlive the session.
+template <class Lesson>
+[[nodiscard]] DrawFiltered drawn_by(const Lesson& lesson, Session& session) {
+  return [other = lesson, &session](Filter filter, int width, int height) mutable {
+    other.use(filter, other.filtering.taps);
+    return session.draw(other, width, height);
+  };
+}
 
 /// Draws and saves the sheet; one picture where the user chose a filter or a budget.
 template <class Lesson>
@@ -27,11 +49,7 @@ void show_filters(Lesson lesson, Session& session) {
     session.default_size(800, 600);
     return session.save(session.draw(lesson));
   }
-  const FloorView floor{lesson.stage.camera, lesson.floor, lesson.ground.mapping};
-  show_sheet(session, floor, lesson.filtering.plot, [&](Filter filter, int width, int height) {
-    lesson.use(filter, lesson.filtering.taps);
-    return session.draw(lesson, width, height);
-  });
+  show_sheet(session, floor_of(lesson), lesson.filtering.plot, drawn_by(lesson, session));
 }
 
 }  // namespace texmap::chapter_09

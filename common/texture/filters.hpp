@@ -78,7 +78,12 @@ struct Filtered {
     const Uv<Real> center{uv.u.value, uv.v.value};
     if (pyramid.levels.empty() || filter == Filter::nearest || filter == Filter::bilinear)
       return (*this)(center);
-    const Uv<Dual<Real>> down = rows_down(uv);
+    Uv<Dual<Real>> down = rows_down(uv);
+    if (wrap == Wrap::spherical) {
+      // Around a pole u grows without a limit, but once round is all that there is.
+      down.u.dx = clamp(down.u.dx, Real(-1), Real(1));
+      down.u.dy = clamp(down.u.dy, Real(-1), Real(1));
+    }
     const PyramidLevel<int>& whole = pyramid.levels.front();
     const Footprint<Real> footprint = footprint_of(down, Real(whole.width), Real(whole.height));
     return filtered(rows_down(center), footprint);

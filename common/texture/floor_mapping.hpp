@@ -6,14 +6,15 @@
 namespace texmap {
 
 /// Texture coordinates of a point of the floor: one copy of the picture is `size` x `size`.
-/// At the origin (0, 0); u grows with x, v against z, so that the picture reads from above.
+/// At the origin (1/2, 0); u grows with x, v against z, so that it reads from above, looking to -z.
+/// Bound: 2 unit roundoffs.
 struct FloorMapping {
   double size = 1;
 
   template <class Real>
   [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& point) const {
     const Real copies = Real(1) / Real(size);
-    return {point.x * copies, -point.z * copies};
+    return {point.x * copies + Real(0.5), -point.z * copies};
   }
 };
 

@@ -1,6 +1,8 @@
 // Chapter 09: texture filtering.
 #include <doctest.h>
 
+#include <numbers>
+
 #include "09_texture_filtering/comparison.hpp"
 #include "09_texture_filtering/lesson.hpp"
 #include "support/lesson_laws.hpp"
@@ -65,9 +67,7 @@ TEST_CASE("near the eye a pixel covers less than a texel, and no filter changes 
 }
 
 TEST_CASE("the errors of the filters on checkers to the horizon, and what they read for them") {
-  const Lesson lesson;
-  const auto all = chapter_09::compare_filters(
-      {lesson.stage.camera, lesson.floor, lesson.ground.mapping}, 0, false);
+  const auto all = chapter_09::compare_filters(chapter_09::floor_of(Lesson{}), 0, false);
   const auto of = [&](const std::string& name) {
     for (const auto& one : all) {
       if (one.name == name) return one;
@@ -125,7 +125,7 @@ TEST_CASE("a globe far away shows the mean of its visible half, weighted by proj
     for (int column = 0; column < light.width; ++column) {
       const double v = 1 - (row + 0.5) / light.height;
       const Vec3d direction = direction_rtiow(Uv<double>{(column + 0.5) / light.width, v});
-      const double area = std::sin(M_PI * v), seen = std::max(direction.z, 0.0) * area;
+      const double area = std::sin(std::numbers::pi * v), seen = std::max(direction.z, 0.0) * area;
       const Color<float>& texel = light.at(column, row);
       half = half + Rgb{texel.r, texel.g, texel.b} * seen;
       weights += seen;

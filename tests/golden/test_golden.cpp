@@ -14,6 +14,7 @@
 #include "08_triangle_uv/lesson.hpp"
 #include "10_projections/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
+#include "09_texture_filtering/lesson.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
@@ -59,6 +60,14 @@ Image sheet() {
   CommandLine line("test", "");
   Session session("test", line, chapter_04::Lesson::about);
   return chapter_04::sheet_of_conventions(lesson, session);
+}
+
+Image filters() {
+  const auto lesson = prepared<chapter_09::Lesson>();
+  CommandLine line("test", "");
+  Session session("test", line, chapter_09::Lesson::about);
+  const auto figures = chapter_09::compare_filters(chapter_09::floor_of(lesson), 0, false);
+  return chapter_09::sheet_of_filters(session, figures, chapter_09::drawn_by(lesson, session));
 }
 
 Image extremes() {
@@ -123,6 +132,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("11_daily_bricks", chapter_11::sheet_of_bricks(1000));
   for (const std::string wrap : {"repeat", "clamp"})
     check_golden("08_" + wrap, picture(prepared<chapter_08::Lesson>({"--wrap", wrap}), 240, 180));
+  check_golden("09_texture_filtering", filters());
   check_golden("13_speed_for_accuracy", trade());
   check_golden("14_numerical_extremes", extremes());
 }

@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "number/kinds/pack2.hpp"
 #include "support/lanes.hpp"
@@ -191,6 +192,19 @@ TEST_CASE("drawn one to one at its texels' centers, a picture comes back to the 
   }
 }
 
+TEST_CASE("beyond the edges the border is seen, and on an edge half of it") {
+  const FilteredTexture texture{.pyramid = pyramid_of(LightImage(8, 8, {1, 0, 0})),
+                                .wrap = Wrap::border,
+                                .border = {0.25, 0.5, 0.75}};
+  CHECK(texture(Uv<double>{1.5, 0.5}).g == 0.5);
+  CHECK(texture(Uv<double>{0.5, -3.0}).b == 0.75);
+  CHECK(texture(Uv<double>{0.5, 0.5}).g == 0);
+  CHECK(texture(Uv<double>{0, 0.5}).g == 0.25);
+  CHECK(texture(Uv<double>{1, 1}).b == 0.75 * 0.75);
+  // A footprint of four texels, two of them outside.
+  CHECK(std::abs(texture.filtered(place_of(1.0, 0.5, 4, 1, 8, 8)).g - 0.25) < 1e-15);
+}
+
 TEST_CASE("v up shows the picture, v down shows it upside down") {
   const LightImage image = noise(4, 4);
   const FilteredTexture up{.pyramid = pyramid_of(image)};
@@ -273,15 +287,15 @@ TEST_CASE("the width of the trilinear filter by its response to a cosine") {
     LightImage image(width, 4);
     for (int row = 0; row < 4; ++row) {
       for (int column = 0; column < width; ++column)
-        image.at(column, row).r =
-            static_cast<float>(0.5 + 0.5 * std::cos(2 * M_PI * cycles * (column + 0.5) / width));
+        image.at(column, row).r = static_cast<float>(
+            0.5 + 0.5 * std::cos(2 * std::numbers::pi * cycles * (column + 0.5) / width));
     }
     const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = Filter::trilinear};
     const auto amplitude = [&](double footprint) {
       double cosine = 0, sine = 0;
       const int count = width >> level;
       for (int column = 0; column < count; ++column) {
-        const double u = (column + 0.5) / count, angle = 2 * M_PI * cycles * u;
+        const double u = (column + 0.5) / count, angle = 2 * std::numbers::pi * cycles * u;
         const double light = texture.filtered(place_of(u, 0.5, footprint, 1, width, 4)).r;
         cosine += light * std::cos(angle);
         sine += light * std::sin(angle);
@@ -289,7 +303,8 @@ TEST_CASE("the width of the trilinear filter by its response to a cosine") {
       return 2 * std::hypot(cosine, sine) / count;
     };
     const double span = std::pow(2.0, level), f = static_cast<double>(cycles) / width;
-    const double expected = 0.5 * std::sin(span * M_PI * f) / (span * std::sin(M_PI * f));
+    const double expected =
+        0.5 * std::sin(span * std::numbers::pi * f) / (span * std::sin(std::numbers::pi * f));
     CHECK(std::abs(amplitude(span) - expected) < 1e-7);
     CHECK(std::abs(amplitude(2 * span) - expected) > 1e-4);
   }
@@ -382,6 +397,23 @@ TEST_CASE("a footprint as wide as the picture or wider shows its mean") {
       const double found = texture.filtered(place_of(0.2, 0.7, size, size, 64, 32)).r;
       CHECK(std::abs(found - mean) < 1e-7);
     }
+  }
+}
+
+TEST_CASE("a pixel on a globe's pole shows the land around it and not the whole globe's mean") {
+  LightImage map(1024, 512);
+  for (int row = 0; row < 64; ++row) {  // ice
+    for (int column = 0; column < 1024; ++column) map.at(column, row).r = 1;
+  }
+  for (const double aside : {0.0, 1e-100, 1e-12, 1e-4, -1e-4}) {
+    CAPTURE(aside);
+    const Vec3<Dual<double>> direction{{aside, 0.01, 0.0}, {1.0}, {aside, 0.0, 0.01}};
+    const auto light = [&](Wrap wrap) {
+      const FilteredTexture texture{.pyramid = pyramid_of(map), .wrap = wrap};
+      return texture.filtered(uv_rtiow(direction)).r;
+    };
+    CHECK(light(Wrap::spherical) > 0.75);
+    if (aside > 0 && aside < 1e-3) CHECK(light(Wrap::clamp) < 0.3);  // without a limit to u
   }
 }
 

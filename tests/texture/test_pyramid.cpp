@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "support/lanes.hpp"
 
@@ -102,7 +103,7 @@ double amplitude_in(const Pyramid& pyramid, int level, int cycles) {
   for (int column = 0; column < width; ++column) {
     const auto texel =
         texel_light<double>(pyramid, level_of(pyramid, static_cast<double>(level)), column, 0.0);
-    const double angle = 2 * M_PI * cycles * (column + 0.5) / width;
+    const double angle = 2 * std::numbers::pi * cycles * (column + 0.5) / width;
     cosine += texel.r * std::cos(angle);
     sine += texel.r * std::sin(angle);
   }
@@ -114,13 +115,13 @@ TEST_CASE("a cosine passes a level as sin(2^l pi f) / (2^l sin(pi f)); a level b
   for (const int cycles : {1, 3, 10, 25}) {
     LightImage image(width, 1);
     for (int column = 0; column < width; ++column)
-      image.at(column, 0).r =
-          static_cast<float>(0.5 + 0.5 * std::cos(2 * M_PI * cycles * (column + 0.5) / width));
+      image.at(column, 0).r = static_cast<float>(
+          0.5 + 0.5 * std::cos(2 * std::numbers::pi * cycles * (column + 0.5) / width));
     const Pyramid pyramid = pyramid_of(image);
     for (int level = 0; level <= 4; ++level) {
       const double f = static_cast<double>(cycles) / width, span = std::pow(2.0, level);
-      const double expected =
-          0.5 * std::abs(std::sin(span * M_PI * f) / (span * std::sin(M_PI * f)));
+      const double expected = 0.5 * std::abs(std::sin(span * std::numbers::pi * f) /
+                                             (span * std::sin(std::numbers::pi * f)));
       CHECK(std::abs(amplitude_in(pyramid, level, cycles) - expected) < 1e-7);
       if (cycles == 25) CHECK(std::abs(amplitude_in(pyramid, level + 1, cycles) - expected) > 4e-4);
     }

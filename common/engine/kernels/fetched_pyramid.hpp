@@ -10,10 +10,15 @@ namespace texmap {
 template <class Real>
 inline constexpr bool can_fetch_light = can_fetch<Real>&& std::is_same_v<Scalar<Real>, float>;
 
-/// level_of for all lanes at once.
+/// level_of for all lanes at once. Neighboring pixels mostly read one level.
 template <class Real>
-requires can_fetch_light<Real>
+requires can_fetch<Real>
 [[nodiscard]] PyramidLevel<Real> level_of(const Pyramid& pyramid, const Real& number) {
+  const Scalar<Real> first = lane(number, 0);
+  if (!any(number < Real(first)) && !any(Real(first) < number)) {
+    const PyramidLevel<int>& one = pyramid.levels[static_cast<std::size_t>(first)];
+    return {Real(one.width), Real(one.height), Real(one.first_row)};
+  }
   using Integers = UInt<Real>;
   const Integers level = uint_from_real(number) * 3U;
   const auto part = [&](std::uint32_t which) {
