@@ -9,9 +9,9 @@ namespace texmap::chapter_10 {
 
 /// The closed forms of a projection. `infinity` where nothing bounds them.
 struct ClosedForms {
-  double largest_texel;      ///< solid angle of the largest texel / that of the mean texel
+  double largest_texel;      ///< its solid angle / that of the mean texel
   double worst_stretch;      ///< see Distortion
-  Vec3<double> worst_place;  ///< a direction where the stretch tends to that
+  Vec3<double> worst_place;  ///< where the stretch tends to that
 };
 [[nodiscard]] ClosedForms closed_forms(Projection projection);
 

@@ -12,6 +12,7 @@
 #include "scene/hit.hpp"
 #include "support/dice.hpp"
 #include "support/exact.hpp"
+#include "support/hard_vectors.hpp"
 #include "support/lane_of.hpp"
 #include "support/lanes.hpp"
 #include "support/many_digits.hpp"
@@ -354,6 +355,18 @@ TEST_CASE("beyond each of the four edges an octahedral map goes on at the mirror
   const auto corner = folded_octahedral<double>(-1, -1, 8, 8);
   CHECK(corner.column == 7);
   CHECK(corner.row == 7);
+}
+
+TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, beyond the domain too", Real,
+                   float, double, long double) {
+  std::vector<Real> coordinates = hard_finite_numbers<Real>();
+  coordinates.insert(coordinates.end(),
+                     {infinity<Real>(), -infinity<Real>(), std::numeric_limits<Real>::quiet_NaN()});
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    check_every_place([&](const Vec3<Real>& p) { return project(facts.projection, p); },
+                      coordinates);
+  }
 }
 
 TEST_CASE("the plane's map of a point is its x and its z") {
