@@ -16,7 +16,7 @@ struct ClosedForms {
 [[nodiscard]] ClosedForms closed_forms(Projection projection);
 
 /// The length of all seams on the sphere in degrees: where neighbors are no neighbors in the
-/// picture. Measured: the edges of the picture are followed on the sphere, and meet each seam twice.
+/// picture. Measured: the edges of the picture, followed on the sphere, meet each seam twice.
 [[nodiscard]] double seam_degrees(Projection projection);
 
 /// The mean over the sphere of what `value` gives for a direction, by the picture's texels: each
