@@ -12,7 +12,7 @@ namespace texmap::chapter_10 {
 struct SeamFigures {
   double inside = 0;  ///< mean square difference of neighbors beside the seams
   double across = 0;  ///< the same across the seams
-  double spread = 0;  ///< mean square difference of any two texels
+  double spread = 0;  ///< mean square difference of any two texels beside the seams
 };
 [[nodiscard]] SeamFigures seam_figures(const Image& image, Projection projection);
 
@@ -22,7 +22,7 @@ struct SeamFigures {
 [[nodiscard]] double likelihood(const Image& image, Projection projection);
 
 /// The layout that fits: its shape is the picture's; its seams match, although neighbors differ
-/// less than texels anywhere; and of two twins it makes the picture more likely. Nothing otherwise:
+/// less than any two texels on them; and of two twins it makes the picture more likely. Nothing otherwise:
 /// for noise, for one color, for most pictures that are not of a sphere.
 [[nodiscard]] std::optional<Projection> probable_layout(const Image& image);
 
