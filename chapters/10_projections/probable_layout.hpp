@@ -22,8 +22,8 @@ struct SeamFigures {
 [[nodiscard]] double likelihood(const Image& image, Projection projection);
 
 /// The layout that fits: its shape is the picture's; its seams match, although neighbors differ
-/// less than any two texels on them; and of two twins it makes the picture more likely. Nothing otherwise:
-/// for noise, for one color, for most pictures that are not of a sphere.
+/// less than any two texels of the seams; and of two twins it makes the picture more likely.
+/// Nothing otherwise: for noise, for one color, for most pictures that are not of a sphere.
 [[nodiscard]] std::optional<Projection> probable_layout(const Image& image);
 
 /// What the layout of a file probably is, and the figures for each layout that has its shape.
