@@ -9,14 +9,14 @@ namespace texmap::chapter_10 {
 
 /// The closed forms of a projection. `infinity` where nothing bounds them.
 struct ClosedForms {
-  double largest_texel;      ///< solid angle of the largest texel / that of the mean texel
+  double largest_texel;      ///< its solid angle / that of the mean texel
   double worst_stretch;      ///< see Distortion
-  Vec3<double> worst_place;  ///< a direction where the stretch tends to that
+  Vec3<double> worst_place;  ///< where the stretch tends to that
 };
 [[nodiscard]] ClosedForms closed_forms(Projection projection);
 
 /// The length of all seams on the sphere in degrees: where neighbors are no neighbors in the
-/// picture. Measured: the edges of the picture are followed on the sphere, and meet each seam twice.
+/// picture. Measured: the edges of the picture, followed on the sphere, meet each seam twice.
 [[nodiscard]] double seam_degrees(Projection projection);
 
 /// The mean over the sphere of what `value` gives for a direction, by the picture's texels: each

@@ -44,7 +44,7 @@ struct Lesson : LessonHooks {
 
   void options(CommandLine& line) override { offer(line, texture, layout); }
   void prepare(Session&) override {
-    objects[middle].paint = Textured{{layout.projection}, layout.load(texture)};
+    objects[middle].paint = Textured{{layout.on_globe()}, layout.load(texture)};
   }
   void show(Session& session) override { show_projections(*this, session); }
 

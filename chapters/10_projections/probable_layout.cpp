@@ -18,19 +18,27 @@ double square_of_difference(const Rgb8& a, const Rgb8& b) {
   return r * r + g * g + blue * blue;
 }
 
-/// The mean square difference of two texels anywhere: twice the variance.
-double spread_of(const Image& image) {
-  Rgb sum{};
-  double squares = 0;
-  for (const Rgb8& p : image.pixels) {
+/// The mean square difference of any two texels of a set: twice its variance.
+class Spread {
+ public:
+  void add(const Rgb8& p) {
     const Rgb levels{static_cast<double>(p.r), static_cast<double>(p.g), static_cast<double>(p.b)};
-    sum = sum + levels;
-    squares += square(levels.r) + square(levels.g) + square(levels.b);
+    sum_ = sum_ + levels;
+    squares_ += square_of(levels);
+    ++count_;
   }
-  const auto count = static_cast<double>(image.pixels.size());
-  const double mean_squares = square(sum.r / count) + square(sum.g / count) + square(sum.b / count);
-  return 2 * (squares / count - mean_squares);
-}
+  [[nodiscard]] double value() const {
+    return 2 * (squares_ / count_ - square_of(sum_ * (1.0 / count_)));
+  }
+
+ private:
+  [[nodiscard]] static double square_of(const Rgb& c) {
+    return square(c.r) + square(c.g) + square(c.b);
+  }
+  Rgb sum_{};
+  double squares_ = 0;
+  double count_ = 0;
+};
 
 bool has_shape(const Image& image, Projection projection) {
   const double aspect = facts_of(projection).aspect;
@@ -48,6 +56,9 @@ std::optional<Projection> twin_of(Projection projection) {
 
 /// The color around the plane's disk is one color, and the disk is not.
 bool is_disk(const Image& image) {
+  Spread spread;
+  for (const Rgb8& p : image.pixels) spread.add(p);
+  if (spread.value() < 1) return false;
   const Rgb8& corner = image.at(0, 0);
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
@@ -65,7 +76,8 @@ bool is_disk(const Image& image) {
 SeamFigures seam_figures(const Image& image, Projection projection) {
   const int width = image.width;
   const int height = image.height;
-  SeamFigures figures{.spread = spread_of(image)};
+  SeamFigures figures;
+  Spread spread;
   int count = 0;
   const auto look = [&](const Texel& home, int right, int down) {
     const Texel beyond =
@@ -73,6 +85,7 @@ SeamFigures seam_figures(const Image& image, Projection projection) {
     const Rgb8& here = image.at(home.column, home.row);
     figures.across += square_of_difference(here, image.at(beyond.column, beyond.row));
     figures.inside += square_of_difference(here, image.at(home.column - right, home.row - down));
+    spread.add(here);
     ++count;
   };
   for (int row = 0; row < height; ++row) {
@@ -93,6 +106,7 @@ SeamFigures seam_figures(const Image& image, Projection projection) {
   }
   figures.across /= count;
   figures.inside /= count;
+  figures.spread = spread.value();
   return figures;
 }
 
@@ -145,14 +159,14 @@ std::optional<Projection> probable_layout(const Image& image) {
   for (const ProjectionFacts& facts : projections) {
     const Projection projection = facts.projection;
     if (!has_shape(image, projection)) continue;
-    if (spread_of(image) < 1) continue;  // one color
     if (projection == Projection::plane) {
       if (is_disk(image)) return projection;
       continue;
     }
     const SeamFigures seams = seam_figures(image, projection);
+    if (seams.spread < 1) continue;                   // one color, or a plain frame
     if (seams.inside > 0.5 * seams.spread) continue;  // noise
-    if (seams.across > 2 * seams.inside + 2) continue;
+    if (seams.across > 2 * seams.inside + 2 || seams.across > 0.25 * seams.spread) continue;
     const std::optional<Projection> twin = twin_of(projection);
     if (!twin) return projection;
     const double advantage = likelihood(image, projection) - likelihood(image, *twin);

@@ -146,14 +146,15 @@ void save_sheet(Session& session, const Image& sheet) {
 
 void save_converted(Session& session, const TextureFile& file, const ProjectionOptions& layout) {
   const Image image = file.load();
-  const PictureSize size = converted_size(image, layout.from, layout.to);
+  const Projection to = layout.to.value_or(layout.from);
+  const PictureSize size = converted_size(image, layout.from, to);
   session.default_size(size.width, size.height);
   session.check();
   if (!session.settings.quiet) print(about_layout(file.name, image));
   const PictureSize wanted{session.settings.width, session.settings.height};
   session.save(session.timed(
       static_cast<double>(wanted.width) * wanted.height, [&](const RenderSettings& settings) {
-        return convert_projection(image, layout.from, layout.to, wanted, settings.threads);
+        return convert_projection(image, layout.from, to, wanted, settings.threads);
       }));
 }
 

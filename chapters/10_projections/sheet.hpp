@@ -43,8 +43,8 @@ void save_converted(Session& session, const TextureFile& file, const ProjectionO
 /// Draws and saves what the user asked for.
 template <class Lesson>
 void show_projections(const Lesson& lesson, Session& session) {
-  if (session.was_given("--to")) return save_converted(session, lesson.texture, lesson.layout);
-  if (session.was_given("--projection")) {
+  if (lesson.layout.to) return save_converted(session, lesson.texture, lesson.layout);
+  if (lesson.layout.projection) {
     session.default_size(800, 600);
     return session.save(session.draw(lesson));
   }

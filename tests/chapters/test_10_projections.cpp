@@ -236,6 +236,8 @@ TEST_CASE("noise, one color, a broken seam and other pictures have no layout") {
   CHECK_FALSE(probable_layout(ramps(256, 128)).has_value());
   CHECK_FALSE(
       probable_layout(load_image(std::string(TEXMAP_ASSETS_DIR) + "/uv_map.png")).has_value());
+  const std::string golden = std::string(TEXMAP_TESTS_DIR) + "/golden/";
+  CHECK_FALSE(probable_layout(load_image(golden + "10_projections.png")).has_value());
   const Image source = earth(512);
   for (const ProjectionFacts& facts : projections) {
     if (facts.projection == Projection::plane || facts.projection == Projection::cylinder) continue;

@@ -12,6 +12,7 @@
 #include "scene/hit.hpp"
 #include "support/dice.hpp"
 #include "support/exact.hpp"
+#include "support/hard_vectors.hpp"
 #include "support/lane_of.hpp"
 #include "support/lanes.hpp"
 #include "support/many_digits.hpp"
@@ -205,6 +206,46 @@ TEST_CASE("the textbook's equal-area form is off by a third of a texel near the 
   CHECK(ours <= 3e-4);
 }
 
+TEST_CASE(
+    "in float every direction is within 4 epsilons of the one in long double, beside poles too") {
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    Dice dice(4);
+    Exact worst = 0;
+    for (int i = 0; i < 20000; ++i) {
+      // The picture's edges are reached from 1e-9 on; the plane loses digits at its rim.
+      Uv<float> uv{static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1))};
+      if (i % 2 == 1) uv.v = static_cast<float>(dice.power_of_ten(-9, -1));
+      if (upper_half_alone(facts.projection) && std::hypot(uv.u - 0.5F, uv.v - 0.5F) > 0.45F)
+        continue;
+      const Vec3<float> p = unproject(facts.projection, uv);
+      const Vec3<Exact> exact =
+          unproject(facts.projection, Uv<Exact>{widened(uv.u), widened(uv.v)});
+      worst = std::max(worst, length(number_cast<Exact>(p) - exact));
+    }
+    MESSAGE(std::string(facts.word) << ": " << static_cast<double>(worst) * 0x1p23 << " epsilons");
+    CHECK(worst <= 4 * widened(std::numeric_limits<float>::epsilon()));
+  }
+}
+
+TEST_CASE("a zero with a minus sign is a zero") {
+  CHECK(with_sign_of(0.0, 2.0) == 2);
+  CHECK(with_sign_of(-0.0, 2.0) == 2);
+  CHECK(with_sign_of(-1e-300, 2.0) == -2);
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    for (const Vec3<double>& p : {Vec3<double>{-1, 0.5, 0}, Vec3<double>{0, 0.5, -1},
+                                  Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}}) {
+      const auto minus = [](double x) { return x == 0 ? -0.0 : x; };
+      const Uv<double> one = project(facts.projection, p);
+      const Uv<double> two =
+          project(facts.projection, Vec3<double>{minus(p.x), minus(p.y), minus(p.z)});
+      CHECK(one.u == two.u);
+      CHECK(one.v == two.v);
+    }
+  }
+}
+
 #ifdef TEXMAP_HAVE_DIGITS
 TEST_CASE("double agrees with 50 digits to 1e-15") {
   for (const ProjectionFacts& facts : projections) {
@@ -354,6 +395,18 @@ TEST_CASE("beyond each of the four edges an octahedral map goes on at the mirror
   const auto corner = folded_octahedral<double>(-1, -1, 8, 8);
   CHECK(corner.column == 7);
   CHECK(corner.row == 7);
+}
+
+TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, beyond the domain too", Real,
+                   float, double, long double) {
+  std::vector<Real> coordinates = hard_finite_numbers<Real>();
+  coordinates.insert(coordinates.end(),
+                     {infinity<Real>(), -infinity<Real>(), std::numeric_limits<Real>::quiet_NaN()});
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(std::string(facts.word));
+    check_every_place([&](const Vec3<Real>& p) { return project(facts.projection, p); },
+                      coordinates);
+  }
 }
 
 TEST_CASE("the plane's map of a point is its x and its z") {

@@ -1,5 +1,7 @@
 // The options --projection, --from and --to.
 #pragma once
+#include <optional>
+
 #include "engine/app/texture_file.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/projections.hpp"
@@ -8,11 +10,12 @@ namespace texmap {
 
 /// The layouts that the user chose.
 struct ProjectionOptions {
-  Projection projection = Projection::equirect;  ///< of the picture on the globe
-  Projection from = Projection::equirect;        ///< of the texture's file
-  Projection to = Projection::equirect;          ///< of the picture to save, instead of the globe
+  Projection from = Projection::equirect;  ///< of the texture's file
+  std::optional<Projection> projection;    ///< of the picture on the globe; nothing: as the file
+  std::optional<Projection> to;            ///< of the picture to save instead of drawing
 
   void declare(CommandLine& line);
+  [[nodiscard]] Projection on_globe() const { return projection.value_or(from); }
   /// The texture's file, converted to the layout of the globe.
   [[nodiscard]] ImageTexture load(const TextureFile& file) const;
 };
