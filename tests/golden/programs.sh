@@ -65,6 +65,9 @@ for highlight in phong lecture; do
 done
 check 07_earth_by_sampling 07_earth_by_sampling
 check 12_environment_map 12_environment_map
+for light in cosine mis coefficients; do
+  check "12_$light" 12_environment_map --light "$light" --samples 64 --width 256 --height 144
+done
 check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
 check 14_numerical_extremes 14_numerical_extremes
 [ "$tried" -gt 0 ] || {
