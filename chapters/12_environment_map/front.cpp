@@ -53,7 +53,7 @@ double apart(const Image& a, const Image& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const Rgb8 &p = a.pixels[i], &q = b.pixels[i];
-    sum += square(double{p.r} - q.r) + square(double{p.g} - q.g) + square(double{p.b} - q.b);
+    sum += square(1.0 * p.r - q.r) + square(1.0 * p.g - q.g) + square(1.0 * p.b - q.b);
   }
   return std::sqrt(sum / (3 * static_cast<double>(a.pixels.size())));
 }
