@@ -1,6 +1,7 @@
 // The sky in assets/: its file is the one that was checked, and its maker still makes it.
 #include <doctest.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -44,5 +45,5 @@ TEST_CASE("the sun is where it is said to be, and 900 times as bright as white")
   CHECK(sky.texels[brightest].r > 890);
   CHECK(sky.texels[brightest].r < 910);
   const double latitude = 90 - 180 * (static_cast<double>(brightest / 384) + 0.5) / 192;
-  CHECK(latitude == doctest::Approx(33).epsilon(0.03));
+  CHECK(std::abs(latitude - 33) < 1.4);  // its radius
 }

@@ -74,6 +74,8 @@ check 11_daily_bricks 11_bump_and_normal_maps --show daily
 check 12_environment_map 12_environment_map
 for wrap in repeat clamp; do
   check "08_$wrap" 08_triangle_uv --wrap "$wrap" --width 240 --height 180
+for light in cosine mis coefficients; do
+  check "12_$light" 12_environment_map --light "$light" --samples 64 --width 256 --height 144
 done
 check 13_speed_for_accuracy 13_speed_for_accuracy --seconds 1
 check 14_numerical_extremes 14_numerical_extremes

@@ -26,9 +26,9 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
   line.decimal("--defocus", lens.defocus_degrees, 0, 90,
                "angle of the cone of rays through a lens, in degrees");
   line.decimal("--focus", lens.focus_distance, 0.001, 1e6,
-               "distance of what a lens draws sharp; the globe's front is at 10");
+               "distance of what a lens draws sharp; chapter 07's globe begins at 10");
   line.decimal("--shift", lens.shift, -100, 100,
-               "the globe moves up by so much during the exposure");
+               "the scene moves up by so much during the exposure");
 }
 
 void SamplingOptions::declare(CommandLine& line) {
