@@ -48,7 +48,7 @@ case $system in
     need x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
     need wine wine
     chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-      07_earth_by_sampling 14_numerical_extremes"
+      07_earth_by_sampling 08_triangle_uv 12_environment_map 14_numerical_extremes"
     suites="$numbers $images test_files test_windows_files test_command_line test_session_line"
     export WINEPREFIX="$tree/build/platforms/wine" WINEDEBUG=-all
     timeout 120 wineboot -i >/dev/null 2>&1 </dev/null || true
@@ -59,7 +59,7 @@ case $system in
   arm64)
     need aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
     need qemu-aarch64 qemu-user
-    chapters="01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling"
+    chapters="01_plain_spheres 03_image_texture 06_phong_texture_blend 07_earth_by_sampling 08_triangle_uv"
     suites="$numbers test_uv test_texel test_image_texture test_conventions test_checkerboard test_bilinear test_sphere test_triangle
       test_directions test_double_pair"
     run="qemu-aarch64 -L /usr/aarch64-linux-gnu"
@@ -80,7 +80,8 @@ case $system in
       exit 77
     }
     chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-      07_earth_by_sampling 13_speed_for_accuracy 14_numerical_extremes"
+      07_earth_by_sampling 08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map
+      13_speed_for_accuracy 14_numerical_extremes"
     suites=""
     cmake -S "$tree" -B "$build" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_CXX_FLAGS=-stdlib=libc++ "$o1" "$@"
     ;;

@@ -15,6 +15,11 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
+#include "09_texture_filtering/lesson.hpp"
+#include "10_projections/lesson.hpp"
+#include "11_bump_and_normal_maps/lesson.hpp"
+#include "12_environment_map/lesson.hpp"
 #include "comparison.hpp"
 #include "engine/app/run_chapter.hpp"
 #include "engine/system/system.hpp"
@@ -71,6 +76,11 @@ constexpr std::array chapters = {
     on_stage<chapter_05::Lesson>("05_y_rotation"),
     on_stage<chapter_06::Lesson>("06_phong_texture_blend"),
     own_scene<chapter_07::Lesson>("07_earth_by_sampling"),
+    own_scene<chapter_08::Lesson>("08_triangle_uv"),
+    own_scene<chapter_09::Lesson>("09_texture_filtering"),
+    own_scene<chapter_10::Lesson>("10_projections"),
+    own_scene<chapter_11::Lesson>("11_bump_and_normal_maps"),
+    own_scene<chapter_12::Lesson>("12_environment_map"),
 };
 
 std::string text_of(const std::filesystem::path& path) {
