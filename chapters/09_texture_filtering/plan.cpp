@@ -104,7 +104,8 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
   return plan;
 }
 
-std::optional<FilterPlan> plan_by_budget(const PlannedScene& scene, Session& session) {
+std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
+                                         Session& session) {
   const Budget budget = read_budget(session.settings.budget);
   if (budget.unit == Budget::Unit::exact) return {};
   if (session.was_given("--filter"))
@@ -114,7 +115,7 @@ std::optional<FilterPlan> plan_by_budget(const PlannedScene& scene, Session& ses
         "--budget: a filter's error is an amount of light: expected exact or levels=N");
   session.default_size(800, 600);
   FilterPlan plan =
-      plan_filter(scene, budget.limit, session.settings.width, session.settings.height);
+      plan_filter(scene(), budget.limit, session.settings.width, session.settings.height);
   if (!session.settings.quiet) print(plan.text);
   return plan;
 }

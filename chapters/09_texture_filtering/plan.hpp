@@ -70,7 +70,10 @@ template <class Lesson>
                                      int height);
 
 /// The same for the user's budget, of which it prints the sentence; nothing without a budget.
+///
+/// @param scene  called if there is a budget
 /// Errors: UsageError for a budget in texels, and for a filter and a budget.
-[[nodiscard]] std::optional<FilterPlan> plan_by_budget(const PlannedScene& scene, Session& session);
+[[nodiscard]] std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& scene,
+                                                       Session& session);
 
 }  // namespace texmap::chapter_09

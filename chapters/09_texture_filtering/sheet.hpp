@@ -40,8 +40,9 @@ template <class Lesson>
 
 /// Draws and saves the sheet; one picture where the user chose a filter or a budget.
 template <class Lesson>
-void show_filters(Lesson lesson, Session& session) {
-  if (const auto plan = plan_by_budget(planned_scene(lesson), session)) {
+void show_filters(Lesson& lesson, Session& session) {
+  const auto scene = [&lesson] { return planned_scene(lesson); };
+  if (const auto plan = plan_by_budget(scene, session)) {
     lesson.use(plan->filter, plan->taps);
     return session.save(session.draw(lesson));
   }

@@ -109,8 +109,10 @@ TEST_CASE("any number of samples has the same mean: each has a smaller footprint
       return sum / (90 * 200);
     };
     const double one = light(1);
-    CHECK(std::abs(light(4) - one) < 3e-3);
-    CHECK(std::abs(light(16) - one) < 3e-3);
+    // One random texel a pixel: its noise, 0.3, over the root of 18,000 pixels, four times.
+    const double allowed = lesson.filtering.filter == Filter::stochastic ? 0.009 : 0.003;
+    CHECK(std::abs(light(4) - one) < allowed);
+    CHECK(std::abs(light(16) - one) < allowed);
   }
 }
 
