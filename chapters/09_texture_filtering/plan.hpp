@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/app/filter_options.hpp"
 #include "scene/camera.hpp"
 #include "scene/floor.hpp"
 #include "scene/nearest.hpp"
@@ -55,7 +56,7 @@ template <class Lesson>
     return length_on(seen.paint.texture, seen.paint.mapping(normal));
   };
   const auto light = [other = lesson](const FilterPlan& by, const Ray<Dual<double>>& ray) mutable {
-    other.use(by.filter, by.taps);
+    read_by(other, by.filter, by.taps);
     return other(ray).g.value;
   };
   return {lesson.stage.camera, object_seen, footprint_length, light};

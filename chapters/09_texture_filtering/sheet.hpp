@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comparison.hpp"
+#include "engine/app/filter_options.hpp"
 #include "engine/app/session.hpp"
 #include "plan.hpp"
 #include "texture/filters.hpp"
@@ -33,7 +34,7 @@ template <class Lesson>
 template <class Lesson>
 [[nodiscard]] DrawFiltered drawn_by(const Lesson& lesson, Session& session) {
   return [other = lesson, &session](Filter filter, int width, int height) mutable {
-    other.use(filter, other.filtering.taps);
+    read_by(other, filter, other.filtering.taps);
     return session.draw(other, width, height);
   };
 }
@@ -43,7 +44,7 @@ template <class Lesson>
 void show_filters(Lesson& lesson, Session& session) {
   const auto scene = [&lesson] { return planned_scene(lesson); };
   if (const auto plan = plan_by_budget(scene, session)) {
-    lesson.use(plan->filter, plan->taps);
+    read_by(lesson, plan->filter, plan->taps);
     return session.save(session.draw(lesson));
   }
   if (session.was_given("--filter")) {

@@ -25,4 +25,17 @@ template <class Real>
   return {along.x, Real(floor.height), along.z};
 }
 
+/// The color of the floor where a ray meets it, else of the background.
+///
+/// @param background  called with the ray
+/// @param paint       called with a point of the floor
+template <class Real, class Background, class Paint>
+[[nodiscard]] auto color_along(const Floor& floor, const Ray<Real>& ray,
+                               const Background& background, const Paint& paint) {
+  const Real distance = distance_to(floor, ray);
+  const Mask<Real> met = distance < infinity<Real>();
+  const Vec3<Real> point = point_on(floor, ray, select(met, distance, Real(1)));
+  return select(met, paint(point), background(ray));
+}
+
 }  // namespace texmap
