@@ -15,8 +15,8 @@ namespace texmap::chapter_14 {
 namespace {
 
 /// As they are drawn on the sheet.
-constexpr std::array<const char*, reference> variant_names = {"published, float", "robust, float",
-                                                              "published, double", "robust, double"};
+constexpr std::array<const char*, reference> variant_names = {
+    "published, float", "robust, float", "published, double", "robust, double"};
 
 std::string names_of(const std::vector<Exhibit>& exhibits) {
   std::string names;

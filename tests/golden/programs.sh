@@ -65,6 +65,9 @@ for highlight in phong lecture; do
 done
 check 07_earth_by_sampling 07_earth_by_sampling
 check 08_triangle_uv 08_triangle_uv
+for wrap in repeat clamp; do
+  check "08_$wrap" 08_triangle_uv --wrap "$wrap" --width 240 --height 180
+done
 check 09_texture_filtering 09_texture_filtering
 check 10_projections 10_projections
 check 11_bump_and_normal_maps 11_bump_and_normal_maps
@@ -72,8 +75,6 @@ check 11_bump_or_dent 11_bump_and_normal_maps --show sheet
 check 11_poles 11_bump_and_normal_maps --show poles
 check 11_daily_bricks 11_bump_and_normal_maps --show daily
 check 12_environment_map 12_environment_map
-for wrap in repeat clamp; do
-  check "08_$wrap" 08_triangle_uv --wrap "$wrap" --width 240 --height 180
 for light in cosine mis coefficients; do
   check "12_$light" 12_environment_map --light "$light" --samples 64 --width 256 --height 144
 done
