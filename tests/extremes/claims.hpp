@@ -199,14 +199,15 @@ void for_each_number(const Each& each) {
 [[nodiscard]] Family claims_of_textures();
 [[nodiscard]] Family claims_of_shading();
 [[nodiscard]] Family claims_of_derivatives();
+[[nodiscard]] Family claims_of_maps();
 [[nodiscard]] Family claims_of_kernels();  ///< held by other tests: they have no measurement
 
 /// All of them, in the order of the page.
 [[nodiscard]] inline std::vector<Family> all_claims() {
-  return {claims_of_uv(),        claims_of_spheres(),     claims_of_secondary_rays(),
-          claims_of_triangles(), claims_of_rotation(),    claims_of_textures(),
-          claims_of_shading(),   claims_of_derivatives(), claims_of_arithmetic(),
-          claims_of_kernels()};
+  return {claims_of_uv(),         claims_of_spheres(),     claims_of_secondary_rays(),
+          claims_of_triangles(),  claims_of_rotation(),    claims_of_textures(),
+          claims_of_shading(),    claims_of_derivatives(), claims_of_maps(),
+          claims_of_arithmetic(), claims_of_kernels()};
 }
 
 /// A program that calls `function` with every one of the inputs.

@@ -58,6 +58,7 @@ TEST_CASE("rotations keep their bounds") { hold(claims_of_rotation()); }
 TEST_CASE("textures keep their bounds") { hold(claims_of_textures()); }
 TEST_CASE("light, colors and the camera keep their bounds") { hold(claims_of_shading()); }
 TEST_CASE("derivatives keep their bounds") { hold(claims_of_derivatives()); }
+TEST_CASE("maps, footprints and edges keep their bounds") { hold(claims_of_maps()); }
 TEST_CASE("arithmetic keeps its bounds") { hold(claims_of_arithmetic()); }
 
 TEST_CASE("a claim is measured alike on every run, and otherwise with another seed") {
