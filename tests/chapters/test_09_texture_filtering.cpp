@@ -216,6 +216,18 @@ TEST_CASE("a budget takes the cheapest filter that keeps it, and none where no p
   CHECK(plan(close, 1).text.find("none needs a filter") != std::string::npos);
 }
 
+TEST_CASE("wrong options are refused, and a floor that is not there is named") {
+  using Words = std::vector<std::string>;
+  for (const Words& words :
+       {Words{"--taps", "0"}, Words{"--taps", "65"}, Words{"--filter", "sharp"},
+        Words{"--wrap", "spherical"}, Words{"--number", "interval"}}) {
+    CAPTURE(words[0]);
+    CHECK_THROWS_AS(static_cast<void>(prepared<Lesson>(words)), UsageError);
+  }
+  CHECK_THROWS_WITH_AS(static_cast<void>(prepared<Lesson>({"--floor", "nothing.png"})),
+                       doctest::Contains("nothing.png"), FileError);
+}
+
 TEST_CASE("averaging bytes instead of light would make the horizon too dark") {
   const Image image = picture(filtered("anisotropic"));
   const Rgb8 horizon = image.at(400, 181);
