@@ -23,11 +23,12 @@ struct Lesson : LessonHooks {
 
   Stage stage{.camera = {.eye = {0, 1.2, 9}, .target = {0, 0.35, 0}, .fov_y_degrees = 32}};
   std::vector<Object> objects = {
-      Object{.shape = {.center = {-1.5, 0.0, 0.0}, .radius = 1.0}, .paint = {white}},
-      Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0}, .paint = {white, true}},
-      Object{.shape = {.center = {0.1, -0.6, 1.4}, .radius = 0.4}, .paint = {red}},
+      Object{.shape = {.center = {-1.5, 0.0, 0.0}, .radius = 1.0}, .paint = {.color = white}},
+      Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0},
+             .paint = {.color = white, .mirrors = true}},
+      Object{.shape = {.center = {0.1, -0.6, 1.4}, .radius = 0.4}, .paint = {.color = red}},
       Object{.shape = {.center = {0.0, -151.0, 0.0}, .radius = 150.0},
-             .paint = {{0.5, 0.48, 0.42}}},
+             .paint = {.color = {0.5, 0.48, 0.42}}},
   };
   SkyOptions sky;
   SkyLight environment;

@@ -163,6 +163,27 @@ TEST_CASE("the mean of f / density over drawn directions is the integral of f") 
   }
 }
 
+TEST_CASE("a tent that reaches over a pole comes down on the other side") {
+  for (const int row : {0, 7}) {
+    LightImage map(16, 8);
+    map.at(5, row) = gray(1.0F);
+    const Environment sky(map);
+    const SkySampler sampler(sky);
+    constexpr std::uint32_t count = 16384;
+    double mean = 0, over = 0;
+    const Vec3d middle = direction_rtiow(Uv<double>{5.5 / 16, 0.5});
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
+      mean += sky(Ray<double>{{}, d}).r / sampler.density(sky, d) / count;
+      over += dot(d, middle) < 0 ? 1.0 / count : 0;
+    }
+    CHECK(mean == doctest::Approx(integral(sky, [&](const Vec3d& d) {
+                    return sky(Ray<double>{{}, d}).r;
+                  })).epsilon(2e-3));
+    CHECK(over == doctest::Approx(1.0 / 8).epsilon(0.01));  // half a texel of a tent two wide
+  }
+}
+
 TEST_CASE("light over density is nearly constant, so what is drawn well varies little") {
   const Environment sky(contrasts(64, 32));
   const SkySampler sampler(sky);
