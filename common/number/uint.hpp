@@ -48,7 +48,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] inline UInt<Real> uint_from_real(const Real& x) {
   if constexpr (lanes<Real> == 1) {
-    return static_cast<std::uint32_t>(x);
+    return static_cast<std::uint32_t>(static_cast<int>(x));
   } else {
     return UInt<Real>::from_real(x);
   }
