@@ -38,7 +38,7 @@ struct Pyramid {
 };
 
 /// A row of light, `count` texels, as a row of half as many (at least one), rounded down.
-/// A texel of the result is the mean of what it covers: of two texels, or of parts of four.
+/// A texel of the result is the mean of what it covers: of two texels, or of parts of three.
 ///
 /// @param source  called with 0 to count - 1, returns a Color<float>
 /// @param target  called with 0 to half - 1 and a Color<float>
