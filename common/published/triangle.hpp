@@ -7,7 +7,7 @@ namespace texmap::published {
 
 /// The area of a triangle from the lengths of its sides, by Heron's formula.
 ///
-/// Fails on thin triangles: s - x cancels, and the error grows with the square of length / width, up to NaN.
+/// Fails on thin triangles: s - x cancels, and the error grows with the square of length / width.
 /// Source: the triangle article.
 template <class Real>
 [[nodiscard]] Real heron_area(const Real& x, const Real& y, const Real& z) {
