@@ -7,9 +7,7 @@
 
 namespace texmap {
 
-void TextureFile::declare(CommandLine& line) {
-  line.text("--texture", "FILE", name, help);
-}
+void TextureFile::declare(CommandLine& line) { line.text("--texture", "FILE", name, help); }
 
 Image TextureFile::load() const {
   loaded = true;

@@ -204,8 +204,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
     throw FileError(error == std::errc::permission_denied ? "no permission to read it"
                                                           : words_of(error));
   }
-  if (GetFileType(file.get()) != FILE_TYPE_DISK)
-    throw FileError("it is a device, not a file");
+  if (GetFileType(file.get()) != FILE_TYPE_DISK) throw FileError("it is a device, not a file");
   LARGE_INTEGER size{};
   require_success(GetFileSizeEx(file.get(), &size) != 0);
   return read_whole(
