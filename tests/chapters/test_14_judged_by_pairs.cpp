@@ -45,7 +45,7 @@ TEST_CASE("the judge finds errors in double, which double does not find in itsel
     CHECK(mistakes[robust_double].texels > Judge(0));
     CHECK(mistakes[robust_double].texels < Judge(1e-10));
   }
-  CHECK(textured == 10);
+  CHECK(textured == 12);
 }
 
 TEST_CASE("every exhibit has the figures of the chapter's page, judged there by long double") {
