@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/app/sky_choice.hpp"
+#include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_light.hpp"
 #include "engine/render/develop.hpp"
@@ -81,7 +82,13 @@ SkyComparison compare_skies(int threads, const std::function<void()>& tick) {
   for (auto& [name, light] : skies) {
     const auto lesson = std::make_shared<Lesson>();
     lesson->environment = std::move(light);
-    const SkyLighting best = best_lighting(noise_of(lesson->environment));
+    const SkyNoise noise = noise_of(lesson->environment);
+    const SkyLighting best = best_lighting(noise);
+    all.choice +=
+        all.choice.empty() ? "One direction's light is off, of itself, by the cosine" : ",";
+    all.choice.append(" ").append(shown(noise.cosine, 3)).append(" under ").append(name);
+    if (!lesson->environment.is_constant())
+      all.choice.append(" (mis ").append(shown(noise.mis, 3)).append(")");
     // Its own noise is larger than what float rounds.
     const Image reference =
         drawn<float>(*lesson, best, Sampler(SamplerKind::sobol, front_reference_samples, 99),

@@ -13,8 +13,9 @@ static_assert(filters_timed == chapter_09::filters_compared);
 /// The options that draw chapter 09's scene by a filter: "anisotropic 4" is a filter and its taps.
 std::string options_of(const std::string& name) {
   const std::size_t space = name.find(' ');
-  const std::string filter = "--filter " + name.substr(0, space);
-  return space == std::string::npos ? filter : filter + " --taps " + name.substr(space + 1);
+  std::string options = std::string("--filter ") + name.substr(0, space);
+  if (space != std::string::npos) options.append(" --taps ").append(name.substr(space + 1));
+  return options;
 }
 
 }  // namespace
@@ -31,6 +32,7 @@ Fronts measure_fronts(int threads, Timing& timing) {
   skies.note_times(
       timed_alternately(skies.works, noise_rounds(timing.rounds), skies.works.size(), timing));
   all.skies = skies.figures;
+  all.choice = skies.choice;
 
   all.rays = filters.rays + skies.paths;
   for (const SkyCost& one : all.skies) {

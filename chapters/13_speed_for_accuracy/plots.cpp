@@ -181,7 +181,7 @@ Plot plot_filter_error(const Fronts& fronts) {
 }
 
 Plot plot_sky_error(const Fronts& fronts) {
-  Plot plot{.title = "Skies: time against error, five ways to light matte objects",
+  Plot plot{.title = "Skies: time against error; a line joins what no other under its sky beats",
             .x_title = "microseconds a pixel, packs of double, one thread",
             .y_title = "root mean square error, levels of 255"};
   std::size_t at = 0;
@@ -189,7 +189,7 @@ Plot plot_sky_error(const Fronts& fronts) {
     const std::vector<Tradeoff> all = tradeoffs_of(fronts, sky);
     PlotSeries tried{sky + " sky", sky_styles[at++ % sky_styles.size()]};
     for (const Tradeoff& each : all) tried.points.push_back({each.time, each.error, {}});
-    PlotSeries front{sky + " sky, the front", tried.style, {}, true};
+    PlotSeries front{"", tried.style, {}, true};
     front.points = labelled_front(all, [&fronts](std::size_t i) {
       return fronts.skies[i].way + text(" %d", fronts.skies[i].samples);
     });

@@ -116,10 +116,10 @@ std::string table_of_skies(const Fronts& fronts) {
   for (std::size_t i = 0; i < fronts.skies.size(); ++i) {
     const SkyCost& one = fronts.skies[i];
     if (i == 0 || one.way != fronts.skies[i - 1].way || one.sky != fronts.skies[i - 1].sky)
-      table += "\n" + errors_text(fronts, one.sky, one.way);
+      table.append("\n").append(errors_text(fronts, one.sky, one.way));
     table += text(" %8.3g%s", one.microseconds, front_mark(front_of_sky(fronts, one.sky), i));
   }
-  return table + "\n";
+  return table + "\n" + fronts.choice + "\n";
 }
 
 Json json_of(const Trial& trial) {
