@@ -84,11 +84,9 @@ SkyComparison compare_skies(int threads, const std::function<void()>& tick) {
     lesson->environment = std::move(light);
     const SkyNoise noise = noise_of(lesson->environment);
     const SkyLighting best = best_lighting(noise);
-    all.choice +=
-        all.choice.empty() ? "One direction's light is off, of itself, by the cosine" : ",";
-    all.choice.append(" ").append(shown(noise.cosine, 3)).append(" under ").append(name);
-    if (!lesson->environment.is_constant())
-      all.choice.append(" (mis ").append(shown(noise.mis, 3)).append(")");
+    all.choice.append(all.choice.empty() ? "" : "; ").append(name);
+    all.choice.append(": cosine ").append(shown(noise.cosine, 3));
+    if (!lesson->environment.is_constant()) all.choice.append(", mis ").append(shown(noise.mis, 3));
     // Its own noise is larger than what float rounds.
     const Image reference =
         drawn<float>(*lesson, best, Sampler(SamplerKind::sobol, front_reference_samples, 99),

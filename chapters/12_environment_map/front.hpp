@@ -22,7 +22,7 @@ struct SkyFigures {
 struct SkyComparison {
   std::vector<SkyFigures> figures;  ///< sky by sky, in it way by way
   std::vector<Work> works;          ///< of each of the figures: a small picture on one thread
-  std::string choice;               ///< a line: what `--light auto` compares
+  std::string choice;               ///< how far one direction is off under each sky
   double paths = 0;                 ///< that were followed for the errors
 
   /// Notes the times that the works took, in milliseconds.

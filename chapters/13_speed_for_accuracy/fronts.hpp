@@ -28,7 +28,7 @@ using SkyCost = chapter_12::SkyFigures;
 struct Fronts {
   std::vector<FilterCost> filters;
   std::vector<SkyCost> skies;  ///< sky by sky, in it way by way
-  std::string choice;          ///< a line: what chapter 12's `--light auto` compares
+  std::string choice;          ///< how far one direction is off under each sky
   double rays = 0;             ///< that were followed for all of them
 };
 

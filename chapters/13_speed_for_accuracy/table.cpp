@@ -119,7 +119,9 @@ std::string table_of_skies(const Fronts& fronts) {
       table.append("\n").append(errors_text(fronts, one.sky, one.way));
     table += text(" %8.3g%s", one.microseconds, front_mark(front_of_sky(fronts, one.sky), i));
   }
-  return table + "\n" + fronts.choice + "\n";
+  return table +
+         "\nHow far one direction is off, as a part of its light: what --light auto compares\n" +
+         fronts.choice + "\n";
 }
 
 Json json_of(const Trial& trial) {
