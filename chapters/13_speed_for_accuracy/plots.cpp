@@ -167,7 +167,7 @@ std::vector<std::string> skies_of(const Fronts& fronts) {
 
 Plot plot_filter_error(const Fronts& fronts) {
   Plot plot{.title = "Filters: time against error, checkers to the horizon, one ray a pixel",
-            .x_title = "nanoseconds a look-up, double, one thread",
+            .x_title = "time of a look-up in ns, double, one thread",
             .y_title = "root mean square error of light, 255 is white"};
   for (const FilterCost& filter : fronts.filters) {
     const std::string family = filter.name.substr(0, filter.name.find(' '));
