@@ -1,5 +1,5 @@
-// What chapters 09 and 12 let you choose, measured beside the rest: filters of textures, and ways to
-// light by a sky.
+// What chapters 09 and 12 let you choose, measured beside the rest: filters of textures, and
+// ways to light by a sky.
 #pragma once
 #include <string>
 #include <vector>
