@@ -2,9 +2,10 @@
 #include "comparison.hpp"
 
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 #include "engine/app/filter_options.hpp"
-#include "engine/measure/interleaved.hpp"
 #include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/threads.hpp"
@@ -29,13 +30,13 @@ struct FloorPixel {
   double light = 0;
 };
 
-constexpr int width = 192, height = 96;
 constexpr int places = 64;   // in each direction of a pixel
 constexpr int squares = 32;  // of a copy of the picture
 constexpr double far_away = 1 << 30;
 
 /// The pixels that show nothing but floor.
 std::vector<FloorPixel> floor_pixels(const FloorView& scene, int threads) {
+  constexpr int width = comparison_width, height = comparison_height;
   const View<> view = view_of(scene.camera, width, height);
   const auto uv_at = [&](const auto& column, const auto& row) {
     const auto ray = ray_through(view, column, row);
@@ -77,40 +78,49 @@ Texture texture_for(const FilterFigures& figures, const Pyramid& pyramid) {
 
 }  // namespace
 
-std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
-  std::vector<FilterFigures> all = {
-      {Filter::nearest, 1, "nearest"},           {Filter::bilinear, 1, "bilinear"},
-      {Filter::trilinear, 1, "trilinear"},       {Filter::anisotropic, 2, "anisotropic 2"},
-      {Filter::anisotropic, 4, "anisotropic 4"}, {Filter::anisotropic, 8, "anisotropic 8"},
-      {Filter::anisotropic, 16, "anisotropic"},  {Filter::ewa, 16, "ewa"},
-      {Filter::stochastic, 16, "stochastic"},
-  };
-  const std::vector<FloorPixel> pixels = floor_pixels(scene, threads);
+void FilterComparison::note_times(const std::vector<double>& milliseconds) {
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    figures[i].nanoseconds = milliseconds[i] * 1e6 / static_cast<double>(look_ups);
+}
+
+FilterComparison filter_comparison(const FloorView& scene, int threads) {
+  const auto pixels = std::make_shared<const std::vector<FloorPixel>>(floor_pixels(scene, threads));
+  FilterComparison all{.figures = {{Filter::nearest, 1, "nearest"},
+                                   {Filter::bilinear, 1, "bilinear"},
+                                   {Filter::trilinear, 1, "trilinear"},
+                                   {Filter::anisotropic, 2, "anisotropic 2"},
+                                   {Filter::anisotropic, 4, "anisotropic 4"},
+                                   {Filter::anisotropic, 8, "anisotropic 8"},
+                                   {Filter::anisotropic, 16, "anisotropic"},
+                                   {Filter::ewa, 16, "ewa"},
+                                   {Filter::stochastic, 16, "stochastic"}},
+                       .works = {},
+                       .look_ups = pixels->size(),
+                       .rays = static_cast<double>(pixels->size()) * (1 + places * places)};
   const Pyramid pyramid = pyramid_of(light_of(checkers_image(1024, squares), TexelLight::linear));
-  const double count = static_cast<double>(pixels.size());
-  for (FilterFigures& figures : all) {
+  const auto count = static_cast<double>(pixels->size());
+  for (FilterFigures& figures : all.figures) {
     long reads = 0;
-    auto texture = texture_for<Filtered<CountedPyramid>>(figures, pyramid);
-    texture.pyramid.count = &reads;
+    auto counted = texture_for<Filtered<CountedPyramid>>(figures, pyramid);
+    counted.pyramid.count = &reads;
     double sum = 0;
-    for (const FloorPixel& pixel : pixels) {
-      sum += square(texture.filtered(pixel.uv).r - pixel.light);
-    }
+    for (const FloorPixel& pixel : *pixels)
+      sum += square(counted.filtered(pixel.uv).r - pixel.light);
     figures.error = std::sqrt(sum / count);
     figures.reads = static_cast<double>(reads) / count;
-  }
-  if (!timed) return all;
-  std::vector<Work> works;
-  for (const FilterFigures& figures : all) {
-    works.emplace_back([&pixels, texture = texture_for<FilteredTexture>(figures, pyramid)] {
-      double sum = 0;
-      for (const FloorPixel& pixel : pixels) sum += texture.filtered(pixel.uv).r;
-      if (!(sum > 0)) throw std::logic_error("the floor is black");
+    all.works.emplace_back([pixels, texture = texture_for<FilteredTexture>(figures, pyramid)] {
+      double light = 0;
+      for (const FloorPixel& pixel : *pixels) light += texture.filtered(pixel.uv).r;
+      if (!(light > 0)) throw std::logic_error("the floor is black");
     });
   }
-  const std::vector<double> milliseconds = shortest_times(works, 3);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].nanoseconds = milliseconds[i] * 1e6 / count;
   return all;
+}
+
+std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
+  FilterComparison all = filter_comparison(scene, threads);
+  if (timed) all.note_times(shortest_times(all.works, 3));
+  return all.figures;
 }
 
 std::string table_of_filters(const std::vector<FilterFigures>& figures) {

@@ -1,8 +1,10 @@
 // What the filters cost and how far off they are, on checkers to the horizon.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "engine/measure/interleaved.hpp"
 #include "scene/camera.hpp"
 #include "scene/floor.hpp"
 #include "texture/filters.hpp"
@@ -15,11 +17,12 @@ struct Plot;
 
 namespace texmap::chapter_09 {
 
-/// A lesson's floor, and who looks at it.
+/// A floor, and who looks at it; this chapter's, unless something else is said. (The lesson's own
+/// numbers once more: chapter 13 compares filters without its program, and a test compares both.)
 struct FloorView {
-  Camera camera;
-  Floor floor;
-  Rotated<FloorMapping> mapping;
+  Camera camera{.eye = {0, 1, 0}, .target = {0, 0.62, -2}, .fov_y_degrees = 50};
+  Floor floor{.height = 0};
+  Rotated<FloorMapping> mapping{rotation_y(23), {.size = 8}};
 };
 
 /// A filter and its figures.
@@ -32,11 +35,31 @@ struct FilterFigures {
   double nanoseconds = 0;  ///< a look-up in double on one thread; 0: not timed
 };
 
-/// The filters with their errors and reads, on a floor of checkers, in 192 x 96 pixels; the mean
-/// over a pixel is that of 64 x 64 places.
+/// Filters with their figures, and what there is to time.
+struct FilterComparison {
+  std::vector<FilterFigures> figures;
+  std::vector<Work> works;   ///< of each of the figures: `look_ups` look-ups on one thread
+  std::size_t look_ups = 0;  ///< one for each pixel of the floor
+  double rays = 0;           ///< that were followed for the errors
+
+  /// Notes the times that the works took, in milliseconds.
+  void note_times(const std::vector<double>& milliseconds);
+};
+
+/// How many filters are compared, and the size of the picture.
+inline constexpr int filters_compared = 9;
+inline constexpr int comparison_width = 192;
+inline constexpr int comparison_height = 96;
+
+/// The filters with their errors and reads, on a floor of checkers; not timed. The mean over a
+/// pixel is that of 64 x 64 places.
 ///
-/// @param threads  0: all cores
-/// @param timed    also measures the time
+/// @param threads  0: all cores; the figures do not depend on it
+[[nodiscard]] FilterComparison filter_comparison(const FloorView& scene, int threads);
+
+/// The figures of the same.
+///
+/// @param timed  also measures the time
 [[nodiscard]] std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads,
                                                          bool timed);
 

@@ -1,12 +1,11 @@
 // The front of error against time: five ways to light matte objects by three skies.
-// usage: 12_sky_front [ROUNDS]   prints a table; times: the least of so many rounds, one thread
+#include "front.hpp"
+
 #include <array>
-#include <chrono>
-#include <cstdlib>
-#include <iostream>
-#include <string>
+#include <cmath>
+#include <cstdint>
+#include <memory>
 #include <utility>
-#include <vector>
 
 #include "engine/app/sky_choice.hpp"
 #include "engine/measure/text.hpp"
@@ -20,8 +19,6 @@
 namespace texmap::chapter_12 {
 namespace {
 
-using Real = Pack2<Pack<double>>;
-
 struct Way {
   SkyLighting lighting;
   const char* name;
@@ -30,6 +27,8 @@ constexpr std::array ways = {
     Way{SkyLighting::uniform, "uniform"}, Way{SkyLighting::cosine, "cosine"},
     Way{SkyLighting::importance, "importance"}, Way{SkyLighting::mis, "mis"},
     Way{SkyLighting::coefficients, "coefficients"}};
+constexpr std::array sample_counts = {4, 16, 64};
+static_assert(ways.size() * sample_counts.size() == figures_of_a_sky);
 
 LightImage gradient() {
   LightImage image(64, 32);
@@ -41,11 +40,16 @@ LightImage gradient() {
   return image;
 }
 
-Image drawn(const Lesson& lesson, int samples, std::uint32_t seed) {
-  const View<> view = view_of(lesson.stage.camera, 160, 90);
-  return develop(gather<Real>(lesson, lesson.objects, view,
-                              {Sampler(SamplerKind::sobol, samples, seed)}, {}, {.threads = 1}),
-                 Transfer::srgb);
+/// The lesson's picture by a way, in packs of a number.
+template <class Number>
+Image drawn(const Lesson& lesson, SkyLighting way, const Sampler& sampler, int width, int height,
+            int threads) {
+  Lesson lit = lesson;
+  lit.sky.matte.way = way;
+  const View<> view = view_of(lit.stage.camera, width, height);
+  return develop(
+      gather<Pack2<Pack<Number>>>(lit, lit.objects, view, {sampler}, {}, {.threads = threads}),
+      Transfer::srgb);
 }
 
 /// Root mean square difference in levels of 255.
@@ -58,60 +62,55 @@ double apart(const Image& a, const Image& b) {
   return std::sqrt(sum / (3 * static_cast<double>(a.pixels.size())));
 }
 
-/// Milliseconds of one drawing.
-double milliseconds(const Lesson& lesson, int samples) {
-  const auto start = std::chrono::steady_clock::now();
-  static_cast<void>(drawn(lesson, samples, 0));
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return time.count();
+}  // namespace
+
+void SkyComparison::note_times(const std::vector<double>& milliseconds) {
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    figures[i].microseconds = 1000 * milliseconds[i] / (timed_width * timed_height);
 }
 
-void print_sky(const char* name, SkyLight sky, int rounds) {
-  constexpr std::array samples = {4, 16, 64, 256};
-  Lesson lesson;
-  lesson.environment = std::move(sky);
-  const SkyNoise noise = noise_of(lesson.environment);
-  const SkyLighting best = best_lighting(noise);
-  lesson.sky.matte.way = best;
-  const Image reference = drawn(lesson, 8192, 99);
-  std::array<std::array<double, samples.size()>, ways.size()> least;
-  for (auto& row : least) row.fill(infinity<double>());
-  for (int round = 0; round < rounds; ++round) {  // the ways alternate: a busy machine slows all
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        lesson.sky.matte.way = ways[i].lighting;
-        least[i][k] = min(least[i][k], milliseconds(lesson, samples[k]));
+SkyComparison compare_skies(int threads, const std::function<void()>& tick) {
+  std::array<std::pair<const char*, SkyLight>, skies_compared> skies = {
+      std::pair("uniform", SkyLight(Environment(LightImage(2, 1, gray(0.8F))))),
+      std::pair("gradient", SkyLight(Environment(gradient()))),
+      std::pair("sun", SkyLight(Environment(load_light(find_texture("sky.hdr")))))};
+  SkyComparison all;
+  const auto done = [&](int samples) {
+    all.paths += 1.0 * front_width * front_height * samples;
+    if (tick) tick();
+  };
+  for (auto& [name, light] : skies) {
+    const auto lesson = std::make_shared<Lesson>();
+    lesson->environment = std::move(light);
+    const SkyNoise noise = noise_of(lesson->environment);
+    const SkyLighting best = best_lighting(noise);
+    all.choice.append(all.choice.empty() ? "" : "; ").append(name);
+    all.choice.append(": cosine ").append(shown(noise.cosine, 3));
+    if (!lesson->environment.is_constant()) all.choice.append(", mis ").append(shown(noise.mis, 3));
+    // Its own noise is larger than what float rounds.
+    const Image reference =
+        drawn<float>(*lesson, best, Sampler(SamplerKind::sobol, front_reference_samples, 99),
+                     front_width, front_height, threads);
+    done(front_reference_samples);
+    for (const Way& way : ways) {
+      for (const int samples : sample_counts) {
+        const Sampler sampler(SamplerKind::sobol, samples);
+        const Image image =
+            drawn<double>(*lesson, way.lighting, sampler, front_width, front_height, threads);
+        all.figures.push_back({.sky = name,
+                               .way = way.name,
+                               .samples = samples,
+                               .error = apart(image, reference),
+                               .chosen = way.lighting == best});
+        all.works.emplace_back([lesson, lighting = way.lighting, sampler] {
+          static_cast<void>(
+              drawn<double>(*lesson, lighting, sampler, timed_width, timed_height, 1));
+        });
+        done(samples);
       }
     }
   }
-  std::cout << "\n"
-            << name << " (one direction is off by " << shown(noise.cosine, 3)
-            << " of its light by the cosine, by " << shown(noise.mis, 3) << " by mis)\n\n"
-            << "| way | 4 samples | 16 | 64 | 256 |\n|---|---|---|---|---|\n";
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    lesson.sky.matte.way = ways[i].lighting;
-    std::cout << "| " << ways[i].name << (ways[i].lighting == best ? ", chosen by auto" : "");
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      std::cout << " | " << shown(apart(drawn(lesson, samples[k], 0), reference), 3) << " in "
-                << shown(least[i][k], 3) << " ms" << std::flush;
-    }
-    std::cout << " |\n";
-  }
+  return all;
 }
 
-}  // namespace
 }  // namespace texmap::chapter_12
-
-int main(int argc, char** argv) try {
-  using namespace texmap;
-  const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;
-  chapter_12::print_sky("A uniform sky", SkyLight(Environment(LightImage(2, 1, gray(0.8F)))),
-                        rounds);
-  chapter_12::print_sky("A gradient", SkyLight(Environment(chapter_12::gradient())), rounds);
-  chapter_12::print_sky("A sun", SkyLight(Environment(load_light(find_texture("sky.hdr")))),
-                        rounds);
-  return 0;
-} catch (const std::exception& error) {
-  std::cerr << "error: " << error.what() << '\n';
-  return 1;
-}

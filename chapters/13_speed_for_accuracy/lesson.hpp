@@ -58,6 +58,9 @@ struct Lesson : LessonHooks {
     all.exact = fastest(all.places, Filter::nearest, {})->variant;
     all.noise = measure_noise(globe, all.exact, threads, tick);
     time_noise(all.noise, globe, all.exact, timing);
+
+    // What chapters 09 and 12 let you choose: filters, and ways to light by a sky.
+    all.fronts = measure_fronts(threads, timing);
     all.rounds = timing.done;
     return all;
   }

@@ -1,4 +1,4 @@
-// The four plots of this chapter, and the front of what nothing else beats.
+// The six plots of this chapter, and the front of what nothing else beats.
 #include "plots.hpp"
 
 #include <algorithm>
@@ -9,6 +9,23 @@ namespace texmap::chapter_13 {
 namespace {
 
 constexpr std::array sampler_styles = {0, 4, 8, 1};
+constexpr std::array sky_styles = {6, 1, 5};
+
+/// Times and errors of filters, or of the ways under one sky.
+std::vector<Tradeoff> tradeoffs_of(const Fronts& fronts) {
+  std::vector<Tradeoff> all;
+  for (std::size_t i = 0; i < fronts.filters.size(); ++i)
+    all.push_back({fronts.filters[i].nanoseconds, fronts.filters[i].levels(), i});
+  return all;
+}
+std::vector<Tradeoff> tradeoffs_of(const Fronts& fronts, const std::string& sky) {
+  std::vector<Tradeoff> all;
+  for (std::size_t i = 0; i < fronts.skies.size(); ++i) {
+    if (fronts.skies[i].sky == sky)
+      all.push_back({fronts.skies[i].microseconds, fronts.skies[i].error, i});
+  }
+  return all;
+}
 
 /// Adds a point to the series of a variant's number; a new series if it is the first.
 void add_point(Plot& plot, const Variant& variant, const PlotPoint& point) {
@@ -129,6 +146,55 @@ Plot plot_error_seconds(const Measurements& all) {
   plot.front = labelled_front(tradeoffs, [&all](std::size_t i) {
     return text("%s %d", name_of(all.noise[i].kind), all.noise[i].samples);
   });
+  return plot;
+}
+
+std::vector<Tradeoff> front_of_filters(const Fronts& fronts) {
+  return pareto_front(tradeoffs_of(fronts));
+}
+
+std::vector<Tradeoff> front_of_sky(const Fronts& fronts, const std::string& sky) {
+  return pareto_front(tradeoffs_of(fronts, sky));
+}
+
+std::vector<std::string> skies_of(const Fronts& fronts) {
+  std::vector<std::string> names;
+  for (const SkyCost& each : fronts.skies) {
+    if (std::find(names.begin(), names.end(), each.sky) == names.end()) names.push_back(each.sky);
+  }
+  return names;
+}
+
+Plot plot_filter_error(const Fronts& fronts) {
+  Plot plot{.title = "Filters: time against error, checkers to the horizon, one ray a pixel",
+            .x_title = "time of a look-up in ns, double, one thread",
+            .y_title = "root mean square error of light, 255 is white"};
+  for (const FilterCost& filter : fronts.filters) {
+    const std::string family = filter.name.substr(0, filter.name.find(' '));
+    if (plot.series.empty() || plot.series.back().name != family)
+      plot.series.push_back({family, static_cast<int>(plot.series.size())});
+    plot.series.back().points.push_back({filter.nanoseconds, filter.levels(), {}});
+  }
+  plot.front = labelled_front(tradeoffs_of(fronts),
+                              [&fronts](std::size_t i) { return fronts.filters[i].name; });
+  return plot;
+}
+
+Plot plot_sky_error(const Fronts& fronts) {
+  Plot plot{.title = "Skies: time against error; a line joins what no other under its sky beats",
+            .x_title = "microseconds a pixel, packs of double, one thread",
+            .y_title = "root mean square error, levels of 255"};
+  std::size_t at = 0;
+  for (const std::string& sky : skies_of(fronts)) {
+    const std::vector<Tradeoff> all = tradeoffs_of(fronts, sky);
+    PlotSeries tried{sky + " sky", sky_styles[at++ % sky_styles.size()]};
+    for (const Tradeoff& each : all) tried.points.push_back({each.time, each.error, {}});
+    PlotSeries front{"", tried.style, {}, true};
+    front.points = labelled_front(all, [&fronts](std::size_t i) {
+      return fronts.skies[i].way + text(" %d", fronts.skies[i].samples);
+    });
+    plot.series.insert(plot.series.end(), {tried, front});
+  }
   return plot;
 }
 

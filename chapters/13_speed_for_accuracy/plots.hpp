@@ -1,4 +1,4 @@
-// The four plots of this chapter, and the front of what nothing else beats.
+// The six plots of this chapter, and the front of what nothing else beats.
 #pragma once
 #include <functional>
 
@@ -35,5 +35,16 @@ struct Tradeoff {
 [[nodiscard]] Plot plot_error_samples(const Measurements& all);
 /// The noise that each sampler does not exceed against the time that it takes.
 [[nodiscard]] Plot plot_error_seconds(const Measurements& all);
+/// Every filter: the time of a look-up, and how many levels of light it is off.
+[[nodiscard]] Plot plot_filter_error(const Fronts& fronts);
+/// Every way with all its samples: the time of a pixel and its error, and the front of each sky.
+[[nodiscard]] Plot plot_sky_error(const Fronts& fronts);
+
+/// The figures of one sky that no other of that sky beats in both time and error, from the fastest.
+[[nodiscard]] std::vector<Tradeoff> front_of_sky(const Fronts& fronts, const std::string& sky);
+/// The same of the filters.
+[[nodiscard]] std::vector<Tradeoff> front_of_filters(const Fronts& fronts);
+/// The skies' names, in their order.
+[[nodiscard]] std::vector<std::string> skies_of(const Fronts& fronts);
 
 }  // namespace texmap::chapter_13

@@ -18,6 +18,10 @@ std::vector<Phase> phases_of(int rounds, Instructions widest) {
           {"texels with many rays", formats * (runs(noise_rounds(rounds)) + 1)},
           {"errors of samplers", noise_views + samplers},
           {"times of samplers", samplers * runs(noise_rounds(rounds))},
+          {"errors of filters", filter_error_ticks},
+          {"times of filters", filters_timed * runs(rounds)},
+          {"errors of skies", sky_error_ticks},
+          {"times of skies", skies_timed * runs(noise_rounds(rounds))},
           {"sheet", 16}};
 }
 
@@ -29,7 +33,8 @@ double rays_of(const Measurements& all) {
     return all.rounds[timing].timed + 2.0;
   };
   const double pixels = static_cast<double>(all.width) * all.height;
-  return pixels * (static_cast<double>(all.places.size()) * runs(0) +
+  return all.fronts.rays +
+         pixels * (static_cast<double>(all.places.size()) * runs(0) +
                    static_cast<double>(all.curves.size()) * runs(1)) +
          noise_width * noise_height *
              (static_cast<double>(all.texel_formats.size()) * texel_format_samples * (runs(2) + 1) +

@@ -4,25 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/measure/text.hpp"
+#include "plots.hpp"
 
 namespace texmap::chapter_13 {
 namespace {
 
-/// Of the trials that may be taken the fastest; of those that are as fast, the one with the least
-/// of an error.
-template <class MayBe>
-const Trial* fastest_of(const std::vector<Trial>& trials, double Errors::*error,
-                        const MayBe& may_be) {
+/// Of the items that may be taken the fastest; of those that are as fast, the one with the least
+/// error.
+///
+/// @param time, error, may_be  of an item: called with one, or its members
+template <class Item, class Time, class Error, class MayBe>
+const Item* fastest_of(const std::vector<Item>& items, const Time& time, const Error& error,
+                       const MayBe& may_be) {
   auto shortest = infinity<double>();
-  for (const Trial& trial : trials) {
-    if (may_be(trial)) shortest = std::min(shortest, trial.milliseconds);
+  for (const Item& item : items) {
+    if (may_be(item)) shortest = std::min<double>(shortest, std::invoke(time, item));
   }
-  const Trial* best = nullptr;
-  for (const Trial& trial : trials) {
-    if (!may_be(trial) || trial.milliseconds > same_time * shortest) continue;
-    if (best == nullptr || trial.errors.*error < best->errors.*error) best = &trial;
+  const Item* best = nullptr;
+  for (const Item& item : items) {
+    if (!may_be(item) || std::invoke(time, item) > same_time * shortest) continue;
+    if (best == nullptr || std::invoke(error, item) < std::invoke(error, *best)) best = &item;
   }
   return best;
 }
@@ -74,6 +78,34 @@ std::string recommended_samples(const Measurements& all, double levels) {
       kind, noise->samples, noise->rmse_bound, kind, noise->samples);
 }
 
+std::string recommended_filter(const Fronts& fronts, double levels) {
+  const FilterCost* filter = cheapest(fronts.filters, levels);
+  if (filter == nullptr) return "  filter    nothing that was tried keeps to it\n";
+  return text(
+      "  filter    %s: %.2f levels of light off on checkers to the horizon, root mean square\n"
+      "            ./course run 09 %s\n",
+      filter->name.c_str(), filter->levels(), filter->options.c_str());
+}
+
+std::string recommended_skies(const Fronts& fronts, double levels) {
+  std::string lines;
+  for (const std::string& sky : skies_of(fronts)) {
+    const SkyCost* cost = cheapest(fronts.skies, sky, levels);
+    const std::string start = text("  %-9s ", lines.empty() ? "sky" : "") + sky + ": ";
+    if (cost == nullptr) {
+      lines += start + "nothing that was tried keeps to it\n";
+      continue;
+    }
+    // The sun is in chapter 12's own sky; for another one the user has a picture.
+    lines += start + text(
+                         "%s, %d samples a pixel: %.2f levels off, root mean square\n"
+                         "            ./course run 12%s --light %s --samples %d\n",
+                         cost->way.c_str(), cost->samples, cost->error,
+                         sky == "sun" ? "" : " --sky FILE", cost->way.c_str(), cost->samples);
+  }
+  return lines;
+}
+
 }  // namespace
 
 bool keeps_to(const Budget& budget, const Trial& trial) {
@@ -84,17 +116,22 @@ bool keeps_to(const Budget& budget, const Trial& trial) {
 }
 
 const Trial* fastest(const std::vector<Trial>& places, Filter filter, const Budget& budget) {
-  return fastest_of(places, &Errors::texels_bound, [&](const Trial& trial) {
-    return trial.variant.filter == filter && keeps_to(budget, trial);
-  });
+  return fastest_of(
+      places, &Trial::milliseconds, [](const Trial& trial) { return trial.errors.texels_bound; },
+      [&](const Trial& trial) {
+        return trial.variant.filter == filter && keeps_to(budget, trial);
+      });
 }
 
 const Trial* fastest_light(const Measurements& all, const Budget& budget) {
-  return fastest_of(all.curves, &Errors::unrounded_bound, [&](const Trial& trial) {
-    const Trial* place = find_trial(
-        all.places, {.number = trial.variant.number, .instructions = trial.variant.instructions});
-    return keeps_to(budget, trial) && place != nullptr && keeps_to({}, *place);
-  });
+  return fastest_of(
+      all.curves, &Trial::milliseconds,
+      [](const Trial& trial) { return trial.errors.unrounded_bound; },
+      [&](const Trial& trial) {
+        const Trial* place = find_trial(all.places, {.number = trial.variant.number,
+                                                     .instructions = trial.variant.instructions});
+        return keeps_to(budget, trial) && place != nullptr && keeps_to({}, *place);
+      });
 }
 
 const Noise* fastest(const std::vector<Noise>& all, double levels) {
@@ -104,6 +141,16 @@ const Noise* fastest(const std::vector<Noise>& all, double levels) {
     if (best == nullptr || noise.milliseconds < best->milliseconds) best = &noise;
   }
   return best;
+}
+
+const FilterCost* cheapest(const std::vector<FilterCost>& all, double levels) {
+  return fastest_of(all, &FilterCost::nanoseconds, &FilterCost::error,
+                    [levels](const FilterCost& filter) { return filter.levels() <= levels; });
+}
+
+const SkyCost* cheapest(const std::vector<SkyCost>& all, const std::string& sky, double levels) {
+  return fastest_of(all, &SkyCost::microseconds, &SkyCost::error,
+                    [&](const SkyCost& cost) { return cost.sky == sky && cost.error <= levels; });
 }
 
 std::string budget_for(int degree, const Image& texture) {
@@ -126,7 +173,8 @@ std::string recommendation(const Measurements& all, const Budget& budget, const 
   for (const Filter filter : {Filter::nearest, Filter::bilinear})
     lines += recommended_place(all, filter, budget, texture);
   if (budget.unit != Budget::Unit::levels) return lines;
-  return lines + recommended_light(all, budget) + recommended_samples(all, budget.limit);
+  return lines + recommended_light(all, budget) + recommended_samples(all, budget.limit) +
+         recommended_filter(all.fronts, budget.limit) + recommended_skies(all.fronts, budget.limit);
 }
 
 }  // namespace texmap::chapter_13

@@ -24,6 +24,13 @@ namespace texmap::chapter_13 {
 /// does.
 [[nodiscard]] const Noise* fastest(const std::vector<Noise>& all, double levels);
 
+/// The filter that keeps to a number of levels of light with the fastest look-up, and of those as
+/// fast the most exact; nullptr if none does.
+[[nodiscard]] const FilterCost* cheapest(const std::vector<FilterCost>& all, double levels);
+/// The same of the ways and samples under a sky.
+[[nodiscard]] const SkyCost* cheapest(const std::vector<SkyCost>& all, const std::string& sky,
+                                      double levels);
+
 /// The shortest budget in texels for which choose_uv_kernel takes the kernel of this degree;
 /// `exact` for the reference formula.
 [[nodiscard]] std::string budget_for(int degree, const Image& texture);

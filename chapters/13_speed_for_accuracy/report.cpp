@@ -1,4 +1,4 @@
-// The files that a run writes with its picture: four plots, and one that programs can read.
+// The files that a run writes with its picture: six plots, and one that programs can read.
 #include "report.hpp"
 
 #include <array>
@@ -14,8 +14,9 @@ std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& 
   if (std::filesystem::exists(out, error) && !std::filesystem::is_regular_file(out, error))
     return {};
   std::vector<std::filesystem::path> names;
-  for (const char* const ending : {"_speed_error.svg", "_speed_levels.svg", "_error_samples.svg",
-                                   "_error_seconds.svg", ".json"}) {
+  for (const char* const ending :
+       {"_speed_error.svg", "_speed_levels.svg", "_error_samples.svg", "_error_seconds.svg",
+        "_filter_error.svg", "_sky_error.svg", ".json"}) {
     names.push_back(std::filesystem::path(out).replace_extension() += ending);
   }
   return names;
@@ -26,8 +27,12 @@ void check_report(const std::filesystem::path& out) {
 }
 
 void write_report(const std::filesystem::path& out, const Measurements& all) {
-  const std::array texts = {svg_of(plot_speed_error(all)), svg_of(plot_speed_levels(all)),
-                            svg_of(plot_error_samples(all)), svg_of(plot_error_seconds(all)),
+  const std::array texts = {svg_of(plot_speed_error(all)),
+                            svg_of(plot_speed_levels(all)),
+                            svg_of(plot_error_samples(all)),
+                            svg_of(plot_error_seconds(all)),
+                            svg_of(plot_filter_error(all.fronts)),
+                            svg_of(plot_sky_error(all.fronts)),
                             json_of(all)};
   std::size_t i = 0;
   for (const std::filesystem::path& file : names_of_report(out)) {

@@ -1,4 +1,4 @@
-// The files that a run writes with its picture: four plots, and one that programs can read.
+// The files that a run writes with its picture: six plots, and one that programs can read.
 #pragma once
 #include <filesystem>
 

@@ -1,8 +1,11 @@
 // The table: all that was tried, as text to read and as JSON for other programs.
 #include "table.hpp"
 
+#include <algorithm>
+
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
+#include "plots.hpp"
 
 namespace texmap::chapter_13 {
 namespace {
@@ -74,6 +77,53 @@ std::string table_of_noise(const Measurements& all) {
   return table;
 }
 
+/// "+" for what is on a front, else a space.
+const char* front_mark(const std::vector<Tradeoff>& front, std::size_t index) {
+  const bool on_it = std::any_of(front.begin(), front.end(),
+                                 [index](const Tradeoff& each) { return each.index == index; });
+  return on_it ? "+" : " ";
+}
+
+std::string table_of_filters(const Fronts& fronts) {
+  std::string table = text(
+      "Filters on checkers to the horizon (chapter 09): errors are root mean squares of light 0 to "
+      "1;\ntimes 255 they are levels of light. + is on the front\n%-14s %8s %8s %12s %13s\n",
+      "filter", "error", "levels", "texels read", "ns a look-up");
+  const std::vector<Tradeoff> front = front_of_filters(fronts);
+  for (std::size_t i = 0; i < fronts.filters.size(); ++i) {
+    table += errors_text(fronts.filters[i]) +
+             text(" %12.0f%s\n", fronts.filters[i].nanoseconds, front_mark(front, i));
+  }
+  return table;
+}
+
+std::string table_of_skies(const Fronts& fronts) {
+  std::string table = text(
+      "Ways to light matte objects by three skies (chapter 12), %d x %d pixels: root mean square "
+      "error in levels\nof 255, and time on one thread. * is what --light auto takes, + is on the "
+      "front\n",
+      chapter_12::front_width, chapter_12::front_height);
+  table += text("%-24s%27s %29s\n%-9s%-15s", "", "levels off with samples", "microseconds a pixel",
+                "sky", "way");
+  std::string row, times;
+  for (std::size_t i = 0; i < fronts.skies.size(); ++i) {
+    const SkyCost& one = fronts.skies[i];
+    if (i > 0 && one.way != fronts.skies[0].way) break;
+    row += text(" %8d", one.samples);
+    times += text(" %8d ", one.samples);
+  }
+  table += row + times;
+  for (std::size_t i = 0; i < fronts.skies.size(); ++i) {
+    const SkyCost& one = fronts.skies[i];
+    if (i == 0 || one.way != fronts.skies[i - 1].way || one.sky != fronts.skies[i - 1].sky)
+      table.append("\n").append(errors_text(fronts, one.sky, one.way));
+    table += text(" %8.3g%s", one.microseconds, front_mark(front_of_sky(fronts, one.sky), i));
+  }
+  return table +
+         "\nHow far one direction is off, as a part of its light: what --light auto compares\n" +
+         fronts.choice + "\n";
+}
+
 Json json_of(const Trial& trial) {
   const Variant& v = trial.variant;
   const Errors& e = trial.errors;
@@ -104,6 +154,24 @@ Json json_of(const Noise& noise) {
                        {"milliseconds", noise.milliseconds}});
 }
 
+Json json_of(const FilterCost& filter) {
+  return Json::object({{"name", filter.name},
+                       {"options", filter.options},
+                       {"error", filter.error},
+                       {"levels", filter.levels()},
+                       {"reads", filter.reads},
+                       {"nanoseconds", filter.nanoseconds}});
+}
+
+Json json_of(const SkyCost& cost) {
+  return Json::object({{"sky", cost.sky},
+                       {"way", cost.way},
+                       {"auto", cost.chosen},
+                       {"samples", cost.samples},
+                       {"levels", cost.error},
+                       {"microseconds", cost.microseconds}});
+}
+
 }  // namespace
 
 std::string errors_text(const Trial& trial) {
@@ -114,6 +182,22 @@ std::string errors_text(const Trial& trial) {
           : std::array{e.worst_unrounded, e.mean_unrounded, e.unrounded_bound};
   return text(" %8.1e %8.1e %8.1e %6ld %7ld %4d %7d", off[0], off[1], off[2], e.changed,
               e.may_change, e.levels, e.levels_bound);
+}
+
+std::string errors_text(const FilterCost& filter) {
+  return text("%-14s %8.4f %8.2f %12.1f", filter.name.c_str(), filter.error, filter.levels(),
+              filter.reads);
+}
+
+std::string errors_text(const Fronts& fronts, const std::string& sky, const std::string& way) {
+  std::string errors;
+  bool chosen = false;
+  for (const SkyCost& one : fronts.skies) {
+    if (one.sky != sky || one.way != way) continue;
+    errors += text(" %8.2f", one.error);
+    chosen = one.chosen;
+  }
+  return text("%-9s%-15s", sky.c_str(), (way + (chosen ? " *" : "")).c_str()) + errors;
 }
 
 std::string columns_of_light(const Variant& variant) {
@@ -141,7 +225,8 @@ std::string table_of(const Measurements& all) {
                         text("The same with %d rays a pixel, %d x %d pixels; time 1 is that of "
                              "plain double with bytes",
                              texel_format_samples, noise_width, noise_height)) +
-         table_of_noise(all) + judge_line() + skipped_text(all);
+         table_of_noise(all) + "\n" + table_of_filters(all.fronts) + "\n" +
+         table_of_skies(all.fronts) + judge_line() + skipped_text(all);
 }
 
 std::string json_of(const Measurements& all) {
@@ -153,7 +238,9 @@ std::string json_of(const Measurements& all) {
                        {"kept", Json::list_of(all.texel_formats, item)},
                        {"noise_width", noise_width},
                        {"noise_height", noise_height},
-                       {"noise", Json::list_of(all.noise, item)}},
+                       {"noise", Json::list_of(all.noise, item)},
+                       {"filters", Json::list_of(all.fronts.filters, item)},
+                       {"skies", Json::list_of(all.fronts.skies, item)}},
                       true)
              .text +
          "\n";

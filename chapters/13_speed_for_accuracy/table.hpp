@@ -1,5 +1,6 @@
 // The table: all that was tried, as text to read and as JSON for other programs.
 #pragma once
+#include "fronts.hpp"
 #include "noise.hpp"
 
 namespace texmap::chapter_13 {
@@ -15,11 +16,17 @@ struct Measurements {
   std::vector<Trial> texel_formats = {};  ///< the first is plain double's bytes
   Variant exact = {};  ///< the fastest that changes nothing: the samplers draw with it
   std::vector<Noise> noise = {};
-  std::vector<Rounds> rounds = {};  ///< of the four timings, in the order above
+  Fronts fronts = {};
+  std::vector<Rounds> rounds = {};  ///< of the six timings, in the order above
 };
 
 /// The right half of a row: what does not depend on the clock.
 [[nodiscard]] std::string errors_text(const Trial& trial);
+/// The left part of a row: what does not depend on the clock.
+[[nodiscard]] std::string errors_text(const FilterCost& filter);
+/// The same of a way under a sky, with all its samples.
+[[nodiscard]] std::string errors_text(const Fronts& fronts, const std::string& sky,
+                                      const std::string& way);
 /// A variant's texels and curve as two columns.
 [[nodiscard]] std::string columns_of_light(const Variant& variant);
 /// What to know of the times if rounds were skipped; empty if none were.

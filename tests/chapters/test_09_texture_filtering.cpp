@@ -87,6 +87,23 @@ TEST_CASE("the errors of the filters on checkers to the horizon, and what they r
   CHECK(of("stochastic").error > of("anisotropic").error);  // one read is noise around the mean
 }
 
+TEST_CASE("filters are compared on the lesson's own floor, also where the lesson is not there") {
+  const auto of_lesson = chapter_09::floor_of(Lesson{});
+  const chapter_09::FloorView alone;
+  for (const Vec3d& point : {Vec3d{3, 0, -7}, Vec3d{-40, 0, -900}}) {
+    const auto uv = of_lesson.mapping(point), same = alone.mapping(point);
+    CHECK(uv.u == same.u);
+    CHECK(uv.v == same.v);
+  }
+  const auto figures = chapter_09::compare_filters(of_lesson, 2, false);
+  const auto alike = chapter_09::compare_filters(alone, 1, false);
+  REQUIRE(figures.size() == chapter_09::filters_compared);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    CHECK(figures[i].error == alike[i].error);
+    CHECK(figures[i].reads == alike[i].reads);
+  }
+}
+
 TEST_CASE("any number of samples has the same mean: each has a smaller footprint") {
   for (const char* filter : {"trilinear", "anisotropic", "ewa", "stochastic"}) {
     CAPTURE(filter);

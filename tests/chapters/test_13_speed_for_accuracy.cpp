@@ -119,7 +119,31 @@ Measurements made_up() {
     trial.milliseconds = 100 * trial.time;
   }
   all.texel_formats = all_texel_formats(Instructions::baseline);
-  all.rounds = {{20, 20}, {20, 20}, {6, 6}, {6, 6}};
+  all.fronts.filters = {{"nearest", "--filter nearest", 0.4, 1, 10},
+                        {"trilinear", "--filter trilinear", 0.1, 8, 100},
+                        {"anisotropic 4", "--filter anisotropic --taps 4", 0.02, 30, 200},
+                        {"anisotropic", "--filter anisotropic", 0.0196, 50, 209},
+                        {"ewa", "--filter ewa", 0.0195, 35, 300}};
+  all.fronts.skies = {
+      {"uniform", "cosine", 4, 5, 1, true},  {"uniform", "cosine", 16, 2, 4, true},
+      {"uniform", "mis", 4, 6, 1.04, false}, {"uniform", "mis", 16, 1.9, 4.1, false},
+      {"sun", "cosine", 4, 40, 1, false},    {"sun", "cosine", 16, 39, 4, false},
+      {"sun", "mis", 4, 20, 2, true},        {"sun", "mis", 16, 8, 8, true}};
+  all.rounds = {{20, 20}, {20, 20}, {6, 6}, {6, 6}, {20, 20}, {6, 6}};
+  return all;
+}
+
+/// The fronts as a run measures them, its times aside, and how many parts of a run they were.
+struct MeasuredFronts {
+  Fronts fronts;
+  std::size_t ticks = 0;
+  std::vector<Rounds> rounds = {};
+};
+MeasuredFronts measured_fronts(int threads) {
+  MeasuredFronts all;
+  Timing timing{1, TimeLimit(0, 1), [&all] { ++all.ticks; }};
+  all.fronts = measure_fronts(threads, timing);
+  all.rounds = timing.done;
   return all;
 }
 
@@ -392,6 +416,114 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "the cheapest filter, way and samples that keep to a budget in levels, and their commands") {
+  const Measurements all = made_up();
+  const auto filter = [&all](double levels) -> std::string {
+    const FilterCost* best = cheapest(all.fronts.filters, levels);
+    return best == nullptr ? "none" : best->name;
+  };
+  CHECK(filter(255) == "nearest");
+  CHECK(filter(255 * 0.4) == "nearest");  // light 0 to 1: times 255 it is levels
+  CHECK(filter(255 * 0.4 - 0.01) == "trilinear");
+  CHECK(filter(25.4) == "anisotropic");  // as fast as "anisotropic 4", and more exact
+  CHECK(filter(4.99) == "ewa");
+  CHECK(filter(4.9) == "none");
+  const auto sky = [&all](const std::string& name, double levels) -> std::string {
+    const SkyCost* best = cheapest(all.fronts.skies, name, levels);
+    return best == nullptr ? "none" : best->way + text(" %d", best->samples);
+  };
+  CHECK(sky("uniform", 6) == "cosine 4");  // "mis 4" is as fast, and farther off
+  CHECK(sky("uniform", 4) == "mis 16");    // "cosine 16" is as fast, and farther off
+  CHECK(sky("uniform", 1) == "none");
+  CHECK(sky("sun", 39.5) == "mis 4");
+  CHECK(sky("sun", 40) == "cosine 4");
+  CHECK(sky("sun", 8) == "mis 16");
+  CHECK(sky("sun", 7) == "none");
+
+  const auto has = [&all](const char* budget, const std::string& words) {
+    const std::string lines = recommendation(all, parse_budget(budget), earth().nearest.image);
+    return lines.find(words) != std::string::npos;
+  };
+  CHECK(has("levels=25.4", "  filter    anisotropic: 5.00 levels of light off"));
+  CHECK(has("levels=25.4", " ./course run 09 --filter anisotropic\n"));
+  CHECK(has("levels=25.4", "  sky       uniform: cosine, 4 samples a pixel: 5.00 levels off"));
+  CHECK(has("levels=25.4", " ./course run 12 --sky FILE --light cosine --samples 4\n"));
+  CHECK(has("levels=25.4", "            sun: mis, 4 samples a pixel: 20.00 levels off"));
+  CHECK(has("levels=25.4", " ./course run 12 --light mis --samples 4\n"));
+  CHECK(has("levels=1", "  filter    nothing that was tried keeps to it\n"));
+  CHECK(has("levels=1", "  sky       uniform: nothing that was tried keeps to it\n"));
+  CHECK(has("levels=1", "            sun: nothing that was tried keeps to it\n"));
+  for (const char* other : {"exact", "texels=0.01"}) CHECK_FALSE(has(other, "./course run 09"));
+}
+
+TEST_CASE("the fronts of filters and skies: what nothing of the same kind beats") {
+  const Fronts fronts = made_up().fronts;
+  const auto indices = [](const std::vector<Tradeoff>& front) {
+    std::vector<std::size_t> all;
+    for (const Tradeoff& each : front) all.push_back(each.index);
+    return all;
+  };
+  CHECK(indices(front_of_filters(fronts)) == std::vector<std::size_t>{0, 1, 2, 3, 4});
+  CHECK(indices(front_of_sky(fronts, "uniform")) == std::vector<std::size_t>{0, 1, 3});
+  CHECK(indices(front_of_sky(fronts, "sun")) == std::vector<std::size_t>{4, 6, 7});
+  CHECK(skies_of(fronts) == std::vector<std::string>{"uniform", "sun"});
+}
+
+TEST_CASE(
+    "filters and skies: a row for everything, the same errors for any number of threads, and as "
+    "many parts as the progress counts") {
+  const MeasuredFronts one = measured_fronts(1), three = measured_fronts(3);
+  const Fronts& fronts = one.fronts;
+  REQUIRE(fronts.filters.size() == filters_timed);
+  REQUIRE(fronts.skies.size() == skies_timed);
+  for (std::size_t i = 0; i < fronts.filters.size(); ++i) {
+    CHECK(fronts.filters[i].error == three.fronts.filters[i].error);
+    CHECK(fronts.filters[i].reads == three.fronts.filters[i].reads);
+    CHECK(fronts.filters[i].error > 0);
+    CHECK(fronts.filters[i].nanoseconds > 0);
+  }
+  for (std::size_t i = 0; i < fronts.skies.size(); ++i) {
+    CHECK(fronts.skies[i].error == three.fronts.skies[i].error);
+    CHECK(fronts.skies[i].error > 0);
+    CHECK(fronts.skies[i].microseconds > 0);
+  }
+  CHECK(skies_of(fronts) == std::vector<std::string>{"uniform", "gradient", "sun"});
+  CHECK(cheapest(fronts.filters, 4) != nullptr);
+  CHECK(fronts.filters[3].options == "--filter anisotropic --taps 2");
+  CHECK(fronts.filters[6].options == "--filter anisotropic");
+
+  Measurements all = made_up();
+  all.fronts = fronts;
+  std::stringstream lines(table_of(all));
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 110);
+
+  // What `auto` takes is by far the best of what has no error of its own.
+  const auto error = [&fronts](const char* sky, const char* way, int samples) {
+    for (const SkyCost& cost : fronts.skies) {
+      if (cost.sky == sky && cost.way == way && cost.samples == samples) return cost.error;
+    }
+    throw std::runtime_error("not tried");
+  };
+  for (const char* sky : {"uniform", "gradient"}) {
+    CHECK(error(sky, "cosine", 64) < 1);
+    CHECK(error(sky, "mis", 64) > 2 * error(sky, "cosine", 64));
+    CHECK(error(sky, "coefficients", 64) > 10);
+  }
+  CHECK(error("sun", "mis", 16) < error("sun", "cosine", 64) / 4);
+  for (const SkyCost& cost : fronts.skies)
+    CHECK(cost.chosen == (cost.way == (cost.sky == "sun" ? "mis" : "cosine")));
+
+  std::size_t counted = 0;
+  for (const Phase& phase : phases_of(1, Instructions::baseline)) {
+    const std::string name = phase.name;
+    if (name.ends_with(" filters") || name.ends_with(" skies")) counted += phase.parts;
+  }
+  CHECK(one.ticks == counted);
+  CHECK(one.rounds.size() == 2);
+  CHECK(fronts.rays > 1e6);
+}
+
+TEST_CASE(
     "light is recommended by its bound in whole levels, and from numbers alone that find every "
     "texel") {
   Measurements all = made_up();
@@ -443,8 +575,9 @@ TEST_CASE("the budget of a command takes the kernel it is for, on textures of al
 
 TEST_CASE("the plots are whole, name everything in them, and have no number that is none") {
   const Measurements all = made_up();
-  for (const Plot& plot : {plot_speed_error(all), plot_speed_levels(all), plot_error_samples(all),
-                           plot_error_seconds(all)}) {
+  for (const Plot& plot :
+       {plot_speed_error(all), plot_speed_levels(all), plot_error_samples(all),
+        plot_error_seconds(all), plot_filter_error(all.fronts), plot_sky_error(all.fronts)}) {
     const std::string svg = svg_of(plot);
     CHECK(svg.starts_with("<svg "));
     CHECK(svg.ends_with("</svg>\n"));
@@ -477,10 +610,59 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
   CHECK(count("\"number\"") == all.places.size() + all.curves.size() + all.texel_formats.size());
   CHECK(count("\"sampler\"") == all.noise.size());
   CHECK(count("{") == count("}"));
-  CHECK(count("[") == 4);
+  CHECK(count("\"reads\"") == all.fronts.filters.size());
+  CHECK(count("\"sky\"") == all.fronts.skies.size());
+  CHECK(count("[") == 6);
+  for (const FilterCost& filter : all.fronts.filters)
+    CHECK(table.find("\n" + errors_text(filter) + " ") != std::string::npos);
+  for (const SkyCost& cost : all.fronts.skies)
+    CHECK(table.find("\n" + errors_text(all.fronts, cost.sky, cost.way) + " ") !=
+          std::string::npos);
 }
 
 #ifdef TEXMAP_REFERENCE_PLATFORM
+TEST_CASE("the errors of filters and skies on the pages of 12 and 13 are those of the program") {
+  const Fronts fronts = measured_fronts(0).fronts;
+  const auto page_of = [](const char* chapter) {
+    std::ifstream file(std::string(TEXMAP_TESTS_DIR) + "/../chapters/" + chapter + "/README.md");
+    std::stringstream page;
+    page << file.rdbuf();
+    return page.str();
+  };
+  const std::string page = page_of("13_speed_for_accuracy");
+  for (const FilterCost& filter : fronts.filters) {
+    CAPTURE(filter.name);
+    CHECK(page.find("\n" + errors_text(filter) + " ") != std::string::npos);
+  }
+  for (const SkyCost& cost : fronts.skies) {
+    CAPTURE(cost.way);
+    CHECK(page.find("\n" + errors_text(fronts, cost.sky, cost.way) + " ") != std::string::npos);
+  }
+  CHECK(page.find(fronts.choice) != std::string::npos);
+
+  // Chapter 12's table: a row for each way, in it sky by sky 16 and 64 samples.
+  std::stringstream lines(page_of("12_environment_map"));
+  int found = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(" in ") == std::string::npos) continue;
+    std::erase(line, '*');
+    for (const SkyCost& way : fronts.skies) {
+      if (way.sky != "uniform" || way.samples != 4 || !line.starts_with("| `" + way.way + "` |"))
+        continue;
+      std::size_t at = 0;
+      for (const SkyCost& cost : fronts.skies) {
+        if (cost.way != way.way || cost.samples == 4) continue;
+        CAPTURE(line);
+        CAPTURE(cost.error);
+        at = line.find(text("| %.1f in ", cost.error), at == 0 ? 0 : at + 1);
+        CHECK(at != std::string::npos);
+      }
+      ++found;
+    }
+  }
+  CHECK(found == 5);
+}
+
 TEST_CASE("the errors on the chapter's page are those of its program") {
   std::ifstream file(std::string(TEXMAP_TESTS_DIR) +
                      "/../chapters/13_speed_for_accuracy/README.md");
@@ -555,7 +737,8 @@ TEST_CASE(
   Measurements all = made_up();
   CHECK(skipped_text(all).empty());
   all.rounds[1].timed = 5;
-  CHECK(skipped_text(all).find("20 of 20, 5 of 20, 6 of 6, 6 of 6") != std::string::npos);
+  CHECK(skipped_text(all).find("20 of 20, 5 of 20, 6 of 6, 6 of 6, 20 of 20, 6 of 6") !=
+        std::string::npos);
   CHECK(table_of(all).find(skipped_text(all)) != std::string::npos);
   const double rays = rays_of(all);
   all.rounds[1].timed = 4;
@@ -578,11 +761,12 @@ TEST_CASE("the progress names what comes next, and ends with the run") {
   CHECK(told == std::vector<std::pair<int, int>>{{1, 3}, {2, 3}, {3, 3}});
 }
 
-TEST_CASE("a picture that goes to a device has no report, and others have five files") {
+TEST_CASE("a picture that goes to a device has no report, and others have seven files") {
   CHECK(names_of_report("/dev/null").empty());
   CHECK(names_of_report("out/13.png") ==
         std::vector<std::filesystem::path>{"out/13_speed_error.svg", "out/13_speed_levels.svg",
                                            "out/13_error_samples.svg", "out/13_error_seconds.svg",
+                                           "out/13_filter_error.svg", "out/13_sky_error.svg",
                                            "out/13.json"});
 }
 
