@@ -99,7 +99,7 @@ function(add_chapter name)
     set(sources "")
     foreach(source IN LISTS ARG_SOURCES)  # the course's own where a student's folder has none
       set(folder "${TEXMAP_CHAPTERS}")
-      if(NOT EXISTS "${folder}/${name}/${source}")
+      if(NOT EXISTS "${folder}/${name}/${source}" OR source MATCHES "^\\.\\./")  # another chapter's: never a student's
         set(folder "${CMAKE_SOURCE_DIR}/chapters")
       endif()
       list(APPEND sources "${folder}/${name}/${source}")
