@@ -18,9 +18,9 @@ struct Color {
 /// A color of a scene. Scenes are written in double.
 using Rgb = Color<double>;
 
-/// The color in the number that a picture is drawn with.
-template <class Real>
-[[nodiscard]] Color<Real> number_cast(const Rgb& c) {
+/// The color in another number, such as the one that a picture is drawn with.
+template <class Real, class Other>
+[[nodiscard]] Color<Real> number_cast(const Color<Other>& c) {
   return {Real(c.r), Real(c.g), Real(c.b)};
 }
 

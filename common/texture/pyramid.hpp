@@ -53,8 +53,7 @@ void halve_row(int count, const Source& source, const Target& target) {
     for (long j = low / half; j * half < high; ++j) {
       const double covered =
           static_cast<double>(std::min(high, (j + 1) * half) - std::max(low, j * half));
-      const Color<float>& texel = source(static_cast<int>(j));
-      sum = sum + Rgb{texel.r, texel.g, texel.b} * covered;
+      sum = sum + number_cast<double>(source(static_cast<int>(j))) * covered;
     }
     const double share = 1.0 / count;
     target(i, Color<float>{static_cast<float>(sum.r * share), static_cast<float>(sum.g * share),

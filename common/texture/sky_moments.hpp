@@ -28,8 +28,7 @@ class SkyMoments {
         const double twice = std::sin(wide);
         const std::array weights = {wide, once * std::cos(turn), once * std::sin(turn),
                                     twice * std::cos(2 * turn), twice * std::sin(2 * turn)};
-        const Color<float>& texel = map.at(column, row);
-        const Rgb light = {texel.r, texel.g, texel.b};
+        const auto light = number_cast<double>(map.at(column, row));
         for (std::size_t k = 0; k < 5; ++k) around[k] = around[k] + light * weights[k];
       }
       add_row(around, std::numbers::pi * row / map.height,

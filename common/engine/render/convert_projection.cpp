@@ -126,8 +126,7 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   std::array<Color<double>, 4> lights;  // from the left, then from the top
   for (int i = 0; i < 4; ++i) {
     const Texel texel = texel_beside(projection, home, left + i % 2, top + i / 2, width, height);
-    const Color<float>& found = image.at(texel.column, texel.row);
-    lights[static_cast<std::size_t>(i)] = {found.r, found.g, found.b};
+    lights[static_cast<std::size_t>(i)] = number_cast<double>(image.at(texel.column, texel.row));
   }
   const bool cube = facts_of(projection).aspect == 1.5;
   if (cube && (left + 1) * 3 % width == 0 && (top + 1) * 2 % height == 0) {
