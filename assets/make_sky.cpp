@@ -101,6 +101,7 @@ std::vector<std::uint8_t> radiance_file(const LightImage& light) {
   const auto put = [&bytes](std::size_t byte) { bytes.push_back(static_cast<std::uint8_t>(byte)); };
   for (int row = 0; row < light.height; ++row) {
     std::vector<std::array<std::uint8_t, 4>> texels;
+    texels.reserve(width);
     for (int column = 0; column < light.width; ++column)
       texels.push_back(rgbe(light.at(column, row)));
     put(2), put(2), put(width >> 8), put(width & 255);

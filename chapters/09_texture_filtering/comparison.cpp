@@ -51,8 +51,9 @@ std::vector<FloorPixel> floor_pixels(const FloorView& scene, int threads) {
       pixel.uv = uv_at(Dual<double>{double(column), 1.0, 0.0}, Dual<double>{double(row), 0.0, 1.0});
       int light_places = 0;
       for (int i = 0; i < places * places; ++i) {
-        const Uv<double> uv = uv_at(column + (i % places + 0.5) / places - 0.5,
-                                    row + (i / places + 0.5) / places - 0.5);
+        const int across = i % places, down = i / places;
+        const Uv<double> uv =
+            uv_at(column + (across + 0.5) / places - 0.5, row + (down + 0.5) / places - 0.5);
         // Cutting off is faster than rounding down, and the same above 0.
         const auto column_number = static_cast<long>(uv.u * squares + far_away);
         const auto row_number = static_cast<long>(far_away - uv.v * squares);

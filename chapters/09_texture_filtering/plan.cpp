@@ -79,8 +79,9 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
   for (const PixelPlace<double>& at : probes.places) {
     double sum = 0;
     for (int i = 0; i < 64; ++i) {
-      sum += scene.light(judge, dual_ray(view, at.column + (i % 8 - 3.5) / 8,
-                                         at.row + (i / 8 - 3.5) / 8, 1.0 / 8));
+      const int across = i % 8, down = i / 8;
+      sum += scene.light(judge, dual_ray(view, at.column + (across - 3.5) / 8,
+                                         at.row + (down - 3.5) / 8, 1.0 / 8));
     }
     exact.push_back(sum / 64);
   }
@@ -110,9 +111,10 @@ std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& sc
   if (budget.unit == Budget::Unit::exact) return {};
   if (session.was_given("--filter"))
     throw UsageError("--budget chooses the filter: leave out --filter or --budget");
-  if (budget.unit == Budget::Unit::texels)
+  if (budget.unit == Budget::Unit::texels) {
     throw UsageError(
         "--budget: a filter's error is an amount of light: expected exact or levels=N");
+  }
   session.default_size(800, 600);
   FilterPlan plan =
       plan_filter(scene(), budget.limit, session.settings.width, session.settings.height);

@@ -16,8 +16,7 @@ namespace texmap::chapter_09 {
 using DrawFiltered = std::function<Image(Filter filter, int width, int height)>;
 
 /// The sheet, as large as the session's picture, with each filter's reads and error.
-[[nodiscard]] Image sheet_of_filters(const Session& session,
-                                     const std::vector<FilterFigures>& figures,
+[[nodiscard]] Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
                                      const DrawFiltered& draw);
 
 /// Draws and saves the sheet, prints the table of errors and reads, and saves their plot if asked.

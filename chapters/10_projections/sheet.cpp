@@ -62,8 +62,9 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
     for (int column = 0; column < width; ++column) {
       Rgb sum{};
       for (int k = 0; k < 9; ++k) {
-        const Uv<double> uv{(column + (k % 3 + 0.5) / 3) / width,
-                            1 - (row + (k / 3 + 0.5) / 3) / height};
+        const int across = k % 3, down = k / 3;
+        const Uv<double> uv{(column + (across + 0.5) / 3) / width,
+                            1 - (row + (down + 0.5) / 3) / height};
         const bool empty =
             projection == Projection::plane && std::hypot(uv.u - 0.5, uv.v - 0.5) > 0.5;
         if (empty) {

@@ -56,7 +56,7 @@ Rgb phong_light(const Vec3d& point, const Vec3d& normal, const Vec3d& to_eye) {
 /// The color along a ray: `bend(unit normal)` is the shading normal of the right ball.
 template <class Bend>
 Rgb color_of_balls(const Ray<double>& ray, const Bend& bend) {
-  double nearest = infinity<double>();
+  auto nearest = infinity<double>();
   Sphere<> ball;
   for (const double x : {-ball_x, ball_x}) {
     const Sphere<> one{.center = {x, 0, 0}};

@@ -35,10 +35,10 @@ struct Fronts {
 /// How many parts of a run the errors of filters and of skies are, and how many works are timed.
 inline constexpr std::size_t filter_error_ticks = 1;
 inline constexpr std::size_t sky_error_ticks =
-    chapter_12::skies_compared * (1 + chapter_12::figures_of_a_sky);
+    std::size_t{chapter_12::skies_compared} * (1 + chapter_12::figures_of_a_sky);
 inline constexpr std::size_t filters_timed = 9;
 inline constexpr std::size_t skies_timed =
-    chapter_12::skies_compared * chapter_12::figures_of_a_sky;
+    std::size_t{chapter_12::skies_compared} * chapter_12::figures_of_a_sky;
 
 /// Measures both: errors first, which depend neither on the clock nor on the threads, then times,
 /// taken alternately on one thread.

@@ -74,10 +74,11 @@ class AliasTable {
     // What rounding has left over.
     for (; next < small.size(); ++next) {
       Box& box = boxes_[small[next]];
-      if (box.share > 0.5)
+      if (box.share > 0.5) {
         box.share = 1;
-      else
+      } else {
         box.other = largest(weights);
+      }
     }
     for (Box& box : boxes_) box.share = min(box.share, 1.0);
   }

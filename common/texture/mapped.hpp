@@ -19,10 +19,11 @@ struct Mapped {
     static_assert(CallableWith<Mapping, AnyHit<Real>> || CallableWith<Mapping, Vec3<Real>>,
                   "a mapping cannot be called with a direction in this number: see AnyOf");
     const auto uv = [&] {
-      if constexpr (CallableWith<Mapping, AnyHit<Real>>)
+      if constexpr (CallableWith<Mapping, AnyHit<Real>>) {
         return mapping(hit);
-      else
+      } else {
         return mapping(hit.normal);
+      }
     }();
     static_assert(
         CallableWith<Texture, Uv<Real>>,

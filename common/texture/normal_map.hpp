@@ -107,10 +107,11 @@ struct NormalMap {
   /// The coordinates at a hit.
   template <template <class> class AnyHit, class Real>
   [[nodiscard]] Uv<Real> place(const AnyHit<Real>& hit) const {
-    if constexpr (requires { mapping(hit); })
+    if constexpr (requires { mapping(hit); }) {
       return mapping(hit);
-    else
+    } else {
       return mapping(hit.normal);
+    }
   }
 };
 
