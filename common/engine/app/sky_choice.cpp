@@ -14,6 +14,7 @@ SkyNoise noise_of(const SkyLight& sky) {
   if (sky.is_constant() || !(sky.sampler.total() > 0)) return {.uniform = 1};
   const LightImage& map = sky.picture.map();
   std::vector<OnCircle<double>> around;
+  around.reserve(static_cast<std::size_t>(map.width));
   for (int column = 0; column < map.width; ++column)
     around.push_back(on_circle(0.5 - (column + 0.5) / map.width));
   std::array<double, 6> light{};

@@ -57,9 +57,10 @@ int index_of(std::string_view word, std::size_t entries, const char* what) {
   const auto count = static_cast<long long>(entries);
   const long long from_zero = index < 0 ? count + index : index - 1;
   if (index == 0) throw FileError("the index 0: indices begin at 1");
-  if (from_zero < 0 || from_zero >= count)
+  if (from_zero < 0 || from_zero >= count) {
     throw FileError("the index " + quoted(word) + ", but only " + std::to_string(count) + " " +
                     what + " come before it");
+  }
   return static_cast<int>(from_zero);
 }
 
@@ -111,9 +112,10 @@ class ObjReader {
     const std::string_view rest = word.substr(std::min(slash + 1, word.size()));
     const std::string_view uv = rest.substr(0, rest.find('/'));
     const int point = index_of(word.substr(0, slash), result_.mesh.points.size(), "points (v)");
-    if (uv.empty())
+    if (uv.empty()) {
       throw FileError("the corner " + quoted(word) +
                       " has no texture coordinates: export the mesh with them");
+    }
     const int at = index_of(uv, uvs_.size(), "texture coordinates (vt)");
     if (const std::size_t second = rest.find('/'); second != std::string_view::npos) {
       const std::string_view normal = rest.substr(second + 1);

@@ -153,8 +153,9 @@ Image convert_projection(const Image& image, Projection from, Projection to,
       const int n = places_for(light, from, to, center, size);
       Color<double> sum{};
       for (int k = 0; k < n * n; ++k) {
-        const Uv<double> uv{(column + (k % n + 0.5) / n) / size.width,
-                            1 - (row + (k / n + 0.5) / n) / size.height};
+        const int across = k % n, down = k / n;
+        const Uv<double> uv{(column + (across + 0.5) / n) / size.width,
+                            1 - (row + (down + 0.5) / n) / size.height};
         const Vec3<double> direction = unproject(to, uv);
         if (from == Projection::plane && direction.y < 0) continue;
         sum = sum + light_at(light, from, project(from, direction));

@@ -120,9 +120,10 @@ class Reader {
       return size;
     const bool other_way = line.size() > 2 && (line[0] == '+' || line[0] == '-') &&
                            (line[1] == 'X' || line[1] == 'Y') && line.find("-Y") != 0;
-    if (other_way)
+    if (other_way) {
       throw FileError("its rows run as " + printable(line) +
                       " says, and only -Y +X can be read; Radiance's ra_rgbe or pflip turns it");
+    }
     damaged("its size " + printable(line) + " is not of the form -Y height +X width");
   }
 
@@ -157,9 +158,10 @@ class Reader {
     while (x < texels.size()) {
       const std::size_t code = take_byte(row);
       const std::size_t count = code > 128 ? code - 128 : code;
-      if (count == 0 || count > texels.size() - x)
+      if (count == 0 || count > texels.size() - x) {
         damaged("a run of " + std::to_string(count) + " texels does not fit into row " +
                 std::to_string(row));
+      }
       if (code > 128) {
         const std::uint8_t value = take_byte(row);
         for (std::size_t i = 0; i < count; ++i) texels[x++][channel] = value;
@@ -184,9 +186,10 @@ class Reader {
         continue;
       }
       const std::size_t count = std::size_t{texel[3]} << shift;
-      if (x == 0 || count > texels.size() - x || shift > 16)
+      if (x == 0 || count > texels.size() - x || shift > 16) {
         damaged("a run of " + std::to_string(count) + " texels does not fit into row " +
                 std::to_string(row));
+      }
       std::fill_n(texels.begin() + static_cast<std::ptrdiff_t>(x), count, texels[x - 1]);
       x += count;
       shift += 8;
