@@ -47,14 +47,14 @@ bool has_shape(const Image& image, Projection projection) {
          (aspect != 1.5 || (image.width % 3 == 0 && image.height % 2 == 0));
 }
 
-/// The layout of the same shape and the same seams: the one with the smoother inner edges.
+/// The other layout with the same shape and the same seams, if there is one.
 std::optional<Projection> twin_of(Projection projection) {
   if (projection == Projection::cube) return Projection::equi_angular;
   if (projection == Projection::octahedral) return Projection::equal_area;
   return std::nullopt;
 }
 
-/// The color around the plane's disk is one color, and the disk is not.
+/// True if all around the plane's disk is one color, and the disk is not.
 bool is_disk(const Image& image) {
   Spread spread;
   for (const Rgb8& p : image.pixels) spread.add(p);

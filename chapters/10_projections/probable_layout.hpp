@@ -10,20 +10,20 @@ namespace texmap::chapter_10 {
 
 /// How well a picture goes on where a layout says that it does.
 struct SeamFigures {
-  double inside = 0;  ///< mean square difference of neighbors beside the seams
-  double across = 0;  ///< the same across the seams
-  double spread = 0;  ///< mean square difference of any two texels beside the seams
+  double inside = 0;  ///< mean square difference of neighbors on one side of a seam
+  double across = 0;  ///< of neighbors across a seam
+  double spread = 0;  ///< of any two texels next to the seams
 };
 [[nodiscard]] SeamFigures seam_figures(const Image& image, Projection projection);
 
-/// How likely the picture's slopes are in this layout, if on the sphere they are equally steep at
-/// every place and in every direction: the mean logarithm over the texels. To be compared with the
-/// value for the twin layout, which has the same seams and other distortions.
+/// How likely the picture is in this layout if its colors change equally fast everywhere on the
+/// sphere and in every direction: the mean logarithm of the likelihood over the texels. It decides
+/// between two layouts with the same seams, such as the cube and the equi-angular cube.
 [[nodiscard]] double likelihood(const Image& image, Projection projection);
 
-/// The layout that fits: its shape is the picture's; its seams match, although neighbors differ
-/// less than any two texels of the seams; and of two twins it makes the picture more likely.
-/// Nothing otherwise: for noise, for one color, for most pictures that are not of a sphere.
+/// The layout that has the picture's shape and whose seams match: neighbors across a seam differ
+/// much less than any two texels next to it. Of two layouts with the same seams, the likelier one.
+/// Nothing for noise, for one color and for most pictures that do not show a sphere.
 [[nodiscard]] std::optional<Projection> probable_layout(const Image& image);
 
 /// What the layout of a file probably is, and the figures for each layout that has its shape.

@@ -1,5 +1,5 @@
-// What chapters 09 and 12 let you choose, measured beside the rest: filters of textures, and
-// ways to light by a sky.
+// The error and the time of chapter 09's texture filters and of chapter 12's ways to use a sky as
+// light.
 #include "fronts.hpp"
 
 #include "09_texture_filtering/comparison.hpp"
