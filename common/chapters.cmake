@@ -81,6 +81,34 @@ if(TEXMAP_LEARN)
   target_precompile_headers(learn_headers PRIVATE "${CMAKE_SOURCE_DIR}/common/engine/app/precompiled.hpp")
 endif()
 
+# draw_picture(NN_name [option ...]): the target draw_NN_name draws the chapter's picture into the gallery, again only when the program
+# or an asset has changed.
+function(draw_picture name)
+  file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
+  set(picture "${GALLERY}/${name}.png")
+  add_custom_command(OUTPUT "${picture}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"
+    COMMAND ${name} --out "${picture}" ${ARGN}
+    DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
+  add_custom_target(draw_${name} DEPENDS "${picture}")
+endfunction()
+
+# add_one_file(NAME SOURCE [CHAPTER]): the program bin/NAME from one file of plain C++ that uses nothing of common/. CHAPTER: it is a
+# chapter of its own, with a picture, and SOURCE is in its folder; else its folder is another chapter's.
+function(add_one_file name source)
+  cmake_parse_arguments(ARG "CHAPTER" "" "" ${ARGN})
+  get_filename_component(source "${CMAKE_SOURCE_DIR}/chapters/${name}/${source}" ABSOLUTE)
+  add_executable(${name} "${source}")
+  target_link_libraries(${name} PRIVATE project_options stb_image stb_image_write)
+  if(TAKES_GNU_OPTIONS)  # all of it is one file; options of a source come after those of its program
+    set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS -Wno-missing-declarations)
+  endif()
+  if(ARG_CHAPTER)
+    set_property(GLOBAL APPEND PROPERTY CHAPTERS ${name})
+    draw_picture(${name})
+  endif()
+endfunction()
+
 # add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [SOURCES ...] [CODE_OF ...]): the program
 # bin/NN_name from NN_name/main.cpp in TEXMAP_CHAPTERS, and its picture.
 # ON names libraries besides `app`. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
@@ -133,20 +161,13 @@ function(add_chapter name)
   endif()
   set_property(GLOBAL APPEND PROPERTY CHAPTERS ${name})
 
-  # Drawn again only when the program or an asset has changed.
-  file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
-  set(picture "${GALLERY}/${name}.png")
-  add_custom_command(OUTPUT "${picture}"
-    COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"
-    COMMAND ${name} --out "${picture}" ${ARG_DRAWN_WITH}
-    DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
-  set(pictures "${picture}")
+  draw_picture(${name} ${ARG_DRAWN_WITH})
   if(ARG_ALSO_DRAWS)
     list(POP_FRONT ARG_ALSO_DRAWS stem first_file)
     add_custom_command(OUTPUT "${GALLERY}/${first_file}"
       COMMAND ${name} --quiet --out "${GALLERY}/${stem}" ${ARG_ALSO_DRAWS}
       DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
-    list(APPEND pictures "${GALLERY}/${first_file}")
+    add_custom_target(draw_${name}_also DEPENDS "${GALLERY}/${first_file}")
+    add_dependencies(draw_${name} draw_${name}_also)
   endif()
-  add_custom_target(draw_${name} DEPENDS ${pictures})
 endfunction()

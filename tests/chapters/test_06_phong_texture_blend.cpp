@@ -7,6 +7,7 @@
 #include "engine/picture/load_image.hpp"
 #include "support/lecture_program.hpp"
 #include "support/pictures.hpp"
+#include "support/running.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -214,4 +215,17 @@ TEST_CASE(
   CHECK(chosen.layout.convention == Convention::daily);
   CHECK(chosen.phong.shininess == 5);
   CHECK(chosen.turn.degrees == 3);
+}
+
+TEST_CASE("the lecture's scene in one file is the picture of --scene lecture") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "one.png";
+  const Outcome outcome =
+      run("\"" TEXMAP_ONE_FILE "\" --texture \"" TEXMAP_ASSETS_DIR "/earth.png\" --out \"" + file +
+          "\"");
+  REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
+  const Image expected = picture(prepared<Lesson>({"--scene", "lecture"}), 800, 400);
+  // At u = 1/8 and 7/8 two pixels' centers lie on the edge between two texels: rounding decides.
+  CHECK(count_different(load_image(file), expected) <= 2);
+  CHECK(count_different(load_image(file), expected, 1) == 0);
 }

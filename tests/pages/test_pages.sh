@@ -46,7 +46,10 @@ mkdir -p "$work/out"
 names=""
 for folder in "$chapters"/[0-9][0-9]_*/; do
   name=$(basename "$folder")
-  "$bin/$name" --quiet --width 160 --height 120 --out "$work/out/$name.png"
+  case "$name" in
+    00_*) "$bin/$name" --out "$work/out/$name.png" ;;
+    *) "$bin/$name" --quiet --width 160 --height 120 --out "$work/out/$name.png" ;;
+  esac
   names="$names${names:+;}$name"
 done
 "$bin/05_y_rotation" --quiet --width 80 --height 60 --turntable 4 --out "$work/out/05_y_rotation.png"

@@ -1,0 +1,165 @@
+#include "drawing.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+namespace texmap::diagrams {
+namespace {
+
+// A drawing in an <img> has styles of its own and knows whether the reader's page is dark.
+constexpr const char* style_sheet = R"(
+svg {
+  color-scheme: light dark;
+  --ink: #1b1f24; --soft: #8a919b; --blue: #0b5cad; --red: #b3261e; --green: #1a7040;
+}
+@media (prefers-color-scheme: dark) {
+  svg { --ink: #e8eaed; --soft: #8f98a3; --blue: #7fb7ff; --red: #ff9a8f; --green: #74d39c; }
+}
+line, polyline, path, rect, circle {
+  fill: none; stroke-width: 1.6; stroke-linecap: round; stroke-linejoin: round;
+}
+.ink { stroke: var(--ink); }
+.blue { stroke: var(--blue); }
+.red { stroke: var(--red); }
+.green { stroke: var(--green); }
+.soft { stroke: var(--soft); stroke-width: 1; }
+.thick { stroke-width: 3; }
+.dashed { stroke-dasharray: 4 4; opacity: .7; }
+.fill-ink { fill: var(--ink); stroke: none; }
+.fill-soft { fill: var(--soft); fill-opacity: .22; stroke: none; }
+.fill-blue { fill: var(--blue); fill-opacity: .22; stroke: none; }
+.fill-red { fill: var(--red); fill-opacity: .22; stroke: none; }
+.fill-green { fill: var(--green); fill-opacity: .22; stroke: none; }
+.dot { fill-opacity: 1; }
+text, text.blue, text.red, text.green, text.soft { stroke: none; }
+text { font: 15px system-ui, sans-serif; fill: var(--ink); }
+text.small { font-size: 13px; }
+text.strong { font-weight: 600; }
+text.blue { fill: var(--blue); }
+text.red { fill: var(--red); }
+text.green { fill: var(--green); }
+text.soft { fill: var(--soft); }
+)";
+
+/// A coordinate with at most two decimals: enough for a screen, and the same on every machine.
+std::string number(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", x);
+  std::string rounded = text.data();
+  while (rounded.back() == '0') rounded.pop_back();
+  if (rounded.back() == '.') rounded.pop_back();
+  return rounded == "-0" ? "0" : rounded;
+}
+
+std::string escaped(const std::string& words) {
+  std::string safe;
+  for (const char c : words) {
+    if (c == '&') {
+      safe += "&amp;";
+    } else if (c == '<') {
+      safe += "&lt;";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string points(const std::vector<Spot>& spots) {
+  std::string list;
+  for (const Spot& spot : spots) {
+    if (!list.empty()) list += ' ';
+    list += number(spot.x) + "," + number(spot.y);
+  }
+  return list;
+}
+
+}  // namespace
+
+Drawing::Drawing(std::string name, int width, int height, std::string title,
+                 std::string description)
+    : name_(std::move(name)),
+      width_(width),
+      height_(height),
+      title_(std::move(title)),
+      description_(std::move(description)) {}
+
+void Drawing::line(Spot from, Spot to, const std::string& style) {
+  body_ += "<line class=\"" + style + "\" x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) +
+           "\" x2=\"" + number(to.x) + "\" y2=\"" + number(to.y) + "\"/>\n";
+}
+
+void Drawing::arrow(Spot from, Spot to, const std::string& style) {
+  const Spot along = to - from;
+  const double length = std::hypot(along.x, along.y);
+  const Spot unit = along * (1 / length);
+  const Spot across{-unit.y, unit.x};
+  const Spot neck = to - unit * 9;
+  line(from, neck, style);
+  // The head is filled with the line's color: its class says which.
+  std::string head = "dot fill-";
+  head += style.substr(0, style.find(' '));
+  area({to, neck + across * 4, neck - across * 4}, head);
+}
+
+void Drawing::curve(const std::vector<Spot>& through, const std::string& style) {
+  body_ += "<polyline class=\"" + style + "\" points=\"" + points(through) + "\"/>\n";
+}
+
+void Drawing::area(const std::vector<Spot>& corners, const std::string& style) {
+  body_ += "<polygon class=\"" + style + "\" points=\"" + points(corners) + "\"/>\n";
+}
+
+void Drawing::rectangle(Spot corner, double width, double height, const std::string& style) {
+  body_ += "<rect class=\"" + style + "\" x=\"" + number(corner.x) + "\" y=\"" + number(corner.y) +
+           "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\"/>\n";
+}
+
+void Drawing::circle(Spot center, double radius, const std::string& style) {
+  body_ += "<circle class=\"" + style + "\" cx=\"" + number(center.x) + "\" cy=\"" +
+           number(center.y) + "\" r=\"" + number(radius) + "\"/>\n";
+}
+
+void Drawing::dot(Spot center, const std::string& style) { circle(center, 4, style + " dot"); }
+
+void Drawing::arc(Spot center, double radius, double from_degrees, double to_degrees,
+                  const std::string& style) {
+  std::vector<Spot> through;
+  const int pieces = 48;
+  for (int i = 0; i <= pieces; ++i) {
+    const double degrees = from_degrees + (to_degrees - from_degrees) * i / pieces;
+    const double angle = degrees * std::numbers::pi / 180;
+    through.push_back(center + Spot{std::cos(angle), -std::sin(angle)} * radius);
+  }
+  curve(through, style);
+}
+
+void Drawing::text(Spot at, const std::string& words, Anchor anchor, const std::string& style) {
+  constexpr std::array names{"start", "middle", "end"};
+  body_ += "<text class=\"" + style + "\" x=\"" + number(at.x) + "\" y=\"" + number(at.y) +
+           "\" text-anchor=\"" + names.at(static_cast<std::size_t>(anchor)) + "\">" +
+           escaped(words) + "</text>\n";
+}
+
+std::string Drawing::svg() const {
+  const std::string size = std::to_string(width_) + " " + std::to_string(height_);
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 " + size +
+         "\" width=\"" + std::to_string(width_) + "\" height=\"" + std::to_string(height_) +
+         "\">\n<title>" + escaped(title_) + "</title>\n<desc>" + escaped(description_) +
+         "</desc>\n<style>" + style_sheet + "</style>\n" + body_ + "</svg>\n";
+}
+
+SpaceView::SpaceView(const Vec3d& from, Spot center, double scale)
+    : toward_(normalize(from)), center_(center), scale_(scale) {
+  right_ = normalize(cross(Vec3d{0, 1, 0}, toward_));
+  up_ = cross(toward_, right_);
+}
+
+Spot SpaceView::operator()(const Vec3d& p) const {
+  return center_ + Spot{dot(right_, p), -dot(up_, p)} * scale_;
+}
+
+}  // namespace texmap::diagrams

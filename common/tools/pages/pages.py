@@ -1,0 +1,224 @@
+#!/usr/bin/env python3
+"""What the pages take from elsewhere: pieces of code, and measured figures. Text and code cannot drift apart.
+
+usage: pages.py ROOT --check|--write|--self-test
+
+In a page, a mark stands before a block of code, and the block is what the source has:
+
+    <!-- code: texture/uv.hpp uv_rtiow -->
+    <!-- code: scene/nearest.hpp color_along from "Nearest<Real> nearest" to "background(ray)" -->
+    <!-- code: lesson.hpp Lesson::prepare -->
+
+The path is that of a file beside the page, or in common/, or in the whole tree. The name is that of a function, a structure, an
+enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the first after
+it that holds the other. A figure stands between two marks inside a line, and is the value of its name in docs/figures.txt:
+
+    half of the texels are seen, <!-- figure: 03.texels_a_pixel -->83<!-- end --> for each pixel
+"""
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+CODE = re.compile(r'^<!-- code: (?P<file>\S+) (?P<name>[\w:~()]+)'
+                  r'(?: from "(?P<first>[^"]*)" to "(?P<last>[^"]*)")? -->$')
+FIGURE = re.compile(r'<!-- figure: (?P<name>[\w.]+) -->(?P<value>.*?)<!-- end -->')
+FIGURES = 'docs/figures.txt'  # lines of a name, a blank and the value
+
+
+class Fault(Exception):
+    pass
+
+
+def pages_of(root):
+    """All pages that may hold marks."""
+    return sorted([root / 'README.md', *root.glob('chapters/*/README.md'), *root.glob('docs/*.md')])
+
+
+def find_source(root, page, name):
+    for folder in (page.parent, root / 'common', root):
+        if (folder / name).is_file():
+            return folder / name
+    raise Fault(f'there is no file {name}')
+
+
+def blanked(lines):
+    """The lines with comments and texts blanked out, so that braces can be counted."""
+    def blank(match):
+        return ' ' * len(match.group(0))
+    return [re.sub(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//.*', blank, line) for line in lines]
+
+
+def end_of(plain, start):
+    """The line on which the definition that begins at `start` ends: braces are closed, and a semicolon or a brace comes last."""
+    depth = 0
+    opened = False
+    for i in range(start, len(plain)):
+        depth += plain[i].count('{') + plain[i].count('(') - plain[i].count('}') - plain[i].count(')')
+        opened = opened or '{' in plain[i]
+        text = plain[i].rstrip()
+        if depth == 0 and (text.endswith(';') or (opened and text.endswith('}'))):
+            return i
+    raise Fault('a definition does not end')
+
+
+def definition(lines, plain, name, first, last):
+    """First and last line of what defines `name` between two lines."""
+    word = re.escape(name)
+    patterns = [rf'^\s*(struct|class|enum class|enum) {word}\b(?!;)',  # a type
+                rf'^\s*using {word} =',
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\([^;]*$',  # a function whose first line does not end it
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\(.*\{{.*\}}$',  # a function on one line
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}(\{{| = |;)']  # a constant, a variable, a member
+    for pattern in patterns:
+        for i in range(first, last + 1):
+            if re.match(pattern, plain[i]):
+                end = end_of(plain, i)
+                start = i
+                while start > first and re.match(r'^\s*template <|^\s*requires', lines[start - 1]):
+                    start -= 1
+                return start, end
+    raise Fault(f'nothing is named {name}')
+
+
+def code_of(root, page, mark):
+    lines = find_source(root, page, mark['file']).read_text(encoding='utf-8').splitlines()
+    plain = blanked(lines)
+    first, last = 0, len(lines) - 1
+    for name in mark['name'].split('::'):
+        first, last = definition(lines, plain, name, first, last)
+    if mark['first'] is not None:
+        begin = next((i for i in range(first, last + 1) if mark['first'] in lines[i]), None)
+        if begin is None:
+            raise Fault(f'{mark["name"]} has no line with "{mark["first"]}"')
+        end = next((i for i in range(begin, last + 1) if mark['last'] in lines[i]), None)
+        if end is None:
+            raise Fault(f'{mark["name"]} has no line with "{mark["last"]}" after that with "{mark["first"]}"')
+        first, last = begin, end
+    piece = lines[first:last + 1]
+    indent = min(len(line) - len(line.lstrip()) for line in piece if line.strip())
+    return [line[indent:] for line in piece]
+
+
+def renewed(root, page, figures, used):
+    """The page's text with what its marks ask for."""
+    out = []
+    lines = iter(enumerate(page.read_text(encoding='utf-8').split('\n'), 1))
+    for number, line in lines:
+        def value(match):
+            name = match['name']
+            if name not in figures:
+                raise Fault(f'{FIGURES} has no figure {name}')
+            used.add(name)
+            return f'<!-- figure: {name} -->{figures[name]}<!-- end -->'
+        try:
+            out.append(FIGURE.sub(value, line))
+            if line.startswith('<!-- code:'):
+                mark = CODE.match(line)
+                if not mark:
+                    raise Fault('this mark is not of the form <!-- code: FILE NAME [from "A" to "B"] -->')
+                if next(lines)[1] != '```cpp':
+                    raise Fault('after the mark comes a line with ```cpp')
+                out += ['```cpp', *code_of(root, page, mark), '```']
+                while next(lines)[1] != '```':
+                    pass
+            elif '<!-- figure:' in FIGURE.sub('', line):
+                raise Fault('a figure lacks its <!-- end --> on the same line')
+        except Fault as fault:
+            raise Fault(f'{page.relative_to(root)}:{number}: {fault}') from None
+        except StopIteration:
+            raise Fault(f'{page.relative_to(root)}:{number}: the block of code does not end') from None
+    return '\n'.join(out)
+
+
+def run(root, write):
+    figures = dict(line.split(' ', 1) for line in (root / FIGURES).read_text(encoding='utf-8').splitlines())
+    used = set()
+    faults = []
+    changed = 0
+    for page in pages_of(root):
+        try:
+            text = renewed(root, page, figures, used)
+        except Fault as fault:
+            faults.append(str(fault))
+            continue
+        if text != page.read_text(encoding='utf-8'):
+            changed += 1
+            if write:
+                page.write_text(text, encoding='utf-8')
+            else:
+                faults.append(f'{page.relative_to(root)} shows other code or figures than there are: run ./course pages --write')
+    if not write:
+        faults += [f'{FIGURES}: no page shows {name}' for name in figures if name not in used]
+    for fault in faults:
+        print(f'FAIL: {fault}', file=sys.stderr)
+    print(f'{len(pages_of(root))} pages, {len(used)} figures, {changed} {"renewed" if write else "stale"}')
+    return 1 if faults else 0
+
+
+def self_test():
+    """A page is renewed, and what is wrong with it is said."""
+    work = pathlib.Path(tempfile.mkdtemp())
+    try:
+        (work / 'docs').mkdir()
+        (work / 'common/texture').mkdir(parents=True)
+        (work / 'chapters').mkdir()
+        (work / 'common/texture/uv.hpp').write_text(
+            '/// Doc with { a brace.\ntemplate <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n'
+            '  }\n  return half(x);\n}\nstruct Kind {\n  int n = 3;\n  int twice() const { return 2 * n; }\n};\n'
+            'inline constexpr int few = 3;\n', encoding='utf-8')
+        (work / FIGURES).write_text('02.n 76\n', encoding='utf-8')
+        readme = work / 'README.md'
+
+        def renew(text):
+            readme.write_text(text, encoding='utf-8')
+            return renewed(work, readme, {'02.n': '76'}, set())
+
+        def refused(text, why):
+            try:
+                renew(text)
+            except Fault as fault:
+                assert why in str(fault), str(fault)
+                return
+            raise AssertionError(f'not refused: {text}')
+
+        def block(mark, code=''):
+            return f'<!-- code: texture/uv.hpp {mark} -->\n```cpp\n{code}```\n'
+
+        whole = 'template <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n  }\n  return half(x);\n}\n'
+        assert renew(block('half')) == block('half', whole)
+        assert renew(block('half', 'old\n')) == block('half', whole)
+        part = 'half from "if (x)" to "}"'
+        assert renew(block(part)) == block(part, 'if (x) {\n  return x / 2;\n}\n')
+        assert renew(block('Kind::twice')) == block('Kind::twice', 'int twice() const { return 2 * n; }\n')
+        assert renew(block('Kind::n')) == block('Kind::n', 'int n = 3;\n')
+        assert renew(block('few')) == block('few', 'inline constexpr int few = 3;\n')
+        assert renew('a <!-- figure: 02.n -->1<!-- end --> b') == 'a <!-- figure: 02.n -->76<!-- end --> b'
+        refused(block('third'), 'nothing is named third')
+        refused(block('half from "while" to "}"'), 'has no line with "while"')
+        refused('<!-- code: texture/none.hpp half -->\n```cpp\n```', 'there is no file texture/none.hpp')
+        refused('<!-- code: texture/uv.hpp half -->\n\n```cpp\n```', 'comes a line with ```cpp')
+        refused('<!-- code: texture/uv.hpp half -->\n```cpp\n', 'does not end')
+        refused('<!-- figure: 02.m -->1<!-- end -->', 'has no figure 02.m')
+        refused('<!-- figure: 02.n -->1', 'lacks its')
+        renew(block('half', 'old\n'))
+        assert run(work, False) == 1
+        renew('<!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
+        assert run(work, False) == 1 and run(work, True) == 0 and run(work, False) == 0
+        assert '76' in readme.read_text(encoding='utf-8')
+    finally:
+        shutil.rmtree(work)
+    print('marks are renewed, and what is wrong with one is said')
+    return 0
+
+
+def main():
+    if len(sys.argv) != 3 or sys.argv[2] not in ('--check', '--write', '--self-test'):
+        print('usage: pages.py ROOT --check|--write|--self-test', file=sys.stderr)
+        return 2
+    return self_test() if sys.argv[2] == '--self-test' else run(pathlib.Path(sys.argv[1]).resolve(), sys.argv[2] == '--write')
+
+
+if __name__ == '__main__':
+    sys.exit(main())

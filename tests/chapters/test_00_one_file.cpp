@@ -1,0 +1,42 @@
+// Chapter 00: one file of plain C++ draws what chapters 01 and 02 draw with the common code.
+#include <doctest.h>
+
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "engine/picture/load_image.hpp"
+#include "support/pictures.hpp"
+#include "support/running.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+/// What the program draws with these options.
+Image drawn_by_one_file(const std::string& options = "") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "new folder/picture.png";
+  const Outcome outcome = run("\"" TEXMAP_CHAPTER "\" " + options + " --out \"" + file + "\"");
+  REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
+  return load_image(file);
+}
+
+}  // namespace
+
+TEST_CASE("the file draws chapter 02's picture, and with --plain chapter 01's, pixel for pixel") {
+  const Image checkered = drawn_by_one_file();
+  CHECK(checkered == picture(chapter_02::Lesson{}));
+  const Image plain = drawn_by_one_file("--plain");
+  CHECK(plain == picture(chapter_01::Lesson{}));
+  CHECK(count_different(plain, checkered) > 100000);
+}
+
+TEST_CASE("an option that is not there is refused, and so is a file that cannot be written") {
+  const Outcome unknown = run("\"" TEXMAP_CHAPTER "\" --help");
+  CHECK(unknown.status == 2);
+  CHECK(unknown.err == "usage: 00_one_file [--plain] [--out FILE.png]\n");
+  const TemporaryFolder folder;
+  const Outcome nowhere = run("\"" TEXMAP_CHAPTER "\" --out \"" + (folder / "") + "\"");
+  CHECK(nowhere.status == 1);
+  CHECK(nowhere.err.find("cannot write") != std::string::npos);
+}

@@ -1,0 +1,1 @@
+// The diagrams of chapter 04 show what its formulas say.

@@ -1,0 +1,1 @@
+// The diagrams of chapter 05 show what its formulas say.

@@ -1,0 +1,1 @@
+// The diagrams of chapter 06 show what its formulas say.

@@ -1,0 +1,1 @@
+// The diagrams of chapter 08 show what its formulas say.

@@ -1,0 +1,1 @@
+// The diagrams of chapter 09 show what its formulas say.

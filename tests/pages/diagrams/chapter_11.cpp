@@ -1,0 +1,1 @@
+// The diagrams of chapter 11 show what its formulas say.

@@ -1,0 +1,1 @@
+// The diagrams of chapter 12 show what its formulas say.

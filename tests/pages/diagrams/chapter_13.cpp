@@ -1,0 +1,1 @@
+// The diagrams of chapter 13 show what its formulas say.

@@ -1,0 +1,60 @@
+# What the pages take from elsewhere: code, measured figures, diagrams. Included by CMakeLists.txt here.
+
+# The figures are those of the reference platform: another C library may round a pixel another way.
+add_executable(page_figures EXCLUDE_FROM_ALL
+  pages/figures/chapter_00.cpp
+  pages/figures/chapter_01.cpp
+  pages/figures/chapter_02.cpp
+  pages/figures/chapter_03.cpp
+  pages/figures/chapter_04.cpp
+  pages/figures/chapter_05.cpp
+  pages/figures/chapter_06.cpp
+  pages/figures/chapter_07.cpp
+  pages/figures/chapter_08.cpp
+  pages/figures/chapter_09.cpp
+  pages/figures/chapter_10.cpp
+  pages/figures/chapter_11.cpp
+  pages/figures/chapter_12.cpp
+  pages/figures/chapter_13.cpp
+  pages/figures/main.cpp)
+target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
+target_link_libraries(page_figures PRIVATE project_options app chapters_code compare)
+set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
+# What an exercise of chapter 00 asks a student to change, so that its answer is a measured one.
+file(READ "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp" one_file)
+string(REPLACE "0.001" "0" without_offset "${one_file}")
+if(without_offset STREQUAL one_file)
+  message(FATAL_ERROR "chapters/00_one_file/main.cpp has no 0.001, which its second exercise replaces")
+endif()
+file(CONFIGURE OUTPUT 00_without_offset.cpp CONTENT "${without_offset}" @ONLY)
+add_executable(00_without_offset EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/00_without_offset.cpp")
+target_link_libraries(00_without_offset PRIVATE stb_image_write)
+target_compile_options(00_without_offset PRIVATE $<$<BOOL:${TAKES_GNU_OPTIONS}>:-ffp-contract=off>)
+add_dependencies(page_figures 00_one_file 00_without_offset)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp")
+target_compile_definitions(page_figures PRIVATE TEXMAP_TESTS_DIR="${CMAKE_CURRENT_SOURCE_DIR}" TEXMAP_ASSETS_DIR="${CMAKE_SOURCE_DIR}/assets"
+  TEXMAP_BIN_DIR="$<TARGET_FILE_DIR:page_figures>")
+if(reference_platform AND NOT TEXMAP_INSTRUMENT)
+  set_target_properties(page_figures PROPERTIES EXCLUDE_FROM_ALL OFF)
+  add_test(NAME page_figures COMMAND page_figures "${CMAKE_SOURCE_DIR}/docs/figures.txt")
+  add_test(NAME page_figures_can_fail COMMAND page_figures "${CMAKE_SOURCE_DIR}/README.md")
+  set_tests_properties(page_figures_can_fail PROPERTIES WILL_FAIL ON)
+  set_tests_properties(page_figures page_figures_can_fail PROPERTIES LABELS pages)
+endif()
+
+if(NOT TEXMAP_INSTRUMENT)
+  set_target_properties(draw_diagrams diagrams PROPERTIES EXCLUDE_FROM_ALL OFF)
+  add_test(NAME diagrams COMMAND draw_diagrams "${CMAKE_SOURCE_DIR}/docs/diagrams" --check)
+  add_test(NAME diagrams_can_fail COMMAND draw_diagrams "${CMAKE_SOURCE_DIR}/docs" --check)
+  set_tests_properties(diagrams_can_fail PROPERTIES WILL_FAIL ON)
+  set_tests_properties(diagrams diagrams_can_fail PROPERTIES LABELS pages)
+  add_suite(pages/test_diagrams ON diagrams LABELS pages)
+  foreach(number 01 02 03 04 05 06 07 08 09 10 11 12 13)
+    target_sources(test_diagrams PRIVATE pages/diagrams/chapter_${number}.cpp)
+  endforeach()
+endif()
+if(PYTHON3)
+  add_test(NAME pages_are_current COMMAND "${PYTHON3}" "${CMAKE_SOURCE_DIR}/common/tools/pages/pages.py" "${CMAKE_SOURCE_DIR}" --check)
+  add_test(NAME pages_script COMMAND "${PYTHON3}" "${CMAKE_SOURCE_DIR}/common/tools/pages/pages.py" "${CMAKE_SOURCE_DIR}" --self-test)
+  set_tests_properties(pages_are_current pages_script PROPERTIES LABELS pages)
+endif()
