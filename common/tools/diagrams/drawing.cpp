@@ -2,9 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <utility>
+
+#include "engine/measure/text.hpp"
 
 namespace texmap::diagrams {
 namespace {
@@ -46,26 +47,10 @@ text.soft { fill: var(--soft); }
 
 /// A coordinate with at most two decimals: enough for a screen, and the same on every machine.
 std::string number(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", x);
-  std::string rounded = text.data();
+  std::string rounded = texmap::text("%.2f", x);
   while (rounded.back() == '0') rounded.pop_back();
   if (rounded.back() == '.') rounded.pop_back();
   return rounded == "-0" ? "0" : rounded;
-}
-
-std::string escaped(const std::string& words) {
-  std::string safe;
-  for (const char c : words) {
-    if (c == '&') {
-      safe += "&amp;";
-    } else if (c == '<') {
-      safe += "&lt;";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
 }
 
 std::string points(const std::vector<Spot>& spots) {
@@ -141,15 +126,17 @@ void Drawing::text(Spot at, const std::string& words, Anchor anchor, const std::
   constexpr std::array names{"start", "middle", "end"};
   body_ += "<text class=\"" + style + "\" x=\"" + number(at.x) + "\" y=\"" + number(at.y) +
            "\" text-anchor=\"" + names.at(static_cast<std::size_t>(anchor)) + "\">" +
-           escaped(words) + "</text>\n";
+           escaped_markup(words) + "</text>\n";
 }
 
 std::string Drawing::svg() const {
   const std::string size = std::to_string(width_) + " " + std::to_string(height_);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 " + size +
-         "\" width=\"" + std::to_string(width_) + "\" height=\"" + std::to_string(height_) +
-         "\">\n<title>" + escaped(title_) + "</title>\n<desc>" + escaped(description_) +
-         "</desc>\n<style>" + style_sheet + "</style>\n" + body_ + "</svg>\n";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+         "viewBox=\"0 0 " +
+         size + "\" width=\"" + std::to_string(width_) + "\" height=\"" + std::to_string(height_) +
+         "\">\n<title>" + escaped_markup(title_) + "</title>\n<desc>" +
+         escaped_markup(description_) + "</desc>\n<style>" + style_sheet + "</style>\n" + body_ +
+         "</svg>\n";
 }
 
 SpaceView::SpaceView(const Vec3d& from, Spot center, double scale)

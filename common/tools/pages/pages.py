@@ -10,8 +10,8 @@ In a page, a mark stands before a block of code, and the block is what the sourc
     <!-- code: lesson.hpp Lesson::prepare -->
 
 The path is that of a file beside the page, or in common/, or in the whole tree. The name is that of a function, a structure, an
-enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the first after
-it that holds the other. A figure stands between two marks inside a line, and is the value of its name in docs/figures.txt:
+enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the next that
+holds the other; if both texts are the same, one line. A figure stands between two marks inside a line, and is the value of its name in docs/figures.txt:
 
     half of the texels are seen, <!-- figure: 03.texels_a_pixel -->83<!-- end --> for each pixel
 """
@@ -92,7 +92,9 @@ def code_of(root, page, mark):
         begin = next((i for i in range(first, last + 1) if mark['first'] in lines[i]), None)
         if begin is None:
             raise Fault(f'{mark["name"]} has no line with "{mark["first"]}"')
-        end = next((i for i in range(begin, last + 1) if mark['last'] in lines[i]), None)
+        # The last line comes after the first one, unless both are one.
+        after = begin if mark['last'] == mark['first'] else begin + 1
+        end = next((i for i in range(after, last + 1) if mark['last'] in lines[i]), None)
         if end is None:
             raise Fault(f'{mark["name"]} has no line with "{mark["last"]}" after that with "{mark["first"]}"')
         first, last = begin, end

@@ -1,10 +1,10 @@
 // The measured figures of the pages, a function for each chapter's. docs/figures.txt holds them.
 #pragma once
-#include <array>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "engine/measure/text.hpp"
 
 namespace texmap::test {
 
@@ -22,19 +22,9 @@ using Figures = std::vector<std::pair<std::string, std::string>>;
   return digits;
 }
 
-/// A number with so many decimals.
-[[nodiscard]] inline std::string decimals(double x, int count) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", count, x);
-  return text.data();
-}
-
-/// A number with so many digits, as in 8.2e-16.
-[[nodiscard]] inline std::string digits(double x, int count) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", count, x);
-  return text.data();
-}
+/// A number with so many decimals; a number with so many digits, as in 8.2e-16.
+[[nodiscard]] inline std::string decimals(double x, int count) { return text("%.*f", count, x); }
+[[nodiscard]] inline std::string digits(double x, int count) { return text("%.*g", count, x); }
 
 void figures_of_00(Figures& figures);
 void figures_of_01(Figures& figures);

@@ -1,0 +1,409 @@
+#include "book.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "engine/measure/json.hpp"
+#include "engine/measure/text.hpp"
+#include "highlight.hpp"
+#include "markdown.hpp"
+
+namespace texmap::book {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.generic_string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.generic_string());
+}
+
+/// A page of the book, made from a page of Markdown.
+struct Page {
+  std::string source;   ///< from the root: chapters/03_image_texture/README.md
+  std::string file;     ///< in the book: 03_image_texture.html
+  std::string chapter;  ///< its folder's name, if it is a chapter's
+  Converted converted{};
+
+  [[nodiscard]] const std::string& title() const { return converted.sections.front().title; }
+};
+
+/// Pages under one heading of the contents.
+struct Part {
+  std::string title;
+  std::vector<std::size_t> pages;  ///< indices
+};
+
+constexpr std::array readers_pages{"docs/symptoms.md", "docs/how_to_change_things.md",
+                                   "docs/glossary.md", "docs/conventions.md", "docs/sources.md"};
+constexpr std::array instructors_pages{"docs/teaching.md", "docs/grading.md"};
+constexpr std::array engineers_pages{
+    "README.md",         "docs/architecture.md", "common/README.md", "docs/numbers.md",
+    "docs/numerics.md",  "docs/measurements.md", "assets/README.md", "docs/known_faults.md",
+    "docs/platforms.md", "docs/packages.md"};
+
+/// chapters/03_image_texture/README.md -> 03_image_texture, docs/numbers.md -> numbers.
+std::string name_of(const fs::path& source) {
+  if (source.filename() != "README.md") return source.stem().string();
+  return source.has_parent_path() ? source.parent_path().filename().string() : "about";
+}
+
+class Book {
+ public:
+  Book(fs::path root, fs::path out) : root_(std::move(root)), out_(std::move(out)) {}
+
+  Report make() {
+    find_pages();
+    for (Page& page : pages_) {
+      page.converted =
+          html_of_markdown(contents_of(root_ / page.source),
+                           [&](const std::string& url) { return resolved(page.source, url); });
+      if (page.converted.sections.empty())
+        throw std::runtime_error(page.source + " does not begin with a title");
+    }
+    check_names();
+    for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
+    write_sources();
+    write_index();
+    write_print();
+    write(out_ / "book.css", contents_of(folder() / "book.css"));
+    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js"));
+    report_.pages = static_cast<int>(pages_.size());
+    return report_;
+  }
+
+ private:
+  [[nodiscard]] fs::path folder() const { return root_ / "common/tools/book"; }
+
+  void add(Part& part, const fs::path& source) {
+    const bool is_chapter = *source.begin() == "chapters";
+    const std::string name = name_of(source);
+    part.pages.push_back(pages_.size());
+    pages_.push_back({source.generic_string(), name + ".html", is_chapter ? name : ""});
+  }
+
+  template <class Sources>
+  void add_part(const std::string& title, const Sources& sources) {
+    Part part{title, {}};
+    for (const auto& source : sources) {
+      if (fs::exists(root_ / source)) add(part, source);
+    }
+    parts_.push_back(part);
+  }
+
+  void find_pages() {
+    std::vector<fs::path> chapters;
+    for (const auto& entry : fs::directory_iterator(root_ / "chapters")) {
+      if (fs::exists(entry.path() / "README.md"))
+        chapters.push_back(fs::relative(entry.path() / "README.md", root_));
+    }
+    std::sort(chapters.begin(), chapters.end());
+    add_part("Chapters", chapters);
+    add_part("When something is wrong, or new", readers_pages);
+    add_part("For instructors", instructors_pages);
+    add_part("For engineers", engineers_pages);
+    std::vector<fs::path> rest;
+    for (const auto& entry : fs::directory_iterator(root_ / "docs")) {
+      const fs::path source = fs::relative(entry.path(), root_);
+      const bool known = std::any_of(pages_.begin(), pages_.end(), [&](const Page& page) {
+        return page.source == source.generic_string();
+      });
+      if (source.extension() == ".md" && !known) rest.push_back(source);
+    }
+    std::sort(rest.begin(), rest.end());
+    for (const fs::path& source : rest) add(parts_.back(), source);
+  }
+
+  /// What an address on a page leads to in the book. What leads nowhere is a fault.
+  std::string resolved(const std::string& from, const std::string& url) {
+    if (url.find("://") != std::string::npos || url.rfind("mailto:", 0) == 0) return url;
+    const std::size_t hash = url.find('#');
+    const std::string anchor = hash == std::string::npos ? "" : url.substr(hash);
+    const std::string file = url.substr(0, hash);
+    if (file.empty()) {
+      named_.push_back({from, from, anchor});
+      return anchor;
+    }
+    fs::path target = (fs::path(from).parent_path() / file).lexically_normal();
+    if (!target.has_filename()) target = target.parent_path();
+    if (fs::is_directory(root_ / target)) target /= "README.md";
+    for (const Page& page : pages_) {
+      if (page.source != target.generic_string()) continue;
+      named_.push_back({from, page.source, anchor});
+      return page.file + anchor;
+    }
+    if (!fs::is_regular_file(root_ / target)) {
+      report_.faults.push_back(from + ": " + url + " leads nowhere");
+      return url;
+    }
+    const std::string extension = target.extension().string();
+    if (extension == ".png" || extension == ".svg" || extension == ".jpg") return picture(target);
+    sources_.insert(target.generic_string());
+    return "source/" + flat(target) + ".html" + anchor;
+  }
+
+  static std::string flat(const fs::path& path) {
+    std::string name = path.generic_string();
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
+  }
+
+  std::string picture(const fs::path& target) {
+    // A golden picture is one that a chapter's program draws: if it has, that one is shown.
+    const std::string drawn = target.filename().string();
+    if (target.parent_path() == "tests/golden" && fs::exists(out_ / drawn)) return drawn;
+    const std::string place = "pictures/" + flat(target);
+    if (pictures_.insert(place).second) {
+      fs::create_directories(out_ / "pictures");
+      fs::copy_file(root_ / target, out_ / place, fs::copy_options::overwrite_existing);
+      ++report_.pictures;
+    }
+    return place;
+  }
+
+  /// Every # of a link within the book names a heading.
+  void check_names() {
+    for (const auto& [from, to, anchor] : named_) {
+      if (anchor.empty()) continue;
+      const auto page = std::find_if(pages_.begin(), pages_.end(),
+                                     [&to = to](const Page& p) { return p.source == to; });
+      const auto& sections = page->converted.sections;
+      const bool found = std::any_of(
+          sections.begin(), sections.end(),
+          [&anchor = anchor](const Section& section) { return "#" + section.id == anchor; });
+      if (!found) report_.faults.push_back(from + ": " + to + " has no heading " + anchor);
+    }
+  }
+
+  [[nodiscard]] std::string contents(std::size_t current) const {
+    std::string html;
+    for (const Part& part : parts_) {
+      html += "<h2>" + escaped_markup(part.title) + "</h2>\n<ul>\n";
+      for (const std::size_t i : part.pages) {
+        const Page& page = pages_[i];
+        html += "<li><a href=\"" + page.file + "\"" +
+                (i == current ? " aria-current=\"page\"" : "") + ">" +
+                escaped_markup(page.title()) + "</a></li>\n";
+      }
+      html += "</ul>\n";
+    }
+    return html;
+  }
+
+  /// A whole HTML page.
+  /// @param up  the way from it to the book's folder: "" or "../"
+  [[nodiscard]] std::string framed(const std::string& title, const std::string& body,
+                                   std::size_t current, const std::string& up = "") const {
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>" +
+        escaped_markup(title) + "</title>\n<link rel=\"stylesheet\" href=\"" + up +
+        "book.css\">\n<link rel=\"icon\" href=\"data:,\">\n</head>\n<body>\n"
+        "<a class=\"skip\" href=\"#main\">To the text</a>\n<header>\n<a class=\"home\" href=\"" +
+        up + "index.html\">Texture Mapping, Step by Step</a>\n";
+    if (up.empty()) {
+      html +=
+          "<div class=\"search\"><input id=\"search\" type=\"search\" placeholder=\"Search (press "
+          "/)\" "
+          "aria-label=\"Search the book\" autocomplete=\"off\"><ul id=\"found\" "
+          "hidden></ul></div>\n";
+    }
+    html += "</header>\n<div class=\"columns\">\n";
+    if (up.empty()) {
+      html +=
+          "<nav class=\"contents\" aria-label=\"Contents\"><details "
+          "open><summary>Contents</summary>\n" +
+          contents(current) + "</details></nav>\n";
+    }
+    html += "<main id=\"main\">\n" + body + "</main>\n</div>\n";
+    if (up.empty()) html += "<script src=\"book.js\"></script>\n";
+    return html + "</body>\n</html>\n";
+  }
+
+  /// What the course's programs made for a chapter: its step, its turntable, its plots.
+  [[nodiscard]] std::string made_for(const std::string& chapter) const {
+    std::string html;
+    const std::string number = chapter.substr(0, 2);
+    if (fs::is_directory(out_ / "diff")) {
+      for (const auto& entry : fs::directory_iterator(out_ / "diff")) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() == 5 && name.substr(3) == number && fs::exists(entry.path() / "index.html"))
+          html += "<p><a href=\"diff/" + name + "/index.html\">What changed from chapter " +
+                  name.substr(0, 2) + " to chapter " + number +
+                  ": pictures, figures, code</a></p>\n";
+      }
+    }
+    std::vector<std::string> frames, plots;
+    if (fs::is_directory(out_)) {
+      for (const auto& entry : fs::directory_iterator(out_)) {
+        const std::string name = entry.path().filename().string();
+        if (name.rfind(chapter + "_", 0) != 0) continue;
+        const std::string rest = name.substr(chapter.size() + 1);
+        if (rest.size() == 7 && entry.path().extension() == ".png") frames.push_back(name);
+        if (entry.path().extension() == ".svg") plots.push_back(name);
+      }
+    }
+    std::sort(frames.begin(), frames.end());
+    std::sort(plots.begin(), plots.end());
+    if (!frames.empty()) {
+      std::string list;
+      for (const std::string& frame : frames) list += (list.empty() ? "" : " ") + frame;
+      html += "<figure><img src=\"" + frames.front() +
+              "\" alt=\"The globe, turning\"><figcaption><button type=\"button\" "
+              "data-frames=\"" +
+              list + "\">Turn the globe</button></figcaption></figure>\n";
+    }
+    for (const std::string& plot : plots)
+      html += "<p><a href=\"" + plot + "\">Measured on this machine: " + escaped_markup(plot) +
+              "</a></p>\n";
+    return html.empty() ? html
+                        : "<section class=\"made\" aria-label=\"Made by your programs\">\n" + html +
+                              "</section>\n";
+  }
+
+  void write_page(std::size_t i) {
+    const Page& page = pages_[i];
+    std::string body = page.converted.html;
+    if (!page.chapter.empty()) body += made_for(page.chapter);
+    body += "<nav class=\"turn\" aria-label=\"Next and previous page\">";
+    if (i > 0)
+      body += "<a rel=\"prev\" href=\"" + pages_[i - 1].file + "\">← " +
+              escaped_markup(pages_[i - 1].title()) + "</a>";
+    if (i + 1 < pages_.size())
+      body += "<a rel=\"next\" href=\"" + pages_[i + 1].file + "\">" +
+              escaped_markup(pages_[i + 1].title()) + " →</a>";
+    body += "</nav>\n";
+    write(out_ / page.file, framed(page.title(), body, i));
+  }
+
+  void write_sources() {
+    for (const std::string& source : sources_) {
+      const std::string extension = fs::path(source).extension().string();
+      const bool is_cpp = extension == ".hpp" || extension == ".cpp";
+      const std::string body = "<h1>" + escaped_markup(source) + "</h1>\n" +
+                               highlighted_file(contents_of(root_ / source), is_cpp);
+      write(out_ / "source" / (flat(source) + ".html"), framed(source, body, pages_.size(), "../"));
+      ++report_.sources;
+    }
+  }
+
+  void write_index() {
+    std::string body =
+        "<h1>Texture Mapping, Step by Step</h1>\n"
+        "<p>How a picture is wrapped round a surface, in a ray tracer that is small enough to "
+        "read. Each chapter is one "
+        "program that adds one idea to the chapter before it.</p>\n<div class=\"cards\">\n";
+    for (const Page& page : pages_) {
+      if (page.chapter.empty()) continue;
+      const std::string drawn = page.chapter + ".png";
+      const fs::path golden = "tests/golden/" + drawn;
+      std::string shown;
+      if (fs::exists(out_ / drawn)) {
+        shown = drawn;
+      } else if (fs::exists(root_ / golden)) {
+        shown = picture(golden);
+      }
+      body += "<a class=\"card\" href=\"" + page.file + "\">";
+      if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";
+      body += "<span>" + escaped_markup(page.title()) + "</span></a>\n";
+    }
+    write(out_ / "index.html",
+          framed("Texture Mapping, Step by Step", body + "</div>\n", pages_.size()));
+  }
+
+  /// The pages of students and instructors in one, for paper: answers are open, and links within it
+  /// lead to places of this page.
+  void write_print() {
+    std::string body = "<h1>Texture Mapping, Step by Step</h1>\n";
+    std::size_t printed = pages_.size() - parts_.back().pages.size();
+    for (const Page& page : pages_) {
+      if (printed-- == 0) break;
+      std::string html = page.converted.html;
+      replace_all(html, "<details>", "<details open>");
+      for (const Section& section : page.converted.sections) {
+        const std::string id = " id=\"" + section.id + "\"";
+        const std::size_t at = html.find(id);
+        if (at != std::string::npos)
+          html.replace(at, id.size(), " id=\"" + page.file + "/" + section.id + "\"");
+      }
+      body += "<section class=\"printed\" id=\"" + page.file + "\">\n" + within(html, page) +
+              "</section>\n";
+    }
+    write(out_ / "print.html",
+          "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Texture "
+          "Mapping, Step by Step</title>\n"
+          "<link rel=\"stylesheet\" href=\"book.css\">\n<link rel=\"icon\" "
+          "href=\"data:,\">\n</head>\n<body>\n<main>\n" +
+              body + "</main>\n</body>\n</html>\n");
+  }
+
+  /// The page's links as places of the printed book.
+  [[nodiscard]] std::string within(const std::string& html, const Page& page) const {
+    std::string out;
+    const std::string mark = "href=\"";
+    std::size_t from = 0;
+    for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, from)) {
+      at += mark.size();
+      const std::size_t end = html.find('"', at);
+      const std::string url = html.substr(at, end - at);
+      const std::size_t hash = url.find('#');
+      const std::string file = hash == 0 ? page.file : url.substr(0, hash);
+      const bool is_page =
+          std::any_of(pages_.begin(), pages_.end(), [&](const Page& p) { return p.file == file; });
+      out += html.substr(from, at - from);
+      if (is_page) {
+        out += "#" + file + (hash == std::string::npos ? "" : "/" + url.substr(hash + 1));
+      } else {
+        out += url;
+      }
+      from = end;
+    }
+    return out + html.substr(from);
+  }
+
+  [[nodiscard]] std::string search_index() const {
+    std::vector<Json> items;
+    for (const Page& page : pages_) {
+      for (const Section& section : page.converted.sections) {
+        const bool is_title = section.level == 1;
+        items.push_back(Json::object({
+            {"url", is_title ? page.file : page.file + "#" + section.id},
+            {"title", is_title ? page.title() : page.title() + " › " + section.title},
+            {"words", section.words},
+        }));
+      }
+    }
+    return "const sections = " + Json::list(items, true).text + ";\n";
+  }
+
+  struct Named {
+    std::string from, to, anchor;
+  };
+
+  fs::path root_, out_;
+  std::vector<Page> pages_;
+  std::vector<Part> parts_;
+  std::vector<Named> named_;  ///< links from one page to a heading of another
+  std::set<std::string> sources_, pictures_;
+  Report report_;
+};
+
+}  // namespace
+
+Report make_book(const fs::path& root, const fs::path& out) { return Book(root, out).make(); }
+
+}  // namespace texmap::book

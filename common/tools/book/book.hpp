@@ -1,0 +1,22 @@
+// The book: every page of the course as HTML, with contents, search, pictures and sources.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace texmap::book {
+
+/// What was made, and what is wrong with the pages.
+struct Report {
+  int pages = 0;
+  int sources = 0;
+  int pictures = 0;
+  std::vector<std::string> faults;  ///< links and pictures that lead nowhere
+};
+
+/// Makes the book of the course in `root` in the folder `out`, where the chapters' programs have
+/// drawn their pictures; what is missing there is taken from tests/golden.
+/// Errors: std::runtime_error if a page cannot be read or written.
+[[nodiscard]] Report make_book(const std::filesystem::path& root, const std::filesystem::path& out);
+
+}  // namespace texmap::book

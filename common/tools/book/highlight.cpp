@@ -1,0 +1,93 @@
+#include "highlight.hpp"
+
+#include <array>
+#include <cctype>
+#include <sstream>
+#include <string_view>
+
+#include "engine/measure/text.hpp"
+
+namespace texmap::book {
+namespace {
+
+constexpr std::array<std::string_view, 62> keywords{
+    "auto",      "bool",     "break",     "case",     "catch",    "char",          "class",
+    "concept",   "const",    "constexpr", "continue", "decltype", "default",       "delete",
+    "do",        "double",   "else",      "enum",     "explicit", "extern",        "false",
+    "float",     "for",      "friend",    "if",       "inline",   "int",           "long",
+    "namespace", "new",      "noexcept",  "nullptr",  "operator", "override",      "private",
+    "protected", "public",   "requires",  "return",   "short",    "signed",        "sizeof",
+    "static",    "struct",   "switch",    "template", "this",     "throw",         "true",
+    "try",       "typename", "union",     "unsigned", "using",    "virtual",       "void",
+    "while",     "#include", "#define",   "#pragma",  "#if",      "static_assert",
+};
+
+bool is_keyword(std::string_view word) {
+  for (const std::string_view keyword : keywords) {
+    if (word == keyword) return true;
+  }
+  return false;
+}
+
+std::string span(const char* kind, const std::string& words) {
+  return std::string("<span class=\"") + kind + "\">" + escaped_markup(words) + "</span>";
+}
+
+bool is_of_a_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '#';
+}
+
+}  // namespace
+
+std::string highlighted_line(const std::string& line) {
+  std::string html;
+  for (std::size_t i = 0; i < line.size();) {
+    std::size_t end = i + 1;
+    if (line.compare(i, 2, "//") == 0) {
+      return html + span("comment", line.substr(i));
+    }
+    if (line[i] == '"') {
+      while (end < line.size() && line[end] != '"') end += line[end] == '\\' ? 2U : 1U;
+      end = end < line.size() ? end + 1 : line.size();
+      html += span("text", line.substr(i, end - i));
+    } else if (is_of_a_word(line[i])) {
+      while (end < line.size() && is_of_a_word(line[end])) ++end;
+      const std::string word = line.substr(i, end - i);
+      html += is_keyword(word) ? span("keyword", word) : escaped_markup(word);
+    } else {
+      html += escaped_markup(line.substr(i, 1));
+    }
+    i = end;
+  }
+  return html;
+}
+
+std::string highlighted_block(const std::string& code, const std::string& language) {
+  std::string html = "<pre tabindex=\"0\"><code>";
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    if (language == "diff") {
+      const char* kind = line.empty()     ? "same"
+                         : line[0] == '+' ? "added"
+                         : line[0] == '-' ? "removed"
+                                          : "same";
+      html += span(kind, line) + "\n";
+    } else {
+      html += (language == "cpp" ? highlighted_line(line) : escaped_markup(line)) + "\n";
+    }
+  }
+  return html + "</code></pre>\n";
+}
+
+std::string highlighted_file(const std::string& code, bool is_cpp) {
+  std::string html = "<pre class=\"file\" tabindex=\"0\"><code>";
+  std::istringstream lines(code);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    html += text("<span class=\"line\" id=\"L%d\">", ++number);
+    html += (is_cpp ? highlighted_line(line) : escaped_markup(line)) + "</span>\n";
+  }
+  return html + "</code></pre>\n";
+}
+
+}  // namespace texmap::book

@@ -1,0 +1,163 @@
+#include "markdown.hpp"
+
+#include <cmark-gfm-core-extensions.h>
+#include <cmark-gfm.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "highlight.hpp"
+
+namespace texmap::book {
+namespace {
+
+struct Free {
+  void operator()(cmark_node* node) const { cmark_node_free(node); }
+  void operator()(cmark_parser* parser) const { cmark_parser_free(parser); }
+  void operator()(cmark_iter* iter) const { cmark_iter_free(iter); }
+  void operator()(char* text) const { std::free(text); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Free>;
+
+constexpr int options = CMARK_OPT_UNSAFE;  // the pages are ours, and fold answers by HTML
+
+std::string text_or_empty(const char* text) { return text == nullptr ? "" : text; }
+
+Owned<cmark_node> parsed(const std::string& markdown) {
+  cmark_gfm_core_extensions_ensure_registered();
+  const Owned<cmark_parser> parser(cmark_parser_new(options));
+  for (const char* name : {"table", "autolink", "strikethrough"}) {
+    cmark_syntax_extension* extension = cmark_find_syntax_extension(name);
+    if (extension == nullptr) throw std::runtime_error(std::string("cmark-gfm lacks ") + name);
+    cmark_parser_attach_syntax_extension(parser.get(), extension);
+  }
+  cmark_parser_feed(parser.get(), markdown.data(), markdown.size());
+  return Owned<cmark_node>(cmark_parser_finish(parser.get()));
+}
+
+/// All words of a node, without markup and without comments.
+std::string words_of(cmark_node* node) {
+  std::string words;
+  const Owned<cmark_iter> iter(cmark_iter_new(node));
+  while (cmark_iter_next(iter.get()) != CMARK_EVENT_DONE) {
+    cmark_node* here = cmark_iter_get_node(iter.get());
+    const cmark_node_type type = cmark_node_get_type(here);
+    if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE)
+      words += text_or_empty(cmark_node_get_literal(here));
+    if (type == CMARK_NODE_SOFTBREAK || type == CMARK_NODE_LINEBREAK) words += ' ';
+  }
+  return words;
+}
+
+/// The name that GitHub gives a heading: letters and digits in lower case, blanks as hyphens.
+std::string slug(const std::string& title) {
+  std::string name;
+  for (const char c : title) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == ' ' || c == '-') {
+      name += '-';
+    } else if (byte >= 128 ? byte != 0xC2 && byte != 0xB7 : std::isalnum(byte) != 0 || c == '_') {
+      name += static_cast<char>(byte < 128 ? std::tolower(byte) : byte);
+    }
+  }
+  return name;
+}
+
+void replace_by_html(cmark_node* node, const std::string& html) {
+  cmark_node* block = cmark_node_new(CMARK_NODE_HTML_BLOCK);
+  cmark_node_set_literal(block, html.c_str());
+  if (cmark_node_replace(node, block) == 0) {
+    cmark_node_free(block);
+    throw std::runtime_error("cmark-gfm does not replace a node");
+  }
+  cmark_node_free(node);
+}
+
+/// The addresses in a piece of HTML, resolved: src="..." and href="...".
+std::string with_resolved(std::string html, const Resolve& resolve) {
+  for (const std::string name : {"src=\"", "href=\""}) {
+    for (std::size_t at = html.find(name); at != std::string::npos; at = html.find(name, at)) {
+      at += name.size();
+      const std::size_t end = html.find('"', at);
+      if (end == std::string::npos) break;
+      html.replace(at, end - at, resolve(html.substr(at, end - at)));
+    }
+  }
+  return html;
+}
+
+/// A heading with its name, and its place among the sections.
+void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Converted& page) {
+  const std::string title = words_of(node);
+  const int level = cmark_node_get_heading_level(node);
+  std::string id = slug(title);
+  const int before = taken[id]++;
+  if (before > 0) {
+    id += '-';
+    id += std::to_string(before);
+  }
+  const Owned<char> plain(cmark_render_html(node, options, nullptr));
+  std::string html = plain.get();
+  html.insert(html.find('>'), " id=\"" + id + "\"");
+  page.sections.push_back({level, id, title, ""});
+  replace_by_html(node, html);
+}
+
+}  // namespace
+
+void replace_all(std::string& in, const std::string& what, const std::string& by) {
+  for (std::size_t at = in.find(what); at != std::string::npos; at = in.find(what, at + by.size()))
+    in.replace(at, what.size(), by);
+}
+
+Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) {
+  const Owned<cmark_node> root = parsed(markdown);
+  Converted page;
+  std::map<std::string, int> taken;
+
+  // Addresses first: headings are rendered with the links in them.
+  std::vector<cmark_node*> nodes;
+  const Owned<cmark_iter> iter(cmark_iter_new(root.get()));
+  for (cmark_event_type event; (event = cmark_iter_next(iter.get())) != CMARK_EVENT_DONE;) {
+    if (event == CMARK_EVENT_ENTER) nodes.push_back(cmark_iter_get_node(iter.get()));
+  }
+  std::vector<cmark_node*> blocks;
+  for (cmark_node* node : nodes) {
+    const cmark_node_type type = cmark_node_get_type(node);
+    if (type == CMARK_NODE_LINK || type == CMARK_NODE_IMAGE) {
+      const std::string url = resolve(text_or_empty(cmark_node_get_url(node)));
+      cmark_node_set_url(node, url.c_str());
+    } else if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) {
+      const std::string html = text_or_empty(cmark_node_get_literal(node));
+      const bool is_comment = html.rfind("<!--", 0) == 0;
+      cmark_node_set_literal(node, is_comment ? "" : with_resolved(html, resolve).c_str());
+    } else if (type == CMARK_NODE_HEADING || type == CMARK_NODE_CODE_BLOCK ||
+               type == CMARK_NODE_PARAGRAPH) {
+      blocks.push_back(node);
+    }
+  }
+  for (cmark_node* node : blocks) {
+    const cmark_node_type type = cmark_node_get_type(node);
+    if (type == CMARK_NODE_HEADING) {
+      convert_heading(node, taken, page);
+    } else if (type == CMARK_NODE_CODE_BLOCK) {
+      replace_by_html(node, highlighted_block(text_or_empty(cmark_node_get_literal(node)),
+                                              text_or_empty(cmark_node_get_fence_info(node))));
+    } else if (!page.sections.empty()) {
+      page.sections.back().words += words_of(node) + " ";
+    }
+  }
+
+  const Owned<char> html(cmark_render_html(root.get(), options, nullptr));
+  page.html = html.get();
+  replace_all(page.html, "<table>", "<div class=\"scroll\" tabindex=\"0\"><table>");
+  replace_all(page.html, "</table>", "</table></div>");
+  replace_all(page.html, "<img ", "<img loading=\"lazy\" ");
+  return page;
+}
+
+}  // namespace texmap::book

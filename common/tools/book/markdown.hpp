@@ -1,0 +1,34 @@
+// A page of Markdown as HTML, by cmark-gfm.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace texmap::book {
+
+/// A heading of a page, and the words below it up to the next heading.
+struct Section {
+  int level;          ///< 1 to 6
+  std::string id;     ///< what a link behind # names
+  std::string title;  ///< without markup
+  std::string words;  ///< for the search, without code
+};
+
+/// A page as HTML.
+struct Converted {
+  std::string html;
+  std::vector<Section> sections;
+};
+
+/// What a link or a picture of the page leads to in the book.
+using Resolve = std::function<std::string(const std::string& url)>;
+
+/// Converts a page: GitHub's Markdown, whose headings get the names that GitHub gives them.
+///
+/// @param resolve  called with the address of each link and each picture
+[[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve);
+
+/// Replaces each place where `what` stands in a text.
+void replace_all(std::string& in, const std::string& what, const std::string& by);
+
+}  // namespace texmap::book

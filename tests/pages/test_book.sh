@@ -1,0 +1,92 @@
+#!/bin/sh
+# The book in a real browser, in light and dark, 360 and 1280 pixels wide: everything fits, can be read and is there.
+# usage: test_book.sh BOOK ROOT     Status 77 where no browser is installed.
+set -eu
+book=$1
+root=$2
+browser=""
+for name in chromium chromium-browser google-chrome; do
+  if command -v "$name" >/dev/null 2>&1; then
+    browser=$name
+    break
+  fi
+done
+if [ -z "$browser" ]; then
+  echo "skipped: no browser (chromium or google-chrome) is installed"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+
+"$book" "$root" "$work/out"
+size=$(du -sk "$work/out" | cut -f 1)
+[ "$size" -lt 8192 ] || {
+  echo "FAIL: the book has $size KB, more than 8 MB"
+  failed=1
+}
+cp "$root/tests/pages/book_probe.html" "$work/out/"
+files=$(cd "$work/out" && find . -maxdepth 1 -name '*.html' ! -name book_probe.html ! -name print.html | sed 's|^\./||' | sort | tr '\n' ',' | sed 's/,$//')
+count=$(echo "$files" | tr ',' '\n' | wc -l)
+
+# probe SCHEME: 1 is light, 0 is dark.
+probe() {
+  "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
+    --disable-component-update --disable-sync --allow-file-access-from-files --user-data-dir="$work/browser$1" \
+    --blink-settings=preferredColorScheme="$1" --window-size=1400,1000 --virtual-time-budget=240000 --enable-logging=stderr \
+    --dump-dom "file://$work/out/book_probe.html#$files" 2>"$work/log$1" |
+    sed -n 's/.*<body[^>]*data-result="\([^"]*\)".*/\1/p' | sed 's/&quot;/"/g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g' | head -n 1
+}
+
+for scheme in 1 0; do
+  result=$(probe "$scheme")
+  looked=$(echo "$result" | sed -n 's/.*"looked":\([0-9]*\).*/\1/p')
+  if [ "$looked" != $((2 * count)) ]; then
+    echo "FAIL: ${looked:-none} of $((2 * count)) views were looked at"
+    failed=1
+  fi
+  case "$result" in
+    *'"faults":[]'*) ;;
+    *)
+      echo "FAIL: $result"
+      failed=1
+      ;;
+  esac
+  if grep -E 'CONSOLE.*(Error|error)' "$work/log$scheme"; then
+    echo "FAIL: the console shows an error"
+    failed=1
+  fi
+done
+
+# The check can fail: a page with a broken picture, pale words and a box of 3000 pixels.
+cat >"$work/out/wrong.html" <<'HTML'
+<!doctype html><html lang="en"><body style="background:#fff"><main><p style="color:#bbb">pale</p><img src="none.png" alt="none">
+<div style="width:3000px">wide</div></main></body></html>
+HTML
+files=wrong.html
+result=$(probe 1)
+for fault in "too wide" "no picture" "contrast 1.9"; do
+  case "$result" in
+    *"$fault"*) ;;
+    *)
+      echo "FAIL: a wrong page is not noticed: $fault ($result)"
+      failed=1
+      ;;
+  esac
+done
+# And a link that leads nowhere stops the making of the book.
+mkdir -p "$work/root/chapters/01_a" "$work/root/docs" "$work/root/common/tools"
+cp -R "$root/common/tools/book" "$work/root/common/tools/"
+printf '# 01\n\n[a](none.md) [b](#none)\n' >"$work/root/chapters/01_a/README.md"
+if "$book" "$work/root" "$work/wrong" >"$work/said" 2>&1; then
+  echo "FAIL: a link that leads nowhere is not noticed"
+  failed=1
+fi
+for fault in 'none.md leads nowhere' 'has no heading #none'; do
+  grep -q "$fault" "$work/said" || {
+    echo "FAIL: a fault of a link is not named: $fault"
+    failed=1
+  }
+done
+echo "$count pages, $size KB"
+[ "$failed" -eq 0 ]
