@@ -96,8 +96,8 @@ Image quarter_turn() {
       [](const Hit<double>& hit) { return earth()(uv_of(Convention::lecture, hit.normal)); });
 }
 
-/// A mip-mapped globe seen from the seam's side, its pixels drawn three wide. The footprint of a pixel is the difference of
-/// (u, v) to the next pixel; at the seam that is nearly 1.
+/// A mip-mapped globe seen from the seam's side, its pixels drawn three wide. The footprint of a
+/// pixel is the difference of (u, v) to the next pixel; at the seam that is nearly 1.
 Image seen_at_the_seam(bool by_differences) {
   static const Filtered<Pyramid> texture{
       .pyramid =

@@ -47,8 +47,10 @@ struct Part {
   std::vector<std::size_t> pages;  ///< indices
 };
 
-constexpr std::array readers_pages{"docs/symptoms.md", "docs/how_to_change_things.md",
-                                   "docs/glossary.md", "docs/conventions.md", "docs/sources.md"};
+constexpr std::array readers_pages{"docs/symptoms.md",    "docs/how_to_change_things.md",
+                                   "docs/commands.md",    "docs/glossary.md",
+                                   "docs/conventions.md", "docs/sources.md",
+                                   "docs/install.md"};
 constexpr std::array instructors_pages{"docs/teaching.md", "docs/grading.md"};
 constexpr std::array engineers_pages{
     "README.md",         "docs/architecture.md", "common/README.md", "docs/numbers.md",
