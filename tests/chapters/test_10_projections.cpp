@@ -101,7 +101,7 @@ TEST_CASE(
     }
     const auto tends_to = [](double found, double closed) {
       if (std::isinf(closed)) return found > 1000;
-      return found <= closed * (1 + 1e-9) && found >= closed * (1 - 1e-4);
+      return found <= closed * (1 + 1e-14) && found >= closed * (1 - 1e-4);
     };
     CAPTURE(largest_texel);
     CAPTURE(worst_stretch);
