@@ -145,7 +145,8 @@ double white_share(const Image& image) {
       return std::cos(std::numbers::pi * edge / image.height);
     };
     int white = 0;
-    for (int column = 0; column < image.width; ++column) white += image.at(column, row).g == 255;
+    for (int column = 0; column < image.width; ++column)
+      white += image.at(column, row).g == 255 ? 1 : 0;
     sum += (height_at(row) - height_at(row + 1)) / 2 * white / image.width;
   }
   return sum;
@@ -161,7 +162,7 @@ double mean_light(const Image& image, Projection projection) {
       const Uv<double> uv{(column + 0.5) / image.width, 1 - (row + 0.5) / image.height};
       if (projection == Projection::plane && std::hypot(uv.u - 0.5, uv.v - 0.5) >= 0.5) continue;
       const double area = distortion(projection, unproject(projection, uv)).area;
-      sum += area * light.at(column, row).g;
+      sum += area * static_cast<double>(light.at(column, row).g);
       areas += area;
     }
   }
