@@ -5,7 +5,7 @@
 namespace texmap::published {
 
 /// The place on the equal-area octahedral map of a direction with y >= 0, of unit length.
-/// Fails near the pole: 1 - y cancels, and 0.35 texel of 4096 is lost in float.
+/// Fails near the pole: 1 - y cancels. For n rounded to float up to 0.35 texel of 4096 is lost.
 /// Source: Clarberg (2008); the same form is in pbrt-v4's EqualAreaSphereToSquare.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_equal_area(const Vec3<Real>& n) {

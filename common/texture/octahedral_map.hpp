@@ -71,8 +71,8 @@ template <class Real>
 /// The equal-area octahedral map, laid out as uv_octahedral: each texel has the same solid angle.
 ///
 /// @param p  any vector but zero; only its direction matters
-/// Textbook: the distance from the middle is sqrt(1 - |y|). Near the poles the difference cancels:
-/// in float 0.35 texel of 4096 would be lost. (x^2 + z^2) / (1 + |y|) is the same and does not.
+/// Textbook: the distance from the middle is sqrt(1 - |y|). It cancels near the poles, up to 0.35
+/// texel of 4096 for p rounded to float. (x^2 + z^2) / (1 + |y|) is the same and does not.
 /// Bound: 0.001 texel of 4096 in float. Source: Clarberg (2008)
 template <class Real>
 [[nodiscard]] Uv<Real> uv_equal_area(const Vec3<Real>& p) {

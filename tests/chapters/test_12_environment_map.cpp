@@ -118,9 +118,15 @@ TEST_CASE("all ways gather the same light: their pictures come together as sampl
   CHECK(without_shadows > 0.01);
 }
 
-TEST_CASE("the choice is what the sky requires: nothing under a constant one, mis under a sun") {
+TEST_CASE(
+    "the choice is what the sky requires: nothing under a constant one, mis under a sun; whatever "
+    "mis costs, within a factor of 100") {
   const auto choice = [](LightImage map) {
-    return best_lighting(noise_of(SkyLight(Environment(std::move(map)))));
+    const SkyNoise noise = noise_of(SkyLight(Environment(std::move(map))));
+    const SkyLighting best = best_lighting(noise);
+    for (const double wrong : {0.01, 0.5, 2.0, 100.0})
+      CHECK(best_lighting(noise, cost_of_mis * wrong) == best);
+    return best;
   };
   CHECK(choice(LightImage(8, 4, gray(3.0F))) == SkyLighting::cosine);
   CHECK(choice(LightImage(8, 4)) == SkyLighting::cosine);
@@ -131,6 +137,10 @@ TEST_CASE("the choice is what the sky requires: nothing under a constant one, mi
   }
   CHECK(choice(gradient) == SkyLighting::cosine);
   CHECK(choice(sky_of_the_chapter()) == SkyLighting::mis);
+  // The cost does count where the noises are near each other.
+  const SkyNoise near = {.cosine = 1.2, .mis = 1};
+  CHECK(best_lighting(near) == SkyLighting::cosine);
+  CHECK(best_lighting(near, 1.4) == SkyLighting::mis);
 }
 
 TEST_CASE("the noise that the choice goes by is that of drawn directions") {

@@ -108,6 +108,8 @@ choose() {
     4) name=04_uv_conventions ;;
     5) name=05_y_rotation ;;
     6) name=06_phong_texture_blend ;;
+    8) name=08_triangle_uv ;;
+    12) name=12_environment_map ;;
   esac
   program=$bin/$name
 }
@@ -183,28 +185,49 @@ refuses_words() {
   conclude "$name $*"
 }
 
-# refuses_texture FILE WHAT: chapter 03 cannot load it, says so in a line and writes nothing.
-refuses_texture() {
-  run_textured "$bin/03_image_texture" --texture "$1" --width 8 --height 6 --out never.png
-  expect_refused_texture "$2"
+# takes KIND: what kind of file is read from now on. Sets good, a file that loads, and its ending.
+takes() {
+  kind=$1 noun=texture
+  case $kind in
+    texture) good=$texture ending=png ;;
+    sky) good=$T/good.hdr ending=hdr ;;
+    mesh) good=$T/good.obj ending=obj noun=mesh ;;
+  esac
 }
 
-expect_refused_texture() {
+# reads FILE OUT: the chapter for files of this kind draws with it.
+reads() {
+  set -- "$1" --width 8 --height 6 --out "$2"
+  case $kind in
+    texture) $runner "$bin/03_image_texture" --texture "$@" ;;
+    sky) $runner "$bin/12_environment_map" --samples 1 --sky "$@" ;;
+    mesh) $runner "$bin/08_triangle_uv" --texture "$texture" --mesh "$@" ;;
+  esac
+}
+runner=run_textured
+
+# refuses_file FILE WHAT: the chapter cannot load it, says so in a line and writes nothing.
+refuses_file() {
+  reads "$1" never.png
+  expect_refused_file "$2"
+}
+
+expect_refused_file() {
   expect_status 1
-  expect_line1 "error: cannot load texture '*': ?*"
+  expect_line1 "error: cannot load $noun '*': ?*"
   expect_one_line
   expect_no_stdout
   expect_nothing_written
-  conclude "texture: $1"
+  conclude "$kind: $1"
 }
 
-# loads_texture FILE WHAT
-loads_texture() {
-  run_textured "$bin/03_image_texture" --texture "$1" --width 8 --height 6 --out "$T/loaded.png"
+# loads_file FILE WHAT
+loads_file() {
+  reads "$1" "$T/loaded.png"
   expect_status 0
   [ -s "$T/loaded.png" ] || complain "a picture expected, got none"
   rm -f "$T/loaded.png"
-  conclude "texture: $2"
+  conclude "$kind: $2"
 }
 
 # --- The command line ----------------------------------------------------------------------------------------------------------
@@ -294,88 +317,165 @@ check_words() {
   done
 }
 
-# --- Textures ----------------------------------------------------------------------------------------------------------------
+# --- Files that are read -------------------------------------------------------------------------------------------------------
+
+# check_places: files of the kind that are missing, or no files, or cut.
+check_places() {
+  loads_file "$good" 'a good file'
+  refuses_file "$T/missing.$ending" 'missing'
+  ln -s "$T/nowhere" "$T/dangling.$ending"
+  refuses_file "$T/dangling.$ending" 'dangling link'
+  refuses_file "$T/loop-a" 'link loop'
+  refuses_file "$T/$long_name" 'name of 300 characters'
+  refuses_file "$long_name" 'name of 300 characters, looked for in the assets'
+  refuses_file "$T/$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name" 'path of 4200 characters'
+  invalid=$(printf 'no-\303\050-\377\376.%s' "$ending")
+  refuses_file "$T/$invalid" 'missing, and its name is not UTF-8'
+  if cp "$good" "$T/$invalid" 2>/dev/null; then
+    loads_file "$T/$invalid" 'a name that is not UTF-8'
+  else
+    skip "$kind: a name that is not UTF-8" 'the disk takes no such name'
+  fi
+  for other in 'Erde-äöü' '地球' 'with space' "it's \"quoted\"" '-dash' '*'; do
+    cp "$good" "$T/$other.$ending"
+    loads_file "$T/$other.$ending" "$other.$ending"
+  done
+  refuses_file "$T" 'a folder'
+  refuses_file "$good/" 'a file with a slash behind it'
+  refuses_file "$good/inside.$ending" 'a path through a file'
+  if mkfifo "$T/pipe.$ending"; then refuses_file "$T/pipe.$ending" 'a pipe'; else skip "$kind: a pipe" 'none can be made'; fi
+  for device in /dev/zero /dev/urandom /dev/null /dev/full /dev/tty /proc/cpuinfo /proc/self/mem /proc/self/fd; do
+    if [ -e "$device" ]; then refuses_file "$device" "$device"; else skip "$kind: $device" 'not on this system'; fi
+  done
+  : >"$T/empty.$ending"
+  refuses_file "$T/empty.$ending" 'an empty file'
+  if truncate -s 10G "$T/sparse.$ending" 2>/dev/null; then
+    refuses_file "$T/sparse.$ending" 'a sparse file of 10 GiB'
+  else
+    skip "$kind: a sparse file of 10 GiB" 'the disk has none'
+  fi
+  rm -f "$T/sparse.$ending"
+  # As long as may be, and nothing behind a good beginning.
+  cp "$good" "$T/tail.$ending"
+  truncate -s 64M "$T/tail.$ending"
+  reads "$T/tail.$ending" "$T/loaded.png"
+  case $status in 0 | 1) ;; *) complain "status 0 or 1 expected, got $status ($line1)" ;; esac
+  conclude "$kind: 64 MiB, zeros behind a good file"
+  rm -f "$T/tail.$ending" "$T/loaded.png"
+
+  cp "$good" "$T/secret.$ending"
+  chmod 000 "$T/secret.$ending"
+  if [ "$have_user" = 1 ]; then
+    runner=as_user
+    refuses_file "$T/secret.$ending" 'unreadable'
+    runner=run_textured
+  else
+    skip "$kind: unreadable" 'root may read everything, and no other user can run the programs'
+  fi
+
+  # Cut anywhere, it is no good file any more; and the picture that was there stays.
+  size=$(wc -c <"$good")
+  for length in 1 7 8 9 20 33 34 $((size / 2)) $((size - 13)) $((size - 12)) $((size - 8)) $((size - 1)); do
+    head -c "$length" "$good" >"$T/cut.$ending"
+    refuses_file "$T/cut.$ending" "the first $length bytes of a good file"
+  done
+  mkdir "$T/kept-$kind"
+  cp "$T/old.png" "$T/kept-$kind/out.png"
+  reads "$T/cut.$ending" "$T/kept-$kind/out.png"
+  expect_status 1
+  keeps_old "$T/kept-$kind"
+  conclude "$kind: a bad file, and the old picture"
+}
 
 check_textures() {
-  refuses_texture "$T/missing.png" 'missing'
-  ln -s "$T/nowhere" "$T/dangling.png"
-  refuses_texture "$T/dangling.png" 'dangling link'
-  refuses_texture "$T/loop-a" 'link loop'
-  refuses_texture "$T/$long_name" 'name of 300 characters'
-  refuses_texture "$long_name" 'name of 300 characters, looked for in the assets'
-  refuses_texture "$T/$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name$long_name" 'path of 4200 characters'
-  invalid=$(printf 'no-\303\050-\377\376.png')
-  refuses_texture "$T/$invalid" 'missing, and its name is not UTF-8'
-  if cp "$texture" "$T/$invalid" 2>/dev/null; then
-    loads_texture "$T/$invalid" 'a name that is not UTF-8'
-  else
-    skip 'texture: a name that is not UTF-8' 'the disk takes no such name'
-  fi
-  for other in 'Erde-äöü.png' '地球.jpg' 'with space.png' "it's \"quoted\".png" '-dash.png' '*.png'; do
-    cp "$texture" "$T/$other"
-    loads_texture "$T/$other" "$other"
-  done
-  refuses_texture "$T" 'a folder'
-  refuses_texture "$texture/" 'a file with a slash behind it'
-  refuses_texture "$texture/inside.png" 'a path through a file'
-  if mkfifo "$T/pipe.png"; then refuses_texture "$T/pipe.png" 'a pipe'; else skip 'texture: a pipe' 'none can be made'; fi
-  for device in /dev/zero /dev/urandom /dev/null /dev/full /dev/tty /proc/cpuinfo /proc/self/mem /proc/self/fd; do
-    if [ -e "$device" ]; then refuses_texture "$device" "$device"; else skip "texture: $device" 'not on this system'; fi
-  done
-  : >"$T/empty.png"
-  refuses_texture "$T/empty.png" 'an empty file'
-  if truncate -s 10G "$T/sparse.png" 2>/dev/null; then
-    refuses_texture "$T/sparse.png" 'a sparse file of 10 GiB'
-  else
-    skip 'texture: a sparse file of 10 GiB' 'the disk has none'
-  fi
-  rm -f "$T/sparse.png"
-  # As long as may be, and nothing behind a good beginning.
-  cp "$texture" "$T/tail.png"
-  truncate -s 64M "$T/tail.png"
-  run_textured "$bin/03_image_texture" --texture "$T/tail.png" --width 8 --height 6 --out "$T/loaded.png"
-  case $status in 0 | 1) ;; *) complain "status 0 or 1 expected, got $status ($line1)" ;; esac
-  conclude 'texture: 64 MiB, zeros behind a picture'
-  rm -f "$T/tail.png" "$T/loaded.png"
-  for ending in 'missing.png' 'folder/missing.png'; do
+  takes texture
+  check_places
+  for name_of_missing in 'missing.png' 'folder/missing.png'; do
     for n in 3 4 5 6; do
       choose $n
-      run "$program" --texture "$ending" --width 8 --height 6 --out never.png
-      expect_refused_texture "$name $ending"
+      run "$program" --texture "$name_of_missing" --width 8 --height 6 --out never.png
+      expect_refused_file "$name $name_of_missing"
     done
-  done
-
-  cp "$texture" "$T/secret.png"
-  chmod 000 "$T/secret.png"
-  if [ "$have_user" = 1 ]; then
-    as_user "$bin/03_image_texture" --texture "$T/secret.png" --width 8 --height 6 --out never.png
-    expect_refused_texture 'unreadable'
-  else
-    skip 'texture: unreadable' 'root may read everything, and no other user can run the programs'
-  fi
-
-  # Cut anywhere, it is no picture any more.
-  size=$(wc -c <"$texture")
-  for length in 1 7 8 9 20 33 34 100 $((size / 2)) $((size - 13)) $((size - 12)) $((size - 8)) $((size - 1)); do
-    head -c "$length" "$texture" >"$T/cut.png"
-    refuses_texture "$T/cut.png" "the first $length bytes of a picture"
   done
 }
 
+# bad_file WHAT TEXT: this text, with printf's escapes, is refused as a file of the kind.
+bad_file() {
+  printf '%b' "$2" >"$T/bad.$ending"
+  refuses_file "$T/bad.$ending" "$1"
+}
+
+# has_reader N: the chapter that reads the files is here; not everywhere all are.
+has_reader() {
+  choose "$1"
+  [ -x "$program" ] && return
+  skip "$name" 'there is no such program'
+  return 1
+}
+
+# Chapter 12's Radiance files.
+check_skies() {
+  has_reader 12 || return
+  takes sky
+  start='#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n'
+  texels='\0200\0100\0040\0201\0220\0110\0044\0200\0240\0120\0050\0177\0260\0130\0054\0202'
+  printf '%b' "$start-Y 2 +X 4\n$texels$texels" >"$good"
+  check_places
+  bad_file 'a mesh' 'v 0 0 0\n'
+  bad_file 'another kind of picture' 'P6 4 2 255\n'
+  bad_file 'no format' "#?RADIANCE\n\n-Y 2 +X 4\n$texels$texels"
+  bad_file 'another format' "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 2 +X 4\n$texels$texels"
+  bad_file 'an odd width' "$start-Y 2 +X 3\n$texels$texels"
+  bad_file 'rows from below' "$start+Y 2 +X 4\n$texels$texels"
+  bad_file 'no rows' "$start-Y 0 +X 4\n"
+  bad_file 'a height of eleven digits' "$start-Y 99999999999 +X 4\n$texels"
+  bad_file 'the largest sides' "$start-Y 16384 +X 16384\n$texels"
+  bad_file 'twice as many texels as a sky may have' "$start-Y 4096 +X 4096\n$texels"
+  bad_file 'a texel brighter than any sun' "$start-Y 2 +X 4\n$texels\0377\0377\0377\0377$texels"
+  bad_file 'a run longer than its row' "$start-Y 2 +X 8\n\0002\0002\0000\0010\0211\0001"
+}
+
+# Chapter 08's meshes in OBJ format.
+check_meshes() {
+  has_reader 8 || return
+  takes mesh
+  corners='v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n'
+  printf '%b' "${corners}f 1/1 2/2 3/3\n" >"$good"
+  check_places
+  refuses_file "$texture" 'a picture'
+  bad_file 'no face' "$corners"
+  bad_file 'a point that does not exist' "${corners}f 1/1 2/2 4/3\n"
+  bad_file 'texture coordinates before the first' "${corners}f 1/1 2/2 3/-4\n"
+  bad_file 'no texture coordinates' "${corners}f 1 2 3\n"
+  bad_file 'a face of two corners' "${corners}f 1/1 2/2\n"
+  bad_file 'a coordinate that is no number' "${corners}v 1 nan 0\nf 1/1 2/2 3/3\n"
+  bad_file 'a coordinate that is too large' "${corners}v 1e31 0 0\nf 1/1 2/2 3/3\n"
+  bad_file 'an index of twenty digits' "${corners}f 1/1 2/2 99999999999999999999/3\n"
+  bad_file 'a word that is not known' "${corners}f 1/1 2/2 3/3\nfrom here on a text\n"
+  bad_file 'a line of 70,000 bytes' "${corners}f$(yes ' 1/1' | head -n 17500 | tr -d '\n')\n"
+  fan=$(yes ' 1/1' | head -n 16000 | tr -d '\n')
+  {
+    printf '%b' "$corners"
+    for _ in $(seq 132); do printf 'f%s\n' "$fan"; done
+  } >"$T/fans.obj"
+  refuses_file "$T/fans.obj" '132 fans of 15,998 triangles, more than 2^21'
+}
+
 check_corpus() {
+  takes texture
   files=0
   while IFS=$tab read -r file _ expected _ _ _ _ _ level _; do
     [ "$file" != file ] || continue
     files=$((files + 1))
     if [ "$level" = may ]; then
-      run_textured "$bin/03_image_texture" --texture "$corpus/$file" --width 8 --height 6 --out "$T/loaded.png"
+      reads "$corpus/$file" "$T/loaded.png"
       case $status in 0 | 1) ;; *) complain "status 0 or 1 expected, got $status ($line1)" ;; esac
       rm -f "$T/loaded.png"
       conclude "texture: corpus/$file, which may load"
     elif [ "$expected" = load ]; then
-      loads_texture "$corpus/$file" "corpus/$file"
+      loads_file "$corpus/$file" "corpus/$file"
     else
-      refuses_texture "$corpus/$file" "corpus/$file"
+      refuses_file "$corpus/$file" "corpus/$file"
     fi
   done <"$corpus/manifest.tsv"
   [ "$files" -ge 50 ] || complain "at least 50 files expected in the corpus, got $files"
@@ -1054,6 +1154,7 @@ self_test() {
   texture=$corpus/some.png
   echo old >"$T/old.png"
   echo new >"$texture"
+  takes texture
 
   # A program that does as it should.
   # shellcheck disable=SC2016 # for the program
@@ -1062,7 +1163,7 @@ self_test() {
   refuses_number 1 --samples x
   caught 0 'a clean refusal'
   fake "echo \"error: cannot load texture 'x': it is bad\" >&2; exit 1"
-  refuses_texture "$texture" 'bad'
+  refuses_file "$texture" 'bad'
   caught 0 'a clean refusal of a texture'
   chapters_that_write=1
   fake "echo \"error: cannot write 'x': the disk is full\" >&2; exit 1"
@@ -1073,9 +1174,9 @@ self_test() {
   fake 'exit 0'
   refuses_number 1 --samples x
   refuses_words 1 --nonsense --nonsense
-  refuses_texture "$texture" 'bad'
+  refuses_file "$texture" 'bad'
   cannot_write "$T/x.png" 'disk full'
-  loads_texture "$texture" 'good'
+  loads_file "$texture" 'good'
   caught 5 'always content'
   fake 'exit 2'
   refuses_words 1 --nonsense --nonsense
@@ -1091,16 +1192,16 @@ self_test() {
   refuses_words 1 --nonsense --nonsense
   caught 6 'refusals with something missing'
   fake "echo 'ERROR: AddressSanitizer: heap-buffer-overflow' >&2; exit 99"
-  refuses_texture "$texture" 'bad'
+  refuses_file "$texture" 'bad'
   fake "echo \"error: cannot load texture 'x': bad\" >&2; echo 'and more' >&2; exit 1"
-  refuses_texture "$texture" 'bad'
+  refuses_file "$texture" 'bad'
   fake "echo half >never.png; echo \"error: cannot load texture 'x': bad\" >&2; exit 1"
-  refuses_texture "$texture" 'bad'
+  refuses_file "$texture" 'bad'
   fake 'sleep 20'
-  refuses_texture "$texture" 'bad'
+  refuses_file "$texture" 'bad'
   # shellcheck disable=SC2016 # for the program
   fake 'kill -s SEGV $$'
-  refuses_texture "$texture" 'bad' 2>/dev/null
+  refuses_file "$texture" 'bad' 2>/dev/null
   caught 5 'textures taken badly'
 
   # Half a file, a file left behind, a file that is not whole.
@@ -1168,7 +1269,7 @@ bin=$(cd "$1" && pwd) || exit 2
 corpus=$(cd "$2" && pwd) || exit 2
 make_folder
 get_ready
-for part in ${FAULTS_ONLY:-numbers words textures corpus output signals crowd streams memory surroundings}; do
+for part in ${FAULTS_ONLY:-numbers words textures corpus skies meshes output signals crowd streams memory surroundings}; do
   check_"$part"
   expect_nothing_written
   conclude "$part: nothing in the current folder"

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Searches for inputs that break a claim, with libFuzzer and sanitizers. Builds in build/fuzz.
 # usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target unless told otherwise, two targets at a time
-#        TARGET: fuzz_load_image | fuzz_command_line | fuzz_read_obj | fuzz_texture_places; all unless told otherwise
+#        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_command_line | fuzz_read_obj | fuzz_texture_places; all unless told otherwise
 # What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
 # build/fuzz/finds. Once mended, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
 # exit status: 0 nothing was found; 1 something was, or the targets do not compile; 77 a package is missing
 set -eu
-usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_command_line|fuzz_read_obj|fuzz_texture_places ...]'
+usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_command_line|fuzz_read_obj|fuzz_texture_places ...]'
 tree=$(cd "$(dirname "$0")/../.." && pwd)
 build=$tree/build/fuzz
 finds=$build/finds
@@ -24,7 +24,7 @@ case $seconds in
     exit 1
     ;;
 esac
-[ $# -gt 0 ] || set -- fuzz_load_image fuzz_command_line fuzz_read_obj fuzz_texture_places
+[ $# -gt 0 ] || set -- fuzz_load_image fuzz_read_hdr fuzz_command_line fuzz_read_obj fuzz_texture_places
 for target in "$@"; do
   if [ "$target" = "${target#fuzz_}" ] || [ ! -f "$tree/tests/fuzz/$target.cpp" ]; then
     echo "there is no target '$target'; $usage" >&2

@@ -1,13 +1,15 @@
 // Any bytes as the words of a command line: a program accepts or refuses them, nothing else.
 //
-// The first byte chooses the program: 0 to 4 the chapters 02, 03, 05, 06 and 07, 5 a program that
-// takes two files. The lines that follow are the words.
+// The first byte chooses the program: 0 to 9 the chapters 02, 03, 05, 06 and 07 to 12, ':' and what
+// comes after it a program that takes two files. The lines that follow are the words.
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,10 +20,34 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
+#include "09_texture_filtering/lesson.hpp"
+#include "10_projections/lesson.hpp"
+#include "11_bump_and_normal_maps/lesson.hpp"
+#include "12_environment_map/lesson.hpp"
 #include "engine/app/budget_options.hpp"
 #include "engine/app/command_line.hpp"
 #include "engine/app/run_chapter.hpp"
 #include "fuzz/target.hpp"
+#include "texture/projection_facts.hpp"
+
+namespace texmap {
+
+// Nothing is drawn here: the compiler need not know how.
+template <>
+Image Session::draw(const chapter_09::Lesson&, int, int) {
+  return {};
+}
+template <>
+Image Session::draw(const chapter_10::Lesson&, int, int) {
+  return {};
+}
+template <>
+Image Session::draw(const chapter_11::Lesson&, int, int) {
+  return {};
+}
+
+}  // namespace texmap
 
 namespace texmap::test {
 namespace {
@@ -48,7 +74,7 @@ class Typed {
       const std::string name = words[i].substr(0, equals);
       if (equals != std::string::npos) {
         values_[name] = words[i].substr(equals + 1);
-      } else if (name == "--quiet") {
+      } else if (name == "--quiet" || name == "--caustics") {
         values_[name] = "";
       } else {
         claim(i + 1 < words.size(), "an option that was accepted has its value");
@@ -87,6 +113,15 @@ class Typed {
     claim(word != words.end() && word->second == value, name);
   }
 
+  /// Checks that a flag is on if it was typed.
+  void flag(const char* name, bool value) const { claim(value == values_.contains(name), name); }
+
+  /// Checks that a file's name is the one that was typed: empty if none was.
+  void file(const char* name, const std::string& value) const {
+    const auto typed = values_.find(name);
+    claim(typed == values_.end() ? value.empty() : typed->second == value, name);
+  }
+
   /// Checks that a text is the one that was typed.
   void text(const char* name, const std::string& value) const {
     claim(!value.empty(), name);
@@ -109,6 +144,10 @@ void check_budget(const Budget& budget) {
         "a kernel keeps the budget");
 }
 
+void check_rotation(const RotationY& turn) {
+  claim(std::abs(std::hypot(turn.sine, turn.cosine) - 1) < 1e-15, "a turn is a rotation");
+}
+
 void check(const Typed& typed, const LayoutOptions& layout) {
   typed.choice<Convention>("--convention", layout.convention,
                            {{"daily", Convention::daily},
@@ -122,8 +161,7 @@ void check(const Typed& typed, const LayoutOptions& layout) {
 void check(const Typed& typed, const Turntable& turn) {
   typed.number("--degrees", turn.degrees, -1e300, 1e300);
   typed.number("--turntable", turn.frames, 0, 9999);
-  const RotationY last = turn.rotation(std::max(0, turn.frames - 1));
-  claim(std::abs(std::hypot(last.sine, last.cosine) - 1) < 1e-15, "a turn is a rotation");
+  check_rotation(turn.rotation(std::max(0, turn.frames - 1)));
 }
 
 void check(const Typed& typed, const PhongOptions& phong) {
@@ -146,6 +184,82 @@ void check(const Typed& typed, const SamplingOptions& sampling) {
   typed.number("--defocus", sampling.lens.defocus_degrees, 0, 90);
   typed.number("--focus", sampling.lens.focus_distance, 0.001, 1e6);
   typed.number("--shift", sampling.lens.shift, -100, 100);
+}
+
+void check(const Typed& typed, const MeshOptions& mesh) {
+  typed.number("--degrees", mesh.degrees, -1e300, 1e300);
+  check_rotation(rotation_y(mesh.degrees));
+  typed.choice<Wrap>("--wrap", mesh.wrap,
+                     {{"mirror", Wrap::mirror}, {"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}});
+  typed.choice<WeightsFormula>(
+      "--weights", mesh.weights,
+      {{"signed", WeightsFormula::signed_areas}, {"heron", WeightsFormula::heron}});
+  typed.file("--mesh", mesh.file);
+}
+
+void check(const Typed& typed, const FilterOptions& filtering) {
+  typed.choice<Filter>("--filter", filtering.filter,
+                       {{"nearest", Filter::nearest},
+                        {"bilinear", Filter::bilinear},
+                        {"trilinear", Filter::trilinear},
+                        {"anisotropic", Filter::anisotropic},
+                        {"ewa", Filter::ewa},
+                        {"stochastic", Filter::stochastic}});
+  typed.choice<Wrap>("--wrap", filtering.wrap,
+                     {{"repeat", Wrap::repeat},
+                      {"mirror", Wrap::mirror},
+                      {"clamp", Wrap::clamp},
+                      {"border", Wrap::border}});
+  typed.number("--taps", filtering.taps, 1, 64);
+  typed.text("--floor", filtering.floor_file);
+  typed.file("--plot", filtering.plot);
+}
+
+void check(const Typed& typed, const ProjectionOptions& layout) {
+  std::map<std::string, std::optional<Projection>, std::less<>> words;
+  for (const ProjectionFacts& facts : projections) words[facts.word] = facts.projection;
+  typed.choice<std::optional<Projection>>("--projection", layout.projection, words);
+  typed.choice<std::optional<Projection>>("--from", layout.from, words);
+  typed.choice<std::optional<Projection>>("--to", layout.to, words);
+}
+
+void check(const Typed& typed, const BumpOptions& bump) {
+  typed.choice<BumpPicture>("--show", bump.picture,
+                            {{"globe", BumpPicture::globe},
+                             {"sheet", BumpPicture::sheet},
+                             {"poles", BumpPicture::poles},
+                             {"daily", BumpPicture::daily}});
+  typed.choice<BumpForm>(
+      "--bump", bump.form,
+      {{"exact", BumpForm::exact}, {"blinn", BumpForm::blinn}, {"off", BumpForm::flat}});
+  typed.choice<SlopeFrom>("--slopes", bump.slopes,
+                          {{"duals", SlopeFrom::duals},
+                           {"forward", SlopeFrom::forward},
+                           {"central", SlopeFrom::central}});
+  typed.choice<HeightKind>(
+      "--relief-from", bump.height,
+      {{"image", HeightKind::image}, {"uv", HeightKind::uv}, {"space", HeightKind::space}});
+  typed.number("--step", bump.step, 1e-300, 1);
+  typed.number("--relief", bump.relief, -10, 10);
+  typed.text("--relief-image", bump.image);
+}
+
+void check(const Typed& typed, const SkyOptions& sky) {
+  typed.text("--sky", sky.name);
+  typed.choice<std::optional<SkyLighting>>("--light", sky.chosen,
+                                           {{"auto", std::nullopt},
+                                            {"uniform", SkyLighting::uniform},
+                                            {"cosine", SkyLighting::cosine},
+                                            {"importance", SkyLighting::importance},
+                                            {"mis", SkyLighting::mis},
+                                            {"coefficients", SkyLighting::coefficients}});
+  typed.choice<TexelFilter>(
+      "--filter", sky.filter,
+      {{"nearest", TexelFilter::nearest}, {"bilinear", TexelFilter::bilinear}});
+  typed.number("--exposure", sky.exposure, -30, 30);
+  typed.number("--degrees", sky.degrees, -1e300, 1e300);
+  typed.flag("--caustics", sky.matte.caustics);
+  check_rotation(rotation_y(sky.degrees));
 }
 
 void check(const Typed& typed, const Settings& settings, int most_samples) {
@@ -182,6 +296,10 @@ void try_chapter(const Words& words) {
   if constexpr (requires { lesson.turn; }) check(typed, lesson.turn);
   if constexpr (requires { lesson.phong; }) check(typed, lesson.phong);
   if constexpr (requires { lesson.sampling; }) check(typed, lesson.sampling);
+  if constexpr (requires { lesson.choice; }) check(typed, lesson.choice);
+  if constexpr (requires { lesson.filtering; }) check(typed, lesson.filtering);
+  if constexpr (requires { lesson.bump; }) check(typed, lesson.bump);
+  if constexpr (requires { lesson.sky; }) check(typed, lesson.sky);
 
   // What is refused later; files are not the matter here.
   session.settings.out = "/dev/null";
@@ -214,22 +332,17 @@ void try_two_files(const Words& words) {
   for (const std::string& mask : masks) claim(!mask.empty(), "--mask");
 }
 
-void try_program(unsigned program, const Words& words) {
-  switch (program) {
-    case 0:
-      return try_chapter<chapter_02::Lesson>(words);
-    case 1:
-      return try_chapter<chapter_03::Lesson>(words);
-    case 2:
-      return try_chapter<chapter_05::Lesson>(words);
-    case 3:
-      return try_chapter<chapter_06::Lesson>(words);
-    case 4:
-      return try_chapter<chapter_07::Lesson>(words);
-    default:
-      return try_two_files(words);
-  }
-}
+constexpr auto programs = std::array{try_chapter<chapter_02::Lesson>,
+                                     try_chapter<chapter_03::Lesson>,
+                                     try_chapter<chapter_05::Lesson>,
+                                     try_chapter<chapter_06::Lesson>,
+                                     try_chapter<chapter_07::Lesson>,
+                                     try_chapter<chapter_08::Lesson>,
+                                     try_chapter<chapter_09::Lesson>,
+                                     try_chapter<chapter_10::Lesson>,
+                                     try_chapter<chapter_11::Lesson>,
+                                     try_chapter<chapter_12::Lesson>,
+                                     try_two_files};
 
 }  // namespace
 }  // namespace texmap::test
@@ -237,10 +350,11 @@ void try_program(unsigned program, const Words& words) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string text(data + 1, data + size);
-  // The digits 0 to 7 are the programs 0 to 7.
-  const unsigned program = data[0] % 8;
+  // The digits 0 to 9 are the programs 0 to 9; those from ':' on are the last one.
+  using texmap::test::programs;
+  const std::size_t program = std::min<std::size_t>(data[0] % 16, programs.size() - 1);
   try {
-    texmap::test::try_program(program, texmap::test::words_of(text));
+    programs[program](texmap::test::words_of(text));
   } catch (const texmap::UsageError& error) {
     texmap::test::claim(*error.what() != '\0', "a refusal says why");
   }

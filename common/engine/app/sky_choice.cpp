@@ -50,24 +50,8 @@ SkyNoise noise_of(const SkyLight& sky) {
           relative(second.mis)};
 }
 
-double cost_of(SkyLighting way) {
-  switch (way) {  // measured: chapter 12's matte objects, packs of double
-    case SkyLighting::uniform:
-      return 0.6;  // half of all paths end below the surface
-    case SkyLighting::importance:
-      return 1.4;
-    case SkyLighting::mis:
-      return 1.5;
-    default:
-      return 1;
-  }
-}
-
-SkyLighting best_lighting(const SkyNoise& noise) {
-  const auto price = [](double of, SkyLighting way) { return of * of * cost_of(way); };
-  const double cosine = price(noise.cosine, SkyLighting::cosine);
-  const double mis = price(noise.mis, SkyLighting::mis);
-  return mis < cosine ? SkyLighting::mis : SkyLighting::cosine;
+SkyLighting best_lighting(const SkyNoise& noise, double cost) {
+  return square(noise.mis) * cost < square(noise.cosine) ? SkyLighting::mis : SkyLighting::cosine;
 }
 
 }  // namespace texmap
