@@ -34,7 +34,8 @@ foreach(suite
     scene/test_mesh
     scene/test_steps
     scene/test_triangle
-    published/test_published_sphere)
+    published/test_published_sphere
+    support/test_dice)
   add_suite(${suite} ON texture LABELS common)
 endforeach()
 foreach(suite
