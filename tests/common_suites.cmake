@@ -64,6 +64,7 @@ foreach(suite
     texture/test_pyramid
     texture/test_wrap
     published/test_brick_normals
+    published/test_mip_map
     published/test_published_uv
     engine/kernels/test_budget
     engine/kernels/test_kernel_plan
