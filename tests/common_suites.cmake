@@ -34,7 +34,8 @@ foreach(suite
     scene/test_mesh
     scene/test_steps
     scene/test_triangle
-    published/test_published_sphere)
+    published/test_published_sphere
+    support/test_dice)
   add_suite(${suite} ON texture LABELS common)
 endforeach()
 foreach(suite
@@ -63,6 +64,7 @@ foreach(suite
     texture/test_pyramid
     texture/test_wrap
     published/test_brick_normals
+    published/test_mip_map
     published/test_published_uv
     engine/kernels/test_budget
     engine/kernels/test_kernel_plan

@@ -12,6 +12,12 @@
 
 namespace texmap::chapter_14 {
 
+/// Drawn where a formula gives a place outside the texture, or no number at all.
+inline constexpr Rgb no_texel{1, 0, 1};
+/// Drawn where a ray misses the object on show.
+inline constexpr Rgb background{0.1, 0.1, 0.15};
+inline constexpr Rgb sky{0.6, 0.75, 1};
+
 /// Whose formulas draw.
 enum class Formulas {
   published,  ///< the source documents'; spheres by b^2 - ac, without their fixed t > 0.001

@@ -20,12 +20,6 @@
 
 namespace texmap::chapter_14 {
 
-/// Drawn where a formula gives a place outside the texture, or no number at all.
-inline constexpr Rgb no_texel{1, 0, 1};
-/// Drawn where a ray misses the object on show.
-inline constexpr Rgb background{0.1, 0.1, 0.15};
-inline constexpr Rgb sky{0.6, 0.75, 1};
-
 /// A camera at `eye` that sees a circle of this radius around the world's origin.
 [[nodiscard]] Camera towards_origin(Point eye, double radius);
 
@@ -276,6 +270,8 @@ struct OddExponent {
       MapMiddle{},
       SeamFootprint(earth),
       MirrorWrap{},
+      OneRow{},
+      NoNumber{},
   };
 }
 

@@ -11,7 +11,7 @@ namespace texmap::chapter_14 {
 struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "what breaks at the limits of a number, and the formulas that hold",
-      .size = {1680, 1710},
+      .size = {1680, 1900},
       .numbers = Numbers::single,            // the published formulas branch, and packs cannot
       .without = {"--number", "--samples"},  // the exhibit's options have them
   };

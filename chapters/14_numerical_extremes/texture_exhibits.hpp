@@ -1,8 +1,10 @@
-// Exhibits of chapters 08 to 10: edges of triangles, footprints, wrapping, the middle of a map.
+// Exhibits of chapters 08 to 10: edges of triangles, footprints, wrapping, the middle of a map, and
+// a texture without a height or a place.
 #pragma once
 #include "exhibit.hpp"
 #include "number/dual.hpp"
 #include "published/equal_area.hpp"
+#include "published/mip_map.hpp"
 #include "published/triangle_hit.hpp"
 #include "published/wrap.hpp"
 #include "scene/camera.hpp"
@@ -19,7 +21,6 @@ struct Cracks {
   const char* caption = "rays at the edges of triangles";
   Camera camera;
   Rgb crack{1, 0, 1};
-  Rgb beside{0.1, 0.1, 0.15};
   Mesh mesh = board();
 
   static constexpr int cells = 6;  ///< in each direction, two triangles each
@@ -63,7 +64,7 @@ struct Cracks {
     Real x = (px * Real(cosine) + py * Real(sine) + Real(1)) * half;
     Real y = (py * Real(cosine) - px * Real(sine) + Real(1)) * half;
     if (!(x > Real(0.1) && y > Real(0.1) && x < Real(cells - 0.1) && y < Real(cells - 0.1)))
-      return {number_cast<Real>(beside)};
+      return {number_cast<Real>(background)};
     const Real column = floor(x + Real(0.5)), row = floor(y + Real(0.5));
     const Real diagonal = (x - y) - floor(x - y + Real(0.5));
     if (abs(x - column) < Real(0.06)) {
@@ -105,6 +106,25 @@ struct MapMiddle {
   }
 };
 
+/// How a ray's direction changes over a hundredth of the picture.
+template <class Real>
+struct PixelSteps {
+  Vec3<Real> right, down;
+
+  explicit PixelSteps(const Camera& camera) {
+    const View<> view = view_of(camera, 100, 100);
+    right = number_cast<Real>(view.right * view.pixel);
+    down = number_cast<Real>(view.up * -view.pixel);
+  }
+  /// The ray with these derivatives.
+  [[nodiscard]] Ray<Dual<Real>> along(const Ray<Real>& ray) const {
+    const Vec3<Real>& d = ray.direction;
+    return {number_cast<Dual<Real>>(ray.origin),
+            {Dual<Real>{d.x, right.x, down.x}, Dual<Real>{d.y, right.y, down.y},
+             Dual<Real>{d.z, right.z, down.z}}};
+  }
+};
+
 /// A globe around its seam, filtered. The published footprint is the difference of (u, v) between
 /// neighboring pixels; at the seam that is the whole texture.
 struct SeamFootprint {
@@ -112,7 +132,6 @@ struct SeamFootprint {
   const char* caption = "a filtered globe, at its seam";
   Camera camera{.eye = {-3, 0.8, 0.4}, .target = {0, 0, 0}, .fov_y_degrees = 44};
   Sphere<> sphere{.center = {}, .radius = 1};
-  Rgb background{0.1, 0.1, 0.15};
   FilteredTexture texture;
 
   explicit SeamFootprint(const Image& picture)
@@ -129,52 +148,112 @@ struct SeamFootprint {
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     if (!(distance_to(sphere, ray) < infinity<Real>())) return {number_cast<Real>(background)};
-    // A hundredth of the picture to the right, and as much down.
-    const View<> view = view_of(camera, 100, 100);
-    const Vec3<Real> right = number_cast<Real>(view.right * view.pixel);
-    const Vec3<Real> down = number_cast<Real>(view.up * -view.pixel);
+    const PixelSteps<Real> steps(camera);
     const Uv<Real> here = uv_along(ray);
     Uv<Dual<Real>> uv;
     if (formulas == Formulas::published) {
-      const Uv<Real> beside = uv_along(Ray<Real>{ray.origin, ray.direction + right});
-      const Uv<Real> below = uv_along(Ray<Real>{ray.origin, ray.direction + down});
+      const Uv<Real> beside = uv_along(Ray<Real>{ray.origin, ray.direction + steps.right});
+      const Uv<Real> below = uv_along(Ray<Real>{ray.origin, ray.direction + steps.down});
       uv = {{here.u, beside.u - here.u, below.u - here.u},
             {here.v, beside.v - here.v, below.v - here.v}};
     } else {
-      const auto moving = [](const Real& x, const Real& dx, const Real& dy) {
-        return Dual<Real>{x, dx, dy};
-      };
-      const Vec3<Real>& d = ray.direction;
-      uv = uv_along(Ray<Dual<Real>>{number_cast<Dual<Real>>(ray.origin),
-                                    {moving(d.x, right.x, down.x), moving(d.y, right.y, down.y),
-                                     moving(d.z, right.z, down.z)}});
+      uv = uv_along(steps.along(ray));
     }
     return {texture.filtered(uv), here, true, true};
   }
 };
+
+/// Eight colors, apart from each other.
+inline constexpr std::array<Rgb, 8> eight_texels{{{0.9, 0.2, 0.2},
+                                                  {0.95, 0.6, 0.1},
+                                                  {0.95, 0.9, 0.2},
+                                                  {0.4, 0.8, 0.2},
+                                                  {0.2, 0.7, 0.7},
+                                                  {0.2, 0.4, 0.9},
+                                                  {0.5, 0.2, 0.8},
+                                                  {0.9, 0.9, 0.9}}};
 
 /// A texture of 8 texels that goes on as its mirror image, from u = -1 to 1.
 struct MirrorWrap {
   const char* name = "mirror";
   const char* caption = "8 texels, mirrored at 0";
   Camera camera{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
-  std::array<Rgb, 8> texels{{{0.9, 0.2, 0.2},
-                             {0.95, 0.6, 0.1},
-                             {0.95, 0.9, 0.2},
-                             {0.4, 0.8, 0.2},
-                             {0.2, 0.7, 0.7},
-                             {0.2, 0.4, 0.9},
-                             {0.5, 0.2, 0.8},
-                             {0.9, 0.9, 0.9}}};
-
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const Real u = ray.direction.x / -ray.direction.z;
-    const int n = static_cast<int>(texels.size());
+    const int n = static_cast<int>(eight_texels.size());
     const Real robust = mirrored(floor(u * Real(n)), Real(n));
     const int texel =
         formulas == Formulas::published ? published::article_texel(u, n) : static_cast<int>(robust);
-    return {number_cast<Real>(texels[static_cast<std::size_t>(texel)]), {}, true};
+    return {number_cast<Real>(eight_texels[static_cast<std::size_t>(texel)]), {}, true};
+  }
+};
+
+/// A picture of so many texels, each unlike its neighbors.
+[[nodiscard]] inline LightImage colored_texels(int width, int height) {
+  LightImage picture(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      picture.at(column, row) =
+          number_cast<float>(eight_texels[static_cast<std::size_t>(column + 3 * row) % 8]);
+    }
+  }
+  return picture;
+}
+
+/// The texture of the next two, with the published footprint or the course's.
+template <class Real>
+[[nodiscard]] Color<Real> color_of(const FilteredTexture& texture, const Uv<Dual<Real>>& uv,
+                                   Formulas formulas) {
+  return formulas == Formulas::published ? published::trilinear(texture, uv) : texture.filtered(uv);
+}
+
+/// A floor of stripes: a picture one texel high. The published footprint is measured in (u, v),
+/// where one texel's height is as much as 64 texels' width.
+struct OneRow {
+  const char* name = "one-row";
+  const char* caption = "a texture of 64 x 1 texels";
+  Camera camera{.eye = {0, 1, 0}, .target = {0, 0.6, -1}, .fov_y_degrees = 50};
+  FilteredTexture texture{.pyramid = pyramid_of(colored_texels(64, 1)),
+                          .filter = Filter::trilinear,
+                          .wrap = Wrap::repeat,
+                          .v_axis = VAxis::down};
+
+  template <class Real>
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    const Ray<Dual<Real>> moving = PixelSteps<Real>(camera).along(ray);
+    const Dual<Real> distance = moving.origin.y / -moving.direction.y;
+    if (!(distance > Real(0) && distance < Real(60))) return {number_cast<Real>(sky)};
+    const Uv<Dual<Real>> uv{moving.direction.x * distance * Real(1.0 / 16),
+                            moving.direction.z * distance * Real(0.2)};
+    return {color_of(texture, uv, formulas), {}, true};
+  }
+};
+
+/// A picture in squares: in some u is NaN, in some v is infinite, in some a derivative is NaN. The
+/// course reads the picture's edge there, or its mean.
+struct NoNumber {
+  const char* name = "no-number";
+  const char* caption = "squares with NaN and infinity in (u, v)";
+  Camera camera{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
+  FilteredTexture texture{.pyramid = pyramid_of(colored_texels(8, 4)),
+                          .filter = Filter::trilinear,
+                          .wrap = Wrap::clamp,
+                          .v_axis = VAxis::down};
+
+  template <class Real>
+  [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
+    const Vec3<Dual<Real>> d = PixelSteps<Real>(camera).along(ray).direction;
+    Uv<Dual<Real>> uv{Real(0.5) - d.x / d.z * Real(0.48), Real(0.5) + d.y / d.z * Real(0.64)};
+    const Real column = floor(uv.u.value * Real(6)), row = floor(uv.v.value * Real(4));
+    const Real kind = remainder_of(column * Real(2) + row, Real(7));
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    if (kind == Real(0)) uv.u.value = nan;
+    if (kind == Real(1)) uv.v.value = infinity<Real>();
+    if (kind == Real(2)) uv.u.dx = nan;
+    const Color<Real> color = color_of(texture, uv, formulas);
+    const bool number = color.r == color.r;
+    return {number ? color : number_cast<Real>(no_texel), {}, true};
   }
 };
 

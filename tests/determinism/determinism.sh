@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every build draws the same picture of a chapter in a number: whatever compiler, optimisation, machine code and number of threads.
 #
-#   determinism.sh [COMPILER[:FLAGS]...]   builds chapters 01 to 07 for each, in build/determinism, and compares all pictures with those
+#   determinism.sh [COMPILER[:FLAGS]...]   builds chapters 01 to 12 for each, in build/determinism, and compares all pictures with those
 #                                          of the first; without arguments: g++ and clang++ with -O0, -O2, -O3 and -O2 -march=native
 #   determinism.sh --part                  for CI: the programs in build/release, those that there are in build/clang and build/no-xsimd,
 #                                          and chapter 06 built with -O0 -march=native
@@ -14,7 +14,8 @@ tree=$(cd "$(dirname "$0")/../.." && pwd)
 builds=$tree/build/determinism
 all_threads="1 2 3 8"
 chapters="01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-  07_earth_by_sampling"
+  07_earth_by_sampling 08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map"
+small_texture=$tree/tests/golden/06_lecture_slides.png
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
@@ -37,17 +38,24 @@ check_pictures() {
       echo "FAIL: $name: $chapter offers no --number"
       failed=1
     }
-    budgets=exact
-    ! grep -q '^ *--budget ' "$work/help" || budgets="exact levels=1"
+    # Many pixels: a number's last bit changes few bytes. Chapter 07 smooths pixels from 32 samples on. 09 and 10 would draw sheets, and
+    # work on their whole texture first: a small one is enough.
+    ways=plain size="--width 192 --height 144 --samples 2" texture=
+    ! grep -q '^ *--budget ' "$work/help" || ways="plain budget:levels=1"
+    case $chapter in
+      07*) size="--width 64 --height 48 --samples 32" ;;
+      09*) ways="filter:anisotropic filter:stochastic budget:levels=1" size="--width 96 --height 72" texture=$small_texture ;;
+      10*) ways=projection:equal-area texture=$small_texture ;;
+      12*) ways="plain light:mis" size="--width 64 --height 48 --samples 32" ;;
+    esac
     for number in $numbers; do
-      for budget in $budgets; do
+      for way in $ways; do
         picture=$chapter-$number
-        # Many pixels: a number's last bit changes few bytes. Chapter 07 smooths pixels from 32 samples on.
-        set -- --width 192 --height 144 --samples 2 --number "$number"
-        [ "${chapter#07}" = "$chapter" ] || set -- --width 64 --height 48 --samples 32 --number "$number"
-        if [ "$budget" != exact ]; then
-          picture=$picture-$budget
-          set -- "$@" --budget "$budget"
+        # shellcheck disable=SC2086  # a list of options
+        set -- $size ${texture:+--texture "$texture"} --number "$number"
+        if [ "$way" != plain ]; then
+          picture=$picture-${way#*:}
+          set -- "$@" "--${way%%:*}" "${way#*:}"
         fi
         for threads in $all_threads; do
           drawn=$((drawn + 1))
@@ -140,6 +148,7 @@ END
     ;;
   --part)
     release=$tree/build/release/bin
+    all_threads="1 3 8"
     take_compare "$release"
     check_pictures release "$release"
     for built in clang no-xsimd; do

@@ -60,10 +60,9 @@ class Dice {
   /// A positive number in [2^low, 2^high): all exponents are equally likely, all digits of T vary.
   template <class T>
   T number(int low, int high) {
-    using Limits = std::numeric_limits<T>;
-    const T mantissa =
-        static_cast<T>(1) + static_cast<T>(bits() >> (65 - Limits::digits)) * Limits::epsilon();
-    return std::ldexp(mantissa, within(low, high - 1));
+    const T mantissa = static_cast<T>(1) + fraction<T>();
+    using std::ldexp;  // a reference number brings its own
+    return ldexp(mantissa, within(low, high - 1));
   }
   /// Any finite number, subnormal ones included, and once in 16 draws a zero with either sign.
   template <class T>
@@ -117,6 +116,20 @@ class Dice {
   }
 
  private:
+  /// The digits of T after the first, in [0, 1). One draw has 64: ARM64's long double takes two.
+  template <class T>
+  T fraction() {
+    using Limits = std::numeric_limits<T>;
+    constexpr int rest = Limits::digits - 1;
+    if constexpr (rest <= 64) {
+      return static_cast<T>(bits() >> (64 - rest)) * Limits::epsilon();
+    } else {
+      static_assert(rest <= 128);
+      using std::ldexp;
+      const T first = ldexp(static_cast<T>(bits()), -64);
+      return first + static_cast<T>(bits() >> (128 - rest)) * Limits::epsilon();
+    }
+  }
   std::uint64_t draw() {
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;

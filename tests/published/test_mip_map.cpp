@@ -1,0 +1,57 @@
+// Tests of published/mip_map.hpp: where it is the course's trilinear filter, and where it fails.
+#include <doctest.h>
+
+#include "published/mip_map.hpp"
+
+namespace texmap::test {
+namespace {
+
+/// So many texels, the light of each its number.
+FilteredTexture numbered(int width, int height) {
+  LightImage image(width, height);
+  for (std::size_t i = 0; i < image.texels.size(); ++i)
+    image.texels[i] = gray(static_cast<float>(i));
+  return {.pyramid = pyramid_of(image), .filter = Filter::trilinear, .v_axis = VAxis::down};
+}
+
+/// A place whose pixel covers so much of u and v.
+Uv<Dual<double>> place(double u, double v, double along_u, double along_v) {
+  return {{u, along_u, 0.0}, {v, 0.0, along_v}};
+}
+
+TEST_CASE("a square footprint of 2^k / 2 texels of a square picture reads level k") {
+  const FilteredTexture texture = numbered(16, 16);
+  const Uv<double> at{0.3, 0.6};
+  for (int level = 0; level <= 4; ++level) {
+    const double side = std::ldexp(0.5, level) / 16;
+    const double found = published::trilinear(texture, place(at.u, at.v, side, side)).r;
+    CHECK(std::abs(found - texture.bilinear(at, double(level)).r) < 1e-9);
+  }
+  for (const double side : {0.0, 1e-30, 1e-4})
+    CHECK(published::trilinear(texture, place(at.u, at.v, side, 0)).r == texture(at).r);
+  for (const double side : {1.0, 1e30, infinity<double>()})
+    CHECK(published::trilinear(texture, place(at.u, at.v, 0, side)).r == 127.5);
+}
+
+TEST_CASE("in a row of 64 texels, an eighth of its height covered is a blur over 16 columns") {
+  const FilteredTexture row = numbered(64, 1);
+  const auto pixel = place(0.25, 0.25, 1e-6, 0.125);
+  const double found = published::trilinear(row, pixel).r;
+  CHECK(std::abs(found - row.bilinear(Uv<double>{0.25, 0.25}, 4.0).r) < 1e-9);
+  CHECK(row.filtered(pixel).r == 15.5);  // between columns 15 and 16
+}
+
+TEST_CASE("what is no number becomes no color, and the course's filter still gives one") {
+  const FilteredTexture texture = numbered(8, 4);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& uv : {place(nan, 0.5, 0.01, 0.01), place(0.5, infinity<double>(), 0.01, 0.01),
+                         place(0.5, 0.5, nan, 0.01)}) {
+    CHECK(std::isnan(published::trilinear(texture, uv).r));
+    CHECK(texture.filtered(uv).r >= 0);
+    CHECK(texture.filtered(uv).r <= 31);
+  }
+  CHECK(texture.filtered(place(0.5, 0.5, nan, 0.01)).r == 15.5);  // the mean
+}
+
+}  // namespace
+}  // namespace texmap::test
