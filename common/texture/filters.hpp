@@ -1,6 +1,7 @@
 // Texture filters: the mean light that a pixel's footprint covers, from few texels.
 #pragma once
 #include "math/color.hpp"
+#include "number/compiler.hpp"
 #include "sampling/hash.hpp"
 #include "texture/footprint.hpp"
 #include "texture/pyramid.hpp"
@@ -94,7 +95,7 @@ struct Filtered {
   /// @param at  v counted from the top row
   template <class Real>
   [[nodiscard]] Color<Real> filtered(const Uv<Real>& at, const Footprint<Real>& footprint) const {
-    if (filter == Filter::trilinear) return trilinear(at, place(footprint.longer));
+    if (filter == Filter::trilinear) return trilinear(at, levels_for(footprint.longer));
     if (filter == Filter::ewa) return elliptical(at, footprint);
     // Intervals have no integers to hash: they bound the mean of all choices.
     if constexpr (requires { uint_from_real(at.u); }) {
@@ -118,79 +119,86 @@ struct Filtered {
   /// The four texels of a level around `at`, mixed; exact at the centers of texels.
   template <class Real>
   [[nodiscard]] Color<Real> bilinear(const Uv<Real>& at, const PyramidLevel<Real>& level) const {
-    const Real x = limited(at.u * level.width - Real(0.5));
-    const Real y = limited(at.v * level.height - Real(0.5));
-    const Real left = floor(x), right = left + Real(1);
-    const Real top = floor(y), bottom = top + Real(1);
-    const WrappedTexel<Real> first = place_of(level, left, top);
-    const WrappedTexel<Real> last = place_of(level, right, bottom);
-    // In most modes columns do not depend on rows.
-    const bool apart = wrap != Wrap::border && wrap != Wrap::spherical;
-    const WrappedTexel<Real> upper_right =
-        apart ? WrappedTexel<Real>{last.column, first.row, first.inside}
-              : place_of(level, right, top);
-    const WrappedTexel<Real> lower_left =
-        apart ? WrappedTexel<Real>{first.column, last.row, first.inside}
-              : place_of(level, left, bottom);
-    const Color<Real> upper = mix(light(level, first), light(level, upper_right), x - left);
-    const Color<Real> lower = mix(light(level, lower_left), light(level, last), x - left);
-    return mix(upper, lower, y - top);
+    if (wrap == Wrap::border || (wrap == Wrap::spherical && sees_pole(at, level)))
+      return bilinear_beyond_edges(at, level);
+    const Wrap sideways = wrap == Wrap::spherical ? Wrap::repeat : wrap;
+    const Wrap downward = wrap == Wrap::spherical ? Wrap::clamp : wrap;
+    const Real x = wrapped_coordinate(sideways, at.u) * level.width - Real(0.5);
+    const Real y = wrapped_coordinate(downward, at.v) * level.height - Real(0.5);
+    const Real left = floor(x), top = floor(y);
+    return mixed_light(pyramid, level, wrapped_neighbors(sideways, left, level.width),
+                       wrapped_neighbors(downward, top, level.height), x - left, y - top);
   }
+
+  /// Two neighboring levels of the pyramid, and how much of the coarser one is mixed in.
   template <class Real>
-  [[nodiscard]] Color<Real> bilinear(const Uv<Real>& at, const Real& number) const {
-    return bilinear(at, level_of(pyramid, number));
+  struct TwoLevels {
+    PyramidLevel<Real> fine, coarse;
+    Real fraction;
+    bool mixed;  ///< false where `fine` is enough
+  };
+  template <class Real>
+  [[nodiscard]] TwoLevels<Real> levels_at(const LevelPlace<Real>& place) const {
+    const PyramidLevel<Real> fine = level_of(pyramid, place.number);
+    const Mask<Real> between = place.fraction > Real(0);
+    if (!any(between)) return {fine, fine, place.fraction, false};
+    const Real next = select(between, place.number + Real(1), place.number);
+    return {fine, level_of(pyramid, next), place.fraction, true};
+  }
+  /// The levels for texels of this width.
+  template <class Real>
+  [[nodiscard]] TwoLevels<Real> levels_for(const Real& width) const {
+    return levels_at(place(width));
   }
 
   /// Two levels, mixed.
   template <class Real>
-  [[nodiscard]] Color<Real> trilinear(const Uv<Real>& at, const LevelPlace<Real>& place) const {
-    const Color<Real> fine = bilinear(at, place.number);
-    const Mask<Real> between = place.fraction > Real(0);
-    if (!any(between)) return fine;
-    const Real next = select(between, place.number + Real(1), place.number);
-    return mix(fine, bilinear(at, next), place.fraction);
+  [[nodiscard]] Color<Real> trilinear(const Uv<Real>& at, const TwoLevels<Real>& levels) const {
+    const Color<Real> fine = bilinear(at, levels.fine);
+    return levels.mixed ? mix(fine, bilinear(at, levels.coarse), levels.fraction) : fine;
   }
 
-  /// How many reads a footprint needs, and how wide each is.
+  /// Reads along a footprint: how many, how wide each is, where the first is, and the step to the
+  /// next.
   template <class Real>
   struct Taps {
     Real count, width;
+    Uv<Real> first, step;
+
+    /// The middle of read `i`.
+    [[nodiscard]] Uv<Real> at(const Real& i) const {
+      return {first.u + step.u * i, first.v + step.v * i};
+    }
   };
   /// Reads as wide as the picture all see its mean: one is enough, unless they see the border.
   template <class Real>
-  [[nodiscard]] Taps<Real> taps_of(const Footprint<Real>& footprint) const {
+  [[nodiscard]] Taps<Real> taps_of(const Uv<Real>& at, const Footprint<Real>& footprint) const {
+    const PyramidLevel<int>& whole = pyramid.levels.front();
     const Real least = max(footprint.shorter, Real(1));
-    const Real count = clamp(-floor(-footprint.longer / least), Real(1), Real(taps));
-    const Real width = max(least, footprint.longer / count);
+    const Real most = clamp(-floor(-footprint.longer / least), Real(1), Real(taps));
+    const Real width = max(least, footprint.longer / most);
     const Mask<Real> all_alike = width >= Real(widest()) && Real(wrap != Wrap::border) > Real(0);
-    return {select(all_alike, Real(1), count), width};
+    const Real count = select(all_alike, Real(1), most);
+    const Uv<Real> step{footprint.along_u / (count * Real(whole.width)),
+                        footprint.along_v / (count * Real(whole.height))};
+    const Real to_first = Real(0.5) * (Real(1) - count);
+    return {count, width, {at.u + step.u * to_first, at.v + step.v * to_first}, step};
   }
   /// The longer side of the whole picture, in texels.
   [[nodiscard]] int widest() const {
     return std::max(pyramid.levels.front().width, pyramid.levels.front().height);
   }
 
-  /// The middle of read `i` of `count` along a footprint.
-  template <class Real>
-  [[nodiscard]] Uv<Real> tap(const Uv<Real>& at, const Footprint<Real>& footprint, const Real& i,
-                             const Real& count) const {
-    const PyramidLevel<int>& whole = pyramid.levels.front();
-    const Real along = (i + Real(0.5)) / count - Real(0.5);
-    return {at.u + footprint.along_u * along / Real(whole.width),
-            at.v + footprint.along_v * along / Real(whole.height)};
-  }
-
   /// The mean of trilinear reads along the footprint's longer side.
   template <class Real>
   [[nodiscard]] Color<Real> many(const Uv<Real>& at, const Footprint<Real>& footprint) const {
-    const Taps<Real> reads = taps_of(footprint);
-    const LevelPlace<Real> level = place(reads.width);
+    const Taps<Real> reads = taps_of(at, footprint);
+    const TwoLevels<Real> levels = levels_for(reads.width);
     Color<Real> sum{};
     for (int i = 0; i < taps; ++i) {
       const Mask<Real> here = Real(i) < reads.count;
       if (!any(here)) break;
-      const Color<Real> color = trilinear(tap(at, footprint, Real(i), reads.count), level);
-      sum = select(here, sum + color, sum);
+      sum = select(here, sum + trilinear(reads.at(Real(i)), levels), sum);
     }
     return sum * (Real(1) / reads.count);
   }
@@ -205,9 +213,9 @@ struct Filtered {
   template <class Real>
   [[nodiscard]] Color<Real> one_of_many(const Uv<Real>& at, const Footprint<Real>& footprint,
                                         const Choice<Real>& choice) const {
-    const Taps<Real> reads = taps_of(footprint);
+    const Taps<Real> reads = taps_of(at, footprint);
     const LevelPlace<Real> place = this->place(reads.width);
-    const Uv<Real> middle = tap(at, footprint, floor(choice.tap * reads.count), reads.count);
+    const Uv<Real> middle = reads.at(floor(choice.tap * reads.count));
     const Real number = select(choice.level < place.fraction, place.number + Real(1), place.number);
     const PyramidLevel<Real> level = level_of(pyramid, number);
     // The nearest texel of a place moved by up to half a texel is the right one as often as the
@@ -233,22 +241,23 @@ struct Filtered {
     return one_of_many(at, footprint, Choice<Real>{tap, level, column, row});
   }
 
-  /// The texels in an ellipse with the footprint's axes, with the weight (1 - r^2)^2, r = 1 on its
-  /// edge. In the level where the footprint's shorter side is 1 to 2 texels.
-  /// Source: Greene and Heckbert (1986); their weight is a Gaussian, this one needs no exponential.
+  /// An ellipse in a level of the pyramid: (c x^2 - 2 b x y + a y^2) / (a c - b^2) <= 1, in texels
+  /// from its middle.
   template <class Real>
-  [[nodiscard]] Color<Real> elliptical(const Uv<Real>& at, const Footprint<Real>& footprint) const {
+  struct Ellipse {
+    PyramidLevel<Real> level;
+    Real a, b, c;
+  };
+  /// The ellipse with the footprint's axes, in the level where its shorter side is 1 to 2 texels;
+  /// at least one texel across.
+  template <class Real>
+  [[nodiscard]] Ellipse<Real> ellipse_of(const Footprint<Real>& footprint) const {
     const Real longest = max(footprint.longer, Real(1));
     const Real width = max(footprint.shorter, longest / Real(taps));
-    const Real number = place(width).number;
-    const PyramidLevel<Real> level = level_of(pyramid, number);
+    const PyramidLevel<Real> level = level_of(pyramid, place(width).number);
     const PyramidLevel<int>& whole = pyramid.levels.front();
     const Real scale_u = level.width / Real(whole.width);
     const Real scale_v = level.height / Real(whole.height);
-    const Real x = limited(at.u * level.width - Real(0.5));
-    const Real y = limited(at.v * level.height - Real(0.5));
-
-    // The ellipse (C x^2 - 2 B x y + A y^2) / (A C - B^2) <= 1: at least one texel across.
     const Real share = select(footprint.longer > Real(0), width / footprint.longer, Real(1));
     const Real rest = max(Real(1) - share * share, Real(0));
     // Beyond two copies of the image nothing new comes.
@@ -257,11 +266,19 @@ struct Filtered {
     const Real v = clamp(footprint.along_v * scale_v, -most_v, most_v);
     const Real round_u = square(min(width * scale_u, most_u));
     const Real round_v = square(min(width * scale_v, most_v));
-    const Real a = Real(ellipse_size) * (u * u * rest + round_u) + Real(1);
-    const Real b = Real(ellipse_size) * (u * v * rest);
-    const Real c = Real(ellipse_size) * (v * v * rest + round_v) + Real(1);
-    const Real inverse = Real(1) / (a * c - b * b);
+    return {level, Real(ellipse_size) * (u * u * rest + round_u) + Real(1),
+            Real(ellipse_size) * (u * v * rest),
+            Real(ellipse_size) * (v * v * rest + round_v) + Real(1)};
+  }
 
+  /// The texels in the footprint's ellipse, with the weight (1 - r^2)^2, r = 1 on its edge.
+  /// Source: Greene and Heckbert (1986); their weight is a Gaussian, this one needs no exponential.
+  template <class Real>
+  [[nodiscard]] Color<Real> elliptical(const Uv<Real>& at, const Footprint<Real>& footprint) const {
+    const auto [level, a, b, c] = ellipse_of(footprint);
+    const Real x = limited(at.u * level.width - Real(0.5));
+    const Real y = limited(at.v * level.height - Real(0.5));
+    const Real inverse = Real(1) / (a * c - b * b);
     const Real left = -floor(-(x - sqrt(a))), top = -floor(-(y - sqrt(c)));
     const Real right = x + sqrt(a), bottom = y + sqrt(c);
     Color<Real> sum{};
@@ -292,6 +309,26 @@ struct Filtered {
   [[nodiscard]] Real limited(const Real& x) const {
     const Real most = Real(0.25) / unit_roundoff<Real>();
     return clamp(x, -most, most);
+  }
+  /// True where a row beyond a pole may be read.
+  template <class Real>
+  [[nodiscard]] bool sees_pole(const Uv<Real>& at, const PyramidLevel<Real>& level) const {
+    return any(min(at.v, Real(1) - at.v) * level.height < Real(0.5));
+  }
+  /// The same as `bilinear` where columns depend on rows: each texel is wrapped by itself.
+  template <class Real>
+  [[nodiscard]] TEXMAP_NOINLINE Color<Real> bilinear_beyond_edges(
+      const Uv<Real>& at, const PyramidLevel<Real>& level) const {
+    // As in `bilinear`, so that a lane does not depend on its neighbors.
+    const Real u = wrap == Wrap::spherical ? wrapped_coordinate(Wrap::repeat, at.u) : at.u;
+    const Real x = limited(u * level.width - Real(0.5));
+    const Real y = limited(at.v * level.height - Real(0.5));
+    const Real left = floor(x), top = floor(y);
+    const auto row_of = [&](const Real& row) {
+      return mix(wrapped(level, left, row), wrapped(level, left + Real(1), row), x - left);
+    };
+    const Color<Real> upper = row_of(top);
+    return mix(upper, row_of(top + Real(1)), y - top);
   }
   template <class Real>
   [[nodiscard]] WrappedTexel<Real> place_of(const PyramidLevel<Real>& level, const Real& column,

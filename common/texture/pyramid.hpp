@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "texture/light_image.hpp"
+#include "texture/wrap.hpp"
 
 namespace texmap {
 
@@ -118,6 +119,21 @@ template <class Real>
       },
       column, level.first_row + row);
   return {channels[0], channels[1], channels[2]};
+}
+
+/// The light of four texels of a level, in two columns and two rows inside its image, mixed.
+///
+/// @param across, down  how far from the first column to the second and from the first row, 0 to 1
+template <class Texels, class Real>
+[[nodiscard]] Color<Real> mixed_light(const Texels& pyramid, const PyramidLevel<Real>& level,
+                                      const Neighbors<Real>& columns, const Neighbors<Real>& rows,
+                                      const Real& across, const Real& down) {
+  const auto row_of = [&](const Real& row) {
+    return mix(texel_light(pyramid, level, columns.first, row),
+               texel_light(pyramid, level, columns.second, row), across);
+  };
+  const Color<Real> upper = row_of(rows.first);
+  return mix(upper, row_of(rows.second), down);
 }
 
 }  // namespace texmap

@@ -28,6 +28,39 @@ template <class Real>
   return min(rest, Real(2) * n - Real(1) - rest);
 }
 
+/// A coordinate moved into [0, 1] as `wrap` says: the image again, mirrored, or its edge.
+///
+/// @param x  any number; NaN gives 0
+/// Bound: one rounding of x. Domain of `wrap`: repeat, mirror and clamp.
+template <class Real>
+[[nodiscard]] Real wrapped_coordinate(Wrap wrap, const Real& x) {
+  if (wrap == Wrap::repeat) return clamp(x - floor(x), Real(0), below_one<Real>());
+  if (wrap == Wrap::mirror) {
+    const Real in_two = x - Real(2) * floor(x * Real(0.5));  // 0 to 2: the image and its mirror
+    return clamp(min(in_two, Real(2) - in_two), Real(0), Real(1));
+  }
+  return clamp(x, Real(0), Real(1));
+}
+
+/// Two neighboring columns or rows.
+template <class Real>
+struct Neighbors {
+  Real first, second;
+};
+
+/// The columns or rows that are seen at `x` and at x + 1: one of them may be beyond an edge.
+///
+/// @param x  a whole number from -1 to n - 1
+/// @param n  the number of columns or rows, a whole number
+/// Domain of `wrap`: repeat, mirror and clamp.
+template <class Real>
+[[nodiscard]] Neighbors<Real> wrapped_neighbors(Wrap wrap, const Real& x, const Real& n) {
+  const Real last = n - Real(1), next = x + Real(1);
+  const bool repeats = wrap == Wrap::repeat;
+  return {select(x < Real(0), repeats ? last : Real(0), x),
+          select(next > last, repeats ? Real(0) : last, next)};
+}
+
 /// A texel after wrapping.
 template <class Real>
 struct WrappedTexel {

@@ -76,6 +76,28 @@ TEST_CASE("a mirror image of a mirror image is the image, and edges meet themsel
   }
 }
 
+TEST_CASE("a coordinate wrapped at once leads to the neighbors that are wrapped one by one") {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp}) {
+    for (const int n : {1, 2, 3, 8, 37}) {
+      for (int x = -4 * n; x < 4 * n; ++x) {
+        // A quarter of a texel to the right of the middle of texel x.
+        const double place = wrapped_coordinate(wrap, (x + 0.75) / n) * n - 0.5;
+        const double left = std::floor(place);
+        const Neighbors<double> found = wrapped_neighbors(wrap, left, static_cast<double>(n));
+        const auto at = [&](int texel) {
+          return wrapped_texel<double>(wrap, texel, 0, n, 1).column;
+        };
+        // A mirror image exchanges them, and their weights.
+        const bool turned = std::abs(place - left - 0.75) < 1e-9;
+        const bool edge = wrap == Wrap::clamp && (x < 0 || x >= n);
+        if (!edge) REQUIRE(std::abs(place - left - (turned ? 0.75 : 0.25)) < 1e-9);
+        REQUIRE((turned ? found.second : found.first) == at(x));
+        REQUIRE((turned ? found.first : found.second) == at(x + 1));
+      }
+    }
+  }
+}
+
 TEST_CASE("over a pole one comes down on the other side, half a turn on; twice is no step at all") {
   for (const int rows : {1, 2, 3, 8}) {
     for (const int columns : {2, 4, 10, 16}) {

@@ -5,11 +5,6 @@
 
 namespace texmap {
 
-/// True for packs of float. In packs of double the general version is as fast: it reads as many
-/// places, and converts them in the registers.
-template <class Real>
-inline constexpr bool can_fetch_light = can_fetch<Real>&& std::is_same_v<Scalar<Real>, float>;
-
 /// level_of for all lanes at once. Neighboring pixels mostly read one level.
 template <class Real>
 requires can_fetch<Real>
@@ -27,18 +22,46 @@ requires can_fetch<Real>
   return {part(0), part(1), part(2)};
 }
 
-/// texel_light for all lanes at once. Domain: pyramids of at most 2^29 texels.
+/// texel_light for all lanes at once.
 template <class Real>
-requires can_fetch_light<Real>
+requires can_fetch<Real>
 [[nodiscard]] Color<Real> texel_light(const Pyramid& pyramid, const PyramidLevel<Real>& level,
                                       const Real& column, const Real& row) {
-  using Integers = UInt<Real>;
-  // Of the 64 bits of a row's start the lower 32 are enough.
-  const Integers start =
-      fetch_four_bytes<Real, 4>(pyramid.row_starts.data(), uint_from_real(level.first_row) * 2U);
-  const Integers texel =
-      (start + uint_from_real(row) * uint_from_real(level.width) + uint_from_real(column)) * 3U;
-  const auto channels = fetch_three_floats<Real>(&pyramid.texels.data()->r, texel);
+  const auto columns = lane_integers(column);
+  const auto rows = lane_integers(level.first_row + row);
+  const auto channels = from_channels<Real>([&](std::size_t i) {
+    return channels_at<Real>(&pyramid.texels[pyramid.row_starts[rows[i]] + columns[i]].r);
+  });
+  return {channels[0], channels[1], channels[2]};
+}
+
+/// mixed_light: each lane mixes its four texels with their three channels at once.
+/// Textbook: mixes of packs, for which 12 packs would have to be collected first.
+template <class Real>
+requires can_fetch<Real>
+[[nodiscard]] Color<Real> mixed_light(const Pyramid& pyramid, const PyramidLevel<Real>& level,
+                                      const Neighbors<Real>& columns, const Neighbors<Real>& rows,
+                                      const Real& across, const Real& down) {
+  // As `mix` does, start from the nearer texel.
+  const Mask<Real> from_left = across < Real(0.5), from_top = down < Real(0.5);
+  const auto near_columns = lane_integers(select(from_left, columns.first, columns.second));
+  const auto far_columns = lane_integers(select(from_left, columns.second, columns.first));
+  const auto near_rows = lane_integers(level.first_row + select(from_top, rows.first, rows.second));
+  const auto far_rows = lane_integers(level.first_row + select(from_top, rows.second, rows.first));
+  const auto to_far_column = all_lanes(select(from_left, across, Real(1) - across));
+  const auto to_far_row = all_lanes(select(from_top, down, Real(1) - down));
+
+  const Color<float>* const texels = pyramid.texels.data();
+  const auto channels = from_channels<Real>([&](std::size_t i) {
+    const auto mixed = [](const auto& a, const auto& b, const auto& t) { return a + t * (b - a); };
+    const auto across_row = [&](std::uint32_t row) {
+      const Color<float>* const first = texels + pyramid.row_starts[row];
+      return mixed(channels_at<Real>(&first[near_columns[i]].r),
+                   channels_at<Real>(&first[far_columns[i]].r), four_times<Real>(to_far_column[i]));
+    };
+    return mixed(across_row(near_rows[i]), across_row(far_rows[i]),
+                 four_times<Real>(to_far_row[i]));
+  });
   return {channels[0], channels[1], channels[2]};
 }
 

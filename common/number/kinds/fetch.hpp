@@ -75,50 +75,78 @@ template <class Real>
   }
 }
 
-/// Three floats that follow each other, at each of many places. For packs of float.
-///
-/// @param places  of the first of the three, below 2^31
+/// A pack's numbers as integers, lane by lane. Domain: 0 to 2^31 - 1.
 template <class Real>
-[[nodiscard]] inline std::array<Real, 3> fetch_three_floats(const float* table,
-                                                            const UInt<Real>& places) {
+[[nodiscard]] inline std::array<std::uint32_t, lanes<Real>> lane_integers(const Real& x) {
+  return std::bit_cast<std::array<std::uint32_t, lanes<Real>>>(uint_from_real(x));
+}
+
+/// Four numbers of one lane that are computed at once: three channels, and one that is not used.
+template <class Number>
+struct FourOf;
+template <>
+struct FourOf<float> {
+  // NOLINTNEXTLINE(modernize-use-using): GCC 12 ignores the attributes of an alias
+  typedef __m128 Type;
+};
+template <>
+struct FourOf<double> {
+  typedef __m256d Type;  // NOLINT(modernize-use-using): as above
+};
+/// The four numbers of a lane of Real. Functions of them have Real in their names, see wide_packs.
+template <class Real>
+using LaneFour = typename FourOf<Scalar<Real>>::Type;
+
+/// Three floats that follow each other; it reads no fourth.
+template <class Real>
+[[nodiscard]] inline LaneFour<Real> channels_at(const float* first) {
+  const __m128 channels = _mm_maskload_ps(first, _mm_setr_epi32(-1, -1, -1, 0));
+  if constexpr (std::is_same_v<Scalar<Real>, float>) return channels;
+  if constexpr (std::is_same_v<Scalar<Real>, double>) return _mm256_cvtps_pd(channels);
+}
+/// The same number four times.
+template <class Real>
+[[nodiscard]] inline LaneFour<Real> four_times(Scalar<Real> x) {
+  if constexpr (std::is_same_v<Scalar<Real>, float>) return _mm_set1_ps(x);
+  if constexpr (std::is_same_v<Scalar<Real>, double>) return _mm256_set1_pd(x);
+}
+
+/// Packs of the first, the second and the third channel, from channels(i) of lane `i`.
+/// One load a lane and a transposition are faster than three gather instructions.
+template <class Real, class Channels>
+[[nodiscard]] inline std::array<Real, 3> from_channels(const Channels& channels) {
   if constexpr (requires(Real x) { x.first; }) {
     using Half = decltype(Real::first);
-    const auto first = fetch_three_floats<Half>(table, places.first);
-    const auto second = fetch_three_floats<Half>(table, places.second);
-    return {Real{first[0], second[0]}, Real{first[1], second[1]}, Real{first[2], second[2]}};
+    const auto a = from_channels<Half>(channels);
+    const auto b =
+        from_channels<Half>([&channels](std::size_t i) { return channels(i + lanes<Half>); });
+    return {Real{a[0], b[0]}, Real{a[1], b[1]}, Real{a[2], b[2]}};
   } else {
-    // One load a lane and a transposition are faster than three gather instructions.
-    constexpr std::size_t count = lanes<Real>;
-    const auto offsets = std::bit_cast<std::array<std::uint32_t, count>>(places);
     struct Fours {
-      __m128 at[count / 4];
+      LaneFour<Real> at[lanes<Real> / 4];
     };
-    Fours channels[3];
-    const __m128i three = _mm_setr_epi32(-1, -1, -1, 0);
-    for (std::size_t i = 0; i < count / 4; ++i) {
-      __m128 a = _mm_maskload_ps(table + offsets[4 * i], three);
-      __m128 b = _mm_maskload_ps(table + offsets[4 * i + 1], three);
-      __m128 c = _mm_maskload_ps(table + offsets[4 * i + 2], three);
-      __m128 d = _mm_maskload_ps(table + offsets[4 * i + 3], three);
-      _MM_TRANSPOSE4_PS(a, b, c, d);
-      channels[0].at[i] = a;
-      channels[1].at[i] = b;
-      channels[2].at[i] = c;
-    }
-    const auto numbers = [](const Fours& fours) {
-      if constexpr (count == 4) {
-        return Real(typename Real::Batch(fours.at[0]));
-      } else if constexpr (count == 8) {
-        return Real(typename Real::Batch(_mm256_set_m128(fours.at[1], fours.at[0])));
+    Fours r, g, b;
+    for (std::size_t i = 0; i < lanes<Real> / 4; ++i) {
+      LaneFour<Real> first = channels(4 * i), second = channels(4 * i + 1);
+      LaneFour<Real> third = channels(4 * i + 2), fourth = channels(4 * i + 3);
+      if constexpr (std::is_same_v<Scalar<Real>, float>) {
+        _MM_TRANSPOSE4_PS(first, second, third, fourth);
+        r.at[i] = first;
+        g.at[i] = second;
+        b.at[i] = third;
       } else {
-#if defined(__AVX512F__)
-        const __m512 low = _mm512_insertf32x4(_mm512_castps128_ps512(fours.at[0]), fours.at[1], 1);
-        const __m512 half = _mm512_insertf32x4(low, fours.at[2], 2);
-        return Real(typename Real::Batch(_mm512_insertf32x4(half, fours.at[3], 3)));
-#endif
+        const __m256d reds = _mm256_unpacklo_pd(first, second);       // r0 r1 b0 b1
+        const __m256d more_reds = _mm256_unpacklo_pd(third, fourth);  // r2 r3 b2 b3
+        r.at[i] = _mm256_permute2f128_pd(reds, more_reds, 0x20);
+        b.at[i] = _mm256_permute2f128_pd(reds, more_reds, 0x31);
+        g.at[i] = _mm256_permute2f128_pd(_mm256_unpackhi_pd(first, second),
+                                         _mm256_unpackhi_pd(third, fourth), 0x20);
       }
+    }
+    const auto pack = [](const Fours& fours) {
+      return Real(std::bit_cast<typename Real::Batch>(fours));
     };
-    return {numbers(channels[0]), numbers(channels[1]), numbers(channels[2])};
+    return {pack(r), pack(g), pack(b)};
   }
 }
 #endif
