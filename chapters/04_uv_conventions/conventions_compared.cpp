@@ -12,10 +12,10 @@
 namespace texmap::chapter_04 {
 
 const std::array<PublishedMapping, 4> published_mappings = {{
-    {"seed 0: daily", published::uv_daily<double>, Convention::daily},
-    {"seed 1: One Weekend 2020", published::uv_one_weekend_2020<double>, Convention::rtiow},
-    {"seed 2: rtiow", published::uv_next_week_v4<double>, Convention::rtiow},
-    {"seed 4: lecture", published::uv_lecture<double>, Convention::lecture},
+    {"daily exercise", published::uv_daily<double>, Convention::daily},
+    {"One Weekend 2020", published::uv_one_weekend_2020<double>, Convention::rtiow},
+    {"Next Week", published::uv_next_week_v4<double>, Convention::rtiow},
+    {"lecture", published::uv_lecture<double>, Convention::lecture},
 }};
 
 Vec3<double> direction_at(double east, double north) {
@@ -41,12 +41,12 @@ int handedness(const PublishedMapping& mapping) {
 
 std::array<Relation, 6> measure_relations() {
   std::array<Relation, 6> relations = {{
-      {"u1 = u2"},
-      {"u2 = 1 - u0"},
-      {"u4 = frac(u2 - 1/4)"},
-      {"v1 = v2"},
-      {"v2 = 1 - v0"},
-      {"v4 = v2"},
+      {"u_weekend = u_next"},
+      {"u_next = 1 - u_daily"},
+      {"u_lecture = frac(u_next - 1/4)"},
+      {"v_weekend = v_next"},
+      {"v_next = 1 - v_daily"},
+      {"v_lecture = v_next"},
   }};
   // u = 0 and u = 1 are one meridian: the shorter way between two u counts.
   const auto around = [](double a, double b) { return std::abs((a - b) - std::round(a - b)); };
@@ -73,17 +73,18 @@ std::array<Relation, 6> measure_relations() {
 }
 
 std::string table_of_relations() {
-  std::string table = "relation                largest error on 100,000 directions, double\n";
+  std::string table =
+      "relation                        largest error on 100,000 directions, double\n";
   for (const Relation& relation : measure_relations()) {
-    table += text("%-24s%.1e\n", relation.text.c_str(), relation.residual);
+    table += text("%-32s%.1e\n", relation.text.c_str(), relation.residual);
   }
-  table += "\nconvention                  u runs  v runs  a picture on it\n";
+  table += "\ndocument            u runs  v runs  a picture on it\n";
   for (const PublishedMapping& mapping : published_mappings) {
     const Uv<double> here = mapping.formula(direction_at(0.4, 0.6));
     const bool east = mapping.formula(direction_at(0.41, 0.6)).u > here.u;
     const bool north = mapping.formula(direction_at(0.4, 0.61)).v > here.v;
     table +=
-        text("%-28s%-8s%-8s%s\n", mapping.title, east ? "east" : "west", north ? "north" : "south",
+        text("%-20s%-8s%-8s%s\n", mapping.title, east ? "east" : "west", north ? "north" : "south",
              handedness(mapping) > 0 ? "reads as printed" : "is mirrored");
   }
   return table + "\n";
