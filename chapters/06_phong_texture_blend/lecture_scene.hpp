@@ -1,9 +1,10 @@
-// The lecture's scene : a globe over a yellow ground, lit without shadows, on black.
+// The lecture's scene: a globe over a yellow ground, lit without shadows, on black.
 #pragma once
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/app/phong_options.hpp"
 #include "engine/app/session.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
@@ -43,6 +44,13 @@ void set_lecture_scene(Lesson& lesson, Session& session) {
   if (!session.was_given("--degrees")) lesson.turn.degrees = 0;
   session.default_size(
       800, std::max(1, (session.was_given("--width") ? session.settings.width : 800) / 2));
+}
+
+/// The stage, or the lecture's scene if the user asks for it, and the globe's highlight.
+template <class Lesson>
+void choose_scene(Lesson& lesson, Session& session) {
+  if (lesson.phong.resolve(session) == PhongScene::lecture) set_lecture_scene(lesson, session);
+  lesson.phong.apply_to(lesson.objects.front().material);
 }
 
 }  // namespace texmap::chapter_06

@@ -4,7 +4,6 @@
 
 #include "engine/app/layout_options.hpp"
 #include "engine/app/lesson.hpp"
-#include "engine/app/phong_options.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/app/turntable.hpp"
 #include "lecture_scene.hpp"
@@ -39,14 +38,13 @@ struct Lesson : LessonHooks {
   };
   TextureFile texture{"earth.png"};
   LayoutOptions layout;
-  Turntable turn;
+  Turntable turn{.degrees = 20};  // the highlight lies on the sea
   PhongOptions phong;
 
   void options(CommandLine& line) override { offer(line, texture, layout, turn, phong); }
   void prepare(Session& session) override {
-    if (phong.resolve(session) == PhongScene::lecture) set_lecture_scene(*this, session);
+    choose_scene(*this, session);
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
-    phong.apply_to(objects[middle].material);
   }
 
   /// The color that one ray sees.
