@@ -24,9 +24,10 @@ template <class Texels, class Real>
   const Uv<Real> at{uv.u.value, uv.v.value};
   const Real weight = at.u - floor(at.u) + at.v - floor(at.v) + level;
   if (!(weight == weight)) return gray(weight);
-  if (level < Real(0)) return texture.bilinear(at, Real(0));
-  if (level >= last) return texture.bilinear(at, last);
-  return texture.trilinear(at, {floor(level), level - floor(level)});
+  if (level < Real(0)) return texture.bilinear(at, level_of(texture.pyramid, Real(0)));
+  if (level >= last) return texture.bilinear(at, level_of(texture.pyramid, last));
+  const LevelPlace<Real> place{floor(level), level - floor(level)};
+  return texture.trilinear(at, texture.levels_at(place));
 }
 
 }  // namespace texmap::published

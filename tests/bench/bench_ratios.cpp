@@ -61,21 +61,6 @@ void write(const std::filesystem::path& path, const std::string& text) {
   print("wrote " + path.string() + "\n");
 }
 
-/// docs/measurements.md, and the ledger in each chapter's page that has one.
-void write_pages(const Circumstances& where, const std::vector<Measured>& all) {
-  write(project / "docs/measurements.md", page_of(where, all));
-  for (const Measured& measured : all) {
-    if (measured.group.name != "ledger") continue;
-    for (const auto& folder : std::filesystem::directory_iterator(project / "chapters")) {
-      const std::string chapter = folder.path().filename().string().substr(0, 2);
-      const auto is_its = [&](const Row& row) { return row.line.rfind(chapter + ": ", 0) == 0; };
-      if (std::none_of(measured.group.rows.begin(), measured.group.rows.end(), is_its)) continue;
-      const std::filesystem::path page = folder.path() / "README.md";
-      write(page, with_ledger_block(contents(page), ledger_block(measured, chapter)));
-    }
-  }
-}
-
 /// The groups whose names were typed; all if none was.
 std::vector<Group> chosen(const std::vector<std::string>& names) {
   std::vector<Group> groups = all_groups();
@@ -109,8 +94,7 @@ int main(int argc, char** argv) {
   line.flag("--quick", quick, "fewer rounds: less than half a minute in all");
   line.texts("--only", "GROUP", only, "measure this group; may be given several times");
   line.flag("--list", list, "show the groups and their rows, measure nothing");
-  line.flag("--write", writes,
-            "write docs/measurements.md and the ledgers in the pages of the chapters anew");
+  line.flag("--write", writes, "write docs/measurements.md anew");
   line.text("--json", "FILE", json, "where the figures go");
   line.texts(
       "--beside", "COMMAND", beside,
@@ -151,6 +135,6 @@ int main(int argc, char** argv) {
       print(table_of(all.back()));
     }
     write(json, json_of(where, all));
-    if (writes) write_pages(where, all);
+    if (writes) write(project / "docs/measurements.md", page_of(where, all));
   });
 }

@@ -213,9 +213,8 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
                      wrapped(
                          "How long things take, as ratios. This page is generated: `./course bench "
                          "--write` measures everything "
-                         "again, on the machine that it runs on, and writes this page and the "
-                         "ledgers in the pages of the "
-                         "chapters; a test holds its tables against the list of what is measured "
+                         "again, on the machine that it runs on, and writes this page; "
+                         "a test holds its tables against the list of what is measured "
                          "(`./course bench --list`). "
                          "`./course bench` alone shows the same tables and changes nothing here.") +
                      "\n| | |\n|---|---|\n";
@@ -242,45 +241,6 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
             "\n" + markdown_of(measured);
   }
   return page;
-}
-
-std::string ledger_block(const Measured& ledger, const std::string& chapter) {
-  const std::vector<std::string> columns = columns_of(ledger.group);
-  std::string table =
-      "\n| what the scene does not require, and how many times as long the picture takes with it |";
-  std::string rule = "|---|";
-  for (const std::string& column : columns) {
-    table += " " + column + " |";
-    rule += "---|";
-  }
-  table += "\n" + rule + "\n";
-  for (const std::string& line : each_once(ledger.group.rows, &Row::line)) {
-    if (line.rfind(chapter + ": ", 0) != 0) continue;
-    std::string cells;
-    bool is_base = false;
-    for (const std::string& column : columns) {
-      for (std::size_t i = 0; i < ledger.group.rows.size(); ++i) {
-        if (ledger.group.rows[i].line != line || ledger.group.rows[i].column != column) continue;
-        const Timing& timing = ledger.timings[i];
-        is_base = is_base || timing.base == i;
-        cells += " " + (std::isnan(timing.ratio) ? "–" : text("%.2f", timing.ratio)) + " |";
-      }
-    }
-    if (!is_base) table += "| " + line.substr(chapter.size() + 2) + " |" + cells + "\n";
-  }
-  return table + "\n";
-}
-
-std::string with_ledger_block(const std::string& page, const std::string& block) {
-  const auto begin = page.find(ledger_begin);
-  const auto end = page.find(ledger_end);
-  if (begin == std::string::npos || end == std::string::npos || end < begin ||
-      page.find(ledger_begin, begin + 1) != std::string::npos ||
-      page.find(ledger_end, end + 1) != std::string::npos) {
-    throw std::runtime_error("the page lacks the marks of its ledger: " +
-                             std::string(ledger_begin) + " and " + std::string(ledger_end));
-  }
-  return page.substr(0, begin + ledger_begin.size()) + "\n" + block + page.substr(end);
 }
 
 }  // namespace texmap::bench

@@ -39,17 +39,4 @@ struct Circumstances {
 [[nodiscard]] std::string page_of(const Circumstances& circumstances,
                                   const std::vector<Measured>& all);
 
-/// The marks between which a chapter's page has its rows of the ledger.
-inline constexpr std::string_view ledger_begin = "<!-- ledger -->";
-inline constexpr std::string_view ledger_end = "<!-- /ledger -->";
-
-/// The table of a chapter's rows, with the line ends around it: what stands between the marks.
-///
-/// @param chapter  its number, such as 03
-[[nodiscard]] std::string ledger_block(const Measured& ledger, const std::string& chapter);
-
-/// The page with another block between its marks.
-/// Errors: std::runtime_error if the marks are not there, each once and in order.
-[[nodiscard]] std::string with_ledger_block(const std::string& page, const std::string& block);
-
 }  // namespace texmap::bench

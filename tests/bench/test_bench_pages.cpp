@@ -110,14 +110,6 @@ std::vector<Measured> unmeasured() {
   return all;
 }
 
-const Measured& ledger_of(const std::vector<Measured>& all) {
-  for (const Measured& measured : all) {
-    if (measured.group.name == "ledger") return measured;
-  }
-  FAIL("there is no ledger");
-  return all.front();
-}
-
 }  // namespace
 
 TEST_CASE("no row is there twice, and each has something to be compared with") {
@@ -147,46 +139,6 @@ TEST_CASE("a page that is written now has all rows, and a row that is taken away
   all.front().group.rows.pop_back();
   all.front().timings.pop_back();
   CHECK(rows_on_page(page_of(where, all)).size() == measured.size() - 1);
-}
-
-TEST_CASE("the ledger of each chapter's page names the ledger's rows of that chapter") {
-  const std::vector<Measured> all = unmeasured();
-  const Measured& ledger = ledger_of(all);
-  int chapters = 0;
-  for (const auto& folder : std::filesystem::directory_iterator(project / "chapters")) {
-    const std::string number = folder.path().filename().string().substr(0, 2);
-    bool named = false;
-    for (const Row& row : ledger.group.rows) named = named || row.line.rfind(number + ": ", 0) == 0;
-    if (!named) continue;
-    ++chapters;
-    CAPTURE(folder.path().filename().string());
-    const std::string page = contents(folder.path() / "README.md");
-    const auto begin = page.find(ledger_begin);
-    const auto end = page.find(ledger_end);
-    REQUIRE(begin != std::string::npos);
-    REQUIRE(end != std::string::npos);
-    const auto first_cells = [](const std::string& text) {
-      std::vector<std::string> cells;
-      for (const std::string& line : lines_of(text)) {
-        if (line.rfind('|', 0) == 0) cells.push_back(cells_of(line).front());
-      }
-      return cells;
-    };
-    CHECK(first_cells(page.substr(begin, end - begin)) ==
-          first_cells(ledger_block(ledger, number)));
-  }
-  CHECK(chapters == 7);
-}
-
-TEST_CASE(
-    "a block replaces what stands between the marks, and nothing else; a page without marks is "
-    "refused") {
-  const std::string before = "a\n" + std::string(ledger_begin) + "\n";
-  const std::string after = std::string(ledger_end) + "\nz\n";
-  CHECK(with_ledger_block(before + "old\n" + after, "new\n") == before + "new\n" + after);
-  CHECK_THROWS_AS((void)with_ledger_block("a\n", "new\n"), std::runtime_error);
-  CHECK_THROWS_AS((void)with_ledger_block(after + before, "new\n"), std::runtime_error);
-  CHECK_THROWS_AS((void)with_ledger_block(before + before + after, "new\n"), std::runtime_error);
 }
 
 TEST_CASE(
