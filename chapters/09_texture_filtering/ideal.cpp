@@ -7,7 +7,7 @@
 namespace texmap::chapter_09 {
 namespace {
 
-constexpr int cells = 48;  // in each direction of an ellipse: 384 change no figure that is shown
+constexpr int cells = 48;  // in each direction of an ellipse; 384 make 0.0087 of ewa's 0.0088
 
 /// The mean over an ellipse around (x, y), weighted as `Filtered::elliptical` weighs texels.
 ///
