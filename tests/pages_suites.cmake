@@ -30,7 +30,7 @@ file(CONFIGURE OUTPUT 00_without_offset.cpp CONTENT "${without_offset}" @ONLY)
 add_executable(00_without_offset EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/00_without_offset.cpp")
 target_link_libraries(00_without_offset PRIVATE stb_image_write)
 target_compile_options(00_without_offset PRIVATE $<$<BOOL:${TAKES_GNU_OPTIONS}>:-ffp-contract=off>)
-add_dependencies(page_figures 00_one_file 00_without_offset)
+add_dependencies(page_figures 00_one_file 00_without_offset 06_one_file 07_earth_by_sampling)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp")
 target_compile_definitions(page_figures PRIVATE TEXMAP_TESTS_DIR="${CMAKE_CURRENT_SOURCE_DIR}" TEXMAP_ASSETS_DIR="${CMAKE_SOURCE_DIR}/assets"
   TEXMAP_BIN_DIR="$<TARGET_FILE_DIR:page_figures>")
