@@ -65,6 +65,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
                             "and an eye close above a surface, and taken for robust beyond 1e4 "
                             "radii in float, 1e7 in double; plain shows how the textbook's fails");
   }
+  if (offers.surfaces) offer_show();
   line.flag("--quiet", settings.quiet, "no progress, nothing printed on success");
 }
 
@@ -97,6 +98,19 @@ void Session::offer_numbers(Numbers numbers, bool intervals) {
                              "what packs are made of; the machine's widest unless given");
 }
 
+void Session::offer_show() {
+  line_.choice<Shown>(
+      "--show", settings.show,
+      {{"color", Shown::color},
+       {"normal", Shown::normal},
+       {"uv", Shown::uv},
+       {"object", Shown::object}},
+      "to find errors, in place of the color: the unit normal, from -1 to 1 as x "
+      "in red, y in green, z in blue; u in red and v in green, gray without (u, v), "
+      "beyond 0 to 1 the part behind the point; each object or triangle in a color "
+      "of its own; the sky is black");
+}
+
 bool Session::was_given(std::string_view option) const { return line_.was_given(option); }
 
 void Session::default_size(int width, int height) {
@@ -115,8 +129,23 @@ void Session::check_numbers() const {
       "by hand: cmake --preset release && cmake --build --preset release");
 }
 
+void Session::check_show() const {
+  if (settings.show == Shown::color) return;
+  if (settings.number == NumberKind::interval) {
+    throw UsageError(
+        "--show draws normals, (u, v) and objects with any number but interval, which bounds "
+        "colors");
+  }
+  if (was_given("--samples") && settings.samples != 1) {
+    throw UsageError(
+        "--show draws normals, (u, v) and objects with 1 ray a pixel: a mean of several would be "
+        "none of them; leave --samples out");
+  }
+}
+
 void Session::check() const {
   if (one_number_) check_numbers();
+  check_show();
   if (!machine_has(settings.instructions)) {
     throw UsageError(
         "--instructions: this machine cannot run them; without the option the program takes the "
@@ -138,6 +167,11 @@ void Session::check() const {
     std::filesystem::create_directories("out", error);  // check_output reports an error
   }
   check_output(path_of(settings.out));
+}
+
+View<> Session::view(const Camera& camera, int width, int height) {
+  seen_by_camera_ = true;
+  return view_of(camera, width, height);
 }
 
 std::filesystem::path Session::file_name(std::string_view suffix) const {
@@ -166,6 +200,12 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
 void Session::count_rays(double rays) { times_->rays += rays; }
 
 void Session::save(const Image& image, std::string_view suffix) {
+  if (settings.show != Shown::color && !seen_by_camera_) {
+    throw UsageError(
+        "--show normal, uv and object are for what a camera sees, and no camera draws this "
+        "picture");
+  }
+  seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
   if (!settings.quiet) {
