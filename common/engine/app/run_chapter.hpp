@@ -115,6 +115,7 @@ template <class Lesson>
   Offers offers;
   offers.spheres = HasSpheres<Lesson>;
   offers.surfaces = HasSurfaces<Lesson>;
+  offers.camera = requires { lesson.stage.camera; };
   offers.one_number = !all_numbers;
   if constexpr (GathersLight<Lesson>) {
     if constexpr (requires { lesson.texture; }) {
@@ -153,6 +154,10 @@ void draw_and_save(Session& session, Lesson& lesson) {
     if (session.was_given("--spheres"))
       for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
     keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
+  }
+  if constexpr (requires { lesson.filtering; }) {
+    if (session.settings.zoom != 1 && session.was_given("--budget"))
+      throw UsageError("--budget chooses a filter for the whole picture: leave --zoom out");
   }
   if constexpr (requires { lesson.phong; }) {
     lesson.phong.plan(session, read_budget(session.settings.budget));

@@ -10,6 +10,7 @@
 #include "engine/measure/stopwatch.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/render/close_up.hpp"
 #include "engine/render/progress.hpp"
 #include "engine/system/system.hpp"
 
@@ -18,6 +19,16 @@ namespace {
 
 constexpr int longest_side = 16384;
 constexpr long most_pixels = 1L << 26;
+
+/// The pixel that --at names in a picture of this size. Errors: UsageError.
+PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
+  const std::size_t comma = typed.find(',');
+  if (comma == std::string_view::npos) {
+    throw UsageError("--at takes COLUMN,ROW such as 400,300, not '" + std::string(typed) + "'");
+  }
+  return {double{1} * parse_whole("the column of --at", typed.substr(0, comma), 0, width - 1),
+          double{1} * parse_whole("the row of --at", typed.substr(comma + 1), 0, height - 1)};
+}
 
 }  // namespace
 
@@ -66,6 +77,13 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
                             "radii in float, 1e7 in double; plain shows how the textbook's fails");
   }
   if (offers.surfaces) offer_show();
+  if (offers.camera) {
+    line.decimal("--zoom", settings.zoom, 0.01, 1e6,
+                 "how many times as large: 2 shows the middle half of the picture");
+    line.text("--at", "COLUMN,ROW", settings.at,
+              "the pixel of the picture without --zoom, counted from 0,0 at the upper left, that "
+              "--zoom leaves in its place; the middle unless given");
+  }
   line.flag("--quiet", settings.quiet, "no progress, nothing printed on success");
 }
 
@@ -146,6 +164,9 @@ void Session::check_show() const {
 void Session::check() const {
   if (one_number_) check_numbers();
   check_show();
+  if (was_given("--at") && !was_given("--zoom")) {
+    throw UsageError("--at names the pixel that --zoom leaves in its place: give --zoom, too");
+  }
   if (!machine_has(settings.instructions)) {
     throw UsageError(
         "--instructions: this machine cannot run them; without the option the program takes the "
@@ -171,7 +192,10 @@ void Session::check() const {
 
 View<> Session::view(const Camera& camera, int width, int height) {
   seen_by_camera_ = true;
-  return view_of(camera, width, height);
+  const View<> whole = view_of(camera, width, height);
+  const PixelPlace<double> middle{whole.center_column, whole.center_row};
+  return close_up(whole, settings.zoom,
+                  settings.at.empty() ? middle : pixel_at(settings.at, width, height));
 }
 
 std::filesystem::path Session::file_name(std::string_view suffix) const {
@@ -200,10 +224,10 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
 void Session::count_rays(double rays) { times_->rays += rays; }
 
 void Session::save(const Image& image, std::string_view suffix) {
-  if (settings.show != Shown::color && !seen_by_camera_) {
+  if ((settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_) {
     throw UsageError(
-        "--show normal, uv and object are for what a camera sees, and no camera draws this "
-        "picture");
+        "--zoom and --show normal, uv and object are for what a camera sees, and no camera draws "
+        "this picture");
   }
   seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);

@@ -27,6 +27,8 @@ struct Settings {
   std::string budget = "exact";                       ///< how far off the picture may be
   bool quiet = false;                                 ///< no progress, no line on success
   Shown show = Shown::color;                          ///< of the surfaces that the camera sees
+  double zoom = 1;                                    ///< how much larger than they would be
+  std::string at;  ///< COLUMN,ROW of the pixel that stays in its place; empty: the middle
 };
 
 /// The options that depend on the lesson.
@@ -34,6 +36,7 @@ struct Offers {
   std::string_view budget = "";  ///< the help of --budget; empty: not offered
   bool spheres = false;          ///< --spheres
   bool surfaces = false;         ///< --show
+  bool camera = false;           ///< --zoom and --at
   bool intervals = true;         ///< --number interval
   bool one_number = false;       ///< the program was built for learning, with double alone
   int samples = 1;               ///< rays a pixel
@@ -67,7 +70,8 @@ class Session {
   /// The lesson's picture in another size. Defined in run_chapter.hpp.
   template <class Lesson>
   [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
-  /// The view of a lesson's camera, for a picture of this size.
+  /// The view of a lesson's camera for a picture of this size, or the user's close-up of it.
+  /// Errors: UsageError if there is no such pixel.
   [[nodiscard]] View<> view(const Camera& camera, int width, int height);
 
   /// Writes a picture and prints a line about it: file, size, milliseconds, rays a second.
