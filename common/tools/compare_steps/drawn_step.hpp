@@ -15,7 +15,7 @@ namespace texmap::steps {
 /// A lesson's picture of the stage with everything that a comparison asks about it; of another
 /// scene the picture alone.
 struct DrawnStep {
-  std::string chapter;  ///< its folder, such as 02_checkerboard_uv
+  std::string chapter;  ///< its folder, such as 02_checkerboard_uv, and the options drawn with
   Image picture;
   std::vector<int> objects;     ///< index of the object at each pixel's center, -1 for the sky
   std::vector<Uv<double>> uv;   ///< texture coordinates there; u is NaN where there are none
@@ -23,12 +23,17 @@ struct DrawnStep {
   double milliseconds = 0;      ///< time of drawing, the least of three
 };
 
-/// Draws a lesson as its program does without options; for chapter 04, its stage and not its sheet.
+/// Draws a lesson's stage as its program does.
+///
+/// @param options  as they are typed; for chapter 04, whose stage is not its sheet, none are needed
 template <class Lesson>
-[[nodiscard]] DrawnStep draw_step(const std::string& chapter, int width, int height, int threads) {
+[[nodiscard]] DrawnStep draw_step(const std::string& chapter, int width, int height, int threads,
+                                  const std::vector<std::string>& options = {}) {
   Lesson lesson;
   CommandLine line(chapter, "");
+  lesson.options(line);
   Session session(chapter, line, Lesson::about, offers_for(lesson));
+  static_cast<void>(line.parse(options));
   session.settings.quiet = true;
   session.settings.width = width;
   session.settings.height = height;
@@ -37,6 +42,7 @@ template <class Lesson>
 
   DrawnStep step;
   step.chapter = chapter;
+  for (const std::string& word : options) step.chapter += " " + word;
   for (int object = 0; object < static_cast<int>(lesson.objects.size()); ++object) {
     if (Lesson::about.changed_objects.contains(object)) step.may_change.push_back(object);
   }
