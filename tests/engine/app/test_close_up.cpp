@@ -139,7 +139,7 @@ TEST_CASE("what --zoom and --at cannot take is refused, and no file is written")
   for (const char* const wrong : {"0", "-1", "nan", "inf", "0.009", "1000001", "two", ""}) {
     CAPTURE(wrong);
     CHECK(complaint<chapter_02::Lesson>({"--zoom", wrong}) ==
-          "--zoom takes a number from 0.01 to 1000000, not '" + std::string(wrong) + "'");
+          "--zoom takes a number from 0.01 to 1e+06, not '" + std::string(wrong) + "'");
   }
   const auto at = [](const char* place) {
     return complaint<chapter_02::Lesson>({"--zoom", "2", "--at", place});
