@@ -32,12 +32,14 @@ PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
 
 }  // namespace
 
-/// Milliseconds since the last picture was saved.
+/// What happened since the last picture was saved; times in milliseconds.
 struct Session::Times {
   std::optional<Stopwatch> before_drawing{Stopwatch()};  // until the first ray
   double load = 0;                                       // before the first ray
   double render = 0;
   double rays = 0;
+  long uncertain = 0;  // pixels, and of how many
+  long judged = 0;
 };
 
 Session::Session(std::string_view chapter, CommandLine& line, const About& about,
@@ -105,8 +107,8 @@ void Session::offer_numbers(Numbers numbers, bool intervals) {
     words.emplace_back("interval", NumberKind::interval);
     help +=
         "; interval draws which pixels rounding could change: gray where none can change its "
-        "bytes, yellow to violet for "
-        "1 to 255 levels of uncertainty";
+        "bytes, yellow to violet, three pixels wide, for 1 to 255 levels of uncertainty, and "
+        "prints how many";
   }
   line_.choice<NumberKind>("--number", settings.number, words, help);
   line_.choice<Instructions>("--instructions", settings.instructions,
@@ -215,7 +217,12 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
       work({.samples = settings.samples,
             .threads = settings.threads,
             .instructions = settings.instructions,
-            .progress = [&progress](int done, int total) { progress.report(done, total); }});
+            .progress = [&progress](int done, int total) { progress.report(done, total); },
+            .certainty =
+                [this](long uncertain, long pixels) {
+                  times_->uncertain += uncertain;
+                  times_->judged += pixels;
+                }});
   times_->render += drawing.milliseconds();
   times_->rays += rays;
   return image;
@@ -232,6 +239,10 @@ void Session::save(const Image& image, std::string_view suffix) {
   seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
+  if (!settings.quiet && times_->judged > 0) {
+    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n",
+               times_->uncertain, times_->judged));
+  }
   if (!settings.quiet) {
     const double all = times_->load + times_->render + saving.encode + saving.write;
     print(name_of(file) +

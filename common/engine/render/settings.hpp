@@ -41,6 +41,7 @@ struct RenderSettings {
   Instructions instructions = widest_instructions();       ///< the widest to use
   std::function<void(int done, int total)> progress = {};  ///< after each row, from any thread
   std::function<void(double error)> error_so_far = {};     ///< the same with a Film's error
+  std::function<void(long uncertain, long pixels)> certainty = {};  ///< after a certainty map
 };
 
 }  // namespace texmap
