@@ -17,6 +17,7 @@
 #include "changes/tiles.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "number/kinds/pack.hpp"
 #include "support/pictures.hpp"
 
 using namespace texmap;
@@ -209,6 +210,17 @@ TEST_CASE("(u, v) in float changes pixels at edges of squares alone") {
 #else
   CHECK(changed <= 10);
 #endif
+}
+
+TEST_CASE("changes that are templates draw the same picture in packs") {
+  const auto same_in_packs = [](const auto& lesson) {
+    return picture<Pack<double>>(lesson, width, height) == small(lesson);
+  };
+  CHECK(same_in_packs(change_fifth_sphere::Lesson{}));
+  CHECK(same_in_packs(change_stripes::Lesson{}));
+  CHECK(same_in_packs(change_own_mapping::Lesson{}));
+  CHECK(same_in_packs(change_tiles::Lesson{}));
+  CHECK(same_in_packs(change_plane::Lesson{}));
 }
 
 TEST_CASE("a lesson in plain double and if draws the picture of the template, byte for byte") {
