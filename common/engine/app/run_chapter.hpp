@@ -96,7 +96,7 @@ template <class Lesson>
           "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
           "kernels it takes";
     }
-    offers.intervals = false;  // they bound one ray a pixel, not light gathered by chance
+    offers.no_intervals = "it bounds one ray a pixel, not light that is gathered by chance";
     offers.samples = lesson.sampling.samples;
     offers.most_samples = most_samples;
   } else if constexpr (requires { lesson.phong; }) {
@@ -106,7 +106,8 @@ template <class Lesson>
     offers.budget =
         "how far off the light of textured pixels may be: exact or levels=4; says which filter it "
         "takes";
-    offers.intervals = false;  // they bound values, not the derivatives that footprints come from
+    offers.no_intervals =
+        "where rounding leaves a filter's level open, the bound would be that of whole levels";
   }
   return offers;
 }

@@ -53,7 +53,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   }
   line.whole("--threads", settings.threads, 0, 1024,
              "threads to draw with, 0 for one per core; the picture is the same");
-  if (offered("--number")) offer_numbers(about.numbers, offers.intervals);
+  if (offered("--number")) offer_numbers(about.numbers, offers.no_intervals);
   if (!offers.budget.empty()) line.text("--budget", "BUDGET", settings.budget, offers.budget);
   if (offers.spheres) {
     line.choice<SphereForm>("--spheres", settings.spheres,
@@ -70,7 +70,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
 
 Session::~Session() = default;
 
-void Session::offer_numbers(Numbers numbers, bool intervals) {
+void Session::offer_numbers(Numbers numbers, std::string_view no_intervals) {
   if (numbers == Numbers::only_double) return;
   std::vector<std::pair<std::string_view, NumberKind>> words = {{"float", NumberKind::float_},
                                                                 {"double", NumberKind::double_},
@@ -82,7 +82,9 @@ void Session::offer_numbers(Numbers numbers, bool intervals) {
   words.insert(words.end(),
                {{"float-pack", NumberKind::float_pack}, {"double-pack", NumberKind::double_pack}});
   std::string help = "the number to calculate with";
-  if (intervals) {
+  if (!no_intervals.empty()) {
+    help.append("; not interval: ").append(no_intervals);
+  } else {
     words.emplace_back("interval", NumberKind::interval);
     help +=
         "; interval draws which pixels rounding could change: gray where none can change its "

@@ -29,12 +29,12 @@ struct Settings {
 
 /// The options that depend on the lesson.
 struct Offers {
-  std::string_view budget = "";  ///< the help of --budget; empty: not offered
-  bool spheres = false;          ///< --spheres
-  bool intervals = true;         ///< --number interval
-  bool one_number = false;       ///< the program was built for learning, with double alone
-  int samples = 1;               ///< rays a pixel
-  int most_samples = 65536;      ///< that --samples takes
+  std::string_view budget = "";        ///< the help of --budget; empty: not offered
+  bool spheres = false;                ///< --spheres
+  std::string_view no_intervals = "";  ///< why --number interval is refused; empty: offered
+  bool one_number = false;             ///< the program was built for learning, with double alone
+  int samples = 1;                     ///< rays a pixel
+  int most_samples = 65536;            ///< that --samples takes
 };
 
 /// One run of a chapter's program: the user's choices, drawing, saving.
@@ -83,7 +83,7 @@ class Session {
  private:
   struct Times;
   void check_numbers() const;
-  void offer_numbers(Numbers numbers, bool intervals);
+  void offer_numbers(Numbers numbers, std::string_view no_intervals);
 
   std::string default_out_;
   bool one_number_;
