@@ -19,7 +19,7 @@ add_executable(page_figures EXCLUDE_FROM_ALL
   pages/figures/chapter_14.cpp
   pages/figures/main.cpp)
 target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
-target_link_libraries(page_figures PRIVATE project_options app chapters_code compare)
+target_link_libraries(page_figures PRIVATE project_options app chapters_code compare 13_speed_for_accuracy_code)
 set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
 # What an exercise of chapter 00 asks a student to change, so that its answer is a measured one.
 file(READ "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp" one_file)

@@ -133,7 +133,7 @@ Drawing arc_tangent_error() {
 Drawing arc_tangent_degrees() {
   Drawing d("arc_tangent_degrees", 640, 350, "The worst error by degree",
             "The worst error in texels of a texture 2048 texels wide, for degrees 5 to 35. The "
-            "series stays at some ten texels. The fits get nearly ten times better with every two "
+            "series stays at some ten texels. The fits get about seven times better with every two "
             "degrees, until the rounding of float, or much later that of double, is larger.");
   constexpr double texels = 2048;
   const Frame at{{86, 40}, 12.4, 17};  // x by degree - 4, y by the error's decimal logarithm - 2
