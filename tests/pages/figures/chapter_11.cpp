@@ -51,7 +51,7 @@ void figures_of_11(Figures& figures) {
                        whole(count_different(bumps, globe({"--bump", "blinn"}))));
   for (const int power : {1, 3, 5, 7, 8, 10, 12}) {
     const double step = std::pow(10.0, -power);
-    const std::string name = "_1e-" + std::to_string(power);
+    const std::string name = "_step_" + std::to_string(power);
     figures.emplace_back("11.forward" + name, digits(worst_angle(SlopeFrom::forward, step), 2));
     figures.emplace_back("11.central" + name, digits(worst_angle(SlopeFrom::central, step), 2));
   }
