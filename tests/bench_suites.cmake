@@ -12,7 +12,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-  07_earth_by_sampling)
+  07_earth_by_sampling 08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map)
 list(JOIN chapter_programs "\", \"" chapter_names)
 
 # Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as

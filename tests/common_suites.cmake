@@ -106,6 +106,8 @@ add_suite(engine/app/test_command_line ON app LABELS common)
 add_suite(engine/app/test_gather_session ON app LABELS common)
 add_suite(engine/app/test_lesson ON app LABELS common)
 add_suite(engine/app/test_sampling_options ON app LABELS common)
+add_suite(engine/app/test_close_up ON app chapters_code LABELS common)
+add_suite(engine/app/test_surfaces ON app chapters_code LABELS common)
 add_suite(engine/app/test_session_line ON picture LABELS common)
 target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
   TEXMAP_VERSION="${PROJECT_VERSION}")

@@ -2,6 +2,25 @@
 
 add_suite(lessons/test_lessons ON app LABELS lessons)
 
+# The changes that docs/how_to_change_things.md describes, applied to the chapters' own lessons.
+find_program(PYTHON3 python3)
+if(PYTHON3)
+  set(changes fifth_sphere float_mapping own_mapping own_texture plain plane stripes tiles)
+  set(change_page "${CMAKE_SOURCE_DIR}/docs/how_to_change_things.md")
+  list(TRANSFORM changes REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/changes/\\1.hpp" OUTPUT_VARIABLE change_headers)
+  add_custom_command(OUTPUT ${change_headers}
+    COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/changed.py" "${change_page}" "${CMAKE_SOURCE_DIR}/chapters"
+      "${CMAKE_CURRENT_BINARY_DIR}/changes" ${changes}
+    DEPENDS "${change_page}" lessons/changed.py "${CMAKE_SOURCE_DIR}/chapters/01_plain_spheres/lesson.hpp"
+      "${CMAKE_SOURCE_DIR}/chapters/02_checkerboard_uv/lesson.hpp" "${CMAKE_SOURCE_DIR}/chapters/03_image_texture/lesson.hpp"
+    COMMENT "Changing lessons as docs/how_to_change_things.md says" VERBATIM)
+  add_suite(lessons/test_changes ON app LABELS lessons pages)
+  target_sources(test_changes PRIVATE ${change_headers})
+  target_include_directories(test_changes PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
+  add_test(NAME changes_script COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/changed.py" --self-test)
+  set_tests_properties(changes_script PROPERTIES LABELS lessons)
+endif()
+
 # add_mistake(NAME NUMBER MESSAGE): a lesson that must not compile, and what the message must say.
 function(add_mistake name number message)
   add_test(NAME lesson_${name} COMMAND "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -DTEXMAP_LEARN

@@ -36,6 +36,7 @@ struct Lesson : FilteredLesson {
 
   void options(CommandLine& line) override { offer(line, texture, filtering); }
   void prepare(Session&) override {
+    keep_scene(*this);
     ground.texture = filtering.load_floor();
     const Textured globe{{rotation_y(60), {}}, filtering.load_globe(texture)};
     for (Object& object : objects) object.paint = globe;

@@ -2,7 +2,10 @@
 #include "sheet.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "engine/app/command_line.hpp"
 #include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/bitmap_font.hpp"
@@ -10,6 +13,17 @@
 #include "engine/system/system.hpp"
 
 namespace texmap::chapter_09 {
+namespace {
+
+/// The filters of the sheet, by the names that their figures have.
+constexpr std::array shown = {std::pair(Filter::nearest, "nearest"),
+                              std::pair(Filter::bilinear, "bilinear"),
+                              std::pair(Filter::trilinear, "trilinear"),
+                              std::pair(Filter::anisotropic, "anisotropic"),
+                              std::pair(Filter::ewa, "ewa"),
+                              std::pair(Filter::stochastic, "stochastic")};
+
+}  // namespace
 
 Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
                        const DrawFiltered& draw) {
@@ -21,29 +35,31 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
   const int panel_width = std::max(1, (width - (columns - 1) * gap) / columns);
   const int panel_height = std::max(1, (height - (rows - 1) * gap) / rows - line);
   int panel = 0;
-  for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear,
-                              Filter::anisotropic, Filter::ewa, Filter::stochastic}) {
-    const FilterFigures& figures = *std::find_if(all.begin(), all.end(), [&](const auto& one) {
-      return one.filter == filter && (filter != Filter::anisotropic || one.taps == 16);
-    });
+  for (const auto& [filter, name] : shown) {
+    const auto figures = std::find_if(all.begin(), all.end(),
+                                      [&name = name](const auto& one) { return one.name == name; });
+    std::string label = name;
+    if (figures != all.end()) {
+      label += text(": %.0f read%s, %.3f off", figures->reads, figures->reads > 1 ? "s" : "",
+                    figures->error);
+    }
     const int left = panel % columns * (panel_width + gap);
     const int top = panel / columns * (panel_height + line + gap);
-    draw_text(sheet, left + scale, top + 2 * scale,
-              text("%s: %.0f read%s, %.3f off", figures.name.c_str(), figures.reads,
-                   figures.reads > 1 ? "s" : "", figures.error),
-              {20, 20, 20}, scale);
+    draw_text(sheet, left + scale, top + 2 * scale, label, {20, 20, 20}, scale);
     blit(sheet, draw(filter, panel_width, panel_height), left, top + line);
     ++panel;
   }
   return sheet;
 }
 
-void show_sheet(Session& session, const FloorView& floor, const std::string& plot,
+void show_sheet(Session& session, const std::optional<FloorView>& floor, const std::string& plot,
                 const DrawFiltered& draw) {
-  const std::vector<FilterFigures> all =
-      compare_filters(floor, session.settings.threads, !session.settings.quiet);
+  if (!floor && !plot.empty())
+    throw UsageError("--plot shows errors on the floor: leave it out, or --scene globe");
+  std::vector<FilterFigures> all;
+  if (floor) all = compare_filters(*floor, session.settings.threads, !session.settings.quiet);
   const Image sheet = sheet_of_filters(session, all, draw);
-  if (!session.settings.quiet) print(table_of_filters(all));
+  if (floor && !session.settings.quiet) print(table_of_filters(all));
   if (!plot.empty()) write_text_atomically(plot, svg_of(plot_of_filters(all)));
   session.save(sheet);
 }

@@ -1,6 +1,7 @@
 // The sheet of filters: the same scene by each of them.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,16 @@ namespace texmap::chapter_09 {
 using DrawFiltered = std::function<Image(Filter filter, int width, int height)>;
 
 /// The sheet, as large as the session's picture, with each filter's reads and error.
+///
+/// @param all  empty: with the filters' names alone
 [[nodiscard]] Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
                                      const DrawFiltered& draw);
 
 /// Draws and saves the sheet, prints the table of errors and reads, and saves their plot if asked.
-void show_sheet(Session& session, const FloorView& floor, const std::string& plot,
+///
+/// @param floor  nothing where none is seen: then there are no errors
+/// Errors: UsageError for a plot without a floor.
+void show_sheet(Session& session, const std::optional<FloorView>& floor, const std::string& plot,
                 const DrawFiltered& draw);
 
 /// A lesson's floor as the figures need it.
@@ -50,7 +56,9 @@ void show_filters(Lesson& lesson, Session& session) {
     session.default_size(800, 600);
     return session.save(session.draw(lesson));
   }
-  show_sheet(session, floor_of(lesson), lesson.filtering.plot, drawn_by(lesson, session));
+  std::optional<FloorView> floor;
+  if (lesson.filtering.scene != FilterScene::globe) floor = floor_of(lesson);
+  show_sheet(session, floor, lesson.filtering.plot, drawn_by(lesson, session));
 }
 
 }  // namespace texmap::chapter_09

@@ -25,8 +25,10 @@ Fronts measure_fronts(int threads, Timing& timing) {
   chapter_09::FilterComparison filters = chapter_09::filter_comparison({}, threads);
   timing.tick();
   filters.note_times(timed_alternately(filters.works, timing.rounds, filters.works.size(), timing));
-  for (const chapter_09::FilterFigures& one : filters.figures)
-    all.filters.push_back({one.name, options_of(one.name), one.error, one.reads, one.nanoseconds});
+  for (const chapter_09::FilterFigures& one : filters.figures) {
+    all.filters.push_back(
+        {one.name, options_of(one.name), one.error, one.reads, one.nanoseconds, one.own_error});
+  }
 
   chapter_12::SkyComparison skies = chapter_12::compare_skies(threads, timing.tick);
   skies.note_times(

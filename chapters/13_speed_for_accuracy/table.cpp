@@ -158,6 +158,7 @@ Json json_of(const FilterCost& filter) {
   return Json::object({{"name", filter.name},
                        {"options", filter.options},
                        {"error", filter.error},
+                       {"own_error", filter.own_error},
                        {"levels", filter.levels()},
                        {"reads", filter.reads},
                        {"nanoseconds", filter.nanoseconds}});

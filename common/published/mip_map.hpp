@@ -24,10 +24,13 @@ template <class Texels, class Real>
   const Uv<Real> at{uv.u.value, uv.v.value};
   const Real weight = at.u - floor(at.u) + at.v - floor(at.v) + level;
   if (!(weight == weight)) return gray(weight);
-  if (level < Real(0)) return texture.bilinear(at, level_of(texture.pyramid, Real(0)));
-  if (level >= last) return texture.bilinear(at, level_of(texture.pyramid, last));
-  const LevelPlace<Real> place{floor(level), level - floor(level)};
-  return texture.trilinear(at, texture.levels_at(place));
+  const auto read = [&](const Real& number) {
+    return texture.bilinear(at, level_of(texture.pyramid, number));
+  };
+  if (level < Real(0)) return read(Real(0));
+  if (level >= last) return read(last);
+  const Real fine = floor(level);
+  return mix(read(fine), read(fine + Real(1)), level - fine);
 }
 
 }  // namespace texmap::published

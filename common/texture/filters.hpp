@@ -137,18 +137,14 @@ struct Filtered {
     Real fraction;
     bool mixed;  ///< false where `fine` is enough
   };
-  template <class Real>
-  [[nodiscard]] TwoLevels<Real> levels_at(const LevelPlace<Real>& place) const {
-    const PyramidLevel<Real> fine = level_of(pyramid, place.number);
-    const Mask<Real> between = place.fraction > Real(0);
-    if (!any(between)) return {fine, fine, place.fraction, false};
-    const Real next = select(between, place.number + Real(1), place.number);
-    return {fine, level_of(pyramid, next), place.fraction, true};
-  }
   /// The levels for texels of this width.
   template <class Real>
   [[nodiscard]] TwoLevels<Real> levels_for(const Real& width) const {
-    return levels_at(place(width));
+    const auto [number, fraction] = place(width);
+    const PyramidLevel<Real> fine = level_of(pyramid, number);
+    const Mask<Real> between = fraction > Real(0);
+    if (!any(between)) return {fine, fine, fraction, false};
+    return {fine, level_of(pyramid, select(between, number + Real(1), number)), fraction, true};
   }
 
   /// Two levels, mixed.
@@ -330,23 +326,14 @@ struct Filtered {
     const Color<Real> upper = row_of(top);
     return mix(upper, row_of(top + Real(1)), y - top);
   }
-  template <class Real>
-  [[nodiscard]] WrappedTexel<Real> place_of(const PyramidLevel<Real>& level, const Real& column,
-                                            const Real& row) const {
-    return wrapped_texel(wrap, column, row, level.width, level.height);
-  }
-  template <class Real>
-  [[nodiscard]] Color<Real> light(const PyramidLevel<Real>& level,
-                                  const WrappedTexel<Real>& texel) const {
-    const Color<Real> inside = texel_light(pyramid, level, texel.column, texel.row);
-    if (wrap != Wrap::border) return inside;
-    return select(texel.inside, inside, number_cast<Real>(border));
-  }
   /// The texel seen at a column and a row, inside the image or beyond.
   template <class Real>
   [[nodiscard]] Color<Real> wrapped(const PyramidLevel<Real>& level, const Real& column,
                                     const Real& row) const {
-    return light(level, place_of(level, column, row));
+    const WrappedTexel<Real> texel = wrapped_texel(wrap, column, row, level.width, level.height);
+    const Color<Real> inside = texel_light(pyramid, level, texel.column, texel.row);
+    if (wrap != Wrap::border) return inside;
+    return select(texel.inside, inside, number_cast<Real>(border));
   }
 };
 using FilteredTexture = Filtered<Pyramid>;

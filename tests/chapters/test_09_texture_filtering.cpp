@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "09_texture_filtering/comparison.hpp"
+#include "09_texture_filtering/ideal.hpp"
 #include "09_texture_filtering/lesson.hpp"
 #include "support/lesson_laws.hpp"
 #include "texture/uv_inverse.hpp"
@@ -85,6 +86,112 @@ TEST_CASE("the errors of the filters on checkers to the horizon, and what they r
   CHECK(of("anisotropic").error < nearest / 28);
   CHECK(of("ewa").error < nearest / 12);
   CHECK(of("stochastic").error > of("anisotropic").error);  // one read is noise around the mean
+
+  // Against their own ideals: no pyramid, no error; else the pyramid's, or one read's noise.
+  CHECK(of("nearest").own_error == 0);
+  CHECK(of("bilinear").own_error < 1e-9);
+  CHECK(of("trilinear").own_error < of("trilinear").error / 4);
+  CHECK(of("anisotropic").own_error < 0.0065);
+  CHECK(of("ewa").own_error < 0.009);
+  CHECK(of("ewa").own_error > 0.002);
+  CHECK(of("stochastic").own_error > 0.3);
+}
+
+TEST_CASE("the mean of checkers over a box is exact: known places, and a box cut into small ones") {
+  using chapter_09::white_in_box;
+  CHECK(white_in_box(0.5, 0.5, 1, 1) == 1);
+  CHECK(white_in_box(1.5, 0.5, 1, 1) == 0);
+  CHECK(white_in_box(-0.5, -0.5, 0.25, 0.75) == 1);
+  CHECK(white_in_box(1, 0.5, 1, 1) == 0.5);
+  CHECK(white_in_box(0.75, 0.5, 1, 1) == 0.75);
+  CHECK(white_in_box(0.75, 0.75, 1, 1) == 0.625);  // 9/16 + 1/16
+  CHECK(white_in_box(7.3, -2.2, 2, 0.3) == doctest::Approx(0.5));
+  for (const auto& [x, y, width, height] :
+       {std::array{0.3, 0.9, 2.7, 0.4}, std::array{-5.2, 3.1, 0.7, 5.3}}) {
+    double sum = 0;
+    constexpr int parts = 400;
+    for (int i = 0; i < parts; ++i) {
+      for (int j = 0; j < parts; ++j) {
+        const double at_x = x + ((i + 0.5) / parts - 0.5) * width;
+        const double at_y = y + ((j + 0.5) / parts - 0.5) * height;
+        sum += std::fmod(std::floor(at_x) + std::floor(at_y) + 100, 2) == 0 ? 1 : 0;
+      }
+    }
+    CHECK(std::abs(white_in_box(x, y, width, height) - sum / (parts * parts)) < 3e-3);
+  }
+}
+
+TEST_CASE(
+    "in levels without a pyramid's mixing, filters show their own ideal but for their texels") {
+  constexpr int squares = 8, size = 256;
+  const Pyramid pyramid = pyramid_of(light_of(checkers_image(size, squares), TexelLight::linear));
+  const auto root_mean_square = [&](Filter filter, double along, double across) {
+    const FilteredTexture texture{.pyramid = pyramid, .filter = filter};
+    double sum = 0;
+    for (int i = 0; i < 500; ++i) {
+      const double u = 0.618034 * i, v = 0.414214 * i;
+      const Uv<Dual<double>> uv{{u, along / size, 0}, {v, 0, across / size}};
+      sum += square(texture.filtered(uv).r - chapter_09::ideal_light(texture, squares, uv));
+    }
+    return std::sqrt(sum / 500);
+  };
+  CHECK(root_mean_square(Filter::bilinear, 1, 1) < 1e-12);
+  CHECK(root_mean_square(Filter::trilinear, 0.5, 0.5) < 1e-12);  // bilinear in level 0
+  CHECK(root_mean_square(Filter::anisotropic, 16, 1) < 1e-12);   // 16 of them in a row
+  CHECK(root_mean_square(Filter::trilinear, 4, 4) < 1e-12);      // bilinear in level 2
+  CHECK(root_mean_square(Filter::trilinear, 3, 3) > 1e-3);       // two levels, mixed
+  CHECK(root_mean_square(Filter::ewa, 12, 1.5) < 0.02);          // texels that are in or out
+  CHECK(root_mean_square(Filter::ewa, 12, 1.5) > 1e-6);
+}
+
+TEST_CASE("--scene plane leaves the plane as it is, and --scene globe a globe under the sky") {
+  const Lesson both = filtered("anisotropic");
+  const Lesson plane = prepared<Lesson>({"--scene", "plane"});
+  const View<> view = view_of(both.stage.camera, 200, 150);
+  const Image with = picture(both, 200, 150), without = picture(plane, 200, 150);
+  long globes = 0, wrong = 0;
+  for (int row = 0; row < 150; ++row) {
+    for (int column = 0; column < 200; ++column) {
+      const auto ray = ray_through<double>(view, column, row);
+      const bool globe = find_nearest(both.objects, ray).index >= 0;
+      globes += globe ? 1 : 0;
+      wrong += !globe && with.at(column, row) != without.at(column, row) ? 1 : 0;
+    }
+  }
+  CHECK(globes > 300);
+  CHECK(wrong == 0);
+  CHECK(count_different(with, without) > globes / 2);
+
+  const Lesson globe = prepared<Lesson>({"--scene", "globe"});
+  REQUIRE(globe.objects.size() == 1);
+  const View<> upward = view_of(globe.stage.camera, 200, 150);
+  for (const double column : {-0.5, 199.5}) {
+    const auto lowest = ray_through<double>(upward, column, 149.5);
+    CHECK(!(distance_to(globe.floor, lowest) < infinity<double>()));
+  }
+  // One anisotropic look-up a pixel is near the mean of 64 rays, and one texel is not.
+  const auto apart = [&](const char* filter) {
+    const Lesson one = prepared<Lesson>({"--scene", "globe", "--filter", filter});
+    double sum = 0;
+    int pixels = 0;
+    for (int row = 60; row < 90; ++row) {
+      for (int column = 85; column < 115; ++column) {
+        if (square(row - 74.5) + square(column - 99.5) > 120) continue;  // the globe's edge
+        double mean = 0;
+        for (int i = 0; i < 64; ++i) {
+          mean += ray_color<double>(globe, upward, column + (i % 8 - 3.5) / 8,
+                                    row + (i / 8 - 3.5) / 8, 1.0 / 8)
+                      .g /
+                  64;
+        }
+        sum += square(ray_color<double>(one, upward, column, row, 1.0).g - mean);
+        ++pixels;
+      }
+    }
+    return std::sqrt(sum / pixels);
+  };
+  CHECK(apart("anisotropic") < 0.015);
+  CHECK(apart("nearest") > 3 * apart("anisotropic"));
 }
 
 TEST_CASE("filters are compared on the lesson's own floor, also where the lesson is not there") {
@@ -243,6 +350,19 @@ TEST_CASE("wrong options are refused, and a floor that is not there is named") {
   }
   CHECK_THROWS_WITH_AS(static_cast<void>(prepared<Lesson>({"--floor", "nothing.png"})),
                        doctest::Contains("nothing.png"), FileError);
+}
+
+TEST_CASE("a plot of errors needs the floor that they are measured on") {
+  CommandLine line("test", "");
+  Session session("test", line, Lesson::about);
+  CHECK_THROWS_AS(chapter_09::show_sheet(session, {}, "plot.svg", {}), UsageError);
+}
+
+TEST_CASE("--help says why there are no intervals") {
+  Lesson lesson;
+  CommandLine line("09", "");
+  const Session session("09", line, Lesson::about, offers_for(lesson));
+  CHECK(line.help().find("not interval: where rounding leaves") != std::string::npos);
 }
 
 TEST_CASE("averaging bytes instead of light would make the horizon too dark") {

@@ -207,6 +207,28 @@ TEST_CASE("of chapters with different scenes the page shows both pictures and th
   CHECK(load_image(place / "after.png").width == 400);
 }
 
+TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the page names it") {
+  const TemporaryFolder folder;
+  const std::string program = std::string(TEXMAP_COMPARE_STEPS) +
+                              " --width 200 --height 150 --out '" + folder.path() + "' --from ";
+  const auto compared = [&](const char* numbers, const char* place) {
+    CHECK(run(program + numbers).status == 0);
+    std::ostringstream text;
+    text << std::ifstream(folder / place / "index.html").rdbuf()
+         << std::ifstream(folder / place / "report.json").rdbuf();
+    return text.str();
+  };
+  const std::string forward = compared("03 --to 04", "03-04");
+  CHECK(forward.find("<h1>From 03_image_texture to 04_uv_conventions --convention daily</h1>") !=
+        std::string::npos);
+  CHECK(forward.find("\"only_declared_changed\": true") != std::string::npos);
+  CHECK(forward.find("\"changed_inside\": 0") == std::string::npos);
+  CHECK(forward.find("\"largest_du_turns\": 0,") == std::string::npos);
+  // Chapter 05 goes on with the convention of 03.
+  CHECK(compared("04 --to 05", "04-05").find("<h1>From 04_uv_conventions to 05_y_rotation</h1>") !=
+        std::string::npos);
+}
+
 TEST_CASE("a chapter that cannot be compared is named, and those that can be") {
   const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
   for (const char* const numbers : {"06 --to 99", "99 --to 06", "07 --to 14", "06 --to 007"}) {

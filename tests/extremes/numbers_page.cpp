@@ -15,7 +15,7 @@ using texmap::extremes::Expect;
 constexpr int inputs = 20000;
 
 Cells measured(const Claim& claim) {
-  if (!claim.certainty.empty()) return {"", ""};
+  if (!claim.certainty.empty()) return {"", "", 0};
   std::cerr << claim.function << ", " << claim.number << '\n';
   const texmap::extremes::Worst seen = searched(claim.measurement, inputs, 2);
   const double worst = seen.off;
@@ -23,7 +23,7 @@ Cells measured(const Claim& claim) {
     std::cerr << "warning: " << worst << " for a bound of " << claim.bound << ' ' << claim.unit
               << ", at " << seen.where << '\n';
   }
-  Cells cells{texmap::extremes::two_digits(worst), ""};
+  Cells cells{texmap::extremes::two_digits(worst), "", worst};
   if (claim.cost.work) {
     cells.cost = texmap::extremes::two_digits(texmap::extremes::cost_ratio(claim.cost, 200)) +
                  " × " + claim.cost.relative_to;

@@ -1,21 +1,29 @@
 // How docs/numbers.md is laid out, and how costs are timed.
 #include "page.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace texmap::extremes {
 namespace {
 
-constexpr const char* heading =
+constexpr const char* title =
     "# Numbers\n"
     "\n"
     "What the functions of the course claim, and what was measured. This page is written by "
     "`./course numbers`; a test holds its functions,\n"
     "domains and bounds against the claims in `tests/extremes`, and another measures each "
-    "claim and fails when a bound is exceeded.\n"
+    "claim and fails when a bound is exceeded.\n";
+
+constexpr const char* how_to_read =
+    "\n"
+    "## How to read the tables\n"
     "\n"
     "| column | meaning |\n"
     "|---|---|\n"
@@ -60,6 +68,71 @@ std::string plain(double number) {
   return text.str();
 }
 
+/// A heading's address on the page: small letters, a hyphen for each blank.
+std::string address_of(const std::string& heading) {
+  std::string address = "#";
+  for (const char c : heading) {
+    if (std::isalnum(static_cast<unsigned char>(c))) {
+      address += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (c == ' ') {
+      address += '-';
+    }
+  }
+  return address;
+}
+
+/// A family's claims, counted.
+struct Counts {
+  std::set<std::string> functions{};  ///< of the bounds that hold
+  long hold = 0;
+  long broken = 0;                      ///< bounds that other forms must break
+  std::map<std::string, long> rungs{};  ///< of the ladder of certainty
+
+  void add(const Claim& claim) {
+    if (claim.expect == Expect::beyond) {
+      ++broken;
+      return;
+    }
+    ++hold;
+    functions.insert(claim.function.substr(0, claim.function.find(',')));
+    const std::string certainty = certainty_of(claim);
+    ++rungs[certainty.substr(0, certainty.find_first_of(" ,"))];
+  }
+};
+
+/// Of a family, the bound that holds and was nearest to being reached.
+struct NearestBound {
+  const Claim* claim = nullptr;
+  double off = 0;
+
+  void see(const Claim& now, double measured) {
+    if (now.expect == Expect::beyond || !(now.bound > 0) || !(measured > 0)) return;
+    if (claim != nullptr && measured / now.bound <= off / claim->bound) return;
+    claim = &now;
+    off = measured;
+  }
+};
+
+/// A row of the summary; like those of the other tables it ends with two measured cells.
+std::string summary_of(const Family& family, const Counts& counts, const NearestBound& nearest) {
+  std::string row = "| [" + family.title + "](" + address_of(family.title) + ") | " +
+                    std::to_string(counts.functions.size()) + " | " + std::to_string(counts.hold) +
+                    " | " + std::to_string(counts.broken) + " | ";
+  std::string comma;
+  for (const auto& [rung, count] : counts.rungs) {
+    row += comma + std::to_string(count) + " " + rung;
+    comma = ", ";
+  }
+  if (nearest.claim == nullptr) {
+    const bool elsewhere = std::ranges::all_of(
+        family.claims, [](const Claim& claim) { return !claim.certainty.empty(); });
+    return row + (elsewhere ? " | measured by other tests | |\n" : " | no bound but 0 | |\n");
+  }
+  const Claim& claim = *nearest.claim;
+  return row + " | " + claim.function + ", " + claim.number + ": " + two_digits(nearest.off) +
+         " of " + plain(claim.bound) + " " + claim.unit + " | " + claim.domain + " |\n";
+}
+
 }  // namespace
 
 std::string two_digits(double number) {
@@ -77,21 +150,40 @@ std::string two_digits(double number) {
 
 std::string page_of(const std::vector<Family>& families,
                     const std::function<Cells(const Claim&)>& measured) {
-  std::string page = heading;
+  std::string rows;
+  std::string tables;
+  Counts all;
   for (const Family& family : families) {
-    page += "\n## " + family.title + "\n\n" + family.introduction + "\n\n";
-    page +=
+    tables += "\n## " + family.title + "\n\n" + family.introduction + "\n\n";
+    tables +=
         "| function | number | domain | bound | certainty | measured | cost |\n"
         "|---|---|---|---|---|---|---|\n";
+    Counts counts;
+    NearestBound nearest;
     for (const Claim& claim : family.claims) {
       const Cells cells = measured(claim);
+      counts.add(claim);
+      all.add(claim);
+      nearest.see(claim, cells.off);
       const std::string star = claim.expect == Expect::beyond ? "*" : "";
-      page += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
-              " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty_of(claim) + " | " +
-              cells.worst + " | " + cells.cost + " |\n";
+      tables += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
+                " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty_of(claim) +
+                " | " + cells.worst + " | " + cells.cost + " |\n";
     }
+    rows += summary_of(family, counts, nearest);
   }
-  return page;
+  return title +
+         ("\n## In short\n\n" + std::to_string(all.hold) + " bounds on " +
+          std::to_string(all.functions.size()) + " functions hold. " + std::to_string(all.broken) +
+          " rows are forms from the source documents or from textbooks that break such a "
+          "bound,\nas they should: they show that the measurement can see an error. For "
+          "each family the table names the bound that was nearest\nto being reached, and "
+          "the inputs that it holds for. Bounds of 0 are left out there: nothing may "
+          "reach them.\n\n"
+          "| family | functions | bounds that hold | forms that break theirs | how sure | "
+          "nearest to its bound | for these inputs |\n"
+          "|---|---|---|---|---|---|---|\n") +
+         rows + how_to_read + tables;
 }
 
 std::string without_measured_cells(const std::string& page) {

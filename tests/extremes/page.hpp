@@ -12,9 +12,11 @@ namespace texmap::extremes {
 struct Cells {
   std::string worst;
   std::string cost;
+  double off = 0;  ///< the number behind `worst`, for the summary; 0 where nothing was measured
 };
 
-/// The page. A claim's last two cells are what `measured` says of it.
+/// The page: a summary, how to read it, and the tables. A claim's last two cells are what
+/// `measured` says of it.
 [[nodiscard]] std::string page_of(const std::vector<Family>& families,
                                   const std::function<Cells(const Claim&)>& measured);
 

@@ -17,7 +17,7 @@ std::string committed_page() {
   return text.str();
 }
 
-Cells unmeasured(const Claim&) { return {"1", "2"}; }
+Cells unmeasured(const Claim&) { return {"1", "2", 1}; }
 
 /// The first line in which two pages differ.
 std::string first_difference(const std::string& page, const std::string& expected) {
@@ -46,7 +46,7 @@ TEST_CASE("a changed bound, domain or function is noticed, a changed measurement
   const auto same = [&](const std::string& other) {
     return first_difference(without_measured_cells(other), page).empty();
   };
-  CHECK(same(page_of(families, [](const Claim&) { return Cells{"3", "4"}; })));
+  CHECK(same(page_of(families, [](const Claim&) { return Cells{"3", "4", 3}; })));
 
   Claim& claim = families.back().claims.back();
   const Claim kept = claim;
@@ -75,6 +75,34 @@ TEST_CASE("every cell of the page stays in its column") {
       CHECK_FALSE(claim.unit.empty());
     }
   }
+}
+
+TEST_CASE("the summary counts the claims and names the bound that was nearest to being reached") {
+  const auto claim = [](const char* function, double bound, Expect expect) {
+    return Claim{.function = function,
+                 .number = "float",
+                 .domain = std::string("inputs of ") + function,
+                 .bound = bound,
+                 .unit = "ulp",
+                 .measurement = {},
+                 .expect = expect};
+  };
+  const std::vector<Family> families = {
+      {.title = "Rays, and more",
+       .introduction = "",
+       .claims = {claim("a", 4, Expect::within), claim("a, below", 8, Expect::within),
+                  claim("b", 0, Expect::within), claim("c", 1, Expect::beyond)}}};
+  const auto page_with = [&](double a, double below) {
+    return page_of(families, [=](const Claim& asked) {
+      return Cells{"", "", asked.function == "a" ? a : asked.function == "a, below" ? below : 9};
+    });
+  };
+  const std::string start = "| [Rays, and more](#rays-and-more) | 2 | 3 | 1 | 3 searched | ";
+  CHECK(page_with(3, 5).find(start + "a, float: 3 of 4 ulp | inputs of a |") != std::string::npos);
+  CHECK(page_with(2, 5).find(start + "a, below, float: 5 of 8 ulp | inputs of a, below |") !=
+        std::string::npos);
+  CHECK(page_with(0, 0).find(start + "no bound but 0 | |") != std::string::npos);
+  CHECK(page_with(3, 5).find("3 bounds on 2 functions hold. 1 rows are") != std::string::npos);
 }
 
 TEST_CASE("measured numbers have two digits") {

@@ -56,6 +56,7 @@ check 01_plain_spheres 01_plain_spheres
 check 02_checkerboard_uv 02_checkerboard_uv
 check 03_image_texture 03_image_texture
 check 04_uv_conventions 04_uv_conventions
+check 04_uv_daily 04_uv_conventions --convention daily --show uv --width 200 --height 150
 check 05_y_rotation 05_y_rotation
 check 06_phong_texture_blend 06_phong_texture_blend
 for highlight in phong lecture; do
@@ -74,6 +75,7 @@ check 11_bump_and_normal_maps 11_bump_and_normal_maps
 check 11_bump_or_dent 11_bump_and_normal_maps --show sheet
 check 11_poles 11_bump_and_normal_maps --show poles
 check 11_daily_bricks 11_bump_and_normal_maps --show daily
+check 11_normals 11_bump_and_normal_maps --show normal --width 150 --height 150
 check 12_environment_map 12_environment_map
 for light in cosine mis coefficients; do
   check "12_$light" 12_environment_map --light "$light" --samples 64 --width 256 --height 144

@@ -91,6 +91,21 @@ Image flipped_map() {
   });
 }
 
+Image half_turn_of_map() {
+  return stage([](const Hit<double>& hit) {
+    const Uv<double> uv = uv_rtiow(hit.normal);
+    return earth()(Uv<double>{1 - uv.u, 1 - uv.v});
+  });
+}
+
+/// atan2(-z, x) / 2 pi without the 1/2: negative on the side that is seen.
+Image without_half() {
+  return stage([](const Hit<double>& hit) {
+    const Uv<double> uv = uv_rtiow(hit.normal);
+    return earth()(Uv<double>{uv.u - 0.5, uv.v});
+  });
+}
+
 Image quarter_turn() {
   return stage(
       [](const Hit<double>& hit) { return earth()(uv_of(Convention::lecture, hit.normal)); });
@@ -267,7 +282,9 @@ std::vector<Symptom> symptoms() {
   return {
       {"mirrored", mirrored_map(), right()},
       {"upside_down", flipped_map(), right()},
+      {"half_turn", half_turn_of_map(), right()},
       {"quarter_turn", quarter_turn(), right()},
+      {"stripes", without_half(), right()},
       {"seam_line", seen_at_the_seam(true), seen_at_the_seam(false)},
       {"squeezed_pole", at_the_pole(true), at_the_pole(false)},
       {"black", without_texture(), right()},

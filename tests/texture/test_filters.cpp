@@ -74,7 +74,8 @@ TEST_CASE("where texels hold their own place and level, the bilinear filter retu
   const auto shifted = [&](double right, double down, int up) {
     return [&texture, right, down, up](double u, double v, int level) {
       const double l = level + up;
-      return texture.bilinear(Uv<double>{u + right / (64 >> level), v + down / (32 >> level)}, l);
+      return texture.bilinear(Uv<double>{u + right / (64 >> level), v + down / (32 >> level)},
+                              level_of(texture.pyramid, l));
     };
   };
   CHECK(count_misplaced(shifted(0, 0, 0)) == 0);
@@ -83,7 +84,8 @@ TEST_CASE("where texels hold their own place and level, the bilinear filter retu
   CHECK(count_misplaced(shifted(0, -0.5, 0)) == 400);
   CHECK(count_misplaced(shifted(0, 0, 1)) == 400);
   CHECK(count_misplaced([&](double u, double v, int level) {
-          return texture.bilinear(Uv<double>{v, u}, static_cast<double>(level));
+          return texture.bilinear(Uv<double>{v, u},
+                                  level_of(texture.pyramid, static_cast<double>(level)));
         }) > 390);
 }
 
@@ -205,6 +207,37 @@ TEST_CASE("beyond the edges the border is seen, and on an edge half of it") {
   CHECK(std::abs(texture.filtered(place_of(1.0, 0.5, 4, 1, 8, 8)).g - 0.25) < 1e-15);
 }
 
+TEST_CASE(
+    "everywhere the bilinear filter mixes the four texels that the wrap mode shows around it") {
+  constexpr int width = 6, height = 4;
+  const LightImage image = noise(width, height);
+  Dice dice(9);
+  for (const Wrap wrap : wraps) {
+    CAPTURE(static_cast<int>(wrap));
+    const FilteredTexture texture{.pyramid = pyramid_of(image),
+                                  .wrap = wrap,
+                                  .v_axis = VAxis::down,
+                                  .border = {0.25, 0.5, 0.75}};
+    for (int i = 0; i < 2000; ++i) {
+      const Uv<double> at{dice.between(-3, 4), dice.between(-3, 4)};
+      double sum = 0;  // of texels weighted by a tent
+      for (int row = -4 * height; row < 5 * height; ++row) {
+        for (int column = -4 * width; column < 5 * width; ++column) {
+          const auto texel = wrapped_texel<double>(wrap, column, row, width, height);
+          const double light =
+              texel.inside
+                  ? static_cast<double>(
+                        image.at(static_cast<int>(texel.column), static_cast<int>(texel.row)).g)
+                  : 0.5;
+          sum += light * std::max(0.0, 1 - std::abs(at.u * width - column - 0.5)) *
+                 std::max(0.0, 1 - std::abs(at.v * height - row - 0.5));
+        }
+      }
+      REQUIRE(std::abs(texture(at).g - sum) < 1e-12);
+    }
+  }
+}
+
 TEST_CASE("v up shows the picture, v down shows it upside down") {
   const LightImage image = noise(4, 4);
   const FilteredTexture up{.pyramid = pyramid_of(image)};
@@ -307,6 +340,60 @@ TEST_CASE("the width of the trilinear filter by its response to a cosine") {
         0.5 * std::sin(span * std::numbers::pi * f) / (span * std::sin(std::numbers::pi * f));
     CHECK(std::abs(amplitude(span) - expected) < 1e-7);
     CHECK(std::abs(amplitude(2 * span) - expected) > 1e-4);
+  }
+}
+
+/// The Bessel function J_3, by its integral: on a whole period the midpoint rule is exact.
+double bessel_3(double x) {
+  constexpr int steps = 64;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double t = std::numbers::pi * (i + 0.5) / steps;
+    sum += std::cos(3 * t - x * std::sin(t));
+  }
+  return sum / steps;
+}
+
+TEST_CASE(
+    "a cosine through the ellipse keeps the amplitude that the weight's Fourier transform has") {
+  // Of (1 - r^2)^2 on a disc it is 48 J_3(k) / k^3 at the angular frequency k.
+  constexpr int size = 256;
+  Dice dice(14);
+  for (int i = 0; i < 60; ++i) {
+    const int across = static_cast<int>(dice.between(1, 30));
+    const int down = static_cast<int>(dice.between(1, 30));
+    const auto phase = [&](double x, double y) {
+      return 2 * std::numbers::pi * (across * x + down * y) / size;
+    };
+    LightImage image(size, size);
+    for (int row = 0; row < size; ++row) {
+      for (int column = 0; column < size; ++column)
+        image.at(column, row).r =
+            static_cast<float>(0.5 + 0.5 * std::cos(phase(column + 0.5, row + 0.5)));
+    }
+    const FilteredTexture texture{
+        .pyramid = pyramid_of(image), .filter = Filter::ewa, .v_axis = VAxis::down};
+    // A side of 1.2 to 1.9 texels is read in the picture itself; the other is up to 12 long.
+    const double angle = dice.between(0, 3), longer = dice.between(2, 12);
+    const double shorter = dice.between(1.2, 1.9);
+    const auto uv = place(dice.between(0, 1), dice.between(0, 1), longer * std::cos(angle) / size,
+                          -shorter * std::sin(angle) / size, longer * std::sin(angle) / size,
+                          shorter * std::cos(angle) / size);
+    const auto ellipse = texture.ellipse_of(footprint_of<double>(uv, size, size));
+    REQUIRE(ellipse.level.width == size);
+    const double k = 2 * std::numbers::pi / size *
+                     std::sqrt(ellipse.a * across * across + 2 * ellipse.b * across * down +
+                               ellipse.c * down * down);
+    const double amplitude = 48 * bessel_3(k) / (k * k * k);
+    const double cosine = std::cos(phase(uv.u.value * size, uv.v.value * size));
+    const double found = texture.filtered(uv).r;
+    CHECK(std::abs(found - (0.5 + 0.5 * amplitude * cosine)) < 0.02);
+    // The ellipse's variance is that of the footprint, side^2 / 12, and 1/8 for the texel added.
+    const double c = std::cos(angle), s = std::sin(angle);
+    CHECK(ellipse.a / 8 ==
+          doctest::Approx((square(longer * c) + square(shorter * s)) / 12 + 0.125));
+    CHECK(ellipse.c / 8 ==
+          doctest::Approx((square(longer * s) + square(shorter * c)) / 12 + 0.125));
   }
 }
 

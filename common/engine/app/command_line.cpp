@@ -18,6 +18,16 @@ namespace {
                    std::string(typed) + "'");
 }
 
+/// True if `word` is one of the words that `listed` separates by |.
+bool has_word(std::string_view listed, std::string_view word) {
+  while (!listed.empty()) {
+    const std::size_t end = std::min(listed.find('|'), listed.size());
+    if (listed.substr(0, end) == word) return true;
+    listed.remove_prefix(std::min(end + 1, listed.size()));
+  }
+  return false;
+}
+
 }  // namespace
 
 int parse_whole(std::string_view option, std::string_view text, int low, int high) {
@@ -42,7 +52,23 @@ double parse_decimal(std::string_view option, std::string_view text, double low,
 CommandLine::CommandLine(std::string program, std::string purpose)
     : program_(std::move(program)), purpose_(std::move(purpose)) {}
 
-void CommandLine::add(Option option) { options_.push_back(std::move(option)); }
+void CommandLine::add(Option option) {
+  const auto same = std::find_if(options_.begin(), options_.end(),
+                                 [&option](const Option& o) { return o.name == option.name; });
+  if (same == options_.end()) {
+    options_.push_back(std::move(option));
+    return;
+  }
+  // Two groups have words for one option: each reads its own.
+  const std::string words = same->placeholder + '|' + option.placeholder;
+  same->help += "; " + option.help;
+  same->read = [first = *same, second = option, words](std::string_view typed) {
+    if (!has_word(first.placeholder, typed) && !has_word(second.placeholder, typed))
+      refuse(first.name, words, typed);
+    (has_word(first.placeholder, typed) ? first : second).read(typed);
+  };
+  same->placeholder = words;
+}
 
 void CommandLine::refuse(std::string_view option, std::string_view expected,
                          std::string_view typed) {

@@ -45,7 +45,7 @@ class CommandLine {
              std::string_view help);
   /// An option without a value.
   void flag(std::string_view name, bool& value, std::string_view help);
-  /// An option with one of a few words, each for a value.
+  /// An option with one of a few words, each for a value. Two groups may give one option words.
   template <class Value>
   void choice(std::string_view name, Value& value,
               const std::vector<std::pair<std::string_view, Value>>& words, std::string_view help) {

@@ -1,4 +1,4 @@
-// The options --filter, --wrap, --taps, --floor and --plot.
+// The options --filter, --scene, --wrap, --taps, --floor and --plot.
 #include "engine/app/filter_options.hpp"
 
 #include "engine/app/command_line.hpp"
@@ -25,6 +25,10 @@ void FilterOptions::declare(CommandLine& line) {
                        {"ewa", Filter::ewa},
                        {"stochastic", Filter::stochastic}},
                       "how the textures are read");
+  line.choice<FilterScene>(
+      "--scene", scene,
+      {{"both", FilterScene::both}, {"plane", FilterScene::plane}, {"globe", FilterScene::globe}},
+      "what to draw: the plane to the horizon, a globe far away, or both");
   line.choice<Wrap>("--wrap", wrap,
                     {{"repeat", Wrap::repeat},
                      {"mirror", Wrap::mirror},

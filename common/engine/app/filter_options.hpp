@@ -1,4 +1,4 @@
-// The options --filter, --wrap, --taps, --floor and --plot.
+// The options --filter, --scene, --wrap, --taps, --floor and --plot.
 #pragma once
 #include <string>
 
@@ -9,9 +9,17 @@
 
 namespace texmap {
 
+/// What a lesson that filters draws.
+enum class FilterScene {
+  both,   ///< the plane to the horizon, a globe close by and one far away
+  plane,  ///< the plane alone
+  globe,  ///< a globe far away, under the sky
+};
+
 /// How the user wants textures to be read.
 struct FilterOptions {
   Filter filter = Filter::anisotropic;
+  FilterScene scene = FilterScene::both;
   Wrap wrap = Wrap::repeat;  ///< of the floor; the globe's is spherical
   int taps = 16;
   std::string floor_file = "checkers";
@@ -51,6 +59,17 @@ template <class Lesson>
 void read_by(Lesson& lesson, Filter filter, int taps) {
   lesson.filtering.apply(filter, taps, lesson.ground.texture);
   for (auto& object : lesson.objects) lesson.filtering.apply(filter, taps, object.paint.texture);
+}
+
+/// Leaves in a lesson what the user's scene shows.
+template <class Lesson>
+void keep_scene(Lesson& lesson) {
+  if (lesson.filtering.scene == FilterScene::plane) lesson.objects.clear();
+  if (lesson.filtering.scene != FilterScene::globe) return;
+  lesson.objects.resize(1);
+  lesson.objects.front().shape = {.center = {0, 30, -60}, .radius = 1.5};
+  lesson.stage.camera.target = {0, 30, -60};  // so high that no plane is seen below it
+  lesson.stage.camera.fov_y_degrees = 12;
 }
 
 /// A checkerboard of black and white squares as a picture.

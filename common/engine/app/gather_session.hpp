@@ -71,7 +71,7 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   const bool float_packs = plan.floats_are_enough && !session.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;
   const auto& objects = objects_to_draw(plan, lesson);
-  const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
+  const View<> view = session.view(lesson.stage.camera, settings.width, settings.height);
 
   std::atomic<double> error_so_far = infinity<double>();
   session.remark = [&error_so_far] { return remark_on_error(error_so_far); };

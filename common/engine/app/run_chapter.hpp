@@ -13,22 +13,48 @@
 #include "engine/app/turntable.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/draw.hpp"
+#include "engine/render/surfaces.hpp"
 #include "math/rotation.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap {
 
+/// The surfaces of a lesson's scene, from one ray through the center of each pixel. Packs would
+/// draw the same as single numbers.
+template <HasSurfaces Lesson>
+[[nodiscard]] Image draw_surfaces(const Lesson& lesson, const View<>& view, Shown shown,
+                                  NumberKind number, RenderSettings settings) {
+  settings.samples = 1;
+  const SurfaceColors<Lesson> surfaces{lesson, shown};
+  if constexpr (Lesson::about.numbers == Numbers::only_double) {
+    return render<double>(surfaces, view, settings);
+  } else {
+    const bool in_float = number == NumberKind::float_pack;
+    return draw_single(surfaces, view, in_float ? NumberKind::float_ : number, settings);
+  }
+}
+
 template <class Lesson>
 Image Session::draw(const Lesson& lesson, int width, int height) {
+  if constexpr (HasSurfaces<Lesson>) {
+    if (settings.show != Shown::color) {
+      return timed(static_cast<double>(width) * height, [&](const RenderSettings& render_settings) {
+        return draw_surfaces(lesson, view(lesson.stage.camera, width, height), settings.show,
+                             settings.number, render_settings);
+      });
+    }
+  }
   return timed(static_cast<double>(width) * height * settings.samples,
-               [&](const RenderSettings& render_settings) {
-                 const View<> view = view_of(lesson.stage.camera, width, height);
-                 if constexpr (Lesson::about.numbers == Numbers::all) {
-                   return texmap::draw(lesson, view, settings.number, render_settings);
+               [&](const RenderSettings& render_settings) -> Image {
+                 const View<> seen = view(lesson.stage.camera, width, height);
+                 if constexpr (GathersLight<Lesson>) {
+                   throw std::logic_error("light is gathered, see show_gathered");
+                 } else if constexpr (Lesson::about.numbers == Numbers::all) {
+                   return texmap::draw(lesson, seen, settings.number, render_settings);
                  } else if constexpr (Lesson::about.numbers == Numbers::single) {
-                   return texmap::draw_single(lesson, view, settings.number, render_settings);
+                   return texmap::draw_single(lesson, seen, settings.number, render_settings);
                  } else {
-                   return render<double>(lesson, view, render_settings);
+                   return render<double>(lesson, seen, render_settings);
                  }
                });
 }
@@ -48,10 +74,9 @@ void turn_paint(AnyOf<Paints...>& paint, const RotationY& rotation) {
 template <class Lesson>
 void show_picture(Session& session, const Lesson& lesson, const std::string& suffix = "") {
   if constexpr (GathersLight<Lesson>) {
-    show_gathered(session, lesson, suffix);
-  } else {
-    session.save(session.draw(lesson), suffix);
+    if (session.settings.show == Shown::color) return show_gathered(session, lesson, suffix);
   }
+  session.save(session.draw(lesson), suffix);
 }
 
 /// Draws and saves all frames of a lesson's turntable, one numbered picture after another.
@@ -89,6 +114,8 @@ template <class Lesson>
 [[nodiscard]] Offers offers_for(const Lesson& lesson) {
   Offers offers;
   offers.spheres = HasSpheres<Lesson>;
+  offers.surfaces = HasSurfaces<Lesson>;
+  offers.camera = requires { lesson.stage.camera; };
   offers.one_number = !all_numbers;
   if constexpr (GathersLight<Lesson>) {
     if constexpr (requires { lesson.texture; }) {
@@ -96,7 +123,7 @@ template <class Lesson>
           "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
           "kernels it takes";
     }
-    offers.intervals = false;  // they bound one ray a pixel, not light gathered by chance
+    offers.no_intervals = "it bounds one ray a pixel, not light that is gathered by chance";
     offers.samples = lesson.sampling.samples;
     offers.most_samples = most_samples;
   } else if constexpr (requires { lesson.phong; }) {
@@ -106,7 +133,8 @@ template <class Lesson>
     offers.budget =
         "how far off the light of textured pixels may be: exact or levels=4; says which filter it "
         "takes";
-    offers.intervals = false;  // they bound values, not the derivatives that footprints come from
+    offers.no_intervals =
+        "where rounding leaves a filter's level open, the bound would be that of whole levels";
   }
   return offers;
 }
@@ -127,6 +155,10 @@ void draw_and_save(Session& session, Lesson& lesson) {
     if (session.was_given("--spheres"))
       for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
     keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
+  }
+  if constexpr (requires { lesson.filtering; }) {
+    if (session.settings.zoom != 1 && session.was_given("--budget"))
+      throw UsageError("--budget chooses a filter for the whole picture: leave --zoom out");
   }
   if constexpr (requires { lesson.phong; }) {
     lesson.phong.plan(session, read_budget(session.settings.budget));

@@ -10,6 +10,7 @@
 #include "engine/measure/stopwatch.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/render/close_up.hpp"
 #include "engine/render/progress.hpp"
 #include "engine/system/system.hpp"
 
@@ -19,14 +20,26 @@ namespace {
 constexpr int longest_side = 16384;
 constexpr long most_pixels = 1L << 26;
 
+/// The pixel that --at names in a picture of this size. Errors: UsageError.
+PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
+  const std::size_t comma = typed.find(',');
+  if (comma == std::string_view::npos) {
+    throw UsageError("--at takes COLUMN,ROW such as 400,300, not '" + std::string(typed) + "'");
+  }
+  return {double{1} * parse_whole("the column of --at", typed.substr(0, comma), 0, width - 1),
+          double{1} * parse_whole("the row of --at", typed.substr(comma + 1), 0, height - 1)};
+}
+
 }  // namespace
 
-/// Milliseconds since the last picture was saved.
+/// What happened since the last picture was saved; times in milliseconds.
 struct Session::Times {
   std::optional<Stopwatch> before_drawing{Stopwatch()};  // until the first ray
   double load = 0;                                       // before the first ray
   double render = 0;
   double rays = 0;
+  long uncertain = 0;  // pixels, and of how many
+  long judged = 0;
 };
 
 Session::Session(std::string_view chapter, CommandLine& line, const About& about,
@@ -53,7 +66,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   }
   line.whole("--threads", settings.threads, 0, 1024,
              "threads to draw with, 0 for one per core; the picture is the same");
-  if (offered("--number")) offer_numbers(about.numbers, offers.intervals);
+  if (offered("--number")) offer_numbers(about.numbers, offers.no_intervals);
   if (!offers.budget.empty()) line.text("--budget", "BUDGET", settings.budget, offers.budget);
   if (offers.spheres) {
     line.choice<SphereForm>("--spheres", settings.spheres,
@@ -65,12 +78,20 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
                             "and an eye close above a surface, and taken for robust beyond 1e4 "
                             "radii in float, 1e7 in double; plain shows how the textbook's fails");
   }
+  if (offers.surfaces) offer_show();
+  if (offers.camera) {
+    line.decimal("--zoom", settings.zoom, 0.01, 1e6,
+                 "how many times as large: 2 shows the middle half of the picture");
+    line.text("--at", "COLUMN,ROW", settings.at,
+              "the pixel of the picture without --zoom, counted from 0,0 at the upper left, that "
+              "--zoom leaves in its place; the middle unless given");
+  }
   line.flag("--quiet", settings.quiet, "no progress, nothing printed on success");
 }
 
 Session::~Session() = default;
 
-void Session::offer_numbers(Numbers numbers, bool intervals) {
+void Session::offer_numbers(Numbers numbers, std::string_view no_intervals) {
   if (numbers == Numbers::only_double) return;
   std::vector<std::pair<std::string_view, NumberKind>> words = {{"float", NumberKind::float_},
                                                                 {"double", NumberKind::double_},
@@ -82,12 +103,14 @@ void Session::offer_numbers(Numbers numbers, bool intervals) {
   words.insert(words.end(),
                {{"float-pack", NumberKind::float_pack}, {"double-pack", NumberKind::double_pack}});
   std::string help = "the number to calculate with";
-  if (intervals) {
+  if (!no_intervals.empty()) {
+    help.append("; not interval: ").append(no_intervals);
+  } else {
     words.emplace_back("interval", NumberKind::interval);
     help +=
         "; interval draws which pixels rounding could change: gray where none can change its "
-        "bytes, yellow to violet for "
-        "1 to 255 levels of uncertainty";
+        "bytes, yellow to violet, three pixels wide, for 1 to 255 levels of uncertainty, and "
+        "prints how many";
   }
   line_.choice<NumberKind>("--number", settings.number, words, help);
   line_.choice<Instructions>("--instructions", settings.instructions,
@@ -95,6 +118,19 @@ void Session::offer_numbers(Numbers numbers, bool intervals) {
                               {"avx2", Instructions::avx2},
                               {"avx512", Instructions::avx512}},
                              "what packs are made of; the machine's widest unless given");
+}
+
+void Session::offer_show() {
+  line_.choice<Shown>(
+      "--show", settings.show,
+      {{"color", Shown::color},
+       {"normal", Shown::normal},
+       {"uv", Shown::uv},
+       {"object", Shown::object}},
+      "to find errors, in place of the color: the unit normal, from -1 to 1 as x "
+      "in red, y in green, z in blue; u in red and v in green, gray without (u, v), "
+      "beyond 0 to 1 the part behind the point; each object or triangle in a color "
+      "of its own; the sky is black");
 }
 
 bool Session::was_given(std::string_view option) const { return line_.was_given(option); }
@@ -115,8 +151,26 @@ void Session::check_numbers() const {
       "by hand: cmake --preset release && cmake --build --preset release");
 }
 
+void Session::check_show() const {
+  if (settings.show == Shown::color) return;
+  if (settings.number == NumberKind::interval) {
+    throw UsageError(
+        "--show draws normals, (u, v) and objects with any number but interval, which bounds "
+        "colors");
+  }
+  if (was_given("--samples") && settings.samples != 1) {
+    throw UsageError(
+        "--show draws normals, (u, v) and objects with 1 ray a pixel: a mean of several would be "
+        "none of them; leave --samples out");
+  }
+}
+
 void Session::check() const {
   if (one_number_) check_numbers();
+  check_show();
+  if (was_given("--at") && !was_given("--zoom")) {
+    throw UsageError("--at names the pixel that --zoom leaves in its place: give --zoom, too");
+  }
   if (!machine_has(settings.instructions)) {
     throw UsageError(
         "--instructions: this machine cannot run them; without the option the program takes the "
@@ -140,6 +194,14 @@ void Session::check() const {
   check_output(path_of(settings.out));
 }
 
+View<> Session::view(const Camera& camera, int width, int height) {
+  seen_by_camera_ = true;
+  const View<> whole = view_of(camera, width, height);
+  const PixelPlace<double> middle{whole.center_column, whole.center_row};
+  return close_up(whole, settings.zoom,
+                  settings.at.empty() ? middle : pixel_at(settings.at, width, height));
+}
+
 std::filesystem::path Session::file_name(std::string_view suffix) const {
   std::filesystem::path file = path_of(settings.out);
   std::filesystem::path name = file.stem();
@@ -157,7 +219,12 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
       work({.samples = settings.samples,
             .threads = settings.threads,
             .instructions = settings.instructions,
-            .progress = [&progress](int done, int total) { progress.report(done, total); }});
+            .progress = [&progress](int done, int total) { progress.report(done, total); },
+            .certainty =
+                [this](long uncertain, long pixels) {
+                  times_->uncertain += uncertain;
+                  times_->judged += pixels;
+                }});
   times_->render += drawing.milliseconds();
   times_->rays += rays;
   return image;
@@ -166,8 +233,18 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
 void Session::count_rays(double rays) { times_->rays += rays; }
 
 void Session::save(const Image& image, std::string_view suffix) {
+  if ((settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_) {
+    throw UsageError(
+        "--zoom and --show normal, uv and object are for what a camera sees, and no camera draws "
+        "this picture");
+  }
+  seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
+  if (!settings.quiet && times_->judged > 0) {
+    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n",
+               times_->uncertain, times_->judged));
+  }
   if (!settings.quiet) {
     const double all = times_->load + times_->render + saving.encode + saving.write;
     print(name_of(file) +

@@ -8,6 +8,7 @@
 
 #include "engine/app/lesson.hpp"
 #include "engine/render/settings.hpp"
+#include "scene/camera.hpp"
 #include "scene/sphere_forms.hpp"
 #include "texture/image.hpp"
 
@@ -25,16 +26,21 @@ struct Settings {
   SphereForm spheres = SphereForm::robust;            ///< for all spheres of the lesson
   std::string budget = "exact";                       ///< how far off the picture may be
   bool quiet = false;                                 ///< no progress, no line on success
+  Shown show = Shown::color;                          ///< of the surfaces that the camera sees
+  double zoom = 1;                                    ///< how much larger than they would be
+  std::string at;  ///< COLUMN,ROW of the pixel that stays in its place; empty: the middle
 };
 
 /// The options that depend on the lesson.
 struct Offers {
-  std::string_view budget = "";  ///< the help of --budget; empty: not offered
-  bool spheres = false;          ///< --spheres
-  bool intervals = true;         ///< --number interval
-  bool one_number = false;       ///< the program was built for learning, with double alone
-  int samples = 1;               ///< rays a pixel
-  int most_samples = 65536;      ///< that --samples takes
+  std::string_view budget = "";        ///< the help of --budget; empty: not offered
+  bool spheres = false;                ///< --spheres
+  bool surfaces = false;               ///< --show
+  bool camera = false;                 ///< --zoom and --at
+  std::string_view no_intervals = "";  ///< why --number interval is refused; empty: offered
+  bool one_number = false;             ///< the program was built for learning, with double alone
+  int samples = 1;                     ///< rays a pixel
+  int most_samples = 65536;            ///< that --samples takes
 };
 
 /// One run of a chapter's program: the user's choices, drawing, saving.
@@ -64,11 +70,15 @@ class Session {
   /// The lesson's picture in another size. Defined in run_chapter.hpp.
   template <class Lesson>
   [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
+  /// The view of a lesson's camera for a picture of this size, or the user's close-up of it.
+  /// Errors: UsageError if there is no such pixel.
+  [[nodiscard]] View<> view(const Camera& camera, int width, int height);
 
   /// Writes a picture and prints a line about it: file, size, milliseconds, rays a second.
   ///
   /// @param suffix  before the file's ending, for chapters with several pictures
-  /// Errors: FileError; the old file is then unchanged.
+  /// Errors: FileError, and UsageError if an option asks for what a camera sees and none drew the
+  /// picture; the old file is then unchanged.
   void save(const Image& image, std::string_view suffix = "");
   /// The name of the file that save() writes.
   [[nodiscard]] std::filesystem::path file_name(std::string_view suffix) const;
@@ -83,10 +93,13 @@ class Session {
  private:
   struct Times;
   void check_numbers() const;
-  void offer_numbers(Numbers numbers, bool intervals);
+  void check_show() const;
+  void offer_show();
+  void offer_numbers(Numbers numbers, std::string_view no_intervals);
 
   std::string default_out_;
   bool one_number_;
+  bool seen_by_camera_ = false;  // what is saved next
   CommandLine& line_;
   std::unique_ptr<Times> times_;
 };

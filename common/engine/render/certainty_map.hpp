@@ -1,6 +1,7 @@
 // Certainty maps: which pixels of a picture rounding could change.
 #pragma once
 #include <algorithm>
+#include <vector>
 
 #include "engine/render/render.hpp"
 #include "number/kinds/interval.hpp"
@@ -40,19 +41,47 @@ struct ByteBounds {
   return {byte_of(shade.r), byte_of(shade.g), byte_of(shade.b)};
 }
 
-/// The certainty map of a lesson, from its own code run with intervals.
+/// The widest levels of the 3 x 3 pixels around one, or of those that are in the picture.
+[[nodiscard]] inline int widest_around(const std::vector<int>& levels, int width, int height,
+                                       int column, int row) {
+  int widest = 0;
+  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y) {
+    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x)
+      widest =
+          std::max(widest, levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x)]);
+  }
+  return widest;
+}
+
+/// The certainty map of a lesson, from its own code run with intervals. An uncertain pixel is drawn
+/// three wide: alone it would not be seen. `settings.certainty` gets the number of pixels.
 /// Double and every number with more digits draw each pixel within its bounds.
 template <class Lesson>
 [[nodiscard]] Image draw_certainty_map(const Lesson& lesson, const View<>& view,
                                        const RenderSettings& settings) {
   Image image(view.width, view.height);
+  std::vector<int> levels(image.pixels.size());
   for_each_row(view.height, settings.threads, settings.progress, [&](int row) {
     for (int column = 0; column < view.width; ++column) {
       const auto color =
           pixel_color<Interval>(lesson, view, Interval(column), Interval(row), settings.samples);
-      image.at(column, row) = shade_of_uncertainty(color, uncertain_levels(color));
+      Rgb8& pixel = image.at(column, row);
+      pixel = shade_of_uncertainty(color, 0);
+      levels[static_cast<std::size_t>(&pixel - image.pixels.data())] = uncertain_levels(color);
     }
   });
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const int widest = widest_around(levels, view.width, view.height, column, row);
+      if (widest > 0) image.at(column, row) = shade_of_uncertainty({}, widest);
+    }
+  }
+  if (settings.certainty) {
+    const auto certain = std::count(levels.begin(), levels.end(), 0);
+    settings.certainty(static_cast<long>(levels.size()) - static_cast<long>(certain),
+                       static_cast<long>(levels.size()));
+  }
   return image;
 }
 

@@ -16,6 +16,14 @@ enum class NumberKind {
   interval,     ///< two doubles around the true number: draws the certainty map
 };
 
+/// What a picture shows of the surfaces of a scene.
+enum class Shown {
+  color,   ///< the lesson's picture
+  normal,  ///< the unit normal n as (n + 1) / 2: x in red, y in green, z in blue
+  uv,      ///< u in red, v in green; gray where a paint has no (u, v)
+  object,  ///< each object in one color
+};
+
 /// False in programs for learning: they have double alone, so that they compile in a second.
 #ifdef TEXMAP_LEARN
 constexpr bool all_numbers = false;
@@ -33,6 +41,7 @@ struct RenderSettings {
   Instructions instructions = widest_instructions();       ///< the widest to use
   std::function<void(int done, int total)> progress = {};  ///< after each row, from any thread
   std::function<void(double error)> error_so_far = {};     ///< the same with a Film's error
+  std::function<void(long uncertain, long pixels)> certainty = {};  ///< after a certainty map
 };
 
 }  // namespace texmap

@@ -1,17 +1,13 @@
 // A chapter drawn for a comparison: its picture, and what is seen at each pixel.
 #pragma once
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
-#include "scene/nearest.hpp"
-#include "scene/paint.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap::steps {
@@ -19,35 +15,25 @@ namespace texmap::steps {
 /// A lesson's picture of the stage with everything that a comparison asks about it; of another
 /// scene the picture alone.
 struct DrawnStep {
-  std::string chapter;  ///< its folder, such as 02_checkerboard_uv
+  std::string chapter;  ///< its folder, such as 02_checkerboard_uv, and the options drawn with
   Image picture;
   std::vector<int> objects;     ///< index of the object at each pixel's center, -1 for the sky
-  std::vector<Uv<double>> uv;   ///< texture coordinates there, NaN where the paint has none
+  std::vector<Uv<double>> uv;   ///< texture coordinates there; u is NaN where there are none
   std::vector<int> may_change;  ///< the objects that this step may change from the one before
   double milliseconds = 0;      ///< time of drawing, the least of three
 };
 
-/// The (u, v) with which a paint is looked up at a hit; NaN for a paint that has none.
-template <class Paint>
-[[nodiscard]] Uv<double> uv_of_paint(const Paint& paint, const Hit<double>& hit) {
-  if constexpr (requires { paint.mapping(hit.normal); }) {
-    return paint.mapping(hit.normal);
-  } else {
-    return {std::nan(""), std::nan("")};
-  }
-}
-template <class... Paints>
-[[nodiscard]] Uv<double> uv_of_paint(const AnyOf<Paints...>& paint, const Hit<double>& hit) {
-  return std::visit([&hit](const auto& one) { return uv_of_paint(one, hit); },
-                    static_cast<const std::variant<Paints...>&>(paint));
-}
-
-/// Draws a lesson as its program does without options; for chapter 04, its stage and not its sheet.
+/// Draws a lesson's stage as its program does.
+///
+/// @param options  as they are typed; for chapter 04, whose stage is not its sheet, none are needed
 template <class Lesson>
-[[nodiscard]] DrawnStep draw_step(const std::string& chapter, int width, int height, int threads) {
+[[nodiscard]] DrawnStep draw_step(const std::string& chapter, int width, int height, int threads,
+                                  const std::vector<std::string>& options = {}) {
   Lesson lesson;
   CommandLine line(chapter, "");
+  lesson.options(line);
   Session session(chapter, line, Lesson::about, offers_for(lesson));
+  static_cast<void>(line.parse(options));
   session.settings.quiet = true;
   session.settings.width = width;
   session.settings.height = height;
@@ -56,6 +42,7 @@ template <class Lesson>
 
   DrawnStep step;
   step.chapter = chapter;
+  for (const std::string& word : options) step.chapter += " " + word;
   for (int object = 0; object < static_cast<int>(lesson.objects.size()); ++object) {
     if (Lesson::about.changed_objects.contains(object)) step.may_change.push_back(object);
   }
@@ -71,15 +58,9 @@ template <class Lesson>
   const View<> view = view_of(lesson.stage.camera, width, height);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
-      const Ray<double> ray = ray_through<double>(view, column, row);
-      const Nearest<double> nearest = find_nearest(lesson.objects, ray);
-      step.objects.push_back(static_cast<int>(nearest.index));
-      if (nearest.index < 0) {
-        step.uv.push_back({std::nan(""), std::nan("")});
-        continue;
-      }
-      const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
-      step.uv.push_back(uv_of_paint(object.paint, hit_at(object.shape, ray, nearest.distance)));
+      const Surface<double> seen = surface_along(lesson, ray_through<double>(view, column, row));
+      step.objects.push_back(seen.object);
+      step.uv.push_back(seen.uv);
     }
   }
   return step;

@@ -46,13 +46,15 @@ struct Choices {
 /// A chapter that can be compared.
 struct Chapter {
   const char* name;
-  DrawnStep (*on_stage)(const char* name, const Drawing&);  ///< the stage, where it draws that
+  DrawnStep (*on_stage)(const char* name, const Drawing&,
+                        const std::vector<std::string>& options);  ///< where it draws the stage
   DrawnStep (*scene)(const char* name, const std::filesystem::path& file, int threads);
 };
 
 template <class Lesson>
-DrawnStep draw_on_stage(const char* name, const Drawing& drawing) {
-  return steps::draw_step<Lesson>(name, drawing.width, drawing.height, drawing.threads);
+DrawnStep draw_on_stage(const char* name, const Drawing& drawing,
+                        const std::vector<std::string>& options) {
+  return steps::draw_step<Lesson>(name, drawing.width, drawing.height, drawing.threads, options);
 }
 template <class Lesson>
 DrawnStep draw_scene(const char* name, const std::filesystem::path& file, int threads) {
@@ -82,6 +84,14 @@ constexpr std::array chapters = {
     own_scene<chapter_11::Lesson>("11_bump_and_normal_maps"),
     own_scene<chapter_12::Lesson>("12_environment_map"),
 };
+
+/// The options that show what a step adds, compared with steps before it. Chapter 04's own choice
+/// is the convention that chapter 03 has.
+std::vector<std::string> options_of(std::size_t chapter, std::size_t other) {
+  const bool is_04 = std::string_view(chapters[chapter].name).starts_with("04");
+  if (is_04 && other < chapter) return {"--convention", "daily"};
+  return {};
+}
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path);
@@ -124,14 +134,14 @@ bool compare_pair(std::size_t from, std::size_t to, const Choices& choices) {
     show_scenes(chapters[from], chapters[to], place, lesson(from), lesson(to), choices);
     return true;
   }
-  const auto draw = [](std::size_t i, const Drawing& drawing) {
-    return chapters[i].on_stage(chapters[i].name, drawing);
+  const auto draw = [](std::size_t i, const Drawing& drawing, std::size_t other) {
+    return chapters[i].on_stage(chapters[i].name, drawing, options_of(i, other));
   };
-  DrawnStep before = draw(from, choices.drawing);
-  DrawnStep after = draw(to, choices.drawing);
+  DrawnStep before = draw(from, choices.drawing, to);
+  DrawnStep after = draw(to, choices.drawing, from);
   std::vector<int> may_change;
   for (std::size_t i = std::min(from, to) + 1; i <= std::max(from, to); ++i) {
-    const DrawnStep step = i == to ? after : i == from ? before : draw(i, {8, 6, 1});
+    const DrawnStep step = i == to ? after : i == from ? before : draw(i, {8, 6, 1}, i);
     may_change.insert(may_change.end(), step.may_change.begin(), step.may_change.end());
   }
   std::sort(may_change.begin(), may_change.end());

@@ -137,6 +137,55 @@ Drawing four_conventions() {
   return d;
 }
 
+/// A letter on a map: as printed, and by each fault of u and v.
+Drawing letter_and_faults() {
+  Drawing d("letter_and_faults", 640, 190, "A letter shows which way u and v run",
+            "A letter F four times, east on the right and north up. As printed: u runs east and "
+            "up in the picture is north. Mirrored: u runs west. Upside down and mirrored: up in "
+            "the picture is south. Upside down, as after half a turn: both faults.");
+  struct Tile {
+    Convention convention;
+    VAxis axis;
+    std::array<const char*, 3> words;
+  };
+  const std::array<Tile, 4> tiles{{
+      {Convention::rtiow, VAxis::up, {"reads as printed", "u east, up is north", "(+)(+) = +"}},
+      {Convention::daily, VAxis::down, {"mirrored", "u west, up is north", "(-)(+) = -"}},
+      {Convention::rtiow,
+       VAxis::down,
+       {"upside down, mirrored", "u east, up is south", "(+)(-) = -"}},
+      {Convention::daily, VAxis::up, {"turned by half", "u west, up is south", "(-)(-) = +"}},
+  }};
+  double left = 10;
+  for (const Tile& tile : tiles) {
+    const Spot corner{left, 14};
+    const double width = 140, height = 96;
+    // right and high are measured in the picture, east and north on the map.
+    const auto at = [&](double right, double high) {
+      const double v = tile.axis == VAxis::up ? high : 1 - high;
+      const Uv<double> map = uv_rtiow(direction_in(tile.convention, {right, v}));
+      return corner + Spot{map.u * width, (1 - map.v) * height};
+    };
+    d.rectangle(corner, width, height, "fill-soft");
+    d.curve({at(0.4, 0.2), at(0.4, 0.8), at(0.62, 0.8)}, "ink thick");
+    d.line(at(0.4, 0.52), at(0.56, 0.52), "ink thick");
+    const bool mirrored = (at(0.6, 0.5).x > at(0.4, 0.5).x) != (at(0.5, 0.6).y < at(0.5, 0.4).y);
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.text(corner + Spot{width / 2, height + 22 + 20 * static_cast<double>(i)}, tile.words.at(i),
+             Anchor::middle,
+             i == 0               ? "small strong"
+             : mirrored && i == 2 ? "small red"
+                                  : "small");
+    }
+    const std::string name = tile.words[0];
+    d.mark(name + " foot", at(0.4, 0.2));
+    d.mark(name + " corner", at(0.4, 0.8));
+    d.mark(name + " arm", at(0.62, 0.8));
+    left += 160;
+  }
+  return d;
+}
+
 /// The equator from above, and the way of u in each convention.
 Drawing u_from_above() {
   Drawing d("u_from_above", 640, 370, "Where u begins, seen from above the north pole",
@@ -213,7 +262,7 @@ Drawing texel_rounding() {
 }  // namespace
 
 std::vector<Drawing> diagrams_of_04() {
-  return {four_conventions(), u_from_above(), texel_rounding()};
+  return {four_conventions(), letter_and_faults(), u_from_above(), texel_rounding()};
 }
 
 }  // namespace texmap::diagrams

@@ -32,7 +32,7 @@ Drawing rotation_from_above() {
   d.arrow(center, at(rotation(x)), "blue");
   d.arrow(center, at(rotation(z)), "green");
   const auto turned = [&](const Vec3d& from, double radius) {
-    return [&d, from, radius, center, r](double degrees) {
+    return [from, radius, center, r](double degrees) {
       return from_above(rotation_y(degrees)(from), center, radius * r);
     };
   };

@@ -13,7 +13,7 @@ The path is that of a file beside the page, or in common/, or in the whole tree.
 enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the next that
 holds the other; if both texts are the same, one line. A figure stands between two marks inside a line, and is the value of its name in docs/figures.txt:
 
-    half of the texels are seen, <!-- figure: 03.texels_a_pixel -->83<!-- end --> for each pixel
+    a pixel covers <!-- figure: 03.texels_a_pixel -->71<!-- end --> texels
 """
 import pathlib
 import re

@@ -52,6 +52,26 @@ std::string complaint(Words... words) {
 
 }  // namespace
 
+TEST_CASE("two groups may give one option words: each reads its own, and all are listed") {
+  int size = 1;
+  bool peeled = false;
+  CommandLine line("fruit", "what a fruit is like");
+  line.choice<int>("--as", size, {{"small", 1}, {"large", 2}}, "how large");
+  line.choice<bool>("--as", peeled, {{"whole", false}, {"peeled", true}}, "how it is served");
+  REQUIRE(line.parse({"--as", "peeled", "--as", "large"}));
+  CHECK(size == 2);
+  CHECK(peeled);
+  CHECK(line.help().find("--as small|large|whole|peeled") != std::string::npos);
+  CHECK(line.help().find("how large; how it is served (default: small)") != std::string::npos);
+  for (const char* const wrong : {"", "pee", "small|large", "peeled "}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_WITH_AS(
+        (void)line.parse({"--as", wrong}),
+        ("--as takes small|large|whole|peeled, not '" + std::string(wrong) + "'").c_str(),
+        UsageError);
+  }
+}
+
 TEST_CASE("without options everything keeps its default") {
   const Fruit fruit = read();
   CHECK(fruit.count == 3);

@@ -53,6 +53,10 @@ TEST_CASE("options that a lesson goes without are not offered") {
   CHECK(Started(about).offers("--threads"));
   CHECK_FALSE(Started(about).offers("--budget"));
   CHECK(Started(about, {.budget = "how far off"}).offers("--budget"));
+  CHECK_FALSE(Started(about).offers("--show"));
+  CHECK(Started(about, {.surfaces = true}).offers("--show color|normal|uv|object"));
+  CHECK_FALSE(Started(about).offers("--zoom"));
+  CHECK(Started(about, {.camera = true}).offers("--at COLUMN,ROW"));
 }
 
 TEST_CASE("numbers are offered as far as the lesson's code runs with them") {

@@ -61,7 +61,66 @@ void check_bounds(const Lesson& lesson) {
   CHECK(against_bounds<double>(lesson, moved).outside > in_double.pixels / 10);
 }
 
+/// A picture in gray 100 with some pixels that are uncertain by some levels.
+struct Spots {
+  struct Spot {
+    int column, row, levels;
+  };
+  std::vector<Spot> spots;
+  View<> view{.eye = {0, 0, 0},
+              .forward = {0, 0, -1},
+              .right = {1, 0, 0},
+              .up = {0, 1, 0},
+              .pixel = 0.125,
+              .center_column = 0,
+              .center_row = 0,
+              .width = 12,
+              .height = 8};
+
+  Color<Interval> operator()(const Ray<Interval>& ray) const {
+    const auto place = [&](const Interval& x) {
+      return static_cast<int>(std::lround(8 * x.low() / -ray.direction.z.low()));
+    };
+    const auto level = [](int byte) { return Interval((byte + 0.5) / 255); };
+    Interval light = level(100);
+    for (const Spot& spot : spots) {
+      if (place(ray.direction.x) == spot.column && place(-ray.direction.y) == spot.row)
+        light = hull(light, level(100 + spot.levels));
+    }
+    return {light, light, light};
+  }
+};
+
 }  // namespace
+
+TEST_CASE("an uncertain pixel is drawn three wide, clipped at the edge, and counted once") {
+  const Spots spots{{{0, 0, 4}, {6, 3, 1}, {8, 3, 16}, {11, 7, 2}}};
+  long uncertain = -1, pixels = -1;
+  const Image map = draw_certainty_map(spots, spots.view, {.certainty = [&](long count, long all) {
+                                         uncertain = count;
+                                         pixels = all;
+                                       }});
+  CHECK(uncertain == 4);
+  CHECK(pixels == 12 * 8);
+  const Rgb8 certain =
+      shade_of_uncertainty(Spots{}(ray_through(spots.view, Interval(3), Interval(3))), 0);
+  CHECK(certain.r == certain.b);
+  int wrong = 0;
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 12; ++column) {
+      int widest = 0;  // of two spots that reach a pixel the less certain one is seen
+      for (const Spots::Spot& spot : spots.spots) {
+        if (std::abs(spot.column - column) <= 1 && std::abs(spot.row - row) <= 1)
+          widest = std::max(widest, spot.levels);
+      }
+      const Rgb8 expected = widest == 0 ? certain : shade_of_uncertainty({}, widest);
+      wrong += map.at(column, row) == expected ? 0 : 1;
+    }
+  }
+  CHECK(wrong == 0);
+  const Image all_certain = draw_certainty_map(Spots{}, spots.view, {});
+  CHECK(count_different(map, all_certain) == 4 + 9 + 9 - 3 + 4);
+}
 
 TEST_CASE(
     "double and extended precision stay inside the bounds of every chapter at every pixel, and "

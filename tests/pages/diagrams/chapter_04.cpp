@@ -58,6 +58,19 @@ TEST_CASE("the letter F stands upright on every globe and is mirrored on the dai
   CHECK(between(d, lecture + " corner", lecture + " arm").x > 10);
 }
 
+TEST_CASE("the four letters show the four pairs of signs") {
+  const Drawing d = named("letter_and_faults");
+  const auto check = [&](const std::string& letter, bool arm_is_east, bool corner_is_north) {
+    CAPTURE(letter);
+    CHECK((between(d, letter + " corner", letter + " arm").x > 10) == arm_is_east);
+    CHECK((between(d, letter + " foot", letter + " corner").y < -10) == corner_is_north);
+  };
+  check("reads as printed", true, true);
+  check("mirrored", false, true);
+  check("upside down, mirrored", true, false);
+  check("turned by half", false, false);
+}
+
 TEST_CASE("from above, each arrow begins where the document's own formula has 0, and u grows") {
   const Drawing d = named("u_from_above");
   const auto check = [&](const std::string& document, auto formula) {

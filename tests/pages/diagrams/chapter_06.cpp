@@ -1,1 +1,28 @@
 // The diagrams of chapter 06 show what its formulas say.
+#include <doctest.h>
+
+#include "pages/diagrams/named.hpp"
+
+using namespace texmap::diagrams;
+
+TEST_CASE("r is as far from the normal as l, on the other side, and as long") {
+  const Drawing d = named("mirror_vector");
+  const Spot foot = d.marked("foot"), n = d.marked("n"), l = d.marked("l"), r = d.marked("r");
+  CHECK(distance(foot, l) == doctest::Approx(distance(foot, r)));
+  CHECK(distance(n, l) == doctest::Approx(distance(n, r)));
+  CHECK(r.x < n.x);
+  CHECK(l.x > n.x);
+  CHECK(distance(foot, d.marked("e")) == doctest::Approx(distance(foot, r)));
+}
+
+// cos^n is one half at 60, 29.48, 9.52 and 3.02 degrees, since log cos is -log 2 / n there.
+TEST_CASE("the powers fall to one half where their roots say") {
+  const Drawing d = named("phong_power");
+  const double zero = d.marked("0 degrees").x;
+  const double degree = (d.marked("90 degrees").x - zero) / 90;
+  const auto half = [&](const char* name) { return (d.marked(name).x - zero) / degree; };
+  CHECK(half("half at 1") == doctest::Approx(60));
+  CHECK(half("half at 5") == doctest::Approx(29.48).epsilon(0.001));
+  CHECK(half("half at 50") == doctest::Approx(9.52).epsilon(0.001));
+  CHECK(half("half at 500") == doctest::Approx(3.02).epsilon(0.002));
+}

@@ -1,8 +1,90 @@
 // The figures of chapter 06's page.
+#include <algorithm>
+#include <stdexcept>
+
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "engine/picture/load_image.hpp"
 #include "figures.hpp"
+#include "support/pictures.hpp"
+#include "support/running.hpp"
 
 namespace texmap::test {
+namespace {
 
-void figures_of_06(Figures& /*figures*/) {}
+using chapter_06::Lesson;
+
+std::string color(Rgb8 pixel) {
+  return std::to_string(pixel.r) + ", " + std::to_string(pixel.g) + ", " + std::to_string(pixel.b);
+}
+
+/// How many pixels the slides' formula and the right one brighten, without a texture.
+void lecture_figures(Figures& figures) {
+  const auto light_alone = [](const char* shininess, const char* formula) {
+    return picture(prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess,
+                                     "--highlight", formula}),
+                   800, 400);
+  };
+  const Image without = light_alone("1e30", "phong");
+  const Image right = light_alone("100", "phong");
+  const Image slides = light_alone("100", "lecture");
+  long globe = 0;
+  long lit = 0;
+  long dark = 0;
+  for (std::size_t i = 0; i < without.pixels.size(); ++i) {
+    const Rgb8 p = without.pixels[i];
+    if (p.r != p.b || p.r == 0) continue;  // the ground is yellow, the sky black
+    globe += 1;
+    lit += right.pixels[i] != p ? 1 : 0;
+    dark += p.r == 51 && slides.pixels[i] != p ? 1 : 0;  // 51 is the ambient light
+  }
+  figures.emplace_back("06.pixels_of_the_lectures_globe", whole(globe));
+  figures.emplace_back("06.pixels_in_the_light", whole(lit));
+  figures.emplace_back("06.pixels_in_the_dark", whole(dark));
+}
+
+}  // namespace
+
+void figures_of_06(Figures& figures) {
+  // The stage, with and without the highlight.
+  const auto globe = prepared<Lesson>();
+  const auto plain = prepared<chapter_05::Lesson>({"--degrees", "20"});
+  const Image before = picture(plain);
+  const Image after = picture(globe);
+  std::size_t brightest = 0;
+  int most = 0;
+  for (std::size_t i = 0; i < after.pixels.size(); ++i) {
+    const int change = levels_apart(before.pixels[i], after.pixels[i]);
+    if (change > most) brightest = i;
+    most = std::max(most, change);
+  }
+  const int column = static_cast<int>(brightest) % after.width;
+  const int row = static_cast<int>(brightest) / after.width;
+  figures.emplace_back("06.highlight", std::to_string(column) + ", " + std::to_string(row));
+  figures.emplace_back("06.highlight_before", color(before.at(column, row)));
+  figures.emplace_back("06.highlight_after", color(after.at(column, row)));
+  for (const std::string shininess : {"5", "50", "500"}) {
+    const Image drawn = picture(prepared<Lesson>({"--shininess", shininess}));
+    figures.emplace_back("06.pixels_at_" + shininess, whole(count_different(drawn, before)));
+  }
+
+  // The side that the lamp does not reach.
+  const Image texture = picture(prepared<Lesson>({"--blend", "1"}));
+  const Image half = picture(prepared<Lesson>({"--blend", "0.5"}));
+  figures.emplace_back("06.dark_texture", color(texture.at(346, 320)));
+  figures.emplace_back("06.dark_multiplied", color(after.at(346, 320)));
+  figures.emplace_back("06.dark_blended", color(half.at(346, 320)));
+
+  lecture_figures(figures);
+
+  const TemporaryFolder folder;
+  const std::string file = folder / "one.png";
+  const Outcome outcome = run("\"" TEXMAP_BIN_DIR "/06_one_file\" --texture \"" TEXMAP_ASSETS_DIR
+                              "/earth.png\" --out \"" +
+                              file + "\"");
+  if (outcome.status != 0) throw std::runtime_error("06_one_file: " + outcome.err);
+  const Image expected = picture(prepared<Lesson>({"--scene", "lecture"}), 800, 400);
+  figures.emplace_back("06.one_file_other", whole(count_different(load_image(file), expected)));
+}
 
 }  // namespace texmap::test

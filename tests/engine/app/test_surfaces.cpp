@@ -1,0 +1,220 @@
+// Pictures of normals, (u, v) and objects, as --show draws them in every chapter with a camera.
+#include "engine/render/surfaces.hpp"
+
+#include <doctest.h>
+
+#include <filesystem>
+
+#include "02_checkerboard_uv/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
+#include "09_texture_filtering/lesson.hpp"
+#include "11_bump_and_normal_maps/lesson.hpp"
+#include "12_environment_map/lesson.hpp"
+#include "support/pictures.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace texmap;
+using namespace texmap::test;
+
+namespace {
+
+template <class Lesson>
+Image shown(const Lesson& lesson, Shown what, NumberKind number = NumberKind::double_pack) {
+  return draw_surfaces(lesson, view_of(lesson.stage.camera, 203, 151), what, number,
+                       {.samples = 16});
+}
+
+Rgb8 bytes(const Rgb& c) { return {byte_of(c.r), byte_of(c.g), byte_of(c.b)}; }
+
+/// Draws and saves what a program does with these words.
+template <class Lesson>
+void run_with(const std::vector<std::string>& words) {
+  Lesson lesson;
+  CommandLine line("test", "");
+  lesson.options(line);
+  Session session("test", line, Lesson::about, offers_for(lesson));
+  REQUIRE(line.parse(words));
+  draw_and_save(session, lesson);
+}
+
+template <class Lesson>
+void check_objects(const Lesson& lesson) {
+  CAPTURE(Lesson::about.idea);
+  const Image picture = shown(lesson, Shown::object);
+  const std::vector<int> seen = objects_seen(lesson, picture.width, picture.height);
+  std::vector<long> pixels(lesson.objects.size() + 1);
+  long wrong = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto object = static_cast<std::size_t>(seen[i] + 1);
+    ++pixels[object];
+    const Rgb8 expected = object == 0 ? Rgb8{} : bytes(object_colors[object - 1]);
+    wrong += picture.pixels[i] == expected ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  for (const long count : pixels) CHECK(count > 30);
+}
+
+}  // namespace
+
+TEST_CASE("the six axes have their normals and their (u, v) in every convention, to the byte") {
+  struct Axis {
+    Vec3d to;
+    Rgb8 normal, rtiow, daily, lecture;
+  };
+  // Bytes are cut off: 1/4 is 63, 1/2 is 127, 3/4 is 191.
+  const std::vector<Axis> axes = {
+      {{1, 0, 0}, {255, 127, 127}, {127, 127, 0}, {127, 127, 0}, {63, 127, 0}},
+      {{-1, 0, 0}, {0, 127, 127}, {0, 127, 0}, {0, 127, 0}, {191, 127, 0}},
+      {{0, 1, 0}, {127, 255, 127}, {127, 255, 0}, {127, 0, 0}, {63, 255, 0}},
+      {{0, -1, 0}, {127, 0, 127}, {127, 0, 0}, {127, 255, 0}, {63, 0, 0}},
+      {{0, 0, 1}, {127, 127, 255}, {63, 127, 0}, {191, 127, 0}, {0, 127, 0}},
+      {{0, 0, -1}, {127, 127, 0}, {191, 127, 0}, {63, 127, 0}, {127, 127, 0}},
+  };
+  for (const Axis& axis : axes) {
+    const Ray<double> ray{axis.to * 3.0, -axis.to};
+    const auto color = [&](const char* convention, Shown what) {
+      auto lesson = prepared<chapter_04::Lesson>({"--convention", convention});
+      lesson.objects = {lesson.objects[chapter_04::middle]};
+      return bytes(SurfaceColors<chapter_04::Lesson>{lesson, what}(ray));
+    };
+    CAPTURE(axis.to.x);
+    CAPTURE(axis.to.y);
+    CAPTURE(axis.to.z);
+    CHECK(color("rtiow", Shown::normal) == axis.normal);
+    CHECK(color("rtiow", Shown::uv) == axis.rtiow);
+    CHECK(color("daily", Shown::uv) == axis.daily);
+    CHECK(color("lecture", Shown::uv) == axis.lecture);
+    CHECK(color("lecture", Shown::object) == bytes(object_colors[0]));
+  }
+}
+
+TEST_CASE("every pixel has the color of the object that is seen there, and all objects are seen") {
+  check_objects(chapter_02::Lesson{});
+  check_objects(prepared<chapter_05::Lesson>());
+  check_objects(prepared<chapter_07::Lesson>());
+  check_objects(prepared<chapter_12::Lesson>());
+}
+
+TEST_CASE("any two objects have colors that the eye tells apart, from the sky, too") {
+  for (std::size_t i = 0; i < object_colors.size(); ++i) {
+    CHECK(levels_apart(bytes(object_colors[i]), {}) > 90);
+    for (std::size_t j = 0; j < i; ++j) {
+      CAPTURE(i);
+      CAPTURE(j);
+      CHECK(levels_apart(bytes(object_colors[i]), bytes(object_colors[j])) > 40);
+    }
+  }
+}
+
+TEST_CASE("the pictures of (u, v) in two conventions are related as docs/conventions.md derives") {
+  const auto drawn = [](const char* convention) {
+    return shown(prepared<chapter_04::Lesson>({"--convention", convention}), Shown::uv);
+  };
+  const Image rtiow = drawn("rtiow"), daily = drawn("daily"), lecture = drawn("lecture");
+  const auto seen = objects_seen(prepared<chapter_04::Lesson>(), rtiow.width, rtiow.height);
+  long off = 0, mistaken = 0, elsewhere = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Rgb8 a = rtiow.pixels[i], b = daily.pixels[i], c = lecture.pixels[i];
+    if (seen[i] != chapter_04::middle) {
+      elsewhere += a == b && b == c ? 0 : 1;
+      continue;
+    }
+    const auto apart = [](int x, int y) { return std::abs(x - y) > 1 && std::abs(x - y) < 254; };
+    off += apart(b.r, 255 - a.r) || apart(b.g, 255 - a.g) ? 1 : 0;
+    off += apart(c.r, (a.r + 255 - 64) % 255) || c.g != a.g ? 1 : 0;
+    mistaken += apart(b.r, a.r) || apart(b.g, a.g) ? 1 : 0;
+  }
+  CHECK(off == 0);
+  CHECK(elsewhere == 0);
+  CHECK(mistaken > 700);
+  // The left sphere has no (u, v).
+  CHECK(std::count(rtiow.pixels.begin(), rtiow.pixels.end(), Rgb8{127, 127, 127}) ==
+        std::count(seen.begin(), seen.end(), chapter_04::left));
+}
+
+TEST_CASE("(u, v) turn with the globe: a quarter turn is a quarter of u") {
+  const auto at_degrees = [](const char* degrees) {
+    const auto lesson = prepared<chapter_05::Lesson>({"--degrees", degrees});
+    const Surface<double> seen = surface_along(lesson, Ray<double>{{0, 0, 3}, {0, 0, -1}});
+    REQUIRE(seen.has_uv());
+    return seen.uv;
+  };
+  const double du = at_degrees("90").u - at_degrees("0").u;
+  CHECK(std::abs(du - std::floor(du + 0.5)) == doctest::Approx(0.25).epsilon(1e-12));
+  CHECK(at_degrees("90").v == 0.5);
+}
+
+TEST_CASE("of a mesh each triangle is an object, and its (u, v) are those of its corners") {
+  const auto lesson = prepared<chapter_08::Lesson>();
+  const auto& mesh = lesson.scene.mesh;
+  int seen = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto [a, b, c] = corners_of(mesh, static_cast<double>(i));
+    const Vec3d normal = normalize(cross(b - a, c - a));
+    const Vec3d near_a = a * 0.999 + b * 0.0005 + c * 0.0005;
+    const auto surface = surface_along(lesson, Ray<double>{near_a + normal * 1e-3, -normal});
+    if (surface.object != static_cast<int>(i)) continue;  // the floor under the crate
+    ++seen;
+    const Uv<double> corner = lesson.scene.mapping.corners[i][0];
+    CHECK(std::abs(surface.uv.u - corner.u) < 0.01);
+    CHECK(std::abs(surface.uv.v - corner.v) < 0.01);
+    CHECK(length(surface.normal - normal) < 1e-12);
+  }
+  CHECK(seen >= 10);
+  CHECK(surface_along(lesson, Ray<double>{{0, 9, 0}, {0, 1, 0}}).object == -1);
+}
+
+TEST_CASE("the floor is an object behind all others, with (u, v) that repeat") {
+  const auto lesson = prepared<chapter_09::Lesson>();
+  const auto below = surface_along(lesson, Ray<double>{{0, 5, 0}, {0, -1, 0}});
+  CHECK(below.object == 2);
+  CHECK(below.normal.y == 1);
+  CHECK(bytes(color_of_surface(below, Shown::uv)) == Rgb8{127, 0, 0});
+  Surface<double> beyond = below;
+  beyond.uv = {3.25, -1.25};  // an eighth copy shows what the first does
+  CHECK(bytes(color_of_surface(beyond, Shown::uv)) == Rgb8{63, 191, 0});
+  beyond.uv = {0, 1};
+  CHECK(bytes(color_of_surface(beyond, Shown::uv)) == Rgb8{0, 255, 0});
+}
+
+TEST_CASE("normals lean with the bumps, and not without them") {
+  const auto normals = [](const std::vector<std::string>& words) {
+    return shown(prepared<chapter_11::Lesson>(words), Shown::normal);
+  };
+  const Image flat = normals({"--bump", "off"});
+  CHECK(count_different(normals({}), flat, 4) > 1000);
+  chapter_11::Lesson plain;
+  plain.bumps.form = BumpForm::flat;
+  CHECK(shown(plain, Shown::normal) == flat);
+}
+
+TEST_CASE("any single number shows the same surfaces; float moves few pixels by a level") {
+  const auto lesson = prepared<chapter_05::Lesson>();
+  for (const Shown what : {Shown::normal, Shown::uv, Shown::object}) {
+    const Image in_packs = shown(lesson, what);
+    CHECK(shown(lesson, what, NumberKind::double_) == in_packs);
+    CHECK(shown(lesson, what, NumberKind::extended) == in_packs);
+    const Image in_float = shown(lesson, what, NumberKind::float_);
+    CHECK(shown(lesson, what, NumberKind::float_pack) == in_float);
+    CHECK(count_different(in_float, in_packs) < 40);
+  }
+}
+
+TEST_CASE("what --show cannot draw is refused, and no file is written") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "picture.png";
+  const auto refused = [&](auto lesson, std::vector<std::string> words) {
+    words.insert(words.end(), {"--quiet", "--width", "40", "--height", "30", "--out", file});
+    CHECK_THROWS_AS(run_with<decltype(lesson)>(words), UsageError);
+    CHECK_FALSE(std::filesystem::exists(file));
+  };
+  refused(chapter_02::Lesson{}, {"--show", "uv", "--number", "interval"});
+  refused(chapter_02::Lesson{}, {"--show", "normal", "--samples", "4"});
+  refused(chapter_11::Lesson{}, {"--show", "daily", "--show", "uv"});  // no camera of the lesson's
+  run_with<chapter_07::Lesson>(
+      {"--show", "uv", "--quiet", "--width", "40", "--height", "30", "--out", file});
+  CHECK(std::filesystem::exists(file));
+}

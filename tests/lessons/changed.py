@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""The lessons that a page tells its reader to change, changed: the page's own code, in the chapter's own lesson.
+
+usage: changed.py PAGE CHAPTERS OUT NAME...    writes OUT/NAME.hpp for each change
+       changed.py --self-test
+
+In the page, a mark stands before each piece of a change, and then a block of code:
+
+    <!-- change: stripes 02_checkerboard_uv above "using Checkered" -->
+    <!-- change: stripes 02_checkerboard_uv replaces "using Paint" -->
+    <!-- change: plain 01_plain_spheres replaces "template <class Real>" to "    });" -->
+
+The code goes above or below the one line of the lesson that has the text, or replaces it, or that line and all up to the next with the
+second text. `removes` takes the line away and has no block. A change has at most twelve lines of code, and all are tried here.
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: to "([^"]*)")? -->$')
+MOST = 12
+
+
+class Fault(Exception):
+    pass
+
+
+def pieces_of(page):
+    """Each change's name with its chapter and its pieces: verb, text, last text, lines."""
+    changes = {}
+    lines = iter(page.split('\n'))
+    before = ''
+    for line in lines:
+        if line.startswith('```cpp') and not before.startswith('<!-- code:'):
+            raise Fault(f'this code has no mark, so nothing tries it; it comes after: {before}')
+        if line.startswith('<!-- change:'):
+            mark = MARK.match(line)
+            if not mark:
+                raise Fault(f'this mark is none: {line}')
+            name, chapter, number, verb, text, last = mark.groups()
+            block = []
+            if verb != 'removes':
+                if next(lines, '') != '```cpp':
+                    raise Fault(f'after this mark comes a line with ```cpp: {line}')
+                for code in lines:
+                    if code == '```':
+                        break
+                    block.append(code)
+            change = changes.setdefault(name, (chapter, number, []))
+            if change[0] != chapter:
+                raise Fault(f'{name} changes two chapters')
+            change[2].append((verb, text, last, block))
+        before = line or before
+    for name, (_, _, pieces) in changes.items():
+        count = sum(len(block) for *_, block in pieces)
+        if count > MOST:
+            raise Fault(f'{name} has {count} lines, more than {MOST}')
+    return changes
+
+
+def changed(lesson, name, number, pieces):
+    """The lesson's text with a change, in a namespace of its own."""
+    lines = lesson.split('\n')
+    for verb, text, last, block in pieces:
+        places = [i for i, line in enumerate(lines) if text in line]
+        if len(places) != 1:
+            raise Fault(f'{name}: {len(places)} lines of the lesson have "{text}"')
+        first = end = places[0]
+        if last is not None:
+            end = next((i for i in range(first, len(lines)) if last in lines[i]), -1)
+            if end < 0:
+                raise Fault(f'{name}: no line after "{text}" has "{last}"')
+        indent = lines[first][:len(lines[first]) - len(lines[first].lstrip())]
+        new = [indent + line if line else line for line in block]
+        if verb == 'above':
+            lines[first:first] = new
+        elif verb == 'below':
+            lines[end + 1:end + 1] = new
+        else:
+            lines[first:end + 1] = new
+    return '\n'.join(lines).replace(f'texmap::chapter_{number}', f'texmap::change_{name}')
+
+
+def run(page, chapters, out, names):
+    changes = pieces_of(page.read_text(encoding='utf-8'))
+    if sorted(changes) != sorted(names):
+        raise Fault(f'{page} has the changes {" ".join(sorted(changes))}; tests draw {" ".join(sorted(names))}')
+    out.mkdir(parents=True, exist_ok=True)
+    for name, (chapter, number, pieces) in changes.items():
+        lesson = (chapters / chapter / 'lesson.hpp').read_text(encoding='utf-8')
+        (out / f'{name}.hpp').write_text(changed(lesson, name, number, pieces), encoding='utf-8')
+
+
+def self_test():
+    lesson = 'namespace texmap::chapter_02 {\nusing Paint = A;\n  a;\n  b;\n  c;\n}\n'
+    page = ('<!-- change: x 02_a above "using" -->\n```cpp\nnew\n  more\n```\n\n'
+            '<!-- change: x 02_a replaces "  a;" to "  b;" -->\n```cpp\nd;\n```\n'
+            '<!-- change: x 02_a removes "c;" -->\n')
+
+    def fails(words, call):
+        try:
+            call()
+        except Fault as fault:
+            assert words in str(fault), fault
+        else:
+            raise AssertionError(f'not noticed: {words}')
+
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        (root / '02_a').mkdir()
+        (root / '02_a' / 'lesson.hpp').write_text(lesson)
+        (root / 'page.md').write_text(page)
+        run(root / 'page.md', root, root / 'out', ['x'])
+        got = (root / 'out' / 'x.hpp').read_text()
+        assert got == 'namespace texmap::change_x {\nnew\n  more\nusing Paint = A;\n  d;\n}\n', got
+        fails('tests draw y', lambda: run(root / 'page.md', root, root / 'out', ['y']))
+    fails('has no mark', lambda: pieces_of('text\n```cpp\nx\n```\n'))
+    fails('more than 12', lambda: pieces_of('<!-- change: x 02_a above "b" -->\n```cpp\n' + 'x\n' * 13 + '```\n'))
+    fails('this mark is none', lambda: pieces_of('<!-- change: x 02_a beside "b" -->\n'))
+    fails('0 lines', lambda: changed(lesson, 'x', '02', [('above', 'nowhere', None, [])]))
+    fails('4 lines', lambda: changed(lesson, 'x', '02', [('above', ';', None, [])]))
+    print('changes are applied, and what is wrong in a page is noticed')
+
+
+if __name__ == '__main__':
+    if sys.argv[1:] == ['--self-test']:
+        self_test()
+    elif len(sys.argv) < 5:
+        sys.exit(__doc__)
+    else:
+        try:
+            run(*map(pathlib.Path, sys.argv[1:4]), sys.argv[4:])
+        except Fault as fault:
+            sys.exit(f'error: {fault}')
