@@ -29,8 +29,9 @@ bool is_keyword(std::string_view word) {
   return false;
 }
 
-std::string span(const char* kind, const std::string& words) {
-  return std::string("<span class=\"") + kind + "\">" + escaped_markup(words) + "</span>";
+/// Words in an element with a short name, for a file has thousands of them; book.css gives it its color.
+std::string element(const std::string& name, const std::string& words) {
+  return "<" + name + ">" + escaped_markup(words) + "</" + name + ">";
 }
 
 bool is_of_a_word(char c) {
@@ -44,16 +45,16 @@ std::string highlighted_line(const std::string& line) {
   for (std::size_t i = 0; i < line.size();) {
     std::size_t end = i + 1;
     if (line.compare(i, 2, "//") == 0) {
-      return html + span("comment", line.substr(i));
+      return html + element("i", line.substr(i));
     }
     if (line[i] == '"') {
       while (end < line.size() && line[end] != '"') end += line[end] == '\\' ? 2U : 1U;
       end = end < line.size() ? end + 1 : line.size();
-      html += span("text", line.substr(i, end - i));
+      html += element("u", line.substr(i, end - i));
     } else if (is_of_a_word(line[i])) {
       while (end < line.size() && is_of_a_word(line[end])) ++end;
       const std::string word = line.substr(i, end - i);
-      html += is_keyword(word) ? span("keyword", word) : escaped_markup(word);
+      html += is_keyword(word) ? element("b", word) : escaped_markup(word);
     } else {
       html += escaped_markup(line.substr(i, 1));
     }
@@ -71,7 +72,7 @@ std::string highlighted_block(const std::string& code, const std::string& langua
                          : line[0] == '+' ? "added"
                          : line[0] == '-' ? "removed"
                                           : "same";
-      html += span(kind, line) + "\n";
+      html += std::string("<span class=\"") + kind + "\">" + escaped_markup(line) + "</span>\n";
     } else {
       html += (language == "cpp" ? highlighted_line(line) : escaped_markup(line)) + "\n";
     }
@@ -80,14 +81,16 @@ std::string highlighted_block(const std::string& code, const std::string& langua
 }
 
 std::string highlighted_file(const std::string& code, bool is_cpp) {
-  std::string html = "<pre class=\"file\" tabindex=\"0\"><code>";
+  std::string numbers;
+  std::string html;
   std::istringstream lines(code);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
-    html += text("<span id=\"L%d\">", ++number);
-    html += (is_cpp ? highlighted_line(line) : escaped_markup(line)) + "</span>\n";
+    numbers += std::to_string(++number) + '\n';
+    html += (is_cpp ? highlighted_line(line) : escaped_markup(line)) + '\n';
   }
-  return html + "</code></pre>\n";
+  return "<div class=\"file\"><pre aria-hidden=\"true\">" + numbers +
+         "</pre><pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
 }
 
 }  // namespace texmap::book

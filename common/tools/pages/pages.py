@@ -103,10 +103,15 @@ def code_of(root, page, mark):
     return [line[indent:] for line in piece]
 
 
+def joined(text):
+    """A line that begins with a mark would be HTML and no more of its paragraph: such a figure goes to the end of the line before."""
+    return re.sub(r'(?<=[^\n])\n(<!-- figure: [^\n]*?<!-- end -->[^\s|]*) ?', r' \1\n', text).replace('\n\n\n', '\n\n')
+
+
 def renewed(root, page, figures, used):
     """The page's text with what its marks ask for."""
     out = []
-    lines = iter(enumerate(page.read_text(encoding='utf-8').split('\n'), 1))
+    lines = iter(enumerate(joined(page.read_text(encoding='utf-8')).split('\n'), 1))
     for number, line in lines:
         def value(match):
             name = match['name']
@@ -115,6 +120,8 @@ def renewed(root, page, figures, used):
             used.add(name)
             return f'<!-- figure: {name} -->{figures[name]}<!-- end -->'
         try:
+            if line.startswith('<!-- figure:'):
+                raise Fault('a paragraph begins with a figure: Markdown would take the line for HTML')
             out.append(FIGURE.sub(value, line))
             if line.startswith('<!-- code:'):
                 mark = CODE.match(line)
@@ -196,17 +203,19 @@ def self_test():
         assert renew(block('Kind::twice')) == block('Kind::twice', 'int twice() const { return 2 * n; }\n')
         assert renew(block('Kind::n')) == block('Kind::n', 'int n = 3;\n')
         assert renew(block('few')) == block('few', 'inline constexpr int few = 3;\n')
+        assert renew('a\n<!-- figure: 02.n -->1<!-- end -->, b') == 'a <!-- figure: 02.n -->76<!-- end -->,\nb'
+        refused('a\n\n<!-- figure: 02.n -->1<!-- end --> b', 'Markdown would take the line for HTML')
         assert renew('a <!-- figure: 02.n -->1<!-- end --> b') == 'a <!-- figure: 02.n -->76<!-- end --> b'
         refused(block('third'), 'nothing is named third')
         refused(block('half from "while" to "}"'), 'has no line with "while"')
         refused('<!-- code: texture/none.hpp half -->\n```cpp\n```', 'there is no file texture/none.hpp')
         refused('<!-- code: texture/uv.hpp half -->\n\n```cpp\n```', 'comes a line with ```cpp')
         refused('<!-- code: texture/uv.hpp half -->\n```cpp\n', 'does not end')
-        refused('<!-- figure: 02.m -->1<!-- end -->', 'has no figure 02.m')
-        refused('<!-- figure: 02.n -->1', 'lacks its')
+        refused('a <!-- figure: 02.m -->1<!-- end -->', 'has no figure 02.m')
+        refused('a <!-- figure: 02.n -->1', 'lacks its')
         renew(block('half', 'old\n'))
         assert run(work, False) == 1
-        renew('<!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
+        renew('a <!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
         assert run(work, False) == 1 and run(work, True) == 0 and run(work, False) == 0
         assert '76' in readme.read_text(encoding='utf-8')
     finally:
