@@ -41,7 +41,6 @@ void add_errors(Figures& figures, const std::string& sky, SkyLight light) {
   Lesson lesson;
   lesson.environment = std::move(light);
   const SkyNoise noise = noise_of(lesson.environment);
-  figures.emplace_back("12.noise_cosine_" + sky, decimals(noise.cosine, 0));
   const Image reference = lit(lesson, best_lighting(noise), 1024);
   const std::array<std::pair<SkyLighting, const char*>, 5> ways{
       {{SkyLighting::uniform, "uniform"},
@@ -91,6 +90,7 @@ void figures_of_12(Figures& figures) {
     light = {std::min(light.r, 1.0F), std::min(light.g, 1.0F), std::min(light.b, 1.0F)};
   }
   figures.emplace_back("12.brightest", whole(std::lround(static_cast<double>(brightest))));
+  figures.emplace_back("12.noise_cosine", decimals(noise_of(SkyLight(Environment(map))).cosine, 0));
   const Rgb all = SkyMoments(Environment(map)).sums()[0];
   const Rgb left = SkyMoments(Environment(cut)).sums()[0];
   figures.emplace_back("12.red_lost", decimals(100 * (1 - left.r / all.r), 0));
