@@ -16,9 +16,10 @@ add_executable(page_figures EXCLUDE_FROM_ALL
   pages/figures/chapter_11.cpp
   pages/figures/chapter_12.cpp
   pages/figures/chapter_13.cpp
+  pages/figures/chapter_14.cpp
   pages/figures/main.cpp)
 target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
-target_link_libraries(page_figures PRIVATE project_options app chapters_code compare)
+target_link_libraries(page_figures PRIVATE project_options app chapters_code compare 13_speed_for_accuracy_code)
 set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
 # What an exercise of chapter 00 asks a student to change, so that its answer is a measured one.
 file(READ "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp" one_file)
@@ -49,7 +50,8 @@ if(NOT TEXMAP_INSTRUMENT)
   set_tests_properties(diagrams_can_fail PROPERTIES WILL_FAIL ON)
   set_tests_properties(diagrams diagrams_can_fail PROPERTIES LABELS pages)
   add_suite(pages/test_diagrams ON diagrams LABELS pages)
-  foreach(number 01 02 03 04 05 06 07 08 09 10 11 12 13)
+  target_sources(test_diagrams PRIVATE pages/diagrams/beside_chapters.cpp)
+  foreach(number 01 02 03 04 05 06 07 08 09 10 11 12 13 14)
     target_sources(test_diagrams PRIVATE pages/diagrams/chapter_${number}.cpp)
   endforeach()
 endif()

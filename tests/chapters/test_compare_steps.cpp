@@ -213,9 +213,10 @@ TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the 
                               " --width 200 --height 150 --out '" + folder.path() + "' --from ";
   const auto compared = [&](const char* numbers, const char* place) {
     CHECK(run(program + numbers).status == 0);
+    const std::filesystem::path pages = folder / place;
     std::ostringstream text;
-    text << std::ifstream(folder / place / "index.html").rdbuf()
-         << std::ifstream(folder / place / "report.json").rdbuf();
+    text << std::ifstream(pages / "index.html").rdbuf()
+         << std::ifstream(pages / "report.json").rdbuf();
     return text.str();
   };
   const std::string forward = compared("03 --to 04", "03-04");

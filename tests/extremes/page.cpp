@@ -177,9 +177,9 @@ std::string page_of(const std::vector<Family>& families,
           std::to_string(all.functions.size()) + " functions hold. " + std::to_string(all.broken) +
           " rows are forms from the source documents or from textbooks that break such a "
           "bound,\nas they should: they show that the measurement can see an error. For "
-          "each family the table names the bound that was nearest\nto being reached, and "
-          "the inputs that it holds for. Bounds of 0 are left out there: nothing may "
-          "reach them.\n\n"
+          "each family the table names the bound that was nearest\nto being reached, and the "
+          "inputs that it holds for. It leaves out bounds of 0, which allow no error at "
+          "all.\n\n"
           "| family | functions | bounds that hold | forms that break theirs | how sure | "
           "nearest to its bound | for these inputs |\n"
           "|---|---|---|---|---|---|---|\n") +

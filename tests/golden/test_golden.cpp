@@ -103,6 +103,13 @@ Image lecture(const char* highlight) {
   return picture(lesson, 400, 200);
 }
 
+/// What `--show` draws of a lesson's surfaces.
+template <class Lesson>
+Image surfaces(const Lesson& lesson, Shown shown, int width, int height) {
+  return draw_surfaces(lesson, view_of(lesson.stage.camera, width, height), shown, default_number,
+                       {});
+}
+
 /// Two globes seen from above.
 Image poles() {
   auto lesson = prepared<chapter_11::Lesson>();
@@ -119,6 +126,8 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("02_checkerboard_uv", picture(chapter_02::Lesson{}));
   check_golden("03_image_texture", picture(prepared<chapter_03::Lesson>()));
   check_golden("04_uv_conventions", sheet());
+  check_golden("04_uv_daily", surfaces(prepared<chapter_04::Lesson>({"--convention", "daily"}),
+                                       Shown::uv, 200, 150));
   check_golden("05_y_rotation", picture(prepared<chapter_05::Lesson>()));
   check_golden("06_phong_texture_blend", picture(prepared<chapter_06::Lesson>()));
   check_golden("06_lecture_phong", lecture("phong"));
@@ -130,6 +139,7 @@ TEST_CASE("every chapter draws its golden picture") {
   check_golden("09_texture_filtering", filters());
   check_golden("10_projections", layouts());
   check_golden("11_bump_and_normal_maps", picture(prepared<chapter_11::Lesson>(), 600, 600));
+  check_golden("11_normals", surfaces(prepared<chapter_11::Lesson>(), Shown::normal, 150, 150));
   check_golden("11_bump_or_dent", chapter_11::sheet_of_readings(1600));
   check_golden("11_poles", poles());
   check_golden("11_daily_bricks", chapter_11::sheet_of_bricks(1000));

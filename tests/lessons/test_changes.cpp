@@ -9,6 +9,7 @@
 #include "03_image_texture/lesson.hpp"
 #include "changes/fifth_sphere.hpp"
 #include "changes/float_mapping.hpp"
+#include "changes/int_stripes.hpp"
 #include "changes/own_mapping.hpp"
 #include "changes/own_texture.hpp"
 #include "changes/plain.hpp"
@@ -221,6 +222,25 @@ TEST_CASE("changes that are templates draw the same picture in packs") {
   CHECK(same_in_packs(change_own_mapping::Lesson{}));
   CHECK(same_in_packs(change_tiles::Lesson{}));
   CHECK(same_in_packs(change_plane::Lesson{}));
+}
+
+TEST_CASE("stripes by int and if are on every sphere that was checkered, eight around it") {
+  const change_int_stripes::Lesson after;
+  long seen = 0;
+  see_pixels(chapter_02::Lesson{}, after,
+             [&](int object, const Ray<double>& ray, double distance, Rgb8 was, Rgb8 is) {
+               if (object == change_int_stripes::left || object < 0) CHECK(was == is);
+               if (object != change_int_stripes::middle) return;
+               ++seen;
+               const double x = ray.origin.x + distance * ray.direction.x;
+               const double z = ray.origin.z + distance * ray.direction.z;
+               // Eighths of a turn from -x on, by signs alone.
+               const bool steep = std::abs(z) > std::abs(x);
+               const bool even = (steep == ((x < 0) == (z > 0)));
+               CHECK((even ? is_gray(is) : is_red(is)));
+             });
+  CHECK(seen > 1000);
+  check_page(after, "int_stripes");
 }
 
 TEST_CASE("a lesson in plain double and if draws the picture of the template, byte for byte") {

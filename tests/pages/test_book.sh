@@ -21,8 +21,8 @@ failed=0
 
 "$book" "$root" "$work/out"
 size=$(du -sk "$work/out" | cut -f 1)
-[ "$size" -lt 8192 ] || {
-  echo "FAIL: the book has $size KB, more than 8 MB"
+[ "$size" -lt 12288 ] || {
+  echo "FAIL: the book has $size KB, more than 12 MB"
   failed=1
 }
 cp "$root/tests/pages/book_probe.html" "$work/out/"

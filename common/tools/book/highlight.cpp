@@ -84,7 +84,7 @@ std::string highlighted_file(const std::string& code, bool is_cpp) {
   std::istringstream lines(code);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
-    html += text("<span class=\"line\" id=\"L%d\">", ++number);
+    html += text("<span id=\"L%d\">", ++number);
     html += (is_cpp ? highlighted_line(line) : escaped_markup(line)) + "</span>\n";
   }
   return html + "</code></pre>\n";

@@ -85,11 +85,14 @@ constexpr std::array chapters = {
     own_scene<chapter_12::Lesson>("12_environment_map"),
 };
 
-/// The options that show what a step adds, compared with steps before it. Chapter 04's own choice
-/// is the convention that chapter 03 has.
+/// The options that show what a step adds, compared with another. Chapter 04's own choice is the
+/// convention that chapter 03 has; chapter 06 begins with the globe turned by 20 degrees.
 std::vector<std::string> options_of(std::size_t chapter, std::size_t other) {
-  const bool is_04 = std::string_view(chapters[chapter].name).starts_with("04");
-  if (is_04 && other < chapter) return {"--convention", "daily"};
+  const auto is = [](std::size_t i, const char* number) {
+    return std::string_view(chapters[i].name).starts_with(number);
+  };
+  if (is(chapter, "04") && other < chapter) return {"--convention", "daily"};
+  if (is(chapter, "05") && is(other, "06")) return {"--degrees", "20"};
   return {};
 }
 

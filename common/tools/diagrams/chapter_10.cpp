@@ -1,8 +1,294 @@
-// The diagrams of chapter 10: projections.
+// The diagrams of chapter 10: the layouts unfolded, the octahedron's fold, the stretch at a pole.
+#include <cmath>
+#include <numbers>
+
 #include "diagrams.hpp"
+#include "texture/projection_facts.hpp"
 
 namespace texmap::diagrams {
+namespace {
 
-std::vector<Drawing> diagrams_of_10() { return {}; }
+constexpr double radians = std::numbers::pi / 180;
+
+/// The direction at a longitude and a latitude; longitude 0 is the middle of the equirectangular
+/// picture, east is to the right.
+Vec3d direction_at(double longitude, double latitude) {
+  const double l = longitude * radians, b = latitude * radians;
+  return {std::cos(b) * std::cos(l), std::sin(b), -std::cos(b) * std::sin(l)};
+}
+
+/// A rectangle that shows the unit square of (u, v), v up.
+struct Panel {
+  Spot corner;
+  double width, height;
+
+  [[nodiscard]] Spot operator()(const Uv<double>& uv) const {
+    return corner + Spot{uv.u * width, (1 - uv.v) * height};
+  }
+};
+
+/// The distance of p from the line through a and b.
+double distance_to_line(Spot p, Spot a, Spot b) {
+  const Spot along = b - a, to = p - a;
+  const double size = std::hypot(along.x, along.y);
+  if (size < 1e-9) return std::hypot(to.x, to.y);
+  return std::abs(along.x * to.y - along.y * to.x) / size;
+}
+
+/// The points that a polyline needs to stay within a fifth of a unit (Douglas and Peucker).
+void add_needed(const std::vector<Spot>& run, std::size_t first, std::size_t last,
+                std::vector<Spot>& needed) {
+  std::size_t farthest = first;
+  double most = 0.2;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double away = distance_to_line(run[i], run[first], run[last]);
+    if (away > most) {
+      most = away;
+      farthest = i;
+    }
+  }
+  if (farthest == first) {
+    needed.push_back(run[last]);
+    return;
+  }
+  add_needed(run, first, farthest, needed);
+  add_needed(run, farthest, last, needed);
+}
+
+/// Draws a line of the sphere in a layout. It breaks where the layout is torn.
+template <class Curve>
+void draw_torn(Drawing& d, const Panel& panel, Projection projection, const Curve& direction,
+               double from, double to, const std::string& style) {
+  const int pieces = 1440;
+  const double tear = 6;
+  std::vector<Spot> run;
+  const auto draw = [&] {
+    if (run.size() > 1) {
+      std::vector<Spot> needed{run.front()};
+      add_needed(run, 0, run.size() - 1, needed);
+      d.curve(needed, style);
+    }
+    run.clear();
+  };
+  for (int i = 0; i <= pieces; ++i) {
+    const Spot at = panel(project(projection, direction(from + (to - from) * i / pieces)));
+    if (!run.empty() && std::hypot(at.x - run.back().x, at.y - run.back().y) > tear) draw();
+    run.push_back(at);
+  }
+  draw();
+}
+
+/// Meridians and parallels every 30 degrees: blue in the north, red in the south.
+void draw_graticule(Drawing& d, const Panel& panel, Projection projection) {
+  const bool whole = projection != Projection::plane;
+  // A little beside seams and poles, where a point could fall on either side.
+  const double off = 1e-4;
+  for (int longitude = -180; longitude < 180; longitude += 30) {
+    const auto meridian = [&](double latitude) { return direction_at(longitude + off, latitude); };
+    draw_torn(d, panel, projection, meridian, off, 90 - off, "blue");
+    if (whole) draw_torn(d, panel, projection, meridian, -off, off - 90, "red");
+  }
+  for (int latitude = whole ? -60 : 0; latitude <= 60; latitude += 30) {
+    const auto parallel = [&](double longitude) { return direction_at(longitude, latitude + off); };
+    const char* style = latitude == 0 ? "ink thick" : latitude > 0 ? "blue" : "red";
+    draw_torn(d, panel, projection, parallel, off - 180, 180 - off, style);
+  }
+}
+
+/// The seven layouts of one sphere, and the sphere.
+Drawing seven_layouts() {
+  Drawing d("seven_layouts", 680, 400, "A sphere in seven layouts",
+            "The meridians and parallels of a sphere, every 30 degrees, in seven flat layouts. The "
+            "northern half is blue, the southern half red, the equator thick. In the "
+            "equirectangular map and on the cylinder they are straight lines; the plane shows the "
+            "northern half alone; the two cubes have six faces; in the two octahedral maps the "
+            "north is a square on its corner in the middle and the south is folded out into the "
+            "four corners.");
+  const SpaceView view({1, 0.5, 0.35}, {82, 88}, 66);
+  d.circle({82, 88}, 66, "soft");
+  for (int longitude = -180; longitude < 180; longitude += 30) {
+    const auto meridian = [&](double latitude) { return direction_at(longitude, latitude); };
+    view.draw(d, meridian, 0, 90, "blue");
+    view.draw(d, meridian, -90, 0, "red");
+  }
+  for (int latitude = -60; latitude <= 60; latitude += 30) {
+    const auto parallel = [&](double longitude) { return direction_at(longitude, latitude); };
+    const char* style = latitude == 0 ? "ink thick" : latitude > 0 ? "blue" : "red";
+    view.draw(d, parallel, -180, 180, style);
+  }
+  d.text({82, 182}, "the sphere", Anchor::middle, "small");
+
+  struct Cell {
+    Projection projection;
+    const char* words;
+    double middle, bottom, width;
+  };
+  for (const Cell& cell : {Cell{Projection::equirect, "equirect", 248, 160, 150},
+                           Cell{Projection::cylinder, "cylinder", 420, 160, 156},
+                           Cell{Projection::plane, "plane: the north alone", 594, 160, 130},
+                           Cell{Projection::cube, "cube", 88, 352, 150},
+                           Cell{Projection::equi_angular, "equi-angular cube", 258, 352, 150},
+                           Cell{Projection::octahedral, "octahedral", 424, 352, 140},
+                           Cell{Projection::equal_area, "equal-area octahedral", 594, 352, 140}}) {
+    const double height = cell.width / facts_of(cell.projection).aspect;
+    const Panel panel{{cell.middle - cell.width / 2, cell.bottom - height}, cell.width, height};
+    draw_graticule(d, panel, cell.projection);
+    if (cell.projection != Projection::plane) {
+      d.rectangle(panel.corner, cell.width, height, "soft");
+    }
+    if (cell.projection == Projection::cube || cell.projection == Projection::equi_angular) {
+      const Spot top = panel.corner;
+      for (int i = 1; i < 3; ++i) {
+        const Spot right{cell.width * i / 3, 0};
+        d.line(top + right, top + right + Spot{0, height}, "soft");
+      }
+      d.line(top + Spot{0, height / 2}, top + Spot{cell.width, height / 2}, "ink");
+    }
+    d.text({cell.middle, cell.bottom + 22}, cell.words, Anchor::middle, "small");
+    const std::string word = facts_of(cell.projection).word;
+    d.mark(word + " top", panel.corner);
+    d.mark(word + " bottom", panel.corner + Spot{cell.width, height});
+    d.mark(word + " 30 N", panel(project(cell.projection, direction_at(0, 30))));
+    d.mark(word + " pole", panel(project(cell.projection, direction_at(20, 90))));
+  }
+  return d;
+}
+
+/// An octahedron, and its lower half folded out into the corners of a square.
+Drawing octahedron_unfolded() {
+  Drawing d("octahedron_unfolded", 680, 330, "How an octahedron unfolds",
+            "Left: an octahedron in space, its upper four faces blue, its lower four red, with a "
+            "point on a lower face. Right: seen from above. The upper faces fill a square that "
+            "stands on its corner. Each lower face is mirrored in its edge and fills a corner of "
+            "the picture; so is the point.");
+  const Vec3d point{0.3, -0.45, 0.25};
+  const SpaceView view({0.75, 0.5, 1.15}, {150, 150}, 118);
+  const Vec3d top{0, 1, 0}, bottom{0, -1, 0};
+  const std::vector<Vec3d> belt{{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3d a = belt[i], b = belt[(i + 1) % 4];
+    // All upper faces but one are seen, and one lower face.
+    if (i != 2) d.area({view(a), view(b), view(top)}, "fill-blue");
+    if (i == 0) d.area({view(a), view(b), view(bottom)}, "fill-red");
+    d.line(view(a), view(b), i == 2 ? "ink dashed" : "ink");
+    d.line(view(a), view(top), "blue");
+    d.line(view(a), view(bottom), i >= 2 ? "red dashed" : "red");
+  }
+  d.dot(view(point), "fill-red");
+  d.text(view(top) + Spot{0, -8}, "+y", Anchor::middle, "small");
+  d.text(view(bottom) + Spot{0, 20}, "-y", Anchor::middle, "small");
+  d.text(view({1, 0, 0}) + Spot{8, 4}, "+x", Anchor::start, "small");
+  d.text(view({0, 0, 1}) + Spot{-14, 20}, "+z", Anchor::middle, "small");
+
+  const Spot middle{500, 158};
+  const double half = 128;
+  const auto place = [&](double right, double up) {
+    return middle + Spot{right * half, -up * half};
+  };
+  const Panel panel{middle + Spot{-half, -half}, 2 * half, 2 * half};
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      d.area({place(0, 0), place(x, 0), place(0, y)}, "fill-blue");
+      d.area({place(x, y), place(x, 0), place(0, y)}, "fill-red");
+      d.line(place(x, 0), place(0, y), "ink");
+    }
+  }
+  d.rectangle(place(-1, 1), 2 * half, 2 * half, "red");
+  d.line(place(-1, 0), place(1, 0), "blue");
+  d.line(place(0, -1), place(0, 1), "blue");
+  const double sum = std::abs(point.x) + std::abs(point.y) + std::abs(point.z);
+  const Spot under = place(point.x / sum, -point.z / sum);
+  const Spot folded = panel(uv_octahedral(point));
+  d.arrow(under, folded, "red dashed");
+  d.dot(under, "fill-soft");
+  d.dot(folded, "fill-red");
+  d.text(place(0, 0) + Spot{-7, -7}, "+y", Anchor::end, "small");
+  for (const double x : {-1.0, 1.0}) {
+    d.text(place(x, 1) + Spot{x * -20, 20}, "-y", Anchor::middle, "small");
+    d.text(place(x, -1) + Spot{x * -20, -10}, "-y", Anchor::middle, "small");
+  }
+  d.text(place(1, 0) + Spot{8, 5}, "+x", Anchor::start, "small");
+  d.text(place(-1, 0) + Spot{-8, 5}, "-x", Anchor::end, "small");
+  d.text(place(0, 1) + Spot{0, -8}, "-z", Anchor::middle, "small");
+  d.text(place(0, -1) + Spot{0, 18}, "+z", Anchor::middle, "small");
+  d.text(under + Spot{-8, 5}, "(a, b)", Anchor::end, "small");
+  d.text({150, 320}, "the octahedron", Anchor::middle, "small");
+  d.text({500, 320}, "from above, the lower half folded out", Anchor::middle, "small");
+  d.mark("under", under);
+  d.mark("folded", folded);
+  d.mark("right corner", place(1, 0));
+  d.mark("lower corner", place(0, -1));
+  d.mark("middle", middle);
+  return d;
+}
+
+/// Equal circles of a globe, and what the equirectangular map makes of them.
+Drawing pole_stretch() {
+  Drawing d("pole_stretch", 680, 300, "Equal circles in the equirectangular map",
+            "Left: a globe with equal small circles at latitudes 0, 45 and 70 degrees and one "
+            "around the north pole. Right: in the equirectangular map the circle at the equator "
+            "is a circle, the others are ellipses that grow wider and wider, and the one around "
+            "the pole is a band as wide as the map.");
+  const double size = 9;  // radius of the circles in degrees
+  const SpaceView view({1, 0.62, 0}, {130, 140}, 112);
+  const Panel panel{{290, 48}, 370, 185};
+  d.circle({130, 140}, 112, "ink");
+  d.rectangle(panel.corner, panel.width, panel.height, "ink");
+  const auto circle_at = [&](double latitude) {
+    const Vec3d n = direction_at(0, latitude);
+    const Vec3d east{0, 0, -1};
+    const Vec3d north = cross(n, east);
+    return [=](double degrees) {
+      const double a = degrees * radians, r = size * radians;
+      return n * std::cos(r) + (east * std::cos(a) + north * std::sin(a)) * std::sin(r);
+    };
+  };
+  const auto equator = [](double longitude) { return direction_at(longitude, 0); };
+  view.draw(d, equator, -180, 180, "soft");
+  d.line(panel({0, 0.5}), panel({1, 0.5}), "soft");
+  for (const int latitude : {0, 45, 70}) {
+    const auto circle = circle_at(latitude);
+    std::vector<Spot> on_globe, on_map;
+    for (int i = 0; i <= 72; ++i) {
+      on_globe.push_back(view(circle(i * 5.0)));
+      on_map.push_back(panel(project(Projection::equirect, circle(i * 5.0))));
+    }
+    for (auto* outline : {&on_globe, &on_map}) {
+      d.area(*outline, "fill-blue");
+      d.curve(*outline, "blue");
+    }
+    const std::string name = std::to_string(latitude);
+    d.mark(name + " east", on_map.front());
+    d.mark(name + " west", on_map[36]);
+    const double wide = 1 / std::cos(latitude * radians);
+    const std::string words = latitude == 0    ? "1"
+                              : latitude == 45 ? "√2 = 1.41"
+                                               : "1 / cos 70° = 2.92";
+    const Spot at = panel({0.5 + wide * size / 360 + 0.03, 0.5 + latitude / 180.0});
+    d.text(at + Spot{0, latitude == 0 ? -8.0 : 5.0}, words, Anchor::start, "small");
+  }
+  // Around the pole: everything north of 90 degrees minus the radius.
+  const double band = size / 180;
+  d.area({panel({0, 1}), panel({1, 1}), panel({1, 1 - band}), panel({0, 1 - band})}, "fill-red");
+  d.line(panel({0, 1 - band}), panel({1, 1 - band}), "red");
+  std::vector<Spot> cap;
+  for (int i = 0; i <= 72; ++i) cap.push_back(view(direction_at(i * 5.0, 90 - size)));
+  d.area(cap, "fill-red");
+  d.curve(cap, "red");
+  d.text(panel({0.5, 1}) + Spot{0, -10}, "the circle around the pole: as wide as the map",
+         Anchor::middle, "red small");
+  d.text({130, 282}, "equal circles on the globe", Anchor::middle, "small");
+  d.text(panel({0.5, 0}) + Spot{0, 26}, "how many times as wide as high, in the map",
+         Anchor::middle, "small");
+  d.mark("map left", panel({0, 0}));
+  d.mark("map right", panel({1, 0}));
+  return d;
+}
+
+}  // namespace
+
+std::vector<Drawing> diagrams_of_10() {
+  return {seven_layouts(), octahedron_unfolded(), pole_stretch()};
+}
 
 }  // namespace texmap::diagrams

@@ -19,6 +19,8 @@ namespace texmap::diagrams {
 [[nodiscard]] std::vector<Drawing> diagrams_of_11();
 [[nodiscard]] std::vector<Drawing> diagrams_of_12();
 [[nodiscard]] std::vector<Drawing> diagrams_of_13();
+[[nodiscard]] std::vector<Drawing> diagrams_beside_chapters();
+[[nodiscard]] std::vector<Drawing> diagrams_of_14();
 
 /// All of them.
 [[nodiscard]] std::vector<Drawing> all_diagrams();

@@ -40,5 +40,6 @@ void figures_of_10(Figures& figures);
 void figures_of_11(Figures& figures);
 void figures_of_12(Figures& figures);
 void figures_of_13(Figures& figures);
+void figures_of_14(Figures& figures);
 
 }  // namespace texmap::test

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   for (auto* measure :
        {&figures_of_00, &figures_of_01, &figures_of_02, &figures_of_03, &figures_of_04,
         &figures_of_05, &figures_of_06, &figures_of_07, &figures_of_08, &figures_of_09,
-        &figures_of_10, &figures_of_11, &figures_of_12, &figures_of_13})
+        &figures_of_10, &figures_of_11, &figures_of_12, &figures_of_13, &figures_of_14})
     measure(figures);
   if (argc == 1) {
     for (const auto& [name, value] : figures) std::cout << name << ' ' << value << '\n';
