@@ -6,6 +6,7 @@
 #include "number/dual.hpp"
 #include "number/kinds/pack2.hpp"
 #include "published/mesh_weights.hpp"
+#include "support/fragile_triangles.hpp"
 #include "support/lanes.hpp"
 #include "support/many_digits.hpp"
 #include "support/mesh_rays.hpp"
@@ -55,54 +56,6 @@ TEST_CASE_TEMPLATE("with u = x and v = z in the corners, (u, v) is the hit point
     REQUIRE(uv.u == hit.point.x);
     REQUIRE(uv.v == hit.point.z);
   }
-}
-
-/// Rays at a needle from (0, 0, 0) to (1, 0, 0), 1 / aspect wide; u = 0, 1, 0 in its corners. How
-/// far off u is with each formula, in unit roundoffs, compared with that of long double.
-template <class Real>
-struct NeedleErrors {
-  double signed_areas = 0, heron = 0;
-  int heron_nan = 0;
-};
-template <class Real>
-NeedleErrors<Real> needle_errors(double aspect, int tries) {
-  Dice dice;
-  NeedleErrors<Real> worst;
-  for (int i = 0; i < tries; ++i) {
-    TexturedMesh one;
-    const double foot = dice.between(0.2, 0.8);
-    const auto rounded = [](double x) { return static_cast<double>(static_cast<Real>(x)); };
-    one.mesh.points = {{0, 0, 0}, {1, 0, 0}, {rounded(foot), 0, rounded(-1 / aspect)}};
-    one.mesh.triangles.push_back({0, 1, 2});
-    one.mapping.corners.push_back({{{0, 0}, {1, 0}, {0, 1}}});
-    const double b = dice.between(0.1, 0.6);
-    const double c = dice.between(0.1, 0.3);
-    const auto& p = one.mesh.points;
-    const Point at = p[0] * (1 - b - c) + p[1] * b + p[2] * c;
-    const Ray<Real> ray = aimed<Real>(
-        [&] {
-          return Point{dice.between(-1, 2), dice.between(1, 2), dice.between(-1, 1)};
-        },
-        [&] { return at; });
-    const MeshHit<Real> hit = first_hit(one.mesh, ray);
-    if (!hit.met) continue;
-    const MeshHit<long double> exact =
-        first_hit(one.mesh, Ray<long double>{number_cast<long double>(ray.origin),
-                                             number_cast<long double>(ray.direction)});
-    if (!exact.met) continue;
-    const auto off = [&](Real u) {
-      return static_cast<double>(std::abs(static_cast<long double>(u) - exact.b) /
-                                 static_cast<long double>(unit_roundoff<Real>()));
-    };
-    const Real by_heron = one.mapping(published::weighted_by_heron(one.mesh, hit)).u;
-    worst.signed_areas = std::max(worst.signed_areas, off(one.mapping(hit).u));
-    if (by_heron != by_heron) {
-      ++worst.heron_nan;
-    } else {
-      worst.heron = std::max(worst.heron, off(by_heron));
-    }
-  }
-  return worst;
 }
 
 TEST_CASE_TEMPLATE("Heron's areas lose the square of length / width; signed areas length / width",
