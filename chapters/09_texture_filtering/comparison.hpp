@@ -1,10 +1,10 @@
 // What the filters cost and how far off they are, on checkers to the horizon.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "engine/measure/interleaved.hpp"
 #include "scene/camera.hpp"
 #include "scene/floor.hpp"
 #include "texture/filters.hpp"
@@ -39,7 +39,8 @@ struct FilterFigures {
 /// Filters with their figures, and what there is to time.
 struct FilterComparison {
   std::vector<FilterFigures> figures;
-  std::vector<Work> works;   ///< of each of the figures: `look_ups` look-ups on one thread
+  /// To be timed, of each of the figures: `look_ups` look-ups on one thread.
+  std::vector<std::function<void()>> works;
   std::size_t look_ups = 0;  ///< one for each pixel of the floor
   double rays = 0;           ///< that were followed for the errors
 

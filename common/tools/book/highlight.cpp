@@ -29,7 +29,7 @@ bool is_keyword(std::string_view word) {
   return false;
 }
 
-/// Words in an element with a short name, for a file has thousands of them; book.css gives it its color.
+/// Words in an element with a short name, for a file has thousands; book.css colors it.
 std::string element(const std::string& name, const std::string& words) {
   return "<" + name + ">" + escaped_markup(words) + "</" + name + ">";
 }
