@@ -127,7 +127,7 @@ Drawing pixel_footprint() {
   d.curve(ellipse, "green dashed");
   d.dot(center);
   // In the middle of texels, so that no line runs through them.
-  d.text({474, 79}, "p", Anchor::middle, "blue strong");
+  d.text({498, 80}, "p", Anchor::middle, "blue strong");
   d.text({522, 102}, "q", Anchor::middle, "blue strong");
   d.text({390, 322}, "parallelogram", Anchor::start, "blue small");
   d.text({527, 322}, "rectangle", Anchor::middle, "red small");
