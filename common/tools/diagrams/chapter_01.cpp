@@ -44,11 +44,53 @@ Drawing eye_and_pixels() {
   d.mark("pixel", view(pixel));
   d.mark("hit", view(hit));
   d.text(view(eye) + Spot{0, -12}, "eye, o", Anchor::middle);
-  d.text({330, 288}, "the picture, cut into pixels", Anchor::start, "small");
+  d.text({30, 285}, "the picture, cut into pixels", Anchor::start, "small");
+  d.line({196, 276}, view({-half_width + size, -half_height, plane}), "soft");
   d.text(view(pixel) + Spot{-10, -14}, "center of a pixel", Anchor::end, "blue small");
   d.text(view(hit) + Spot{12, -10}, "o + t d", Anchor::start, "red");
   d.text(view(eye) + (view(pixel) - view(eye)) * 0.45 + Spot{0, 24}, "ray, direction d",
          Anchor::middle, "red small");
+  return d;
+}
+
+/// The camera's three axes, and the way to the center of a pixel.
+Drawing camera_axes() {
+  Drawing d("camera_axes", 640, 300, "The camera's three axes",
+            "The eye with three arrows of length 1: forward, right and up. A grid of pixels stands "
+            "at distance 1. From its middle the center of a pixel is x to the right and y up.");
+  const SpaceView view({1.5, 0.75, 0.8}, {330, 160}, 150);
+  const Vec3d eye{0, 0, 0.9}, forward{0, 0, -1}, right{1, 0, 0}, up{0, 1, 0};
+  const Vec3d middle = eye + forward;
+  const double size = 0.2, half_width = 0.8, half_height = 0.6;
+  const Vec3d pixel = middle + right * (2.5 * size) + up * (1.5 * size);
+  d.area({view(pixel + Vec3d{-size / 2, -size / 2, 0}), view(pixel + Vec3d{size / 2, -size / 2, 0}),
+          view(pixel + Vec3d{size / 2, size / 2, 0}), view(pixel + Vec3d{-size / 2, size / 2, 0})},
+         "fill-blue");
+  for (int i = -4; i <= 4; ++i)
+    d.line(view(middle + Vec3d{i * size, -half_height, 0}),
+           view(middle + Vec3d{i * size, half_height, 0}), "soft");
+  for (int i = -3; i <= 3; ++i)
+    d.line(view(middle + Vec3d{-half_width, i * size, 0}),
+           view(middle + Vec3d{half_width, i * size, 0}), "soft");
+  d.arrow(view(eye), view(middle), "ink");
+  d.arrow(view(eye), view(eye + right), "ink");
+  d.arrow(view(eye), view(eye + up), "ink");
+  d.dot(view(eye));
+  const Vec3d corner = middle + right * (2.5 * size);
+  d.line(view(middle), view(corner), "blue thick");
+  d.line(view(corner), view(pixel), "green thick");
+  d.dot(view(pixel), "fill-blue");
+  d.mark("eye", view(eye));
+  d.mark("middle", view(middle));
+  d.mark("pixel", view(pixel));
+  d.mark("right", view(eye + right) - view(eye));
+  d.mark("up", view(eye + up) - view(eye));
+  d.text(view(eye) + Spot{-12, 6}, "eye", Anchor::end);
+  d.text(view(eye + right) + Spot{10, 6}, "right", Anchor::start);
+  d.text(view(eye + up) + Spot{0, -8}, "up", Anchor::middle);
+  d.text(view(eye + forward * 0.5) + Spot{-10, -4}, "forward", Anchor::end);
+  d.text(view(middle + right * (1.3 * size)) + Spot{0, 18}, "x", Anchor::middle, "blue strong");
+  d.text(view(corner + up * (0.75 * size)) + Spot{10, 6}, "y", Anchor::start, "green strong");
   return d;
 }
 
@@ -86,6 +128,8 @@ Drawing line_and_sphere() {
       }
     }
     d.text({center.x + 6, (center.y + y) / 2 + 10}, "h", Anchor::start, "blue");
+    d.line(center, {center.x + r * 0.8, center.y + r * 0.6}, "soft");
+    d.text({center.x + r * 0.5, center.y + r * 0.3 - 2}, "r", Anchor::start, "small");
     d.text({center.x, 216}, words, Anchor::middle, "small");
     x += 210;
   }
@@ -118,6 +162,11 @@ Drawing lambert_law() {
       const double half = angle / 2;
       d.text(at + Spot{std::sin(half), -std::cos(half)} * 64 + Spot{0, 5}, "θ");
       d.text(at + to_lamp * 110 + Spot{10, 4}, "l", Anchor::start, "red");
+      // The beam's width, from its left edge straight across to its right one.
+      const Spot foot = at + Spot{wide / 2, 0};
+      const Spot across{-std::cos(angle), -std::sin(angle)};
+      d.line(foot, foot + across * w, "red dashed");
+      d.text(foot + across * (w * 0.3) + Spot{2, 16}, "w", Anchor::middle, "red");
     }
     d.text(at + Spot{-8, -104}, "n", Anchor::end, "blue");
     d.mark(degrees > 0 ? "slanted left" : "straight left", at + Spot{-wide / 2, 0});
@@ -135,7 +184,7 @@ Drawing lambert_law() {
 }  // namespace
 
 std::vector<Drawing> diagrams_of_01() {
-  return {eye_and_pixels(), line_and_sphere(), lambert_law()};
+  return {eye_and_pixels(), camera_axes(), line_and_sphere(), lambert_law()};
 }
 
 }  // namespace texmap::diagrams

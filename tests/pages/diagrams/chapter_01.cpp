@@ -24,3 +24,9 @@ TEST_CASE("at 60 degrees the same beam lights twice the width") {
   CHECK(distance(d.marked("slanted left"), d.marked("slanted right")) ==
         doctest::Approx(2 * straight));
 }
+
+TEST_CASE("from the picture's middle the pixel's center is half the arrow to the right, 0.3 up") {
+  const Drawing d = named("camera_axes");
+  const Spot expected = d.marked("middle") + d.marked("right") * 0.5 + d.marked("up") * 0.3;
+  CHECK(distance(d.marked("pixel"), expected) < 1e-9);
+}
