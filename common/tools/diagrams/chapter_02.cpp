@@ -189,8 +189,9 @@ Drawing longitude() {
 Drawing polar_angle() {
   Drawing d("polar_angle", 640, 330, "The angle from the south pole",
             "A half circle of radius 1 from the south pole at the bottom to the north pole at the "
-            "top. The angle theta goes from the south pole to the point p. The distance of p from "
-            "the axis is r = sin theta, its height is y = - cos theta.");
+            "top. The angle theta goes from the south pole to the point p; the rest of the half "
+            "turn, pi - theta, goes from p to the north pole. The distance of p from the axis is "
+            "r = sin theta, its height is y = cos(pi - theta) = - cos theta.");
   const Spot center{250, 165};
   const double radius = 130;
   const double angle = uv_of_p.v * std::numbers::pi;
@@ -207,7 +208,9 @@ Drawing polar_angle() {
   d.line(foot, p, "blue thick");
   d.line(center, p, "red");
   d.arc(center, 36, -90, angle * 180 / std::numbers::pi - 90, "ink");
+  d.arc(center, 24, angle * 180 / std::numbers::pi - 90, 90, "ink");
   d.text(center + Spot{46, 28}, "θ", Anchor::middle, "strong");
+  d.text(center + Spot{16, -38}, "π - θ", Anchor::start, "small");
   d.text((center + foot) * 0.5 + Spot{-10, 5}, "y = -cos θ", Anchor::end, "green");
   d.text((foot + p) * 0.5 + Spot{0, -10}, "r = sin θ", Anchor::middle, "blue");
   d.text((center + p) * 0.5 + Spot{4, 18}, "1", Anchor::start, "red small");
@@ -284,11 +287,13 @@ Drawing flat_cosine() {
 
 /// The unit square with the checkerboard, and the square that holds p.
 Drawing checkerboard() {
-  Drawing d("checkerboard", 640, 320, "The checkerboard on the flat square",
-            "Ten columns and ten rows of squares in two colors. The point p = (0.38, 0.66) is in "
-            "column 3 and row 6; the sum is 9, an odd number, so the square is white.");
+  Drawing d("checkerboard", 640, 376, "The checkerboard on the flat square",
+            "Ten columns and ten rows of squares in two colors. u goes to the right and v goes up, "
+            "both from 0 to 1. The point p = (0.38, 0.66) is in column 3 and row 6; the sum is 9, "
+            "an odd number, so the square is white.");
   const int count = 10;
-  const double left = 130, top = 20, width = 480, height = 240;
+  const double left = 140, top = 44, width = 480, height = 240;
+  const double right = left + width, bottom = top + height;
   const auto place = [&](Uv<double> uv) {
     return Spot{left + uv.u * width, top + (1 - uv.v) * height};
   };
@@ -303,17 +308,29 @@ Drawing checkerboard() {
   d.rectangle({left, top}, width, height, "soft");
   d.rectangle(corner(column, row), wide, high, "red");
   d.dot(place(uv_of_p), "fill-red");
+  d.line(place({uv_of_p.u, 1}) + Spot{0, -10}, place(uv_of_p) + Spot{0, -5}, "red");
+  d.text(place({uv_of_p.u, 1}) + Spot{0, -16}, "p = (0.38, 0.66)", Anchor::middle, "red small");
   for (int i = 0; i < count; ++i) {
-    d.text({left + (i + 0.5) * wide, top + height + 20}, std::to_string(i), Anchor::middle,
+    d.text({left + (i + 0.5) * wide, bottom + 20}, std::to_string(i), Anchor::middle,
            i == column ? "red strong" : "small");
-    d.text({left - 14, top + height - (i + 0.5) * high + 5}, std::to_string(i), Anchor::middle,
+    d.text({left - 14, bottom - (i + 0.5) * high + 5}, std::to_string(i), Anchor::middle,
            i == row ? "red strong" : "small");
   }
-  d.text({left + width / 2, top + height + 46}, "column = floor(10 u)", Anchor::middle, "small");
-  d.text({left - 32, top + height / 2 - 6}, "row =", Anchor::end, "small");
-  d.text({left - 32, top + height / 2 + 12}, "floor(10 v)", Anchor::end, "small");
+  d.arrow({left, bottom + 34}, {right, bottom + 34}, "ink");
+  d.arrow({left - 30, bottom}, {left - 30, top}, "ink");
+  d.text({left, bottom + 54}, "0", Anchor::middle, "small");
+  d.text({left + width / 2, bottom + 54}, "u");
+  d.text({right, bottom + 54}, "1", Anchor::middle, "small");
+  d.text({left - 40, bottom + 4}, "0", Anchor::end, "small");
+  d.text({left - 40, top + height / 2 + 5}, "v", Anchor::end);
+  d.text({left - 40, top + 8}, "1", Anchor::end, "small");
+  d.text({left + width / 2, bottom + 80}, "column = floor(10 u)", Anchor::middle, "small");
+  d.text({left - 58, top + height / 2 - 6}, "row =", Anchor::end, "small");
+  d.text({left - 58, top + height / 2 + 12}, "floor(10 v)", Anchor::end, "small");
   d.mark("p", place(uv_of_p));
   d.mark("square", corner(column, row));
+  d.mark("u = v = 0", {left, bottom});
+  d.mark("u = v = 1", {right, top});
   return d;
 }
 

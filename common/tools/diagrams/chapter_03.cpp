@@ -169,7 +169,9 @@ Drawing half_a_texel() {
   Drawing d("half_a_texel", 640, 200, "Half a texel",
             "A row of 8 texels from u = 0 to u = 1. A dot shows the u that each column was "
             "painted for: the left edge of the first texel, the right edge of the last, and in "
-            "between ever farther right.");
+            "between ever farther right. An arrow goes from there to the middle of the texel, "
+            "where the column is seen: to the right in the left half, to the left in the right "
+            "half.");
   const int columns = 8;
   const double left = 80, top = 70, width = 480, height = 50;
   for (int i = 0; i < columns; ++i) {
@@ -178,7 +180,11 @@ Drawing half_a_texel() {
     d.text({left + (i + 0.5) * size, top - 14}, std::to_string(i));
     const Spot painted{left + width * i / (columns - 1.0), top + height / 2};
     const Spot middle{left + (i + 0.5) * size, top + height / 2};
-    if (std::abs(painted.x - middle.x) > 1) d.line(middle, painted, "red thick");
+    if (std::abs(painted.x - middle.x) > 10) {
+      d.arrow(painted, middle, "red");
+    } else {
+      d.line(painted, middle, "red");
+    }
     d.dot(painted, "fill-red");
     d.mark("painted " + std::to_string(i), painted);
     d.mark("middle " + std::to_string(i), middle);
@@ -186,7 +192,7 @@ Drawing half_a_texel() {
   d.rectangle({left, top}, width, height, "ink");
   d.text({left + width / 2, top - 40}, "column that the look-up finds", Anchor::middle, "small");
   d.text({left + width / 2, top + height + 52},
-         "dot: the u that the column was painted for; line: how far it is from the texel's middle",
+         "dot: the u that the column was painted for; arrow: to the middle of where it is seen",
          Anchor::middle, "red small");
   d.text({left, top + height + 24}, "u = 0");
   d.text({left + width, top + height + 24}, "u = 1");

@@ -63,4 +63,7 @@ TEST_CASE("p is inside the square of column 3 and row 6") {
   const Spot inside = d.marked("p") - d.marked("square");
   CHECK(inside.x == doctest::Approx(0.8 * 48));
   CHECK(inside.y == doctest::Approx(0.4 * 24));  // rows go up: 0.6 above the lower edge
+  const Spot origin = d.marked("u = v = 0"), end = d.marked("u = v = 1");
+  CHECK(d.marked("p").x == doctest::Approx(origin.x + 0.38 * (end.x - origin.x)));
+  CHECK(d.marked("p").y == doctest::Approx(origin.y + 0.66 * (end.y - origin.y)));
 }

@@ -110,10 +110,8 @@ void figures_of_02(Figures& figures) {
   figures.emplace_back("02.gap_double_cm", decimals(gap<double>() * 100, 1));
 
   const Image drawn = picture(Lesson{});
-  figures.emplace_back("02.pixel_of_exercise", color(drawn.at(400, 263)));
   figures.emplace_back("02.other_than_published",
                        whole(count_different(drawn, daily::draw(800, 600, true))));
-  figures.emplace_back("02.mean_middle", means(mean_of(drawn, 350, 250, 100, 100)));
   figures.emplace_back("02.mean_red", means(mean_of(drawn, 180, 280, 80, 80)));
   figures.emplace_back("02.mean_red_upside_down",
                        means(mean_of(upside_down(drawn), 180, 280, 80, 80)));

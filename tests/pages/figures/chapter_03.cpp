@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "03_image_texture/lesson.hpp"
+#include "engine/picture/load_image.hpp"
 #include "figures.hpp"
 #include "support/pictures.hpp"
+#include "support/running.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
@@ -63,6 +66,17 @@ long long texels_seen(const Lesson& lesson) {
   return count;
 }
 
+/// Chapter 00's file with the page's code: it looks for assets/ in the folder where it is run.
+Image drawn_by_one_file() {
+  const TemporaryFolder folder;
+  const std::string file = folder / "drawn.png";
+  const Outcome outcome =
+      run("cd \"" TEXMAP_ASSETS_DIR "/..\" && \"" TEXMAP_BIN_DIR "/00_with_earth\" --out \"" +
+          file + "\"");
+  if (outcome.status != 0) throw std::runtime_error("00_with_earth: " + outcome.err);
+  return load_image(file);
+}
+
 }  // namespace
 
 void figures_of_03(Figures& figures) {
@@ -70,20 +84,20 @@ void figures_of_03(Figures& figures) {
   const std::vector<int> seen = objects_seen(lesson);
   const auto pixels = std::count(seen.begin(), seen.end(), static_cast<int>(chapter_03::middle));
   const ImageTexture& map = map_of(lesson);
-  const long long texels = static_cast<long long>(map.image.width) * map.image.height;
   figures.emplace_back("03.pixels_of_the_globe", whole(pixels));
-  figures.emplace_back("03.texels", whole(texels));
   const long long visible = texels_seen(lesson);
-  figures.emplace_back("03.texels_seen", whole(visible));
-  figures.emplace_back(
-      "03.percent_seen",
-      decimals(100 * static_cast<double>(visible) / static_cast<double>(texels), 0));
   figures.emplace_back("03.texels_a_pixel", whole((visible + pixels / 2) / pixels));
   figures.emplace_back("03.texels_in_the_middle", decimals(texels_under(lesson, 400, 300), 0));
+  figures.emplace_back("03.texels_in_florida", decimals(texels_under(lesson, 409, 283), 0));
   figures.emplace_back("03.texels_near_the_pole", decimals(texels_under(lesson, 400, 240), 0));
 
+  figures.emplace_back("03.pixels_other_than_one_file",
+                       whole(count_different(picture(lesson), drawn_by_one_file())));
+
   Lesson closer = lesson;
-  closer.stage.camera.fov_y_degrees = 16;
+  // As --zoom 4 does.
+  closer.stage.camera.fov_y_degrees =
+      360 / pi<double>() * std::atan(std::tan(pi<double>() / 6) / 4);
   figures.emplace_back("03.texels_closer", decimals(texels_under(closer, 400, 300), 1));
 
   add_texel(figures, "corner", map, {0, 0});
