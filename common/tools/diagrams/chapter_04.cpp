@@ -70,7 +70,7 @@ void draw_letter(Drawing& d, const SpaceView& view, const Panel& panel, const st
 
 /// The same globe with each of the three maps.
 Drawing four_conventions() {
-  Drawing d("four_conventions", 640, 300, "Four documents, three conventions, one globe",
+  Drawing d("four_conventions", 640, 300, "Four documents, three conventions, the same globe",
             "The same globe three times, seen from between -x and +z. Daily exercise: u is 0 at "
             "-x and runs west, v runs down, and a letter F on the picture is mirrored. One "
             "Weekend 2020 and Next Week: u is 0 at -x and runs east, v runs up, the F reads as "
@@ -139,27 +139,33 @@ Drawing four_conventions() {
 
 /// A letter on a map: as printed, and by each fault of u and v.
 Drawing letter_and_faults() {
-  Drawing d("letter_and_faults", 640, 190, "A letter shows which way u and v run",
-            "A letter F four times, east on the right and north up. As printed: u runs east and "
-            "up in the picture is north. Mirrored: u runs west. Upside down and mirrored: up in "
-            "the picture is south. Upside down, as after half a turn: both faults.");
+  Drawing d("letter_and_faults", 720, 210, "A letter shows which way u and v run",
+            "A letter F four times, east on the right and north up. As printed: u grows to the "
+            "east and up in the picture is north. Mirrored: u grows to the west. Upside down and "
+            "mirrored: up in the picture is south. Turned by half a turn: both faults.");
   struct Tile {
     Convention convention;
     VAxis axis;
-    std::array<const char*, 3> words;
+    std::array<const char*, 4> words;
   };
   const std::array<Tile, 4> tiles{{
-      {Convention::rtiow, VAxis::up, {"reads as printed", "u east, up is north", "(+)(+) = +"}},
-      {Convention::daily, VAxis::down, {"mirrored", "u west, up is north", "(-)(+) = -"}},
+      {Convention::rtiow,
+       VAxis::up,
+       {"reads as printed", "u grows to the east;", "up in the picture: north", "(+)(+) = +"}},
+      {Convention::daily,
+       VAxis::down,
+       {"mirrored", "u grows to the west;", "up in the picture: north", "(-)(+) = -"}},
       {Convention::rtiow,
        VAxis::down,
-       {"upside down, mirrored", "u east, up is south", "(+)(-) = -"}},
-      {Convention::daily, VAxis::up, {"turned by half", "u west, up is south", "(-)(-) = +"}},
+       {"upside down, mirrored", "u grows to the east;", "up in the picture: south", "(+)(-) = -"}},
+      {Convention::daily,
+       VAxis::up,
+       {"turned by half a turn", "u grows to the west;", "up in the picture: south", "(-)(-) = +"}},
   }};
-  double left = 10;
+  double left = 9;
   for (const Tile& tile : tiles) {
     const Spot corner{left, 14};
-    const double width = 140, height = 96;
+    const double width = 168, height = 96;
     // right and high are measured in the picture, east and north on the map.
     const auto at = [&](double right, double high) {
       const double v = tile.axis == VAxis::up ? high : 1 - high;
@@ -170,18 +176,18 @@ Drawing letter_and_faults() {
     d.curve({at(0.4, 0.2), at(0.4, 0.8), at(0.62, 0.8)}, "ink thick");
     d.line(at(0.4, 0.52), at(0.56, 0.52), "ink thick");
     const bool mirrored = (at(0.6, 0.5).x > at(0.4, 0.5).x) != (at(0.5, 0.6).y < at(0.5, 0.4).y);
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
       d.text(corner + Spot{width / 2, height + 22 + 20 * static_cast<double>(i)}, tile.words.at(i),
              Anchor::middle,
              i == 0               ? "small strong"
-             : mirrored && i == 2 ? "small red"
+             : mirrored && i == 3 ? "small red"
                                   : "small");
     }
     const std::string name = tile.words[0];
     d.mark(name + " foot", at(0.4, 0.2));
     d.mark(name + " corner", at(0.4, 0.8));
     d.mark(name + " arm", at(0.62, 0.8));
-    left += 160;
+    left += 178;
   }
   return d;
 }

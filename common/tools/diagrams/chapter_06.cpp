@@ -24,8 +24,8 @@ Drawing mirror_vector() {
   Drawing d("mirror_vector", 680, 230, "The mirrored direction",
             "Left: the direction l to the lamp is the sum of a part along the normal n and a part "
             "along the surface. The mirrored direction r has the same part along n and the "
-            "opposite part along the surface. Right: the direction e to the eye makes an angle "
-            "alpha with r.");
+            "opposite part along the surface. Right: l and r make the same angle theta with "
+            "n, and the direction e to the eye makes an angle alpha with r.");
   const double size = 150;
   const Vec3d n{0, 1, 0};
   const Vec3d l = from_normal(50);
@@ -57,12 +57,14 @@ Drawing mirror_vector() {
   d.arrow(b, place(b, l), "red");
   d.arrow(b, place(b, r), "red");
   d.arrow(b, place(b, e), "blue");
-  d.arc(b, 74, 40, 140, "soft");
+  d.arc(b, 66, 40, 140, "soft");
   d.arc(b, 112, 114, 140, "green thick");
   d.text(place(b, n) + Spot{10, 8}, "n", Anchor::start);
   d.text(place(b, l) + Spot{0, -10}, "l, to the lamp", Anchor::middle, "red");
   d.text(place(b, r) + Spot{-8, 2}, "r", Anchor::end, "red strong");
   d.text(place(b, e) + Spot{-2, -8}, "e, to the eye", Anchor::end, "blue");
+  for (const double degrees : {65.0, 127.0})
+    d.text(place(b, from_normal(90 - degrees) * 0.32) + Spot{0, 5}, "θ", Anchor::middle, "small");
   d.text(b + Spot{-62, -72}, "α", Anchor::middle, "green strong");
   d.text(b + Spot{0, 26}, "cos α = r·e", Anchor::middle);
   for (const auto& [name, p] : {std::pair{"n", n}, {"l", l}, {"r", r}, {"e", e}}) {
@@ -72,12 +74,12 @@ Drawing mirror_vector() {
   return d;
 }
 
-/// cos^n over the angle, for four exponents.
+/// cos^s over the angle, for four exponents.
 Drawing phong_power() {
-  Drawing d("phong_power", 640, 290, "Powers of the cosine",
-            "Four curves over the angle alpha from 0 to 90 degrees: the cosine to the power 1, 5, "
-            "50 and 500. All begin at 1. The larger the power, the faster they fall to 0.");
-  const double left = 70, top = 30, width = 500, height = 200;
+  Drawing d("phong_power", 640, 300, "Powers of the cosine",
+            "Four curves over the angle alpha from 0 to 90 degrees: the cosine to the power s = 1, "
+            "5, 50 and 500. All begin at 1. The larger s, the faster they fall to 0.");
+  const double left = 70, top = 40, width = 500, height = 200;
   const auto place = [&](double degrees, double value) {
     return Spot{left + width * degrees / 90, top + height * (1 - value)};
   };
@@ -92,6 +94,7 @@ Drawing phong_power() {
   }
   d.line(place(0, 0), place(90, 0), "ink");
   d.line(place(0, 0), place(0, 1), "ink");
+  d.text(place(0, 1) + Spot{-20, -16}, "cosine to the power s", Anchor::start, "small");
   d.text(place(0, 1) + Spot{-10, 5}, "1", Anchor::end, "small");
   d.text(place(0, 0.5) + Spot{-10, 5}, "1/2", Anchor::end, "small");
   d.text(place(0, 0) + Spot{-10, 5}, "0", Anchor::end, "small");
@@ -102,8 +105,8 @@ Drawing phong_power() {
     const char* color;
     const char* words;
   };
-  const std::array powers{Power{1, "ink", "n = 1"}, Power{5, "blue", "n = 5"},
-                          Power{50, "green", "n = 50"}, Power{500, "red", "n = 500"}};
+  const std::array powers{Power{1, "ink", "s = 1"}, Power{5, "blue", "s = 5"},
+                          Power{50, "green", "s = 50"}, Power{500, "red", "s = 500"}};
   Spot label = place(72, 0.93);
   for (const Power& power : powers) {
     std::vector<Spot> through;

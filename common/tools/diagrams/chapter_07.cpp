@@ -25,8 +25,9 @@ std::string numbered(std::string name, std::uint32_t i) {
 Drawing sampler_patterns() {
   Drawing d("sampler_patterns", 720, 250, "16 samples of a pixel in four patterns",
             "Four squares, each a pixel with 16 dots and a grid of 4 by 4 cells. Random: some "
-            "cells have no dot, others two or three. Stratified, multi-jitter and Sobol: each "
-            "cell has one dot; in the last two each of 16 columns and rows has one, too.");
+            "cells have no dot, others two or three. Stratified: each cell has one dot. "
+            "Multi-jitter: each of the faint 16 columns and 16 rows has one dot, too. Sobol: also "
+            "each cell of the grids of 2 by 8 and 8 by 2.");
   const double size = 150, top = 20;
   struct Pattern {
     SamplerKind kind;
@@ -38,7 +39,7 @@ Drawing sampler_patterns() {
       Pattern{SamplerKind::random, "random", "each by itself", ""},
       Pattern{SamplerKind::stratified, "stratified", "one in each cell", ""},
       Pattern{SamplerKind::multi_jitter, "multi-jitter", "also one in each of",
-              "16 columns and rows"},
+              "16 columns and 16 rows"},
       Pattern{SamplerKind::sobol, "sobol", "also one in each cell", "of 2 × 8, 8 × 2, …"},
   };
   const auto pixel = hash_pixels<double>(std::uint32_t{7}, std::uint32_t{3});
@@ -48,6 +49,11 @@ Drawing sampler_patterns() {
     for (int i = 1; i < 4; ++i) {
       d.line(corner + Spot{size * i / 4, 0}, corner + Spot{size * i / 4, size}, "soft");
       d.line(corner + Spot{0, size * i / 4}, corner + Spot{size, size * i / 4}, "soft");
+    }
+    for (int i = 1; i < 16 && pattern.kind == SamplerKind::multi_jitter; ++i) {
+      const double at = size * i / 16 - 0.5;  // faint lines: thin areas
+      d.rectangle(corner + Spot{at, 0}, 1, size, "fill-soft");
+      d.rectangle(corner + Spot{0, at}, size, 1, "fill-soft");
     }
     d.rectangle(corner, size, size, "ink");
     const Sampler sampler(pattern.kind, 16);

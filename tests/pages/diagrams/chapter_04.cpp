@@ -68,7 +68,7 @@ TEST_CASE("the four letters show the four pairs of signs") {
   check("reads as printed", true, true);
   check("mirrored", false, true);
   check("upside down, mirrored", true, false);
-  check("turned by half", false, false);
+  check("turned by half a turn", false, false);
 }
 
 TEST_CASE("from above, each arrow begins where the document's own formula has 0, and u grows") {

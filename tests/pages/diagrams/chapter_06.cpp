@@ -15,7 +15,7 @@ TEST_CASE("r is as far from the normal as l, on the other side, and as long") {
   CHECK(distance(foot, d.marked("e")) == doctest::Approx(distance(foot, r)));
 }
 
-// cos^n is one half at 60, 29.48, 9.52 and 3.02 degrees, since log cos is -log 2 / n there.
+// cos^s is one half at 60, 29.48, 9.52 and 3.02 degrees, since log cos is -log 2 / s there.
 TEST_CASE("the powers fall to one half where their roots say") {
   const Drawing d = named("phong_power");
   const double zero = d.marked("0 degrees").x;

@@ -18,6 +18,44 @@ std::string color(Rgb8 pixel) {
   return std::to_string(pixel.r) + ", " + std::to_string(pixel.g) + ", " + std::to_string(pixel.b);
 }
 
+/// The lecture's scene with Blinn's highlight: n . h to a power, h halfway between lamp and eye.
+struct Halfway : Lesson {
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky, [&](const auto& object, const Hit<Real>& hit) {
+      const LightSample<Real> light = sample_light(stage.light, phong.casters(objects), hit);
+      const Real cosine = dot(hit.normal, normalize(light.to_light - ray.direction));
+      const auto shininess = static_cast<Scalar<Real>>(object.material.shininess);
+      const Real specular =
+          select(light.cosine > Real(0),
+                 Real(object.material.specular) * power(max(cosine, Real(0)), shininess), Real(0));
+      const Real sum = lambert(object.material.lambertian, light) + specular;
+      if (&object != &objects[chapter_06::middle]) return gray(Real(0));
+      return mix(gray(clamp(sum, Real(0), Real(1))), object.paint(hit), Real(phong.blend));
+    });
+  }
+};
+
+/// On how many pixels of the lecture's globe Phong's and Blinn's highlights show.
+void spot_figures(Figures& figures) {
+  const auto drawn = [](const auto& lesson) { return picture(lesson, 800, 400); };
+  const auto without = drawn(prepared<Halfway>({"--scene", "lecture", "--shininess", "1e30"}));
+  const auto spot = [&](const Image& image) {
+    long count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      const bool ground = without.pixels[i] == Rgb8{0, 0, 0};
+      count += !ground && image.pixels[i] != without.pixels[i] ? 1 : 0;
+    }
+    return whole(count);
+  };
+  figures.emplace_back("06.spot_of_phong", spot(drawn(prepared<Lesson>({"--scene", "lecture"}))));
+  for (const std::string shininess : {"500", "1500", "2000"}) {
+    figures.emplace_back(
+        "06.spot_of_blinn_" + shininess,
+        spot(drawn(prepared<Halfway>({"--scene", "lecture", "--shininess", shininess}))));
+  }
+}
+
 /// How many pixels the slides' formula and the right one brighten, without a texture.
 void lecture_figures(Figures& figures) {
   const auto light_alone = [](const char* shininess, const char* formula) {
@@ -76,6 +114,7 @@ void figures_of_06(Figures& figures) {
   figures.emplace_back("06.dark_blended", color(half.at(346, 320)));
 
   lecture_figures(figures);
+  spot_figures(figures);
 
   const TemporaryFolder folder;
   const std::string file = folder / "one.png";

@@ -75,10 +75,15 @@ void figures_of_07(Figures& figures) {
                            decimals(error, samples < 64 ? 1 : 2));
     }
   }
+  const auto small = [&](SamplerKind kind) { return levels(film_of(lesson, kind, 64), truth); };
+  const double in_levels = small(SamplerKind::random) / small(SamplerKind::sobol);
+  figures.emplace_back("07.times_in_levels", whole(std::lround(square(in_levels))));
   // An error of light falls with the root of the number of random samples.
   const double ratio = error_of_halves(film_of(lesson, SamplerKind::random, 64), truth) /
                        error_of_halves(film_of(lesson, SamplerKind::sobol, 64), truth);
   figures.emplace_back("07.worth", whole(10 * std::lround(6.4 * square(ratio))));
+  figures.emplace_back("07.sobol_4_seed_1",
+                       decimals(levels(film_of(lesson, SamplerKind::sobol, 4, 1), truth), 1));
   figures.emplace_back("07.seeds_random",
                        decimals(levels(film_of(lesson, SamplerKind::random, 4),
                                        film_of(lesson, SamplerKind::random, 4, 1)),
