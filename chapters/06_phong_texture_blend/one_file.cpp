@@ -27,7 +27,7 @@ Vec3 normalize(Vec3 a) { return a * (1 / std::sqrt(dot(a, a))); }
 
 struct Picture {  // what is wrapped round the globe; three bytes a texel, the top row first
   int width = 0, height = 0;
-  const unsigned char* bytes = nullptr;
+  std::vector<unsigned char> bytes;
 };
 
 struct Sphere {
@@ -63,7 +63,7 @@ Vec3 texel(const Picture& picture, Vec3 n) {
   const int column = std::min(static_cast<int>(u * picture.width), picture.width - 1);
   const int row = std::min(static_cast<int>(v * picture.height), picture.height - 1);
   const unsigned char* t =
-      picture.bytes + 3 * ((picture.height - 1 - row) * picture.width + column);
+      picture.bytes.data() + 3 * ((picture.height - 1 - row) * picture.width + column);
   return {t[0] / 255.0, t[1] / 255.0, t[2] / 255.0};
 }
 
@@ -101,11 +101,13 @@ int main(int argc, char** argv) {
   }
   Picture picture;
   int channels = 0;
-  picture.bytes = stbi_load(texture.c_str(), &picture.width, &picture.height, &channels, 3);
-  if (!picture.bytes) {
+  unsigned char* loaded = stbi_load(texture.c_str(), &picture.width, &picture.height, &channels, 3);
+  if (!loaded) {
     std::cerr << "error: " << texture << ": " << stbi_failure_reason() << '\n';
     return 1;
   }
+  picture.bytes.assign(loaded, loaded + 3 * picture.width * picture.height);
+  stbi_image_free(loaded);
 
   std::vector<unsigned char> bytes;
   const double step = 4.0 / width;
