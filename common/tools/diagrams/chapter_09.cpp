@@ -126,9 +126,8 @@ Drawing pixel_footprint() {
   outline(d, box, "red");
   d.curve(ellipse, "green dashed");
   d.dot(center);
-  // In the middle of texels, so that no line runs through them.
-  d.text({498, 80}, "p", Anchor::middle, "blue strong");
-  d.text({522, 102}, "q", Anchor::middle, "blue strong");
+  d.text(center - q * 0.4 + Spot{0, 5}, "p", Anchor::middle, "blue strong");
+  d.text(center + p * 0.36 + Spot{0, 5}, "q", Anchor::middle, "blue strong");
   d.text({390, 322}, "parallelogram", Anchor::start, "blue small");
   d.text({527, 322}, "rectangle", Anchor::middle, "red small");
   d.text({632, 322}, "ellipse", Anchor::end, "green small");
