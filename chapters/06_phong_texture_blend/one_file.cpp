@@ -63,7 +63,8 @@ Vec3 texel(const Picture& picture, Vec3 n) {
   const int column = std::min(static_cast<int>(u * picture.width), picture.width - 1);
   const int row = std::min(static_cast<int>(v * picture.height), picture.height - 1);
   const unsigned char* t =
-      picture.bytes.data() + 3 * ((picture.height - 1 - row) * picture.width + column);
+      &picture.bytes[3 *
+                     static_cast<std::size_t>((picture.height - 1 - row) * picture.width + column)];
   return {t[0] / 255.0, t[1] / 255.0, t[2] / 255.0};
 }
 
@@ -106,7 +107,9 @@ int main(int argc, char** argv) {
     std::cerr << "error: " << texture << ": " << stbi_failure_reason() << '\n';
     return 1;
   }
-  picture.bytes.assign(loaded, loaded + 3 * picture.width * picture.height);
+  const auto texels =
+      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  picture.bytes.assign(loaded, loaded + 3 * texels);
   stbi_image_free(loaded);
 
   std::vector<unsigned char> bytes;

@@ -23,7 +23,8 @@ template <class Texels, class Real>
   // Of a place or a level that is no number, the weights of the texels are none either.
   const Uv<Real> at{uv.u.value, uv.v.value};
   const Real weight = at.u - floor(at.u) + at.v - floor(at.v) + level;
-  if (!(weight == weight)) return gray(weight);
+  const bool is_number = weight <= weight;  // NaN is not; NOLINT(misc-redundant-expression)
+  if (!is_number) return gray(weight);
   const auto read = [&](const Real& number) {
     return texture.bilinear(at, level_of(texture.pyramid, number));
   };

@@ -46,10 +46,11 @@ struct ByteBounds {
                                        int column, int row) {
   int widest = 0;
   for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y) {
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x)
+    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x) {
       widest =
           std::max(widest, levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                   static_cast<std::size_t>(x)]);
+    }
   }
   return widest;
 }

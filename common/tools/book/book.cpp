@@ -133,7 +133,7 @@ class Book {
   std::string resolved(const std::string& from, const std::string& url) {
     if (url.find("://") != std::string::npos || url.rfind("mailto:", 0) == 0) return url;
     const std::size_t hash = url.find('#');
-    const std::string anchor = hash == std::string::npos ? "" : url.substr(hash);
+    std::string anchor = hash == std::string::npos ? "" : url.substr(hash);
     const std::string file = url.substr(0, hash);
     if (file.empty()) {
       named_.push_back({from, from, anchor});
@@ -165,9 +165,9 @@ class Book {
 
   std::string picture(const fs::path& target) {
     // A golden picture is one that a chapter's program draws: if it has, that one is shown.
-    const std::string drawn = target.filename().string();
+    std::string drawn = target.filename().string();
     if (target.parent_path() == "tests/golden" && fs::exists(out_ / drawn)) return drawn;
-    const std::string place = "pictures/" + flat(target);
+    std::string place = "pictures/" + flat(target);
     if (pictures_.insert(place).second) {
       fs::create_directories(out_ / "pictures");
       fs::copy_file(root_ / target, out_ / place, fs::copy_options::overwrite_existing);
@@ -186,7 +186,9 @@ class Book {
       const bool found = std::any_of(
           sections.begin(), sections.end(),
           [&anchor = anchor](const Section& section) { return "#" + section.id == anchor; });
-      if (!found) report_.faults.push_back(from + ": " + to + " has no heading " + anchor);
+      if (found) continue;
+      std::string& fault = report_.faults.emplace_back(from);
+      fault.append(": ").append(to).append(" has no heading ").append(anchor);
     }
   }
 
@@ -243,10 +245,11 @@ class Book {
     if (fs::is_directory(out_ / "diff")) {
       for (const auto& entry : fs::directory_iterator(out_ / "diff")) {
         const std::string name = entry.path().filename().string();
-        if (name.size() == 5 && name.substr(3) == number && fs::exists(entry.path() / "index.html"))
-          html += "<p><a href=\"diff/" + name + "/index.html\">What changed from chapter " +
-                  name.substr(0, 2) + " to chapter " + number +
-                  ": pictures, figures, code</a></p>\n";
+        const bool is_its = name.size() == 5 && name.substr(3) == number;
+        if (!is_its || !fs::exists(entry.path() / "index.html")) continue;
+        html.append("<p><a href=\"diff/").append(name);
+        html.append("/index.html\">What changed from chapter ").append(name, 0, 2);
+        html.append(" to chapter ").append(number).append(": pictures, figures, code</a></p>\n");
       }
     }
     std::vector<std::string> frames, plots;
@@ -269,9 +272,10 @@ class Book {
               "data-frames=\"" +
               list + "\">Turn the globe</button></figcaption></figure>\n";
     }
-    for (const std::string& plot : plots)
+    for (const std::string& plot : plots) {
       html += "<p><a href=\"" + plot + "\">Measured on this machine: " + escaped_markup(plot) +
               "</a></p>\n";
+    }
     return html.empty() ? html
                         : "<section class=\"made\" aria-label=\"Made by your programs\">\n" + html +
                               "</section>\n";
@@ -282,12 +286,14 @@ class Book {
     std::string body = page.converted.html;
     if (!page.chapter.empty()) body += made_for(page.chapter);
     body += "<nav class=\"turn\" aria-label=\"Next and previous page\">";
-    if (i > 0)
+    if (i > 0) {
       body += "<a rel=\"prev\" href=\"" + pages_[i - 1].file + "\">← " +
               escaped_markup(pages_[i - 1].title()) + "</a>";
-    if (i + 1 < pages_.size())
+    }
+    if (i + 1 < pages_.size()) {
       body += "<a rel=\"next\" href=\"" + pages_[i + 1].file + "\">" +
               escaped_markup(pages_[i + 1].title()) + " →</a>";
+    }
     body += "</nav>\n";
     write(out_ / page.file, framed(page.title(), body, i));
   }

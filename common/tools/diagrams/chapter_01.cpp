@@ -66,12 +66,14 @@ Drawing camera_axes() {
   d.area({view(pixel + Vec3d{-size / 2, -size / 2, 0}), view(pixel + Vec3d{size / 2, -size / 2, 0}),
           view(pixel + Vec3d{size / 2, size / 2, 0}), view(pixel + Vec3d{-size / 2, size / 2, 0})},
          "fill-blue");
-  for (int i = -4; i <= 4; ++i)
+  for (int i = -4; i <= 4; ++i) {
     d.line(view(middle + Vec3d{i * size, -half_height, 0}),
            view(middle + Vec3d{i * size, half_height, 0}), "soft");
-  for (int i = -3; i <= 3; ++i)
+  }
+  for (int i = -3; i <= 3; ++i) {
     d.line(view(middle + Vec3d{-half_width, i * size, 0}),
            view(middle + Vec3d{half_width, i * size, 0}), "soft");
+  }
   d.arrow(view(eye), view(middle), "ink");
   d.arrow(view(eye), view(eye + right), "ink");
   d.arrow(view(eye), view(eye + up), "ink");

@@ -246,7 +246,8 @@ Drawing flat_cosine() {
     const auto place = [=](double angle, double value) {
       return origin + Spot{angle / widest * 240, -value * size};
     };
-    for (double value = step; value <= 1; value += step) {
+    for (int i = 1; i <= 16; ++i) {
+      const double value = i * step;
       const double angle = angle_of(value);
       if (angle > 1) continue;
       d.line(place(0, value), place(angle, value), "soft");

@@ -36,9 +36,10 @@ Drawing texel_grid() {
   for (int i = 0; i <= columns; ++i)
     d.line({left + i * size, top}, {left + i * size, bottom}, "soft");
   for (int i = 0; i <= rows; ++i) d.line({left, top + i * size}, {right, top + i * size}, "soft");
-  for (int i = 0; i < columns; ++i)
+  for (int i = 0; i < columns; ++i) {
     d.text({left + (i + 0.5) * size, top - 12}, std::to_string(i), Anchor::middle,
            i == texel.column ? "blue strong" : "small");
+  }
   for (int i = 0; i < rows; ++i) {
     const double y = top + (i + 0.5) * size + 5;
     d.text({right + 38, y}, std::to_string(rows - 1 - i), Anchor::middle,
@@ -137,8 +138,10 @@ Drawing frayed_coast() {
       begin = column + 1;
     }
   }
-  for (double x = low.x; x <= high.x; ++x) d.line(place({x, low.y}), place({x, high.y}), "soft");
-  for (double y = low.y; y <= high.y; ++y) d.line(place({low.x, y}), place({high.x, y}), "soft");
+  for (int i = 0; low.x + i <= high.x; ++i)
+    d.line(place({low.x + i, low.y}), place({low.x + i, high.y}), "soft");
+  for (int i = 0; low.y + i <= high.y; ++i)
+    d.line(place({low.x, low.y + i}), place({high.x, low.y + i}), "soft");
   for (std::size_t i = 0; i < 4; ++i) {
     d.curve(
         {place(corners[i][0]), place(corners[i][1]), place(corners[i][2]), place(corners[i][3])});

@@ -111,6 +111,7 @@ Drawing pixel_footprint() {
   const Spot p = Spot{uv.u.dx, -uv.v.dx} * (texels * size);
   const Spot q = Spot{uv.u.dy, -uv.v.dy} * (texels * size);
   std::vector<Spot> sides;
+  sides.reserve(4);
   for (const Spot o : offsets) sides.push_back(center + p * o.x + q * o.y);
   const std::vector<Spot> box = rectangle_of(footprint, center, size);
   std::vector<Spot> ellipse;
