@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 
 #include "engine/compare/difference_map.hpp"
@@ -121,6 +122,29 @@ TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
   CHECK(has(desk.compare("a.png").err, "usage: compare A.png B.png [options]"));
 }
 
+TEST_CASE("of several files that cannot be loaded, the first is named") {
+  const Desk desk;
+  for (int i = 0; i < 20; ++i) {
+    CHECK(has(desk.compare("none.png nothing.png --mask no.png").err, "cannot load 'none.png'"));
+    CHECK(has(desk.compare("a.png nothing.png --mask no.png").err, "cannot load 'nothing.png'"));
+  }
+}
+
+TEST_CASE("a few pixels of a large picture take no longer to find than the picture to read") {
+  // SSIM and FLIP of these would take some ten seconds; the limit is generous.
+  const TemporaryFolder folder;
+  Image a(4096, 2048, {10, 20, 30});
+  save_png(a, folder / "a.png");
+  a.at(4095, 2047).b += 1;
+  save_png(a, folder / "b.png");
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = run("cd '" + folder.path() + "' && " + program + "a.png b.png");
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  CHECK(outcome.status == 1);
+  CHECK(has(outcome.out, "1 levels at column 4095, row 2047: (10, 20, 30) and (10, 20, 31)"));
+  CHECK(elapsed.count() < 5);
+}
+
 TEST_CASE("trouble with a file leaves what was written before as it was") {
   const Desk desk;
   put(desk.folder / "map.png", {1, 2, 3});
@@ -138,7 +162,7 @@ TEST_CASE("a stdout that takes nothing is trouble") {
 
 TEST_CASE("the table has every figure with its unit, and the verdict last") {
   const Desk desk;
-  const std::string table = desk.compare("a.png b.png").out;
+  const std::string table = desk.compare("a.png b.png --all").out;
   CAPTURE(table);
   CHECK(has(table, "100 x 100 pixels, 10000 compared\n"));
   CHECK(has(table, "3 pixels (0.03 %)\n"));
@@ -150,6 +174,10 @@ TEST_CASE("the table has every figure with its unit, and the verdict last") {
   for (const char* name : {"SSIM", "FLIP", "mean value"}) CHECK(has(table, name));
   CHECK(table.ends_with("off by more than 0: 3 pixels, 0 of all allowed: they differ\n"));
   CHECK(has(desk.compare("a.png a.png").out, "infinite dB\n"));
+  const std::string less = desk.compare("a.png b.png").out;
+  CHECK(has(less, "mean value"));
+  CHECK_FALSE(has(less, "SSIM"));
+  CHECK_FALSE(has(less, "FLIP"));
   CHECK(desk.compare("a.png b.png --pixels-off-by-more-than 1 --at-most 0.02%")
             .out.ends_with("off by more than 1: 2 pixels, 0.02% of all allowed: the same\n"));
 }
@@ -172,7 +200,7 @@ TEST_CASE("what is printed is the table and the verdict to the byte, without lin
 
   const Figures figures = measure(desk.a, desk.b, Image());
   const auto color = [](Rgb8 c) { return text("(%d, %d, %d)", c.r, c.g, c.b); };
-  const Outcome other = desk.compare("a.png b.png");
+  const Outcome other = desk.compare("a.png b.png --all");
   CHECK(other.err.empty());
   CHECK(other.out ==
         "size                 100 x 100 pixels, 10000 compared\n"
@@ -221,8 +249,8 @@ TEST_CASE("help and version are answers, not comparisons") {
   const Outcome help = run(program + "--help");
   CHECK(help.status == 0);
   for (const char* part : {"usage: compare A.png B.png [options]", "--pixels-off-by-more-than N",
-                           "--at-most SHARE", "--map FILE", "--json FILE", "--mask FILE", "--quiet",
-                           "exit status: 0 the same; 1 they differ; 2 trouble"}) {
+                           "--at-most SHARE", "--all", "--map FILE", "--json FILE", "--mask FILE",
+                           "--quiet", "exit status: 0 the same; 1 they differ; 2 trouble"}) {
     CAPTURE(part);
     CHECK(has(help.out, part));
   }
