@@ -11,6 +11,7 @@
 #include "engine/app/command_line.hpp"
 #include "engine/app/run_guarded.hpp"
 #include "engine/measure/text.hpp"
+#include "engine/picture/codecs/bytes.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/save_png.hpp"
@@ -28,18 +29,22 @@ struct Packed {
   std::size_t after = 0;
 };
 
-/// Only a file that our programs wrote fast is packed again: all others may hold more than the
-/// pixels, or are somebody's own.
-bool is_packed_fast(const File& file) {
-  constexpr std::size_t stream = 41;  // behind the signature, IHDR and the head of IDAT
-  return file.size() > stream + 2 && file[stream] == 0x78 && file[stream + 1] == 0x01 &&
-         encode_png(decode_image(file)) == file;
+/// Only plain files are packed again, with 8 bits a channel, RGB and one chunk of pixels: others may
+/// hold more than the pixels. What a zlib stream begins with says how hard it was packed.
+bool can_be_packed(const File& file) {
+  constexpr std::size_t header = 24;  // bits a channel, RGB, three zeros
+  constexpr std::size_t data = 33;    // the chunk's length, name and stream
+  constexpr std::size_t around = 33 + 12 + 12;
+  constexpr std::array<std::uint8_t, 5> plain = {8, 2, 0, 0, 0};
+  return file.size() > around + 2 && std::equal(plain.begin(), plain.end(), &file[header]) &&
+         big_endian_32(file, data) + around == file.size() &&
+         (file[data + 8] != 0x78 || file[data + 9] != 0xDA);
 }
 
 void pack(const std::filesystem::path& path, Packed& packed) {
   with_name("cannot pack", path, [&] {
     const File file = read_file(path, max_file_bytes);
-    if (!is_packed_fast(file)) return;
+    if (!can_be_packed(file)) return;
     const File closer = encode_png(decode_image(file), Packing::close);
     if (closer.size() < file.size()) write_file_atomically(path, closer);
     packed.pictures += 1;
