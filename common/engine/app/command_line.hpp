@@ -108,7 +108,7 @@ class CommandLine {
   std::string program_;
   std::string purpose_;
   std::string statuses_ =
-      "0 the picture is on disk; 1 it could not be made; 2 the command line is wrong";
+      "0 the picture is written; 1 an error, no picture; 2 the command line is wrong";
   std::vector<Option> options_;
   std::vector<Option> positionals_;
   std::vector<std::string> typed_;

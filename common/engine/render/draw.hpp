@@ -120,7 +120,7 @@ template <class Work>
   }
   if (number == NumberKind::interval) {
     throw std::runtime_error(
-        "--number interval bounds one ray a pixel, not light that is gathered by chance");
+        "--number interval bounds the error of one ray, not the noise of random samples");
   }
   return work.template run<double>();
 }
