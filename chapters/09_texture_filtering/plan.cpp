@@ -73,7 +73,7 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
                  probes.longest)};
   }
 
-  // The judge: 64 samples a pixel, each with an anisotropic footprint of an eighth of a pixel.
+  // The judge: 64 samples per pixel, each with an anisotropic footprint of an eighth of a pixel.
   const FilterPlan judge{Filter::anisotropic, 16, ""};
   std::vector<double> exact;
   for (const PixelPlace<double>& at : probes.places) {

@@ -55,7 +55,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   print("wrote " + path.string() + "\n");
 }
 
-/// The groups whose names were typed; all if none was.
+/// The groups that were named; all if no name was given.
 std::vector<Group> chosen(const std::vector<std::string>& names) {
   std::vector<Group> groups = all_groups();
   if (names.empty()) return groups;

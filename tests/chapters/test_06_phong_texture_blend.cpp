@@ -113,7 +113,7 @@ TEST_CASE(
   CHECK_THROWS_AS((void)prepared<Lesson>({"--budget", "levels"}), UsageError);
 }
 
-TEST_CASE("with weight 1 the texture stands alone, without any light") {
+TEST_CASE("with weight 1 the texture is alone, without any light") {
   const Lesson lesson = blended("1", Image(1, 1, {200, 100, 50}));
   const Image drawn = picture(lesson);
   const std::vector<int> seen = objects_seen(lesson);
@@ -128,7 +128,7 @@ TEST_CASE("with weight 1 the texture stands alone, without any light") {
   CHECK(other == 0);
 }
 
-TEST_CASE("with weight 0 the light stands alone, whatever the texture") {
+TEST_CASE("with weight 0 the light is alone, whatever the texture") {
   const Image one = picture(blended("0", Image(1, 1, {200, 100, 50})));
   const Image two = picture(blended("0", Image(2, 1, {3, 2, 1})));
   CHECK(one == two);
@@ -177,7 +177,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "at exponent 100 the slides light 903 pixels in the dark, beside 780 where a highlight "
+    "at exponent 100 the slides light 903 pixels in the dark, and 780 where a highlight "
     "belongs") {
   const auto light_alone = [](const char* shininess, const char* formula) {
     return picture(prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess,

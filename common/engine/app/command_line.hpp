@@ -73,7 +73,7 @@ class CommandLine {
   /// @param name  its name in the usage line
   void positional(std::string_view name, std::string& value, std::string_view help);
 
-  /// The help's text about exit statuses, for programs whose result is not a picture.
+  /// The help's text about exit statuses, for programs that make no picture.
   void statuses(std::string_view text);
 
   /// Reads what the user typed.

@@ -59,7 +59,7 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
                });
 }
 
-/// Sets the rotation of a paint whose mapping has one.
+/// Sets the rotation of a paint if its mapping has one.
 template <class Paint>
 void turn_paint(Paint& paint, const RotationY& rotation) {
   if constexpr (requires { paint.mapping.rotation; }) paint.mapping.rotation = rotation;

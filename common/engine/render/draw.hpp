@@ -12,7 +12,7 @@
 
 namespace texmap {
 
-/// True for lessons whose code compiles for packs: those whose `about` says nothing else.
+/// True for lessons with code that compiles for packs: all, unless `about` says otherwise.
 template <class Lesson>
 [[nodiscard]] constexpr bool compiles_for_packs() {
   if constexpr (requires { Lesson::about.numbers; }) {

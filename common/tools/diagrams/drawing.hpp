@@ -21,7 +21,7 @@ struct Spot {
 enum class Anchor { start, middle, end };
 
 /// A drawing under construction. A style is a list of CSS classes, of those in drawing.cpp:
-/// lines are ink, soft (thin, gray), blue, red, green, and dashed beside one of these;
+/// lines are ink, soft (thin, gray), blue, red, green, and dashed together with one of these;
 /// areas are fill-soft, fill-blue, fill-red, fill-green, fill-ink; text is plain, small or strong,
 /// and blue, red or green like the line that it names.
 class Drawing {
