@@ -5,6 +5,7 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
+#include "support/lecture_highlight.hpp"
 #include "support/lecture_program.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
@@ -179,25 +180,9 @@ TEST_CASE(
 TEST_CASE(
     "at exponent 100 the slides light 903 pixels in the dark, and 780 where a highlight "
     "belongs") {
-  const auto light_alone = [](const char* shininess, const char* formula) {
-    return picture(prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess,
-                                     "--highlight", formula}),
-                   800, 400);
-  };
-  const Image lambertian = light_alone("1e30", "phong");
-  const Image right = light_alone("100", "phong");
-  const Image slides = light_alone("100", "lecture");
-  long in_the_dark = 0;
-  long in_its_place = 0;
-  for (std::size_t i = 0; i < lambertian.pixels.size(); ++i) {
-    const Rgb8 p = lambertian.pixels[i];
-    const bool globe = p.r == p.b && p.r > 0;  // the ground is yellow, the sky black
-    if (!globe) continue;
-    in_its_place += right.pixels[i] != p ? 1 : 0;
-    in_the_dark += p.r == 51 && slides.pixels[i] != p ? 1 : 0;
-  }
-  CHECK(in_its_place == 780);
-  CHECK(in_the_dark == 903);
+  const BrightenedPixels count = brightened_pixels();
+  CHECK(count.in_the_light == 780);
+  CHECK(count.in_the_dark == 903);
 }
 
 TEST_CASE(

@@ -62,6 +62,22 @@ class Drawing {
   std::map<std::string, Spot> marks_;
 };
 
+/// The frame of a chart: x from 0 to `last_x` to the right, y from 0 to 1 upward.
+struct Chart {
+  Spot upper_left;
+  double width, height, last_x;
+
+  [[nodiscard]] Spot operator()(double x, double y) const {
+    return upper_left + Spot{width * x / last_x, height * (1 - y)};
+  }
+  void draw_axes(Drawing& drawing) const;
+  /// A label under the x axis, or to the left of the y axis.
+  void label_x(Drawing& drawing, double x, const std::string& words,
+               const std::string& style = "small") const;
+  void label_y(Drawing& drawing, double y, const std::string& words,
+               const std::string& style = "small") const;
+};
+
 /// A view of space without perspective, centered on the origin.
 class SpaceView {
  public:
