@@ -108,6 +108,7 @@ check() {
   }
   status=0
   # A file that loops forever ends after 20 s of processor time.
+  # shellcheck disable=SC3045 # ulimit -t is in every sh that is used
   (ulimit -t 20 && exec "build/learn/bin/$program" --title "$(title_of "$1")") || status=$?
   case $status in
     0 | 1 | 2) ;;
