@@ -29,14 +29,16 @@ constexpr bool same_size(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height;
 }
 
-/// The sum of the differences of all channels, in levels; infinity for other sizes.
+/// The sum of the differences of all channels, each less one level, which rounding can make;
+/// infinity for other sizes.
 double distance_between(const Image& a, const Image& b) {
   if (!same_size(a, b)) return std::numeric_limits<double>::infinity();
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb8 p = a.pixels[i], q = b.pixels[i];
-    sum +=
-        static_cast<std::uint64_t>(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b));
+    for (const auto channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
+      const int apart = std::abs(a.pixels[i].*channel - b.pixels[i].*channel);
+      sum += static_cast<std::uint64_t>(std::max(apart - 1, 0));
+    }
   }
   return static_cast<double>(sum);
 }

@@ -18,7 +18,8 @@ struct WrongPicture {
 
 /// The words of the mistake that drew a picture; empty if it is right, or if no mistake is sure.
 /// Sure: at least four times nearer to the wrong picture than to the right one, and twice as near
-/// as to each wrong picture with other words. Nearness is the sum of all differences of channels.
+/// as to each wrong picture with other words. Nearness is the sum of the channels'
+/// differences above one level.
 ///
 /// @param drawn, right, wrong  a picture of another size than `drawn` counts as far away
 [[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,
