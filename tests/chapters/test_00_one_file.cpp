@@ -6,6 +6,7 @@
 #include "engine/picture/load_image.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

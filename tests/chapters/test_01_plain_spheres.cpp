@@ -4,6 +4,7 @@
 #include "01_plain_spheres/lesson.hpp"
 #include "support/daily_program.hpp"
 #include "support/lesson_laws.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

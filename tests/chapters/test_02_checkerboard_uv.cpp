@@ -8,6 +8,7 @@
 #include "support/daily_program.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/sha256.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

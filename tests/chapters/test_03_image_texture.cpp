@@ -5,6 +5,7 @@
 #include "03_image_texture/lesson.hpp"
 #include "engine/system/file_error.hpp"
 #include "support/lesson_laws.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

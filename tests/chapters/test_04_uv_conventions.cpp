@@ -6,6 +6,7 @@
 #include "04_uv_conventions/lesson.hpp"
 #include "published/uv.hpp"
 #include "support/pictures.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using chapter_04::Lesson;

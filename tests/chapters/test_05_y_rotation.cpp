@@ -5,6 +5,7 @@
 #include "04_uv_conventions/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "support/lesson_laws.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

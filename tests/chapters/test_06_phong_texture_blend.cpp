@@ -8,6 +8,7 @@
 #include "support/lecture_program.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

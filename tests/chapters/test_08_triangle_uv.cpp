@@ -13,6 +13,7 @@
 #include "support/mesh_rays.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace texmap;

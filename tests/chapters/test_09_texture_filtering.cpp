@@ -7,6 +7,7 @@
 #include "09_texture_filtering/ideal.hpp"
 #include "09_texture_filtering/lesson.hpp"
 #include "support/lesson_laws.hpp"
+#include "support/shown_values.hpp"
 #include "texture/uv_inverse.hpp"
 
 using namespace texmap;

@@ -18,6 +18,7 @@
 #include "support/lesson_laws.hpp"
 #include "support/made_pictures.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace texmap;

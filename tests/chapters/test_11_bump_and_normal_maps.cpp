@@ -14,6 +14,7 @@
 #include "support/lesson_laws.hpp"
 #include "support/running.hpp"
 #include "support/sha256.hpp"
+#include "support/shown_values.hpp"
 #include "texture/uv_inverse.hpp"
 
 using namespace texmap;

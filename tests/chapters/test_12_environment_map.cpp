@@ -14,6 +14,7 @@
 #include "support/made_hdr.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
