@@ -66,21 +66,14 @@ std::string leave_pictures(const Image& is, const Image& should,
 
 }  // namespace
 
-void expect_same_picture(const Image& is, const Image& should, const Allowed& allowed,
-                         const WrongPictures& wrong, std::source_location place) {
-  const char* file = place.file_name();
-  const int line = static_cast<int>(place.line());
+std::string difference_report(const Image& is, const Image& should, const Allowed& allowed,
+                              const WrongPictures& wrong) {
   if (is.width != should.width || is.height != should.height) {
-    ADD_FAIL_CHECK_AT(file, line,
-                      "the picture is " << is.width << " x " << is.height
-                                        << " pixels, and should be " << should.width << " x "
-                                        << should.height);
-    return;
+    return text("the picture is %d x %d pixels, and should be %d x %d", is.width, is.height,
+                should.width, should.height);
   }
   const Differences found = differences_of(is, should, allowed.levels);
-  const bool same = found.count <= allowed.pixels;
-  CHECK((same || found.count > 0));
-  if (same) return;
+  if (found.count <= allowed.pixels) return "";
   std::vector<WrongPicture> known = mistakes_of_the_whole(should);
   if (wrong) {
     const std::vector<WrongPicture> more = wrong();
@@ -88,14 +81,30 @@ void expect_same_picture(const Image& is, const Image& should, const Allowed& al
   }
   const std::string word = name_mistake(is, should, known);
   std::string report =
-      text("%ld of %zu pixels differ, in columns %d to %d, rows %d to %d\n", found.count,
+      text("%ld of %zu pixels differ, in columns %d to %d, rows %d to %d", found.count,
            is.pixels.size(), found.left, found.right, found.top, found.bottom);
-  report += text("  the first: column %d, row %d is ", found.first_column, found.first_row);
-  report += text_of(is.at(found.first_column, found.first_row)) + " and should be " +
-            text_of(should.at(found.first_column, found.first_row)) + "\n";
-  if (!word.empty()) report += "  " + word + "\n";
-  report += "  look at " + leave_pictures(is, should, place) + "_is.png, _should.png, _map.png";
-  ADD_FAIL_CHECK_AT(file, line, report);
+  report +=
+      text("\n  the first, in column %d and row %d, is ", found.first_column, found.first_row);
+  report += text_of(is.at(found.first_column, found.first_row));
+  report += " and should be ";
+  report += text_of(should.at(found.first_column, found.first_row));
+  if (!word.empty()) report += "\n  " + word;
+  return report;
+}
+
+void expect_same_picture(const Image& is, const Image& should, const Allowed& allowed,
+                         const WrongPictures& wrong, std::source_location place) {
+  const std::string report = difference_report(is, should, allowed, wrong);
+  if (report.empty()) {
+    CHECK(report.empty());  // it counts as an assertion
+    return;
+  }
+  std::string where;
+  if (is.width == should.width && is.height == should.height) {
+    where = "\n  look at ";
+    where += leave_pictures(is, should, place) + "_is.png, ..._should.png and ..._map.png";
+  }
+  ADD_FAIL_CHECK_AT(place.file_name(), static_cast<int>(place.line()), report << where);
 }
 
 }  // namespace texmap::test

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <source_location>
+#include <string>
 #include <vector>
 
 #include "engine/compare/known_mistakes.hpp"
@@ -18,9 +19,14 @@ struct Allowed {
 /// What a mistake draws in place of the right picture; called only if a picture is wrong.
 using WrongPictures = std::function<std::vector<WrongPicture>()>;
 
-/// Checks that a picture is what it should be. If not, the failure says how many pixels differ, in
-/// which box, the first with both values, and names a known mistake. Both pictures and a map of
-/// their differences are written into the build folder; the failure says where.
+/// What is to say of a picture that is not what it should be: how many pixels differ, in which box,
+/// the first with both values, and the name of a known mistake. Empty if the pictures are the same.
+[[nodiscard]] std::string difference_report(const Image& is, const Image& should,
+                                            const Allowed& allowed = {},
+                                            const WrongPictures& wrong = {});
+
+/// Checks that a picture is what it should be; a failure shows the difference_report. Both pictures
+/// and a map of their differences are then written into the build folder; the failure says where.
 void expect_same_picture(const Image& is, const Image& should, const Allowed& allowed = {},
                          const WrongPictures& wrong = {},
                          std::source_location place = std::source_location::current());

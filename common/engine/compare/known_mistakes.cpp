@@ -35,21 +35,12 @@ double distance_between(const Image& a, const Image& b) {
   if (!same_size(a, b)) return std::numeric_limits<double>::infinity();
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    for (const auto channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
-      const int apart = std::abs(a.pixels[i].*channel - b.pixels[i].*channel);
-      sum += static_cast<std::uint64_t>(std::max(apart - 1, 0));
-    }
+    const Rgb8 p = a.pixels[i], q = b.pixels[i];
+    const auto above_one = [](int apart) { return std::max(std::abs(apart) - 1, 0); };
+    sum += static_cast<std::uint64_t>(above_one(p.r - q.r) + above_one(p.g - q.g) +
+                                      above_one(p.b - q.b));
   }
   return static_cast<double>(sum);
-}
-
-/// The course's rule for golden pictures: 0.02 % of the pixels may be off by more than one level.
-bool same_picture(const Image& a, const Image& b) {
-  if (!same_size(a, b)) return false;
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
-  return off * 5000 <= a.pixels.size();
 }
 
 /// The image whose pixel in a column and a row is that of `image` at the place that `from` says.
@@ -163,9 +154,17 @@ constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
 
 }  // namespace
 
+bool is_same_picture(const Image& a, const Image& b) {
+  if (!same_size(a, b)) return false;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
+  return off * 5000 <= a.pixels.size();
+}
+
 std::string name_mistake(const Image& drawn, const Image& right,
                          std::span<const WrongPicture> wrong) {
-  if (!same_size(drawn, right) || same_picture(drawn, right)) return "";
+  if (!same_size(drawn, right) || is_same_picture(drawn, right)) return "";
   const double from_right = distance_between(drawn, right);
   const WrongPicture* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -173,7 +172,7 @@ std::string name_mistake(const Image& drawn, const Image& right,
   distances.reserve(wrong.size());
   for (const WrongPicture& one : wrong) {
     // A mistake that nobody can see on this picture is no reason for another one.
-    const bool shows = same_size(one.picture, right) && !same_picture(one.picture, right);
+    const bool shows = same_size(one.picture, right) && !is_same_picture(one.picture, right);
     distances.push_back(shows ? distance_between(drawn, one.picture)
                               : std::numeric_limits<double>::infinity());
     if (distances.back() < least) {

@@ -138,6 +138,12 @@ std::vector<WrongPicture> draw_all(const Request& request) {
   const auto add = [&](const std::string& name, const std::string& words, Image picture) {
     wrong.push_back({name, words, std::move(picture)});
   };
+  // The chapter's own words are better than others for the same picture.
+  const auto add_own = [&](const std::string& name, const std::string& words, Image picture) {
+    std::erase_if(
+        wrong, [&](const WrongPicture& other) { return is_same_picture(other.picture, picture); });
+    add(name, words, std::move(picture));
+  };
   const std::filesystem::path draft = request.folder / "draft.png";
 
   // A wrong look-up is a right look-up on another map.
@@ -158,7 +164,7 @@ std::vector<WrongPicture> draw_all(const Request& request) {
         })) {
       continue;  // the user chose another value
     }
-    add(one.name, one.words, drawn<Lesson>(request, one.options, draft));
+    add_own(one.name, one.words, drawn<Lesson>(request, one.options, draft));
   }
   if constexpr (requires(const Lesson& lesson) {
                   lesson.surface;
@@ -167,20 +173,20 @@ std::vector<WrongPicture> draw_all(const Request& request) {
                 !shows_itself<Lesson>) {
     const Ready<Lesson> made = ready<Lesson>(request);
     for (const auto& [mistake, name, words] : mistakes::light_mistakes) {
-      add(name, words,
-          render<double>(mistakes::WithLightMistake<Lesson>{made.lesson, mistake}, made.view));
+      add_own(name, words,
+              render<double>(mistakes::WithLightMistake<Lesson>{made.lesson, mistake}, made.view));
     }
     if constexpr (std::is_same_v<Lesson, chapter_03::Lesson>) {
       Lesson lesson = made.lesson;
       auto& paint = lesson.objects[chapter_03::middle].paint;
       std::get<chapter_03::Textured>(paint).texture.rounding = TexelRounding::lecture;
-      add("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)",
-          render<double>(lesson, made.view));
+      add_own("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)",
+              render<double>(lesson, made.view));
     }
     Lesson lesson = made.lesson;
     lesson.stage.camera.anchor = PixelAnchor::corner;
-    add("pixel_corner", "half a pixel off: rays go through the corners of pixels",
-        render<double>(lesson, view_of(lesson.stage.camera, right.width, right.height)));
+    add_own("pixel_corner", "half a pixel off: rays go through the corners of pixels",
+            render<double>(lesson, view_of(lesson.stage.camera, right.width, right.height)));
   }
   std::filesystem::remove(draft);
   return wrong;
