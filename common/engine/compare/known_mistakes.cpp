@@ -89,8 +89,8 @@ using Weights = std::array<double, 3>;
 
 Image grayed(const Image& image, const Weights& weights) {
   return changed_pixels(image, [&](Rgb8 p) {
-    const auto level =
-        static_cast<std::uint8_t>(weights[0] * p.r + weights[1] * p.g + weights[2] * p.b + 0.5);
+    const auto level = static_cast<std::uint8_t>(
+        std::lround(weights[0] * p.r + weights[1] * p.g + weights[2] * p.b));
     return Rgb8{level, level, level};
   });
 }
@@ -98,7 +98,8 @@ Image grayed(const Image& image, const Weights& weights) {
 Image through_curve(const Image& image, double (*curve)(double)) {
   std::array<std::uint8_t, 256> table{};
   for (std::size_t byte = 0; byte < table.size(); ++byte)
-    table[byte] = static_cast<std::uint8_t>(255 * curve(static_cast<double>(byte) / 255) + 0.5);
+    table[byte] =
+        static_cast<std::uint8_t>(std::lround(255 * curve(static_cast<double>(byte) / 255)));
   return changed_pixels(image, [&](Rgb8 p) { return Rgb8{table[p.r], table[p.g], table[p.b]}; });
 }
 double square_root(double x) { return std::sqrt(x); }
