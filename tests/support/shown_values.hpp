@@ -2,7 +2,7 @@
 #pragma once
 #include <doctest.h>
 
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "math/color.hpp"
@@ -54,6 +54,12 @@ template <>
 struct StringMaker<texmap::Image> {
   static String convert(const texmap::Image& image) {
     return "a picture of " + toString(image.width) + " x " + toString(image.height) + " pixels";
+  }
+};
+template <class First, class Second>
+struct StringMaker<std::pair<First, Second>> {
+  static String convert(const std::pair<First, Second>& pair) {
+    return texmap::test::in_parentheses(pair.first, pair.second);
   }
 };
 /// The first ten, and how many more there are.
