@@ -242,12 +242,12 @@ def works(kind, work):
 
 
 if __name__ == '__main__':
-    if len(sys.argv) != 4:
-        sys.exit('usage: test_build_and_run.py TREE BUILD WORK')
-    Case.tree, Case.build, Case.work = (Path(word).resolve() for word in sys.argv[1:])
+    if len(sys.argv) < 4:
+        sys.exit('usage: test_build_and_run.py TREE BUILD WORK [TEST...]')
+    Case.tree, Case.build, Case.work = (Path(word).resolve() for word in sys.argv[1:4])
     Case.work.mkdir(parents=True, exist_ok=True)
     KINDS = [kind for kind in ('bwrap', 'unshare') if works(kind, Case.work)]
     if not KINDS:
         print('skipped: neither bwrap nor unshare makes boxes here')
         sys.exit(77)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)
