@@ -9,6 +9,8 @@
 #include "support/lecture_program.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/same_picture.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -159,7 +161,7 @@ TEST_CASE(
         CAPTURE(blend);
         const Image expected = lecture::draw(map, choices);
         const Image drawn = of_the_lecture(choices);
-        CHECK(count_different(drawn, expected, 1) <= 320);
+        expect_same_picture(drawn, expected, {.pixels = 320, .levels = 1});
       }
     }
   }
@@ -172,7 +174,7 @@ TEST_CASE(
   choices.shininess = 500;
   choices.sign_of_the_slides = true;
   const Image expected = lecture::draw(map, choices);
-  CHECK(count_different(of_the_lecture(choices), expected, 1) <= 320);
+  expect_same_picture(of_the_lecture(choices), expected, {.pixels = 320, .levels = 1});
   choices.sign_of_the_slides = false;
   CHECK(count_different(of_the_lecture(choices), expected, 1) > 1000);
 }
@@ -212,6 +214,6 @@ TEST_CASE("the lecture's scene in one file is the picture of --scene lecture") {
   REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
   const Image expected = picture(prepared<Lesson>({"--scene", "lecture"}), 800, 400);
   // At u = 1/8 and 7/8 two pixels' centers lie on the edge between two texels: rounding decides.
-  CHECK(count_different(load_image(file), expected) <= 2);
-  CHECK(count_different(load_image(file), expected, 1) == 0);
+  expect_same_picture(load_image(file), expected, {.pixels = 2});
+  expect_same_picture(load_image(file), expected, {.levels = 1});
 }

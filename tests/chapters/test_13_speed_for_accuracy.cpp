@@ -13,6 +13,7 @@
 #include "13_speed_for_accuracy/scenes.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "engine/measure/text.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::chapter_13;

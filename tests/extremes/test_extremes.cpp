@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "claims.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::extremes {
 namespace {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "page.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::extremes {
 namespace {

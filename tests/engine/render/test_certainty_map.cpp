@@ -9,6 +9,7 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "support/pictures.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
