@@ -1,0 +1,184 @@
+// Building and running the chapters of checkouts.
+#include "builder.hpp"
+
+#include "engine/system/file_error.hpp"
+#include "engine/system/system.hpp"
+
+#ifdef _WIN32
+
+namespace texmap::grade {
+
+void Builder::run(const std::vector<Task>&, const std::function<void(const TaskResult&)>&,
+                  const std::function<bool()>&) const {
+  throw FileError(
+      "checkouts are built and run on Linux only; on this system, grade folders of the pictures "
+      "that the students' programs drew");
+}
+
+}  // namespace texmap::grade
+
+#else
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+extern char** environ;  // POSIX has it, and no header says so everywhere
+
+namespace texmap::grade {
+namespace {
+
+/// A program that runs in a process group of its own, so that Ctrl-C reaches it only through us.
+class Process {
+ public:
+  explicit Process(const std::vector<std::string>& words) {
+    std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    const int failed =
+        posix_spawnp(&id_, arguments[0], nullptr, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    if (failed != 0) {
+      throw FileError("checkouts need " + words[0] +
+                      ", which cannot be started here. Install Python 3, or grade folders of the "
+                      "pictures that the students' programs drew");
+    }
+  }
+  ~Process() { end(); }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  [[nodiscard]] bool runs() {
+    if (id_ > 0 && waitpid(id_, &status_, WNOHANG) == id_) id_ = -1;
+    return id_ > 0;
+  }
+  /// Asks it to end, and waits until it has.
+  void end() {
+    if (id_ <= 0) return;
+    kill(id_, SIGTERM);
+    while (waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    id_ = -1;
+  }
+  [[nodiscard]] bool succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+  [[nodiscard]] bool refused() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 2; }
+
+ private:
+  pid_t id_ = -1;
+  int status_ = 0;
+};
+
+/// Takes the lines that were added to the file since the last time.
+void take_lines(std::ifstream& file, std::string& begun,
+                const std::function<void(const TaskResult&)>& take) {
+  file.clear();
+  for (std::string line; std::getline(file, line);) {
+    begun += line;
+    if (file.eof()) return;  // the line is still being written
+    take(task_result(begun));
+    begun.clear();
+  }
+}
+
+}  // namespace
+
+void Builder::run(const std::vector<Task>& tasks,
+                  const std::function<void(const TaskResult&)>& take,
+                  const std::function<bool()>& stopped) const {
+  std::filesystem::create_directories(work);
+  const std::filesystem::path plan = work / "plan.tsv";
+  const std::filesystem::path results = work / "results.tsv";
+  std::string lines;
+  for (const Task& task : tasks) {
+    lines.append(task.id).append("\t").append(escaped_field(name_of(task.checkout)));
+    lines.append("\t").append(task.item).append("\n");
+  }
+  write_text_atomically(plan, lines);
+  std::ofstream(results).close();  // empty, to be read while it grows
+
+  std::vector<std::string> words;
+  if (program.extension() == ".py") words.emplace_back("python3");
+  words.insert(words.end(), {name_of(program), "--tree", name_of(tree), "--work", name_of(work),
+                             "--plan", name_of(plan), "--results", name_of(results)});
+  words.insert(words.end(), options.begin(), options.end());
+  Process process(words);
+  std::ifstream file(results);
+  std::string begun;
+  for (bool runs = true; runs && !stopped();) {
+    runs = process.runs();
+    take_lines(file, begun, take);
+    if (runs) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  process.end();
+  take_lines(file, begun, take);
+  if (stopped() || process.succeeded()) return;
+  if (process.refused()) throw FileError("the checkouts were not graded; the reason is above");
+  throw FileError("the program that builds and runs checkouts, " + name_of(program) +
+                  ", did not run to its end; its message is above");
+}
+
+}  // namespace texmap::grade
+
+#endif
+
+namespace texmap::grade {
+
+std::string escaped_field(std::string_view text) {
+  std::string field;
+  for (const char c : text) {
+    if (c == '\\') {
+      field += "\\\\";
+    } else if (c == '\t') {
+      field += "\\t";
+    } else if (c == '\n') {
+      field += "\\n";
+    } else {
+      field += c;
+    }
+  }
+  return field;
+}
+
+std::string unescaped_field(std::string_view field) {
+  std::string text;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    if (field[i] != '\\' || i + 1 == field.size()) {
+      text += field[i];
+      continue;
+    }
+    ++i;
+    text += field[i] == 't' ? '\t' : field[i] == 'n' ? '\n' : field[i];
+  }
+  return text;
+}
+
+TaskResult task_result(std::string_view line) {
+  std::vector<std::string> fields;
+  for (bool more = true; more;) {
+    const std::size_t end = line.find('\t');
+    more = end != std::string_view::npos;
+    fields.push_back(unescaped_field(line.substr(0, end)));
+    if (more) line.remove_prefix(end + 1);
+  }
+  if (fields.size() != 15) {
+    throw FileError("a line of results.tsv has " + std::to_string(fields.size()) +
+                    " fields and should have 15");
+  }
+  return {fields[0],          fields[1],           fields[2],           fields[3],
+          fields[4],          fields[5],           fields[6],           path_of(fields[7]),
+          path_of(fields[8]), path_of(fields[9]),  path_of(fields[10]), fields[11],
+          fields[12],         fields[13] == "yes", fields[14]};
+}
+
+}  // namespace texmap::grade
