@@ -1,83 +1,18 @@
 // Building and running the chapters of checkouts.
 #include "builder.hpp"
 
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <thread>
+
 #include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
 
-#ifdef _WIN32
-
-namespace texmap::grade {
-
-void Builder::run(const std::vector<Task>&, const std::function<void(const TaskResult&)>&,
-                  const std::function<bool()>&) const {
-  throw FileError(
-      "checkouts are built and run on Linux only; on this system, grade folders of the pictures "
-      "that the students' programs drew");
-}
-
-}  // namespace texmap::grade
-
-#else
-
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
-#include <cerrno>
-#include <chrono>
-#include <fstream>
-#include <thread>
-
-extern char** environ;  // POSIX has it, and no header says so everywhere
+#include "process.hpp"
 
 namespace texmap::grade {
 namespace {
-
-/// A program that runs in a process group of its own, so that Ctrl-C reaches it only through us.
-class Process {
- public:
-  explicit Process(const std::vector<std::string>& words) {
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    const int failed =
-        posix_spawnp(&id_, arguments[0], nullptr, &attributes, arguments.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    if (failed != 0) {
-      throw FileError("checkouts need " + words[0] +
-                      ", which cannot be started here. Install Python 3, or grade folders of the "
-                      "pictures that the students' programs drew");
-    }
-  }
-  ~Process() { end(); }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  [[nodiscard]] bool runs() {
-    if (id_ > 0 && waitpid(id_, &status_, WNOHANG) == id_) id_ = -1;
-    return id_ > 0;
-  }
-  /// Asks it to end, and waits until it has.
-  void end() {
-    if (id_ <= 0) return;
-    kill(id_, SIGTERM);
-    while (waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
-    }
-    id_ = -1;
-  }
-  [[nodiscard]] bool succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
-  [[nodiscard]] bool refused() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 2; }
-
- private:
-  pid_t id_ = -1;
-  int status_ = 0;
-};
 
 /// Takes the lines that were added to the file since the last time.
 void take_lines(std::ifstream& file, std::string& begun,
@@ -112,27 +47,27 @@ void Builder::run(const std::vector<Task>& tasks,
   words.insert(words.end(), {name_of(program), "--tree", name_of(tree), "--work", name_of(work),
                              "--plan", name_of(plan), "--results", name_of(results)});
   words.insert(words.end(), options.begin(), options.end());
-  Process process(words);
+  std::unique_ptr<Process> process;
+  try {
+    process = std::make_unique<Process>(words);
+  } catch (const FileError& error) {
+    throw FileError(std::string("checkouts need Linux with Python 3: ") + error.what() +
+                    ". Folders of the pictures that students' programs drew are graded everywhere");
+  }
   std::ifstream file(results);
   std::string begun;
   for (bool runs = true; runs && !stopped();) {
-    runs = process.runs();
+    runs = process->runs();
     take_lines(file, begun, take);
     if (runs) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  process.end();
+  const int status = process->end();
   take_lines(file, begun, take);
-  if (stopped() || process.succeeded()) return;
-  if (process.refused()) throw FileError("the checkouts were not graded; the reason is above");
-  throw FileError("the program that builds and runs checkouts, " + name_of(program) +
-                  ", did not run to its end; its message is above");
+  if (stopped() || status == 0) return;
+  throw FileError(status == 2 ? "the checkouts were not graded; the reason is above"
+                              : "the program that builds and runs checkouts, " + name_of(program) +
+                                    ", did not run to its end; its message is above");
 }
-
-}  // namespace texmap::grade
-
-#endif
-
-namespace texmap::grade {
 
 std::string escaped_field(std::string_view text) {
   std::string field;

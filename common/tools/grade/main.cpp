@@ -14,6 +14,7 @@
 #include "engine/system/system.hpp"
 #include "formats.hpp"
 #include "grades.hpp"
+#include "known_words.hpp"
 #include "picture_verdict.hpp"
 #include "safe_text.hpp"
 #include "submissions.hpp"
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 
 volatile std::sig_atomic_t asked_to_stop = 0;
 void stop(int /*signal*/) { asked_to_stop = 1; }
+bool is_stopped() { return asked_to_stop != 0; }
 
 struct Request {
   std::vector<std::string> folders;
@@ -115,11 +117,16 @@ class Grading {
     table_.open(out_ / "grades.csv", std::ios::binary | std::ios::trunc);
     append(grades_csv_head());
 
-    for (std::size_t i = 0; i < submissions_.size() && asked_to_stop == 0; ++i) {
+    for (std::size_t i = 0; i < submissions_.size() && !is_stopped(); ++i) {
       if (!submissions_[i].checkout.empty()) continue;
       for (std::size_t k = 0; k < items_.size(); ++k) put(i, k, row_of_picture(i, k));
     }
-    run_checkouts();
+    try {
+      run_checkouts();
+    } catch (const FileError&) {
+      if (finished_ > 0) write_class();
+      throw;
+    }
     write_class();
   }
 
@@ -155,6 +162,12 @@ class Grading {
     if (error) throw FileError("cannot make the folder '" + request_.out + "': " + error.message());
   }
 
+  void compare(const fs::path& picture, std::size_t k, Row& row) {
+    compare_with_golden(picture, goldens_[k], row, [&](const Image& is) {
+      return words_.words_for(items_[k], is, goldens_[k].picture);
+    });
+  }
+
   Row row_of_picture(std::size_t i, std::size_t k) {
     Row row;
     const auto found = submissions_[i].pictures.find(items_[k].name);
@@ -165,7 +178,7 @@ class Grading {
       row.word = "unreadable";
       row.note = found->second.why_not;
     } else {
-      compare_with_golden(found->second.path, goldens_[k], row);
+      compare(found->second.path, k, row);
     }
     return row;
   }
@@ -189,7 +202,7 @@ class Grading {
     if (result.picture.empty()) {
       row.word = "no picture";
     } else {
-      compare_with_golden(result.picture, goldens_[k], row);
+      compare(result.picture, k, row);
     }
     if (!result.hidden_expected.empty())
       compare_hidden(result.hidden_picture, result.hidden_expected, row);
@@ -211,7 +224,7 @@ class Grading {
         tasks.push_back({id, submissions_[i].checkout, items_[k].name});
       }
     }
-    if (tasks.empty() || asked_to_stop != 0) return;
+    if (tasks.empty() || is_stopped()) return;
     Builder builder{path_of(request_.builder), TEXMAP_TREE, TEXMAP_TREE "/build/grade", {}};
     builder.options = {"--megabytes", std::to_string(request_.megabytes)};
     if (request_.jobs > 0)
@@ -235,7 +248,7 @@ class Grading {
           progress(std::to_string(++ended) + " of " + std::to_string(tasks.size()) +
                    " chapters: " + clean(students_[i].name) + " " + items_[k].number);
         },
-        [] { return asked_to_stop != 0; });
+        is_stopped);
   }
 
   /// Keeps a row; with the last one of a student, writes the student's page.
@@ -327,6 +340,8 @@ class Grading {
   fs::path out_;
   std::vector<Item> items_;
   std::vector<Golden> goldens_;
+  KnownWords words_{program_folder() / "draw_mistakes", program_folder() / "../mistakes",
+                    is_stopped};
   std::vector<Submission> submissions_;
   std::vector<Student> students_;        // in the order of the submissions
   std::vector<std::vector<bool>> done_;  // which of their rows are there
@@ -349,5 +364,5 @@ int main(int argc, char** argv) {
     Grading(request).run();
   });
   if (status != 0) return 2;
-  return asked_to_stop != 0 ? 130 : 0;
+  return is_stopped() ? 130 : 0;
 }

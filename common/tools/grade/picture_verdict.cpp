@@ -80,7 +80,8 @@ std::string percent(double share) {
 
 bool has_alpha(const PngHeader& header) { return header.color_type == 4 || header.color_type == 6; }
 
-void compare(const std::vector<std::uint8_t>& file, const Golden& golden, Row& row) {
+void compare(const std::vector<std::uint8_t>& file, const Golden& golden, Row& row,
+             const NameMistake& name) {
   const Image& should = golden.picture;
   const auto has_wrong_size = [&](auto width, auto height) {
     if (std::cmp_equal(width, should.width) && std::cmp_equal(height, should.height)) return false;
@@ -108,6 +109,11 @@ void compare(const std::vector<std::uint8_t>& file, const Golden& golden, Row& r
     return;
   }
   row.word = "differs " + percent(row.figures->share_off);
+  const std::string mistake = name ? name(is) : "";
+  if (!mistake.empty()) {
+    row.word = mistake.substr(0, mistake.find(':'));
+    add_note(row, mistake);
+  }
   add_note(row, off_words);
   const int step = step_to_show(is);
   row.shown = {smaller(is, step), smaller(should, step), small_map(should, is, step)};
@@ -128,14 +134,15 @@ bool is_right(const Figures& figures) {
   return 5000 * pixels_off_by_more_than(figures, 1) <= figures.pixels_compared;
 }
 
-void compare_with_golden(const std::filesystem::path& path, const Golden& golden, Row& row) {
+void compare_with_golden(const std::filesystem::path& path, const Golden& golden, Row& row,
+                         const NameMistake& name) {
   try {
     const std::vector<std::uint8_t> file = read_file(path, max_file_bytes);
     if (file == golden.file) {
       row.figures = PictureFigures{};
       row.picture_ok = true;
     } else {
-      compare(file, golden, row);
+      compare(file, golden, row, name);
     }
   } catch (const std::exception& error) {
     row.word = "unreadable";

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "grades.hpp"
 
 namespace texmap::grade {
+
+/// The words for a wrong picture; empty if no known mistake drew it.
+using NameMistake = std::function<std::string(const Image& is)>;
 
 /// A golden picture, read before any student's program runs.
 struct Golden {
@@ -27,7 +31,8 @@ struct Golden {
 ///
 /// Colors are compared; an alpha channel is not looked at, and the note says so.
 /// A picture of another size is refused before it is unpacked.
-void compare_with_golden(const std::filesystem::path& path, const Golden& golden, Row& row);
+void compare_with_golden(const std::filesystem::path& path, const Golden& golden, Row& row,
+                         const NameMistake& name = {});
 
 /// The same for a second picture that the student does not know: sets `hidden`.
 void compare_hidden(const std::filesystem::path& path, const std::filesystem::path& expected,
