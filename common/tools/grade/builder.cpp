@@ -36,7 +36,7 @@ void Builder::run(const std::vector<Task>& tasks,
   const std::filesystem::path results = work / "results.tsv";
   std::string lines;
   for (const Task& task : tasks) {
-    lines.append(task.id).append("\t").append(escaped_field(name_of(task.checkout)));
+    lines.append(task.id).append("\t").append(name_of(task.checkout));
     lines.append("\t").append(task.item).append("\n");
   }
   write_text_atomically(plan, lines);
@@ -67,22 +67,6 @@ void Builder::run(const std::vector<Task>& tasks,
   throw FileError(status == 2 ? "the checkouts were not graded; the reason is above"
                               : "the program that builds and runs checkouts, " + name_of(program) +
                                     ", did not run to its end; its message is above");
-}
-
-std::string escaped_field(std::string_view text) {
-  std::string field;
-  for (const char c : text) {
-    if (c == '\\') {
-      field += "\\\\";
-    } else if (c == '\t') {
-      field += "\\t";
-    } else if (c == '\n') {
-      field += "\\n";
-    } else {
-      field += c;
-    }
-  }
-  return field;
 }
 
 std::string unescaped_field(std::string_view field) {

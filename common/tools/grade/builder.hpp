@@ -27,9 +27,8 @@ struct TaskResult {
   std::string note;
 };
 
-/// A field of results.tsv: \t, \n and \\ are a tab, a line end and a backslash.
+/// A field of results.tsv, where \t, \n and \\ are a tab, a line end and a backslash.
 [[nodiscard]] std::string unescaped_field(std::string_view field);
-[[nodiscard]] std::string escaped_field(std::string_view text);
 
 /// A line of results.tsv. Errors: FileError if it has too few fields.
 [[nodiscard]] TaskResult task_result(std::string_view line);

@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* table_style = R"css(
 body { max-width: none; }
-.scroll { overflow: auto; max-height: calc(100vh - 9rem); }
+.scroll { overflow: auto; max-height: 94vh; }
 .grades { width: 100%; border-collapse: separate; border-spacing: 0; }
-.grades th, .grades td { padding: .2rem .4rem; font-size: .85rem; line-height: 1.3; }
-.grades td { min-width: 3.2rem; }
+.grades th, .grades td { padding: .2rem .3rem; font-size: .8rem; line-height: 1.3; }
+.grades td { min-width: 3rem; }
 .grades .name { min-width: 8rem; max-width: 16rem; overflow-wrap: anywhere; }
 .grades thead { position: sticky; top: 0; background: var(--paper); }
 .grades thead td { color: var(--soft); font-size: .8rem; border-bottom: 2px solid var(--line); }
@@ -136,7 +136,7 @@ std::string section(const Row& row) {
   }
   if (row.shown) {
     html += page::side_by_side(
-        {page::figure(page::inside(row.shown->is), "is"),
+        {page::figure(page::inside(row.shown->is), "is: " + row.shown->where),
          page::figure(page::inside(row.shown->should), "should be"),
          page::figure(page::inside(row.shown->map), "where they differ: black nowhere, yellow most",
                       "the map of differences")});

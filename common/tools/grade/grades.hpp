@@ -15,6 +15,7 @@ struct Item {
   std::string name;    ///< 03_image_texture
   std::string number;  ///< 03: what stands in the head of a table
   std::filesystem::path golden;
+  bool has_tests = false;  ///< a checkout's tests are worth a point
 };
 
 /// How far a picture is from the golden one.
@@ -25,9 +26,10 @@ struct PictureFigures {
   double ssim = 1;
 };
 
-/// A student's picture that is not right, for the page: small copies.
+/// The part of a wrong picture that a page shows.
 struct ShownPicture {
-  Image is, should, map;  ///< `is` is empty if the student's picture cannot be shown
+  Image is, should, map;
+  std::string where;  ///< columns and rows of the whole picture
 };
 
 /// One student's result for one item. Words are the student's or the compiler's: not yet escaped.

@@ -75,7 +75,10 @@ std::vector<Item> all_items() {
   std::vector<Item> items;
   for (const std::string& name : names) {
     const fs::path golden = tree / "tests/golden" / path_of(name + ".png");
-    if (fs::exists(golden)) items.push_back({name, name.substr(0, 2), golden});
+    if (fs::exists(golden)) {
+      const fs::path suite = tree / "tests/chapters" / path_of("symptoms_" + name + ".cpp");
+      items.push_back({name, name.substr(0, 2), golden, fs::exists(suite)});
+    }
   }
   return items;
 }
@@ -192,7 +195,7 @@ class Grading {
     row.limit_cpu_seconds = result.limit_cpu_seconds;
     row.note = result.note;
     row.cached = result.cached;
-    row.with_tests = !request_.no_tests && !result.tests_run.empty();
+    row.with_tests = !request_.no_tests && items_[k].has_tests;
     row.tests_passed = std::strtoul(result.tests_passed.c_str(), nullptr, 10);
     row.tests_run = std::strtoul(result.tests_run.c_str(), nullptr, 10);
     if (result.build != "ok") {
@@ -270,6 +273,10 @@ class Grading {
     for (Row& row : student.rows) row.shown.reset();  // a class has thousands
     write_format(student);
     clear_progress();
+    print(line_of(student));
+  }
+
+  [[nodiscard]] std::string line_of(const Student& student) const {
     std::string wrong;
     for (std::size_t k = 0; k < items_.size(); ++k) {
       const Row& row = student.rows[k];
@@ -277,11 +284,14 @@ class Grading {
       wrong.append(wrong.empty() ? "" : ", ").append(items_[k].number).append(" ");
       wrong += clean(row.word);
     }
+    bool all_missing = true;
+    for (const Row& row : student.rows) all_missing = all_missing && row.word == "missing";
+    if (all_missing) wrong = "no chapter and no picture found";
     std::string line = "[" + std::to_string(finished_) + "/" + std::to_string(class_.asked) + "]";
     line = padded(line, 10) +
            padded(std::to_string(student.points()) + " of " + std::to_string(student.of()), 10);
     line += padded(clean(student.name), 24) + " " + (wrong.empty() ? "all right" : wrong);
-    print(line + "\n");
+    return line + "\n";
   }
 
   void write_format(const Student& student) const {

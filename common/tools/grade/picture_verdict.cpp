@@ -7,6 +7,7 @@
 
 #include "engine/compare/difference_map.hpp"
 #include "engine/measure/text.hpp"
+#include "engine/picture/blit.hpp"
 #include "engine/picture/codecs/png_chunks.hpp"
 #include "engine/picture/codecs/read_png.hpp"
 #include "engine/picture/decode_image.hpp"
@@ -18,6 +19,9 @@ namespace {
 
 /// Pixels across a picture on a page.
 constexpr int shown_width = 320;
+
+/// Verdicts that are kept for each golden picture; one takes a megabyte.
+constexpr std::size_t most_verdicts = 20;
 
 template <class Whole>
 std::string size_of(Whole width, Whole height) {
@@ -71,7 +75,22 @@ Image small_map(const Image& a, const Image& b, int step) {
   });
 }
 
-int step_to_show(const Image& image) { return (image.width + shown_width - 1) / shown_width; }
+/// The part of a picture around a box, at least as large as a page shows it in full size.
+Box around(const Box& box, const Image& image) {
+  const int width = std::min(image.width, std::max(box.width, shown_width));
+  const int height = std::min(image.height, std::max(box.height, shown_width * 3 / 4));
+  const auto begin = [](int from, int size, int new_size, int all) {
+    return std::clamp(from + (size - new_size) / 2, 0, all - new_size);
+  };
+  return {begin(box.left, box.width, width, image.width),
+          begin(box.top, box.height, height, image.height), width, height};
+}
+
+Image part_of(const Image& image, const Box& part) {
+  Image result(part.width, part.height);
+  blit(result, image, -part.left, -part.top);
+  return result;
+}
 
 std::string percent(double share) {
   const double p = 100 * share;
@@ -115,15 +134,21 @@ void compare(const std::vector<std::uint8_t>& file, const Golden& golden, Row& r
     add_note(row, mistake);
   }
   add_note(row, off_words);
-  const int step = step_to_show(is);
-  row.shown = {smaller(is, step), smaller(should, step), small_map(should, is, step)};
+  const Box part = around(figures.box, is);
+  const Image is_there = part_of(is, part);
+  const Image should_there = part_of(should, part);
+  const int step = (part.width + shown_width - 1) / shown_width;
+  row.shown = {smaller(is_there, step), smaller(should_there, step),
+               small_map(should_there, is_there, step),
+               text("columns %d to %d, rows %d to %d", part.left, part.left + part.width - 1,
+                    part.top, part.top + part.height - 1)};
 }
 
 }  // namespace
 
 Golden read_golden(const std::filesystem::path& path) {
   return with_name("cannot load the golden picture", path, [&] {
-    Golden golden{read_file(path, max_file_bytes), {}};
+    Golden golden{read_file(path, max_file_bytes), {}, {}};
     golden.picture = decode_image(golden.file);
     return golden;
   });
@@ -134,16 +159,28 @@ bool is_right(const Figures& figures) {
   return 5000 * pixels_off_by_more_than(figures, 1) <= figures.pixels_compared;
 }
 
-void compare_with_golden(const std::filesystem::path& path, const Golden& golden, Row& row,
+void compare_with_golden(const std::filesystem::path& path, Golden& golden, Row& row,
                          const NameMistake& name) {
   try {
     const std::vector<std::uint8_t> file = read_file(path, max_file_bytes);
     if (file == golden.file) {
       row.figures = PictureFigures{};
       row.picture_ok = true;
-    } else {
-      compare(file, golden, row, name);
+      return;
     }
+    auto known = golden.verdicts.find(file);
+    if (known == golden.verdicts.end()) {
+      Row verdict;
+      compare(file, golden, verdict, name);
+      if (golden.verdicts.size() == most_verdicts) golden.verdicts.clear();
+      known = golden.verdicts.emplace(file, std::move(verdict)).first;
+    }
+    const Row& verdict = known->second;
+    row.word = verdict.word;
+    row.figures = verdict.figures;
+    row.picture_ok = verdict.picture_ok;
+    row.shown = verdict.shown;
+    if (!verdict.note.empty()) add_note(row, verdict.note);
   } catch (const std::exception& error) {
     row.word = "unreadable";
     add_note(row, std::string("the picture cannot be read: ") + error.what());
@@ -153,7 +190,8 @@ void compare_with_golden(const std::filesystem::path& path, const Golden& golden
 void compare_hidden(const std::filesystem::path& path, const std::filesystem::path& expected,
                     Row& row) {
   Row second;
-  compare_with_golden(path, read_golden(expected), second);
+  Golden golden = read_golden(expected);
+  compare_with_golden(path, golden, second);
   row.hidden = second.picture_ok ? "yes" : "no";
   if (second.picture_ok || !row.picture_ok) return;
   row.word = "second picture";

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,12 @@ namespace texmap::grade {
 /// The words for a wrong picture; empty if no known mistake drew it.
 using NameMistake = std::function<std::string(const Image& is)>;
 
-/// A golden picture, read before any student's program runs.
+/// A golden picture, read before any student's program runs, and what was found out about the
+/// files that were compared with it: many students hand in the same bytes.
 struct Golden {
   std::vector<std::uint8_t> file;
   Image picture;
+  std::map<std::vector<std::uint8_t>, Row> verdicts;
 };
 
 /// Errors: FileError with the path.
@@ -31,7 +34,7 @@ struct Golden {
 ///
 /// Colors are compared; an alpha channel is not looked at, and the note says so.
 /// A picture of another size is refused before it is unpacked.
-void compare_with_golden(const std::filesystem::path& path, const Golden& golden, Row& row,
+void compare_with_golden(const std::filesystem::path& path, Golden& golden, Row& row,
                          const NameMistake& name = {});
 
 /// The same for a second picture that the student does not know: sets `hidden`.

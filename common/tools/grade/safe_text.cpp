@@ -34,7 +34,7 @@ std::string clean(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const char32_t c = take_character(text);
-    if (c == '\n' || c == '\t') {
+    if (c == '\n' || c == '\t' || c == 0x2028 || c == 0x2029) {
       result += ' ';
     } else if (is_harmless(c)) {
       append_utf8(result, c);

@@ -181,6 +181,11 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
   const Search search = searched(items, path, most_levels);
   result.checkout = search.checkout;
   if (search.checkout.empty()) result.pictures = search.pictures();
+  if (name_of(result.checkout) != clean(name_of(result.checkout))) {
+    // The plan of tasks is a table of lines.
+    result.checkout.clear();
+    result.note = "the folder's name has control characters; rename it";
+  }
   if (search.cut) {
     result.note = "the folder has more than " + std::to_string(most_entries) +
                   " files; not all were looked at";
