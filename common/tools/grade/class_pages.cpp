@@ -96,8 +96,8 @@ std::string head_of_table(const Class& all) {
   }
   if (of > 0) html += text("mean %.0f %%", 100 * points / of);
   html += text("</td><td>all %zu</td>", all.students.size());
-  for (std::size_t column = 0; column < all.items.size(); ++column)
-    html.append("<td>").append(page::escaped_foreign(sum_of(all, column))).append("</td>");
+  for (std::size_t i = 0; i < all.items.size(); ++i)
+    html.append("<td>").append(page::escaped_foreign(sum_of(all, i))).append("</td>");
   return html.append("<td></td></tr></thead>\n");
 }
 

@@ -239,6 +239,7 @@ class Grading {
     if (request_.no_second_picture) builder.options.emplace_back("--no-hidden");
     if (request_.trust_students) builder.options.emplace_back("--trust-students");
     std::size_t ended = 0;
+    bool warned = false;
     builder.run(
         tasks,
         [&](const TaskResult& result) {
@@ -246,6 +247,11 @@ class Grading {
           if (std::sscanf(result.id.c_str(), "%zu-%zu", &i, &k) != 2 || i >= students_.size() ||
               k >= items_.size()) {
             throw FileError("results.tsv has a task that is not in the plan: " + clean(result.id));
+          }
+          if (result.containment == "none" && !warned) {
+            clear_progress();
+            print(std::string(not_contained) + "\n");
+            warned = true;
           }
           put(i, k, row_of_result(result, k));
           progress(std::to_string(++ended) + " of " + std::to_string(tasks.size()) +

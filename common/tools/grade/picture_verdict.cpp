@@ -18,7 +18,7 @@ namespace texmap::grade {
 namespace {
 
 /// Pixels across a picture on a page.
-constexpr int shown_width = 320;
+constexpr int shown_width = 256;
 
 /// Verdicts that are kept for each golden picture; one takes a megabyte.
 constexpr std::size_t most_verdicts = 20;
