@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -200,7 +201,10 @@ TEST_CASE("links are not followed: neither pictures nor folders") {
 TEST_CASE("0.02 % of the pixels may be off by more than one level, and not one more") {
   const Image should = ramps(250, 40);  // of 10000 pixels, two
   Image is = should;
-  const auto worsen = [&is](int column, int by) { is.at(column, 3).g ^= by; };
+  const auto worsen = [&is](int column, int by) {
+    std::uint8_t& green = is.at(column, 3).g;
+    green = static_cast<std::uint8_t>(green ^ by);
+  };
   for (int column = 10; column < 100; ++column) worsen(column, 1);
   CHECK(Compared(should, is).row.picture_ok);
   worsen(1, 64);

@@ -168,14 +168,16 @@ void compare_with_golden(const std::filesystem::path& path, Golden& golden, Row&
       row.picture_ok = true;
       return;
     }
-    auto known = golden.verdicts.find(file);
-    if (known == golden.verdicts.end()) {
+    std::vector<Golden::Verdict>& all = golden.verdicts;
+    auto known = std::find_if(all.begin(), all.end(),
+                              [&](const Golden::Verdict& one) { return one.file == file; });
+    if (known == all.end()) {
       Row verdict;
       compare(file, golden, verdict, name);
-      if (golden.verdicts.size() == most_verdicts) golden.verdicts.clear();
-      known = golden.verdicts.emplace(file, std::move(verdict)).first;
+      if (all.size() == most_verdicts) all.clear();
+      known = all.insert(all.end(), {file, std::move(verdict)});
     }
-    const Row& verdict = known->second;
+    const Row& verdict = known->row;
     row.word = verdict.word;
     row.figures = verdict.figures;
     row.picture_ok = verdict.picture_ok;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,11 @@ using NameMistake = std::function<std::string(const Image& is)>;
 struct Golden {
   std::vector<std::uint8_t> file;
   Image picture;
-  std::map<std::vector<std::uint8_t>, Row> verdicts;
+  struct Verdict {
+    std::vector<std::uint8_t> file;
+    Row row;
+  };
+  std::vector<Verdict> verdicts;
 };
 
 /// Errors: FileError with the path.
