@@ -1,5 +1,8 @@
 # Grading students' folders, with every kind of student. Included by CMakeLists.txt here.
 
+find_program(SH sh)
+mark_as_advanced(SH)
+
 add_suite(grade/test_grading ON grading LABELS grading)
 if(nlohmann_json_INCLUDE_DIR)
   add_suite(grade/test_grade_formats ON grading LABELS grading)
@@ -9,4 +12,10 @@ add_suite(grade/test_grade_program POSIX ON picture LABELS grading)
 if(TARGET test_grade_program)
   target_compile_definitions(test_grade_program PRIVATE TEXMAP_GRADE="$<TARGET_FILE:grade>")
   add_dependencies(test_grade_program grade)
+endif()
+
+# With the real builder, which builds the course once more, as students' programs are built.
+if(SH AND UNIX AND NOT TEXMAP_INSTRUMENT)
+  add_test(NAME grade_checkouts COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/checkouts.sh" "$<TARGET_FILE:grade>" "${CMAKE_BINARY_DIR}/grade")
+  set_tests_properties(grade_checkouts PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1800 RESOURCE_LOCK grade_build)
 endif()

@@ -34,6 +34,7 @@ struct Request {
   std::vector<std::string> folders;
   std::string chapters, out = TEXMAP_TREE "/out/grades",
                         builder = TEXMAP_TREE "/common/tools/grade/build_and_run.py";
+  std::string work = TEXMAP_TREE "/build/grade";
   Format format = Format::none;
   bool no_tests = false, no_second_picture = false, trust_students = false;
   int seconds = 0, megabytes = 2048, jobs = 0;
@@ -59,6 +60,7 @@ struct Request {
                          {"junit", Format::junit}},
                         "write each student's grades for a learning system, too");
     line.text("--out", "FOLDER", out, "where grades.csv, points.csv and index.html go");
+    line.text("--work", "FOLDER", work, "where checkouts are built; kept for the next time");
     line.text("--builder", "FILE", builder, "the program that builds and runs checkouts");
     line.statuses(
         "0 all were graded, whatever the grades; 2 wrong command line, or nothing could be graded; "
@@ -228,7 +230,7 @@ class Grading {
       }
     }
     if (tasks.empty() || is_stopped()) return;
-    Builder builder{path_of(request_.builder), TEXMAP_TREE, TEXMAP_TREE "/build/grade", {}};
+    Builder builder{path_of(request_.builder), TEXMAP_TREE, path_of(request_.work), {}};
     builder.options = {"--megabytes", std::to_string(request_.megabytes)};
     if (request_.jobs > 0)
       builder.options.insert(builder.options.end(), {"--jobs", std::to_string(request_.jobs)});
