@@ -29,25 +29,18 @@ constexpr bool same_size(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height;
 }
 
-/// The sum of the differences of all channels, in levels; infinity for other sizes.
+/// The sum of the differences of all channels, each less one level, which rounding can make;
+/// infinity for other sizes.
 double distance_between(const Image& a, const Image& b) {
   if (!same_size(a, b)) return std::numeric_limits<double>::infinity();
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const Rgb8 p = a.pixels[i], q = b.pixels[i];
-    sum +=
-        static_cast<std::uint64_t>(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b));
+    const auto above_one = [](int apart) { return std::max(std::abs(apart) - 1, 0); };
+    sum += static_cast<std::uint64_t>(above_one(p.r - q.r) + above_one(p.g - q.g) +
+                                      above_one(p.b - q.b));
   }
   return static_cast<double>(sum);
-}
-
-/// The course's rule for golden pictures: 0.02 % of the pixels may be off by more than one level.
-bool same_picture(const Image& a, const Image& b) {
-  if (!same_size(a, b)) return false;
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
-  return off * 5000 <= a.pixels.size();
 }
 
 /// The image whose pixel in a column and a row is that of `image` at the place that `from` says.
@@ -96,8 +89,8 @@ using Weights = std::array<double, 3>;
 
 Image grayed(const Image& image, const Weights& weights) {
   return changed_pixels(image, [&](Rgb8 p) {
-    const auto level =
-        static_cast<std::uint8_t>(weights[0] * p.r + weights[1] * p.g + weights[2] * p.b + 0.5);
+    const auto level = static_cast<std::uint8_t>(
+        std::lround(weights[0] * p.r + weights[1] * p.g + weights[2] * p.b));
     return Rgb8{level, level, level};
   });
 }
@@ -105,7 +98,8 @@ Image grayed(const Image& image, const Weights& weights) {
 Image through_curve(const Image& image, double (*curve)(double)) {
   std::array<std::uint8_t, 256> table{};
   for (std::size_t byte = 0; byte < table.size(); ++byte)
-    table[byte] = static_cast<std::uint8_t>(255 * curve(static_cast<double>(byte) / 255) + 0.5);
+    table[byte] =
+        static_cast<std::uint8_t>(std::lround(255 * curve(static_cast<double>(byte) / 255)));
   return changed_pixels(image, [&](Rgb8 p) { return Rgb8{table[p.r], table[p.g], table[p.b]}; });
 }
 double square_root(double x) { return std::sqrt(x); }
@@ -161,9 +155,17 @@ constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
 
 }  // namespace
 
+bool is_same_picture(const Image& a, const Image& b) {
+  if (!same_size(a, b)) return false;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
+  return off * 5000 <= a.pixels.size();
+}
+
 std::string name_mistake(const Image& drawn, const Image& right,
                          std::span<const WrongPicture> wrong) {
-  if (!same_size(drawn, right) || same_picture(drawn, right)) return "";
+  if (!same_size(drawn, right) || is_same_picture(drawn, right)) return "";
   const double from_right = distance_between(drawn, right);
   const WrongPicture* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -171,7 +173,7 @@ std::string name_mistake(const Image& drawn, const Image& right,
   distances.reserve(wrong.size());
   for (const WrongPicture& one : wrong) {
     // A mistake that nobody can see on this picture is no reason for another one.
-    const bool shows = same_size(one.picture, right) && !same_picture(one.picture, right);
+    const bool shows = same_size(one.picture, right) && !is_same_picture(one.picture, right);
     distances.push_back(shows ? distance_between(drawn, one.picture)
                               : std::numeric_limits<double>::infinity());
     if (distances.back() < least) {

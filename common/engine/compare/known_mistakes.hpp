@@ -16,9 +16,14 @@ struct WrongPicture {
   Image picture;
 };
 
+/// True by the course's rule for golden pictures: of the pixels at most 0.02 % differ by more than
+/// one level. Pictures of different sizes are not the same.
+[[nodiscard]] bool is_same_picture(const Image& a, const Image& b);
+
 /// The words of the mistake that drew a picture; empty if it is right, or if no mistake is sure.
 /// Sure: at least four times nearer to the wrong picture than to the right one, and twice as near
-/// as to each wrong picture with other words. Nearness is the sum of all differences of channels.
+/// as to each wrong picture with other words. Nearness is the sum of the channels'
+/// differences above one level.
 ///
 /// @param drawn, right, wrong  a picture of another size than `drawn` counts as far away
 [[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,

@@ -24,6 +24,7 @@
 #include "10_projections/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
+#include "engine/app/prepared.hpp"
 #include "engine/app/run_chapter.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/measure/text.hpp"
@@ -60,25 +61,6 @@ Image drawn(const Request& request, const Words& more, const std::filesystem::pa
   session.settings.out = name_of(file);
   draw_and_save(session, lesson);
   return load_image(file);
-}
-
-/// A lesson made ready, and the view that its picture has.
-template <class Lesson>
-struct Ready {
-  Lesson lesson;
-  View<> view;
-};
-template <class Lesson>
-Ready<Lesson> ready(const Request& request) {
-  Ready<Lesson> result;
-  CommandLine line(request.chapter, "");
-  result.lesson.options(line);
-  Session session(request.chapter, line, Lesson::about, offers_for(result.lesson));
-  static_cast<void>(line.parse(request.options));
-  result.lesson.prepare(session);
-  result.view =
-      session.view(result.lesson.stage.camera, session.settings.width, session.settings.height);
-  return result;
 }
 
 /// The name of the texture that the chapter's program would load.
@@ -138,6 +120,12 @@ std::vector<WrongPicture> draw_all(const Request& request) {
   const auto add = [&](const std::string& name, const std::string& words, Image picture) {
     wrong.push_back({name, words, std::move(picture)});
   };
+  // The chapter's own words are better than others for the same picture.
+  const auto add_own = [&](const std::string& name, const std::string& words, Image picture) {
+    std::erase_if(
+        wrong, [&](const WrongPicture& other) { return is_same_picture(other.picture, picture); });
+    add(name, words, std::move(picture));
+  };
   const std::filesystem::path draft = request.folder / "draft.png";
 
   // A wrong look-up is a right look-up on another map.
@@ -158,29 +146,30 @@ std::vector<WrongPicture> draw_all(const Request& request) {
         })) {
       continue;  // the user chose another value
     }
-    add(one.name, one.words, drawn<Lesson>(request, one.options, draft));
+    add_own(one.name, one.words, drawn<Lesson>(request, one.options, draft));
   }
   if constexpr (requires(const Lesson& lesson) {
                   lesson.surface;
                   lesson.objects.front().shape.center;
                 } &&
                 !shows_itself<Lesson>) {
-    const Ready<Lesson> made = ready<Lesson>(request);
+    Lesson lesson;
+    const Settings settings = make_ready(lesson, request.options);
+    const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
     for (const auto& [mistake, name, words] : mistakes::light_mistakes) {
-      add(name, words,
-          render<double>(mistakes::WithLightMistake<Lesson>{made.lesson, mistake}, made.view));
+      add_own(name, words,
+              render<double>(mistakes::WithLightMistake<Lesson>{lesson, mistake}, view));
     }
+    Lesson at_corners = lesson;
+    at_corners.stage.camera.anchor = PixelAnchor::corner;
+    add_own("pixel_corner", "half a pixel off: rays go through the corners of pixels",
+            render<double>(at_corners, view_of(at_corners.stage.camera, view.width, view.height)));
     if constexpr (std::is_same_v<Lesson, chapter_03::Lesson>) {
-      Lesson lesson = made.lesson;
       auto& paint = lesson.objects[chapter_03::middle].paint;
       std::get<chapter_03::Textured>(paint).texture.rounding = TexelRounding::lecture;
-      add("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)",
-          render<double>(lesson, made.view));
+      add_own("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)",
+              render<double>(lesson, view));
     }
-    Lesson lesson = made.lesson;
-    lesson.stage.camera.anchor = PixelAnchor::corner;
-    add("pixel_corner", "half a pixel off: rays go through the corners of pixels",
-        render<double>(lesson, view_of(lesson.stage.camera, right.width, right.height)));
   }
   std::filesystem::remove(draft);
   return wrong;

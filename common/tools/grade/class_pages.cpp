@@ -183,9 +183,7 @@ std::string class_page(const Class& all) {
 }
 
 std::string student_page(const Student& student) {
-  bool contained = true;
-  for (const Row& row : student.rows) contained = contained && row.containment != "none";
-  std::string html = warning_of(contained);
+  std::string html = warning_of(student.contained());
   html += page::verdict(student.points() == student.of(),
                         text("%d of %d points", student.points(), student.of()));
   html += "<p><a href=\"index.html\">All students</a></p>\n";

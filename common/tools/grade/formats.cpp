@@ -4,6 +4,7 @@
 // point, and one for the chapter's suite, if it ran.
 #include "formats.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 #include <vector>
@@ -66,27 +67,21 @@ std::vector<Test> tests_of(const Student& student) {
 
 std::string summary(const Student& student) {
   std::string words = text("%d of %d points", student.points(), student.of());
-  for (const Row& row : student.rows) {
-    if (row.containment == "none") return std::string(not_contained) + "\n" + words;
-  }
+  if (!student.contained()) words = std::string(not_contained) + "\n" + words;
   return words;
 }
 
-bool all_passed(const std::vector<Test>& tests) {
-  for (const Test& test : tests)
-    if (!test.passed) return false;
-  return true;
-}
-
 const Test* first_broken(const std::vector<Test>& tests) {
-  for (const Test& test : tests)
-    if (test.broken) return &test;
-  return nullptr;
+  const auto first =
+      std::find_if(tests.begin(), tests.end(), [](const Test& test) { return test.broken; });
+  return first == tests.end() ? nullptr : &*first;
 }
 
 const char* status_of(const std::vector<Test>& tests) {
   if (first_broken(tests) != nullptr) return "error";
-  return all_passed(tests) ? "pass" : "fail";
+  const bool passed =
+      std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.passed; });
+  return passed ? "pass" : "fail";
 }
 
 double seconds_of(const std::vector<Test>& tests) {

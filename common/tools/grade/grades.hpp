@@ -1,5 +1,6 @@
 // What grading finds out: a row for each student and item, the rows of a student, a class.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -80,12 +81,16 @@ struct Student {
     for (const Row& row : rows) sum += row.of();
     return sum;
   }
+  /// False if a program ran without a box around it.
+  [[nodiscard]] bool contained() const {
+    return std::none_of(rows.begin(), rows.end(),
+                        [](const Row& row) { return row.containment == "none"; });
+  }
   /// A page shows something that the table does not.
   [[nodiscard]] bool has_page() const {
-    if (!note.empty()) return true;
-    for (const Row& row : rows)
-      if (!row.right() || !row.note.empty()) return true;
-    return false;
+    return !note.empty() || std::any_of(rows.begin(), rows.end(), [](const Row& row) {
+      return !row.right() || !row.note.empty();
+    });
   }
 };
 
@@ -96,10 +101,8 @@ struct Class {
   std::size_t asked = 0;  ///< folders to grade; more than students if the run was ended
 
   [[nodiscard]] bool contained() const {
-    for (const Student& student : students)
-      for (const Row& row : student.rows)
-        if (row.containment == "none") return false;
-    return true;
+    return std::all_of(students.begin(), students.end(),
+                       [](const Student& student) { return student.contained(); });
   }
 };
 

@@ -1,6 +1,9 @@
 // The program grade: students' pictures and checkouts become tables and pages.
+#include <algorithm>
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -103,8 +106,10 @@ std::vector<Item> chosen_items(const std::string& chapters) {
     if (!found) throw UsageError("there is no chapter '" + word + "'");
   }
   std::vector<Item> items;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  items.reserve(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
     if (chosen[i]) items.push_back(all[i]);
+  }
   return items;
 }
 
@@ -232,11 +237,13 @@ class Grading {
     if (tasks.empty() || is_stopped()) return;
     Builder builder{path_of(request_.builder), TEXMAP_TREE, path_of(request_.work), {}};
     builder.options = {"--megabytes", std::to_string(request_.megabytes)};
-    if (request_.jobs > 0)
+    if (request_.jobs > 0) {
       builder.options.insert(builder.options.end(), {"--jobs", std::to_string(request_.jobs)});
-    if (request_.seconds > 0)
+    }
+    if (request_.seconds > 0) {
       builder.options.insert(builder.options.end(),
                              {"--seconds", std::to_string(request_.seconds)});
+    }
     if (request_.no_tests) builder.options.emplace_back("--no-tests");
     if (request_.no_second_picture) builder.options.emplace_back("--no-hidden");
     if (request_.trust_students) builder.options.emplace_back("--trust-students");
@@ -332,8 +339,7 @@ class Grading {
     for (std::size_t i = 0; i < students_.size(); ++i) {
       Student student = students_[i];
       student.rows.clear();
-      for (std::size_t k = 0; k < items_.size(); ++k)
-        if (done_[i][k]) student.rows.push_back(students_[i].rows[k]);
+      XX.rows.push_back(students_[i].rows[k]);
       if (!student.rows.empty()) class_.students.push_back(std::move(student));
     }
     table_.close();
