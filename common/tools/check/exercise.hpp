@@ -22,3 +22,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // The distance to the first sphere along a ray, in lengths of `direction`; infinity if there is
 // none.
 using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
+
+inline Vec3 operator*(double factor, const Vec3& v) { return v * factor; }
+inline Vec3 operator/(const Vec3& v, double divisor) { return v * (1 / divisor); }
+inline Color operator*(double factor, const Color& c) { return c * factor; }
