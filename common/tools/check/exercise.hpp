@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bytes.hpp"
 #include "math/color.hpp"
 #include "math/vec3.hpp"
 #include "texture/uv.hpp"
@@ -15,6 +16,7 @@
 using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalized
 using Uv = texmap::Uv<double>;        // .u .v
 using Color = texmap::Color<double>;  // .r .g .b, 0 to 1
+using Bytes = texmap::check::Bytes;   // a picture file's: bytes[0], bytes[1] ...
 
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
