@@ -1,5 +1,6 @@
 // The exercises of chapter 01. The lesson is the chapter's own. Its color_along and sample_light
 // are these here, which call the student's function.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
