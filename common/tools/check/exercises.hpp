@@ -14,7 +14,7 @@
 
 namespace texmap::check {
 
-/// The function that the lesson calls while an exercise is drawn, or none: then it calls the course's.
+/// The function that the lesson calls while an exercise is drawn; if none, it calls the course's.
 template <class Function>
 struct Hook {
   std::function<Function> yours;
