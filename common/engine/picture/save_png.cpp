@@ -52,7 +52,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, Packing packing) {
                        static_cast<std::uint32_t>(image.height)};
   check_image_size(size);
   if (image.pixels.size() != std::size_t{size.width} * size.height)
-    throw FileError("the picture has not as many pixels as its size says");
+    throw FileError("the picture does not have as many pixels as its size says");
 
   const std::size_t row_bytes = 3 * std::size_t{size.width} + 1;
   const std::size_t all_bytes = row_bytes * size.height;

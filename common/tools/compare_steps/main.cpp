@@ -237,31 +237,33 @@ int main(int argc, char** argv) {
   std::string after;
   Choices choices;
   CommandLine line("compare_steps",
-                   "what changed between two steps of the course, or two pictures; without them, "
-                   "between all neighbours");
+                   "what changed from one chapter to another, or between two pictures; without "
+                   "them, from each chapter to the next");
   line.text("--from", "MM", before, "the chapter before, or a picture file");
   line.text("--to", "NN", after, "the chapter after, or a picture file");
-  line.text("--out", "FOLDER", choices.folder, "where the pages go, in a folder MM-NN each");
-  line.text("--source", "FOLDER", choices.source, "where the lessons' code is");
-  line.text("--drawn", "FOLDER", choices.drawn, "where the chapters' own pictures are");
+  line.text("--out", "FOLDER", choices.folder,
+            "write each page into its own folder MM-NN in this folder");
+  line.text("--source", "FOLDER", choices.source, "the folder of the lessons' code");
+  line.text("--drawn", "FOLDER", choices.drawn, "the folder of the chapters' own pictures");
   line.flag("--shared", choices.shared,
-            "pages show the pictures there and put others next to themselves; else a page is one "
-            "file that can be sent");
+            "pages show those pictures and write others next to themselves; without it a page is "
+            "one file");
   line.whole("--width", choices.drawing.width, 1, 4096, "columns of pixels");
   line.whole("--height", choices.drawing.height, 1, 4096, "rows of pixels");
   line.whole("--threads", choices.drawing.threads, 0, 1024,
-             "threads to draw with, 0 for one per core");
+             "number of threads, 0 for one per core");
   line.flag("--quiet", choices.quiet,
-            "nothing printed unless something changed that should not have");
+            "print nothing unless something changed that should not have");
   line.statuses(
-      "0 only what may change has changed, or the pictures are the same; 1 something else has, or "
-      "they differ; 2 the comparison could not be made");
+      "0 only what may change has changed, or the pictures are the same; 1 something else has "
+      "changed too, or they differ; 2 an error, no comparison");
   bool as_declared = true;
   const int status = run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
     if (before.empty() != after.empty()) {
       throw UsageError(
-          "--from and --to go together: name two chapters to compare, or none for all neighbours");
+          "--from and --to go together: give both, or neither to compare each chapter with the "
+          "next");
     }
     if (is_picture(before) && is_picture(after)) {
       as_declared = compare_pictures(before, after, choices);

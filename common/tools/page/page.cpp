@@ -1,10 +1,10 @@
 // Pages of the course's programs: pictures next to each other, tables, code before and after.
 #include "tools/page/page.hpp"
 
-#include <array>
 #include <cstddef>
 
 #include "engine/measure/text.hpp"
+#include "engine/measure/utf8.hpp"
 #include "engine/picture/save_png.hpp"
 #include "tools/page/code_difference.hpp"
 
@@ -72,27 +72,6 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return encoded;
 }
 
-/// The bytes of the character that a text begins with, or 0 if it is none of UTF-8, a control
-/// character or a mark of direction. Source: RFC 3629; Unicode, annex 9.
-std::size_t shown_bytes(std::string_view text) {
-  const auto byte = [text](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) return first == '\n' || (first >= 0x20 && first != 0x7F) ? 1 : 0;
-  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < size) return 0;
-  std::uint32_t code = first & (0x7FU >> size);
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-    code = code << 6U | (byte(i) & 0x3FU);
-  }
-  constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
-  const bool is_code = code >= least[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
-  const bool is_control = code < 0xA0;
-  const bool turns = code == 0x061C || code == 0x200E || code == 0x200F ||
-                     (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-  return is_code && !is_control && !turns ? size : 0;
-}
-
 }  // namespace
 
 const char* const slider_script = R"js(
@@ -144,15 +123,12 @@ std::string escaped_foreign(std::string_view text) {
   std::string html;
   html.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t shown = text.front() == '\t' ? 1 : shown_bytes(text);
-    if (shown == 0) {
-      html += "\xEF\xBF\xBD";
-    } else if (shown == 1) {
-      html += escaped_markup(std::string(1, text.front()));
+    const char32_t c = take_character(text);
+    if (c < 0x80 && (is_harmless(c) || c == '\n' || c == '\t')) {
+      html += escaped_markup(std::string(1, static_cast<char>(c)));
     } else {
-      html += text.substr(0, shown);
+      append_utf8(html, is_harmless(c) ? c : replacement_character);
     }
-    text.remove_prefix(shown == 0 ? 1 : shown);
   }
   return html;
 }

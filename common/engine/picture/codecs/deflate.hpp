@@ -14,7 +14,7 @@ enum class Packing {
   close  ///< a seventh smaller, ten times as long: for pictures that are kept
 };
 
-/// Room that deflate() needs for so many bytes: nine bits for each, and what stands around them.
+/// Room that deflate() needs for so many bytes: nine bits for each, and what is around them.
 [[nodiscard]] constexpr std::size_t most_deflated_bytes(std::size_t size) {
   return size + size / 8 + size / 4096 + 32;
 }
