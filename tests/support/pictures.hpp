@@ -3,35 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "engine/app/run_chapter.hpp"
+#include "engine/app/prepared.hpp"
 #include "scene/nearest.hpp"
 
 namespace texmap::test {
-
-/// Makes a lesson ready as its program does when the user types these words.
-///
-/// @return  what the session's settings then are
-template <class Lesson>
-Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) {
-  CommandLine line("test", "");
-  lesson.options(line);
-  Session session("test", line, Lesson::about, offers_for(lesson));
-  if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
-  lesson.prepare(session);
-  const Budget budget = read_budget(session.settings.budget);
-  if constexpr (requires { lesson.phong; }) lesson.phong.plan(session, budget);
-  return session.settings;
-}
-template <class Lesson>
-[[nodiscard]] Lesson prepared(const std::vector<std::string>& words = {}) {
-  Lesson lesson;
-  static_cast<void>(make_ready(lesson, words));
-  return lesson;
-}
 
 template <class Real = double, class Lesson>
 [[nodiscard]] Image picture(const Lesson& lesson, int width = 800, int height = 600) {

@@ -1,0 +1,14 @@
+// The student's function, in a file that CMake writes for each exercise.
+#pragma once
+#include <any>
+#include <string>
+
+namespace texmap::check {
+
+struct Attempt {
+  std::string id;  ///< "02.1", or empty for a program that only answers questions
+  std::any function;
+};
+extern const Attempt attempt;
+
+}  // namespace texmap::check

@@ -1,0 +1,199 @@
+// The exercises of chapter 02. The lesson is the chapter's own. It uses RtiowMapping and
+// Checkerboard by
+// name; here those names, in the lesson's namespace, mean structs that call the student's function.
+#include <cmath>
+#include <numbers>
+
+#include "exercises.hpp"
+#include "texture/checkerboard.hpp"
+#include "texture/mapped.hpp"
+#include "texture/uv.hpp"
+
+namespace texmap::check {
+
+static Hook<Uv<double>(Vec3<double>)> uv_of;
+static Hook<bool(Uv<double>, int)> is_first_color;
+static Hook<Uv<double>(Uv<double>)> twice_around;
+
+}  // namespace texmap::check
+
+namespace texmap::chapter_02 {
+
+struct RtiowMapping {
+  Uv<double> operator()(const Vec3<double>& p) const {
+    const Uv<double> uv = check::uv_of ? check::uv_of.yours(p) : uv_rtiow(p);
+    return check::twice_around ? check::twice_around.yours(uv) : uv;
+  }
+};
+
+struct Checkerboard {
+  Rgb even, odd;
+  double squares = 10;
+
+  Color<double> operator()(const Uv<double>& uv) const {
+    if (!check::is_first_color) return texmap::Checkerboard{even, odd, squares}(uv);
+    return check::is_first_color.yours(uv, static_cast<int>(squares)) ? even : odd;
+  }
+};
+
+}  // namespace texmap::chapter_02
+
+#include "02_checkerboard_uv/lesson.hpp"
+
+namespace texmap::check {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Vector = Vec3<double>;
+using Place2 = Uv<double>;
+
+Image picture() { return drawn<chapter_02::Lesson>(); }
+
+double acos_of_v(const Vector& p) { return std::acos(-p.y) / pi; }
+
+Exercise where_on_the_map() {
+  const double r = std::sqrt(0.5);
+  Law<Uv<double>(Vector)> law{
+      .right = uv_rtiow<double>,
+      .places = {{"on +x, u is 1/2 and v is 1/2", {Vector{1, 0, 0}}},
+                 {"on +z, u is 1/4", {Vector{0, 0, 1}}},
+                 {"on -z, u is 3/4", {Vector{0, 0, -1}}},
+                 {"halfway between +x and +z, u is 3/8", {Vector{r, 0, r}}},
+                 {"45 degrees north of +x, v is 3/4", {Vector{r, r, 0}}},
+                 {"45 degrees south of +x, v is 1/4", {Vector{r, -r, 0}}},
+                 {"in the direction (-2, 1, 2) / 3", {Vector{-2. / 3, 1. / 3, 2. / 3}}},
+                 {"in the direction (2, -1, -2) / 3", {Vector{2. / 3, -1. / 3, -2. / 3}}},
+                 {"at the north pole v is 1, also where rounding made y a little more than 1",
+                  {Vector{1e-12, 1 + 0x1p-52, 0}}}},
+      .mistakes = {},
+      .tolerance = 1e-6};
+  const auto wrong = [&](const char* word, std::function<Uv<double>(Vector)> function) {
+    law.mistakes.push_back({word, std::move(function)});
+  };
+  const auto right = law.right;
+  wrong(
+      "acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
+      "atan2",
+      [=](Vector p) {
+        return Place2{right(p).u, acos_of_v(p)};
+      });
+  // Those who make another mistake often use the textbook's acos, too.
+  for (const bool textbook : {false, true}) {
+    const auto v = [=](const Vector& p) { return textbook ? acos_of_v(p) : right(p).v; };
+    wrong("u runs the other way: your map is mirrored", [=](Vector p) {
+      return Place2{1 - right(p).u, v(p)};
+    });
+    wrong("v runs the other way: your map is upside down", [=](Vector p) {
+      return Place2{right(p).u, 1 - v(p)};
+    });
+    wrong("u and v both run the other way: your map is turned by half a turn", [=](Vector p) {
+      return Place2{1 - right(p).u, 1 - v(p)};
+    });
+    wrong("u begins at -1/2: the half is missing", [=](Vector p) {
+      return Place2{right(p).u - 0.5, v(p)};
+    });
+    wrong("the angles are not divided by 2 pi and pi: u and v are in radians", [=](Vector p) {
+      return Place2{(right(p).u - 0.5) * 2 * pi, v(p) * pi};
+    });
+    wrong("u is divided by pi: the map goes around twice", [=](Vector p) {
+      return Place2{(right(p).u - 0.5) * 2 + 0.5, v(p)};
+    });
+    wrong("u and v are exchanged", [=](Vector p) { return Place2{v(p), right(p).u}; });
+  }
+  return exercise("02.1", "Uv uv_of(Vec3 p)", std::move(law), uv_of, picture);
+}
+
+Exercise which_square() {
+  const auto column = [](Place2 uv, int squares) { return static_cast<int>(uv.u * squares); };
+  const auto row = [](Place2 uv, int squares) { return static_cast<int>(uv.v * squares); };
+  Law<bool(Place2, int)> law{
+      .right =
+          [](Place2 uv, int squares) {
+            return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
+          },
+      .places = {{"the field at (0, 0) has the first color", {Place2{0.01, 0.01}, 10}},
+                 {"its right neighbor, at (0.15, 0.05), has the second", {Place2{0.15, 0.05}, 10}},
+                 {"the field above it, at (0.05, 0.15), has the second", {Place2{0.05, 0.15}, 10}},
+                 {"the field at (0.15, 0.15) has the first", {Place2{0.15, 0.15}, 10}},
+                 {"of 4 x 4 fields, the one at (0.6, 0.3) has the second", {Place2{0.6, 0.3}, 4}},
+                 {"of 9 x 9 fields, the one at (0.99, 0.99) has the first",
+                  {Place2{0.99, 0.99}, 9}},
+                 {"at the north pole v is 1: the last row, not another one; at (0.05, 1) it is the "
+                  "second color",
+                  {Place2{0.05, 1}, 10}},
+                 {"at (0.15, 1) it is the first", {Place2{0.15, 1}, 10}}},
+      .mistakes = {{"you look at u alone: these are stripes, not squares",
+                    [=](Place2 uv, int n) { return column(uv, n) % 2 == 0; }},
+                   {"you look at v alone: these are rings, not squares",
+                    [=](Place2 uv, int n) { return row(uv, n) % 2 == 0; }},
+                   {"the two colors are exchanged",
+                    [=](Place2 uv, int n) { return (column(uv, n) + row(uv, n)) % 2 != 0; }},
+                   {"the two colors are exchanged",
+                    [=](Place2 uv, int n) {
+                      return (column(uv, n) + std::min(row(uv, n), n - 1)) % 2 != 0;
+                    }},
+                   {"at v = 1 you begin a new row: put it into the last one",
+                    [=](Place2 uv, int n) { return (column(uv, n) + row(uv, n)) % 2 == 0; }},
+                   {"column and row must be added; their product is even too often",
+                    [=](Place2 uv, int n) { return column(uv, n) * row(uv, n) % 2 == 0; }}}};
+  return exercise("02.2", "bool is_first_color(Uv uv, int squares)", std::move(law), is_first_color,
+                  picture);
+}
+
+Exercise square_squares() {
+  const auto twice = [](double u, double v) {
+    return [u, v](Place2 uv) { return Place2{u * uv.u, v * uv.v}; };
+  };
+  Law<Place2(Place2)> law{
+      .right = twice(2, 1),
+      .places = {{"where the map begins, u stays 0", {Place2{0, 0.5}}},
+                 {"after half a turn the pattern has gone around once", {Place2{0.5, 0.5}}},
+                 {"after three quarters of a turn it is at 1.5", {Place2{0.75, 0.25}}},
+                 {"the rows stay as they are", {Place2{0.25, 0.75}}}},
+      .mistakes =
+          {{"v must stay as it is: the fields are smaller now, and no squares", twice(2, 2)},
+           {"v is doubled and u is not: now the fields are four times as wide as they are high",
+            twice(1, 2)},
+           {"the pattern goes around once in two turns: multiply u, do not divide it",
+            twice(0.5, 1)}},
+      .tolerance = 1e-12};
+  return exercise("02.3", "Uv twice_around(Uv uv)", std::move(law), twice_around, picture);
+}
+
+/// Pixels of the chapter's picture that change when the lesson does.
+double pixels_changed(const std::function<void(chapter_02::Lesson&)>& change) {
+  auto lesson = prepared<chapter_02::Lesson>();
+  const View<> view = view_of(lesson.stage.camera, 800, 600);
+  const Image before = render<double>(lesson, view);
+  change(lesson);
+  const Image after = render<double>(lesson, view);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < before.pixels.size(); ++i) {
+    if (before.pixels[i] != after.pixels[i]) ++changed;
+  }
+  return static_cast<double>(changed);
+}
+
+}  // namespace
+
+const ExercisesOfChapter& exercises_of_chapter() {
+  static const ExercisesOfChapter chapter{
+      .exercises = {where_on_the_map(), which_square(), square_squares()},
+      .questions = {{"02.a", "What is u in the direction (0, 1, 1)?",
+                     [] {
+                       return uv_rtiow(Vector{0, 1, 1}).u;
+                     },
+                     "", 0},
+                    {"02.b",
+                     "How many of the 480,000 pixels change when the left sphere becomes blue?",
+                     [] {
+                       return pixels_changed([](chapter_02::Lesson& lesson) {
+                         lesson.objects[chapter_02::left].paint = Solid{blue};
+                       });
+                     },
+                     "pixels", 0.2}},
+  };
+  return chapter;
+}
+
+}  // namespace texmap::check

@@ -1,0 +1,189 @@
+#!/bin/sh
+# The exercises: ./course check ... calls this in the course's folder. `--help` shows its use.
+#
+# A file chapters/NN_*/exercises/K_*.hpp is the student's. tests/exercises/NN_K.hpp has the whole exercise: its task, the solution between
+# the marks `// solution` and `// start: ...` (what the student finds there instead), and hints.
+set -eu
+passed=out/exercises/passed.txt
+
+usage() {
+  cat <<'TEXT'
+usage: ./course check                  all exercises and questions, and how far you are
+       ./course check 02               check your exercises of chapter 02
+       ./course check 02.1             check one: words, a picture with your function, a page out/exercises/02.1/index.html
+       ./course check 02.a 0.25        check your answer to a question: how far off it is
+       ./course check hint 02.1        a hint; ask again for the next one
+       ./course check solution 02.1    a solution
+       ./course check reset 02.1       begin again; your lines are kept in out/exercises/02.1/
+Write into the files chapters/NN_*/exercises/K_*.hpp, or into a copy that you keep elsewhere.
+status: 0 right, or only shown; 1 not yet; 2 wrong command line, or the build failed for another reason than your file
+TEXT
+}
+
+wrong() {
+  printf 'error: %s\n' "$1" >&2
+  usage >&2
+  exit 2
+}
+
+# ids: of all exercises, in order.
+ids() {
+  for file in tests/exercises/[0-9][0-9]_[0-9].hpp; do
+    basename "$file" .hpp | tr _ .
+  done
+}
+
+whole_of() { printf 'tests/exercises/%s.hpp' "$(printf '%s' "$1" | tr . _)"; }
+
+# file_of ID: sets file to the student's file, and stops if there is no such exercise.
+file_of() {
+  case "$1" in
+    [0-9][0-9].[0-9]) ;;
+    *) wrong "'$1' is no exercise; ./course check lists them" ;;
+  esac
+  [ -f "$(whole_of "$1")" ] || wrong "there is no exercise '$1'; ./course check lists them"
+  for file in chapters/"${1%.*}"_*/exercises/"${1#*.}"_*.hpp; do
+    [ -f "$file" ] && return
+  done
+  printf 'error: the file of exercise %s is gone; ./course check reset %s writes it again\n' "$1" "$1" >&2
+  exit 2
+}
+
+title_of() { sed -n '1s/^[^:]*: //p' "$(whole_of "$1")"; }
+
+# start_of ID: the file as students get it.
+start_of() {
+  sed -e '/^ *\/\/ solution$/,/^ *\/\/ start: /{' -e '/^ *\/\/ start: /!d' -e '}' -e 's/\/\/ start: //' -e '/^\/\/ hint: /d' "$(whole_of "$1")"
+}
+
+# state_of ID: passed, changed (after it passed) or open.
+state_of() {
+  state=open
+  was=$(grep "^$1 " "$passed" 2>/dev/null || :)
+  [ -z "$was" ] && return
+  state=changed
+  file_of "$1"
+  [ "$was" != "$1 $(cksum <"$file")" ] || state=passed
+}
+
+remember() {
+  mkdir -p out/exercises
+  { grep -v "^$1 " "$passed" 2>/dev/null || :; } >"$passed.new"
+  [ "$2" != 0 ] || printf '%s %s\n' "$1" "$(cksum <"$file")" >>"$passed.new"
+  mv "$passed.new" "$passed"
+}
+
+list() {
+  done=0
+  count=0
+  next=
+  for id in $(ids); do
+    count=$((count + 1))
+    state_of "$id"
+    case $state in
+      passed) mark='[x]' done=$((done + 1)) ;;
+      changed) mark='[?]' ;;
+      *) mark='[ ]' ;;
+    esac
+    [ "$state" = passed ] || next=${next:-$id}
+    printf '%s %s  %s\n' "$mark" "$id" "$(title_of "$id")"
+  done
+  printf '%s of %s right.' "$done" "$count"
+  if [ -n "$next" ]; then
+    file_of "$next"
+    printf ' Next: write %s, then ./course check %s' "$file" "$next"
+  fi
+  printf '\n[?]: changed after it was right.\nQuestions: ./course check 02.a shows one; with a number it says how far off you are.\n'
+}
+
+# check ID: builds and runs one. Sets status.
+check() {
+  file_of "$1"
+  program=exercise_$(printf '%s' "$1" | tr . _)
+  ./course --build learn "$program" 1 || {
+    printf '%s  %s: does not compile; the compiler says why above\n' "$1" "$(title_of "$1")"
+    remember "$1" 1
+    status=1
+    return
+  }
+  status=0
+  # A file that loops forever ends after 20 s of processor time.
+  # shellcheck disable=SC3045 # ulimit -t is in every sh that is used
+  (ulimit -t 20 && exec "build/learn/bin/$program" --title "$(title_of "$1")") || status=$?
+  case $status in
+    0 | 1 | 2) ;;
+    152 | 137 | 158) printf '%s  %s: still running after 20 s of processor time; is there a loop without an end?\n' "$1" "$(title_of "$1")" ;;
+    *) printf '%s  %s: your function crashed (status %s)\n' "$1" "$(title_of "$1")" "$status" ;;
+  esac
+  remember "$1" "$status"
+}
+
+question() {
+  ./course --build learn "check_${1%.*}" 2 || exit 2
+  if [ $# -eq 1 ]; then
+    exec "build/learn/bin/check_${1%.*}" --question "$1"
+  fi
+  exec "build/learn/bin/check_${1%.*}" --question "$1" --answer "$2"
+}
+
+case "${1:-}" in
+  "") list ;;
+  --help | -h) usage ;;
+  hint)
+    [ $# -eq 2 ] || wrong "hint takes one exercise"
+    file_of "$2"
+    shown=out/exercises/$2/hints
+    mkdir -p "out/exercises/$2"
+    n=$(($(cat "$shown" 2>/dev/null || echo 0) + 1))
+    all=$(grep -c '^// hint: ' "$(whole_of "$2")" || :)
+    [ "$n" -le "$all" ] || n=$all
+    grep '^// hint: ' "$(whole_of "$2")" | sed -n "${n}s/^.. hint: //p"
+    echo "$n" >"$shown"
+    echo "(hint $n of $all)"
+    ;;
+  solution)
+    [ $# -eq 2 ] || wrong "solution takes one exercise"
+    file_of "$2"
+    sed -e '/^ *\/\/ solution$/d' -e '/^ *\/\/ start: /d' -e '/^\/\/ hint: /d' "$(whole_of "$2")"
+    ;;
+  reset)
+    [ $# -eq 2 ] || wrong "reset takes one exercise"
+    case "$2" in *[!0-9.]*) wrong "'$2' is no exercise" ;; esac
+    start=$(start_of "$2")
+    file_of "$2"
+    if [ -f "$file" ] && [ "$(cat "$file")" != "$start" ]; then
+      mkdir -p "out/exercises/$2"
+      cp "$file" "out/exercises/$2/before_reset_$(date +%Y%m%d_%H%M%S).hpp"
+      echo "Your lines are kept in out/exercises/$2/"
+    fi
+    printf '%s\n' "$start" >"$file"
+    echo "$file is as it was."
+    ;;
+  start) # for the tests: start ID [FILE]
+    start_of "$2" >"${3:-/dev/stdout}"
+    ;;
+  [0-9][0-9].[a-z])
+    [ $# -le 2 ] || wrong "a question takes one number"
+    question "$@"
+    ;;
+  [0-9][0-9])
+    worst=0
+    any=
+    for id in $(ids); do
+      case "$id" in
+        "$1".*)
+          any=yes
+          check "$id"
+          [ "$status" = 0 ] || worst=1
+          ;;
+      esac
+    done
+    [ -n "$any" ] || wrong "chapter '$1' has no exercises"
+    exit "$worst"
+    ;;
+  *)
+    [ $# -eq 1 ] || wrong "check takes one exercise"
+    check "$1"
+    case $status in 0) exit 0 ;; 2) exit 2 ;; *) exit 1 ;; esac
+    ;;
+esac

@@ -1,0 +1,86 @@
+// Judges a function by its values: at named places, against the right ones and against known
+// mistakes.
+#pragma once
+#include <functional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "words.hpp"
+
+namespace texmap::check {
+
+/// A place where a function is tried: what should be there, in words, and the arguments.
+template <class... Args>
+struct Place {
+  std::string law;  ///< "on +z, (0, 0, 1), u is 1/4"
+  std::tuple<Args...> at;
+};
+
+/// A mistake that many make: its word, and the function as those write it.
+template <class Function>
+struct Mistake {
+  std::string word;  ///< "u runs the other way: your map is mirrored"
+  std::function<Function> function;
+};
+
+/// What is known of a function: the right one, where to try it, and what often goes wrong.
+template <class Function>
+struct Law;
+template <class Out, class... Args>
+struct Law<Out(Args...)> {
+  std::function<Out(Args...)> right;
+  std::vector<Place<std::decay_t<Args>...>> places;  ///< in the order of teaching
+  std::vector<Mistake<Out(Args...)>> mistakes;
+  double tolerance = 1e-9;  ///< of each part of a value
+};
+
+/// A verdict in words.
+struct Verdict {
+  bool right = true;
+  std::string law;       ///< the first law that does not hold, empty if all do
+  std::string expected;  ///< the right value there
+  std::string got;
+  std::string mistake;    ///< the word of the known mistake, empty if it is none of them
+  std::size_t wrong = 0;  ///< at how many places
+  std::size_t places = 0;
+};
+
+/// Tries a function at all places.
+///
+/// A known mistake is named if its function is wrong somewhere and gives the same as `yours` at
+/// every place: of several, the first.
+template <class Out, class... Args>
+[[nodiscard]] Verdict judge(const Law<Out(Args...)>& law,
+                            const std::function<Out(Args...)>& yours) {
+  Verdict verdict;
+  verdict.places = law.places.size();
+  std::vector<Out> values;
+  for (const auto& place : law.places) {
+    values.push_back(std::apply(yours, place.at));
+    const Out right = std::apply(law.right, place.at);
+    if (apart(right, values.back()) <= law.tolerance) continue;
+    if (verdict.right) {
+      verdict.right = false;
+      verdict.law = place.law;
+      verdict.expected = in_words(right);
+      verdict.got = in_words(values.back());
+    }
+    ++verdict.wrong;
+  }
+  if (verdict.right) return verdict;
+  for (const auto& mistake : law.mistakes) {
+    bool same = true;
+    for (std::size_t i = 0; i < law.places.size() && same; ++i) {
+      same = apart(std::apply(mistake.function, law.places[i].at), values[i]) <= law.tolerance;
+    }
+    if (same) {
+      verdict.mistake = mistake.word;
+      break;
+    }
+  }
+  return verdict;
+}
+
+}  // namespace texmap::check

@@ -1,0 +1,154 @@
+// Checks one exercise and says what it found, in words and with a picture: ./course check 02.1
+// builds and runs it.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "attempt.hpp"
+#include "engine/app/command_line.hpp"
+#include "engine/app/run_guarded.hpp"
+#include "engine/compare/difference_map.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
+#include "exercises.hpp"
+
+namespace {
+
+using namespace texmap;
+using namespace texmap::check;
+
+struct Request {
+  std::string out = "out/exercises";
+  std::string title;
+  std::string question, answer;
+
+  void declare(CommandLine& line) {
+    line.text("--out", "FOLDER", out, "where the pictures go, in a folder for each exercise");
+    line.text("--title", "TEXT", title, "what the exercise is called");
+    line.text("--question", "ID", question, "check the answer to a question, such as 02.a");
+    line.text("--answer", "NUMBER", answer, "the number that you predict");
+    line.statuses("0 right; 1 not yet; 2 trouble, such as a file that cannot be written");
+  }
+};
+
+/// A share of pixels in words.
+std::string percent(std::size_t part, std::size_t all) {
+  const double share = 100 * static_cast<double>(part) / static_cast<double>(all);
+  return part > 0 && share < 0.1 ? "less than 0.1 %" : text("%.1f %%", share);
+}
+
+/// Values and picture are right; a rounding may move single pixels, as in the golden pictures.
+bool is_right(const Verdict& verdict, std::size_t different, std::size_t pixels) {
+  return verdict.right && different * 5000 <= pixels;
+}
+
+/// The verdict, line by line.
+std::string in_words(const Exercise& exercise, const std::string& title, const Verdict& verdict,
+                     std::size_t different, std::size_t pixels) {
+  const bool right = is_right(verdict, different, pixels);
+  std::string words = exercise.id + "  " + title + (right ? ": right\n" : ": not yet\n");
+  if (verdict.right) {
+    words += text("  All %zu values that were tried are right.\n", verdict.places);
+  } else {
+    words += "  law:       " + verdict.law + "\n  expected:  " + verdict.expected +
+             "\n  yours:     " + verdict.got + "\n";
+    words += text("  %zu of %zu values are wrong.\n", verdict.wrong, verdict.places);
+    if (!verdict.mistake.empty()) words += "  This is a known mistake: " + verdict.mistake + ".\n";
+  }
+  words += "  In the chapter's picture " + percent(different, pixels) + " of the pixels differ";
+  words += is_right({}, different, pixels) ? ".\n" : "; none should.\n";
+  if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
+  return words;
+}
+
+std::string figure(const std::string& file, const std::string& caption) {
+  return "<figure><img src=\"" + file + "\" alt=\"" + caption + "\"><figcaption>" + caption +
+         "</figcaption></figure>\n";
+}
+
+void write_page(const std::filesystem::path& folder, const std::string& title,
+                const std::string& words) {
+  std::string page = "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" +
+                     escaped_markup(title) + "</title>\n";
+  page +=
+      "<style>:root{color-scheme:light dark}body{font:1rem/1.5 system-ui,sans-serif;margin:1rem "
+      "auto;max-width:80rem;padding:0 1rem}main{display:flex;flex-wrap:wrap;gap:1rem}"
+      "figure{margin:0}img{max-width:100%}</style>\n";
+  page += "<h1>" + escaped_markup(title) + "</h1>\n<pre>" + escaped_markup(words) +
+          "</pre>\n<main>\n" + figure("yours.png", "drawn with your function") +
+          figure("right.png", "drawn with the course's function") +
+          figure("map.png", "where they differ") + "</main>\n</html>\n";
+  write_text_atomically(folder / "index.html", page);
+}
+
+/// Checks the student's function, draws the pictures, and writes the page. Returns the status.
+int check_exercise(const Exercise& exercise, const Request& request) {
+  const Verdict verdict = exercise.verdict(attempt.function);
+  const Image yours = exercise.draw(attempt.function);
+  const Image right = exercise.draw({});
+  const std::size_t different = measure(yours, right).pixels_different;
+  const std::string words =
+      in_words(exercise, request.title, verdict, different, right.pixels.size());
+  print(words);
+
+  const std::filesystem::path folder = path_of(request.out) / exercise.id;
+  std::filesystem::create_directories(folder);
+  save_png(yours, folder / "yours.png");
+  save_png(right, folder / "right.png");
+  save_png(difference_map(yours, right), folder / "map.png");
+  write_page(folder, exercise.id + "  " + request.title, words);
+  print("  pictures:  " + name_of(folder / "index.html") + "\n");
+  return is_right(verdict, different, right.pixels.size()) ? 0 : 1;
+}
+
+/// Says how far a prediction is off. Returns the status.
+int check_answer(const Question& question, double predicted) {
+  const double answer = question.answer();
+  const double off = apart(answer, predicted);
+  const bool right = off <= question.tolerance * std::abs(answer);
+  const std::string unit = question.unit.empty() ? "" : " " + question.unit;
+  std::string words = question.id + "  " + question.text + "\n  You say " +
+                      check::in_words(predicted) + unit + ", the program finds " +
+                      check::in_words(answer) + unit + ": ";
+  if (right) {
+    words += "right.\n";
+  } else if (answer == 0) {
+    words += "off by " + check::in_words(off) + ".\n";
+  } else {
+    words += text("off by %.3g %%.\n", 100 * off / std::abs(answer));
+  }
+  print(words);
+  return right ? 0 : 1;
+}
+
+/// The item with this id. Errors: std::runtime_error.
+template <class Item>
+const Item& with_id(const std::vector<Item>& items, const std::string& id) {
+  for (const Item& item : items)
+    if (item.id == id) return item;
+  throw std::runtime_error("there is no '" + id + "' in this chapter");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  texmap::CommandLine line("check", "checks an exercise, or the answer to a question");
+  Request request;
+  request.declare(line);
+  int found = 0;
+  const int status = texmap::run_guarded(line, [&] {
+    if (!line.parse(argc, argv)) return;
+    const ExercisesOfChapter& chapter = exercises_of_chapter();
+    if (!request.question.empty() && request.answer.empty()) {
+      print(with_id(chapter.questions, request.question).text + "\n");
+    } else if (!request.question.empty()) {
+      found = check_answer(with_id(chapter.questions, request.question),
+                           parse_decimal("--answer", request.answer, -1e300, 1e300));
+    } else {
+      found = check_exercise(with_id(chapter.exercises, attempt.id), request);
+    }
+  });
+  return status != 0 ? 2 : found;
+}

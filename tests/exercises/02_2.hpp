@@ -1,0 +1,23 @@
+// Exercise 02.2: which square?
+//
+// The map is divided into squares x squares fields, in columns by u and in rows by v. Their two
+// colors alternate in both
+// directions. Return true where (u, v) is in a field of the first color, which is that of the
+// field at (0, 0).
+// u is at least 0 and less than 1. v is 0 to 1: at the north pole v is 1, and that belongs to
+// the last row.
+//
+// Check it:  ./course check 02.2
+#include "exercise.hpp"
+
+bool is_first_color(Uv uv, int squares) {
+  // solution
+  const int column = static_cast<int>(uv.u * squares);
+  const int row = std::min(static_cast<int>(uv.v * squares), squares - 1);
+  return (column + row) % 2 == 0;
+  // start: // Your lines here. uv.u * squares says how many columns are left of u.
+  // start: return uv.u * squares < 1;
+}
+// hint: static_cast<int>(uv.u * squares) is the number of the column. The row comes from v.
+// hint: One step to the side or up changes column + row by 1. n % 2 == 0: n is even.
+// hint: At v = 1 the row is one too many. std::min(row, squares - 1) puts it into the last.

@@ -1,0 +1,25 @@
+# The exercises: each fails as shipped, its solution passes, each known mistake gets its word. Included by CMakeLists.txt here.
+
+find_program(SH sh)
+mark_as_advanced(SH)
+# What students get is made from the whole exercise, as `./course check reset` does; a student's own files are not on trial.
+if(SH)
+  set(check_script "${CMAKE_SOURCE_DIR}/common/tools/check/check.sh")
+  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/starts")
+  get_property(numbers GLOBAL PROPERTY CHAPTERS_WITH_EXERCISES)
+  foreach(number IN LISTS numbers)
+    set(starts "")
+    foreach(k 1 2 3)
+      set(start "${CMAKE_CURRENT_BINARY_DIR}/starts/${number}_${k}.hpp")
+      add_custom_command(OUTPUT "${start}" COMMAND "${SH}" "${check_script}" start ${number}.${k} "${start}"
+        DEPENDS exercises/${number}_${k}.hpp "${check_script}" WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}" COMMENT "" VERBATIM)
+      list(APPEND starts "${start}")
+    endforeach()
+    add_suite(exercises/test_exercises_${number} ON exercises_${number} compare LABELS chapter-${number} exercises)
+    target_include_directories(test_exercises_${number} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
+    target_sources(test_exercises_${number} PRIVATE ${starts})
+    if(TAKES_GNU_OPTIONS)  # an exercise's function is declared nowhere else
+      set_source_files_properties(exercises/test_exercises_${number}.cpp PROPERTIES COMPILE_OPTIONS -Wno-missing-declarations)
+    endif()
+  endforeach()
+endif()
