@@ -163,7 +163,8 @@ class Boxes:
                 left = b'left'
         if self.stopping.is_set():
             raise KeyboardInterrupt
-        cpu = max(cpu, sum(60 * float(minutes) + float(seconds) for minutes, seconds in re.findall(r'(\d+)m([\d.]+)s', times.decode('latin-1'))))
+        counted = re.findall(r'(\d+)m([\d.]+)s', times.decode('latin-1'))
+        cpu = max(cpu, sum(60 * float(minutes) + float(seconds) for minutes, seconds in counted))
         how, why = self.how_it_ended(process.returncode, why, cpu, limits, log, left == b'left')
         return Ended(how, why, cpu, log, made)
 
