@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "math/color.hpp"
+#include "math/srgb.hpp"
 #include "math/vec3.hpp"
 #include "texture/uv.hpp"
 
-using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalized
+using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalize
 using Uv = texmap::Uv<double>;        // .u .v
 using Color = texmap::Color<double>;  // .r .g .b, 0 to 1
 
@@ -22,3 +23,6 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // The distance to the first sphere along a ray, in lengths of `direction`; infinity if there is
 // none.
 using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
+
+using texmap::srgb_decode;  // from an encoded number to light, both 0 to 1
+using texmap::srgb_encode;  // and back
