@@ -169,7 +169,7 @@ TEST_CASE("05.3: a leaning axis") {
         return Vec3{x * std::cos(b) - p.z * std::sin(b), p.y * std::cos(a) + p.x * std::sin(a),
                     p.z * std::cos(b) + x * std::sin(b)};
       },
-      "other way");
+      "wrong sign");
   check_mistake(
       "05.3",
       +[](Vec3 p, double lean, double turn) {

@@ -86,29 +86,28 @@ Exercise turn_a_direction() {
                  {"(2, 3, 6) / 7 after 40 degrees", {Vector{2. / 7, 3. / 7, 6. / 7}, 40}},
                  {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
                   {Vector{-2. / 7, 3. / 7, -6. / 7}, 200}}},
-      .mistakes =
-          {{"sin and cos get degrees and take them for radians: multiply by pi / 180",
-            [](Vector p, double degrees) {
-              return turned_by(p, std::sin(degrees), std::cos(degrees));
-            }},
-           {"the other way around: your globe turns to the west. Exchange the signs of the sines",
-            turn([](double angle) { return -std::sin(angle); }, cosine)},
-           {"sine and cosine are exchanged: at 0 degrees your globe is turned already",
-            turn(cosine, sine)},
-           {"this is half of the angle: a full turn is 2 pi, and 360 degrees",
-            [](Vector p, double degrees) { return rotation_y(degrees / 2)(p); }},
-           {"the new z is computed from the new x: keep the old x in a variable",
-            [](Vector p, double degrees) {
-              const Vector moved = rotation_y(degrees)(p);
-              return Vector{
-                  moved.x, moved.y,
-                  p.z * std::cos(degrees * radian) - moved.x * std::sin(degrees * radian)};
-            }},
-           {"x and y are turned, about the z axis: turn x and z",
-            [](Vector p, double degrees) {
-              const Vector moved = rotation_y(degrees)(Vector{p.x, p.z, p.y});
-              return Vector{moved.x, moved.z, moved.y};
-            }}},
+      .mistakes = {{"sin and cos get degrees and take them for radians: multiply by pi / 180",
+                    [](Vector p, double degrees) {
+                      return turned_by(p, std::sin(degrees), std::cos(degrees));
+                    }},
+                   {"the other way around, from +z to -x: exchange the signs of the sines",
+                    turn([](double angle) { return -std::sin(angle); }, cosine)},
+                   {"sine and cosine are exchanged: at 0 degrees your globe is turned already",
+                    turn(cosine, sine)},
+                   {"this is half of the angle: a full turn is 2 pi, and 360 degrees",
+                    [](Vector p, double degrees) { return rotation_y(degrees / 2)(p); }},
+                   {"the new z is computed from the new x: keep the old x in a variable",
+                    [](Vector p, double degrees) {
+                      const Vector moved = rotation_y(degrees)(p);
+                      return Vector{
+                          moved.x, moved.y,
+                          p.z * std::cos(degrees * radian) - moved.x * std::sin(degrees * radian)};
+                    }},
+                   {"x and y are turned, about the z axis: turn x and z",
+                    [](Vector p, double degrees) {
+                      const Vector moved = rotation_y(degrees)(Vector{p.x, p.z, p.y});
+                      return Vector{moved.x, moved.z, moved.y};
+                    }}},
       .tolerance = 1e-6};
   return exercise("05.1", "Vec3 turned(Vec3 p, double degrees)", std::move(law), turned,
                   globe_after({"--degrees", "60"}));
@@ -141,7 +140,7 @@ Exercise u_after_a_turn() {
                     [=](double u, double degrees) {
                       return std::clamp(turns(u, degrees), 0., 1.);
                     }},
-                   {"the angle has the wrong sign: your globe turns to the west",
+                   {"the angle has the wrong sign: a turn to the east adds to u",
                     [=](double u, double degrees) { return fraction(turns(u, -degrees)); }},
                    {"u counts full turns: divide the degrees by 360, not by 180",
                     [=](double u, double degrees) { return fraction(turns(u, 2 * degrees)); }},
@@ -184,7 +183,7 @@ Exercise a_leaning_axis() {
                     [=](Vector p, double leaning, double degrees) {
                       return turn(upright(p, -leaning), degrees);
                     }},
-                   {"the globe turns the other way: +z must turn to +x",
+                   {"the turn has the wrong sign: after the lean, +z must turn to +x",
                     [=](Vector p, double leaning, double degrees) {
                       return turn(upright(p, leaning), -degrees);
                     }},

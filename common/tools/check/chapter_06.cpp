@@ -77,9 +77,10 @@ Image lecture_scene() {
   return drawn<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"});
 }
 
-/// The globe from near by, with a spot in which the light is more than 1.
+/// The globe from near by, with a spot in which the light is more than 1. No blend of a byte and a
+/// limited light is a whole byte here: rounding would decide.
 Image blended_globe() {
-  auto lesson = prepared<Lesson>({"--blend", "0.3", "--shininess", "5"});
+  auto lesson = prepared<Lesson>({"--blend", "0.3337", "--shininess", "5"});
   lesson.stage.camera.fov_y_degrees = 20;
   return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
 }
@@ -247,17 +248,18 @@ double size_of_spot(const std::string& shininess) {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       .exercises = {the_mirrored_direction(), the_highlight(), the_blend()},
-      .questions = {{"06.a",
-                     "The highlight changes some pixels with --shininess 50. With --shininess 500, "
-                     "by which factor are they fewer?",
-                     [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
-                    {"06.b",
-                     "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the "
-                     "light is the ambient 0.2. Which byte of green does --blend 0.5 draw?",
-                     [] {
-                       return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
-                     },
-                     "", 0}},
+      .questions =
+          {{"06.a",
+            "How many times as many pixels does the highlight change with --shininess 50 as with "
+            "--shininess 500?",
+            [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
+           {"06.b",
+            "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the "
+            "light is the ambient 0.2. Which byte of green does --blend 0.5 draw?",
+            [] {
+              return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
+            },
+            "", 0}},
   };
   return chapter;
 }

@@ -93,10 +93,16 @@ double edge(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 
 Image crate() { return drawn<Lesson>(); }
 
-/// The crate from the front: rays pass exactly through the edge between two triangles of a side.
-Image crate_from_the_front() {
+/// The crate on one of its edges, from the front: some rays pass exactly through the edge between
+/// the two triangles of a side.
+Image crate_on_its_edge() {
   auto lesson = prepared<Lesson>({"--degrees", "0"});
-  lesson.stage.camera = {.eye = {0, 0, 4}, .target = {0, 0, 0}, .fov_y_degrees = 45};
+  Mesh& mesh = lesson.scene.mesh;
+  mesh.triangles.resize(12);  // without the floor
+  for (Point& p : mesh.points)
+    p = {(p.x - p.y) * std::sqrt(0.5), (p.x + p.y) * std::sqrt(0.5), p.z};
+  lesson.stage.camera = {
+      .eye = {0, 0, 4.5}, .target = {0, 0, 0}, .fov_y_degrees = 50, .anchor = PixelAnchor::corner};
   return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
 }
 
@@ -126,6 +132,7 @@ Exercise hit_or_miss() {
                  moved("the ray is left of the triangle: a miss", 5, 0),
                  moved("the ray is above the triangle: a miss", 0, -5),
                  moved("the ray is below the triangle: a miss", 0, 5),
+                 moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
                  {"clockwise, the ray is right of the triangle: a miss",
                   {Vector{-6, -1, 0}, Vector{-5, 3, 0}, Vector{-3, -1, 0}}},
                  {"clockwise, the ray is below the triangle: a miss",
@@ -170,7 +177,7 @@ Exercise hit_or_miss() {
                     std::min({p.y, q.y, r.y}) <= 0 && std::max({p.y, q.y, r.y}) >= 0;
            }}}};
   return exercise("08.1", "bool is_hit(Vec3 a, Vec3 b, Vec3 c)", std::move(law), is_hit,
-                  crate_from_the_front);
+                  crate_on_its_edge);
 }
 
 Exercise three_weights() {
