@@ -74,7 +74,9 @@ using chapter_06::Lesson;
 
 /// The lecture's scene with large spots; the shininess is odd, so that a wrong sign shows.
 Image lecture_scene() {
-  return drawn<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"});
+  auto lesson = prepared<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"});
+  lesson.stage.camera.fov_y_degrees = 36;
+  return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
 }
 
 /// The globe from near by, with a spot in which the light is more than 1. No blend of a byte and a

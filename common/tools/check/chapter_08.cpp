@@ -324,9 +324,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
                      "the point that is seen in the middle of the edge's image?",
                      [] { return weight_in_the_middle(1, 4); }, "", 1e-3},
                     {"08.b",
-                     "A point of the floor has u = -1.3. With the chapter's wrap mode, "
+                     "A point of the floor has u = -2.3. With the chapter's wrap mode, "
                      "which u of the texture does it show?",
-                     [] { return wrapped_coordinate(Lesson().choice.wrap, -1.3); }, "", 1e-9}},
+                     [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); }, "", 1e-9}},
   };
   return chapter;
 }
