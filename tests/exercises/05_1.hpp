@@ -16,5 +16,5 @@ Vec3 turned(Vec3 p, double degrees) {
   // start: return {p.x + degrees / 360, p.y, p.z};
 }
 // hint: A full turn is 360 degrees, and 2 pi in radians. So radians are degrees * pi / 180.
-// hint: Seen from above, the x axis (1, 0) turns to (cos, -sin) and the z axis (0, 1) to (sin, cos).
+// hint: From above, the x axis (1, 0) turns to (cos, -sin), and the z axis (0, 1) to (sin, cos).
 // hint: (x, z) goes x steps along the turned x axis and z steps along the turned z axis.

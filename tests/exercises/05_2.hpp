@@ -16,4 +16,4 @@ double u_after(double u, double degrees) {
 }
 // hint: A full turn is 360 degrees, and it adds 1 to u.
 // hint: Only the part after the decimal point counts. std::floor(x) is the whole number below x.
-// hint: -0.25 is u = 0.75. std::floor(-0.25) is -1; static_cast<int>(-0.25) and std::fmod are no help.
+// hint: -0.25 is u = 0.75. std::floor(-0.25) is -1, but static_cast<int>(-0.25) is 0.

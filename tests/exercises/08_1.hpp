@@ -13,9 +13,9 @@ bool is_hit(Vec3 a, Vec3 b, Vec3 c) {
   const double bc = b.x * c.y - b.y * c.x;
   const double ca = c.x * a.y - c.y * a.x;
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-  // start: // Your lines here. a.x * b.y - a.y * b.x is positive if (0, 0) is left of the edge a to b.
+  // start: // Your lines here. a.x * b.y - a.y * b.x > 0: (0, 0) is left of the edge a to b.
   // start: return a.x * b.x < 0 && a.y * c.y < 0;
 }
 // hint: Go around: the edges are a to b, b to c, and c to a.
 // hint: Counterclockwise: the ray is left of all three. Clockwise: right of all three.
-// hint: Exactly on an edge the edge function is 0: >= and <=, or a ray slips through between two triangles.
+// hint: On an edge the edge function is 0. Take >= and <=, or rays slip through.

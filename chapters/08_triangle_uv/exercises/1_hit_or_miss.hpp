@@ -8,6 +8,6 @@
 #include "exercise.hpp"
 
 bool is_hit(Vec3 a, Vec3 b, Vec3 c) {
-  // Your lines here. a.x * b.y - a.y * b.x is positive if (0, 0) is left of the edge a to b.
+  // Your lines here. a.x * b.y - a.y * b.x > 0: (0, 0) is left of the edge a to b.
   return a.x * b.x < 0 && a.y * c.y < 0;
 }

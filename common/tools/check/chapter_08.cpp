@@ -1,5 +1,5 @@
-// The exercises of chapter 08. The lesson is the chapter's own. It uses first_hit and MeshMapping by
-// name; here those names, in the lesson's namespace, lead to the student's function.
+// The exercises of chapter 08. The lesson is the chapter's own. It uses first_hit and MeshMapping
+// by name; here those names, in the lesson's namespace, lead to the student's function.
 #include <cmath>
 
 #include "engine/app/mesh_options.hpp"
