@@ -42,7 +42,10 @@ TEST_CASE("07.1: average light, not bytes") {
       "07.1",
       +[](const std::vector<int>& bytes) {
         double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode<double>(byte / 255);
+        for (const int byte : bytes) {
+          const int cut = byte / 255;
+          sum += srgb_decode(1.0 * cut);
+        }
         return static_cast<int>(255 * srgb_encode(sum / static_cast<double>(bytes.size())) + 0.5);
       },
       "255.0");
@@ -154,13 +157,15 @@ TEST_CASE("07.3: one sample in each cell") {
   check_mistake(
       "07.3",
       +[](int i, int n, double, double) {
-        return Uv{(i % n) * 1.0 / n, (i / n) * 1.0 / n};
+        const int row = i / n;
+        return Uv{(i % n) * 1.0 / n, row * 1.0 / n};
       },
       "at its corner");
   check_mistake(
       "07.3",
       +[](int i, int n, double, double) {
-        return Uv{(i % n) * 1.0 / n + 0.5 / n, (i / n) * 1.0 / n + 0.5 / n};
+        const int row = i / n;
+        return Uv{(i % n) * 1.0 / n + 0.5 / n, row * 1.0 / n + 0.5 / n};
       },
       "stripes");
   check_mistake(
@@ -172,13 +177,15 @@ TEST_CASE("07.3: one sample in each cell") {
   check_mistake(
       "07.3",
       +[](int i, int n, double a, double b) {
-        return Uv{(i / n + a) / n, (i % n + b) / n};
+        const int row = i / n;
+        return Uv{(row + a) / n, (i % n + b) / n};
       },
       "rows are exchanged");
   check_mistake(
       "07.3",
       +[](int i, int n, double a, double b) {
-        return Uv{(i % n + a) / n / n, (i / n + b) / n / n};
+        const int row = i / n;
+        return Uv{(i % n + a) / n / n, (row + b) / n / n};
       },
       "n x n");
   check_mistake(
@@ -191,13 +198,15 @@ TEST_CASE("07.3: one sample in each cell") {
   check_mistake(
       "07.3",
       +[](int i, int n, double a, double b) {
-        return Uv{(i + a) / n, (i / n + b) / n};
+        const int row = i / n;
+        return Uv{(i + a) / n, (row + b) / n};
       },
       "remainder");
   check_mistake(
       "07.3",
       +[](int i, int n, double a, double b) {
-        return Uv{1.0 * (i % n) / n + a, 1.0 * (i / n) / n + b};
+        const int row = i / n;
+        return Uv{1.0 * (i % n) / n + a, 1.0 * row / n + b};
       },
       "leave their cells");
   check_unknown(

@@ -54,6 +54,7 @@ using chapter_07::Lesson;
 
 constexpr double pi = std::numbers::pi;
 constexpr int cells = 4;  // columns and rows of a pixel's samples
+constexpr int all_samples = cells * cells;
 
 /// What the lesson calls a scene.
 struct Scene {
@@ -109,15 +110,15 @@ Rgb8 shown(const std::vector<Rgb>& samples) {
 Image magnified(const Lesson& lesson) {
   constexpr int times = 4;
   const Scene scene{view_of(lesson.stage.camera, 100, 75), lesson.objects, lesson.stage.sky};
-  const Sampler sampler(SamplerKind::random, cells * cells);
+  const Sampler sampler(SamplerKind::random, all_samples);
   Image image(times * scene.view.width, times * scene.view.height);
   for (int row = 0; row < scene.view.height; ++row) {
     for (int column = 0; column < scene.view.width; ++column) {
       const std::uint32_t pixel =
           hash_pixels<double>(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
       std::vector<Rgb> samples;
-      samples.reserve(cells * cells);
-      for (int sample = 0; sample < cells * cells; ++sample) {
+      samples.reserve(all_samples);
+      for (int sample = 0; sample < all_samples; ++sample) {
         Numbers random{sampler, pixel, sample};
         samples.push_back(lesson(scene, PixelPlace<double>{double(column), double(row)}, random));
       }
@@ -166,7 +167,12 @@ Exercise average_light() {
               return sum / static_cast<int>(bytes.size());
             }},
            {"byte / 255 with two whole numbers cuts off and gives 0 or 1: write byte / 255.0",
-            mean_by([](int byte) { return srgb_decode(byte / 255 * 1.); }, encode)},
+            mean_by(
+                [](int byte) {
+                  const int cut_off = byte / 255;
+                  return srgb_decode(double(cut_off));
+                },
+                encode)},
            {"the mean is light and no byte yet: encode it",
             mean_by(decode, [](double light) { return 255 * light; })},
            {"decoding and encoding are exchanged: a byte is encoded",
@@ -233,10 +239,11 @@ Exercise more_light_from_above() {
 }
 
 Exercise one_sample_in_each_cell() {
+  const auto row = [](int i, int n) { return i / n; };
   Law<Place2(int, int, double, double)> law{
       .right =
-          [](int i, int n, double a, double b) {
-            return Place2{(i % n + a) / n, (i / n + b) / n};
+          [=](int i, int n, double a, double b) {
+            return Place2{(i % n + a) / n, (row(i, n) + b) / n};
           },
       .places = {{"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
                  {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
@@ -246,37 +253,37 @@ Exercise one_sample_in_each_cell() {
                  {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}}},
       .mistakes =
           {{"all samples of a cell are at its corner: add a and b",
-            [](int i, int n, double, double) {
-              return Place2{i % n / double(n), i / n / double(n)};
+            [=](int i, int n, double, double) {
+              return Place2{(i % n) / double(n), row(i, n) / double(n)};
             }},
            {"all samples are in the middle of their cells: the same grid in every pixel makes "
             "stripes. Add a and b",
-            [](int i, int n, double, double) {
-              return Place2{(i % n + 0.5) / n, (i / n + 0.5) / n};
+            [=](int i, int n, double, double) {
+              return Place2{(i % n + 0.5) / n, (row(i, n) + 0.5) / n};
             }},
            {"there is no rule for i: these are random samples",
             [](int, int, double a, double b) {
               return Place2{a, b};
             }},
            {"columns and rows are exchanged: sample 1 is the right neighbor of sample 0",
-            [](int i, int n, double a, double b) {
-              return Place2{(i / n + a) / n, (i % n + b) / n};
+            [=](int i, int n, double a, double b) {
+              return Place2{(row(i, n) + a) / n, (i % n + b) / n};
             }},
            {"you divide by n x n: all samples are in one corner of the pixel",
-            [](int i, int n, double a, double b) {
-              return Place2{(i % n + a) / (n * n), (i / n + b) / (n * n)};
+            [=](int i, int n, double a, double b) {
+              return Place2{(i % n + a) / (n * n), (row(i, n) + b) / (n * n)};
             }},
            {"the row is no whole number: divide i by n as int, and the rest is cut off",
-            [](int i, int n, double a, double b) {
+            [=](int i, int n, double a, double b) {
               return Place2{(i % n + a) / n, (i / double(n) + b) / n};
             }},
            {"the column grows beyond the pixel: it is the remainder i % n",
-            [](int i, int n, double a, double b) {
-              return Place2{(i + a) / n, (i / n + b) / n};
+            [=](int i, int n, double a, double b) {
+              return Place2{(i + a) / n, (row(i, n) + b) / n};
             }},
            {"a and b are not divided by n: the samples leave their cells",
-            [](int i, int n, double a, double b) {
-              return Place2{i % n / double(n) + a, i / n / double(n) + b};
+            [=](int i, int n, double a, double b) {
+              return Place2{(i % n) / double(n) + a, row(i, n) / double(n) + b};
             }}},
       .tolerance = 1e-9};
   return exercise("07.3", "Uv place_of_sample(int i, int n, double a, double b)", std::move(law),
