@@ -11,6 +11,7 @@ namespace texmap::check {
 std::string in_words(double value) {
   if (std::isnan(value)) return "no number (NaN)";
   if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+  if (std::abs(value) < 1e-15) return "0";  // -0, or what rounding leaves of 0
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value);
   return text.data();
