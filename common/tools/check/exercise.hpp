@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -15,3 +17,8 @@ using Uv = texmap::Uv<double>;        // .u .v
 using Color = texmap::Color<double>;  // .r .g .b, 0 to 1
 
 inline constexpr double pi = std::numbers::pi;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The distance to the first sphere along a ray, in lengths of `direction`; infinity if there is
+// none.
+using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;

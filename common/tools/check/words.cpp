@@ -10,6 +10,7 @@ namespace texmap::check {
 
 std::string in_words(double value) {
   if (std::isnan(value)) return "no number (NaN)";
+  if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value);
   return text.data();
