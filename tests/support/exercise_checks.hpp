@@ -16,6 +16,13 @@ namespace texmap::test {
   throw std::runtime_error("there is no exercise " + id);
 }
 
+/// What the program answers to a question.
+[[nodiscard]] inline double answer(const std::string& id) {
+  for (const check::Question& one : check::exercises_of_chapter().questions)
+    if (one.id == id) return one.answer();
+  throw std::runtime_error("there is no question " + id);
+}
+
 /// The share of the chapter's pixels that differ when this function takes the place of the common
 /// one.
 template <class Function>
