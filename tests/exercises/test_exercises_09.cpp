@@ -40,10 +40,8 @@ TEST_CASE("09.1: the picture again and again") {
   check_mistake(
       "09.1",
       +[](int column, int width) {
-        int seen = column;
-        while (seen <= 0) seen += width;
-        while (seen > width) seen -= width;
-        return seen == width && column > 0 ? 0 : seen;
+        const int rest = column - column / width * width;
+        return rest > 0 ? rest : rest + width;
       },
       "0 must stay 0");
   check_mistake(

@@ -165,7 +165,9 @@ Exercise fold_an_octahedron() {
     return uv_octahedral(Vector{p.x, p.y, -p.z});
   });
   other("you fold where y is above 0: only the lower half is folded out", [](Vector p) {
-    return p.y == 0 ? uv_octahedral(p) : uv_octahedral(Vector{p.x, -p.y, p.z});
+    const auto [a, b] = from_above(p);
+    if (p.y <= 0) return in_square(a, b);
+    return in_square(std::copysign(1 - std::abs(b), a), std::copysign(1 - std::abs(a), b));
   });
   other("divide by |x| + |y| + |z|, not by the length: the point must lie on the octahedron",
         [](Vector p) {
