@@ -10,6 +10,7 @@
 #include "engine/render/develop.hpp"
 #include "engine/render/gather.hpp"
 #include "exercises.hpp"
+#include "sampling/directions.hpp"
 #include "texture/sky_texels.hpp"
 #include "texture/uv_inverse.hpp"
 
@@ -270,17 +271,17 @@ Exercise draw_one_of_many() {
 }
 
 /// Of a million directions drawn by the cosine on a surface that faces the sun, how many find it.
-/// The sun's red light is 900, fading at its edge.
 double directions_to_the_sun() {
-  const auto lesson = prepared<Lesson>({"--light", "cosine"});
-  const LightImage& map = lesson.environment.picture.map();
-  double angle = 0;
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      if (map.at(column, row).r > 450) angle += SkyBand(row, map.width, map.height).solid_angle;
+  const Vec3<double> to_sun{0, 0, 1};
+  const double edge = std::cos(1.4 * pi / 180);
+  int found = 0;
+  for (int i = 0; i < 1000; ++i) {
+    for (int j = 0; j < 1000; ++j) {
+      const Point2<double> place{(i + 0.5) / 1000, (j + 0.5) / 1000};
+      if (dot(cosine_direction(to_sun, place), to_sun) > edge) ++found;
     }
   }
-  return 1e6 * angle / pi;
+  return found;
 }
 
 double equator_to_pole() {
