@@ -118,7 +118,7 @@ TEST_CASE("02.3: square squares") {
       "once in two turns");
 }
 
-TEST_CASE("the questions of chapter 02 have answers") {
-  for (const auto& question : texmap::check::exercises_of_chapter().questions)
-    CHECK(std::isfinite(question.answer()));
+TEST_CASE("the questions of chapter 02 have the answers of its page") {
+  check_answer("02.a", 60);
+  check_answer("02.b", 80);
 }

@@ -16,13 +16,6 @@ namespace texmap::test {
   throw std::runtime_error("there is no exercise " + id);
 }
 
-/// What the program answers to a question.
-[[nodiscard]] inline double answer(const std::string& id) {
-  for (const check::Question& one : check::exercises_of_chapter().questions)
-    if (one.id == id) return one.answer();
-  throw std::runtime_error("there is no question " + id);
-}
-
 /// The share of the chapter's pixels that differ when this function takes the place of the common
 /// one.
 template <class Function>
@@ -63,6 +56,17 @@ void check_unknown(const std::string& id, Function* wrong) {
   const check::Verdict verdict = exercise(id).verdict(wrong);
   CHECK_MESSAGE(!verdict.right, id);
   CHECK_MESSAGE(verdict.mistake.empty(), id << ": " << verdict.mistake);
+}
+
+/// The program's answer to a question is this one, as near as the question asks for.
+inline void check_answer(const std::string& id, double answer) {
+  for (const check::Question& question : check::exercises_of_chapter().questions) {
+    if (question.id != id) continue;
+    const double off = check::apart(question.answer(), answer);
+    CHECK_MESSAGE(off <= question.tolerance * answer, id << " is off by " << off);
+    return;
+  }
+  FAIL("there is no question " << id);
 }
 
 }  // namespace texmap::test

@@ -74,14 +74,14 @@ template <class Function>
 
 /// A lesson's picture for an exercise, 400 x 300.
 template <class Lesson>
-[[nodiscard]] Image drawn(const Lesson& lesson) {
+[[nodiscard]] Image picture_of(const Lesson& lesson) {
   return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
 }
 
 /// The chapter's picture after these words of its command line.
 template <class Lesson>
 [[nodiscard]] Image drawn(const std::vector<std::string>& words = {}) {
-  return drawn(prepared<Lesson>(words));
+  return picture_of(prepared<Lesson>(words));
 }
 
 }  // namespace texmap::check
