@@ -92,7 +92,7 @@ Image crates() {
   auto lesson =
       prepared<Lesson>({"--filter", "nearest", "--scene", "plane", "--floor", "crate.png"});
   lesson.ground.mapping.mapping.size = 3;
-  return drawn(lesson);
+  return picture_of(lesson);
 }
 
 /// A floor of 8 x 8 texels, half a unit wide.
@@ -107,7 +107,7 @@ Image large_texels() {
   }
   lesson.ground.texture.pyramid = pyramid_of(image);
   lesson.ground.mapping.mapping.size = 4;
-  return drawn(lesson);
+  return picture_of(lesson);
 }
 
 Exercise again_and_again() {

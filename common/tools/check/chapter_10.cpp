@@ -67,7 +67,7 @@ constexpr double pi = std::numbers::pi;
 Image globe(const char* layout) {
   auto lesson = prepared<Lesson>({"--projection", layout});
   lesson.stage.camera.fov_y_degrees = 18;
-  return drawn(lesson);
+  return picture_of(lesson);
 }
 
 Exercise onto_a_cylinder() {

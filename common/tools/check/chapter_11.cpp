@@ -82,7 +82,7 @@ using Vector = Vec3<double>;
 Image globe() {
   auto lesson = prepared<chapter_11::Lesson>();
   lesson.stage.camera.fov_y_degrees = 21;
-  return drawn(lesson);
+  return picture_of(lesson);
 }
 
 Exercise normal_of_a_bump() {
