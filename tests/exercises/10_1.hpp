@@ -16,5 +16,5 @@ Uv on_cylinder(Vec3 p) {
   // start: // Your lines here. Vec3 has .x, .y and .z; pi is there, and all of <cmath>.
   // start: return {p.x, p.y};
 }
-// hint: The angle around the axis is std::atan2(p.z, p.x), in radians: -pi to pi. It grows westward.
+// hint: The angle around the axis is std::atan2(p.z, p.x), in radians. It grows westward.
 // hint: v does not need an angle: the height is p.y, -1 to 1. Move it to 0 to 1.
