@@ -61,6 +61,6 @@ TEST_CASE("a missing texture is an error that names it, never a color") {
                        doctest::Contains("cannot load texture 'no_such_picture.png'"), FileError);
 }
 
-TEST_CASE("all numbers draw the Earth alike, but for 0.1 percent of the pixels in float") {
+TEST_CASE("all numbers draw the same Earth, but for 0.1 percent of the pixels in float") {
   check_all_numbers(prepared<Lesson>(), 480);
 }

@@ -105,7 +105,8 @@ TEST_CASE("the printed table names every relation and every source") {
 }
 
 TEST_CASE(
-    "the sheet has the size that was asked for and shows One Weekend 2020 and Next Week alike") {
+    "the sheet has the size that was asked for and shows the same for One Weekend 2020 and Next "
+    "Week") {
   const Lesson lesson = test::prepared<Lesson>();
   CommandLine line("test", "");
   Session session("test", line, Lesson::about);

@@ -334,7 +334,7 @@ TEST_CASE("a budget takes the cheapest filter that keeps it, and none where no p
     CHECK(chosen.taps > taps);
     taps = chosen.taps;
   }
-  CHECK(plan(lesson, 0.001).text.find("no filter keeps the budget") != std::string::npos);
+  CHECK(plan(lesson, 0.001).text.find("no filter is within the budget") != std::string::npos);
 
   Lesson close =
       lesson;  // a hand above the floor, looking straight down but for the "up" of Camera

@@ -23,7 +23,7 @@ using chapter_12::Lesson;
 
 namespace {
 
-/// How a film is drawn, besides its samples.
+/// How a film is drawn, apart from its samples.
 struct Drawn {
   Size size = {64, 36};
   int threads = 0;
@@ -264,7 +264,8 @@ TEST_CASE("the program refuses every damaged sky with its name, status 1 and no 
       hdr_start + (bytes_of_text(hdr_size(3, 1)) + (flat(2) + flat(1, {9, 9, 9, 129}))));
   const Outcome odd = run(program);
   CHECK(odd.status == 1);
-  CHECK(odd.err.find("it is 3 pixels wide, and a sky needs an even number") != std::string::npos);
+  CHECK(odd.err.find("it is 3 pixels wide, and the width of a sky must be even") !=
+        std::string::npos);
 }
 
 TEST_CASE("the program's options: wrong words are status 2, and auto says what it took") {

@@ -8,7 +8,7 @@
 
 namespace texmap::test {
 
-/// Checks that all numbers draw a lesson alike, in a size that no pack divides.
+/// Checks that all numbers draw the same picture of a lesson, in a size that no pack divides.
 ///
 /// @param most_in_float  pixels that may differ in float; some must, or float was not used
 template <class Lesson>

@@ -95,7 +95,7 @@ void CommandLine::text(std::string_view name, std::string_view placeholder, std:
                        std::string_view help) {
   add({std::string(name), std::string(placeholder), std::string(help), value,
        [&value, name = std::string(name)](std::string_view typed) {
-         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         if (typed.empty()) throw UsageError(name + " needs a name, and got an empty one");
          value = typed;
        }});
 }
@@ -104,7 +104,7 @@ void CommandLine::texts(std::string_view name, std::string_view placeholder,
                         std::vector<std::string>& values, std::string_view help) {
   add({std::string(name), std::string(placeholder), std::string(help), "",
        [&values, name = std::string(name)](std::string_view typed) {
-         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         if (typed.empty()) throw UsageError(name + " needs a name, and got an empty one");
          values.emplace_back(typed);
        }});
 }

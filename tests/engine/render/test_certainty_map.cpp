@@ -18,7 +18,7 @@ namespace {
 
 struct Count {
   int pixels = 0;
-  int certain = 0;  ///< pixels whose bytes no rounding can change
+  int certain = 0;  ///< pixels that no rounding can change
   int outside = 0;  ///< pixels of another number outside the bounds
 };
 

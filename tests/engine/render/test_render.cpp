@@ -141,7 +141,7 @@ TEST_CASE_TEMPLATE("with one sample a pixel has the color of the ray through its
   }
 }
 
-TEST_CASE("a picture is drawn with one sample a pixel unless told otherwise") {
+TEST_CASE("a picture is drawn with one sample per pixel unless told otherwise") {
   CHECK(RenderSettings{}.samples == 1);
 }
 
