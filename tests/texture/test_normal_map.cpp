@@ -7,6 +7,7 @@
 
 #include "number/kinds/pack2.hpp"
 #include "support/dice.hpp"
+#include "support/shown_values.hpp"
 #include "texture/bilinear.hpp"
 
 using namespace texmap;

@@ -189,8 +189,6 @@ constexpr std::array chapters = {
     Chapter{"11", draw_all<chapter_11::Lesson>}, Chapter{"12", draw_all<chapter_12::Lesson>},
 };
 
-constexpr const char* usage = "usage: draw_mistakes NN --out FOLDER [option of the chapter ...]\n";
-
 Request request_of(const Words& words) {
   Request request;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -221,11 +219,15 @@ void draw_and_tell(const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // The chapter's options are read by its lesson: this line is for the help and the usage.
   CommandLine line("draw_mistakes", "a chapter's picture with the mistakes that students make");
+  std::string number, folder;
+  line.positional("NN", number, "the chapter; its own options may follow");
+  line.text("--out", "FOLDER", folder, "where the pictures and mistakes.txt go");
   return run_guarded(line, [&] {
     const Words words = typed_words(argc, argv);
     if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-      print(usage);
+      print(line.help());
       return;
     }
     draw_and_tell(request_of(words));

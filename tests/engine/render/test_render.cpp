@@ -7,6 +7,7 @@
 
 #include "engine/render/render.hpp"
 #include "number/kinds/pack.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {
