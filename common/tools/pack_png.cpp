@@ -29,8 +29,8 @@ struct Packed {
   std::size_t after = 0;
 };
 
-/// Only plain files are packed again, with 8 bits a channel, RGB and one chunk of pixels: others may
-/// hold more than the pixels. What a zlib stream begins with says how hard it was packed.
+/// Only plain files are packed again, with 8 bits a channel, RGB and one chunk of pixels: others
+/// may hold more than the pixels. What a zlib stream begins with says how hard it was packed.
 bool can_be_packed(const File& file) {
   constexpr std::size_t header = 24;  // bits a channel, RGB, three zeros
   constexpr std::size_t data = 33;    // the chunk's length, name and stream

@@ -65,7 +65,8 @@ enum class Detail {
   all
 };
 
-/// Compares two pictures on all cores. How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
+/// Compares two pictures on all cores.
+/// How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
 ///
 /// @param a, b  pictures of one size, at least one pixel
 /// @param mask  a picture of the same size; its black pixels are left out; empty for no mask
