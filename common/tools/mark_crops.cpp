@@ -118,6 +118,7 @@ void reduce_colors(Image& image) {
   std::map<std::array<int, 3>, int> counts;
   for (const Rgb8 pixel : image.pixels) ++counts[key(pixel)];
   std::vector<std::vector<Counted>> boxes(1);
+  boxes[0].reserve(counts.size());
   for (const auto& [color, count] : counts) boxes[0].push_back({color, count});
 
   while (boxes.size() < 256) {

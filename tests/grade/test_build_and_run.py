@@ -12,10 +12,12 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 from pathlib import Path
 
+sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 ITEM = '01_plain_spheres'
 WORD = 'kept-' + os.urandom(8).hex()
@@ -77,6 +79,18 @@ int main() {}
 LINKED = '#include <unistd.h>\nint main() { return symlink("/usr/include/stdio.h", "picture.png"); }\n'
 
 
+def running(seconds):
+    """The processes that sleep so long."""
+    found = []
+    for process in Path('/proc').iterdir():
+        try:
+            if process.name.isdigit() and (process / 'cmdline').read_bytes() == f'sleep\0{seconds}\0'.encode():
+                found.append(int(process.name))
+        except OSError:
+            pass  # it has just ended
+    return found
+
+
 class Case(unittest.TestCase):
     tree = build = work = None
 
@@ -101,16 +115,21 @@ class Case(unittest.TestCase):
                 file.write(lesson)
         return at
 
-    def grade(self, *options, item=ITEM, environment=None):
-        """Grades all students; the rows by student."""
+    def start(self, *options, environment=None):
+        """Begins to grade all students; the process, and the file that gets the rows."""
         plan, results = self.at / 'plan.tsv', self.at / 'results.tsv'
         students = sorted((self.at / 'students').iterdir())
-        plan.write_text(''.join(f'{student.name}\t{student}\t{item}\n' for student in students))
         results.unlink(missing_ok=True)
-        ended = subprocess.run([sys.executable, self.tree / 'common/tools/grade/build_and_run.py', '--tree', self.tree, '--build', self.build,
-                                '--work', self.work, '--plan', plan, '--results', results, *options], capture_output=True, text=True,
-                               check=False, env=environment)
-        self.assertEqual(ended.returncode, 0, ended.stderr)
+        plan.write_text(''.join(f'{student.name}\t{student}\t{ITEM}\n' for student in students))
+        command = [sys.executable, self.tree / 'common/tools/grade/build_and_run.py', '--tree', self.tree, '--build', self.build,
+                   '--work', self.work, '--plan', plan, '--results', results, *options]
+        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment), results
+
+    def grade(self, *options, environment=None):
+        """Grades all students; the rows by student."""
+        grading, results = self.start(*options, environment=environment)
+        _, said = grading.communicate()
+        self.assertEqual(grading.returncode, 0, said)
         self.text = results.read_text()
         names = ('id item containment build run cpu_seconds limit_cpu_seconds picture expected hidden_picture hidden_expected '
                  'tests_passed tests_run cached note').split()
@@ -151,9 +170,9 @@ class Attacks(Case):
         rows = self.grade('--containment', kind, '--no-hidden', '--no-tests', *(['--trust-students'] if kind == 'none' else []),
                           environment=dict(os.environ, GRADER_KEY=WORD))
         note = rows['attacker']['note']
-        left = [entry for entry in Path('/proc').iterdir() if entry.name.isdigit() and self.command_line(entry) == f'sleep\0{sleep}\0']
-        for entry in left:
-            os.kill(int(entry.name), signal.SIGKILL)
+        left = running(sleep)
+        for process in left:
+            os.kill(process, signal.SIGKILL)
         try:
             listener.accept()[0].close()
             connected = True
@@ -179,15 +198,16 @@ class Attacks(Case):
         os.utime(self.golden, ns=(before.st_atime_ns, before.st_mtime_ns))
         return done
 
-    @staticmethod
-    def command_line(process):
-        try:
-            return (process / 'cmdline').read_text()
-        except OSError:
-            return ''
-
     def test_succeed_where_nothing_contains_them(self):
         self.assertEqual([name for name, reached in self.attack('none').items() if not reached], [])
+
+    def test_are_not_run_where_nothing_contains_them_unless_trusted(self):
+        self.student('waits', SLEEP)
+        grading, results = self.start('--containment', 'none')
+        _, said = grading.communicate()
+        self.assertEqual(grading.returncode, 1)
+        self.assertIn('--trust-students runs it NOT CONTAINED', said)
+        self.assertFalse(results.exists())
 
     def test_are_contained_by_bwrap(self):
         self.contained('bwrap')
@@ -199,6 +219,36 @@ class Attacks(Case):
         if kind not in KINDS:
             self.skipTest(f'{kind} does not work here')
         self.assertEqual([name for name, reached in self.attack(kind).items() if reached], [])
+
+
+class Goldens(unittest.TestCase):
+    def test_that_change_end_the_run(self):
+        from build_and_run import CourseError, Grader
+        grader = Grader.__new__(Grader)
+        grader.lock, grader.sums = threading.Lock(), {}
+        with tempfile.TemporaryDirectory() as place:
+            golden = Path(place) / 'golden.png'
+            golden.write_bytes(b'right')
+            self.assertEqual([grader.expected(golden) for _ in range(2)], [str(golden)] * 2)
+            golden.write_bytes(b'wrong')
+            with self.assertRaises(CourseError):
+                grader.expected(golden)
+
+
+class Interrupts(Case):
+    def test_end_what_runs(self):
+        seconds = f'{2000 + os.getpid()}.{time.monotonic_ns() % 1000000}'
+        self.student('waits', f'#include <unistd.h>\nint main() {{ execl("/bin/sleep", "sleep", "{seconds}", nullptr); }}\n')
+        grading, results = self.start('--no-tests', '--no-hidden')
+        deadline = time.monotonic() + 300
+        while not running(seconds) and grading.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.assertTrue(running(seconds))
+        grading.send_signal(signal.SIGTERM)
+        grading.communicate()
+        self.assertEqual(grading.returncode, 130)
+        self.assertEqual(running(seconds), [])
+        self.assertEqual(results.read_text(), '')
 
 
 class Limits(Case):
@@ -213,9 +263,9 @@ class Limits(Case):
         (self.student('missing') / 'lesson.hpp').unlink()
         rows = self.grade('--no-tests', '--megabytes', '500')
         how = {name: row['run'] for name, row in rows.items()}
-        self.assertEqual(how, {'spin': 'hang', 'sleep': 'hang', 'crash': 'crashed SIGSEGV', 'hoard': 'too much memory', 'crowd': 'too much memory',
-                               'forks': how['forks'], 'fill': 'failed (1)', 'linked': 'ok', 'copycat': 'ok', 'loud': how['loud'],
-                               'honest': 'ok', 'same': 'ok', 'without': 'ok', 'missing': ''})
+        self.assertEqual(how, {'spin': 'hang', 'sleep': 'hang', 'crash': 'crashed SIGSEGV', 'hoard': 'too much memory',
+                               'crowd': 'too much memory', 'forks': how['forks'], 'fill': 'failed (1)', 'linked': 'ok',
+                               'copycat': 'ok', 'loud': how['loud'], 'honest': 'ok', 'same': 'ok', 'without': 'ok', 'missing': ''})
         self.assertIn(how['forks'], ('hang', 'too many processes'))
         self.assertIn(how['loud'], ('ok', 'hang'))
         self.assertLessEqual(int(rows['fill']['note'].split()[0]), 64)
@@ -237,7 +287,7 @@ class Limits(Case):
 
 def works(kind, work):
     sys.path.insert(0, str(Case.tree / 'common/tools/grade'))
-    from box import Boxes  # pylint: disable=import-outside-toplevel
+    from box import Boxes
     return Boxes(kind, work).works()
 
 

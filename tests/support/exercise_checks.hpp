@@ -58,4 +58,15 @@ void check_unknown(const std::string& id, Function* wrong) {
   CHECK_MESSAGE(verdict.mistake.empty(), id << ": " << verdict.mistake);
 }
 
+/// The program's answer to a question is this one, as near as the question asks for.
+inline void check_answer(const std::string& id, double answer) {
+  for (const check::Question& question : check::exercises_of_chapter().questions) {
+    if (question.id != id) continue;
+    const double off = check::apart(question.answer(), answer);
+    CHECK_MESSAGE(off <= question.tolerance * answer, id << " is off by " << off);
+    return;
+  }
+  FAIL("there is no question " << id);
+}
+
 }  // namespace texmap::test

@@ -72,6 +72,8 @@ class CommandLine {
   ///
   /// @param name  its name in the usage line
   void positional(std::string_view name, std::string& value, std::string_view help);
+  /// Any number of words after those, at least one.
+  void positionals(std::string_view name, std::vector<std::string>& values, std::string_view help);
 
   /// The help's text about exit statuses, for programs that make no picture.
   void statuses(std::string_view text);
@@ -111,6 +113,7 @@ class CommandLine {
       "0 the picture is written; 1 an error, no picture; 2 the command line is wrong";
   std::vector<Option> options_;
   std::vector<Option> positionals_;
+  bool last_repeats_ = false;  // of the positionals
   std::vector<std::string> typed_;
 };
 

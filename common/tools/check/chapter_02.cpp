@@ -1,6 +1,7 @@
 // The exercises of chapter 02. The lesson is the chapter's own. It uses RtiowMapping and
-// Checkerboard by
-// name; here those names, in the lesson's namespace, mean structs that call the student's function.
+// Checkerboard by name; here those names, in the lesson's namespace, mean structs that call the
+// student's function.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -95,6 +96,9 @@ Exercise where_on_the_map() {
     wrong("the angles are not divided by 2 pi and pi: u and v are in radians", [=](Vector p) {
       return Place2{(right(p).u - 0.5) * 2 * pi, v(p) * pi};
     });
+    wrong("the angles are in radians: a whole turn is 2 pi, not 360", [=](Vector p) {
+      return Place2{(right(p).u - 0.5) * 2 * pi / 360 + 0.5, v(p) * pi / 180};
+    });
     wrong("u is divided by pi: the map goes around twice", [=](Vector p) {
       return Place2{(right(p).u - 0.5) * 2 + 0.5, v(p)};
     });
@@ -160,18 +164,41 @@ Exercise square_squares() {
   return exercise("02.3", "Uv twice_around(Uv uv)", std::move(law), twice_around, picture);
 }
 
-/// Pixels of the chapter's picture that change when the lesson does.
-double pixels_changed(const std::function<void(chapter_02::Lesson&)>& change) {
-  auto lesson = prepared<chapter_02::Lesson>();
-  const View<> view = view_of(lesson.stage.camera, 800, 600);
-  const Image before = render<double>(lesson, view);
-  change(lesson);
-  const Image after = render<double>(lesson, view);
-  std::size_t changed = 0;
-  for (std::size_t i = 0; i < before.pixels.size(); ++i) {
-    if (before.pixels[i] != after.pixels[i]) ++changed;
+/// The northern latitude, in degrees, where a field of the checkerboard is as wide as it is high.
+double latitude_of_squares() {
+  const auto uv_at = [](double east, double north) {  // in radians, from +x
+    return uv_rtiow(Vector{std::cos(north) * std::cos(east), std::sin(north),
+                           -std::cos(north) * std::sin(east)});
+  };
+  double low = 0;
+  double high = pi / 2;
+  for (int i = 0; i < 50; ++i) {
+    const double north = (low + high) / 2;
+    constexpr double step = 1e-4;  // of the same length on the sphere in both directions
+    const double u = uv_at(step / std::cos(north), north).u - uv_at(0, north).u;
+    const double v = uv_at(0, north + step).v - uv_at(0, north).v;
+    (u < v ? low : high) = north;
   }
-  return static_cast<double>(changed);
+  return low * 180 / pi;
+}
+
+/// The longest piece of one color on the equator, in degrees, with so many squares.
+double longest_piece(double squares) {
+  chapter_02::Checkered checkered = chapter_02::Lesson{}.checkered;
+  checkered.texture.squares = squares;
+  constexpr int parts = 36000;
+  const auto is_blue = [&](int i) {
+    const double angle = 2 * pi * (i + 0.5) / parts;
+    const Place2 uv = checkered.mapping(Vector{std::cos(angle), 0, std::sin(angle)});
+    return checkered.texture(uv).r == blue.r;
+  };
+  int longest = 0;
+  int length = 0;
+  for (int i = 1; i < 2 * parts; ++i) {  // twice around: a piece may lie across the beginning
+    length = is_blue(i) == is_blue(i - 1) ? length + 1 : 1;
+    longest = std::max(longest, length);
+  }
+  return 360.0 * longest / parts;
 }
 
 }  // namespace
@@ -179,19 +206,14 @@ double pixels_changed(const std::function<void(chapter_02::Lesson&)>& change) {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       .exercises = {where_on_the_map(), which_square(), square_squares()},
-      .questions = {{"02.a", "What is u in the direction (0, 1, 1)?",
-                     [] {
-                       return uv_rtiow(Vector{0, 1, 1}).u;
-                     },
-                     "", 0},
+      .questions = {{"02.a",
+                     "On the equator a field of the checkerboard is twice as wide as it is high. "
+                     "At which latitude, in degrees, is it as wide as it is high?",
+                     latitude_of_squares, "degrees"},
                     {"02.b",
-                     "How many of the 480,000 pixels change when the left sphere becomes blue?",
-                     [] {
-                       return pixels_changed([](chapter_02::Lesson& lesson) {
-                         lesson.objects[chapter_02::left].paint = Solid{blue};
-                       });
-                     },
-                     "pixels", 0.2}},
+                     "With 9 squares in place of 10: how long is the longest piece of one color "
+                     "on the equator, in degrees?",
+                     [] { return longest_piece(9); }, "degrees"}},
   };
   return chapter;
 }

@@ -72,11 +72,16 @@ template <class Function>
           }};
 }
 
-/// The chapter's picture for an exercise, 400 x 300, after these words of its command line.
+/// A lesson's picture for an exercise, 400 x 300.
+template <class Lesson>
+[[nodiscard]] Image picture_of(const Lesson& lesson) {
+  return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
+}
+
+/// The chapter's picture after these words of its command line.
 template <class Lesson>
 [[nodiscard]] Image drawn(const std::vector<std::string>& words = {}) {
-  const auto lesson = prepared<Lesson>(words);
-  return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
+  return picture_of(prepared<Lesson>(words));
 }
 
 }  // namespace texmap::check

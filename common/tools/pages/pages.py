@@ -24,6 +24,7 @@ import tempfile
 CODE = re.compile(r'^<!-- code: (?P<file>\S+) (?P<name>[\w:~()]+)'
                   r'(?: from "(?P<first>[^"]*)" to "(?P<last>[^"]*)")? -->$')
 FIGURE = re.compile(r'<!-- figure: (?P<name>[\w.]+) -->(?P<value>.*?)<!-- end -->')
+MARK_OF_EXERCISE = re.compile(r'^ *// (solution$|start: )')  # tests/exercises/: the page shows the solution
 FIGURES = 'docs/figures.txt'  # lines of a name, a blank and the value
 
 
@@ -98,7 +99,7 @@ def code_of(root, page, mark):
         if end is None:
             raise Fault(f'{mark["name"]} has no line with "{mark["last"]}" after that with "{mark["first"]}"')
         first, last = begin, end
-    piece = lines[first:last + 1]
+    piece = [line for line in lines[first:last + 1] if not MARK_OF_EXERCISE.match(line)]
     indent = min(len(line) - len(line.lstrip()) for line in piece if line.strip())
     return [line[indent:] for line in piece]
 
@@ -176,7 +177,7 @@ def self_test():
         (work / 'common/texture/uv.hpp').write_text(
             '/// Doc with { a brace.\ntemplate <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n'
             '  }\n  return half(x);\n}\nstruct Kind {\n  int n = 3;\n  int twice() const { return 2 * n; }\n};\n'
-            'inline constexpr int few = 3;\n', encoding='utf-8')
+            'inline constexpr int few = 3;\nint solved() {\n  // solution\n  return 1;\n  // start: return 0;\n}\n', encoding='utf-8')
         (work / FIGURES).write_text('02.n 76\n', encoding='utf-8')
         readme = work / 'README.md'
 
@@ -198,6 +199,7 @@ def self_test():
         whole = 'template <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n  }\n  return half(x);\n}\n'
         assert renew(block('half')) == block('half', whole)
         assert renew(block('half', 'old\n')) == block('half', whole)
+        assert renew(block('solved')) == block('solved', 'int solved() {\n  return 1;\n}\n')
         part = 'half from "if (x)" to "}"'
         assert renew(block(part)) == block(part, 'if (x) {\n  return x / 2;\n}\n')
         assert renew(block('Kind::twice')) == block('Kind::twice', 'int twice() const { return 2 * n; }\n')

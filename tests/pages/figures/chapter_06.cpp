@@ -85,7 +85,7 @@ void figures_of_06(Figures& figures) {
   figures.emplace_back("06.highlight", std::to_string(column) + ", " + std::to_string(row));
   figures.emplace_back("06.highlight_before", color(before.at(column, row)));
   figures.emplace_back("06.highlight_after", color(after.at(column, row)));
-  for (const std::string shininess : {"5", "50", "500"}) {
+  for (const std::string shininess : {"50", "500"}) {
     const Image drawn = picture(prepared<Lesson>({"--shininess", shininess}));
     figures.emplace_back("06.pixels_at_" + shininess, whole(count_different(drawn, before)));
   }

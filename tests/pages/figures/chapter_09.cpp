@@ -46,6 +46,8 @@ void figures_of_09(Figures& figures) {
   }
   const Image sky_line = picture(prepared<Lesson>({"--filter", "trilinear", "--scene", "plane"}));
   figures.emplace_back("09.horizon_byte", whole(sky_line.at(400, 190).g));
+  figures.emplace_back("09.pyramid_texels",
+                       whole(static_cast<long long>(lesson.ground.texture.pyramid.texels.size())));
 }
 
 }  // namespace texmap::test

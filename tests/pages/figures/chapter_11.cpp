@@ -1,12 +1,14 @@
 // The figures of chapter 11's page.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "figures.hpp"
 #include "support/dice.hpp"
 #include "support/pictures.hpp"
+#include "texture/normal_map.hpp"
 
 namespace texmap::test {
 namespace {
@@ -56,6 +58,14 @@ void figures_of_11(Figures& figures) {
     figures.emplace_back("11.central" + name, digits(worst_angle(SlopeFrom::central, step), 2));
   }
   figures.emplace_back("11.duals", digits(worst_angle(SlopeFrom::duals, 1), 2));
+  const auto degrees_from_z = [](const Vec3d& n) {
+    return decimals(std::atan2(std::hypot(n.x, n.y), n.z) * 180 / std::numbers::pi, 2);
+  };
+  const Vec3d slope_of_quarter = raised_normal(Vec3d{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}},
+                                               Slope<double>{0, 0.25, 0}, 0.0, BumpForm::exact);
+  figures.emplace_back("11.lean_of_quarter", degrees_from_z(slope_of_quarter));
+  figures.emplace_back("11.lean_of_flat",
+                       degrees_from_z(normal_of_color(Color<double>{128 / 255.0, 128 / 255.0, 1})));
 }
 
 }  // namespace texmap::test

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "12_environment_map/lesson.hpp"
@@ -108,6 +109,14 @@ void figures_of_12(Figures& figures) {
   figures.emplace_back("12.sun", decimals(to_sun.x, 2) + ", " + decimals(to_sun.y, 2) + ", " +
                                      decimals(to_sun.z, 2));
   add_direction(figures, "sun", sky, to_sun);
+
+  // By the cosine, directions within an angle r of the normal have the probability sin^2 r.
+  const double radius = 1.4 * std::numbers::pi / 180;
+  figures.emplace_back("12.directions_to_sun", whole(std::lround(1e6 * square(std::sin(radius)))));
+  figures.emplace_back(
+      "12.equator_to_pole",
+      whole(std::lround(SkyBand(map.height / 2, map.width, map.height).solid_angle /
+                        SkyBand(0, map.width, map.height).solid_angle)));
 
   add_errors(figures, "uniform", SkyLight(Environment(LightImage(2, 1, gray(0.8F)))));
   add_errors(figures, "sun", SkyLight(Environment(map)));

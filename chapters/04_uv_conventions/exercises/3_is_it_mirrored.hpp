@@ -1,0 +1,14 @@
+// Exercise 04.3: is it mirrored?
+//
+// here is the place in the picture of a point of the globe: u to the right, v upward. east and
+// north are the places of two points next to it, a small step to the east and a small step to the
+// north. Return true if letters in the picture are mirrored on the globe. A picture that is only
+// turned is not mirrored. The program turns u around where you return true.
+//
+// Check it:  ./course check 04.3
+#include "exercise.hpp"
+
+bool is_mirrored(Uv here, Uv east, Uv north) {
+  // Your lines here.
+  return false;
+}

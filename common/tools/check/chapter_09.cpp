@@ -1,0 +1,283 @@
+// The exercises of chapter 09. The lesson's FilteredTexture is here a struct that calls the
+// student's function where it reads the floor.
+#include <array>
+#include <cmath>
+
+#include "09_texture_filtering/sheet.hpp"
+#include "engine/app/filter_options.hpp"
+#include "exercises.hpp"
+#include "texture/environment.hpp"
+
+namespace texmap::check {
+
+static Hook<int(int, int)> repeated_column;
+static Hook<std::array<double, 2>(double, int)> weights_of;
+static Hook<double(double)> level_of_width;
+
+}  // namespace texmap::check
+
+namespace texmap::chapter_09 {
+
+struct FilteredTexture : texmap::FilteredTexture {
+  FilteredTexture() = default;
+  FilteredTexture(texmap::FilteredTexture other) : texmap::FilteredTexture(std::move(other)) {}
+
+  Color<double> operator()(const Uv<double>& uv) const {
+    const bool floor = wrap == Wrap::repeat;  // the globes' is spherical
+    if (floor && check::repeated_column) return nearest_texel({uv.u, 1 - uv.v});
+    if (floor && check::weights_of) return four_texels_mixed({uv.u, 1 - uv.v});
+    return texmap::FilteredTexture::operator()(uv);
+  }
+  Color<Dual<double>> operator()(const Uv<Dual<double>>& uv) const {
+    if (wrap != Wrap::repeat || !check::level_of_width)
+      return texmap::FilteredTexture::operator()(uv);
+    const Color<double> color = between_levels(uv);
+    return {color.r, color.g, color.b};
+  }
+
+ private:
+  [[nodiscard]] PyramidLevel<double> whole() const { return level_of(pyramid, 0.0); }
+
+  Color<double> nearest_texel(const Uv<double>& at) const {
+    const int width = pyramid.levels.front().width;
+    const int column = check::repeated_column.yours(static_cast<int>(floor(at.u * width)), width);
+    if (column < 0 || column >= width) return {1, 0, 1};  // magenta: outside the picture
+    const double height = whole().height;
+    return texel_light(pyramid, whole(), double(column),
+                       remainder_of(floor(at.v * height), height));
+  }
+  Color<double> four_texels_mixed(const Uv<double>& at) const {
+    const PyramidLevel<double> level = whole();
+    const Uv<double> inside{wrapped_coordinate(wrap, at.u), wrapped_coordinate(wrap, at.v)};
+    const auto [left, right] = check::weights_of.yours(inside.u, static_cast<int>(level.width));
+    const auto [top, bottom] = check::weights_of.yours(inside.v, static_cast<int>(level.height));
+    const auto columns = wrapped_neighbors(wrap, floor(inside.u * level.width - 0.5), level.width);
+    const auto rows = wrapped_neighbors(wrap, floor(inside.v * level.height - 0.5), level.height);
+    const auto texel = [&](double column, double row) {
+      return texel_light(pyramid, level, column, row);
+    };
+    return (texel(columns.first, rows.first) * left + texel(columns.second, rows.first) * right) *
+               top +
+           (texel(columns.first, rows.second) * left + texel(columns.second, rows.second) * right) *
+               bottom;
+  }
+  /// A read as wide as the footprint is long, by the filter trilinear.
+  Color<double> between_levels(const Uv<Dual<double>>& uv) const {
+    const Footprint<double> footprint = footprint_of(uv, whole().width, whole().height);
+    const double last = pyramid.last_level();
+    const double level = clamp(check::level_of_width.yours(footprint.longer), 0.0, last);
+    const double fine = floor(level);
+    return trilinear(
+        {uv.u.value, 1 - uv.v.value},
+        TwoLevels<double>{level_of(pyramid, fine), level_of(pyramid, min(fine + 1, last)),
+                          level - fine, level > fine});
+  }
+};
+
+struct Lesson;
+/// The program's sheet of all filters is not drawn here.
+inline void show_filters(Lesson&, Session&) {}
+
+}  // namespace texmap::chapter_09
+
+#include "09_texture_filtering/lesson.hpp"
+
+namespace texmap::check {
+namespace {
+
+using chapter_09::Lesson;
+using Weights = std::array<double, 2>;
+
+Image crates() {
+  auto lesson =
+      prepared<Lesson>({"--filter", "nearest", "--scene", "plane", "--floor", "crate.png"});
+  lesson.ground.mapping.mapping.size = 3;
+  return picture_of(lesson);
+}
+
+/// A floor of 8 x 8 texels, half a unit wide.
+Image large_texels() {
+  auto lesson = prepared<Lesson>({"--filter", "bilinear", "--scene", "plane"});
+  LightImage image(8, 8);
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 8; ++column) {
+      const int kind = (column + 2 * row) % 3;
+      image.at(column, row) = number_cast<float>(kind == 0 ? blue : kind == 1 ? red : white);
+    }
+  }
+  lesson.ground.texture.pyramid = pyramid_of(image);
+  lesson.ground.mapping.mapping.size = 4;
+  return picture_of(lesson);
+}
+
+Exercise again_and_again() {
+  Law<int(int, int)> law{
+      .right = [](int column,
+                  int width) { return static_cast<int>(remainder_of(1.0 * column, 1.0 * width)); },
+      .places = {{"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
+                 {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
+                 {"column 5 of 4 is column 1", {5, 4}},
+                 {"the first column left of the picture, -1 of 4, is the last one, 3", {-1, 4}},
+                 {"column -3 of 4 is column 1", {-3, 4}},
+                 {"column -4 of 4 is column 0", {-4, 4}},
+                 {"column -5 of 4 is column 3", {-5, 4}},
+                 {"column 70 of 8 is column 6", {70, 8}},
+                 {"column -70 of 8 is column 2", {-70, 8}}},
+      .mistakes = {
+          {"the rest of % is below 0 where the column is: add the width there",
+           [](int column, int width) { return column % width; }},
+          {"without its sign, a column left of the picture is counted from the wrong side: the "
+           "floor is mirrored there",
+           [](int column, int width) { return std::abs(column % width); }},
+          {"you add the width to every rest below 1: 0 must stay 0",
+           [](int column, int width) {
+             return column % width <= 0 ? column % width + width : column % width;
+           }},
+          {"-1 is seen as 0 and -4 as 3: left of the picture your floor is mirrored",
+           [](int column, int width) {
+             return column < 0 ? (-1 - column) % width : column % width;
+           }},
+          {"you divide by width - 1: the last column is never seen",
+           [](int column, int width) {
+             const int rest = column % (width - 1);
+             return rest < 0 ? rest + width - 1 : rest;
+           }},
+          {"one width is not enough: columns far away are still outside the picture",
+           [](int column, int width) {
+             return column < 0 ? column + width : column >= width ? column - width : column;
+           }},
+          {"your floor shows the picture once, and then the column of its edge: that is clamp",
+           [](int column, int width) { return std::clamp(column, 0, width - 1); }},
+      }};
+  return exercise("09.1", "int repeated_column(int column, int width)", std::move(law),
+                  repeated_column, crates);
+}
+
+Exercise mix_two_texels() {
+  const auto part = [](double x) { return x - std::floor(x); };
+  Law<Weights(double, int)> law{
+      .right =
+          [](double u, int width) {
+            const double right = four_texels(Uv<double>{u, 0.5}, width, 2).across;
+            return Weights{1 - right, right};
+          },
+      .places = {{"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0",
+                  {0.375, 4}},
+                 {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2",
+                  {0.5, 4}},
+                 {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4",
+                  {0.4375, 4}},
+                 {"u = 9/16 is three quarters of that way: 1/4 and 3/4", {0.5625, 4}},
+                 {"u = 0.3 of 8 texels", {0.3, 8}},
+                 {"on the left edge, u = 0, the texel on the left is the last one of the picture "
+                  "again: 1/2 and 1/2",
+                  {0, 4}},
+                 {"u = 1/16, still left of the first center", {0.0625, 4}}},
+      .mistakes = {
+          {"the weights are exchanged: the closer texel must count more",
+           [=](double u, int width) {
+             const double right = part(u * width - 0.5);
+             return Weights{right, 1 - right};
+           }},
+          {"half a texel is missing: the center of texel k is at k + 1/2, not at k",
+           [=](double u, int width) {
+             return Weights{1 - part(u * width), part(u * width)};
+           }},
+          {"u is multiplied by width - 1: u = 1 is the right edge of the last texel, not its "
+           "center",
+           [=](double u, int width) {
+             const double right = part(u * (width - 1));
+             return Weights{1 - right, right};
+           }},
+          {"the nearer texel has all the weight: this is the filter nearest",
+           [=](double u, int width) {
+             const double right = std::round(part(u * width - 0.5));
+             return Weights{1 - right, right};
+           }},
+          {"the part is cut off toward 0, so it is below 0 at the left edge: use std::floor",
+           [](double u, int width) {
+             const double right = u * width - 0.5 - std::trunc(u * width - 0.5);
+             return Weights{1 - right, right};
+           }},
+          {"both texels count 1/2 everywhere: this blurs, but does not mix by distance",
+           [](double, int) {
+             return Weights{0.5, 0.5};
+           }}}};
+  return exercise("09.2", "std::array<double, 2> weights_of(double u, int width)", std::move(law),
+                  weights_of, large_texels);
+}
+
+Exercise which_level() {
+  const auto whole_level = [](double width) { return std::floor(std::log2(std::max(width, 1.0))); };
+  const auto scaled = [=](double width) {
+    return std::max(width, 1.0) / std::exp2(whole_level(width));
+  };
+  const auto right = [](double width) {
+    const LevelPlace<double> place = level_place(width, 30);
+    return place.number + place.fraction;
+  };
+  Law<double(double)> law{
+      .right = right,
+      .places = {{"a read 1 texel wide is at level 0", {1}},
+                 {"a read 2 texels wide is at level 1", {2}},
+                 {"8 = 2^3 texels are at level 3", {8}},
+                 {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
+                 {"1.5 texels: l = 0", {1.5}},
+                 {"100 texels: l = 6", {100}},
+                 {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
+                 {"a footprint of width 0 is at level 0", {0}}},
+      .mistakes = {
+          {"this is the textbook's log2: right at whole levels, up to 0.17 off between them",
+           [](double width) { return std::log2(std::max(width, 1.0)); }},
+          {"widths below 1 must count as 1: there is no level below 0",
+           [](double width) { return std::log2(width); }},
+          {"widths below 1 must count as 1: there is no level below 0",
+           [=](double width) { return width < 1 ? (width * width - 1) / 3 : right(width); }},
+          {"this is the natural logarithm: a level is a power of 2",
+           [](double width) { return std::log(std::max(width, 1.0)); }},
+          {"you return only the whole level: the picture changes in steps",
+           [=](double width) { return whole_level(width); }},
+          {"the level is one too high: the floor turns gray too early",
+           [=](double width) { return right(width) + 1; }},
+          {"the part grows with the square of the width, not with the width",
+           [=](double width) { return whole_level(width) + scaled(width) - 1; }},
+          {"you square the width before you divide by 2^l", [=](double width) {
+             const double w = std::max(width, 1.0);
+             return whole_level(width) + (w * w / std::exp2(whole_level(width)) - 1) / 3;
+           }}}};
+  return exercise("09.3", "double level_of_width(double width)", std::move(law), level_of_width,
+                  [] {
+                    return drawn<Lesson>({"--filter", "trilinear", "--scene", "plane"});
+                  });
+}
+
+/// The byte that shows half of the light of white.
+double byte_of_half() {
+  const Lesson lesson;
+  return byte_of(lesson.shown(gray(0.5)).g);
+}
+
+double texels_of_pyramid() {
+  const auto lesson = prepared<Lesson>({"--scene", "plane"});
+  return static_cast<double>(lesson.ground.texture.pyramid.texels.size());
+}
+
+}  // namespace
+
+const ExercisesOfChapter& exercises_of_chapter() {
+  static const ExercisesOfChapter chapter{
+      .exercises = {again_and_again(), mix_two_texels(), which_level()},
+      .questions =
+          {{"09.a",
+            "Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean "
+            "of their light?",
+            byte_of_half, "", 0},
+           {"09.b",
+            "How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
+            "together?",
+            texels_of_pyramid, "texels", 1e-3}},
+  };
+  return chapter;
+}
+
+}  // namespace texmap::check

@@ -1,0 +1,130 @@
+#!/bin/sh
+# The script behind ./course check, in a small copy of the course. A stand-in builds "programs" that do what a word in the student's file
+# says, so this takes a second or two; the programs themselves have their tests in C++.
+# usage: test_check.sh ROOT [--shipped]     --shipped: only, are the files in chapters/ what students should find? For CI: a student's
+#                                           own are not.
+set -eu
+root=$1
+script=common/tools/check/check.sh
+
+if [ "${2:-}" = --shipped ]; then
+  cd "$root"
+  for whole in tests/exercises/[0-9][0-9]_[0-9].hpp; do
+    id=$(basename "$whole" .hpp | tr _ .)
+    for file in chapters/"${id%.*}"_*/exercises/"${id#*.}"_*.hpp; do
+      sh "$script" start "$id" | cmp -s - "$file" || { echo "FAIL: $file is not as $whole says: ./course check reset $id"; exit 1; }
+    done
+  done
+  exit 0
+fi
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cp "$root"/tests/exercises/02_[12].hpp "$work"
+mkdir -p "$work/course/common/tools/check" "$work/course/tests/exercises" "$work/course/chapters/02_checkerboard_uv/exercises"
+cp "$root/$script" "$work/course/common/tools/check"
+cd "$work/course"
+mv ../02_[12].hpp tests/exercises
+folder=chapters/02_checkerboard_uv/exercises
+first=$folder/1_where_on_the_map.hpp
+second=$folder/2_which_square.hpp
+
+# ./course --build PRESET PROGRAM STATUS: writes the program.
+cat >course <<'END'
+#!/bin/sh
+mkdir -p build/learn/bin
+file=$(echo chapters/02_checkerboard_uv/exercises/"${3##*_}"_*.hpp)
+! grep -q SYNTAX "$file" 2>/dev/null || { echo "$file:1: error: what is SYNTAX?" >&2; exit "$4"; }
+cat >"build/learn/bin/$3" <<PROGRAM
+#!/bin/sh
+if grep -q LOOP $file; then while :; do :; done; fi
+if grep -q CRASH $file; then kill -s SEGV \$\$; fi
+if grep -q TROUBLE $file; then echo "error: no space"; exit 2; fi
+echo "ran \$*"
+grep -q 'std::' $file
+PROGRAM
+chmod +x "build/learn/bin/$3"
+END
+chmod +x course
+
+passed=0
+failed=0
+# expect NAME STATUS TEXT ARGUMENT...: ./course check ARGUMENT... ends with the status and says the text.
+expect() {
+  name=$1 wanted=$2 text=$3
+  shift 3
+  status=0
+  said=$(TEXMAP_CHECK_SECONDS=1 sh "$script" "$@" 2>&1) || status=$?
+  case "$status:$said" in
+    "$wanted":*"$text"*) passed=$((passed + 1)) ;;
+    *)
+      failed=$((failed + 1))
+      printf "FAIL: %s: status %s, not %s, or it does not say '%s':\n%s\n" "$name" "$status" "$wanted" "$text" "$said"
+      ;;
+  esac
+}
+holds() { # NAME COMMAND...
+  name=$1
+  shift
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    echo "FAIL: $name"
+  fi
+}
+
+expect "a file that is gone is named" 2 "02.1 is gone; ./course check reset 02.1" 02.1
+expect "reset writes it again" 0 "$first is as it was" reset 02.1
+expect "reset writes the other" 0 "$second is as it was" reset 02.2
+holds "a start has no solution" sh -c "! grep -q 'solution\|start:\|hint:\|std::acos' $first"
+holds "a start has its task and lines to replace" grep -q 'return {p.x, p.y};' "$first"
+
+expect "the list begins" 0 "[ ] 02.1  where on the map?
+[ ] 02.2  which square?
+0 of 2 right. Next: write $first, then ./course check 02.1"
+expect "a start is not right" 1 "ran --title where on the map?" 02.1
+sh "$script" solution 02.1 >"$first"
+expect "the solution is right" 0 "ran" 02.1
+expect "the list shows it" 0 "[x] 02.1  where on the map?
+[ ] 02.2  which square?
+1 of 2 right. Next: write $second"
+echo "// one more line" >>"$first"
+expect "a change is seen" 0 "[?] 02.1"
+echo SYNTAX >>"$first"
+expect "a file that does not compile" 1 "error: what is SYNTAX?
+02.1  where on the map?: does not compile" 02.1
+expect "then it is open again" 0 "[ ] 02.1"
+expect "reset keeps the student's lines" 0 "Your lines are kept in out/exercises/02.1/" reset 02.1
+holds "all of them" grep -q SYNTAX out/exercises/02.1/before_reset_*.hpp
+expect "a reset of a start keeps nothing" 0 "$first is as it was" reset 02.1
+holds "one file is kept" [ "$(find out/exercises/02.1 -name 'before_reset_*' | grep -c .)" = 1 ]
+
+echo "// CRASH" >>"$first"
+expect "a crash" 1 "your function crashed (status 139)" 02.1
+sh "$script" reset 02.1 >/dev/null
+echo "// LOOP" >>"$first"
+expect "a loop without an end" 1 "still running after 1 s of processor time; is there a loop without an end?" 02.1
+sh "$script" reset 02.1 >/dev/null
+echo "// TROUBLE" >>"$first"
+expect "trouble that is not the student's" 2 "no space" 02.1
+sh "$script" reset 02.1 >/dev/null
+
+expect "the first hint" 0 "(hint 1 of 2)" hint 02.1
+expect "the second hint" 0 "Divide by what the angles run over.
+(hint 2 of 2)" hint 02.1
+expect "the last hint stays" 0 "(hint 2 of 2)" hint 02.1
+expect "one wrong exercise of a chapter" 1 "ran --title which square?" 02
+for id in 02.1 02.2; do sh "$script" solution "$id" >"$(echo $folder/"${id#*.}"_*.hpp)"; done
+expect "a chapter that is right" 0 "ran" 02
+expect "all are right" 0 "2 of 2 right.
+"
+expect "no such exercise" 2 "there is no exercise '02.9'" 02.9
+expect "no such chapter" 2 "chapter '09' has no exercises" 09
+expect "no such word" 2 "check takes one exercise" 02.1 02.2
+expect "a word" 2 "'twelve' is no exercise" twelve
+expect "reset of a word" 2 "'../x' is no exercise" reset ../x
+expect "help" 0 "usage: ./course check" --help
+
+printf '%s passed, %s failed\n' "$passed" "$failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,234 @@
+// The exercises of chapter 10: each fails as shipped, its solution passes, each known mistake
+// gets its word.
+#include <doctest.h>
+
+#include "exercise.hpp"
+#include "support/exercise_checks.hpp"
+
+namespace start_1 {
+#include "starts/10_1.hpp"
+}
+namespace solution_1 {
+#include "exercises/10_1.hpp"
+}
+namespace start_2 {
+#include "starts/10_2.hpp"
+}
+namespace solution_2 {
+#include "exercises/10_2.hpp"
+}
+namespace start_3 {
+#include "starts/10_3.hpp"
+}
+namespace solution_3 {
+#include "exercises/10_3.hpp"
+}
+
+using namespace texmap::test;
+
+TEST_CASE("10.1: onto a cylinder") {
+  check_start("10.1", start_1::on_cylinder);
+  check_solution("10.1", solution_1::on_cylinder);
+
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{std::atan2(-p.z, p.x) / (2 * pi) + 0.5, 1 - std::acos(p.y) / pi};
+      },
+      "equirectangular");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{std::atan2(p.z, p.x) / (2 * pi) + 0.5, 0.5 * p.y + 0.5};
+      },
+      "mirrored");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 + std::atan2(-p.z, p.x) / (2 * pi), 0.5 - 0.5 * p.y};
+      },
+      "upside down");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 + std::atan2(-p.z, p.x) / (2 * pi), p.y};
+      },
+      "lower half");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{(180 - std::atan2(p.z, p.x)) / 360, (p.y + 1) / 2};
+      },
+      "radians");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{-std::atan2(p.z, p.x) / 2 / pi, (p.y + 1) / 2};
+      },
+      "half is missing");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{(pi - std::atan2(p.x, p.z)) / (2 * pi), (p.y + 1) / 2};
+      },
+      "z first");
+  check_unknown(
+      "10.1", +[](Vec3 p) {
+        return Uv{p.z, p.y};
+      });
+}
+
+TEST_CASE("10.2: fold an octahedron out") {
+  check_start("10.2", start_2::on_octahedron);
+  check_solution("10.2", solution_2::on_octahedron);
+
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        return Uv{0.5 + p.x / s / 2, 0.5 - p.z / s / 2};
+      },
+      "nothing is folded");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        const double a = std::abs(p.x) / s, b = std::abs(p.z) / s;
+        if (p.y < 0) return Uv{1 - b / 2, 1 - a / 2};
+        return Uv{(1 + p.x / s) / 2, (1 - p.z / s) / 2};
+      },
+      "signs are missing");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s, b = -p.z / s;
+        if (p.y < 0) {
+          a = a < 0 ? -1 - a : 1 - a;
+          b = b < 0 ? -1 - b : 1 - b;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "exchanges them");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s, b = -p.z / s;
+        if (p.y < 0) {
+          a = (a < 0 ? -1 : 1) * (1 - std::abs(b));
+          b = (b < 0 ? -1 : 1) * (1 - std::abs(a));
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "new a");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const Uv uv = solution_2::on_octahedron(p);
+        return Uv{uv.u, 1 - uv.v};
+      },
+      "edges are exchanged");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        const double a = p.x / s, b = -p.z / s;
+        if (p.y <= 0) return Uv{(1 + a) / 2, (1 + b) / 2};
+        return Uv{(1 + std::copysign(1 - std::abs(b), a)) / 2,
+                  (1 + std::copysign(1 - std::abs(a), b)) / 2};
+      },
+      "only the lower half");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+        const double a = p.x / s, b = -p.z / s;
+        if (p.y >= 0) return Uv{(1 + a) / 2, (1 + b) / 2};
+        return Uv{(1 + std::copysign(1 - std::abs(b), a)) / 2,
+                  (1 + std::copysign(1 - std::abs(a), b)) / 2};
+      },
+      "not by the length");
+  check_unknown(
+      "10.2", +[](Vec3) {
+        return Uv{0.5, 0.5};
+      });
+}
+
+TEST_CASE("10.3: back from the cylinder") {
+  check_start("10.3", start_3::direction_of);
+  check_solution("10.3", solution_3::direction_of);
+
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = pi - uv.u * 2 * pi;
+        return Vec3{std::cos(angle), uv.v * 2 - 1, std::sin(angle)};
+      },
+      "not on the sphere");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = pi - uv.u * 2 * pi;
+        const double radius = uv.v < 0.5 ? 2 * uv.v : 2 - 2 * uv.v;
+        return Vec3{radius * std::cos(angle), uv.v * 2 - 1, radius * std::sin(angle)};
+      },
+      "Pythagoras");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = 180 - uv.u * 360;
+        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
+        return Vec3{radius * std::cos(angle), uv.v * 2 - 1, radius * std::sin(angle)};
+      },
+      "degrees");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = uv.u * 2 * pi - pi;
+        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
+        return Vec3{radius * std::cos(angle), uv.v * 2 - 1, radius * std::sin(angle)};
+      },
+      "mirrored");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = pi - uv.u * 2 * pi;
+        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
+        return Vec3{radius * std::cos(angle), 1 - uv.v * 2, radius * std::sin(angle)};
+      },
+      "upside down");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double longitude = pi - uv.u * 2 * pi, latitude = (uv.v - 0.5) * pi;
+        return Vec3{std::cos(latitude) * std::cos(longitude), std::sin(latitude),
+                    std::cos(latitude) * std::sin(longitude)};
+      },
+      "no latitude");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = pi - uv.u * 2 * pi;
+        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
+        return Vec3{radius * std::sin(angle), uv.v * 2 - 1, radius * std::cos(angle)};
+      },
+      "exchanged");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double angle = pi - uv.u * 2 * pi;
+        const double radius = std::sqrt(1 - uv.v * uv.v);
+        return Vec3{radius * std::cos(angle), uv.v, radius * std::sin(angle)};
+      },
+      "southern half");
+  check_unknown(
+      "10.3", +[](Uv) {
+        return Vec3{0, 0, 1};
+      });
+}
+
+TEST_CASE("the questions of chapter 10 have the answers of its page") {
+  check_answer("10.a", 1647099);
+  check_answer("10.b", 30);
+}
