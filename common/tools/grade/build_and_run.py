@@ -133,8 +133,8 @@ class Course:
         cache = (self.build / 'CMakeCache.txt').read_text()
         doctest = re.search('^doctest_INCLUDE_DIR:PATH=(.*)$', cache, re.MULTILINE)
         folders = [self.chapters, self.tests, self.tests / 'support', *([doctest[1]] if doctest else [])]
-        texts = {'CHAPTER': program, 'ASSETS_DIR': self.tree / 'assets', 'TESTS_DIR': self.tests, 'BIN_DIR': BOX, 'DIFFERING_DIR': 'differing',
-                 'ONE_FILE': self.build / 'bin' / '06_one_file'}
+        texts = {'CHAPTER': program, 'ASSETS_DIR': self.tree / 'assets', 'TESTS_DIR': self.tests, 'BIN_DIR': BOX,
+                 'DIFFERING_DIR': 'differing', 'ONE_FILE': self.build / 'bin' / '06_one_file'}
         main = next(unit for unit in self.units[item] if unit.object.endswith('/main.cpp.o'))
         words = [word for word in main.command if not word.startswith('-DTEXMAP_CHAPTER=')]
         return words + [f'-DTEXMAP_{name}="{text}"' for name, text in texts.items()] + [f'-I{folder}' for folder in folders]
