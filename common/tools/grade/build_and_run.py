@@ -134,7 +134,7 @@ class Course:
         doctest = re.search('^doctest_INCLUDE_DIR:PATH=(.*)$', cache, re.MULTILINE)
         folders = [self.chapters, self.tests, self.tests / 'support', *([doctest[1]] if doctest else [])]
         texts = {'CHAPTER': program, 'ASSETS_DIR': self.tree / 'assets', 'TESTS_DIR': self.tests, 'BIN_DIR': BOX,
-                 'ONE_FILE': self.build / 'bin' / '06_one_file'}
+                 'DIFFERING_DIR': 'differing', 'ONE_FILE': self.build / 'bin' / '06_one_file'}
         main = next(unit for unit in self.units[item] if unit.object.endswith('/main.cpp.o'))
         words = [word for word in main.command if not word.startswith('-DTEXMAP_CHAPTER=')]
         return words + [f'-DTEXMAP_{name}="{text}"' for name, text in texts.items()] + [f'-I{folder}' for folder in folders]
@@ -302,7 +302,8 @@ class Grader:
         """The objects that all suites share, compiled once."""
         def compile_them():
             made = []
-            for source in [self.course.tests / 'doctest_main.cpp', *sorted((self.course.tests / 'support').glob('*.cpp'))]:
+            support = sorted((self.course.tests / 'support').glob('*.cpp'))
+            for source in [self.course.tests / 'doctest_main.cpp', *(path for path in support if not path.name.startswith('test_'))]:
                 made.append(self.course.work / f'{source.stem}.o')
                 log = subprocess.run([*self.course.test_command(item, ''), '-o', made[-1], '-c', source], capture_output=True, check=False)
                 if log.returncode:
