@@ -111,12 +111,12 @@ endfunction()
 
 # add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [SOURCES ...] [CODE_OF ...]): the program
 # bin/NN_name from NN_name/main.cpp in TEXMAP_CHAPTERS, and its picture.
-# ON names libraries besides `app`. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
+# ON names further libraries; `app` is always linked. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
 # ALL_NUMBERS: it needs them all, also when it is built for learning.
-# SOURCES names sources besides main.cpp. `chapters_code` holds those of all chapters, for programs that include lessons;
+# SOURCES names further sources; main.cpp is always one. `chapters_code` holds those of all chapters, for programs that include lessons;
 # those of a chapter with PACKS, which link wide packs, are NN_name_code.
 # PACKS names what packs draw where it is not the lesson: a header of the chapter's, and the types in it.
-# CODE_OF: chapters before it whose SOURCES it links, too; what links its own NN_name_code links theirs as well.
+# CODE_OF: earlier chapters; their SOURCES are linked, too; what links its own NN_name_code links theirs as well.
 # DRAWN_WITH: options for the gallery's picture. ALSO_DRAWS adds a second picture: its name and the options that draw it.
 function(add_chapter name)
   cmake_parse_arguments(ARG "SINGLE_NUMBERS;ALL_NUMBERS" "" "ON;PACKS;CODE_OF;DRAWN_WITH;ALSO_DRAWS;SOURCES" ${ARGN})

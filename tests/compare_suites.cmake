@@ -3,7 +3,9 @@
 add_suite(engine/compare/test_difference ON compare LABELS compare)
 add_suite(engine/compare/test_difference_map ON compare LABELS compare)
 add_suite(engine/compare/test_figures_json ON compare LABELS compare)
+add_suite(support/test_same_picture ON compare test_support LABELS compare)
 add_suite(engine/compare/test_wrong_chapter ON compare app LABELS compare)
+add_suite(engine/compare/test_known_mistakes ON compare app LABELS compare)
 
 # These write lines for the shell. Where the other tools are not installed, the tests say so and count as skipped.
 foreach(suite compare_program against_imagemagick against_scikit_image)

@@ -1,3 +1,41 @@
-// doctest's main program, compiled once for all suites.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// doctest's main program, compiled once for all suites. It stops after ten failures.
+#define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest.h>
+
+#include <cstdio>
+
+namespace {
+
+constexpr int most_failures = 10;  // more of them say no more
+
+/// Says at the end that the suite stopped, and how to see the rest.
+struct StopNotice : doctest::IReporter {
+  explicit StopNotice(const doctest::ContextOptions& /*options*/) {}
+  void report_query(const doctest::QueryData&) override {}
+  void test_run_start() override {}
+  void test_run_end(const doctest::TestRunStats& stats) override {
+    const int most = doctest::getContextOptions()->abort_after;
+    if (most <= 0 || stats.numAssertsFailed < most) return;
+    std::printf("Stopped after %d failures; --abort-after=0 shows all.\n", most);
+    std::fflush(stdout);
+  }
+  void test_case_start(const doctest::TestCaseData&) override {}
+  void test_case_reenter(const doctest::TestCaseData&) override {}
+  void test_case_end(const doctest::CurrentTestCaseStats&) override {}
+  void test_case_exception(const doctest::TestCaseException&) override {}
+  void subcase_start(const doctest::SubcaseSignature&) override {}
+  void subcase_end() override {}
+  void log_assert(const doctest::AssertData&) override {}
+  void log_message(const doctest::MessageData&) override {}
+  void test_case_skipped(const doctest::TestCaseData&) override {}
+};
+REGISTER_LISTENER("stop_notice", 1, StopNotice);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  doctest::Context context;
+  context.setOption("abort-after", most_failures);
+  context.applyCommandLine(argc, argv);
+  return context.run();
+}

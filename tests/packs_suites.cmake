@@ -10,7 +10,7 @@ if(UNIX AND SH AND xsimd_INCLUDE_DIR AND NOT TEXMAP_INSTRUMENT)  # instrumented 
   set_tests_properties(packs packs_can_differ PROPERTIES LABELS laws)
 endif()
 
-# The order in which the files of wide instructions are linked: a program whose files share a function of plain numbers must keep
+# The order in which the files of wide instructions are linked: a program with files that share a function of plain numbers must keep
 # the one that every machine can run, and the same program linked the other way round must be noticed.
 function(add_link_order_tests)  # a function, because the folder of its chapter is its own
   set(TEXMAP_CHAPTERS "${CMAKE_CURRENT_SOURCE_DIR}/packs/chapters")

@@ -22,7 +22,7 @@ enum ObjectIndex { middle };  // in the order of `objects`
 
 struct Lesson : LessonHooks {
   static constexpr About about{
-      .idea = "many samples a pixel, and light that comes from everywhere",
+      .idea = "many samples per pixel, and light that comes from everywhere",
       .size = {400, 225},
   };
 

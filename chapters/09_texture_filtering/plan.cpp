@@ -73,7 +73,7 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
                  probes.longest)};
   }
 
-  // The judge: 64 samples a pixel, each with an anisotropic footprint of an eighth of a pixel.
+  // The judge: 64 samples per pixel, each with an anisotropic footprint of an eighth of a pixel.
   const FilterPlan judge{Filter::anisotropic, 16, ""};
   std::vector<double> exact;
   for (const PixelPlace<double>& at : probes.places) {
@@ -101,7 +101,7 @@ FilterPlan plan_filter(const PlannedScene& scene, double levels, int width, int 
   }
   plan.text = text("%s: %.2f levels off on %zu pixels; the longest footprint is %.0f texels%s\n",
                    name_of(plan).c_str(), error, exact.size(), probes.longest,
-                   error <= levels ? "" : "; no filter keeps the budget");
+                   error <= levels ? "" : "; no filter is within the budget");
   return plan;
 }
 
@@ -112,8 +112,7 @@ std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& sc
   if (session.was_given("--filter"))
     throw UsageError("--budget chooses the filter: leave out --filter or --budget");
   if (budget.unit == Budget::Unit::texels) {
-    throw UsageError(
-        "--budget: a filter's error is an amount of light: expected exact or levels=N");
+    throw UsageError("--budget: a filter's error is an amount of light: give exact or levels=N");
   }
   session.default_size(800, 600);
   FilterPlan plan =

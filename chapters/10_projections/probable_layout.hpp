@@ -21,7 +21,7 @@ struct SeamFigures {
 /// between two layouts with the same seams, such as the cube and the equi-angular cube.
 [[nodiscard]] double likelihood(const Image& image, Projection projection);
 
-/// The layout that has the picture's shape and whose seams match: neighbors across a seam differ
+/// The layout that has the picture's shape and matching seams: neighbors across a seam differ
 /// much less than any two texels next to it. Of two layouts with the same seams, the likelier one.
 /// Nothing for noise, for one color and for most pictures that do not show a sphere.
 [[nodiscard]] std::optional<Projection> probable_layout(const Image& image);

@@ -8,7 +8,7 @@
 
 namespace texmap::chapter_12 {
 
-/// A way to light the chapter's matte objects by one of the skies, with so many samples a pixel.
+/// A way to light the chapter's matte objects by one of the skies, with so many samples per pixel.
 struct SkyFigures {
   std::string sky;  ///< uniform, gradient or sun
   std::string way;  ///< as the option --light has it

@@ -29,8 +29,8 @@ struct ReferenceHit {
   Uv<Judge> uv{};
 };
 
-/// By how many levels of 255 a pixel can be off; 0 if no rounding can change its bytes. Pixels
-/// whose rays pass so near to the rim that a rounding may take them past it may change by all 255.
+/// By how many levels of 255 a pixel can be off; 0 if no rounding can change its bytes. A pixel
+/// may change by all 255 if its ray is so near to the rim that a rounding may take it past it.
 [[nodiscard]] int levels_bound(const Globe& globe, const Variant& variant, const ReferenceHit& hit);
 
 /// By how many levels of 255 a channel can be off before it is rounded to a byte, compared with the
@@ -39,8 +39,7 @@ struct ReferenceHit {
 /// @param rays  that a channel is the mean of, 1 or more
 [[nodiscard]] double unrounded_bound(const Variant& variant, int rays = 1);
 
-/// By how many levels bytes can differ whose channels differ by `unrounded` before they are
-/// rounded.
+/// By how many levels bytes can differ if their channels differ by `unrounded` before rounding.
 [[nodiscard]] int rounded_bound(double unrounded);
 
 }  // namespace texmap::chapter_13

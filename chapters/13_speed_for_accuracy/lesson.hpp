@@ -24,16 +24,16 @@ struct Lesson : LessonHooks {
   void options(CommandLine& line) override {
     texture.declare(line);
     line.text("--budget", "BUDGET", budget,
-              "recommend for this too: exact, texels=0.001 or levels=2");
+              "also recommend a way for this allowed error: exact, texels=0.001 or levels=2");
     line.choice<Instructions>("--instructions", widest,
                               {{"baseline", Instructions::baseline},
                                {"avx2", Instructions::avx2},
                                {"avx512", Instructions::avx512}},
-                              "what packs are made of at most");
+                              "the widest vector instructions that packs may use");
     line.whole("--rounds", rounds, 1, 10000,
-               "how often each variant is timed; the shortest time counts");
+               "how often to time each variant; the shortest time counts");
     line.whole("--seconds", seconds, 1, 1000000,
-               "of timing, after which rounds are skipped beyond the fifth");
+               "after so many seconds of timing, skip every round beyond the fifth");
   }
   void prepare(Session& session) override { session.settings.instructions = widest; }
 

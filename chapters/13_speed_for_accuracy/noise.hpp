@@ -7,7 +7,7 @@
 
 namespace texmap::chapter_13 {
 
-/// A sampler with a number of samples a pixel. Errors are root mean squares over pixels and
+/// A sampler with a number of samples per pixel. Errors are root mean squares over pixels and
 /// channels, in levels of 255.
 struct Noise {
   SamplerKind kind = SamplerKind::random;
@@ -46,7 +46,7 @@ inline constexpr int texel_format_samples = 64;
 /// The errors of all samplers, each view with a seed of its own.
 ///
 /// @param variant  number, instructions and kernel to draw with
-/// @param counts   of samples a pixel
+/// @param counts   of samples per pixel
 [[nodiscard]] std::vector<Noise> measure_noise(const Globe& globe, const Variant& variant,
                                                int threads, const Tick& tick,
                                                std::span<const int> counts = sample_counts);

@@ -1,4 +1,4 @@
-// The recommendation: for a budget, the fastest variant whose stated bound keeps to it, and the
+// The recommendation: for a budget, the fastest variant with a stated bound within it, and the
 // command that uses it.
 #include "recommendation.hpp"
 
@@ -98,7 +98,7 @@ std::string recommended_skies(const Fronts& fronts, double levels) {
     }
     // The sun is in chapter 12's own sky; for another one the user has a picture.
     lines += start + text(
-                         "%s, %d samples a pixel: %.2f levels off, root mean square\n"
+                         "%s, %d samples per pixel: %.2f levels off, root mean square\n"
                          "            ./course run 12%s --light %s --samples %d\n",
                          cost->way.c_str(), cost->samples, cost->error,
                          sky == "sun" ? "" : " --sky FILE", cost->way.c_str(), cost->samples);

@@ -1,4 +1,4 @@
-// The recommendation: for a budget, the fastest variant whose stated bound keeps to it, and the
+// The recommendation: for a budget, the fastest variant with a stated bound within it, and the
 // command that uses it.
 #pragma once
 #include "engine/kernels/budget.hpp"
@@ -20,7 +20,7 @@ namespace texmap::chapter_13 {
 /// The same of the variants from texels to bytes, for a budget in levels: only of numbers that find
 /// every texel, since a wrong one may be any number of levels off.
 [[nodiscard]] const Trial* fastest_light(const Measurements& all, const Budget& budget);
-/// The fastest sampler whose noise keeps to a number of levels, root mean square; nullptr if none
+/// The fastest sampler with noise within a number of levels, root mean square; nullptr if none
 /// does.
 [[nodiscard]] const Noise* fastest(const std::vector<Noise>& all, double levels);
 

@@ -1,4 +1,4 @@
-// The globe as scenes that can be drawn with every number: one ray a pixel, and many.
+// The globe as scenes that can be drawn with every number: one ray per pixel, and many.
 #pragma once
 #include <vector>
 
@@ -93,7 +93,7 @@ struct ReferenceScene {
   }
 };
 
-/// Many rays a pixel, spread by a sampler, under the sky's light.
+/// Many rays per pixel, spread by a sampler, under the sky's light.
 struct ManyRayScene {
   /// A paint that hides its mapping: no patches are compiled for it.
   struct Surface {

@@ -24,7 +24,7 @@ std::string times_of(const std::vector<Trial>& trials, Variant variant) {
 
 std::string table_of_places(const Measurements& all, Filter filter) {
   std::string table = text(
-      "%s, %d x %d pixels, one ray a pixel; time 1 is plain double's %.1f ms with the nearest "
+      "%s, %d x %d pixels, one ray per pixel; time 1 is plain double's %.1f ms with the nearest "
       "texel\n",
       filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
       all.places.front().milliseconds);
@@ -223,7 +223,7 @@ std::string table_of(const Measurements& all) {
                         "From texels through light to sRGB bytes; time 1 is that of plain double "
                         "with the power") +
          table_of_light(all.texel_formats,
-                        text("The same with %d rays a pixel, %d x %d pixels; time 1 is that of "
+                        text("The same with %d rays per pixel, %d x %d pixels; time 1 is that of "
                              "plain double with bytes",
                              texel_format_samples, noise_width, noise_height)) +
          table_of_noise(all) + "\n" + table_of_filters(all.fronts) + "\n" +

@@ -5,7 +5,7 @@
 
 namespace texmap::chapter_13 {
 
-/// Times whose ratio is smaller are treated as equal.
+/// Times with a smaller ratio are treated as equal.
 inline constexpr double same_time = 1.05;
 
 /// All that was measured in one run.

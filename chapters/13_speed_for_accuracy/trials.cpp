@@ -74,11 +74,11 @@ std::vector<double> timed_alternately(const std::vector<Work>& works, int rounds
 void time_trials(std::vector<Trial>& trials, const Globe& globe, const View<>& view,
                  Timing& timing) {
   std::vector<Work> works;
-  std::vector<std::size_t> whose;
+  std::vector<std::size_t> trial_of_run;
   const auto add = [&](std::size_t i) {
     works.emplace_back(
         [&globe, &view, variant = trials[i].variant] { (void)picture_of(globe, view, variant); });
-    whose.push_back(i);
+    trial_of_run.push_back(i);
   };
   for (std::size_t i = 0; i < trials.size(); ++i) {
     add(i);
@@ -96,7 +96,7 @@ void time_trials(std::vector<Trial>& trials, const Globe& globe, const View<>& v
   const auto shortest = timed_alternately(works, timing.rounds, trials.size(), timing);
   for (Trial& trial : trials) trial.milliseconds = infinity<double>();
   for (std::size_t k = 0; k < works.size(); ++k) {
-    Trial& trial = trials[whose[k]];
+    Trial& trial = trials[trial_of_run[k]];
     trial.milliseconds = std::min(trial.milliseconds, shortest[k]);
   }
   for (Trial& trial : trials) trial.time = trial.milliseconds / trials[0].milliseconds;

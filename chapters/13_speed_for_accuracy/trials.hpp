@@ -14,7 +14,7 @@ namespace texmap::chapter_13 {
 /// Called once for each part of the work that is done.
 using Tick = std::function<void()>;
 
-/// The picture of a variant, one ray a pixel.
+/// The picture of a variant, one ray per pixel.
 [[nodiscard]] Image picture_of(const Globe& globe, const View<>& view, const Variant& variant,
                                int threads = 1);
 

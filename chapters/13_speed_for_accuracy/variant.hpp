@@ -26,7 +26,7 @@ struct Errors {
   double worst_texels = 0, mean_texels = 0, texels_bound = 0;
   /// With a curve: levels before they are rounded to bytes.
   double worst_unrounded = 0, mean_unrounded = 0, unrounded_bound = 0;
-  long changed = 0, may_change = 0;  ///< pixels whose bytes are not those of the reference
+  long changed = 0, may_change = 0;  ///< pixels with other bytes than the reference
   int levels = 0, levels_bound = 0;  ///< the largest change of a channel, of 255
 };
 
@@ -58,7 +58,7 @@ struct Trial {
 /// most one level off.
 [[nodiscard]] std::vector<Trial> all_curves(Instructions widest);
 
-/// Both texel formats with every number, for many rays a pixel. The first is plain double's bytes.
+/// Both texel formats with every number, for many rays per pixel. The first: plain double, bytes.
 [[nodiscard]] std::vector<Trial> all_texel_formats(Instructions widest);
 
 /// The trial of a variant, or nullptr.

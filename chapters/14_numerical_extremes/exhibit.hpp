@@ -18,7 +18,7 @@ inline constexpr Rgb no_texel{1, 0, 1};
 inline constexpr Rgb background{0.1, 0.1, 0.15};
 inline constexpr Rgb sky{0.6, 0.75, 1};
 
-/// Whose formulas draw.
+/// Which formulas draw: the source documents' or the course's.
 enum class Formulas {
   published,  ///< the source documents'; spheres by b^2 - ac, without their fixed t > 0.001
   robust,     ///< the course's, of the form that the scene needs

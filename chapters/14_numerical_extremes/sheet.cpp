@@ -110,20 +110,20 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
 void ExhibitOptions::declare(CommandLine& line) {
   const Image any_texture(1, 1);
   line.text("--exhibit", "NAME", name,
-            "one exhibit alone, 800 x 600 unless another size is given: " +
+            "draw this exhibit alone, at 800 x 600 unless you give another size: " +
                 names_of(all_exhibits(any_texture, any_texture)));
   line.choice<Formulas>("--formulas", formulas,
                         {{"published", Formulas::published},
                          {"robust", Formulas::robust},
                          {"seeds", Formulas::published}},
-                        "with --exhibit: those of the source documents, or the course's; seeds is "
-                        "another word for published");
+                        "with --exhibit: the formulas of the source documents, or the course's "
+                        "own; seeds is an old word for published");
   line.choice<NumberKind>("--number", number,
                           {{"float", NumberKind::float_},
                            {"double", NumberKind::double_},
                            {"extended", NumberKind::extended}},
-                          "with --exhibit: the number to calculate with");
-  line.whole("--samples", samples, 1, 65536, "with --exhibit: rays a pixel");
+                          "with --exhibit: the number type to calculate with");
+  line.whole("--samples", samples, 1, 65536, "with --exhibit: rays per pixel");
 }
 
 void ExhibitOptions::apply_to(Session& session) const {

@@ -49,7 +49,7 @@ struct Sheet {
 [[nodiscard]] Image draw_exhibit(const std::vector<Exhibit>& exhibits, const std::string& name,
                                  Formulas formulas, Session& session);
 
-/// Draws and saves what the user asked for: one exhibit, or the sheet, whose table it prints.
+/// Draws and saves what the user asked for: one exhibit, or the sheet with its table.
 void show_exhibits(const std::vector<Exhibit>& exhibits, const ExhibitOptions& options,
                    Session& session);
 

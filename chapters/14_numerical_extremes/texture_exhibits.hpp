@@ -152,10 +152,10 @@ struct SeamFootprint {
     const Uv<Real> here = uv_along(ray);
     Uv<Dual<Real>> uv;
     if (formulas == Formulas::published) {
-      const Uv<Real> beside = uv_along(Ray<Real>{ray.origin, ray.direction + steps.right});
+      const Uv<Real> next = uv_along(Ray<Real>{ray.origin, ray.direction + steps.right});
       const Uv<Real> below = uv_along(Ray<Real>{ray.origin, ray.direction + steps.down});
-      uv = {{here.u, beside.u - here.u, below.u - here.u},
-            {here.v, beside.v - here.v, below.v - here.v}};
+      uv = {{here.u, next.u - here.u, below.u - here.u},
+            {here.v, next.v - here.v, below.v - here.v}};
     } else {
       uv = uv_along(steps.along(ray));
     }

@@ -342,7 +342,7 @@ class Sampler {
  private:
   [[nodiscard]] static std::uint32_t checked(int samples) {
     if (samples < 1 || samples > most_samples) {
-      throw std::invalid_argument("samples a pixel: " + std::to_string(samples) +
+      throw std::invalid_argument("samples per pixel: " + std::to_string(samples) +
                                   " is not from 1 to " + std::to_string(most_samples));
     }
     return static_cast<std::uint32_t>(samples);

@@ -46,11 +46,11 @@ template <class Real, class Power>
          select(light.cosine > Real(0) && versine < Real(1), power(versine), Real(0));
 }
 
-/// Phong's highlight, specular cos^shininess; 0 in shadow and from 90 degrees on.
+/// Phong's highlight, specular cos^s with the shininess s; 0 in shadow and from 90 degrees on.
 ///
 /// @param to_eye  unit vector from the hit point to the eye
-/// Textbook: max(0, r . e)^n. Here exp(n log1p(-|r - e|^2 / 2)): cos near 1 keeps its digits.
-/// Bound: 12 u sqrt(1 + n), below n = 1 24 u where cos > 0.1; in [0, specular] everywhere.
+/// Textbook: max(0, r . e)^s. Here exp(s log1p(-|r - e|^2 / 2)): cos near 1 keeps its digits.
+/// Bound: 12 u sqrt(1 + s), below s = 1 24 u where cos > 0.1; in [0, specular] everywhere.
 /// Source: Phong, "Illumination for Computer Generated Pictures" (1975); the lecture.
 template <class Real>
 [[nodiscard]] Real highlight(const PhongMaterial& material, const LightSample<Real>& light,
@@ -61,7 +61,7 @@ template <class Real>
   return highlight_by(power, material, light, normal, to_eye);
 }
 
-/// The highlight of the lecture's slides, specular (r . d)^shininess, d from the eye to the point.
+/// The highlight of the lecture's slides, specular (r . d)^s, d from the eye to the point.
 /// Domain: even whole exponents; others give negative light or NaN, as chapter 06 shows.
 template <class Real>
 [[nodiscard]] Real highlight_of_the_slides(const PhongMaterial& material,

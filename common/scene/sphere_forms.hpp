@@ -119,9 +119,9 @@ template <class Real>
   const Real unscale = Real(1) / scale;
   const Mask<Real> direction_up = direction_scale > Real(1);
   const Mask<Real> up = unscale > Real(1);
-  const Mask<Real> alike = (direction_up && up) || (!direction_up && !up);
+  const Mask<Real> same_side = (direction_up && up) || (!direction_up && !up);
   const Real distance =
-      select(alike, (t * direction_scale) * unscale, t * (direction_scale * unscale));
+      select(same_side, (t * direction_scale) * unscale, t * (direction_scale * unscale));
   return {select(met, distance, infinity<Real>()), normalize(from_center)};
 }
 

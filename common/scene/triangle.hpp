@@ -102,7 +102,7 @@ template <class Real>
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// The barycentric coordinates of `p`, also outside, and alike for any order of the corners.
+/// The barycentric coordinates of `p`, also outside, and the same for any order of the corners.
 ///
 /// @param p  a point in the triangle's plane; of other points, the foot on the plane counts
 /// Textbook: three signed areas, n . ((b - p) x (c - p)) and so on, divided by their sum.

@@ -5,8 +5,8 @@
 
 namespace texmap {
 
-/// The rectangle of texels that stands for a pixel. A pixel covers a parallelogram, near enough;
-/// this rectangle has the same area and the same spread in every direction.
+/// A pixel's area on the texels, as a rectangle. The pixel covers a parallelogram, near enough;
+/// the rectangle has the same area and the same spread in every direction.
 template <class Real>
 struct Footprint {
   Real along_u, along_v;  ///< the longer side, as a vector in texels

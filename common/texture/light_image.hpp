@@ -33,7 +33,7 @@ struct LightImage {
   }
 };
 
-/// The light of an image whose bytes mean `light`.
+/// The light of an image with bytes that mean `light`.
 [[nodiscard]] inline LightImage light_of(const Image& image, TexelLight light) {
   const auto& levels = light_of_bytes<float>(light);
   LightImage result(image.width, image.height);

@@ -110,7 +110,7 @@ class SkySampler {
   [[nodiscard]] const std::vector<double>& probabilities() const { return probabilities_; }
 
  private:
-  /// A number from -1 to 1 whose density is 1 - |x|.
+  /// A number from -1 to 1 with the density 1 - |x|.
   template <class Real>
   [[nodiscard]] static Real tent(const Real& uniform) {
     const Real left = sqrt(Real(2) * min(uniform, Real(0.5))) - Real(1);

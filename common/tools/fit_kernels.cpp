@@ -1,7 +1,7 @@
 // Makes common/engine/kernels/coefficients.hpp: polynomials with the smallest worst case for the
 // kernels, by the exchange algorithm of Remez in long double (docs/numerics.md, "Fitting
 // polynomials"). The worst case in the file is measured on the printed coefficients. Needs a long
-// double of 64 bits or more, whose library functions it uses.
+// double of 64 bits or more, because it uses its library functions.
 //
 // What rounding adds to a polynomial is proven, not measured: --gappa writes a question to the
 // program gappa for each polynomial and number, "is the stated bound right?" (tests/proofs).
@@ -383,7 +383,7 @@ struct GivenFit {
   std::vector<Wide> powers;
 };
 
-/// The polynomials whose numbers these are, in the file's order.
+/// The polynomials with these numbers, in the file's order.
 std::vector<GivenFit> given_fits(const std::vector<Wide>& numbers, const std::string& path) {
   std::vector<GivenFit> fits;
   std::size_t next = 0;

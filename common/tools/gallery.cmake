@@ -46,7 +46,7 @@ foreach(chapter IN LISTS CHAPTERS)
   set(turn "")
   if(frames)
     list(JOIN frames " " frame_list)
-    set(turn "<p><button type=\"button\" data-frames=\"${frame_list}\" data-still=\"${chapter}.png\">Turn the globe</button></p>")
+    set(turn "<p><button type=\"button\" data-frames=\"${frame_list}\">Turn the globe</button></p>")
   endif()
   # Plots of what the chapter's program measured: NN_name_this_that.svg is linked as "this against that".
   file(GLOB plots RELATIVE "${GALLERY}" "${GALLERY}/${chapter}_*.svg")
@@ -97,29 +97,13 @@ a:focus-visible, button:focus-visible { outline: 3px solid Highlight; outline-of
 <main>@FIGURES@
 </main>
 <script>
-// Plays the pictures of a turntable in place of the still picture; the same button stops it.
-for (const button of document.querySelectorAll("button[data-frames]")) {
-  const image = button.closest("section").querySelector("img");
-  const frames = button.dataset.frames.split(" ");
-  let timer = 0;
-  button.addEventListener("click", () => {
-    if (timer) {
-      clearInterval(timer);
-      timer = 0;
-      image.src = button.dataset.still;
-      button.textContent = "Turn the globe";
-      return;
-    }
-    let frame = 0;
-    timer = setInterval(() => { image.src = frames[frame++ % frames.length]; }, 100);
-    button.textContent = "Stop";
-  });
-}
-</script>
+@TURNTABLE@</script>
 </body>
 </html>
 ]=])
 string(REPLACE "@FIGURES@" "${figures}" page "${page}")
+file(READ "${CMAKE_CURRENT_LIST_DIR}/turntable.js" turntable)
+string(REPLACE "@TURNTABLE@" "${turntable}" page "${page}")
 file(WRITE "${GALLERY}/index.html.new" "${page}")
 file(RENAME "${GALLERY}/index.html.new" "${GALLERY}/index.html")
 list(LENGTH CHAPTERS count)

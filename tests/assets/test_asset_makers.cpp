@@ -13,6 +13,7 @@
 #include "make_crate.hpp"
 #include "make_earth.hpp"
 #include "make_uv_map.hpp"
+#include "support/shown_values.hpp"
 
 namespace {
 

@@ -11,6 +11,7 @@
 
 #include "../support/sha256.hpp"
 #include "engine/picture/load_image.hpp"
+#include "support/shown_values.hpp"
 
 namespace {
 

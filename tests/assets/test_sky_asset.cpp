@@ -9,6 +9,7 @@
 #include "../support/temporary_folder.hpp"
 #include "engine/picture/load_light.hpp"
 #include "make_sky.hpp"
+#include "support/shown_values.hpp"
 
 namespace {
 

@@ -55,7 +55,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   print("wrote " + path.string() + "\n");
 }
 
-/// The groups whose names were typed; all if none was.
+/// The groups that were named; all if no name was given.
 std::vector<Group> chosen(const std::vector<std::string>& names) {
   std::vector<Group> groups = all_groups();
   if (names.empty()) return groups;
@@ -75,7 +75,7 @@ std::vector<Group> chosen(const std::vector<std::string>& names) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CommandLine line("bench_ratios", "measures how long things take, alternately, as ratios");
+  CommandLine line("bench_ratios", "measures how long the parts of the course take, as ratios");
   line.statuses(
       "0 measured; 1 it could not be, or pictures that must be equal are not; 2 the command line "
       "is wrong");
@@ -87,19 +87,18 @@ int main(int argc, char** argv) {
   bool writes = false;
   line.flag("--quick", quick, "fewer rounds: less than half a minute in all");
   line.texts("--only", "GROUP", only, "measure this group; may be given several times");
-  line.flag("--list", list, "show the groups and their rows, measure nothing");
-  line.flag("--write", writes, "write docs/measurements.md anew");
-  line.text("--json", "FILE", json, "where the figures go");
-  line.texts(
-      "--beside", "COMMAND", beside,
-      "time a command of the shell alternately with the chapters' programs, and nothing else; "
-      "may be given several times");
+  line.flag("--list", list, "list the groups and their rows without measuring");
+  line.flag("--write", writes, "write docs/measurements.md");
+  line.text("--json", "FILE", json, "write the figures to this file, as JSON");
+  line.texts("--beside", "COMMAND", beside,
+             "measure only this shell command and the chapters' programs, in alternation; may be "
+             "given several times");
   return run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
     if (writes && !(only.empty() && beside.empty()))
-      throw UsageError("--write writes whole pages: not with --only or --beside");
+      throw UsageError("--write needs all groups: leave out --only and --beside");
     if (!beside.empty() && !only.empty())
-      throw UsageError("--beside is a group of its own: not with --only");
+      throw UsageError("--beside measures its own group: leave out --only");
     const Effort effort = quick ? Effort{0.06, 3} : Effort{};
     const Circumstances where = circumstances(effort);
     if (!beside.empty()) {

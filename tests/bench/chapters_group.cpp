@@ -85,7 +85,7 @@ Group budgets_group() {
       .name = "budgets",
       .title = "Chapter 07 under a budget",
       .text =
-          "Drawing alone, at 400 × 225 pixels with 100 samples a pixel. A budget in levels pays "
+          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels pays "
           "for the curve to bytes, "
           "texels kept as roots of light, a polynomial for (u, v), and patches: nine looks for all "
           "samples of a smooth "
@@ -108,7 +108,7 @@ Group chapters_group() {
       .title = "The chapters' pictures",
       .text =
           "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapters 07 "
-          "and 12 at 400 × 225 with 8 samples a pixel, chapter 09 with its anisotropic filter, "
+          "and 12 at 400 × 225 with 8 samples per pixel, chapter 09 with its anisotropic filter, "
           "chapter 10 with the equal-area map. "
           "The base of each chapter is its picture in double.",
       .unit = "ms",

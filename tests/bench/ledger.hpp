@@ -28,7 +28,7 @@ inline void keep(const Value& value) {
 #endif
 }
 
-/// The color of a paint, as programs have it whose hits carry a (u, v): plain paint gets one, too.
+/// The color of a paint in programs with a (u, v) in every hit: plain paint gets one, too.
 template <class Real>
 [[nodiscard]] Color<Real> color_with_uv(const Solid& paint, const Hit<Real>& hit) {
   keep(uv_rtiow(hit.normal));
@@ -108,7 +108,7 @@ struct HitOfEveryObject : Lesson {
   }
 };
 
-/// A rotation whose sine and cosine are made anew for every hit.
+/// A rotation that computes its sine and cosine for every hit.
 struct RotationAnew {
   double degrees = 0;
   ConventionMapping mapping;

@@ -145,7 +145,7 @@ Group ledger_group() {
   const auto seventh = [] { return prepared<chapter_07::Lesson>(); };
   const auto seventh_work = [=] { return sampled(seventh()); };
   add_base(group, "07: as the chapter draws it", "07", seventh_work);
-  add_variant(group, "07: a new direction under a sky that is alike everywhere", "07", seventh_work,
+  add_variant(group, "07: a new direction under a uniform sky", "07", seventh_work,
               [=] { return sampled(in_place_of<ScatterAnyway>(seventh())); });
   add_variant(group, "07: numbers for a lens and an exposure that are not there", "07",
               seventh_work, [=] { return sampled(in_place_of<NumbersAnyway>(seventh())); });

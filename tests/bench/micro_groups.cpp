@@ -207,7 +207,8 @@ Group samplers_group() {
       .name = "samplers",
       .title = "Pairs of numbers from the samplers",
       .text =
-          "64 samples a pixel. The base is `random` in float, one pixel at a time; docs of chapter "
+          "64 samples per pixel. The base is `random` in float, one pixel at a time; docs of "
+          "chapter "
           "07 say what "
           "the others are worth.",
       .unit = "ns",

@@ -8,7 +8,7 @@ program=${1:?usage: wide.sh PROGRAM}
 command -v objdump >/dev/null 2>&1 || exit 77
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# For each instruction whose name begins with v, as those of AVX and later do: its function. For each call: both functions.
+# For each instruction with a name that begins with v, as those of AVX and later do: its function. For each call: both functions.
 # Functions go by their address: clones in several files may have one name.
 objdump -d --no-show-raw-insn "$program" |
   awk '/^[0-9a-f]+ </ { at = $1; sub(/^0+/, "", at); gsub(/[<>:]/, "", $2); print "name", at, $2 }

@@ -6,6 +6,8 @@
 #include "engine/picture/load_image.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/same_picture.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -25,9 +27,9 @@ Image drawn_by_one_file(const std::string& options = "") {
 
 TEST_CASE("the file draws chapter 02's picture, and with --plain chapter 01's, pixel for pixel") {
   const Image checkered = drawn_by_one_file();
-  CHECK(checkered == picture(chapter_02::Lesson{}));
+  expect_same_picture(checkered, picture(chapter_02::Lesson{}));
   const Image plain = drawn_by_one_file("--plain");
-  CHECK(plain == picture(chapter_01::Lesson{}));
+  expect_same_picture(plain, picture(chapter_01::Lesson{}));
   CHECK(count_different(plain, checkered) > 100000);
 }
 

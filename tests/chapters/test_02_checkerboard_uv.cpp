@@ -7,7 +7,9 @@
 #include "02_checkerboard_uv/lesson.hpp"
 #include "support/daily_program.hpp"
 #include "support/lesson_laws.hpp"
+#include "support/same_picture.hpp"
 #include "support/sha256.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -23,7 +25,7 @@ TEST_CASE("the picture is the daily exercise's published picture, pixel for pixe
 #else
   MESSAGE("not the platform of the published hash: " << sha256(bytes));
 #endif
-  CHECK(count_different(drawn, daily::draw(800, 600, true)) == 0);
+  expect_same_picture(drawn, daily::draw(800, 600, true));
 }
 
 TEST_CASE(
@@ -55,7 +57,7 @@ TEST_CASE("a checkerboard with both squares in one color is a plain sphere") {
   }
   chapter_01::Lesson plain;
   plain.objects[chapter_01::right].paint = Solid{white};
-  CHECK(picture(one_color) == picture(plain));
+  expect_same_picture(picture(one_color), picture(plain));
 }
 
 TEST_CASE("only the three checkered objects change from chapter 01") {

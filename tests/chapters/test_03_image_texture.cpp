@@ -5,6 +5,8 @@
 #include "03_image_texture/lesson.hpp"
 #include "engine/system/file_error.hpp"
 #include "support/lesson_laws.hpp"
+#include "support/same_picture.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -23,7 +25,7 @@ Lesson with_image(const Image& image) {
 TEST_CASE("an image of one pixel is a plain sphere of its color") {
   Lesson plain;
   plain.objects[chapter_03::middle].paint = Solid{{200.0 / 255, 100.0 / 255, 50.0 / 255}};
-  CHECK(picture(with_image(Image(1, 1, {200, 100, 50}))) == picture(plain));
+  expect_same_picture(picture(with_image(Image(1, 1, {200, 100, 50}))), picture(plain));
   CHECK(picture(with_image(Image(1, 1, {200, 100, 51}))) != picture(plain));
 }
 
@@ -40,7 +42,7 @@ TEST_CASE("an image of the checkerboard draws chapter 02 within half a texel") {
   checkered.objects[chapter_02::middle].paint =
       chapter_02::Checkered{{}, {.even = {0.2, 0.2, 0.8}, .odd = {0.8, 0.8, 0.8}, .squares = 10}};
   const Image expected = picture(checkered);
-  CHECK(picture(with_image(board)) == expected);
+  expect_same_picture(picture(with_image(board)), expected);
   // The test sees one texel: the board moved by one column is another picture.
   Image moved = board;
   for (int row = 0; row < 1000; ++row) {
@@ -59,6 +61,6 @@ TEST_CASE("a missing texture is an error that names it, never a color") {
                        doctest::Contains("cannot load texture 'no_such_picture.png'"), FileError);
 }
 
-TEST_CASE("all numbers draw the Earth alike, but for 0.1 percent of the pixels in float") {
+TEST_CASE("all numbers draw the same Earth, but for 0.1 percent of the pixels in float") {
   check_all_numbers(prepared<Lesson>(), 480);
 }

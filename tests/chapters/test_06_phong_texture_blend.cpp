@@ -5,9 +5,12 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
+#include "support/lecture_highlight.hpp"
 #include "support/lecture_program.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/same_picture.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -113,7 +116,7 @@ TEST_CASE(
   CHECK_THROWS_AS((void)prepared<Lesson>({"--budget", "levels"}), UsageError);
 }
 
-TEST_CASE("with weight 1 the texture stands alone, without any light") {
+TEST_CASE("with weight 1 the texture is alone, without any light") {
   const Lesson lesson = blended("1", Image(1, 1, {200, 100, 50}));
   const Image drawn = picture(lesson);
   const std::vector<int> seen = objects_seen(lesson);
@@ -128,7 +131,7 @@ TEST_CASE("with weight 1 the texture stands alone, without any light") {
   CHECK(other == 0);
 }
 
-TEST_CASE("with weight 0 the light stands alone, whatever the texture") {
+TEST_CASE("with weight 0 the light is alone, whatever the texture") {
   const Image one = picture(blended("0", Image(1, 1, {200, 100, 50})));
   const Image two = picture(blended("0", Image(2, 1, {3, 2, 1})));
   CHECK(one == two);
@@ -158,7 +161,7 @@ TEST_CASE(
         CAPTURE(blend);
         const Image expected = lecture::draw(map, choices);
         const Image drawn = of_the_lecture(choices);
-        CHECK(count_different(drawn, expected, 1) <= 320);
+        expect_same_picture(drawn, expected, {.pixels = 320, .levels = 1});
       }
     }
   }
@@ -171,33 +174,17 @@ TEST_CASE(
   choices.shininess = 500;
   choices.sign_of_the_slides = true;
   const Image expected = lecture::draw(map, choices);
-  CHECK(count_different(of_the_lecture(choices), expected, 1) <= 320);
+  expect_same_picture(of_the_lecture(choices), expected, {.pixels = 320, .levels = 1});
   choices.sign_of_the_slides = false;
   CHECK(count_different(of_the_lecture(choices), expected, 1) > 1000);
 }
 
 TEST_CASE(
-    "at exponent 100 the slides light 903 pixels in the dark, beside 780 where a highlight "
+    "at exponent 100 the slides light 903 pixels in the dark, and 780 where a highlight "
     "belongs") {
-  const auto light_alone = [](const char* shininess, const char* formula) {
-    return picture(prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess,
-                                     "--highlight", formula}),
-                   800, 400);
-  };
-  const Image lambertian = light_alone("1e30", "phong");
-  const Image right = light_alone("100", "phong");
-  const Image slides = light_alone("100", "lecture");
-  long in_the_dark = 0;
-  long in_its_place = 0;
-  for (std::size_t i = 0; i < lambertian.pixels.size(); ++i) {
-    const Rgb8 p = lambertian.pixels[i];
-    const bool globe = p.r == p.b && p.r > 0;  // the ground is yellow, the sky black
-    if (!globe) continue;
-    in_its_place += right.pixels[i] != p ? 1 : 0;
-    in_the_dark += p.r == 51 && slides.pixels[i] != p ? 1 : 0;
-  }
-  CHECK(in_its_place == 780);
-  CHECK(in_the_dark == 903);
+  const BrightenedPixels count = brightened_pixels();
+  CHECK(count.in_the_light == 780);
+  CHECK(count.in_the_dark == 903);
 }
 
 TEST_CASE(
@@ -227,6 +214,6 @@ TEST_CASE("the lecture's scene in one file is the picture of --scene lecture") {
   REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
   const Image expected = picture(prepared<Lesson>({"--scene", "lecture"}), 800, 400);
   // At u = 1/8 and 7/8 two pixels' centers lie on the edge between two texels: rounding decides.
-  CHECK(count_different(load_image(file), expected) <= 2);
-  CHECK(count_different(load_image(file), expected, 1) == 0);
+  expect_same_picture(load_image(file), expected, {.pixels = 2});
+  expect_same_picture(load_image(file), expected, {.levels = 1});
 }

@@ -29,7 +29,7 @@ KernelPlan plan_for(const char* budget, const Lesson& lesson, double reads = 0) 
   return plan_surface(parse_budget(budget), lesson.objects[0].paint.texture.image, reads);
 }
 
-/// How a film is drawn, besides its samples.
+/// How a film is drawn, apart from its samples.
 struct Drawn {
   Size size = {64, 36};
   int threads = 0;

@@ -13,6 +13,7 @@
 #include "13_speed_for_accuracy/scenes.hpp"
 #include "13_speed_for_accuracy/sheet.hpp"
 #include "engine/measure/text.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::chapter_13;
@@ -87,7 +88,7 @@ Vec3<T> direction(std::uint32_t i) {
                            static_cast<T>(s * std::sin(a))});
 }
 
-/// Measurements whose times are made up.
+/// Measurements with made-up times.
 Measurements made_up() {
   Measurements all{64, 48, all_places(Instructions::baseline), all_curves(Instructions::baseline)};
   const View<> view = earth().view(all.width, all.height);
@@ -446,9 +447,9 @@ TEST_CASE(
   };
   CHECK(has("levels=25.4", "  filter    anisotropic: 5.00 levels of light off"));
   CHECK(has("levels=25.4", " ./course run 09 --filter anisotropic\n"));
-  CHECK(has("levels=25.4", "  sky       uniform: cosine, 4 samples a pixel: 5.00 levels off"));
+  CHECK(has("levels=25.4", "  sky       uniform: cosine, 4 samples per pixel: 5.00 levels off"));
   CHECK(has("levels=25.4", " ./course run 12 --sky FILE --light cosine --samples 4\n"));
-  CHECK(has("levels=25.4", "            sun: mis, 4 samples a pixel: 20.00 levels off"));
+  CHECK(has("levels=25.4", "            sun: mis, 4 samples per pixel: 20.00 levels off"));
   CHECK(has("levels=25.4", " ./course run 12 --light mis --samples 4\n"));
   CHECK(has("levels=1", "  filter    nothing that was tried keeps to it\n"));
   CHECK(has("levels=1", "  sky       uniform: nothing that was tried keeps to it\n"));

@@ -8,6 +8,7 @@
 #include "14_numerical_extremes/lesson.hpp"
 #include "engine/picture/load_image.hpp"
 #include "support/pictures.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::chapter_14;

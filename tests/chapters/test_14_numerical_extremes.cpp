@@ -14,6 +14,7 @@
 
 #ifdef TEXMAP_HAVE_DIGITS
 #include "extremes/digits.hpp"
+#include "support/shown_values.hpp"
 
 template <>
 inline texmap::test::Digits50 texmap::pi<texmap::test::Digits50>() {

@@ -7,7 +7,7 @@
 #                                          and chapter 06 built with -O0 -march=native
 #   determinism.sh --self-test BIN         shows that a build, or a number of threads, that draws another picture is noticed
 #
-# A build whose compiler is missing is skipped. BIN holds the chapters' programs and compare.
+# A build without its compiler is skipped. BIN holds the chapters' programs and compare.
 # exit status: 0 one picture everywhere; 1 not so; 77 there are no two builds to compare
 set -eu
 tree=$(cd "$(dirname "$0")/../.." && pwd)

@@ -17,5 +17,5 @@ bool is_mirrored(Uv here, Uv east, Uv north) {
   // start: return false;
 }
 // hint: How do u and v change with the step to the east, and how with the step to the north?
-// hint: If east is to the right (+) and north is up (+), letters are as printed. Multiply the signs.
+// hint: East to the right (+), north up (+): letters are as printed. Multiply the two signs.
 // hint: For turned pictures take the whole determinant: u_e * v_n - u_n * v_e. What is its sign?

@@ -67,6 +67,12 @@ TEST_CASE("02.1: where on the map") {
                   std::atan2(-p.z, p.x) / (2 * pi) + 0.5};
       },
       "exchanged");
+  check_mistake(
+      "02.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / 360, std::acos(std::clamp(-p.y, -1., 1.)) / 180};
+      },
+      "not 360");
   check_unknown(
       "02.1", +[](Vec3 p) {
         return Uv{p.x, p.z};

@@ -6,7 +6,7 @@
 namespace texmap::extremes {
 namespace {
 
-/// Exponents whose products and their rounding errors stay in range.
+/// Exponents for which products and their rounding errors stay in range.
 template <class T>
 constexpr int half_range =
     std::numeric_limits<T>::max_exponent / 2 - std::numeric_limits<T>::digits - 2;
@@ -46,7 +46,7 @@ auto worst_determinant(Function function) {
   });
 }
 
-/// Sums and products whose two parts are not the exact result.
+/// Sums and products with two parts that are not the exact result.
 template <class Real>
 auto count_inexact() {
   using T = Scalar<Real>;
@@ -186,11 +186,11 @@ Family claims_of_arithmetic() {
       "Exact: the same sums and products in 50 digits, which hold them without rounding."};
   for_each_number([&]<class Real>() {
     family.add<Real>("two_sum, two_product",
-                     "any exponents whose product and its rounding error are in range",
+                     "any exponents for which the product and its rounding error are in range",
                      {0, "not exact"}, count_inexact<Real>());
     family
         .add<Real>("difference_of_products",
-                   "as two_product; products alike in all digits or in some", {2, "u"},
+                   "as two_product; products equal in all digits or in some", {2, "u"},
                    worst_determinant<Real>(our_determinant))
         .cost = {"a b - c d, double", working_through(fours<Real>(), our_determinant),
                  working_through(fours<double>(), plain_determinant)};
@@ -199,7 +199,7 @@ Family claims_of_arithmetic() {
     add_vectors<Real>(family);
   });
   family
-      .add<double>("a b - c d", "products alike in all digits or in some", {2, "u"},
+      .add<double>("a b - c d", "products equal in all digits or in some", {2, "u"},
                    worst_determinant<double>(plain_determinant))
       .expect = Expect::beyond;
   return family;

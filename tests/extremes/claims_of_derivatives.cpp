@@ -236,7 +236,7 @@ Family claims_of_derivatives() {
                      {16, "u"}, worst_uv_gradient<Real>());
     family.add<Real>("Dual, distance_to", "1.5 to 20 radii away, within 0.9 radii of the center",
                      {6, "u"}, worst_distance_gradient<Real>());
-    family.add<Real>("Dual, seam", "directions at -x in every convention, and 2^-28 u beside",
+    family.add<Real>("Dual, seam", "directions at -x in every convention, and 2^-28 u away",
                      {0, "jumps of the slope"}, jumps_at_seam<Real>());
   });
   const auto by_differences = [&]<class T>() {

@@ -258,7 +258,7 @@ Family claims_of_maps() {
   });
   const auto middle = [&]<class T>(double bound) {
     const char* domain = "1e-6 to 0.3 rad from the pole";
-    family.add<T>("uv_equal_area, beside the pole", domain, {bound, "texel"},
+    family.add<T>("uv_equal_area, near the pole", domain, {bound, "texel"},
                   worst_middle<T>([](const Vec3<T>& p) { return uv_equal_area(p); }));
     auto& claim = family.add<T>(
         "equal area by 1 - y", domain, {bound, "texel"},

@@ -122,7 +122,7 @@ auto count_acne(SphereForm form, Start start) {
     hit.shape = nullptr;  // or the ground would not be asked at all, and the lift not be tried
     if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;
     const LightSample<T> light = sample_light(stage.light, ground, hit);
-    // The light stands clearly above the horizon of the point.
+    // The light is clearly above the horizon of the point.
     const bool lit = dot(hit.normal, light.to_light) > T(1e-3L);
     worst.count(lit && !(light.cosine > T(0)), [&] { return described(ray); });
   });

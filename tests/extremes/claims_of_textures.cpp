@@ -253,10 +253,9 @@ void add_number(Family& family) {
                working_through(coordinates<double>(), [](double u) { return floor(u * 8192); })};
   family.add<Real>("texel_index, lecture, range", anything, whole,
                    count_outside<Real>(TexelRounding::lecture));
-  family.add<Real>(
-      "texel_index, distance of u from its texel",
-      "u in [0, 1), also at the edges of texels and a few numbers beside; n = 1 to 2^24",
-      {1, "u n"}, worst_texel<Real>());
+  family.add<Real>("texel_index, distance of u from its texel",
+                   "u in [0, 1), also at the edges of texels and a few numbers away; n = 1 to 2^24",
+                   {1, "u n"}, worst_texel<Real>());
   family.add<Real>("is_even", "any whole number (to 2^62 against integers)", {0, "wrong"},
                    count_wrong_parity<Real>());
   family.add<Real>("Checkerboard",

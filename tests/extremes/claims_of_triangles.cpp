@@ -8,7 +8,7 @@
 namespace texmap::extremes {
 namespace {
 
-/// A triangle whose corners every number holds, and a point.
+/// A triangle with corners that every number holds, and a point.
 template <class T>
 struct Case {
   Triangle triangle;
@@ -113,7 +113,7 @@ Triangle draw_flat(Dice& dice) {
   return {corner(), corner(), corner()};
 }
 
-/// Triangles whose corners in another order have other weights, or are called degenerate there.
+/// Triangles that have other weights, or count as degenerate, with corners in another order.
 template <class T>
 auto count_of_order(int scale) {
   return worst_over(4, [=](Dice& dice, Worst& worst) {

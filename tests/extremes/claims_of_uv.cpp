@@ -167,7 +167,7 @@ void add_number(Family& family, double place, double pole) {
                  {place, "texel"}, worst_place<Real>(rtiow, Convention::rtiow, any_vector<T>))
       .cost = {"Next Week's acos form, double", adding_up<Real>(rtiow),
                adding_up<double>(next_week)};
-  family.add<Real>("uv_rtiow, v beside the lower pole",
+  family.add<Real>("uv_rtiow, v near the lower pole",
                    "1e-30 to 0.1 rad from -y, length off 1 by up to 4 numbers", {pole, "ulp"},
                    worst_at_pole<Real>());
   family.add<Real>("uv_rtiow, range", anything, inside, count_outside<Real>(rtiow, any_three));

@@ -32,7 +32,7 @@ constexpr const char* how_to_read =
     "of machine), or a pack of them, compared lane by lane |\n"
     "| domain | the inputs for which the bound holds; sizes are drawn so that every exponent "
     "is as likely as any other, and corners are drawn often |\n"
-    "| bound | the largest error that is allowed there; 0 stands for none at all |\n"
+    "| bound | the largest error that is allowed there; 0 means that no error is allowed |\n"
     "| certainty | how sure the bound is, from the ladder below |\n"
     "| measured | the worst that was found, against 50-digit arithmetic |\n"
     "| cost | time for one number, as a multiple of what the cell names, timed alternately "

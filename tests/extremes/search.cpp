@@ -21,7 +21,7 @@ Found evaluated(const Measurement& measurement, Dice::Tape tape, std::uint64_t s
   return {std::move(tape), dice.taken(), worst.off};
 }
 
-/// The tape with one to three of its places changed: drawn anew, or by some power of two.
+/// The tape with one to three of its places changed: drawn again, or by some power of two.
 Dice::Tape changed(const Found& found, Dice& chance) {
   Dice::Tape tape = found.tape;
   for (int places = chance.within(1, 3); places > 0 && found.taken > 0; --places) {

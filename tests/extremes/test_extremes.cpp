@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "claims.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::extremes {
 namespace {
@@ -61,7 +62,7 @@ TEST_CASE("derivatives keep their bounds") { hold(claims_of_derivatives()); }
 TEST_CASE("maps, footprints and edges keep their bounds") { hold(claims_of_maps()); }
 TEST_CASE("arithmetic keeps its bounds") { hold(claims_of_arithmetic()); }
 
-TEST_CASE("a claim is measured alike on every run, and otherwise with another seed") {
+TEST_CASE("a claim is measured the same on every run, and differently with another seed") {
   const Claim claim = claims_of_uv().claims[1];
   CHECK(searched(claim.measurement, 50, 1).off == searched(claim.measurement, 50, 1).off);
   CHECK(searched(claim.measurement, 50, 1).off != searched(claim.measurement, 50, 3).off);

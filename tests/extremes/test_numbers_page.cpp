@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "page.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::extremes {
 namespace {
@@ -37,7 +38,7 @@ TEST_CASE("the page has the functions, domains and bounds of the claims") {
   const std::string difference =
       first_difference(without_measured_cells(committed_page()),
                        without_measured_cells(page_of(all_claims(), unmeasured)));
-  CHECK_MESSAGE(difference.empty(), difference << "\n./course numbers writes the page anew");
+  CHECK_MESSAGE(difference.empty(), difference << "\n./course numbers writes the page again");
 }
 
 TEST_CASE("a changed bound, domain or function is noticed, a changed measurement is not") {

@@ -113,7 +113,7 @@ TEST_CASE("weights by Cramer's rule are weights by areas, and bring back the poi
   }
 }
 
-TEST_CASE("draws are alike on every machine, and reach both ends of a number's range") {
+TEST_CASE("draws are the same on every machine, and reach both ends of a number's range") {
   CHECK(Dice(1).bits() == 0x910a2dec89025cc1U);
   Dice dice(6);
   float smallest = 1;

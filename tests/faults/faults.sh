@@ -854,7 +854,7 @@ check_streams() {
       skip "$name: stdout on a full device" 'there is none'
     fi
 
-    # A pipe whose reader has gone for certain.
+    # A pipe with a reader that has gone for certain.
     mkfifo "$T/gone-$n"
     exec 3<>"$T/gone-$n"
     exec 4>"$T/gone-$n"

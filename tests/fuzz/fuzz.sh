@@ -3,7 +3,7 @@
 # usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target unless told otherwise, two targets at a time
 #        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_command_line | fuzz_read_obj | fuzz_texture_places; all unless told otherwise
 # What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
-# build/fuzz/finds. Once mended, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
+# build/fuzz/finds. Once the fault is fixed, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
 # exit status: 0 nothing was found; 1 something was, or the targets do not compile; 77 a package is missing
 set -eu
 usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_command_line|fuzz_read_obj|fuzz_texture_places ...]'
@@ -56,11 +56,11 @@ search() {
   [ "$1" != fuzz_load_image ] || seeds=$tree/tests/corpus
   mkdir -p "$corpus"
   cp "$seeds"/* "$corpus"
-  for mended in "$tree/tests/fuzz/finds/$1"/*; do
-    [ -f "$mended" ] || continue
+  for fixed in "$tree/tests/fuzz/finds/$1"/*; do
+    [ -f "$fixed" ] || continue
     # shellcheck disable=SC2086  # a list of options
-    "$program" $limits "$mended" >/dev/null 2>"$build/logs/$1" || {
-      cp "$mended" "$finds/$1-again-${mended##*/}"
+    "$program" $limits "$fixed" >/dev/null 2>"$build/logs/$1" || {
+      cp "$fixed" "$finds/$1-again-${fixed##*/}"
       return 1
     }
   done

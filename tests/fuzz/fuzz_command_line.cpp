@@ -103,7 +103,7 @@ class Typed {
     claim(value == read || std::abs(read) < DBL_MIN, name);
   }
 
-  /// Checks that a choice is the one whose word was typed.
+  /// Checks that a choice is the one that was typed.
   template <class Value>
   void choice(const char* name, Value value,
               const std::map<std::string, Value, std::less<>>& words) const {

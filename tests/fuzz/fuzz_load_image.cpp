@@ -50,7 +50,7 @@ std::size_t change_chunk(std::uint8_t* data, std::size_t size, std::size_t max_s
   return size - chunk.length + length;
 }
 
-// Corrects the checksum of the pixels, whose stream may be cut into several chunks anywhere.
+// Corrects the checksum of the pixels; their stream may be cut into several chunks anywhere.
 void fix_pixel_checksum(std::span<std::uint8_t> png) {
   static std::vector<char> unpacked(std::size_t{1} << 20);
   std::vector<char> stream;

@@ -21,33 +21,30 @@ trap 'rm -rf "$work"' EXIT
 failed=0
 tried=0
 
-# is_drawn PICTURE PROGRAM [OPTION...]: true if the program draws tests/golden/PICTURE.png.
-is_drawn() {
-  picture=$1
-  program=$2
-  shift 2
-  "$bin/$program" --quiet --out "$work/drawn.png" "$@" >"$work/log" 2>&1 &&
-    "$bin/compare" "$work/drawn.png" "$folder/$picture.png" >>"$work/log" 2>&1
-}
+# shellcheck source=/dev/null
+. "$folder/../support/drawn.sh"
 
+# check PICTURE PROGRAM [OPTION...]: counts whether the program draws tests/golden/PICTURE.png.
 check() {
   if [ "$chosen" != "  " ]; then
     case $chosen in *" $2 "*) ;; *) return 0 ;; esac
   fi
   tried=$((tried + 1))
-  is_drawn "$@" || {
-    echo "FAIL: $2 does not draw tests/golden/$1.png" >&2
+  picture=$1
+  shift
+  is_drawn "$folder/$picture.png" "$@" || {
+    echo "FAIL: $1 does not draw tests/golden/$picture.png" >&2
     cat "$work/log" >&2
     failed=$((failed + 1))
   }
 }
 
 if [ "$self_test" = yes ]; then
-  if is_drawn 02_checkerboard_uv 02_checkerboard_uv --number float; then
+  if is_drawn "$folder/02_checkerboard_uv.png" 02_checkerboard_uv --number float; then
     echo "FAIL: a picture drawn in float is taken for the golden one"
     exit 1
   fi
-  is_drawn 02_checkerboard_uv 02_checkerboard_uv
+  is_drawn "$folder/02_checkerboard_uv.png" 02_checkerboard_uv
   echo "a difference of rounding is noticed"
   exit 0
 fi
@@ -60,9 +57,9 @@ check 04_uv_daily 04_uv_conventions --convention daily --show uv --width 200 --h
 check 05_y_rotation 05_y_rotation
 check 06_phong_texture_blend 06_phong_texture_blend
 for highlight in phong lecture; do
-  picture=06_lecture_phong
-  [ "$highlight" = phong ] || picture=06_lecture_slides
-  check "$picture" 06_phong_texture_blend --scene lecture --shininess 20 --blend 0.1 --highlight "$highlight" --width 400 --height 200
+  sheet=06_lecture_phong
+  [ "$highlight" = phong ] || sheet=06_lecture_slides
+  check "$sheet" 06_phong_texture_blend --scene lecture --shininess 20 --blend 0.1 --highlight "$highlight" --width 400 --height 200
 done
 check 07_earth_by_sampling 07_earth_by_sampling
 check 08_triangle_uv 08_triangle_uv

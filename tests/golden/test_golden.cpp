@@ -21,6 +21,7 @@
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "support/pictures.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

@@ -4,7 +4,7 @@
 usage: changed.py PAGE CHAPTERS OUT NAME...    writes OUT/NAME.hpp for each change
        changed.py --self-test
 
-In the page, a mark stands before each piece of a change, and then a block of code:
+In the page, a mark comes before each piece of a change, and then a block of code:
 
     <!-- change: stripes 02_checkerboard_uv above "using Checkered" -->
     <!-- change: stripes 02_checkerboard_uv replaces "using Paint" -->

@@ -282,7 +282,7 @@ def is_of_a_table(mutant):
 
 
 def sample(mutants, seed):
-    """The mutants in the order of the seed; few of strings and of tables, which are much alike."""
+    """The mutants in the order of the seed; few of strings and of tables, which are much the same."""
     kept = [m for m in mutants if m.chance('share') < (
         0.05 if m.kind == 'string' else 0.1 if is_of_a_table(m) else 1)]
     return sorted(kept, key=lambda m: m.chance(seed))
@@ -567,7 +567,7 @@ class Judge:
         return 'SURVIVED' if any_changed or self.quick else 'the same program'
 
     def needs_running(self, test):
-        """A suite whose programs are what they were says what it said."""
+        """A suite with the same programs has the same result."""
         target = self.build.target_of_test[test]
         return any(self.build.changed(t) for t in self.build.all_needs[target] if t in self.build.artifact)
 

@@ -17,9 +17,9 @@ PAGE = PROJECT / 'docs' / 'known_faults.md'
 
 
 class Fault:
-    """One entry of planted.txt: what to change, where it was found, and which suite must notice."""
+    """One entry of planted.txt or symptoms.txt: what to change, and which suite must notice."""
 
-    def __init__(self, name, lines):
+    def __init__(self, name, lines, needed):
         self.name = name
         self.fields = {}
         self.old, self.new = [], []
@@ -31,9 +31,9 @@ class Fault:
             elif line.strip():
                 key, _, value = line.partition(': ')
                 self.fields[key] = value
-        missing = {'found in', 'what', 'file', 'suite'} - set(self.fields)
+        missing = {'what', 'file', *needed} - set(self.fields)
         if missing or not self.old:
-            sys.exit(f'planted.txt: {name} lacks {", ".join(sorted(missing)) or "the lines to change"}')
+            sys.exit(f'[{name}] lacks {", ".join(sorted(missing)) or "the lines to change"}')
 
     def plant(self, tree):
         """Changes the file; returns its text from before."""
@@ -43,14 +43,14 @@ class Fault:
         pattern = r'\n[ \t]*'.join(re.escape(line.strip()) for line in self.old)
         found = list(re.finditer(pattern, text))
         if len(found) != 1:
-            sys.exit(f'planted.txt: {self.name}: its lines are {len(found)} times in {self.fields["file"]}')
+            sys.exit(f'[{self.name}]: its lines are {len(found)} times in {self.fields["file"]}')
         path.write_text(text[:found[0].start()] + '\n'.join(self.new) + text[found[0].end():])
         return path, text
 
 
-def faults_of(path):
+def faults_of(path, needed):
     parts = re.split(r'^\[(.+)\]\n', path.read_text(), flags=re.M)[1:]
-    return [Fault(name, lines.splitlines()) for name, lines in zip(parts[::2], parts[1::2])]
+    return [Fault(name, lines.splitlines(), needed) for name, lines in zip(parts[::2], parts[1::2])]
 
 
 def run(command, **options):
@@ -73,7 +73,7 @@ def main():
     parser.add_argument('--jobs', type=int, default=2)
     parser.add_argument('--write', action='store_true', help='write docs/known_faults.md')
     arguments = parser.parse_args()
-    faults = faults_of(PROJECT / 'tests' / 'mutation' / 'planted.txt')
+    faults = faults_of(PROJECT / 'tests' / 'mutation' / 'planted.txt', ('found in', 'suite'))
     if arguments.names:
         faults = [fault for fault in faults if fault.name in arguments.names]
     tree = PROJECT / 'build' / 'planted' / 'tree'

@@ -4,6 +4,7 @@
 #include "number/kinds/judge.hpp"
 #include "support/dice.hpp"
 #include "support/many_digits.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {

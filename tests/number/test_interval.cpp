@@ -41,7 +41,7 @@ bool can_be(const Tribool& mask, bool truth) {
   return truth ? mask.can_be_true : mask.can_be_false;
 }
 
-/// Where a number stands among all doubles: neighbours are 1 apart, both zeros are 0.
+/// The number's place among all doubles: neighbours are 1 apart, both zeros are 0.
 std::int64_t place(double x) {
   const auto size = std::bit_cast<std::int64_t>(std::abs(x));
   return std::signbit(x) ? -size : size;
@@ -372,7 +372,7 @@ TEST_CASE("a box that touches the negative x axis or the origin has every angle"
   }
 }
 
-TEST_CASE("a box beside the jump has the angles between two of its corners") {
+TEST_CASE("a box near the jump has the angles between two of its corners") {
   const auto between = [](const Interval& y, const Interval& x, double low, double high) {
     const Interval angle = atan2(y, x);
     CHECK(angle.low() == doctest::Approx(low));

@@ -21,8 +21,8 @@ TEST_CASE_TEMPLATE("below_one is the last number before one", Real, float, doubl
   CHECK(below_one<Real>() == std::nextafter(Real(1), Real(0)));
 }
 
-TEST_CASE_TEMPLATE("the unit roundoff is the largest number that vanishes beside one", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE("the unit roundoff is the largest number that vanishes when added to one", Real,
+                   float, double, long double) {
   const Real u = unit_roundoff<Real>();
   CHECK(Real(1) + u == Real(1));
   CHECK(Real(1) + std::nextafter(u, Real(1)) > Real(1));

@@ -61,7 +61,7 @@ void check_operations(const Operations&... operations) {
   }
 }
 
-/// A mask as ones and zeros, for single numbers and packs alike.
+/// A mask as ones and zeros, for single numbers and for packs.
 template <class Number, class Truth>
 Number shown(const Truth& mask) {
   return select(mask, Number(1), Number(0));

@@ -5,6 +5,7 @@
 
 #include "number/kinds/pack2.hpp"
 #include "support/lanes.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {

@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE("all lanes shift by the same count, from 0 to 31", Real,
   }
 }
 
-TEST_CASE_TEMPLATE("integers mix with lanes: a scalar stands in all of them", Real,
+TEST_CASE_TEMPLATE("integers mix with lanes: a scalar is in all of them", Real,
                    TEXMAP_SAMPLED_NUMBERS) {
   const UInt<Real> a = from_corner<Real>(3);
   for (std::size_t i = 0; i < lanes<Real>; ++i) {

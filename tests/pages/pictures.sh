@@ -1,25 +1,20 @@
 #!/bin/sh
 # The pictures of docs/pictures are what the commands in its README draw.
-# usage: pictures.sh ROOT BIN [--self-test]    BIN holds the chapters' programs and compare
+# usage: pictures.sh ROOT BIN [--self-test|--write]    BIN holds the chapters' programs, compare and mark_crops;
+#        --write draws the strips of marked crops that are out of date, with ImageMagick's convert
 set -eu
 root=$1
 bin=$2
+mode=${3:-}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
 tried=0
+# shellcheck source=/dev/null
+. "$root/tests/support/drawn.sh"
 
-# is_drawn FILE PROGRAM [OPTION...]: true if the program draws docs/pictures/FILE.
-is_drawn() {
-  file=$1
-  program=$2
-  shift 2
-  "$bin/$program" --quiet --out "$work/drawn.png" "$@" >"$work/log" 2>&1 &&
-    "$bin/compare" "$work/drawn.png" "$root/docs/pictures/$file" >>"$work/log" 2>&1
-}
-
-if [ "${3:-}" = --self-test ]; then
-  if is_drawn 05_turned_0.png 05_y_rotation --degrees 1 --width 400 --height 300 --samples 16; then
+if [ "$mode" = --self-test ]; then
+  if is_drawn "$root/docs/pictures/05_turned_0.png" 05_y_rotation --degrees 1 --width 400 --height 300 --samples 16; then
     echo "FAIL: another picture is taken for the one of the page"
     exit 1
   fi
@@ -27,22 +22,54 @@ if [ "${3:-}" = --self-test ]; then
   exit 0
 fi
 
+fail() {
+  echo "FAIL: $1"
+  cat "$work/log"
+  failed=1
+}
+
 # shellcheck disable=SC2016  # the quotes are Markdown's
 sed -n 's/^| \([0-9a-z_]*\.png\) | `\(.*\)` |$/\1 \2/p' "$root/docs/pictures/README.md" >"$work/rows"
 while read -r file command; do
+  [ "$mode" != --write ] || continue
   tried=$((tried + 1))
   # shellcheck disable=SC2086  # a command of several words
-  is_drawn "$file" $command || {
-    echo "FAIL: docs/pictures/$file is not what its command draws: $command"
-    cat "$work/log"
-    failed=1
-  }
+  is_drawn "$root/docs/pictures/$file" $command || fail "docs/pictures/$file is not what its command draws: $command"
 done <"$work/rows"
+
+# Strips of marked crops: each row of the table is a crop.
+# shellcheck disable=SC2016  # the quotes are Markdown's
+sed -n 's/^| \(look_[0-9]*\.png\) | `\(.*\)` | \([0-9,]*\) | \([0-9,:]*\) |$/\1 \3 \4 \2/p' "$root/docs/pictures/README.md" >"$work/crops"
+for strip in $(cut -d ' ' -f 1 "$work/crops" | uniq); do
+  tried=$((tried + 1))
+  set --
+  grep "^$strip " "$work/crops" >"$work/strip"
+  while read -r _ corner marks command; do
+    source=$root/$command
+    case $command in
+      *.png) ;;
+      *)
+        source=$work/crop$#.png
+        # shellcheck disable=SC2086  # a command of several words
+        draw "$source" $command || fail "$command"
+        ;;
+    esac
+    set -- "$@" "$source" "$corner" "$marks"
+  done <"$work/strip"
+  "$bin/mark_crops" "$work/strip.png" "$@" >"$work/log" 2>&1 || fail "the crops of $strip"
+  same_picture "$work/strip.png" "$root/docs/pictures/$strip" && continue
+  if [ "$mode" = --write ]; then
+    # A palette, and no row filters: a third of the bytes.
+    convert "$work/strip.png" -strip -define png:compression-filter=0 -define png:compression-level=9 \
+      -define png:include-chunk=none "png8:$root/docs/pictures/$strip"
+    echo "docs/pictures/$strip is new"
+  else
+    fail "docs/pictures/$strip is not what its rows say"
+  fi
+done
+
 for file in "$root"/docs/pictures/*.png; do
-  grep -q "^$(basename "$file") " "$work/rows" || {
-    echo "FAIL: no command draws $file"
-    failed=1
-  }
+  cat "$work/rows" "$work/crops" | grep -q "^$(basename "$file") " || fail "no command draws $file"
 done
 echo "$tried pictures"
 [ "$failed" -eq 0 ] && [ "$tried" -gt 10 ]

@@ -76,9 +76,9 @@ check "the turntable plays and stops" "true Stop,05_y_rotation.png Turn the glob
 page=$work/out/diff/02-03/index.html
 check "every picture of a comparison has an alternative text" 0 "$(page_says 1280 "$page" "$unnamed")"
 check "a comparison needs no network" 0 "$(page_says 1280 "$page" 'return [...document.querySelectorAll("[src],[href]")].filter((e) => !/^data:/.test(e.getAttribute("src") || e.getAttribute("href"))).length;')"
-check "the slider moves the cut" "25%" "$(page_says 1280 "$page" 'const s = document.querySelector("#cut"); s.value = 25; s.dispatchEvent(new Event("input")); return document.querySelector(".pair").style.getPropertyValue("--cut");')"
-check "before and after show one picture each" "100%,0%" "$(page_says 1280 "$page" 'const cut = () => document.querySelector(".pair").style.getPropertyValue("--cut"); document.querySelector("#before").click(); const a = cut(); document.querySelector("#after").click(); return a + "," + cut();')"
-check "blinking starts and stops" "true,false" "$(page_says 1280 "$page" 'const b = document.querySelector("#blink"); b.click(); const on = b.getAttribute("aria-pressed"); b.click(); return on + "," + b.getAttribute("aria-pressed");')"
+check "the slider moves the cut" "25%" "$(page_says 1280 "$page" 'const s = document.querySelector(".slider input"); s.value = 25; s.dispatchEvent(new Event("input")); return document.querySelector(".pair").style.getPropertyValue("--cut");')"
+check "before and after show one picture each" "100%,0%" "$(page_says 1280 "$page" 'const cut = () => document.querySelector(".pair").style.getPropertyValue("--cut"); document.querySelectorAll(".slider button")[1].click(); const a = cut(); document.querySelectorAll(".slider button")[2].click(); return a + "," + cut();')"
+check "blinking starts and stops" "true,false" "$(page_says 1280 "$page" 'const b = document.querySelector(".slider button"); b.click(); const on = b.getAttribute("aria-pressed"); b.click(); return on + "," + b.getAttribute("aria-pressed");')"
 check "every control can be reached with the keyboard" 5 "$(page_says 1280 "$page" 'let n = 0; for (const e of document.querySelectorAll("input, button, pre[tabindex]")) { e.focus(); n += document.activeElement === e ? 1 : 0; } return n;')"
 # The check can fail: a page with a box of 3000 pixels is too wide.
 sed 's|</body>|<div style="width:3000px">wide</div></body>|' "$page" >"$work/out/wide.html"

@@ -14,7 +14,7 @@ FilteredTexture numbered(int width, int height) {
   return {.pyramid = pyramid_of(image), .filter = Filter::trilinear, .v_axis = VAxis::down};
 }
 
-/// A place whose pixel covers so much of u and v.
+/// A place with a pixel that covers so much of u and v.
 Uv<Dual<double>> place(double u, double v, double along_u, double along_v) {
   return {{u, along_u, 0.0}, {v, 0.0, along_v}};
 }

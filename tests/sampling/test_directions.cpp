@@ -48,7 +48,7 @@ std::vector<Point2<Real>> hard_samples() {
   return all;
 }
 
-/// Unit normals: the axes both ways, beside the poles by less than a step, and some of no interest.
+/// Unit normals: the axes both ways, off the poles by less than a step, and some of no interest.
 std::vector<Point> hard_normals() {
   std::vector<Point> all = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},         {0, -1, 0},
                             {0, 0, 1}, {0, 0, -1}, {0, 0.0, -0.0 - 1}};

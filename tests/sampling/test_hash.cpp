@@ -10,6 +10,7 @@
 
 #include "sampling/hash.hpp"
 #include "sampling/sampled_numbers.hpp"
+#include "support/shown_values.hpp"
 #include "support/whole_numbers.hpp"
 
 namespace texmap::test {

@@ -15,6 +15,7 @@
 
 #include "engine/render/sample_random.hpp"
 #include "sampling/sampled_numbers.hpp"
+#include "support/shown_values.hpp"
 #include "support/whole_numbers.hpp"
 
 namespace texmap::test {

@@ -293,7 +293,7 @@ TEST_CASE("the derivatives of weights and distance are those of small steps") {
   CHECK(seen.x.dx == 4);
 }
 
-TEST_CASE_TEMPLATE("numbers whose products would underflow are 0, all others stay", Real, float,
+TEST_CASE_TEMPLATE("numbers with products that would underflow are 0, all others stay", Real, float,
                    double, long double) {
   using Limits = std::numeric_limits<Real>;
   const Real least = std::ldexp(Real(1), (Limits::min_exponent + Limits::digits) / 2);

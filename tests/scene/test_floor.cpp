@@ -11,7 +11,7 @@
 namespace texmap::test {
 namespace {
 
-TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, beside and on it",
+TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, along it and on it",
                    Real, float, double, long double) {
   const Real miss = infinity<Real>();
   const Real nan = std::numeric_limits<Real>::quiet_NaN();

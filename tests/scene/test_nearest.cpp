@@ -16,7 +16,7 @@ struct Thing {
   double mark = 0;
 };
 
-/// Three spheres one behind the other on the z axis, and one beside them.
+/// Three spheres one behind the other on the z axis, and one off the axis.
 std::vector<Thing> row_of_things() {
   return {{{{0, 0, 0}, 1}, 1}, {{{0, 0, -10}, 2}, 2}, {{{0, 0, 5}, 0.5}, 3}, {{{8, 0, 0}, 1}, 4}};
 }
@@ -24,8 +24,8 @@ std::vector<Thing> row_of_things() {
 template <class Real>
 const Ray<Real> along_z{{0, 0, 20}, {0, 0, -1}};
 
-TEST_CASE_TEMPLATE("the nearest object is found wherever it stands in the list", Real, float,
-                   double, long double) {
+TEST_CASE_TEMPLATE("the nearest object is found wherever it is in the list", Real, float, double,
+                   long double) {
   std::vector<Thing> things = row_of_things();
   std::vector<int> order = {0, 1, 2, 3};
   int orders = 0;

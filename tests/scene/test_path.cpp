@@ -1,4 +1,4 @@
-// Tests of scene/path.hpp: the light of paths whose every turn is known.
+// Tests of scene/path.hpp: the light of paths with known turns.
 #include <doctest.h>
 
 #include <cmath>
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("a ray that meets nothing sees the sky where it points, at an
   }
 }
 
-TEST_CASE_TEMPLATE("one sphere alone is lit as it is beside one that nobody sees", Real, double,
+TEST_CASE_TEMPLATE("one sphere alone is lit as it is next to one that nobody sees", Real, double,
                    long double) {
   const std::vector<Object> one = {{{{0.5, 0.25, -6}, 2}, {{0.5, 0.25, 1}}}};
   std::vector<Object> both = one;

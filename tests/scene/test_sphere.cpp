@@ -26,7 +26,7 @@ Exact ulps(Real got, Exact exact) {
 const Sphere<> unit_sphere{{0, 0, 0}, 1};
 const Sphere<> hybrid_sphere{{0, 0, 0}, 1, SphereForm::hybrid};
 
-TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, beside and on the sphere",
+TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, missing and on the sphere",
                    Real, float, double, long double) {
   const Real miss = infinity<Real>();
   struct Row {
@@ -356,7 +356,7 @@ TEST_CASE_TEMPLATE(
   CHECK(root_ahead(Real(1), Real(1), Real(1), nan) == infinity<Real>());
 }
 
-TEST_CASE_TEMPLATE("all three forms meet an ordinary sphere in the same place, wherever it stands",
+TEST_CASE_TEMPLATE("all three forms meet an ordinary sphere in the same place, wherever it is",
                    Real, double, long double) {
   Dice dice(5);
   int met = 0;

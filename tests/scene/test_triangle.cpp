@@ -284,7 +284,7 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE("beside the plane the weights are those of the foot", Real, float, double,
+TEST_CASE_TEMPLATE("off the plane the weights are those of the foot", Real, float, double,
                    long double) {
   for (const double height : {1e-6, 0.5, 7.0, 1e6})
     CHECK(is(barycentric(right_triangle, Vec3<Real>{Real(0.25), Real(0.25), Real(height)}), 0.5,

@@ -92,7 +92,8 @@ inline const std::string square_points =
       {"a line of a megabyte", after("# " + std::string(1 << 20, 'x') + "\n" + good_face),
        "line 9: it is longer than 65536 bytes"},
       {"a face of 20000 corners", after(thousands + "\n"), "line 9: it is longer than 65536 bytes"},
-      {"a line that goes on", after("f 1/1 2/2 \\\n3/3\n"), "line 9: it goes on in the next line"},
+      {"a line that goes on", after("f 1/1 2/2 \\\n3/3\n"),
+       "line 9: it continues in the next line"},
       {"an error after a thousand good lines",
        [&] {
          std::string lines = square_points;

@@ -34,7 +34,7 @@ TEST_CASE("a number's digits after the first are the leading bits of one draw") 
     CHECK(number_of<long double>({bits, 0}, 0, 1) == 0x1.fedcba9876543210p0L);
 }
 
-/// What is left of a number of 113 digits whose others are known.
+/// What is left of a number of 113 digits when the others are known.
 template <class T>
 void check_113_digits() {
   using std::ldexp;

@@ -93,7 +93,8 @@ TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Rea
 }
 
 TEST_CASE_TEMPLATE(
-    "an even number of squares alternates across the seam, and an odd one puts two alike side by "
+    "an even number of squares alternates across the seam, and an odd one puts two equal ones side "
+    "by "
     "side",
     Real, float, double, long double) {
   for (int squares = 1; squares <= 40; ++squares) {

@@ -18,7 +18,7 @@ constexpr std::array filters = {Filter::nearest,     Filter::bilinear, Filter::t
 constexpr std::array wraps = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border,
                               Wrap::spherical};
 
-/// A pyramid whose texels hold their own centers and their level.
+/// A pyramid with texels that hold their own centers and their level.
 Pyramid coordinates(int width, int height) {
   Pyramid pyramid;
   for (int level = 0; level == 0 || (width >> (level - 1)) > 1 || (height >> (level - 1)) > 1;

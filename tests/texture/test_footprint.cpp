@@ -108,7 +108,7 @@ Vec3<Real> direction(const Real& column, const Real& row, double lift, double as
           Real(aside) + column - row * Real(0.375)};
 }
 
-TEST_CASE("derivatives of (u, v) are those of 50 digits: on the seam, beside it, near a pole") {
+TEST_CASE("derivatives of (u, v) are those of 50 digits: on the seam, close to it, near a pole") {
   const double step = 0.01;  // of a pixel
   double worst = 0;
   for (const double aside : {0.3, 1e-3, 1e-12, 0.0, -1e-12, -1e-3, -0.3}) {

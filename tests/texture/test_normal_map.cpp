@@ -7,6 +7,7 @@
 
 #include "number/kinds/pack2.hpp"
 #include "support/dice.hpp"
+#include "support/shown_values.hpp"
 #include "texture/bilinear.hpp"
 
 using namespace texmap;
@@ -128,7 +129,7 @@ TEST_CASE("a color holds a normal to 1/255 in each part; the flat color leans by
 
 TEST_CASE(
     "the mean of two normals, kept short, gives the mean of their light; made long, too much") {
-  // Two texels whose normals lean left and right by the same angle; halfway both count the same.
+  // Two texels, normals left and right by the same angle; halfway both count the same.
   for (const double sine : {0.2, 0.5, 0.8}) {
     const double cosine = std::sqrt(1 - sine * sine);
     Image image(2, 1);

@@ -41,7 +41,7 @@ double area_by_hand(Projection projection, const Vec3<double>& n) {
     case Projection::cube:
       return 6 / pi_here * std::pow(depth, 3);
     case Projection::equi_angular: {
-      // (1 + a^2)(1 + b^2) for the place (a, b) on the face, whose depth is 1.
+      // (1 + a^2)(1 + b^2) for the place (a, b) on the face; its depth is 1.
       const double product =
           (1 + square(x / depth)) * (1 + square(y / depth)) * (1 + square(z / depth)) / 2;
       return 3 * pi_here / 8 * std::pow(depth, 3) * product;

@@ -183,7 +183,7 @@ TEST_CASE("in float every place is within 0.001 texel of 4096 of the one in long
 }
 
 TEST_CASE(
-    "the textbook's equal-area form is off by 1 / sqrt(8) texel of 4096 beside the pole, for "
+    "the textbook's equal-area form is off by 1 / sqrt(8) texel of 4096 near the pole, for "
     "directions rounded to float") {
   double worst = 0;
   double ours = 0;
@@ -205,7 +205,7 @@ TEST_CASE(
     worst = std::max(worst, off(published::uv_equal_area(p)));
     ours = std::max(ours, off(uv_equal_area(p)));
   }
-  MESSAGE("beside the pole: textbook " << worst << " texel of 4096, ours " << ours);
+  MESSAGE("near the pole: textbook " << worst << " texel of 4096, ours " << ours);
   // The y that is rounded to 1 from farthest away is 1 - 2^-25; sqrt(1 - y) is 0 instead of this.
   const double lost = 2048 * std::sqrt(0x1p-25);
   CHECK(worst <= lost * (1 + 1e-3));
@@ -214,7 +214,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "in float every direction is within 4 epsilons of the one in long double, beside poles too") {
+    "in float every direction is within 4 epsilons of the one in long double, near poles too") {
   for (const ProjectionFacts& facts : projections) {
     CAPTURE(std::string(facts.word));
     Dice dice(4);

@@ -110,7 +110,7 @@ double amplitude_in(const Pyramid& pyramid, int level, int cycles) {
   return 2 * std::hypot(cosine, sine) / width;
 }
 
-TEST_CASE("a cosine passes a level as sin(2^l pi f) / (2^l sin(pi f)); a level beside it differs") {
+TEST_CASE("a cosine passes a level as sin(2^l pi f) / (2^l sin(pi f)); the next level differs") {
   const int width = 1024;
   for (const int cycles : {1, 3, 10, 25}) {
     LightImage image(width, 1);

@@ -48,8 +48,7 @@ Vec3d at_cosine(const Vec3d& lamp, double cosine) {
 
 }  // namespace
 
-TEST_CASE(
-    "a lamp is 17/16 as bright as it is where it stands overhead, and 3/32 at the terminator") {
+TEST_CASE("a lamp is 17/16 as bright as it is where it is overhead, and 3/32 at the terminator") {
   const Lamp lamp;
   const SkyMoments moments((Environment(lamp.map)));
   const auto over_lambert = [&](double cosine) {

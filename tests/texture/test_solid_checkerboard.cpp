@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE(
       const auto x = static_cast<Real>(range * dice.between(-1, 1));
       const auto y = static_cast<Real>(range * dice.between(-1, 1));
       const auto z =
-          static_cast<Real>(10 * dice.between(-1, 1));  // a small one beside the large ones
+          static_cast<Real>(10 * dice.between(-1, 1));  // a small one among the large ones
       if (cube_at(board, x, y, z) != true_cube_at(x, y, z)) ++wrong;
     }
     CHECK(wrong == 0);
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("neighbors at 1e12 differ, with cells of any power of two", R
   }
 }
 
-TEST_CASE_TEMPLATE("numbers of cells whose sum does not fit still give the right color", Real,
+TEST_CASE_TEMPLATE("numbers of cells with a sum that does not fit still give the right color", Real,
                    float, double, long double) {
   const SolidCheckerboard board{even, odd, 1};
   const Real last = std::ldexp(Real(1), std::numeric_limits<Real>::digits) - Real(1);  // odd

@@ -164,7 +164,7 @@ Uv<Exact> reference(const Vec3<Real>& p) {
 }
 
 TEST_CASE_TEMPLATE(
-    "u is within one epsilon everywhere, v within 1.25, and v within 4 ulps beside the lower pole",
+    "u is within one epsilon everywhere, v within 1.25, and v within 4 ulps near the lower pole",
     Real, float, double) {
   constexpr auto epsilon = static_cast<Exact>(std::numeric_limits<Real>::epsilon());
   Exact worst_u = 0;

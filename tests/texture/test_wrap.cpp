@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "support/lanes.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {

@@ -13,26 +13,29 @@ void BumpOptions::declare(CommandLine& line) {
                             {"sheet", BumpPicture::sheet},
                             {"poles", BumpPicture::poles},
                             {"daily", BumpPicture::daily}},
-                           "the globe; eight ways to read one normal map; heights at a pole; the "
-                           "daily exercise's bricks");
+                           "globe: the globe. sheet: eight ways to read one normal map. poles: "
+                           "heights at a pole. daily: the daily exercise's bricks");
   line.choice<BumpForm>(
       "--bump", form,
       {{"exact", BumpForm::exact}, {"blinn", BumpForm::blinn}, {"off", BumpForm::flat}},
-      "the raised surface's normal; Blinn's of 1978, without the term h dn; the globe's own");
-  line.choice<SlopeFrom>("--slopes", slopes,
-                         {{"duals", SlopeFrom::duals},
-                          {"forward", SlopeFrom::forward},
-                          {"central", SlopeFrom::central}},
-                         "from the height's own derivatives, or from differences");
-  line.decimal("--step", step, 1e-300, 1, "of differences, in radii of the globe");
+      "exact: the normal of the raised surface. blinn: Blinn's of 1978, which leaves out the term "
+      "h dn. off: the globe's own normal");
+  line.choice<SlopeFrom>(
+      "--slopes", slopes,
+      {{"duals", SlopeFrom::duals},
+       {"forward", SlopeFrom::forward},
+       {"central", SlopeFrom::central}},
+      "slopes of the height: duals are exact derivatives, forward and central are differences");
+  line.decimal("--step", step, 1e-300, 1, "the step of the differences, in radii of the globe");
   line.decimal("--relief", relief, -10, 10,
-               "how high white is, in radii of the globe; below 0 mountains are valleys");
+               "the height of white, in radii of the globe; below 0 mountains become valleys");
   line.choice<HeightKind>(
       "--relief-from", height,
       {{"image", HeightKind::image}, {"uv", HeightKind::uv}, {"space", HeightKind::space}},
-      "what is high: an image, waves in (u, v), waves in space");
-  line.text("--relief-image", "FILE", image,
-            "the heights, a PNG or JPEG twice as wide as high; red counts");
+      "where the heights come from: an image, waves in (u, v), or waves in space");
+  line.text(
+      "--relief-image", "FILE", image,
+      "the image of the heights, a PNG or JPEG twice as wide as high; its red channel is used");
 }
 
 LightImage BumpOptions::load() const {

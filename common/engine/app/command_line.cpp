@@ -95,7 +95,7 @@ void CommandLine::text(std::string_view name, std::string_view placeholder, std:
                        std::string_view help) {
   add({std::string(name), std::string(placeholder), std::string(help), value,
        [&value, name = std::string(name)](std::string_view typed) {
-         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         if (typed.empty()) throw UsageError(name + " needs a name, and got an empty one");
          value = typed;
        }});
 }
@@ -104,7 +104,7 @@ void CommandLine::texts(std::string_view name, std::string_view placeholder,
                         std::vector<std::string>& values, std::string_view help) {
   add({std::string(name), std::string(placeholder), std::string(help), "",
        [&values, name = std::string(name)](std::string_view typed) {
-         if (typed.empty()) throw UsageError(name + " takes a name, and was given an empty one");
+         if (typed.empty()) throw UsageError(name + " needs a name, and got an empty one");
          values.emplace_back(typed);
        }});
 }
@@ -119,6 +119,16 @@ void CommandLine::positional(std::string_view name, std::string& value, std::str
                             if (typed.empty()) throw UsageError(name + " must not be empty");
                             value = typed;
                           }});
+}
+
+void CommandLine::positionals(std::string_view name, std::vector<std::string>& values,
+                              std::string_view help) {
+  positionals_.push_back({std::string(name), "", std::string(help), "",
+                          [&values, name = std::string(name)](std::string_view typed) {
+                            if (typed.empty()) throw UsageError(name + " must not be empty");
+                            values.emplace_back(typed);
+                          }});
+  last_repeats_ = true;
 }
 
 void CommandLine::statuses(std::string_view text) { statuses_ = text; }
@@ -139,7 +149,7 @@ bool CommandLine::parse(const std::vector<std::string>& words) {
     if (awaited != positionals_.end() && word.substr(0, 1) != "-") {
       awaited->read(word);
       typed_.push_back(awaited->name);
-      ++awaited;
+      if (!last_repeats_ || awaited + 1 != positionals_.end()) ++awaited;
       continue;
     }
     // --name=value is the same as --name value.
@@ -165,7 +175,8 @@ bool CommandLine::parse(const std::vector<std::string>& words) {
                        option->placeholder);
     }
   }
-  if (awaited != positionals_.end()) throw UsageError(awaited->name + " is missing");
+  if (awaited != positionals_.end() && !was_given(awaited->name))
+    throw UsageError(awaited->name + " is missing");
   return true;
 }
 
@@ -180,6 +191,7 @@ bool CommandLine::was_given(std::string_view name) const {
 std::string CommandLine::call() const {
   std::string text = "usage: " + program_;
   for (const Option& word : positionals_) text += " " + word.name;
+  if (last_repeats_) text += "...";
   return text + " [options]";
 }
 

@@ -72,8 +72,10 @@ class CommandLine {
   ///
   /// @param name  its name in the usage line
   void positional(std::string_view name, std::string& value, std::string_view help);
+  /// Any number of words after those, at least one.
+  void positionals(std::string_view name, std::vector<std::string>& values, std::string_view help);
 
-  /// The help's text about exit statuses, for programs whose result is not a picture.
+  /// The help's text about exit statuses, for programs that make no picture.
   void statuses(std::string_view text);
 
   /// Reads what the user typed.
@@ -108,9 +110,10 @@ class CommandLine {
   std::string program_;
   std::string purpose_;
   std::string statuses_ =
-      "0 the picture is on disk; 1 it could not be made; 2 the command line is wrong";
+      "0 the picture is written; 1 an error, no picture; 2 the command line is wrong";
   std::vector<Option> options_;
   std::vector<Option> positionals_;
+  bool last_repeats_ = false;  // of the positionals
   std::vector<std::string> typed_;
 };
 

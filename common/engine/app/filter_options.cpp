@@ -24,20 +24,23 @@ void FilterOptions::declare(CommandLine& line) {
                        {"anisotropic", Filter::anisotropic},
                        {"ewa", Filter::ewa},
                        {"stochastic", Filter::stochastic}},
-                      "how the textures are read");
+                      "how textures are filtered");
   line.choice<FilterScene>(
       "--scene", scene,
       {{"both", FilterScene::both}, {"plane", FilterScene::plane}, {"globe", FilterScene::globe}},
-      "what to draw: the plane to the horizon, a globe far away, or both");
+      "what to draw: a plane up to the horizon, a globe far away, or both");
   line.choice<Wrap>("--wrap", wrap,
                     {{"repeat", Wrap::repeat},
                      {"mirror", Wrap::mirror},
                      {"clamp", Wrap::clamp},
                      {"border", Wrap::border}},
-                    "what the floor shows beyond the first copy of its picture");
-  line.whole("--taps", taps, 1, 64, "the most reads along a pixel's footprint");
-  line.text("--floor", "FILE", floor_file, "the picture on the floor, a PNG or JPEG, or checkers");
-  line.text("--plot", "FILE.svg", plot, "also draws the filters' errors against the texels read");
+                    "what the floor shows outside the first copy of its picture");
+  line.whole("--taps", taps, 1, 64,
+             "how many times at most a filter reads along a pixel's footprint");
+  line.text("--floor", "FILE", floor_file,
+            "the picture on the floor: a PNG or JPEG file, or the word checkers");
+  line.text("--plot", "FILE.svg", plot,
+            "also plot the filters' errors against the number of texels they read");
 }
 
 Image checkers_image(int size, int squares) {

@@ -15,7 +15,8 @@ Film gather_within_limits(const SamplingOptions& options, int most,
   if (options.time_limit == 0 && options.target_error == 0) return gather(most, pattern);
   if (most < 2) {
     throw UsageError(
-        "--samples 1: --time-limit and --target-error need two samples a pixel to tell the error");
+        "--samples 1: --time-limit and --target-error need two samples per pixel to estimate the "
+        "error");
   }
 
   const auto start = std::chrono::steady_clock::now();
@@ -47,10 +48,10 @@ std::string remark_on_error(double error) {
 
 std::string describe_error(const Film& film, const SamplingOptions& options) {
   if (!(film.error < infinity<double>())) {
-    return text("%ld sample a pixel, which cannot tell its error\n", film.samples());
+    return text("%ld sample per pixel: too few to estimate the error\n", film.samples());
   }
   const bool limited = options.time_limit > 0 || options.target_error > 0;
-  return text("%ld samples a pixel, mean error %s %.2f levels of 255\n", film.samples(),
+  return text("%ld samples per pixel, mean error %s %.2f levels of 255\n", film.samples(),
               limited ? "about" : "at most about", film.error * 255);
 }
 

@@ -17,13 +17,13 @@ namespace texmap {
 /// What develops a film: the number does not change the picture.
 using DevelopingNumber = std::conditional_t<all_numbers, Pack2<Pack<double>>, double>;
 
-/// Gathers `samples` samples a pixel with the pattern of that number.
+/// Gathers `samples` samples per pixel with the pattern of that number.
 using GatherPattern = std::function<Film(int samples, std::uint32_t pattern)>;
 
 /// All samples that the options ask for: one pattern or, with a limit, pairs of independent
 /// patterns that double in size. The difference of a pair estimates the error.
 ///
-/// @param most          samples a pixel
+/// @param most          samples per pixel
 /// @param error_so_far  set after each pair
 /// Errors: UsageError if `most` is too small for a limit or too large for a pattern.
 [[nodiscard]] Film gather_within_limits(const SamplingOptions& options, int most,

@@ -10,11 +10,11 @@ void LayoutOptions::declare(CommandLine& line) {
                           {{"daily", Convention::daily},
                            {"rtiow", Convention::rtiow},
                            {"lecture", Convention::lecture}},
-                          "where the picture begins and which way it runs");
+                          "where on the globe the picture begins, and which way it runs");
   line.choice<TexelRounding>(
       "--rounding", rounding,
       {{"floor", TexelRounding::floor}, {"lecture", TexelRounding::lecture}},
-      "from a coordinate to a texel: floor(u n), or the lecture's (n-1) u cut off");
+      "which texel has the coordinate u: number floor(u n), or the lecture's (n-1) u, cut off");
 }
 
 ImageTexture LayoutOptions::load(const TextureFile& file) const {

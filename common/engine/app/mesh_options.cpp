@@ -31,17 +31,18 @@ void fit_to_crate(Mesh& mesh) {
 }  // namespace
 
 void MeshOptions::declare(CommandLine& line) {
-  line.decimal("--degrees", degrees, -1e300, 1e300, "turn of the mesh about its axis, any angle");
+  line.decimal("--degrees", degrees, -1e300, 1e300,
+               "rotates the mesh about its axis by this angle");
   line.choice<Wrap>("--wrap", wrap,
                     {{"mirror", Wrap::mirror}, {"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}},
-                    "what the texture shows beyond its edges, as on the floor");
+                    "what the texture shows beyond its edges, for example on the floor");
   line.choice<WeightsFormula>(
       "--weights", weights,
       {{"signed", WeightsFormula::signed_areas}, {"heron", WeightsFormula::heron}},
-      "the weights of a triangle's corners: signed areas, or the "
-      "article's areas from side lengths");
+      "how to compute the weights of a triangle's corners: from signed areas, or as in the article "
+      "from the lengths of the sides");
   line.text("--mesh", "FILE", file,
-            "a mesh in OBJ format with texture coordinates, in place of the crate");
+            "draw this mesh, an OBJ file with texture coordinates, instead of the crate");
 }
 
 TexturedMesh MeshOptions::load() const {

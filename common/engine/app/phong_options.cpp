@@ -10,16 +10,17 @@ namespace texmap {
 
 void PhongOptions::declare(CommandLine& line) {
   line.decimal("--blend", blend, 0, 1,
-               "mix texture T with light 1 - T; the stage multiplies them unless this is given");
+               "mix X parts of texture with 1 - X parts of light; without this option the stage "
+               "multiplies them");
   line.decimal("--shininess", shininess, 0, 1e30,
-               "Phong's exponent of the globe; 500 in the lecture's scene");
+               "Phong's exponent, by default 500 in the lecture's scene");
   line.choice<PhongScene>("--scene", scene,
                           {{"stage", PhongScene::stage}, {"lecture", PhongScene::lecture}},
-                          "what to draw; the lecture's picture is 800x400");
+                          "which scene to draw; the lecture's picture is 800x400");
   line.choice<HighlightFormula>(
       "--highlight", formula,
       {{"phong", HighlightFormula::phong}, {"lecture", HighlightFormula::lecture}},
-      "Phong's highlight, or the lecture's with its wrong sign");
+      "Phong's highlight, or the lecture's, which has a wrong sign");
 }
 
 PhongScene PhongOptions::resolve(const Session& session) {

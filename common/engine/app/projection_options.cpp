@@ -18,11 +18,11 @@ void ProjectionOptions::declare(CommandLine& line) {
     or_none.emplace_back(facts.word, facts.projection);
   }
   line.choice("--projection", projection, or_none,
-              "draws the globe: its picture is converted to this layout and read from there");
-  line.choice("--from", from, words, "the layout of the file of --texture");
+              "draw the globe with its picture converted to this layout");
+  line.choice("--from", from, words, "the layout of the --texture file");
   line.choice("--to", to, or_none,
-              "converts the file of --texture to this layout and saves it, with as many texels for "
-              "the sphere unless --width or --height says otherwise");
+              "convert the --texture file to this layout and save it, with as many texels on the "
+              "sphere unless you give --width or --height");
 }
 
 ImageTexture ProjectionOptions::load(const TextureFile& file) const {

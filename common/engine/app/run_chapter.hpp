@@ -59,7 +59,7 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
                });
 }
 
-/// Sets the rotation of a paint whose mapping has one.
+/// Sets the rotation of a paint if its mapping has one.
 template <class Paint>
 void turn_paint(Paint& paint, const RotationY& rotation) {
   if constexpr (requires { paint.mapping.rotation; }) paint.mapping.rotation = rotation;
@@ -120,28 +120,29 @@ template <class Lesson>
   if constexpr (GathersLight<Lesson>) {
     if constexpr (requires { lesson.texture; }) {
       offers.budget =
-          "how far off a place on the texture may be: exact, texels=0.01 or levels=1; says which "
-          "kernels it takes";
+          "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of "
+          "the picture); prints which fast formulas it chooses";
     }
-    offers.no_intervals = "it bounds one ray a pixel, not light that is gathered by chance";
+    offers.no_intervals = "it bounds the error of one ray, not the noise of random samples";
     offers.samples = lesson.sampling.samples;
     offers.most_samples = most_samples;
   } else if constexpr (requires { lesson.phong; }) {
     offers.budget =
-        "how far off Phong's highlight may be: exact or levels=1; says which kernel it takes";
+        "the allowed error of Phong's highlight: exact or levels=1; prints which fast formula it "
+        "chooses";
   } else if constexpr (requires { lesson.filtering; }) {
     offers.budget =
-        "how far off the light of textured pixels may be: exact or levels=4; says which filter it "
-        "takes";
+        "the allowed error of textured pixels: exact or levels=4; prints which filter it chooses";
     offers.no_intervals =
-        "where rounding leaves a filter's level open, the bound would be that of whole levels";
+        "where rounding leaves open which level a filter reads, the bound would be too wide to be "
+        "of use";
   }
   return offers;
 }
 
 inline constexpr const char* unused_texture =
-    "the lesson offers --texture and never loads it: is its hook spelt `prepare`? With `override` "
-    "behind it the compiler says so";
+    "the lesson offers --texture and never loads it: is its hook spelt `prepare`? Write `override` "
+    "after it, and the compiler checks the name";
 
 /// Draws and saves what a lesson shows with the options that were read.
 template <class Lesson>

@@ -11,24 +11,25 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
                             {"stratified", SamplerKind::stratified},
                             {"multi-jitter", SamplerKind::multi_jitter},
                             {"sobol", SamplerKind::sobol}},
-                           "how samples are spread; --samples says how many");
+                           "the pattern of a pixel's samples; --samples is their number");
   line.whole("--seed", seed, 0, 1000000000,
-             "another number draws the same light with other errors");
-  line.whole("--bounces", bounces, 1, 1000, "how often a path may bounce");
+             "the seed of the random numbers: another seed has different noise");
+  line.whole("--bounces", bounces, 1, 1000, "the largest number of bounces of a path");
   line.decimal("--time-limit", time_limit, 0, 1e6,
-               "stop after so many seconds; --samples is then the most");
+               "stop after so many seconds, or at --samples if that is earlier; 0 for no limit");
   line.decimal("--target-error", target_error, 0, 255,
-               "stop when the mean error is below so many levels of 255");
+               "stop when the estimated mean error is below so many levels of 255, or at "
+               "--samples; 0 for no limit");
   line.choice<Transfer>(
       "--gamma", transfer,
       {{"srgb", Transfer::srgb}, {"sqrt", Transfer::sqrt}, {"2.2", Transfer::stb}},
-      "from light to bytes: the sRGB curve, the books' square root, or the power 1/2.2");
+      "how light becomes bytes: the sRGB curve, the books' square root, or the power 1/2.2");
   line.decimal("--defocus", lens.defocus_degrees, 0, 90,
-               "angle of the cone of rays through a lens, in degrees");
+               "blur by a lens: the angle of its cone of rays, in degrees");
   line.decimal("--focus", lens.focus_distance, 0.001, 1e6,
-               "distance of what a lens draws sharp; chapter 07's globe begins at 10");
+               "the distance at which a lens is sharp; chapter 07's globe begins at 10");
   line.decimal("--shift", lens.shift, -100, 100,
-               "the scene moves up by so much during the exposure");
+               "blur by motion: the scene moves up by so much during the exposure");
 }
 
 void SamplingOptions::declare(CommandLine& line) {
@@ -36,10 +37,10 @@ void SamplingOptions::declare(CommandLine& line) {
   line.choice<TexelLight>(
       "--decode", decoding,
       {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},
-      "from the texture's bytes to light: the sRGB curve, the power 2.2 kept in bytes (Next Week "
-      "since 2024), or the bytes as they are (before)");
+      "how the texture's bytes become light: the sRGB curve, the power 2.2 rounded to bytes (Next "
+      "Week since 2024), or the bytes as they are (Next Week before 2024)");
   line.choice<bool>("--sky", gradient, {{"constant", false}, {"gradient", true}},
-                    "uniform, or white below and blue above");
+                    "the sky: uniform, or white below and blue above");
 }
 
 void SamplingOptions::apply_to(ImageTexture& texture, GradientSky<>& sky) const {

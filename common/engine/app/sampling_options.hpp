@@ -13,7 +13,7 @@ class CommandLine;
 /// The user's choices of samples and light.
 struct SamplingOptions {
   SamplerKind sampler = SamplerKind::sobol;
-  int samples = 100;  ///< rays a pixel, unless --samples is given
+  int samples = 100;  ///< rays per pixel, unless --samples is given
   int seed = 0;
   int bounces = 50;
   double time_limit = 0;    ///< seconds; 0: no limit

@@ -62,31 +62,32 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   line.whole("--height", settings.height, 1, longest_side, "rows of pixels" + note);
   if (offered("--samples")) {
     line.whole("--samples", settings.samples, 1, offers.most_samples,
-               "rays a pixel: 1 looks through its center, more smooth the edges");
+               "rays per pixel: 1 goes through the pixel's center, more make edges smooth");
   }
   line.whole("--threads", settings.threads, 0, 1024,
-             "threads to draw with, 0 for one per core; the picture is the same");
+             "number of threads, 0 for one per core; the picture does not depend on it");
   if (offered("--number")) offer_numbers(about.numbers, offers.no_intervals);
   if (!offers.budget.empty()) line.text("--budget", "BUDGET", settings.budget, offers.budget);
   if (offers.spheres) {
-    line.choice<SphereForm>("--spheres", settings.spheres,
-                            {{"plain", SphereForm::plain},
-                             {"robust", SphereForm::robust},
-                             {"hybrid", SphereForm::hybrid}},
-                            "formulas for meeting a sphere: robust draws every scene of the "
-                            "course; hybrid, some 6 times slower, is for float beyond 100 radii "
-                            "and an eye close above a surface, and taken for robust beyond 1e4 "
-                            "radii in float, 1e7 in double; plain shows how the textbook's fails");
+    line.choice<SphereForm>(
+        "--spheres", settings.spheres,
+        {{"plain", SphereForm::plain},
+         {"robust", SphereForm::robust},
+         {"hybrid", SphereForm::hybrid}},
+        "the formula for where a ray meets a sphere. robust draws every scene of the course. "
+        "hybrid takes about 6 times as long; it is for float beyond 100 radii, and for an eye "
+        "close above a surface. Beyond 1e4 radii in float, 1e7 in double, robust changes to hybrid "
+        "by itself. plain is the textbook's formula, to see where it fails");
   }
   if (offers.surfaces) offer_show();
   if (offers.camera) {
     line.decimal("--zoom", settings.zoom, 0.01, 1e6,
-                 "how many times as large: 2 shows the middle half of the picture");
+                 "magnification: 2 shows half of the width and half of the height");
     line.text("--at", "COLUMN,ROW", settings.at,
-              "the pixel of the picture without --zoom, counted from 0,0 at the upper left, that "
-              "--zoom leaves in its place; the middle unless given");
+              "the pixel that stays in its place when --zoom enlarges the picture, counted from "
+              "0,0 at the upper left; without this option, the middle");
   }
-  line.flag("--quiet", settings.quiet, "no progress, nothing printed on success");
+  line.flag("--quiet", settings.quiet, "show no progress, and print nothing on success");
 }
 
 Session::~Session() = default;
@@ -97,27 +98,29 @@ void Session::offer_numbers(Numbers numbers, std::string_view no_intervals) {
                                                                 {"double", NumberKind::double_},
                                                                 {"extended", NumberKind::extended}};
   if (numbers == Numbers::single) {
-    line_.choice<NumberKind>("--number", settings.number, words, "the number to calculate with");
+    line_.choice<NumberKind>("--number", settings.number, words,
+                             "the number type to calculate with");
     return;
   }
   words.insert(words.end(),
                {{"float-pack", NumberKind::float_pack}, {"double-pack", NumberKind::double_pack}});
-  std::string help = "the number to calculate with";
+  std::string help = "the number type to calculate with";
   if (!no_intervals.empty()) {
     help.append("; not interval: ").append(no_intervals);
   } else {
     words.emplace_back("interval", NumberKind::interval);
     help +=
-        "; interval draws which pixels rounding could change: gray where none can change its "
-        "bytes, yellow to violet, three pixels wide, for 1 to 255 levels of uncertainty, and "
-        "prints how many";
+        "; interval shows which pixels rounding could change, and prints how many: certain pixels "
+        "are gray, and uncertain ones are drawn three pixels wide, yellow for 1 level to violet "
+        "for 255";
   }
   line_.choice<NumberKind>("--number", settings.number, words, help);
   line_.choice<Instructions>("--instructions", settings.instructions,
                              {{"baseline", Instructions::baseline},
                               {"avx2", Instructions::avx2},
                               {"avx512", Instructions::avx512}},
-                             "what packs are made of; the machine's widest unless given");
+                             "the vector instructions that packs use; without this option, the "
+                             "widest that the machine has");
 }
 
 void Session::offer_show() {
@@ -127,10 +130,10 @@ void Session::offer_show() {
        {"normal", Shown::normal},
        {"uv", Shown::uv},
        {"object", Shown::object}},
-      "to find errors, in place of the color: the unit normal, from -1 to 1 as x "
-      "in red, y in green, z in blue; u in red and v in green, gray without (u, v), "
-      "beyond 0 to 1 the part behind the point; each object or triangle in a color "
-      "of its own; the sky is black");
+      "what to show in each pixel; all but color help to find errors, and have a black sky. "
+      "normal: the unit normal, x as red, y as green, z as blue, each from -1 to 1. uv: u as red "
+      "and v as green, of numbers outside 0 to 1 the part after the decimal point; gray where "
+      "there is no (u, v). object: a different color for each object or triangle");
 }
 
 bool Session::was_given(std::string_view option) const { return line_.was_given(option); }
@@ -144,24 +147,21 @@ void Session::check_numbers() const {
   const bool double_alone = settings.number == NumberKind::double_ && settings.budget == "exact";
   if (double_alone && !was_given("--instructions")) return;
   throw UsageError(
-      "--number, --instructions and --budget need a program with all numbers, and this one was "
-      "built "
-      "for learning, with double alone: ./course run NN builds the other one when they are given, "
-      "or "
-      "by hand: cmake --preset release && cmake --build --preset release");
+      "--number, --instructions and --budget need a program with all number types. This one was "
+      "built for learning, with double alone. ./course run NN builds the other one if you give "
+      "such an option; by hand: cmake --preset release && cmake --build --preset release");
 }
 
 void Session::check_show() const {
   if (settings.show == Shown::color) return;
   if (settings.number == NumberKind::interval) {
     throw UsageError(
-        "--show draws normals, (u, v) and objects with any number but interval, which bounds "
-        "colors");
+        "--show normal, uv and object do not work with --number interval, which bounds colors");
   }
   if (was_given("--samples") && settings.samples != 1) {
     throw UsageError(
-        "--show draws normals, (u, v) and objects with 1 ray a pixel: a mean of several would be "
-        "none of them; leave --samples out");
+        "--show normal, uv and object use 1 ray per pixel, because a mean of normals or objects "
+        "has no meaning: leave --samples out");
   }
 }
 
@@ -169,12 +169,12 @@ void Session::check() const {
   if (one_number_) check_numbers();
   check_show();
   if (was_given("--at") && !was_given("--zoom")) {
-    throw UsageError("--at names the pixel that --zoom leaves in its place: give --zoom, too");
+    throw UsageError("--at is the pixel that stays in its place under --zoom: give --zoom, too");
   }
   if (!machine_has(settings.instructions)) {
     throw UsageError(
-        "--instructions: this machine cannot run them; without the option the program takes the "
-        "widest that it can");
+        "--instructions: this machine does not have them; without the option the program uses the "
+        "widest that the machine has");
   }
   if (static_cast<long>(settings.width) * settings.height > most_pixels) {
     throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
@@ -235,8 +235,8 @@ void Session::count_rays(double rays) { times_->rays += rays; }
 void Session::save(const Image& image, std::string_view suffix) {
   if ((settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_) {
     throw UsageError(
-        "--zoom and --show normal, uv and object are for what a camera sees, and no camera draws "
-        "this picture");
+        "--zoom and --show normal, uv and object work only for pictures that a camera sees; this "
+        "picture has no camera");
   }
   seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);

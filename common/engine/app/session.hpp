@@ -19,7 +19,7 @@ struct Settings {
   std::string out;   ///< the picture's file
   int width = 800;   ///< pixels
   int height = 600;  ///< pixels
-  int samples = 1;   ///< rays a pixel
+  int samples = 1;   ///< rays per pixel
   int threads = 0;   ///< 0: all cores
   NumberKind number = default_number;
   Instructions instructions = widest_instructions();  ///< of packs
@@ -39,7 +39,7 @@ struct Offers {
   bool camera = false;                 ///< --zoom and --at
   std::string_view no_intervals = "";  ///< why --number interval is refused; empty: offered
   bool one_number = false;             ///< the program was built for learning, with double alone
-  int samples = 1;                     ///< rays a pixel
+  int samples = 1;                     ///< rays per pixel
   int most_samples = 65536;            ///< that --samples takes
 };
 

@@ -27,14 +27,17 @@ void SkyOptions::declare(CommandLine& line) {
        {"importance", SkyLighting::importance},
        {"mis", SkyLighting::mis},
        {"coefficients", SkyLighting::coefficients}},
-      "how matte surfaces find the sky's light; auto takes what the sky requires");
+      "how matte surfaces sample the sky's light; auto chooses what suits the sky");
   line.flag("--caustics", matte.caustics,
-            "light that mirrors throw on matte surfaces: exact, and with very bright dots");
-  line.decimal("--exposure", exposure, -30, 30, "stops: the light times 2 to this power");
-  line.decimal("--degrees", degrees, -1e300, 1e300, "turn of the sky about the vertical axis");
+            "also draw the light that mirrors throw on matte surfaces; this is right in the mean, "
+            "but leaves very bright dots");
+  line.decimal("--exposure", exposure, -30, 30,
+               "multiply the sky's light by 2 to this power (stops)");
+  line.decimal("--degrees", degrees, -1e300, 1e300,
+               "rotates the sky about the vertical axis by this angle");
   line.choice<TexelFilter>("--filter", filter,
                            {{"nearest", TexelFilter::nearest}, {"bilinear", TexelFilter::bilinear}},
-                           "the sky between the centers of its texels");
+                           "how the sky is read between the centers of its texels");
 }
 
 SkyLight SkyOptions::load(const Session& session) {
@@ -45,7 +48,7 @@ SkyLight SkyOptions::load(const Session& session) {
   if (picture.map().width % 2 != 0 && !picture.is_constant()) {
     throw FileError("cannot load texture '" + name + "': it is " +
                     std::to_string(picture.map().width) +
-                    " pixels wide, and a sky needs an even number");
+                    " pixels wide, and the width of a sky must be even");
   }
   SkyLight sky(std::move(picture));
   if (chosen) {

@@ -7,9 +7,10 @@
 namespace texmap {
 
 void Turntable::declare(CommandLine& line) {
-  line.decimal("--degrees", degrees, -1e300, 1e300, "turn of the globe about its axis, any angle");
+  line.decimal("--degrees", degrees, -1e300, 1e300,
+               "rotates the globe about its axis by this angle");
   line.whole("--turntable", frames, 0, 9999,
-             "draw a full turn in N pictures instead, numbered _000, _001, ...");
+             "draw N pictures of a full turn instead of one, named _000, _001, ...");
 }
 
 RotationY Turntable::rotation(int frame) const {

@@ -62,7 +62,7 @@ void check_sizes(const Image& a, const Image& b, const Image& mask = {});
 /// Compares two pictures. How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
 ///
 /// @param a, b  pictures of one size, at least one pixel
-/// @param mask  a picture of the same size whose black pixels are left out; empty for none
+/// @param mask  a picture of the same size; its black pixels are left out; empty for no mask
 /// Errors: DifferenceError if the sizes differ, the pictures are empty, or no pixel is compared.
 [[nodiscard]] Figures measure(const Image& a, const Image& b, const Image& mask = {});
 

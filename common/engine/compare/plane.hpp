@@ -51,7 +51,7 @@ using Kernel = std::vector<double>;
 /// Filters each column; the result has two radii fewer rows.
 [[nodiscard]] Plane filtered_down(const Plane& plane, const Kernel& kernel);
 
-/// Filters rows, then columns: the two-dimensional filter whose weights are the products of both.
+/// Filters rows, then columns: the two-dimensional filter with the products of both as weights.
 [[nodiscard]] Plane filtered(const Plane& plane, const Kernel& across, const Kernel& down);
 
 /// Some rows of a picture and the pixels around them. Working in bands keeps memory small.

@@ -50,7 +50,7 @@ struct UvChoice {
 /// Errors: std::invalid_argument for a size below 1.
 [[nodiscard]] UvChoice choose_uv_kernel(const Budget& budget, int width, int height);
 
-/// How a budget computes (u, v) on a surface whose pixels have many samples.
+/// How a budget computes (u, v) on a surface with many samples per pixel.
 struct SurfaceChoice {
   UvChoice mapping;     ///< for each sample, or for the nine probes of a patch
   Smoothing smoothing;  ///< of pixels; off where the mapping uses up the budget

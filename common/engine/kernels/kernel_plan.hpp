@@ -28,11 +28,11 @@ struct KernelPlan {
   std::string text;                ///< what was chosen, and its largest error: a line each
 };
 
-/// The plan for a textured surface whose pixels have many samples.
+/// The plan for a textured surface with many samples per pixel.
 ///
 /// @param reads  how many texels the picture reads
 [[nodiscard]] KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads);
-/// The plan for a surface with a highlight and one ray a pixel.
+/// The plan for a surface with a highlight and one ray per pixel.
 [[nodiscard]] KernelPlan plan_highlight(const Budget& budget);
 
 /// draw(mapping) with the mapping for that degree; all results must have one type.

@@ -4,7 +4,7 @@
 
 namespace texmap {
 
-/// cos^n for one exponent n, as 2^x with x = n log2(cos): 0 below 2^-16, a 250th of a level.
+/// cos^s for one exponent s, as 2^x with x = s log2(cos): 0 below 2^-16, a 250th of a level.
 /// docs/numerics.md says how the arguments of both polynomials are reduced.
 ///
 /// @tparam Terms  of the logarithm: 3, 4, 6 or 8
@@ -14,17 +14,17 @@ class PowerKernel {
   using ExponentialFit = fits::Exponential<Terms == 3 ? 2 : Terms == 8 ? 4 : 3>;
 
  public:
-  /// What rounding adds, in epsilons, for every n: docs/numerics.md has the sum.
+  /// What rounding adds, in epsilons, for every s: docs/numerics.md has the sum.
   static constexpr double rounding =
       16.1 + (LogarithmFit::rounding + 1) / 2.718 + ExponentialFit::rounding;
 
-  /// Largest error in levels of 255, for every n. An error of the logarithm counts 1 / 2.718.
+  /// Largest error in levels of 255, for every s. An error of the logarithm counts 1 / 2.718.
   template <class T>
   static constexpr double worst_levels =
       255 * (LogarithmFit::worst / 2.718 + ExponentialFit::worst + 0x1p-16 +
              rounding * static_cast<double>(std::numeric_limits<T>::epsilon()));
 
-  /// @param exponent  n, 0 to 1e30
+  /// @param exponent  s, 0 to 1e30
   explicit PowerKernel(double exponent) : exponent_(exponent) {
     for (; exponent_ < 16 && roots_ < 20; exponent_ *= 2) ++roots_;
   }

@@ -70,9 +70,10 @@ class ObjReader {
 
   void read_line(std::string_view line) {
     if (line.find_first_of(std::string_view("\0\r\f\v", 4)) != std::string_view::npos)
-      throw FileError("a byte that texts do not have; is this an OBJ file?");
+      throw FileError("it has a byte that is not text; is this an OBJ file?");
     if (!line.empty() && line.back() == '\\')
-      throw FileError("it goes on in the next line (\\), which is not supported: join the two");
+      throw FileError(
+          "it continues in the next line (\\), which is not supported: join the two lines");
     split_words(line.substr(0, line.find('#')), words_);
     if (words_.empty()) return;
     const std::string_view kind = words_.front();
@@ -82,7 +83,7 @@ class ObjReader {
     constexpr std::string_view ignored[] = {"vn", "vp",     "o",      "g", "s",
                                             "mg", "usemtl", "mtllib", "l", "p"};
     if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored))
-      throw FileError("it begins with " + quoted(kind) + ", which is not known here");
+      throw FileError("it begins with " + quoted(kind) + ", which this program does not know");
   }
 
  private:

@@ -16,7 +16,7 @@ struct Glyph {
   std::string_view rows;  // eight rows of five dots, a space between rows
 };
 
-// Drawn by hand: to mend a letter, look at its rows. The last row lies below the baseline.
+// Drawn by hand: to change a letter, look at its rows. The last row lies below the baseline.
 constexpr std::array glyphs = {
     Glyph{U' ', "..... ..... ..... ..... ..... ..... ..... ....."},
     Glyph{U'!', "..#.. ..#.. ..#.. ..#.. ..#.. ..... ..#.. ....."},

@@ -19,8 +19,8 @@ bool is_there(const fs::path& path) {
 
 std::vector<fs::path> asset_folders() {
   std::vector<fs::path> folders = {path_of(TEXMAP_ASSETS_DIR)};
-  const fs::path beside = program_folder();
-  if (!beside.empty()) folders.push_back(beside / "assets");
+  const fs::path own = program_folder();
+  if (!own.empty()) folders.push_back(own / "assets");
   const fs::path named = folder_in_environment("TEXMAP_ASSETS");
   if (!named.empty()) folders.push_back(named);
   return folders;

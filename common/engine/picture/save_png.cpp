@@ -33,7 +33,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
       {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)});
   if (image.pixels.size() !=
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
-    throw FileError("the picture has not as many pixels as its size says");
+    throw FileError("the picture does not have as many pixels as its size says");
   }
   choose_filter();
   std::vector<std::uint8_t> bytes;

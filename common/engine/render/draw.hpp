@@ -12,7 +12,7 @@
 
 namespace texmap {
 
-/// True for lessons whose code compiles for packs: those whose `about` says nothing else.
+/// True for lessons with code that compiles for packs: all, unless `about` says otherwise.
 template <class Lesson>
 [[nodiscard]] constexpr bool compiles_for_packs() {
   if constexpr (requires { Lesson::about.numbers; }) {
@@ -120,7 +120,7 @@ template <class Work>
   }
   if (number == NumberKind::interval) {
     throw std::runtime_error(
-        "--number interval bounds one ray a pixel, not light that is gathered by chance");
+        "--number interval bounds the error of one ray, not the noise of random samples");
   }
   return work.template run<double>();
 }

@@ -1,4 +1,4 @@
-// Gathers light: many samples a pixel, one path each.
+// Gathers light: many samples per pixel, one path each.
 #pragma once
 #include <algorithm>
 #include <functional>

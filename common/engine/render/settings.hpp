@@ -36,7 +36,7 @@ inline constexpr NumberKind default_number = NumberKind::double_pack;
 
 /// How a picture is rendered; only `samples` changes what it shows.
 struct RenderSettings {
-  int samples = 1;                                         ///< rays a pixel, at least 1
+  int samples = 1;                                         ///< rays per pixel, at least 1
   int threads = 0;                                         ///< 0: all cores
   Instructions instructions = widest_instructions();       ///< the widest to use
   std::function<void(int done, int total)> progress = {};  ///< after each row, from any thread

@@ -53,7 +53,7 @@ concept HasMesh = requires(const Lesson& lesson) {
   lesson.scene.mesh;
   lesson.paint;
 };
-/// Lessons whose surfaces can be shown.
+/// Lessons with surfaces that --show can draw.
 template <class Lesson>
 concept HasSurfaces = HasObjects<Lesson> || HasMesh<Lesson>;
 

@@ -232,7 +232,7 @@ class Draft {
   void fill(std::span<const std::uint8_t> bytes, const Target& target, const SignalGuard& guard) {
     require_success(fchmod(file_.number(), target.permissions) == 0);
     while (!bytes.empty()) {
-      if (guard.end_is_near()) throw FileError("a signal came");
+      if (guard.end_is_near()) throw FileError("stopped by a signal");
       const std::size_t length = std::min(bytes.size(), bytes_in_piece);
       write_all(file_, bytes.first(length));
       require_success(fsync(file_.number()) == 0 || errno == EINVAL || errno == ENOTSUP);

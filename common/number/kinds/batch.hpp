@@ -49,6 +49,9 @@ template <class T, class Arch>
 
 namespace texmap::simd {
 
+/// The lanes are an array.
+inline constexpr bool has_machine_vectors = false;
+
 /// No particular machine instructions.
 struct default_arch {};
 

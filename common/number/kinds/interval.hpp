@@ -215,7 +215,7 @@ class Interval {
         widened_by_4(std::pow(base.low_, exponent), std::pow(base.high_, exponent));
     return {base.low_ >= 0 && !(wide.low_ >= 0) ? 0 : wide.low_, wide.high_};
   }
-  /// The hull of all table entries in whose column and row the place may lie, channel by channel.
+  /// The hull of all table entries where the place may lie, channel by channel.
   template <class Table>
   friend std::array<Interval, 3> look_up(const Table& table, const Interval& column,
                                          const Interval& row) {

@@ -82,7 +82,8 @@ class Book {
     write_index();
     write_print();
     write(out_ / "book.css", contents_of(folder() / "book.css"));
-    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js"));
+    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js") +
+                                contents_of(folder() / "../turntable.js"));
     report_.pages = static_cast<int>(pages_.size());
     return report_;
   }

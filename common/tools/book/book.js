@@ -67,21 +67,3 @@ document.addEventListener("keydown", (event) => {
 
 // On a narrow screen the contents begin folded.
 if (matchMedia("(max-width: 60rem)").matches) document.querySelector(".contents details").open = false;
-
-// Plays the pictures of a turntable; the same button stops it.
-for (const button of document.querySelectorAll("button[data-frames]")) {
-  const image = button.closest("figure").querySelector("img");
-  const frames = button.dataset.frames.split(" ");
-  let timer = 0;
-  button.addEventListener("click", () => {
-    if (timer) {
-      clearInterval(timer);
-      timer = 0;
-      button.textContent = "Turn the globe";
-      return;
-    }
-    let frame = 0;
-    timer = setInterval(() => { image.src = frames[frame++ % frames.length]; }, 100);
-    button.textContent = "Stop";
-  });
-}

@@ -23,12 +23,12 @@ struct Converted {
 /// What a link or a picture of the page leads to in the book.
 using Resolve = std::function<std::string(const std::string& url)>;
 
-/// Converts a page: GitHub's Markdown, whose headings get the names that GitHub gives them.
+/// Converts a page: GitHub's Markdown; headings get the names that GitHub gives them.
 ///
 /// @param resolve  called with the address of each link and each picture
 [[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve);
 
-/// Replaces each place where `what` stands in a text.
+/// Replaces each `what` in a text.
 void replace_all(std::string& in, const std::string& what, const std::string& by);
 
 }  // namespace texmap::book

@@ -33,7 +33,7 @@ inline constexpr struct {
   Color<double> operator()(const Objects& objects, const Ray<double>& ray,
                            const Background& background, const Shade& shade) const {
     if (!check::distance_to_sphere) return texmap::color_along(objects, ray, background, shade);
-    double first = infinity<double>();
+    auto first = infinity<double>();
     auto found = objects.end();
     for (auto object = objects.begin(); object != objects.end(); ++object) {
       const double distance = check::distance_to_sphere.yours(
@@ -75,7 +75,7 @@ namespace texmap::check {
 namespace {
 
 Exercise where_the_ray_meets_the_sphere() {
-  const double never = infinity<double>();
+  const auto never = infinity<double>();
   const auto root = [](const Vector& f, const Vector& d, double r, double sign) {
     const double b = dot(f, d);
     return (-b + sign * std::sqrt(b * b - dot(d, d) * (dot(f, f) - r * r))) / dot(d, d);

@@ -96,6 +96,9 @@ Exercise where_on_the_map() {
     wrong("the angles are not divided by 2 pi and pi: u and v are in radians", [=](Vector p) {
       return Place2{(right(p).u - 0.5) * 2 * pi, v(p) * pi};
     });
+    wrong("the angles are in radians: a whole turn is 2 pi, not 360", [=](Vector p) {
+      return Place2{(right(p).u - 0.5) * 2 * pi / 360 + 0.5, v(p) * pi / 180};
+    });
     wrong("u is divided by pi: the map goes around twice", [=](Vector p) {
       return Place2{(right(p).u - 0.5) * 2 + 0.5, v(p)};
     });

@@ -222,7 +222,7 @@ double shift_at(double u) {
 double daily_u_at_lecture_u(double u) {
   constexpr int parts = 100000;
   Vector best{};
-  double nearest = infinity<double>();
+  auto nearest = infinity<double>();
   for (int i = 0; i < parts; ++i) {
     const Vector p = direction_rtiow(Place2{static_cast<double>(i) / parts, 0.5});
     const double off = std::abs(texmap::uv_of(Convention::lecture, p).u - u);

@@ -10,10 +10,11 @@
 
 #include "bytes.hpp"
 #include "math/color.hpp"
+#include "math/srgb.hpp"
 #include "math/vec3.hpp"
 #include "texture/uv.hpp"
 
-using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalized
+using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalize
 using Uv = texmap::Uv<double>;        // .u .v
 using Color = texmap::Color<double>;  // .r .g .b, 0 to 1
 using Bytes = texmap::check::Bytes;   // a picture file's: bytes[0], bytes[1] ...
@@ -28,3 +29,5 @@ using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
 inline Vec3 operator*(double factor, const Vec3& v) { return v * factor; }
 inline Vec3 operator/(const Vec3& v, double divisor) { return v * (1 / divisor); }
 inline Color operator*(double factor, const Color& c) { return c * factor; }
+using texmap::srgb_decode;  // from an encoded number to light, both 0 to 1
+using texmap::srgb_encode;  // and back

@@ -46,17 +46,20 @@ struct Request {
 
   void declare(CommandLine& line) {
     line.positional("A.png", a, "a picture, PNG or JPEG");
-    line.positional("B.png", b, "a picture of the same size to hold against it");
+    line.positional("B.png", b, "the picture to compare it with, of the same size");
     line.whole("--pixels-off-by-more-than", levels, 0, 255,
-               "levels a channel may differ by before its pixel counts");
+               "a pixel counts if one of its channels differs by more than N levels");
     line.text("--at-most", "SHARE", at_most,
-              "share of such pixels that still is the same: 0 to 1, or with a % sign");
-    line.text("--map", "FILE", map, "where to put a picture of the differences, a PNG");
-    line.text("--json", "FILE", json, "where to put the figures, as JSON");
+              "the pictures count as the same if at most this share of the pixels counts: 0 to 1, "
+              "or with a % sign");
+    line.text("--map", "FILE", map, "write a picture of the differences to this file, a PNG");
+    line.text("--json", "FILE", json, "write the figures to this file, as JSON");
     line.text("--mask", "FILE", mask,
-              "a picture of the same size; where it is black, nothing is compared");
+              "a picture of the same size; pixels where it is black are not compared");
     line.flag("--quiet", quiet, "print nothing");
-    line.statuses("0 the same; 1 they differ; 2 trouble, such as a file that cannot be read");
+    line.statuses(
+        "0 the pictures are the same; 1 they differ; 2 an error, such as a file that cannot be "
+        "read");
   }
 };
 

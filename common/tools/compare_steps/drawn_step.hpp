@@ -25,7 +25,7 @@ struct DrawnStep {
 
 /// Draws a lesson's stage as its program does.
 ///
-/// @param options  as they are typed; for chapter 04, whose stage is not its sheet, none are needed
+/// @param options  as they are typed; chapter 04 needs none: its stage is not its sheet
 template <class Lesson>
 [[nodiscard]] DrawnStep draw_step(const std::string& chapter, int width, int height, int threads,
                                   const std::vector<std::string>& options = {}) {

@@ -182,26 +182,28 @@ int main(int argc, char** argv) {
   Choices choices;
   CommandLine line(
       "compare_steps",
-      "what changed between two steps of the course; without chapters, between all neighbours");
+      "what changed from one chapter to another; without chapters, from each to the next");
   line.text("--from", "MM", before, "the chapter before");
   line.text("--to", "NN", after, "the chapter after");
-  line.text("--out", "FOLDER", choices.folder, "where the pages go, in a folder MM-NN each");
-  line.text("--source", "FOLDER", choices.source, "where the lessons' code is");
+  line.text("--out", "FOLDER", choices.folder,
+            "write each page into its own folder MM-NN in this folder");
+  line.text("--source", "FOLDER", choices.source, "the folder of the lessons' code");
   line.whole("--width", choices.drawing.width, 1, 4096, "columns of pixels");
   line.whole("--height", choices.drawing.height, 1, 4096, "rows of pixels");
   line.whole("--threads", choices.drawing.threads, 0, 1024,
-             "threads to draw with, 0 for one per core");
+             "number of threads, 0 for one per core");
   line.flag("--quiet", choices.quiet,
-            "nothing printed unless something changed that should not have");
+            "print nothing unless something changed that should not have");
   line.statuses(
-      "0 only what may change has changed; 1 something else has, too; 2 the comparison could not "
-      "be made");
+      "0 only what may change has changed; 1 something else has changed too; 2 an error, no "
+      "comparison");
   bool as_declared = true;
   const int status = run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
     if (before.empty() != after.empty()) {
       throw UsageError(
-          "--from and --to go together: name two chapters to compare, or none for all neighbours");
+          "--from and --to go together: give both, or neither to compare each chapter with the "
+          "next");
     }
     if (!before.empty()) {
       as_declared = compare_pair(place_of(before), place_of(after), choices);

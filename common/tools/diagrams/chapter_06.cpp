@@ -79,10 +79,7 @@ Drawing phong_power() {
   Drawing d("phong_power", 640, 300, "Powers of the cosine",
             "Four curves over the angle alpha from 0 to 90 degrees: the cosine to the power s = 1, "
             "5, 50 and 500. All begin at 1. The larger s, the faster they fall to 0.");
-  const double left = 70, top = 40, width = 500, height = 200;
-  const auto place = [&](double degrees, double value) {
-    return Spot{left + width * degrees / 90, top + height * (1 - value)};
-  };
+  const Chart place{{70, 40}, 500, 200, 90};
   const auto value = [](double degrees, double exponent) {
     return std::pow(std::max(0.0, std::cos(degrees * std::numbers::pi / 180)), exponent);
   };
@@ -90,14 +87,13 @@ Drawing phong_power() {
   for (int degrees = 0; degrees <= 90; degrees += 15) {
     const Spot tick = place(degrees, 0);
     d.line(tick, tick + Spot{0, 6}, "ink");
-    d.text(tick + Spot{0, 24}, std::to_string(degrees) + "°", Anchor::middle, "small");
+    place.label_x(d, degrees, std::to_string(degrees) + "°");
   }
-  d.line(place(0, 0), place(90, 0), "ink");
-  d.line(place(0, 0), place(0, 1), "ink");
+  place.draw_axes(d);
   d.text(place(0, 1) + Spot{-20, -16}, "cosine to the power s", Anchor::start, "small");
-  d.text(place(0, 1) + Spot{-10, 5}, "1", Anchor::end, "small");
-  d.text(place(0, 0.5) + Spot{-10, 5}, "1/2", Anchor::end, "small");
-  d.text(place(0, 0) + Spot{-10, 5}, "0", Anchor::end, "small");
+  place.label_y(d, 1, "1");
+  place.label_y(d, 0.5, "1/2");
+  place.label_y(d, 0, "0");
   d.text(place(45, 0) + Spot{0, 48}, "angle α between the mirrored direction and the eye",
          Anchor::middle, "small");
   struct Power {

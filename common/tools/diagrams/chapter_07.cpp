@@ -117,14 +117,10 @@ Drawing srgb_curve() {
   Drawing d("srgb_curve", 640, 330, "From bytes to light",
             "A curve over bytes from 0 to 255. The light rises slowly at first: byte 128 has 0.216 "
             "of the light of byte 255, and half of the light belongs to byte 188.");
-  const double left = 90, top = 30, width = 440, height = 230;
-  const auto place = [&](double byte, double light) {
-    return Spot{left + width * byte / 255, top + height * (1 - light)};
-  };
+  const Chart place{{90, 30}, 440, 230, 255};
   std::vector<Spot> through;
   for (int byte = 0; byte <= 255; ++byte) through.push_back(place(byte, srgb_decode(byte / 255.0)));
-  d.line(place(0, 0), place(255, 0), "ink");
-  d.line(place(0, 0), place(0, 1), "ink");
+  place.draw_axes(d);
   d.line(place(0, 0), place(255, 1), "soft dashed");
   d.text(place(192, 0.8), "if bytes were light", Anchor::end, "small");
   const auto follow = [&](double byte, const std::string& style, const char* name) {
@@ -138,14 +134,14 @@ Drawing srgb_curve() {
   follow(128, "red", "128");
   follow(half, "green", "half");
   d.curve(through, "blue thick");
-  d.text(place(0, 0) + Spot{0, 22}, "0", Anchor::middle, "small");
-  d.text(place(128, 0) + Spot{0, 22}, "128", Anchor::middle, "red");
-  d.text(place(half, 0) + Spot{0, 22}, "188", Anchor::middle, "green");
-  d.text(place(255, 0) + Spot{0, 22}, "255", Anchor::middle, "small");
-  d.text(place(0, 0) + Spot{-10, 5}, "0", Anchor::end, "small");
-  d.text(place(0, srgb_decode(128 / 255.0)) + Spot{-10, 5}, "0.216", Anchor::end, "red");
-  d.text(place(0, 0.5) + Spot{-10, 5}, "0.5", Anchor::end, "green");
-  d.text(place(0, 1) + Spot{-10, 5}, "1", Anchor::end, "small");
+  place.label_x(d, 0, "0");
+  place.label_x(d, 128, "128", "red");
+  place.label_x(d, half, "188", "green");
+  place.label_x(d, 255, "255");
+  place.label_y(d, 0, "0");
+  place.label_y(d, srgb_decode(128 / 255.0), "0.216", "red");
+  place.label_y(d, 0.5, "0.5", "green");
+  place.label_y(d, 1, "1");
   d.text(place(128, 0) + Spot{0, 50}, "byte in the file", Anchor::middle, "small");
   d.text(place(0, 1) + Spot{0, -12}, "light", Anchor::middle, "small");
   d.mark("origin", place(0, 0));

@@ -81,7 +81,7 @@ void draw_torn(Drawing& d, const Panel& panel, Projection projection, const Curv
 /// Meridians and parallels every 30 degrees: blue in the north, red in the south.
 void draw_graticule(Drawing& d, const Panel& panel, Projection projection) {
   const bool whole = projection != Projection::plane;
-  // A little beside seams and poles, where a point could fall on either side.
+  // A little off the seams and poles, where a point could fall on either side.
   const double off = 1e-4;
   for (int longitude = -180; longitude < 180; longitude += 30) {
     const auto meridian = [&](double latitude) { return direction_at(longitude + off, latitude); };

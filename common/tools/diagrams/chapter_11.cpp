@@ -23,7 +23,7 @@ struct Hill {
   }
 };
 
-/// The frame t, b, n on a flat surface, and a hill's raised normal; beside it a cut through it.
+/// The frame t, b, n on a flat surface, and a hill's raised normal; on the right a cut.
 Drawing raised_normal_diagram() {
   Drawing d("raised_normal", 680, 262, "The normal of a raised surface",
             "Left: a grid that rises to a hill, and at a point of its slope the frame of the flat "

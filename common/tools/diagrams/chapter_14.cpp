@@ -118,8 +118,8 @@ Drawing pole_steps() {
   panel(right, "the angle from x: steps stay equal");
   for (int k = 0; k <= 6; ++k) {
     const double y = 1 - k * step, x = k * step;
-    const double beside = std::sqrt(1 - y * y), above = std::sqrt(1 - x * x);
-    const Spot by_height = left + Spot{beside, -y} * radius;
+    const double wide = std::sqrt(1 - y * y), above = std::sqrt(1 - x * x);
+    const Spot by_height = left + Spot{wide, -y} * radius;
     d.line({left.x, by_height.y}, by_height, "red");
     d.dot(by_height, "fill-red");
     d.mark("y " + std::to_string(k), by_height);

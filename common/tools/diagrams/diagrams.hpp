@@ -19,7 +19,7 @@ namespace texmap::diagrams {
 [[nodiscard]] std::vector<Drawing> diagrams_of_11();
 [[nodiscard]] std::vector<Drawing> diagrams_of_12();
 [[nodiscard]] std::vector<Drawing> diagrams_of_13();
-[[nodiscard]] std::vector<Drawing> diagrams_beside_chapters();
+[[nodiscard]] std::vector<Drawing> diagrams_of_how_to_change_things();
 [[nodiscard]] std::vector<Drawing> diagrams_of_14();
 
 /// All of them.

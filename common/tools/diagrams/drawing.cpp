@@ -139,6 +139,21 @@ std::string Drawing::svg() const {
          "</svg>\n";
 }
 
+void Chart::draw_axes(Drawing& drawing) const {
+  drawing.line((*this)(0, 0), (*this)(last_x, 0), "ink");
+  drawing.line((*this)(0, 0), (*this)(0, 1), "ink");
+}
+
+void Chart::label_x(Drawing& drawing, double x, const std::string& words,
+                    const std::string& style) const {
+  drawing.text((*this)(x, 0) + Spot{0, 22}, words, Anchor::middle, style);
+}
+
+void Chart::label_y(Drawing& drawing, double y, const std::string& words,
+                    const std::string& style) const {
+  drawing.text((*this)(0, y) + Spot{-10, 5}, words, Anchor::end, style);
+}
+
 SpaceView::SpaceView(const Vec3d& from, Spot center, double scale)
     : toward_(normalize(from)), center_(center), scale_(scale) {
   right_ = normalize(cross(Vec3d{0, 1, 0}, toward_));

@@ -21,7 +21,7 @@ struct Spot {
 enum class Anchor { start, middle, end };
 
 /// A drawing under construction. A style is a list of CSS classes, of those in drawing.cpp:
-/// lines are ink, soft (thin, gray), blue, red, green, and dashed beside one of these;
+/// lines are ink, soft (thin, gray), blue, red, green, and dashed together with one of these;
 /// areas are fill-soft, fill-blue, fill-red, fill-green, fill-ink; text is plain, small or strong,
 /// and blue, red or green like the line that it names.
 class Drawing {
@@ -60,6 +60,22 @@ class Drawing {
   std::string title_, description_;
   std::string body_;
   std::map<std::string, Spot> marks_;
+};
+
+/// The frame of a chart: x from 0 to `last_x` to the right, y from 0 to 1 upward.
+struct Chart {
+  Spot upper_left;
+  double width, height, last_x;
+
+  [[nodiscard]] Spot operator()(double x, double y) const {
+    return upper_left + Spot{width * x / last_x, height * (1 - y)};
+  }
+  void draw_axes(Drawing& drawing) const;
+  /// A label under the x axis, or to the left of the y axis.
+  void label_x(Drawing& drawing, double x, const std::string& words,
+               const std::string& style = "small") const;
+  void label_y(Drawing& drawing, double y, const std::string& words,
+               const std::string& style = "small") const;
 };
 
 /// A view of space without perspective, centered on the origin.

@@ -3,15 +3,15 @@
 
 usage: pages.py ROOT --check|--write|--self-test
 
-In a page, a mark stands before a block of code, and the block is what the source has:
+In a page, a mark comes before a block of code, and the block is what the source has:
 
     <!-- code: texture/uv.hpp uv_rtiow -->
     <!-- code: scene/nearest.hpp color_along from "Nearest<Real> nearest" to "background(ray)" -->
     <!-- code: lesson.hpp Lesson::prepare -->
 
-The path is that of a file beside the page, or in common/, or in the whole tree. The name is that of a function, a structure, an
+The path is that of a file next to the page, or in common/, or in the whole tree. The name is that of a function, a structure, an
 enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the next that
-holds the other; if both texts are the same, one line. A figure stands between two marks inside a line, and is the value of its name in docs/figures.txt:
+holds the other; if both texts are the same, one line. A figure is between two marks inside a line, and is the value of its name in docs/figures.txt:
 
     a pixel covers <!-- figure: 03.texels_a_pixel -->71<!-- end --> texels
 """
@@ -69,7 +69,7 @@ def definition(lines, plain, name, first, last):
     word = re.escape(name)
     patterns = [rf'^\s*(struct|class|enum class|enum) {word}\b(?!;)',  # a type
                 rf'^\s*using {word} =',
-                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\([^;]*$',  # a function whose first line does not end it
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\([^;]*$',  # a function that goes on after its first line
                 rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\(.*\{{.*\}}$',  # a function on one line
                 rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}(\{{| = |;)']  # a constant, a variable, a member
     for pattern in patterns:

@@ -136,7 +136,7 @@ TEST_CASE("a locale with a decimal comma changes nothing") {
 
 TEST_CASE("the message says what is wrong and what would be right") {
   CHECK(complaint("--count") == "--count needs a value: --count N");
-  CHECK(complaint("--name", "") == "--name takes a name, and was given an empty one");
+  CHECK(complaint("--name", "") == "--name needs a name, and got an empty one");
   CHECK(complaint("--color", "blue") == "--color takes red|green, not 'blue'");
   CHECK(complaint("--colour", "red") == "there is no option --colour");
   CHECK(complaint("--ripe=yes") == "--ripe takes no value");
@@ -229,7 +229,7 @@ TEST_CASE("the help shows the words, and the statuses the program has") {
   CHECK(line_for(fruit).help().find("usage: fruit [options]\n") != std::string::npos);
   CHECK(line_for(fruit).usage() == "usage: fruit [options]     (fruit --help lists them)");
   CHECK(line_for(fruit).help().find(
-            "0 the picture is on disk; 1 it could not be made; 2 the command line is wrong") !=
+            "0 the picture is written; 1 an error, no picture; 2 the command line is wrong") !=
         std::string::npos);
 }
 

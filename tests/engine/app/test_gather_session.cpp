@@ -80,7 +80,8 @@ TEST_CASE(
   for (const SamplingOptions& options : {until_error(1), until_time(1)}) {
     CHECK_THROWS_WITH_AS(
         Gathered(options, 1, 0.5),
-        "--samples 1: --time-limit and --target-error need two samples a pixel to tell the error",
+        "--samples 1: --time-limit and --target-error need two samples per pixel to estimate the "
+        "error",
         UsageError);
   }
 }
@@ -89,12 +90,12 @@ TEST_CASE("what is said of an error is in levels, and nothing where none is know
   CHECK(remark_on_error(infinity<double>()).empty());
   CHECK(remark_on_error(0.01) == ", mean error 2.55 levels so far");
   Film film(1, 1, 16);
-  CHECK(describe_error(film, {}) == "16 sample a pixel, which cannot tell its error\n");
+  CHECK(describe_error(film, {}) == "16 sample per pixel: too few to estimate the error\n");
   film.error = 0.01;
   CHECK(describe_error(film, {}) ==
-        "16 samples a pixel, mean error at most about 2.55 levels of 255\n");
+        "16 samples per pixel, mean error at most about 2.55 levels of 255\n");
   CHECK(describe_error(film, until_error(3)) ==
-        "16 samples a pixel, mean error about 2.55 levels of 255\n");
+        "16 samples per pixel, mean error about 2.55 levels of 255\n");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_CASE("what a chapter prints is its text to the byte, and ends with one end 
   CHECK(version.err == "");
   const Outcome help = run(TEXMAP_CHAPTER " --help");
   const std::string end =
-      "\nexit status: 0 the picture is on disk; 1 it could not be made; 2 the command line is "
+      "\nexit status: 0 the picture is written; 1 an error, no picture; 2 the command line is "
       "wrong\n";
   CHECK(help.status == 0);
   CHECK(help.out.starts_with("05_y_rotation: "));

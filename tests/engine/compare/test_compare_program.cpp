@@ -222,7 +222,7 @@ TEST_CASE("help and version are answers, not comparisons") {
   CHECK(help.status == 0);
   for (const char* part : {"usage: compare A.png B.png [options]", "--pixels-off-by-more-than N",
                            "--at-most SHARE", "--map FILE", "--json FILE", "--mask FILE", "--quiet",
-                           "exit status: 0 the same; 1 they differ; 2 trouble"}) {
+                           "exit status: 0 the pictures are the same; 1 they differ; 2 an error"}) {
     CAPTURE(part);
     CHECK(has(help.out, part));
   }

@@ -315,7 +315,7 @@ TEST_CASE("a file that visits 2^26 blocks is read, and one that visits more is r
         std::string::npos);
 }
 
-TEST_CASE("a restart marker begins the constant part and the empty blocks anew") {
+TEST_CASE("a restart marker begins the constant part and the empty blocks again") {
   // 32767 in each of two blocks is too much in a row, but not with a restart between them.
   const File block = {0xBF, 0xFF, 0x00, 0x40};
   const File data = joined({block, {0xFF, 0xD0}, block});

@@ -46,7 +46,7 @@ File noise(std::size_t size, std::uint32_t number = 1) {
   return bytes;
 }
 
-// Noise that begins anew after `period` bytes.
+// Noise that begins again after `period` bytes.
 File repeated(std::size_t period, std::size_t size) {
   File bytes = noise(size);
   for (std::size_t i = period; i < size; ++i) bytes[i] = bytes[i - period];

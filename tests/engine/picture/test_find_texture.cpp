@@ -103,7 +103,7 @@ TEST_CASE("the current folder comes before the folder of the environment") {
   CHECK(find_texture("both.png") == "both.png");
 }
 
-TEST_CASE("the assets beside the program come before the folder of the environment") {
+TEST_CASE("the assets next to the program come before the folder of the environment") {
   if (!fs::exists("/proc/self/exe")) return;
   const TemporaryFolder folder;
   const TemporaryFolder assets;

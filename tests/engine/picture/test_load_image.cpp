@@ -209,7 +209,8 @@ TEST_CASE("a PNG file with any one bit turned over is refused") {
   }
 }
 
-TEST_CASE("a PNG file whose pixels have a wrong checksum is refused even if its chunks are right") {
+TEST_CASE(
+    "a PNG file with a wrong checksum of its pixels is refused even if its chunks are right") {
   std::vector<std::uint8_t> bytes = bytes_of(corpus + "png_no_extension");
   REQUIRE_NOTHROW(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))));
   bytes[bytes.size() - 12 - 4 - 1] ^=

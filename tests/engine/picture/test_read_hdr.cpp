@@ -187,7 +187,7 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
   const HdrBytes file = written_by_stb(light, width, height);
   const std::vector<float> theirs = read_by_stb(file);
   const LightImage ours = read_hdr(file, max_light_texels);
-  double sum = 0, sum_of_theirs = 0, sum_of_ours = 0, bias = 0, mended = 0;
+  double sum = 0, sum_of_theirs = 0, sum_of_ours = 0, bias = 0, corrected = 0;
   double brightest = 0, brightest_mended = 0;
   for (std::size_t i = 0; i < ours.texels.size(); ++i) {
     const float most = std::max({light[3 * i], light[3 * i + 1], light[3 * i + 2]});
@@ -198,7 +198,7 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
       sum_of_theirs += theirs[3 * i + k];
       sum_of_ours += channels[k];
       bias += theirs[3 * i + k] / truth - 1;
-      mended += channels[k] / truth - 1;
+      corrected += channels[k] / truth - 1;
       if (light[3 * i + k] == most) {
         brightest += theirs[3 * i + k] / truth - 1;
         brightest_mended += channels[k] / truth - 1;
@@ -209,7 +209,7 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
   MESSAGE("light lost: " << 100 * (1 - sum_of_theirs / sum) << " % without, "
                          << 100 * (1 - sum_of_ours / sum) << " % with half a step");
   MESSAGE("mean relative bias: all channels "
-          << bias / count << " and " << mended / count << ", the brightest of each texel "
+          << bias / count << " and " << corrected / count << ", the brightest of each texel "
           << brightest / count * 3 << " and " << brightest_mended / count * 3);
   CHECK(1 - sum_of_theirs / sum > 0.003);
   CHECK(std::abs(1 - sum_of_ours / sum) < 1e-4);

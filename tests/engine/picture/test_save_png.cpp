@@ -44,7 +44,7 @@ Image painted(int width, int height, ColorAt color) {
 
 std::uint8_t byte(int number) { return static_cast<std::uint8_t>(number & 0xFF); }
 
-// Pictures whose filtered rows are of every kind: noise, flat, smooth, striped, and mixed.
+// Pictures with filtered rows of every kind: noise, flat, smooth, striped, and mixed.
 std::vector<Image> kinds(int width, int height) {
   return {
       noise(width, height, 1),

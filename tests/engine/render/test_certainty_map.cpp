@@ -9,6 +9,7 @@
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "support/pictures.hpp"
+#include "support/shown_values.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -17,7 +18,7 @@ namespace {
 
 struct Count {
   int pixels = 0;
-  int certain = 0;  ///< pixels whose bytes no rounding can change
+  int certain = 0;  ///< pixels that no rounding can change
   int outside = 0;  ///< pixels of another number outside the bounds
 };
 

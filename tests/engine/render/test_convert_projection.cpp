@@ -7,6 +7,7 @@
 
 #include "engine/render/convert_projection.hpp"
 #include "support/made_pictures.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {

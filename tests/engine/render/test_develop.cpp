@@ -7,6 +7,7 @@
 #include "engine/render/develop.hpp"
 #include "number/kinds/pack2.hpp"
 #include "support/dice.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "engine/render/render.hpp"
 #include "number/kinds/pack.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {
@@ -140,7 +141,7 @@ TEST_CASE_TEMPLATE("with one sample a pixel has the color of the ray through its
   }
 }
 
-TEST_CASE("a picture is drawn with one sample a pixel unless told otherwise") {
+TEST_CASE("a picture is drawn with one sample per pixel unless told otherwise") {
   CHECK(RenderSettings{}.samples == 1);
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/render/threads.hpp"
+#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {

@@ -309,7 +309,7 @@ TEST_CASE("a signal that the program ignores does not end the writing of a long 
   CHECK(fs::file_size(folder / "file") == bytes.size());
 }
 
-TEST_CASE("a signal ends a program whose pipe is full and not read") {
+TEST_CASE("a signal ends a program that waits for a full pipe") {
   const TemporaryFolder folder;
   const std::string pipe = folder / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);

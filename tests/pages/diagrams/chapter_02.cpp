@@ -15,7 +15,7 @@ TEST_CASE("the view is right-handed: x to the right, z towards the reader, the s
   CHECK(distance(d.marked("seam on the equator"), opposite) < 1e-9);
 }
 
-TEST_CASE("the axis points stand on the equator at u = 0, 1/4, 1/2 and 3/4") {
+TEST_CASE("the axis points are on the equator at u = 0, 1/4, 1/2 and 3/4") {
   const Drawing d = named("unfolding");
   const double u0 = d.marked("-x").x;
   const double quarter = d.marked("+z").x - u0;

@@ -49,7 +49,7 @@ TEST_CASE("u = 0 is drawn at -x in two conventions and at +z in the lecture's") 
   CHECK(between(d, lecture + " center", lecture + " u = 0").x == doctest::Approx(aside));
 }
 
-TEST_CASE("the letter F stands upright on every globe and is mirrored on the daily exercise's") {
+TEST_CASE("the letter F is upright on every globe and is mirrored on the daily exercise's") {
   const Drawing d = named("four_conventions");
   for (const std::string& document : {daily, next_week, lecture})
     CHECK(between(d, document + " foot", document + " corner").y < -30);

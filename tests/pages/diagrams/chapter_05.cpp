@@ -30,7 +30,7 @@ TEST_CASE(
   CHECK(p.x == doctest::Approx(0));
   CHECK(p.y == doctest::Approx(92));  // towards the eye
   CHECK(looked_up.x == doctest::Approx(92 * std::sin(50 * std::numbers::pi / 180)));
-  // The second globe stands 270 to the right of the first.
+  // The second globe is 270 to the right of the first.
   CHECK(distance(d.marked("continent before") + Spot{270, 0}, d.marked("p'")) < 1e-9);
   CHECK(distance(d.marked("continent after"), d.marked("p")) < 1e-9);
 }

@@ -62,7 +62,7 @@ double gap() {
   return static_cast<double>(acos(below_one<Real>())) * earth_in_metres;
 }
 
-/// The second exercise: nine squares, seen from the side of the seam.
+/// Question 02.b: nine squares, seen from the side of the seam.
 Lesson nine_squares() {
   Lesson lesson;
   lesson.stage.camera.eye = {-8, 2, -3};
@@ -75,7 +75,7 @@ Lesson nine_squares() {
   return lesson;
 }
 
-/// The third exercise: the pattern twice around the sphere.
+/// Exercise 02.3: the pattern twice around the sphere.
 struct TwiceAround : Lesson {
   template <class Real>
   Color<Real> operator()(const Ray<Real>& ray) const {
@@ -100,7 +100,6 @@ void figures_of_02(Figures& figures) {
   figures.emplace_back("02.uv_minus_z", uv_at({0, 0, -1}));
   figures.emplace_back("02.uv_plus_y", uv_at({0, 1, 0}));
   figures.emplace_back("02.uv_minus_y", uv_at({0, -1, 0}));
-  figures.emplace_back("02.uv_exercise", uv_at({0, 1, 1}));
 
   const PoleErrors errors = errors_at_the_pole();
   figures.emplace_back("02.directions_at_the_pole", whole(errors.directions));

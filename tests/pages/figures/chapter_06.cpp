@@ -6,6 +6,7 @@
 #include "06_phong_texture_blend/lesson.hpp"
 #include "engine/picture/load_image.hpp"
 #include "figures.hpp"
+#include "support/lecture_highlight.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
 
@@ -58,27 +59,10 @@ void spot_figures(Figures& figures) {
 
 /// How many pixels the slides' formula and the right one brighten, without a texture.
 void lecture_figures(Figures& figures) {
-  const auto light_alone = [](const char* shininess, const char* formula) {
-    return picture(prepared<Lesson>({"--scene", "lecture", "--blend", "0", "--shininess", shininess,
-                                     "--highlight", formula}),
-                   800, 400);
-  };
-  const Image without = light_alone("1e30", "phong");
-  const Image right = light_alone("100", "phong");
-  const Image slides = light_alone("100", "lecture");
-  long globe = 0;
-  long lit = 0;
-  long dark = 0;
-  for (std::size_t i = 0; i < without.pixels.size(); ++i) {
-    const Rgb8 p = without.pixels[i];
-    if (p.r != p.b || p.r == 0) continue;  // the ground is yellow, the sky black
-    globe += 1;
-    lit += right.pixels[i] != p ? 1 : 0;
-    dark += p.r == 51 && slides.pixels[i] != p ? 1 : 0;  // 51 is the ambient light
-  }
-  figures.emplace_back("06.pixels_of_the_lectures_globe", whole(globe));
-  figures.emplace_back("06.pixels_in_the_light", whole(lit));
-  figures.emplace_back("06.pixels_in_the_dark", whole(dark));
+  const BrightenedPixels count = brightened_pixels();
+  figures.emplace_back("06.pixels_of_the_lectures_globe", whole(count.globe));
+  figures.emplace_back("06.pixels_in_the_light", whole(count.in_the_light));
+  figures.emplace_back("06.pixels_in_the_dark", whole(count.in_the_dark));
 }
 
 }  // namespace
@@ -101,7 +85,7 @@ void figures_of_06(Figures& figures) {
   figures.emplace_back("06.highlight", std::to_string(column) + ", " + std::to_string(row));
   figures.emplace_back("06.highlight_before", color(before.at(column, row)));
   figures.emplace_back("06.highlight_after", color(after.at(column, row)));
-  for (const std::string shininess : {"5", "50", "500"}) {
+  for (const std::string shininess : {"50", "500"}) {
     const Image drawn = picture(prepared<Lesson>({"--shininess", shininess}));
     figures.emplace_back("06.pixels_at_" + shininess, whole(count_different(drawn, before)));
   }

@@ -1,4 +1,4 @@
-// The figures of chapter 14's page that stand in its text.
+// The figures of chapter 14's page, in its text.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -22,7 +22,7 @@ struct Code {
   int length = 0;
 };
 
-// Huffman codes are the one thing in a zlib stream whose highest bit comes first.
+// Huffman codes are the one thing in a zlib stream that begins with its highest bit.
 constexpr Code huffman(std::uint32_t code, int length) {
   Code result{0, length};
   for (int i = 0; i < length; ++i) result.bits = (result.bits << 1) | ((code >> i) & 1U);

@@ -8,7 +8,7 @@
 
 namespace texmap {
 
-/// Room that deflate() needs for so many bytes: nine bits for each, and what stands around them.
+/// Room that deflate() needs for so many bytes: nine bits for each, and what is around them.
 [[nodiscard]] constexpr std::size_t most_deflated_bytes(std::size_t size) {
   return size + size / 8 + 24;
 }

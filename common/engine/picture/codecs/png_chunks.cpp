@@ -81,7 +81,7 @@ void check_palette(const PngHeader& header, Bytes data) {
 void check_transparency(const PngHeader& header, std::size_t palette_colors, Bytes data) {
   const bool palette = header.color_type == 3;
   require(!palette || palette_colors > 0, "transparency (tRNS) comes before the palette");
-  require(header.color_type <= 3, "a picture with alpha has transparency (tRNS) besides");
+  require(header.color_type <= 3, "a picture with an alpha channel also has transparency (tRNS)");
   const std::size_t most = palette ? palette_colors : std::size_t{2} * header.channels;
   if (data.empty() || data.size() > most || (!palette && data.size() != most)) {
     damaged_png("its transparency (tRNS) has " + std::to_string(data.size()) +

@@ -69,7 +69,7 @@ class Reader {
       } else if (marker == 0xC4) {
         huffman_tables(data);
       } else if (marker == 0xDD) {
-        require_jpeg(data.size() == 2, "its restart interval has not 2 bytes");
+        require_jpeg(data.size() == 2, "its restart interval does not have 2 bytes");
         restart_interval_ = big_endian_16(data, 0);
       } else if (marker >= 0xC0 && marker <= 0xCF) {
         frame(marker, data);

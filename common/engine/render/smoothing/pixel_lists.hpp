@@ -34,7 +34,7 @@ struct PixelLists {
   std::vector<Pixel> others;
 };
 
-/// With fewer samples a pixel than this, a patch costs more than it saves.
+/// With fewer samples per pixel than this, a patch costs more than it saves.
 inline constexpr int least_samples_of_patch = 32;
 
 /// Adds the pixels of a row to `others`.

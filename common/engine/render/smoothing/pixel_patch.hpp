@@ -9,7 +9,7 @@
 
 namespace texmap {
 
-/// A paint whose (u, v) can be computed apart from its color.
+/// A paint that can compute its (u, v) apart from its color.
 template <class Paint, class Real>
 concept HasMapping = requires(const Paint& paint, const Vec3<Real>& normal) {
   paint.texture(paint.mapping(normal));

@@ -1,4 +1,4 @@
-// The diagrams of the pages beside the chapters show what the formulas say.
+// The diagrams of docs/how_to_change_things.md show what the formulas say.
 #include <doctest.h>
 
 #include <cmath>

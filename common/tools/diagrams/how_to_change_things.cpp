@@ -1,4 +1,4 @@
-// The diagrams of the pages beside the chapters.
+// The diagrams of docs/how_to_change_things.md.
 #include <initializer_list>
 #include <sstream>
 #include <string>
@@ -67,6 +67,6 @@ Drawing parts_of_a_paint() {
 
 }  // namespace
 
-std::vector<Drawing> diagrams_beside_chapters() { return {parts_of_a_paint()}; }
+std::vector<Drawing> diagrams_of_how_to_change_things() { return {parts_of_a_paint()}; }
 
 }  // namespace texmap::diagrams

@@ -1,0 +1,300 @@
+// Which known mistake drew a picture.
+#include "engine/compare/known_mistakes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "engine/compare/difference.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
+#include "math/srgb.hpp"
+
+namespace texmap {
+namespace {
+
+constexpr double times_nearer_than_the_right = 4;
+constexpr double times_nearer_than_another = 2;
+constexpr std::uint64_t max_file_of_words = 1U << 20;
+
+constexpr bool same_size(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height;
+}
+
+/// The sum of the differences of all channels, each less one level, which rounding can make;
+/// infinity for other sizes.
+double distance_between(const Image& a, const Image& b) {
+  if (!same_size(a, b)) return std::numeric_limits<double>::infinity();
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgb8 p = a.pixels[i], q = b.pixels[i];
+    const auto above_one = [](int apart) { return std::max(std::abs(apart) - 1, 0); };
+    sum += static_cast<std::uint64_t>(above_one(p.r - q.r) + above_one(p.g - q.g) +
+                                      above_one(p.b - q.b));
+  }
+  return static_cast<double>(sum);
+}
+
+/// The image whose pixel in a column and a row is that of `image` at the place that `from` says.
+template <class From>
+Image moved_pixels(const Image& image, const From& from) {
+  Image result(image.width, image.height);
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const auto [from_column, from_row] = from(column, row);
+      result.at(column, row) = image.at(from_column, from_row);
+    }
+  }
+  return result;
+}
+
+template <class Change>
+Image changed_pixels(Image image, const Change& change) {
+  for (Rgb8& pixel : image.pixels) pixel = change(pixel);
+  return image;
+}
+
+using Place = std::pair<int, int>;
+
+Image with_columns_reversed(const Image& image) {
+  return moved_pixels(image, [&](int x, int y) { return Place(image.width - 1 - x, y); });
+}
+Image with_rows_reversed(const Image& image) {
+  return moved_pixels(image, [&](int x, int y) { return Place(x, image.height - 1 - y); });
+}
+Image with_red_and_blue_exchanged(const Image& image) {
+  return changed_pixels(image, [](Rgb8 p) { return Rgb8{p.b, p.g, p.r}; });
+}
+
+/// The picture moved to the right and down; columns come in again at the other side, rows do not.
+///
+/// @param right, down  at most the width or the height
+Image moved_by(const Image& image, int right, int down) {
+  return moved_pixels(image, [&](int x, int y) {
+    return Place((x - right + image.width) % image.width,
+                 std::clamp(y - down, 0, image.height - 1));
+  });
+}
+
+/// Weights of red, green and blue whose sum is 1.
+using Weights = std::array<double, 3>;
+
+Image grayed(const Image& image, const Weights& weights) {
+  return changed_pixels(image, [&](Rgb8 p) {
+    const auto level = static_cast<std::uint8_t>(
+        std::lround(weights[0] * p.r + weights[1] * p.g + weights[2] * p.b));
+    return Rgb8{level, level, level};
+  });
+}
+
+Image through_curve(const Image& image, double (*curve)(double)) {
+  std::array<std::uint8_t, 256> table{};
+  for (std::size_t byte = 0; byte < table.size(); ++byte)
+    table[byte] =
+        static_cast<std::uint8_t>(std::lround(255 * curve(static_cast<double>(byte) / 255)));
+  return changed_pixels(image, [&](Rgb8 p) { return Rgb8{table[p.r], table[p.g], table[p.b]}; });
+}
+double square_root(double x) { return std::sqrt(x); }
+double squared(double x) { return x * x; }
+
+/// Each texel drawn as two columns, and all of them moved to the left or to the right by one.
+Image moved_by_half_a_texel(const Image& map, int right) {
+  Image result(2 * map.width, map.height);
+  for (int row = 0; row < result.height; ++row) {
+    for (int column = 0; column < result.width; ++column)
+      result.at(column, row) = map.at((column - right + result.width) % result.width / 2, row);
+  }
+  return result;
+}
+/// The same for rows, which stop at the edges.
+Image moved_up_by_half_a_texel(const Image& map, int down) {
+  Image result(map.width, 2 * map.height);
+  for (int row = 0; row < result.height; ++row) {
+    for (int column = 0; column < result.width; ++column)
+      result.at(column, row) = map.at(column, std::clamp((row - down) / 2, 0, map.height - 1));
+  }
+  return result;
+}
+
+/// u and v exchanged: the map's column is taken by v, its row by u.
+Image transposed(const Image& map) {
+  Image result(map.height, map.width);
+  for (int row = 0; row < result.height; ++row) {
+    for (int column = 0; column < result.width; ++column)
+      result.at(column, row) = map.at(map.width - 1 - row, map.height - 1 - column);
+  }
+  return result;
+}
+
+/// v by the height (y + 1) / 2 in place of the angle: in finer rows, where rows of the map do not
+/// begin at whole ones.
+Image by_height(const Image& map) {
+  const int finer = std::clamp(8192 / map.height, 1, 8);
+  Image result(map.width, map.height * finer);
+  for (int row = 0; row < result.height; ++row) {
+    const double v = (row + 0.5) / result.height;
+    const double from_top = (1 - std::cos(std::numbers::pi * v)) / 2;
+    const int from = std::clamp(static_cast<int>(from_top * map.height), 0, map.height - 1);
+    for (int column = 0; column < map.width; ++column)
+      result.at(column, row) = map.at(column, from);
+  }
+  return result;
+}
+
+constexpr Weights equal_weights{1 / 3.0, 1 / 3.0, 1 / 3.0};
+constexpr Weights weights_of_1982{0.299, 0.587, 0.114};     // ITU-R BT.601
+constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
+
+}  // namespace
+
+bool is_same_picture(const Image& a, const Image& b) {
+  if (!same_size(a, b)) return false;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
+  return off * 5000 <= a.pixels.size();
+}
+
+std::string name_mistake(const Image& drawn, const Image& right,
+                         std::span<const WrongPicture> wrong) {
+  if (!same_size(drawn, right) || is_same_picture(drawn, right)) return "";
+  const double from_right = distance_between(drawn, right);
+  const WrongPicture* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<double> distances;
+  distances.reserve(wrong.size());
+  for (const WrongPicture& one : wrong) {
+    // A mistake that nobody can see on this picture is no reason for another one.
+    const bool shows = same_size(one.picture, right) && !is_same_picture(one.picture, right);
+    distances.push_back(shows ? distance_between(drawn, one.picture)
+                              : std::numeric_limits<double>::infinity());
+    if (distances.back() < least) {
+      least = distances.back();
+      nearest = &one;
+    }
+  }
+  if (nearest == nullptr) return "";
+  if (times_nearer_than_the_right * least > from_right ||
+      times_nearer_than_the_right * least > distance_between(right, nearest->picture)) {
+    return "";
+  }
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    if (wrong[i].words == nearest->words) continue;
+    if (distances[i] <= times_nearer_than_another * least) return "";
+  }
+  return nearest->words;
+}
+
+std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
+  const std::string gray = "gray: the picture's three channels are equal";
+  const std::string dark = "too dark: light was written without the curve of image files";
+  const std::string pale = "too pale: the curve of image files was applied once too often";
+  return {
+      {"picture_mirrored", "the whole picture is mirrored: columns run the other way",
+       with_columns_reversed(right)},
+      {"picture_upside_down", "the whole picture is upside down: rows run the other way",
+       with_rows_reversed(right)},
+      {"picture_half_turn",
+       "the whole picture is turned by half: columns and rows run the other way",
+       with_rows_reversed(with_columns_reversed(right))},
+      {"picture_bgr", "red and blue are exchanged in the whole picture",
+       with_red_and_blue_exchanged(right)},
+      {"picture_gray", gray, grayed(right, equal_weights)},
+      {"picture_gray_601", gray, grayed(right, weights_of_1982)},
+      {"picture_gray_709", gray, grayed(right, weights_of_1990)},
+      {"picture_dark", dark, through_curve(right, srgb_decode<double>)},
+      {"picture_dark_squared", dark, through_curve(right, squared)},
+      {"picture_pale", pale, through_curve(right, srgb_encode<double>)},
+      {"picture_pale_root", pale, through_curve(right, square_root)},
+      {"picture_left", "the whole picture is one pixel too far to the left",
+       moved_by(right, -1, 0)},
+      {"picture_right", "the whole picture is one pixel too far to the right",
+       moved_by(right, 1, 0)},
+      {"picture_up", "the whole picture is one pixel too high", moved_by(right, 0, -1)},
+      {"picture_down", "the whole picture is one pixel too low", moved_by(right, 0, 1)},
+      {"picture_black", "black: nothing was drawn", Image(right.width, right.height)},
+  };
+}
+
+std::vector<WrongPicture> mistaken_maps(const Image& map) {
+  const std::string quarter = "a quarter turn off: u begins at another place";
+  const std::string gray = "gray: the texture's colors are lost";
+  const int half = map.width / 2, fourth = map.width / 4;
+  return {
+      {"mirrored", "mirrored: u runs the other way", with_columns_reversed(map)},
+      {"upside_down", "upside down: v runs the other way", with_rows_reversed(map)},
+      {"half_turn", "turned by half: u and v run the other way",
+       with_rows_reversed(with_columns_reversed(map))},
+      {"quarter_east", quarter, moved_by(map, fourth, 0)},
+      {"quarter_west", quarter, moved_by(map, -fourth, 0)},
+      {"opposite", "half a turn off: u begins on the other side", moved_by(map, half, 0)},
+      {"stripes", "striped: u is negative on one half and was limited to 0; the 1/2 is missing",
+       moved_pixels(map, [&](int x, int y) { return Place(std::max(x - half, 0), y); })},
+      {"exchanged", "u and v are exchanged", transposed(map)},
+      {"by_height", "squeezed at the poles: v was taken from the height, without the angle",
+       by_height(map)},
+      {"half_texel_left", "half a texel to the left: u n was rounded and not cut off",
+       moved_by_half_a_texel(map, -1)},
+      {"half_texel_right", "half a texel to the right", moved_by_half_a_texel(map, 1)},
+      {"half_texel_up", "half a texel up", moved_up_by_half_a_texel(map, -1)},
+      {"half_texel_down", "half a texel down", moved_up_by_half_a_texel(map, 1)},
+      {"texel_left", "one texel to the left: columns were counted from 1", moved_by(map, -1, 0)},
+      {"texel_right", "one texel to the right", moved_by(map, 1, 0)},
+      {"texel_up", "one texel up: rows were counted from 1", moved_by(map, 0, -1)},
+      {"texel_down", "one texel down", moved_by(map, 0, 1)},
+      {"bgr", "red and blue are exchanged in the texture", with_red_and_blue_exchanged(map)},
+      {"gray", gray, grayed(map, equal_weights)},
+      {"gray_601", gray, grayed(map, weights_of_1982)},
+      {"gray_709", gray, grayed(map, weights_of_1990)},
+      {"decoded", "the texture is too dark: its bytes were decoded and never encoded again",
+       through_curve(map, srgb_decode<double>)},
+      {"encoded", "the texture is too pale: its bytes were encoded twice",
+       through_curve(map, srgb_encode<double>)},
+      {"black", "black texture: the file was not loaded, and the program did not check",
+       Image(map.width, map.height)},
+  };
+}
+
+std::vector<WrongPicture> load_wrong_pictures(const std::filesystem::path& folder) {
+  const std::filesystem::path table = folder / "mistakes.txt";
+  const std::vector<std::uint8_t> bytes =
+      with_name("cannot read", table, [&] { return read_file(table, max_file_of_words); });
+  std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::vector<WrongPicture> wrong;
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (line.empty()) continue;
+    const std::size_t tab = line.find('\t');
+    if (tab == std::string_view::npos) {
+      throw FileError("cannot read '" + name_of(table) +
+                      "': a line without a tab: " + std::string(line));
+    }
+    const std::filesystem::path file = path_of(line.substr(0, tab));
+    wrong.push_back({name_of(file.stem()), std::string(line.substr(tab + 1)),
+                     load_image(folder / file.filename())});
+  }
+  return wrong;
+}
+
+void save_wrong_pictures(std::span<const WrongPicture> wrong, const std::filesystem::path& folder) {
+  std::error_code trouble;
+  std::filesystem::create_directories(folder, trouble);  // if it fails, writing says so
+  std::string table;
+  for (const WrongPicture& one : wrong) {
+    save_png(one.picture, folder / (one.name + ".png"));
+    table.append(one.name).append(".png\t").append(one.words).append("\n");
+  }
+  const std::filesystem::path file = folder / "mistakes.txt";
+  with_name("cannot write", file, [&] { write_text_atomically(file, table); });
+}
+
+}  // namespace texmap

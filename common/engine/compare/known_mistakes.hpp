@@ -1,0 +1,50 @@
+// Which known mistake drew a picture: its name in words, or nothing where that is not sure.
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "texture/image.hpp"
+
+namespace texmap {
+
+/// What a known mistake draws.
+struct WrongPicture {
+  std::string name;   ///< for a file: letters and underscores
+  std::string words;  ///< such as "mirrored: u runs the other way"
+  Image picture;
+};
+
+/// True by the course's rule for golden pictures: of the pixels at most 0.02 % differ by more than
+/// one level. Pictures of different sizes are not the same.
+[[nodiscard]] bool is_same_picture(const Image& a, const Image& b);
+
+/// The words of the mistake that drew a picture; empty if it is right, or if no mistake is sure.
+/// Sure: at least four times nearer to the wrong picture than to the right one, and twice as near
+/// as to each wrong picture with other words. Nearness is the sum of the channels'
+/// differences above one level.
+///
+/// @param drawn, right, wrong  a picture of another size than `drawn` counts as far away
+[[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,
+                                       std::span<const WrongPicture> wrong);
+
+/// What mistakes in the camera and in the file make of a whole picture: mirrored, upside down, red
+/// and blue exchanged, gray, one pixel off, the curve of image files missing or applied twice.
+[[nodiscard]] std::vector<WrongPicture> mistakes_of_the_whole(const Image& right);
+
+/// Maps on which a right program draws what a wrong look-up of (u, v) or of the texel draws on
+/// `map`: mirrored, upside down, moved by half a texel or one, and so on.
+///
+/// @param map  in any layout in which u runs to the right; what "left" is, is said of the map
+[[nodiscard]] std::vector<WrongPicture> mistaken_maps(const Image& map);
+
+/// The pictures that the program draw_mistakes left in a folder: the lines of its mistakes.txt are
+/// `FILE, a tab, the words`. Errors: FileError.
+[[nodiscard]] std::vector<WrongPicture> load_wrong_pictures(const std::filesystem::path& folder);
+
+/// Writes the pictures and their mistakes.txt into a folder, which is made if it is not there.
+/// Errors: FileError.
+void save_wrong_pictures(std::span<const WrongPicture> wrong, const std::filesystem::path& folder);
+
+}  // namespace texmap

@@ -1,0 +1,235 @@
+// Draws a chapter's picture with the mistakes that students make, for naming them:
+//   draw_mistakes NN --out FOLDER [OPTION ...]
+// The options are the chapter's own, such as --width 400 --texture uv_map.png. FOLDER gets a PNG
+// file for each mistake, mistakes.txt with `FILE, a tab, the words`, and right.png.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
+#include "09_texture_filtering/lesson.hpp"
+#include "10_projections/lesson.hpp"
+#include "11_bump_and_normal_maps/lesson.hpp"
+#include "12_environment_map/lesson.hpp"
+#include "engine/app/prepared.hpp"
+#include "engine/app/run_chapter.hpp"
+#include "engine/compare/known_mistakes.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/render/render.hpp"
+#include "engine/system/system.hpp"
+#include "wrong_light.hpp"
+
+namespace {
+
+using namespace texmap;
+using Words = std::vector<std::string>;
+
+/// What the user asked for.
+struct Request {
+  std::string chapter;  ///< two digits
+  std::filesystem::path folder;
+  Words options;  ///< the chapter's own
+};
+
+/// Draws what the chapter's program draws with these options into `file`.
+template <class Lesson>
+Image drawn(const Request& request, const Words& more, const std::filesystem::path& file) {
+  Lesson lesson;
+  CommandLine line(request.chapter, "");
+  lesson.options(line);
+  Session session(request.chapter, line, Lesson::about, offers_for(lesson));
+  Words words = request.options;
+  words.insert(words.end(), more.begin(), more.end());
+  static_cast<void>(line.parse(words));
+  session.settings.quiet = true;
+  session.settings.out = name_of(file);
+  draw_and_save(session, lesson);
+  return load_image(file);
+}
+
+/// The name of the texture that the chapter's program would load.
+template <class Lesson>
+std::string texture_of(const Words& options) {
+  for (std::size_t i = options.size(); i-- > 0;) {
+    if (options[i] == "--texture" && i + 1 < options.size()) return options[i + 1];
+    if (options[i].starts_with("--texture=")) return options[i].substr(10);
+  }
+  return Lesson{}.texture.name;
+}
+
+/// A mistake that the chapter's own options draw.
+struct ByOptions {
+  const char* chapters;  ///< two digits each
+  const char* name;
+  const char* words;
+  Words options;
+};
+
+std::vector<ByOptions> mistakes_by_options() {
+  return {
+      {"05 06 07",
+       "last_column",
+       "squeezed: (int)((n - 1) u) in place of floor(n u)",
+       {"--rounding", "lecture"}},
+      {"05", "other_way", "turned the other way: the sign of the sine", {"--degrees", "-90"}},
+      {"05", "radians", "turned by degrees taken for radians", {"--degrees", "5156.6201561774"}},
+      {"05", "not_turned", "not turned at all", {"--degrees", "0"}},
+      {"06", "other_way", "turned the other way: the sign of the sine", {"--degrees", "-20"}},
+      {"06", "radians", "turned by degrees taken for radians", {"--degrees", "1145.9155902616"}},
+      {"06", "not_turned", "not turned at all", {"--degrees", "0"}},
+      {"06",
+       "night_highlight",
+       "shining on its night side: the highlight has the wrong sign",
+       {"--highlight", "lecture"}},
+      {"06",
+       "wide_highlight",
+       "the highlight is too wide: its exponent is missing",
+       {"--shininess", "1"}},
+      {"06", "no_highlight", "without a highlight", {"--shininess", "1e30"}},
+      {"08", "wrap_repeat", "the texture is repeated and not mirrored", {"--wrap", "repeat"}},
+      {"08",
+       "wrap_clamp",
+       "the texture's edge is repeated: coordinates were limited to 0 and 1",
+       {"--wrap", "clamp"}},
+      {"08", "other_way", "turned the other way: the sign of the sine", {"--degrees", "25"}},
+  };
+}
+
+/// Draws a chapter with every mistake that it can show.
+template <class Lesson>
+std::vector<WrongPicture> draw_all(const Request& request) {
+  std::filesystem::create_directories(request.folder);
+  const Image right = drawn<Lesson>(request, {}, request.folder / "right.png");
+  std::vector<WrongPicture> wrong = mistakes_of_the_whole(right);
+  const auto add = [&](const std::string& name, const std::string& words, Image picture) {
+    wrong.push_back({name, words, std::move(picture)});
+  };
+  // The chapter's own words are better than others for the same picture.
+  const auto add_own = [&](const std::string& name, const std::string& words, Image picture) {
+    std::erase_if(
+        wrong, [&](const WrongPicture& other) { return is_same_picture(other.picture, picture); });
+    add(name, words, std::move(picture));
+  };
+  const std::filesystem::path draft = request.folder / "draft.png";
+
+  // A wrong look-up is a right look-up on another map.
+  if constexpr (requires { Lesson{}.texture.name; }) {
+    const std::filesystem::path map_file = request.folder / "map.png";
+    const Image map = load_image(find_texture(texture_of<Lesson>(request.options)));
+    for (const WrongPicture& mistaken : mistaken_maps(map)) {
+      save_png(mistaken.picture, map_file);
+      add(mistaken.name, mistaken.words,
+          drawn<Lesson>(request, {"--texture", name_of(map_file)}, draft));
+    }
+    std::filesystem::remove(map_file);
+  }
+  for (const ByOptions& one : mistakes_by_options()) {
+    if (std::string_view(one.chapters).find(request.chapter) == std::string_view::npos) continue;
+    if (std::any_of(request.options.begin(), request.options.end(), [&](const std::string& word) {
+          return word.starts_with(one.options.front());
+        })) {
+      continue;  // the user chose another value
+    }
+    add_own(one.name, one.words, drawn<Lesson>(request, one.options, draft));
+  }
+  if constexpr (requires(const Lesson& lesson) {
+                  lesson.surface;
+                  lesson.objects.front().shape.center;
+                } &&
+                !shows_itself<Lesson>) {
+    Lesson lesson;
+    const Settings settings = make_ready(lesson, request.options);
+    const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
+    for (const auto& [mistake, name, words] : mistakes::light_mistakes) {
+      add_own(name, words,
+              render<double>(mistakes::WithLightMistake<Lesson>{lesson, mistake}, view));
+    }
+    Lesson at_corners = lesson;
+    at_corners.stage.camera.anchor = PixelAnchor::corner;
+    add_own("pixel_corner", "half a pixel off: rays go through the corners of pixels",
+            render<double>(at_corners, view_of(at_corners.stage.camera, view.width, view.height)));
+    if constexpr (std::is_same_v<Lesson, chapter_03::Lesson>) {
+      auto& paint = lesson.objects[chapter_03::middle].paint;
+      std::get<chapter_03::Textured>(paint).texture.rounding = TexelRounding::lecture;
+      add_own("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)",
+              render<double>(lesson, view));
+    }
+  }
+  std::filesystem::remove(draft);
+  return wrong;
+}
+
+struct Chapter {
+  const char* number;
+  std::vector<WrongPicture> (*draw)(const Request&);
+};
+
+constexpr std::array chapters = {
+    Chapter{"01", draw_all<chapter_01::Lesson>}, Chapter{"02", draw_all<chapter_02::Lesson>},
+    Chapter{"03", draw_all<chapter_03::Lesson>}, Chapter{"04", draw_all<chapter_04::Lesson>},
+    Chapter{"05", draw_all<chapter_05::Lesson>}, Chapter{"06", draw_all<chapter_06::Lesson>},
+    Chapter{"07", draw_all<chapter_07::Lesson>}, Chapter{"08", draw_all<chapter_08::Lesson>},
+    Chapter{"09", draw_all<chapter_09::Lesson>}, Chapter{"10", draw_all<chapter_10::Lesson>},
+    Chapter{"11", draw_all<chapter_11::Lesson>}, Chapter{"12", draw_all<chapter_12::Lesson>},
+};
+
+Request request_of(const Words& words) {
+  Request request;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i == 0) {
+      request.chapter = words[i].substr(0, 2);
+    } else if (words[i] == "--out" && i + 1 < words.size()) {
+      request.folder = path_of(words[++i]);
+    } else {
+      request.options.push_back(words[i]);
+    }
+  }
+  if (request.folder.empty()) throw UsageError("name a chapter and a folder: 03 --out FOLDER");
+  return request;
+}
+
+void draw_and_tell(const Request& request) {
+  const auto* chapter = std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& one) {
+    return request.chapter == one.number;
+  });
+  if (chapter == chapters.end())
+    throw UsageError("there are mistakes for chapters 01 to 12, not '" + request.chapter + "'");
+  const std::vector<WrongPicture> wrong = chapter->draw(request);
+  save_wrong_pictures(wrong, request.folder);
+  print(text("%s: %zu wrong pictures and mistakes.txt\n", name_of(request.folder).c_str(),
+             wrong.size()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The chapter's options are read by its lesson: this line is for the help and the usage.
+  CommandLine line("draw_mistakes", "a chapter's picture with the mistakes that students make");
+  std::string number, folder;
+  line.positional("NN", number, "the chapter; its own options may follow");
+  line.text("--out", "FOLDER", folder, "where the pictures and mistakes.txt go");
+  return run_guarded(line, [&] {
+    const Words words = typed_words(argc, argv);
+    if (words.empty() || words[0] == "--help" || words[0] == "-h") {
+      print(line.help());
+      return;
+    }
+    draw_and_tell(request_of(words));
+  });
+}

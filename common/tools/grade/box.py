@@ -1,0 +1,237 @@
+"""Boxes in which a command sees the system's programs and what is named for it, and nothing else: by bwrap, or else by unshare.
+
+In a box there are no other files, no /proc, no network and no processes but its own, and it can write nothing but its own small
+memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits.
+"""
+import dataclasses
+import os
+import re
+import select
+import shlex
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+SYSTEM = ['/usr', '/bin', '/sbin', '/lib', '/lib32', '/lib64', '/libx32', '/etc/alternatives', '/etc/ld.so.cache', '/nix/store']
+BOX = '/box'
+ENVIRONMENT = {'PATH': '/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin', 'LC_ALL': 'C', 'HOME': BOX, 'TMPDIR': BOX}
+LOG_BYTES = 1 << 16  # kept of what a command prints
+IDLE_SECONDS = 10  # without any CPU: the program waits for what never comes
+
+
+@dataclasses.dataclass
+class Limits:
+    cpu: float
+    megabytes: int
+    disk_megabytes: int = 64
+    processes: int = 64
+
+
+@dataclasses.dataclass
+class Ended:
+    """How a command in a box ended: `how` is ok or one of the words of the column run."""
+    how: str
+    why: str
+    cpu: float
+    log: str
+    product: bytes
+
+
+# Runs "$@" with limits. What was its input is the file that then gets, in three lines and the rest: whether processes are left, the
+# times of the shell and of what it ran, the product.
+INSIDE = '''
+exec 3>&0 </dev/null
+ulimit -c 0; ulimit -t "$1"; ulimit -v "$2"; ulimit -f "$3"; ulimit -n 256
+ulimit -u "$4" 2>/dev/null || ulimit -p "$4" 2>/dev/null
+product=$5 alone=$6
+shift 6
+"$@" 3>&-
+status=$?
+if [ "$alone" = yes ] && kill -s 0 -- -1 2>/dev/null; then echo left >&3; else echo none >&3; fi
+times >&3
+if [ -f "$product" ] && [ ! -L "$product" ]; then cat "$product" >&3; fi
+exit $status
+'''
+
+# Makes of an empty folder a root in which there is nothing but what is named. A second user namespace would give back the right to
+# mount: it is forbidden. umount looks into /proc, which goes with the old root. Few programs, as each costs two milliseconds.
+UNSHARED = '''
+set -eu
+echo 0 >/proc/sys/user/max_user_namespaces
+mount -t tmpfs -o nosuid,nodev,mode=755,size=1m none {root}
+cd {root}
+mkdir -p box old proc dev {folders}
+for file in {files}; do : >"$file"; done
+cp -P {links} .
+printf '%s\\n' {table} >fstab
+mount -a -T fstab
+mount -o rbind /proc proc
+pivot_root . old
+umount -l /old /proc
+cd /box
+exec setpriv --bounding-set=-all --inh-caps=-all --no-new-privs {command}
+'''
+
+
+def bwrap(visible, limits, argv, _work):
+    command = ['bwrap', '--unshare-all', '--unshare-user', '--disable-userns', '--die-with-parent', '--cap-drop', 'ALL']
+    for place in visible:
+        command += ['--symlink', os.readlink(place), place] if os.path.islink(place) else ['--ro-bind', place, place]
+    return command + ['--dev', '/dev', '--size', str(limits.disk_megabytes << 20), '--tmpfs', BOX, '--remount-ro', '/',
+                      '--remount-ro', '/dev', '--chdir', BOX, *argv]
+
+
+def unshare(visible, limits, argv, work):
+    root = work / 'root'
+    root.mkdir(exist_ok=True)
+    links = [place for place in visible if os.path.islink(place)]
+    places = [place for place in visible if place not in links]
+    devices = [f'/dev/{name}' for name in ('null', 'zero', 'random', 'urandom')]
+    table = [f'none {root}{BOX} tmpfs nosuid,nodev,size={limits.disk_megabytes}m']
+    for place in places + devices:
+        name = re.sub(r'[\s\\]', lambda letter: f'\\{ord(letter[0]):03o}', place)
+        table.append(f'{name} {root}{name} none bind' + ('' if place in devices else ',ro,nosuid,nodev'))
+    files = [place for place in places if not os.path.isdir(place)] + devices
+    folders = [place if os.path.isdir(place) else os.path.dirname(place) for place in places]
+    script = UNSHARED.format(root=shlex.quote(str(root)), folders=shlex.join('.' + place for place in folders), links=shlex.join(links),
+                             files=shlex.join('.' + place for place in files), table=shlex.join(table), command=shlex.join(argv))
+    return ['setpriv', '--pdeathsig', 'KILL', 'unshare', '--user', '--map-root-user', '--pid', '--fork', '--kill-child', '--net',
+            '--ipc', '--uts', '--mount', 'sh', '-c', script]
+
+
+def none(_visible, _limits, argv, _work):
+    return argv
+
+
+CONTAINMENTS = {'bwrap': bwrap, 'unshare': unshare, 'none': none}
+
+
+def usage(pid):
+    """CPU seconds, bytes of memory and number of the processes below and with this one."""
+    ticks = pages = count = 0
+    todo = [pid]
+    while todo:
+        process = todo.pop()
+        try:
+            fields = Path(f'/proc/{process}/stat').read_text().rpartition(')')[2].split()
+            for task in os.listdir(f'/proc/{process}/task'):
+                todo += Path(f'/proc/{process}/task/{task}/children').read_text().split()
+        except (OSError, ValueError):
+            continue  # it has just ended
+        ticks += sum(map(int, fields[11:15]))
+        pages += int(fields[21])
+        count += 1
+    return ticks / os.sysconf('SC_CLK_TCK'), pages * os.sysconf('SC_PAGE_SIZE'), count
+
+
+class Boxes:
+    """Runs commands in boxes of one kind."""
+
+    def __init__(self, kind, work):
+        self.kind, self.work = kind, work
+        self.stopping = threading.Event()
+        self.system = [place for place in SYSTEM if os.path.lexists(place)]
+
+    def works(self):
+        """Whether this machine makes such boxes, and they keep what they should."""
+        try:
+            ended = self.run(['sh', '-c', f'test ! -e {shlex.quote(str(self.work))}/root -a ! -e /proc/self && echo kept >it'], [],
+                             Limits(10, 1024), 'it')
+        except OSError:
+            return False
+        return ended.product == b'kept\n'
+
+    def run(self, argv, visible, limits, product=''):
+        """Runs argv where only `visible` and the system are seen; `product` is the file that it leaves in the box."""
+        alone = 'no' if self.kind == 'none' else 'yes'
+        argv = ['sh', '-c', INSIDE, 'sh', str(int(limits.cpu) + 2), str(limits.megabytes << 10), str(limits.disk_megabytes << 11),
+                str(limits.processes), product, alone, *argv]
+        command = CONTAINMENTS[self.kind](self.system + [str(place) for place in visible], limits, argv, self.work)
+        with tempfile.TemporaryFile() as handed_over, tempfile.TemporaryDirectory() as place:
+            environment = dict(ENVIRONMENT, **({'HOME': place, 'TMPDIR': place} if self.kind == 'none' else {}))
+            process = subprocess.Popen(command, stdin=handed_over, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=place,
+                                       env=environment, start_new_session=True)
+            log, cpu, why = self.watch(process, limits)
+            process.wait()
+            process.stdout.close()
+            handed_over.seek(0)
+            left, _, times, made = [*handed_over.read().split(b'\n', 3), b'', b'', b'', b''][:4]
+            if self.kind == 'none' and self.kill_group(process):
+                left = b'left'
+        if self.stopping.is_set():
+            raise KeyboardInterrupt
+        counted = re.findall(r'(\d+)m([\d.]+)s', times.decode('latin-1'))
+        cpu = max(cpu, sum(60 * float(minutes) + float(seconds) for minutes, seconds in counted))
+        how, why = self.how_it_ended(process.returncode, why, cpu, limits, log, left == b'left')
+        return Ended(how, why, cpu, log, made)
+
+    def watch(self, process, limits):
+        """Reads what the processes print, and ends them at a limit. Returns the log, CPU seconds and the limit that was met."""
+        log, cpu, why = bytearray(), 0.0, ''
+        start = busy = time.monotonic()
+        pause, due = 0.01, start
+        while True:
+            if select.select([process.stdout], [], [], max(0.0, due - time.monotonic()))[0]:
+                piece = os.read(process.stdout.fileno(), 1 << 16)
+                if not piece:
+                    break
+                log += piece[:LOG_BYTES - len(log)]
+            now = time.monotonic()
+            if now < due:
+                continue
+            due, pause = now + pause, min(0.1, 1.5 * pause)
+            was, (cpu, memory, count) = cpu, usage(process.pid)
+            busy = now if cpu > was else busy
+            if why:
+                if now > start:  # what is not contained may hold the pipe open
+                    break
+            elif self.stopping.is_set():
+                why = 'interrupted'
+            elif cpu > limits.cpu:
+                why = f'hang: it was stopped after {limits.cpu:.3g} s of CPU time'
+            elif now - busy > IDLE_SECONDS:
+                why = f'hang: it waited for {IDLE_SECONDS} s and did nothing'
+            elif now - start > 60 + 10 * limits.cpu:
+                why = 'hang: it did not come to an end'
+            elif memory > limits.megabytes << 20:
+                why = f'too much memory: its processes took more than {limits.megabytes} MB'
+            elif count > limits.processes + 8:
+                why = f'too many processes: more than {limits.processes}'
+            if why:
+                os.kill(process.pid, signal.SIGKILL)  # a box's first process takes all others with it
+                self.kill_group(process)
+                start = now + 2
+            cpu = max(cpu, was)
+        return log.decode('utf-8', 'replace'), cpu, why
+
+    @staticmethod
+    def kill_group(process):
+        """Ends the processes that a program left in its group; true if there were any."""
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            return False
+        return True
+
+    @staticmethod
+    def how_it_ended(status, why, cpu, limits, log, left):
+        """The word of the column run, and a sentence about it."""
+        number = status - 128 if status > 128 else -status if status < 0 else 0
+        name = signal.Signals(number).name if number in set(signal.Signals) else ''
+        if why:
+            how, _, why = why.partition(': ')
+            return how, why
+        if name in ('SIGXCPU', 'SIGKILL') and cpu >= limits.cpu:
+            return 'hang', f'it was stopped after {limits.cpu:.3g} s of CPU time'
+        if status and re.search(r'bad_alloc|not enough memory|out of memory|[Cc]annot allocate memory', log):
+            return 'too much memory', f'it had {limits.megabytes} MB'
+        if name:
+            return f'crashed {name}', 'it wrote a file that is too large' if name == 'SIGXFSZ' else f'it ended by signal {name}'
+        if status:
+            return f'failed ({status})', f'it ended with status {status}'
+        if left:
+            return 'left processes', 'it ended, but not the processes that it started'
+        return 'ok', ''

@@ -1,0 +1,471 @@
+#!/usr/bin/env python3
+"""Builds and runs students' chapters on Linux, kept from everything else; the program grade calls it.
+
+Each line of --plan is a task: id, the folder that contains the student's chapters/, and a chapter NN_name, between tabs. For each
+task a line of COLUMNS is appended to --results when it is done. docs/grading.md says what is contained and what is not.
+
+A student's code runs in a box (box.py), and so does the compiler that reads it. Golden pictures, results, other students and the
+home folder are not in there.
+"""
+import argparse
+import concurrent.futures
+import dataclasses
+import hashlib
+import json
+import os
+import random
+import re
+import shlex
+import shutil
+import signal
+import stat
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import zlib
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # the tree stays as it is
+from box import BOX, CONTAINMENTS, Boxes, Limits  # noqa: E402
+
+COLUMNS = ('id item containment build run cpu_seconds limit_cpu_seconds picture expected hidden_picture hidden_expected '
+           'tests_passed tests_run cached note').split()
+# A chapter's suites, of which the first that reads its lesson counts. Chapter 13's times itself: a busy machine would fail it.
+SUITES = ('symptoms_{item:.2}.cpp', 'test_{item}.cpp')
+UNTESTED = ('13',)
+SUFFIXES = ('.hpp', '.cpp', '.h', '.c', '.inc', '.inl')
+MOST_FILES, MOST_FILE_BYTES = 100, 1 << 20  # taken of a student's chapter
+FLOOR_SECONDS, COMPILE_SECONDS, COURSE_SECONDS = 5, 120, 900  # of CPU: the least limit of a run; a file; the course's own lesson
+
+
+class CourseError(Exception):
+    """The course's own lesson fails, or something that must not change has changed."""
+
+
+# --- The course's build ------------------------------------------------------------------------------------------------------------------
+
+@dataclasses.dataclass
+class Unit:
+    """One file that is compiled: its command without source and object, and the chapter's files that it read."""
+    command: list
+    source: str
+    object: str
+    read: list
+
+
+def digest(*pieces):
+    return hashlib.sha256(b'\0'.join(hashlib.sha256(piece).digest() for piece in pieces)).hexdigest()
+
+
+def sources_in(folder):
+    """The C++ files of a chapter: regular files of moderate size, no links. By name, with their bytes."""
+    found = {}
+    for parent, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if not os.path.islink(os.path.join(parent, name)))
+        for name in sorted(names):
+            path = os.path.join(parent, name)
+            status = os.lstat(path)
+            if name.endswith(SUFFIXES) and stat.S_ISREG(status.st_mode) and status.st_size < MOST_FILE_BYTES and len(found) < MOST_FILES:
+                found[os.path.relpath(path, folder)] = Path(path).read_bytes()
+    return found
+
+
+class Course:
+    """The instructor's tree and its learn build."""
+
+    def __init__(self, tree, work, build):
+        self.tree, self.work, self.build = tree, work, build
+        self.chapters, self.tests = tree / 'chapters', tree / 'tests'
+
+    def make(self, items):
+        """Builds what all students share and the course's own lessons; returns what they were made from, as a hash."""
+        log = self.work / 'build.log'
+        built = sorted(set(items).union(*map(self.compared_with, items)))
+        print('building the course\'s own lessons; the first time takes minutes', file=sys.stderr, flush=True)
+        with open(log, 'wb') as out:
+            for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
+                             '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1', '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
+                            ['cmake', '--build', self.build, '--parallel', str(os.cpu_count() or 1), '--target', 'compare', *built]):
+                if subprocess.run(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out, check=False).returncode:
+                    raise CourseError(f'the course itself cannot be built: see {log}')
+        self.units = {item: [] for item in built}
+        for entry in json.loads((self.build / 'compile_commands.json').read_text()):
+            words = shlex.split(entry['command'])
+            made = os.path.normpath(os.path.join(entry['directory'], words.pop(words.index('-o') + 1)))
+            item = re.sub('(_code|_wide)$', '', Path(made).relative_to(self.build).parts[2].removesuffix('.dir'))
+            if item in self.units and '/chapters/CMakeFiles/' in made:
+                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()
+                here = str(self.chapters / item) + '/'
+                words = words[:words.index('-o')] + words[words.index('-o') + 1:words.index('-c')]
+                self.units[item].append(Unit(words, entry['file'], made, [name[len(here):] for name in read if name.startswith(here)]))
+        archives = sorted((self.build / 'common').glob('*.a'))
+        self.shared = [self.tree / 'common', self.build / 'CMakeFiles' / 'learn_headers.dir', *archives]
+        pieces = [subprocess.run(['c++', '--version'], capture_output=True, check=True).stdout]
+        for folder in ('common', 'chapters', 'assets', 'tests/golden', 'tests/support', 'tests/chapters'):
+            for path in sorted((self.tree / folder).rglob('*')):
+                if path.is_file():
+                    pieces += [str(path).encode(), path.read_bytes()]
+        return digest(*pieces)
+
+    def link(self, item):
+        """The command that links the chapter's program, with whole paths and without -o."""
+        at = self.build / 'chapters'
+        words = shlex.split((at / 'CMakeFiles' / f'{item}.dir' / 'link.txt').read_text())
+        where = words.index('-o')
+        return [os.path.normpath(at / word) if word.endswith(('.o', '.a')) else word for word in words[:where] + words[where + 2:]]
+
+    def suite(self, item):
+        """The chapter's suite, or None."""
+        suites = [self.tests / 'chapters' / name.format(item=item) for name in SUITES]
+        fit = [suite for suite in suites if suite.is_file() and f'"{item}/lesson.hpp"' in suite.read_text()]
+        return fit[0] if fit and not item.startswith(UNTESTED) else None
+
+    def compared_with(self, item):
+        """The other chapters that the suite reads."""
+        suite = self.suite(item)
+        names = set(re.findall(r'"(\d\d_\w+)/', suite.read_text())) if suite else set()
+        return [name for name in sorted(names) if name != item and (self.chapters / name / 'main.cpp').is_file()]
+
+    def test_command(self, item, program):
+        """How a suite of the chapter is compiled, but for source and object; it can run the chapter's program."""
+        cache = (self.build / 'CMakeCache.txt').read_text()
+        doctest = re.search('^doctest_INCLUDE_DIR:PATH=(.*)$', cache, re.MULTILINE)
+        folders = [self.chapters, self.tests, self.tests / 'support', *([doctest[1]] if doctest else [])]
+        texts = {'CHAPTER': program, 'ASSETS_DIR': self.tree / 'assets', 'TESTS_DIR': self.tests, 'BIN_DIR': BOX,
+                 'ONE_FILE': self.build / 'bin' / '06_one_file'}
+        main = next(unit for unit in self.units[item] if unit.object.endswith('/main.cpp.o'))
+        words = [word for word in main.command if not word.startswith('-DTEXMAP_CHAPTER=')]
+        return words + [f'-DTEXMAP_{name}="{text}"' for name, text in texts.items()] + [f'-I{folder}' for folder in folders]
+
+    def neighbors(self, item):
+        return [path for path in sorted(self.chapters.iterdir()) if path.is_dir() and path.name != item]
+
+
+def random_texture(path, rng):
+    """Writes a PNG of 128 x 64 texels in blocks of random colors."""
+    colors = [bytes(rng.randrange(256) for _ in range(3)) for _ in range(16 * 8)]
+    rows = b''.join(b'\0' + b''.join(colors[row // 8 * 16 + column // 8] for column in range(128)) for row in range(64))
+
+    def chunk(name, data):
+        return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
+
+    path.write_bytes(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>2I5B', 128, 64, 8, 2, 0, 0, 0)) +
+                     chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b''))
+
+
+def hidden_options(item, offered, texture, rng):
+    """Options for a picture that no student has seen: another size, texture, angle."""
+    width = rng.randrange(240, 360)
+    options = ['--width', str(width), '--height', str(width * 3 // 4 + rng.randrange(-20, 20))]
+    options += {'09': ['--filter', rng.choice(['trilinear', 'anisotropic', 'ewa'])],
+                '10': ['--projection', rng.choice(['cube', 'octahedral', 'equal-area'])],
+                '13': ['--seconds', '1', '--rounds', '1'],
+                '14': ['--exhibit', rng.choice(['pole', 'seam', 'turns', 'units'])]}.get(item[:2], [])
+    for option, value in (('--texture', texture), ('--sky', texture), ('--degrees', rng.randrange(20, 340))):
+        if f'  {option} ' in offered and option + ' constant' not in offered:
+            options += [option, str(value)]
+    return options + (['--samples', '16'] if '(default: 100)' in offered else [])
+
+
+# --- Judging -----------------------------------------------------------------------------------------------------------------------------
+
+def first_error(log):
+    """The line that says what is wrong."""
+    lines = log.splitlines()
+    for pattern in (r'(error|Error):', r'undefined reference|multiple definition|out of memory|error', r'\S'):
+        for line in lines:
+            if re.search(pattern, line):
+                return line.strip()[:300]
+    return 'the compiler said nothing'
+
+
+def first_failure(log):
+    """What the first test that failed says: from its name on, without doctest's own lines."""
+    _, _, rest = log.partition('TEST CASE:')
+    lines = [line.strip() for line in rest.splitlines()]
+    told = [line for line in lines if line and not re.match(r'=+$|\[doctest]|TEST CASE:', line)]
+    return '; '.join(told[:4])[:400]
+
+
+class Grader:
+    """Judges chapters once each, side by side."""
+
+    def __init__(self, options, course, boxes, made_from):
+        self.options, self.course, self.boxes = options, course, boxes
+        self.cache = course.work / 'cache'
+        self.cache.mkdir(exist_ok=True)
+        seed = self.cache / 'seed'  # one for this folder: what was judged before stays judged
+        if options.seed is None and not seed.exists():
+            seed.write_text(str(random.SystemRandom().getrandbits(64)))
+        self.seed = options.seed if options.seed is not None else seed.read_text()
+        self.made_from = digest(made_from.encode(), repr((self.seed, boxes.kind, options.megabytes, options.no_tests, options.no_hidden,
+                                                          options.cpu_factor, options.seconds)).encode())
+        self.lock = threading.Lock()
+        self.under_way, self.sums = {}, {}
+
+    def expected(self, path):
+        """A picture to compare with; stops everything if it is not what it was at the beginning."""
+        found = digest(path.read_bytes()) if path.is_file() else ''
+        with self.lock:
+            if self.sums.setdefault(path, found) != found:
+                raise CourseError(f'{path} has changed while students were graded: no grade of this run counts')
+        return str(path) if found else ''
+
+    def once(self, key, work):
+        """The result of work(), which runs once for each key. Returns it, and whether it was there already."""
+        with self.lock:
+            mine = key not in self.under_way
+            future = self.under_way.setdefault(key, concurrent.futures.Future())
+        if mine:
+            try:
+                future.set_result(work())
+            except BaseException as error:
+                future.set_exception(error)
+        return future.result(), not mine
+
+    def key(self, item, files):
+        """A hash of all that the verdict on these files depends on."""
+        return digest(self.made_from.encode(), item.encode(), *(piece for name in sorted(files) for piece in (name.encode(), files[name])))
+
+    def verdict(self, item, folder):
+        """What is known of a student's chapter, and whether it was known before."""
+        at = Path(folder) / 'chapters' / item
+        found = {} if os.path.islink(at) or os.path.islink(at.parent) else sources_in(at)
+        if 'lesson.hpp' not in found:
+            return {'build': 'missing', 'note': f'there is no chapters/{item}/lesson.hpp'}, False
+        own = sources_in(self.course.chapters / item)
+        files = own | found
+        key = self.key(item, files)
+        place = self.cache / key
+        known = (place / 'verdict.json').exists()
+
+        def judge():
+            if known:
+                return json.loads((place / 'verdict.json').read_text())
+            course = self.reference(item)
+            return course if files == own else self.judge(item, files, place, course)
+        result, again = self.once(key, judge)
+        return result, known or again
+
+    def reference(self, item):
+        """The course's own lesson, judged in this session: its times are the limits' measure."""
+        own = sources_in(self.course.chapters / item)
+
+        def judge():
+            result = self.judge(item, own, self.cache / self.key(item, own), None)
+            if result['build'] != 'ok' or result['run'] != 'ok':
+                raise CourseError(f"the course's own {item}: {result['build']}, {result['run']}: {result['note']}")
+            return result
+        return self.once((item, 'reference'), judge)[0]
+
+    def limits(self, course, name):
+        """As many times as asked what the course's own lesson takes."""
+        if not course:
+            return Limits(COURSE_SECONDS, self.options.megabytes)
+        return Limits(self.options.seconds or max(FLOOR_SECONDS, self.options.cpu_factor * course['cpu'][name]), self.options.megabytes)
+
+    def compile(self, item, sources, files, tests=None):
+        """Compiles and links a chapter, or its tests. What the student left as it is in the course is not compiled again."""
+        course = self.course
+        own, new, steps, seen = sources_in(course.chapters / item), {}, [], list(course.shared)
+        here = str(course.chapters / item) + '/'
+        for number, unit in enumerate(course.units[item]):
+            main = unit.object.endswith('/main.cpp.o')
+            if main and tests:
+                new[unit.object] = f'{number}.o'
+                words = course.test_command(item, sources.parent / 'program')
+                steps.append([words[0], f'-I{sources.parent}', *words[1:], '-o', f'{number}.o', '-c', str(tests)])
+                seen += [tests, course.tests / 'support']
+            elif any(files[name] != own.get(name) for name in unit.read):
+                new[unit.object] = f'{number}.o'
+                source = unit.source.replace(here, f'{sources}/')
+                if source == unit.source:  # made by CMake: it names the chapter's header
+                    source = sources / Path(unit.source).name
+                    source.write_text(Path(unit.source).read_text().replace(here, f'{sources}/'))
+                steps.append(unit.command + ['-o', f'{number}.o', '-c', str(source)])
+        link = [new.get(word, word) for word in course.link(item)]
+        seen += [word for word in link if word.endswith('.o') and word.startswith('/')]
+        if tests:
+            shared = self.test_objects(item)
+            shared = shared + [Path(unit.object) for name in course.compared_with(item) for unit in course.units[name]
+                               if not unit.object.endswith('/main.cpp.o')]
+            archives = [path for path in course.shared if path.suffix == '.a']
+            link += [*map(str, shared), '-Wl,--start-group', *map(str, archives), '-Wl,--end-group']
+            seen += shared
+        steps.append(link + ['-o', 'program'])
+        return self.boxes.run(['sh', '-c', ' && '.join(map(shlex.join, steps))], [*seen, sources, *course.neighbors(item)],
+                              Limits(COMPILE_SECONDS * len(steps), 6144, 1024), 'program')
+
+    def test_objects(self, item):
+        """The objects that all suites share, compiled once."""
+        def compile_them():
+            made = []
+            for source in [self.course.tests / 'doctest_main.cpp', *sorted((self.course.tests / 'support').glob('*.cpp'))]:
+                made.append(self.course.work / f'{source.stem}.o')
+                log = subprocess.run([*self.course.test_command(item, ''), '-o', made[-1], '-c', source], capture_output=True, check=False)
+                if log.returncode:
+                    raise CourseError(f'{source} cannot be compiled: {first_error(log.stderr.decode())}')
+            return made
+        return self.once('test_objects', compile_them)[0]
+
+    def judge(self, item, files, place, course):
+        """Builds, draws, draws the hidden picture, tests. `course` is the verdict on the course's own lesson, None for that one."""
+        with tempfile.TemporaryDirectory(dir=self.course.work) as private:
+            sources = Path(private) / item
+            for name, text in files.items():
+                (sources / name).parent.mkdir(parents=True, exist_ok=True)
+                (sources / name).write_bytes(text)
+
+            def clean(text):
+                return text.replace(f'{private}/', 'chapters/').replace(f'{self.course.tree}/', '')
+            built = self.compile(item, sources, files)
+            result = {'build': 'ok', 'run': '', 'note': '', 'cpu': {'build': built.cpu}}
+            if built.how != 'ok' or not built.product:
+                reason = first_error(built.log) if built.how.startswith('failed') else f'the compiler: {built.how}, {built.why}'
+                result |= {'build': 'does not build', 'note': clean(reason)}
+            else:
+                program = Path(private) / 'program'
+                program.write_bytes(built.product)
+                program.chmod(0o755)
+                shutil.rmtree(place, ignore_errors=True)
+                place.mkdir()
+                self.run(item, program, place, course, result)
+                if not self.options.no_tests:
+                    self.test(item, sources, files, course, result)
+                result['note'] = clean(result['note'])
+        place.mkdir(exist_ok=True)
+        (place / 'verdict.part').write_text(json.dumps(result))
+        os.replace(place / 'verdict.part', place / 'verdict.json')
+        return result
+
+    def run(self, item, program, place, course, result):
+        """Draws the chapter's picture and the hidden one."""
+        tree = self.course.tree
+        always = ['--threads', '1', '--quiet', '--out', 'picture.png']
+        usual = ['--seconds', '1', '--rounds', '1'] if item.startswith('13') else []  # it measures times; the picture is the same
+        rng = random.Random(f'{self.seed} {item}')
+        texture = program.parent / f'{rng.getrandbits(64):x}.png'
+        random_texture(texture, rng)
+        pictures = [('picture', usual)]
+        if not self.options.no_hidden:
+            offered = course['offered'] if course else self.boxes.run([str(program), '--help'], [program], self.limits(None, '')).log
+            result['offered'] = offered
+            pictures.append(('hidden_picture', hidden_options(item, offered, texture.name, rng)))
+        for name, options in pictures:
+            if result['run'] not in ('', 'ok'):
+                break
+            limits = self.limits(course, name)
+            options = [str(texture) if word == texture.name else word for word in options]
+            ended = self.boxes.run([str(program), *always, *options], [program, texture, tree / 'assets'], limits, 'picture.png')
+            how, why = ended.how, ended.why
+            if how == 'ok' and not ended.product:
+                why = 'it left no picture'
+            elif how.startswith('failed') and ended.log.strip():
+                why = ended.log.strip().splitlines()[0][:200]
+            if how in ('ok', 'left processes') and ended.product:
+                (place / f'{name}.png').write_bytes(ended.product)
+                result[name] = str(place / f'{name}.png')
+            result['cpu'][name] = ended.cpu
+            if name == 'picture':
+                limit = self.limits(course or result, name).cpu
+                result |= {'run': how, 'cpu_seconds': f'{ended.cpu:.2f}', 'limit_cpu_seconds': f'{limit:.1f}', 'note': why}
+            elif why:
+                result['note'] += ('; ' if result['note'] else '') + f'the picture of another size and texture: {how}, {why}'
+        result['hidden_expected'] = (course or result).get('hidden_picture', '')
+
+    def test(self, item, sources, files, course, result):
+        """Runs the chapter's short suite with the student's lesson in it."""
+        tests = self.course.suite(item)
+        if not tests or course and 'tests_run' not in course:
+            return
+        built = self.compile(item, sources, files, tests)
+        ended = built
+        if built.product:
+            program = sources.parent / 'test'
+            program.write_bytes(built.product)
+            program.chmod(0o755)
+            seen = [program, sources.parent / 'program', self.course.tree / 'assets', self.course.build / 'bin' / '06_one_file']
+            words = [str(program), '--test-case-exclude=' + (course['left_out'] if course else '')]
+            ended = self.boxes.run(words, [path for path in seen if path.exists()], self.limits(course, 'tests'))
+        result['cpu'] |= {'build tests': built.cpu, 'tests': ended.cpu}
+        counts = re.search(r'test cases: +(\d+) \| +(\d+) passed', ended.log) if built.product else None
+        if not course:  # what fails here is no student's fault
+            result['left_out'] = ','.join(sorted({name.strip().replace(',', '?') for name in re.findall('TEST CASE:(.*)', ended.log)}))
+        run = int(course['tests_run']) if course else int(counts[2]) if counts else 0
+        passed = min(int(counts[2]), run) if counts else 0
+        result |= {'tests_passed': str(passed), 'tests_run': str(run)} if run else {}
+        if passed < run:
+            why = first_failure(ended.log) if counts else first_error(built.log) if not built.product else f'{ended.how}, {ended.why}'
+            result['note'] += ('; ' if result['note'] else '') + f'tests: {why}'
+
+    def row(self, task, item, folder):
+        """A line of the results."""
+        result, cached = self.verdict(item, folder)
+        golden = self.course.tree / 'tests' / 'golden' / f'{item}.png'
+        hidden = result.get('hidden_expected', '')
+        cells = dict(result, id=task, item=item, containment=self.boxes.kind, cached='yes' if cached else 'no',
+                     expected=self.expected(golden), hidden_expected=hidden and self.expected(Path(hidden)))
+        escaped = {'\\': '\\\\', '\t': '\\t', '\n': '\\n', '\r': ''}
+        return '\t'.join(''.join(escaped.get(letter, letter) for letter in cells.get(name, '')) for name in COLUMNS) + '\n'
+
+
+def choose_boxes(options, work):
+    """The best box that this machine makes; without one, only students who are trusted are run."""
+    for kind in [options.containment] if options.containment else ['bwrap', 'unshare']:
+        boxes = Boxes(kind, work)
+        if kind != 'none' and boxes.works():
+            return boxes
+    if not options.trust_students:
+        sys.exit('error: students\' code cannot be contained here: install bubblewrap, or let users make namespaces (unshare --user);\n'
+                 'in a container or a virtual machine that holds nothing else, --trust-students runs it NOT CONTAINED')
+    print('NOT CONTAINED: students\' programs can read and change all that you can', file=sys.stderr, flush=True)
+    return Boxes('none', work)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    for name in ('tree', 'work', 'plan', 'results'):
+        parser.add_argument(f'--{name}', type=Path, required=True)
+    parser.add_argument('--build', type=Path, help='a learn build of the tree; else WORK/build')
+    parser.add_argument('--jobs', type=int, default=len(os.sched_getaffinity(0)), help='students side by side')
+    parser.add_argument('--trust-students', action='store_true', help='run them where nothing can contain them')
+    parser.add_argument('--containment', choices=CONTAINMENTS, help='this one or none')
+    parser.add_argument('--no-tests', action='store_true')
+    parser.add_argument('--no-hidden', action='store_true', help='no second picture')
+    parser.add_argument('--cpu-factor', type=float, default=10, help='the limit, in times of the course\'s own lesson')
+    parser.add_argument('--seconds', type=float, help='of CPU, in place of the limit that is measured')
+    parser.add_argument('--megabytes', type=int, default=2048)
+    parser.add_argument('--seed', help='of the hidden pictures')
+    options = parser.parse_args()
+    work = options.work.resolve()
+    work.mkdir(parents=True, exist_ok=True)
+    tasks = [line.split('\t') for line in options.plan.read_text(encoding='utf-8', errors='surrogateescape').splitlines()]
+    course = Course(options.tree.resolve(), work, (options.build or work / 'build').resolve())
+    boxes = choose_boxes(options, work)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    graded = {item for _, _, item in tasks if (course.chapters / item / 'lesson.hpp').is_file()}
+    try:
+        grader = Grader(options, course, boxes, course.make(sorted(graded)))
+        for item in graded:
+            grader.expected(course.tree / 'tests' / 'golden' / f'{item}.png')
+        with open(options.results, 'a', encoding='utf-8', errors='surrogateescape') as results, \
+                concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
+            try:
+                rows = [pool.submit(grader.row, task, item, folder) for task, folder, item in tasks]
+                for row in concurrent.futures.as_completed(rows):
+                    results.write(row.result())
+                    results.flush()
+            except BaseException:
+                boxes.stopping.set()
+                pool.shutdown(cancel_futures=True)
+                raise
+    except CourseError as error:
+        sys.exit(f'error: {error}')
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,29 @@
+// Text from students, made safe for terminals, tables and pages.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace texmap::grade {
+
+/// The text on one line, in valid UTF-8, without control characters and without marks that turn
+/// the direction of writing. Every other character stays as it is.
+[[nodiscard]] std::string clean(std::string_view text);
+
+/// The same, with line ends and at most so many characters; longer texts end in "...".
+[[nodiscard]] std::string clean_lines(std::string_view text, std::size_t most_characters);
+
+/// A cell of a table as RFC 4180 has it, always quoted. What a spreadsheet could take for a formula
+/// gets an apostrophe in front: after leading blanks, and after each separator that some
+/// spreadsheets split cells at.
+[[nodiscard]] std::string csv_cell(std::string_view text);
+
+/// Letters, digits, - and _ that remind of a name, for a file on any system; never empty.
+[[nodiscard]] std::string file_name_of(std::string_view name);
+
+/// The text with blanks up to so many columns of a terminal; East Asian characters take two.
+[[nodiscard]] std::string padded(const std::string& text, int columns);
+
+/// How many things, in words: "1 pixel", "2 pixels".
+[[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
+
+}  // namespace texmap::grade

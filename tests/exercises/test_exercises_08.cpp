@@ -1,0 +1,245 @@
+// The exercises of chapter 08: each fails as shipped, its solution passes, each known mistake gets
+// its word.
+#include <doctest.h>
+
+#include "exercise.hpp"
+#include "support/exercise_checks.hpp"
+
+namespace start_1 {
+#include "starts/08_1.hpp"
+}
+namespace solution_1 {
+#include "exercises/08_1.hpp"
+}
+namespace start_2 {
+#include "starts/08_2.hpp"
+}
+namespace solution_2 {
+#include "exercises/08_2.hpp"
+}
+namespace start_3 {
+#include "starts/08_3.hpp"
+}
+namespace solution_3 {
+#include "exercises/08_3.hpp"
+}
+
+using namespace texmap::test;
+
+TEST_CASE("08.1: hit or miss") {
+  check_start("08.1", start_1::is_hit);
+  check_solution("08.1", solution_1::is_hit);
+
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        return ab >= 0 && bc >= 0 && ca >= 0;
+      },
+      "clockwise corners are missed");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        return ab > 0 && bc > 0 && ca > 0;
+      },
+      "clockwise corners are missed");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        return !(ab > 0 || bc > 0 || ca > 0);
+      },
+      "counterclockwise corners are missed");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        const bool left = ab > 0;
+        return ab * bc * ca != 0 && (bc > 0) == left && (ca > 0) == left;
+      },
+      "cracks");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        return !(ab < 0 && bc < 0 && ca < 0);
+      },
+      "one edge is enough");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        return ab * bc >= 0;
+      },
+      "two edges");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        return (ab >= 0 && bc >= 0 && -ca >= 0) || (ab <= 0 && bc <= 0 && -ca <= 0);
+      },
+      "wrong direction");
+  check_mistake(
+      "08.1",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        return !((a.x > 0 && b.x > 0 && c.x > 0) || (a.x < 0 && b.x < 0 && c.x < 0) ||
+                 (a.y > 0 && b.y > 0 && c.y > 0) || (a.y < 0 && b.y < 0 && c.y < 0));
+      },
+      "box");
+  check_unknown(
+      "08.1", +[](Vec3 a, Vec3 b, Vec3 c) { return a.x + b.y + c.x > 1; });
+}
+
+TEST_CASE("08.2: the three weights") {
+  check_start("08.2", start_2::weights);
+  check_solution("08.2", solution_2::weights);
+
+  check_mistake(
+      "08.2",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        const double s = ab + bc + ca;
+        return std::array<double, 3>{ab / s, bc / s, ca / s};
+      },
+      "wrong corners");
+  check_mistake(
+      "08.2",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        const double s = ab + bc + ca;
+        return std::array<double, 3>{ca / s, ab / s, bc / s};
+      },
+      "wrong corners");
+  check_mistake(
+      "08.2",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        const double s = ab + bc + ca;
+        return std::array<double, 3>{bc / s, ab / s, ca / s};
+      },
+      "b and c are exchanged");
+  check_mistake(
+      "08.2",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        return std::array<double, 3>{bc, ca, ab};
+      },
+      "areas");
+  check_mistake(
+      "08.2",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double ab = a.x * b.y - b.x * a.y;
+        const double bc = b.x * c.y - c.x * b.y;
+        const double ca = c.x * a.y - a.x * c.y;
+        const double s = 2 * (ab + bc + ca);
+        return std::array<double, 3>{bc / s, ca / s, ab / s};
+      },
+      "1/2");
+  check_mistake(
+      "08.2",
+      +[](Vec3 a, Vec3 b, Vec3 c) {
+        const double x = a.x * b.y + a.y * b.x;
+        const double y = b.x * c.y + b.y * c.x;
+        const double z = c.x * a.y + c.y * a.x;
+        const double s = x + y + z;
+        return std::array<double, 3>{y / s, z / s, x / s};
+      },
+      "subtracted");
+  check_unknown(
+      "08.2", +[](Vec3 a, Vec3 b, Vec3 c) {
+        return std::array<double, 3>{length(a), length(b), length(c)};
+      });
+}
+
+TEST_CASE("08.3: (u, v) between the corners") {
+  check_start("08.3", start_3::mixed);
+  check_solution("08.3", solution_3::mixed);
+
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3>) {
+        return Uv{a.u / 3 + b.u / 3 + c.u / 3, a.v / 3 + b.v / 3 + c.v / 3};
+      },
+      "count the same");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{(a.u * w[0] + b.u * w[1] + c.u * w[2]) / 3,
+                  (a.v * w[0] + b.v * w[1] + c.v * w[2]) / 3};
+      },
+      "divided by 3");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        if (w[2] > w[0] && w[2] > w[1]) return c;
+        return w[1] > w[0] ? b : a;
+      },
+      "largest weight");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{a.u * w[0] + c.u * w[1] + b.u * w[2], a.v * w[0] + c.v * w[1] + b.v * w[2]};
+      },
+      "b and c are exchanged");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{b.u * w[0] + a.u * w[1] + c.u * w[2], b.v * w[0] + a.v * w[1] + c.v * w[2]};
+      },
+      "a and b are exchanged");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{c.u * w[0] + b.u * w[1] + a.u * w[2], c.v * w[0] + b.v * w[1] + a.v * w[2]};
+      },
+      "a and c are exchanged");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{b.u * w[0] + c.u * w[1] + a.u * w[2], b.v * w[0] + c.v * w[1] + a.v * w[2]};
+      },
+      "next corners");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{a.v * w[0] + b.v * w[1] + c.v * w[2], a.u * w[0] + b.u * w[1] + c.u * w[2]};
+      },
+      "u and v are exchanged");
+  check_mistake(
+      "08.3",
+      +[](Uv a, Uv b, Uv, std::array<double, 3> w) {
+        return Uv{a.u * w[0] + b.u * w[1], a.v * w[0] + b.v * w[1]};
+      },
+      "corner c is missing");
+  check_unknown(
+      "08.3", +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+        return Uv{w[0] + b.u, w[1] + a.v + c.u};
+      });
+}
+
+TEST_CASE("the questions of chapter 08 have answers") {
+  for (const auto& question : texmap::check::exercises_of_chapter().questions)
+    CHECK_MESSAGE(std::isfinite(question.answer()), question.id);
+}

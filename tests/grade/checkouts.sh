@@ -1,0 +1,65 @@
+#!/bin/sh
+# Checkouts from a student's folder to the tables, with the real builder: checkouts.sh GRADE WORK
+# GRADE is the program; WORK is a folder for what is built, kept for the next time.
+# Status 77: nothing can run checkouts here.
+set -u
+LC_ALL=C
+export LC_ALL
+[ $# -eq 2 ] || {
+  echo 'usage: checkouts.sh GRADE WORK' >&2
+  exit 2
+}
+tree=$(cd "$(dirname "$0")/../.." && pwd) || exit 2
+command -v python3 >/dev/null 2>&1 || exit 77
+T=$(mktemp -d "${TMPDIR:-/tmp}/texmap-checkouts-XXXXXX") || exit 2
+trap 'rm -rf "$T"' EXIT
+
+failed=0
+# expect FILE TEXT: a line of the file has the text.
+expect() {
+  grep -q -F -e "$2" "$T/out/$1" || {
+    echo "FAILED: $1 has no line with $2"
+    failed=1
+  }
+}
+
+# One that is right, packed as a site packs it; one that does not compile; one that crashes; one that
+# has no chapter; and one that mirrors the texture.
+for name in right/texmap-main broken crash mirrored; do
+  mkdir -p "$T/class/$name/chapters"
+  cp -R "$tree/chapters/03_image_texture" "$T/class/$name/chapters/"
+done
+mkdir -p "$T/class/other/chapters/04_uv_conventions"
+echo 'this does not compile' >>"$T/class/broken/chapters/03_image_texture/lesson.hpp"
+echo 'int main() { __builtin_trap(); }' >"$T/class/crash/chapters/03_image_texture/main.cpp"
+sed 's/= texture\.load()/= mirrored(texture.load())/; s/{texture\.load()}/{mirrored(texture.load())}/
+  s|^struct Lesson|inline Image mirrored(Image image) {\
+  for (int y = 0; y < image.height; ++y)\
+    for (int x = 0; x < image.width / 2; ++x) {\
+      const Rgb8 swapped = image.at(x, y);\
+      image.at(x, y) = image.at(image.width - 1 - x, y);\
+      image.at(image.width - 1 - x, y) = swapped;\
+    }\
+  return image;\
+}\
+\
+&|' "$tree/chapters/03_image_texture/lesson.hpp" >"$T/class/mirrored/chapters/03_image_texture/lesson.hpp"
+
+"$1" --out "$T/out" --work "$2" --chapters 03 --no-tests --trust-students "$T/class" >"$T/table" || {
+  echo "FAILED: status $?"
+  exit 1
+}
+cat "$T/table"
+expect points.csv '"right","1","1","1"'
+for name in broken crash mirrored other; do expect points.csv "\"$name\",\"0\",\"1\",\"1\""; done
+expect grades.csv '"broken","03_image_texture","does not build"'
+expect grades.csv '"crash","03_image_texture","ok","crashed SIG'
+expect grades.csv '"other","03_image_texture","missing"'
+expect grades.csv '"mirrored","03_image_texture","ok","ok"'
+expect index.html 'mirrored'
+expect broken.html 'error:'
+[ ! -e "$T/out/right.html" ] || {
+  echo 'FAILED: a page where nothing is to be seen'
+  failed=1
+}
+exit $failed

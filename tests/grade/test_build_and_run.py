@@ -1,0 +1,303 @@
+#!/usr/bin/env python3
+"""Students' code that attacks, loops and cheats, and what build_and_run.py makes of it.
+
+usage: test_build_and_run.py TREE BUILD WORK    BUILD: a learn build of the tree, WORK: kept for the next time
+
+Each attack is also run without a box, where it must succeed: else the test would show nothing. Status 77 where there are no boxes.
+"""
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+HERE = Path(__file__).resolve().parent
+ITEM = '01_plain_spheres'
+WORD = 'kept-' + os.urandom(8).hex()
+EMPTY = 'int main() {}\n'
+
+SPIN = 'int main() { for (volatile int i = 0;; i = 1 - i) {} }\n'
+SLEEP = '#include <unistd.h>\nint main() { for (;;) sleep(1000); }\n'
+CRASH = 'int main() { volatile int* nothing = nullptr; return *nothing; }\n'
+TOUCH = '''#include <unistd.h>
+void touch(int megabytes) {
+  volatile char* block = new char[megabytes << 20];
+  for (int i = 0; i < megabytes << 20; i += 4096) block[i] = 1;
+}
+'''
+HOARD = TOUCH + 'int main() { for (;;) touch(16); }\n'
+# Each of its processes has little memory; all of them have too much.
+CROWD = TOUCH + '''int main() {
+  for (int i = 0; i < 20; ++i) {
+    if (fork() == 0) {
+      touch(100);
+      for (;;) sleep(1000);
+    }
+  }
+  for (;;) sleep(1000);
+}
+'''
+FORKS = '#include <unistd.h>\nint main() { for (;;) fork(); }\n'
+# Fills the box, and says how much went in.
+FILL = '''#include <cstdio>
+#include <cstring>
+int main() {
+  static char block[1 << 20];
+  std::memset(block, 1, sizeof block);
+  int written = 0;
+  for (int name = 0; name < 100; ++name) {
+    std::FILE* file = std::fopen(std::to_string(name).c_str(), "wb");
+    for (int i = 0; file != nullptr && i < 32 && std::fwrite(block, sizeof block, 1, file) == 1; ++i) ++written;
+    if (file != nullptr) std::fclose(file);
+  }
+  std::printf("%d MB\\n", written);
+  return 1;
+}
+'''.replace('#include <cstring>', '#include <cstring>\n#include <string>')
+# Before main() it leaves the bytes of the golden picture, which are in the program.
+COPYCAT = '''#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+static const unsigned char golden[] = {@bytes@};
+struct Cheat {
+  Cheat() {
+    std::FILE* file = std::fopen("picture.png", "wb");
+    std::fwrite(golden, sizeof golden, 1, file);
+    std::fclose(file);
+    std::_Exit(0);
+  }
+} cheat;
+int main() {}
+'''
+LINKED = '#include <unistd.h>\nint main() { return symlink("/usr/include/stdio.h", "picture.png"); }\n'
+
+
+def running(seconds):
+    """The processes that sleep so long."""
+    found = []
+    for process in Path('/proc').iterdir():
+        try:
+            if process.name.isdigit() and (process / 'cmdline').read_bytes() == f'sleep\0{seconds}\0'.encode():
+                found.append(int(process.name))
+        except OSError:
+            pass  # it has just ended
+    return found
+
+
+class Case(unittest.TestCase):
+    tree = build = work = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        cls.at = Path(cls.place.name)
+        cls.golden = cls.tree / 'tests/golden' / f'{ITEM}.png'
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.place.cleanup()
+
+    def student(self, name, main=None, lesson=None):
+        """A checkout with chapter 01; its main.cpp or the end of its lesson is another."""
+        at = self.at / 'students' / name / 'chapters' / ITEM
+        shutil.copytree(self.tree / 'chapters' / ITEM, at)
+        if main is not None:
+            (at / 'main.cpp').write_text(main)
+        if lesson is not None:
+            with open(at / 'lesson.hpp', 'a') as file:
+                file.write(lesson)
+        return at
+
+    def start(self, *options, environment=None):
+        """Begins to grade all students; the process, and the file that gets the rows."""
+        plan, results = self.at / 'plan.tsv', self.at / 'results.tsv'
+        students = sorted((self.at / 'students').iterdir())
+        results.unlink(missing_ok=True)
+        plan.write_text(''.join(f'{student.name}\t{student}\t{ITEM}\n' for student in students))
+        command = [sys.executable, self.tree / 'common/tools/grade/build_and_run.py', '--tree', self.tree, '--build', self.build,
+                   '--work', self.work, '--plan', plan, '--results', results, *options]
+        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment), results
+
+    def grade(self, *options, environment=None):
+        """Grades all students; the rows by student."""
+        grading, results = self.start(*options, environment=environment)
+        _, said = grading.communicate()
+        self.assertEqual(grading.returncode, 0, said)
+        self.text = results.read_text()
+        names = ('id item containment build run cpu_seconds limit_cpu_seconds picture expected hidden_picture hidden_expected '
+                 'tests_passed tests_run cached note').split()
+        rows = [dict(zip(names, line.split('\t'), strict=True)) for line in self.text.splitlines() if not line.startswith('forged')]
+        return {row['id']: row for row in rows}
+
+    def tearDown(self):
+        shutil.rmtree(self.at / 'students', ignore_errors=True)
+
+
+class Attacks(Case):
+    """The same attacks in a box of each kind, and in none."""
+
+    def attack(self, kind):
+        """Whether each attack reached what it aimed at."""
+        aims = self.at / 'aims'
+        shutil.rmtree(aims, ignore_errors=True)
+        (aims / 'removable').mkdir(parents=True)
+        (aims / 'secret').write_text(f'file:{WORD}')
+        (aims / 'key.hpp').write_text(f'key_{WORD.replace("-", "_")}\n')
+        (aims / 'neighbor.html').write_text('page')
+        listener = socket.create_server(('127.0.0.1', 0))
+        listener.settimeout(0.1)
+        victim = subprocess.Popen(['sleep', '1000'])
+        sleep = f'{1000 + os.getpid()}.{time.monotonic_ns() % 1000000}'
+        before = self.golden.stat()
+        text = (HERE / 'attacks.cpp.in').read_text()
+        for name, value in {'golden': self.golden, 'results': self.at / 'results.tsv', 'neighbor': aims / 'neighbor.html',
+                            'removable': aims / 'removable', 'secret': aims / 'secret', 'word': WORD, 'sleep': sleep,
+                            'port': listener.getsockname()[1], 'victim': victim.pid}.items():
+            text = text.replace(f'@{name}@', str(value))
+        self.student('attacker', text)
+        self.student('key', lesson=f'#include "{aims}/key.hpp"\n')
+        self.student('assembler', f'asm(".incbin \\"{self.golden}\\"");\n' + EMPTY)
+        os.symlink(aims / 'key.hpp', self.student('link') / 'own.hpp')
+        with open(self.at / 'students/link/chapters' / ITEM / 'lesson.hpp', 'a') as file:
+            file.write('#include "own.hpp"\n')
+        rows = self.grade('--containment', kind, '--no-hidden', '--no-tests', *(['--trust-students'] if kind == 'none' else []),
+                          environment=dict(os.environ, GRADER_KEY=WORD))
+        note = rows['attacker']['note']
+        left = running(sleep)
+        for process in left:
+            os.kill(process, signal.SIGKILL)
+        try:
+            listener.accept()[0].close()
+            connected = True
+        except TimeoutError:
+            connected = False
+        listener.close()
+        done = {'golden overwritten': self.golden.stat().st_mtime_ns != before.st_mtime_ns,
+                'results forged': 'forged\t' in self.text,
+                "neighbor's page": (aims / 'neighbor.html').read_text() != 'page' or not (aims / 'removable').exists(),
+                'file printed': f'file:{WORD}' in note,
+                'key included': WORD.replace('-', '_') in rows['key']['note'],
+                'environment read': f'environment:{WORD}' in note or f'own:{WORD}' in note,
+                'network': connected,
+                'left processes': bool(left),
+                'process killed': victim.poll() is not None,
+                'golden by the assembler': rows['assembler']['build'] == 'ok'}
+        victim.kill()
+        victim.wait()
+        self.assertEqual({row['containment'] for row in rows.values()}, {kind})
+        self.assertEqual(rows['attacker']['build'], 'ok', rows['attacker']['note'])
+        self.assertEqual(rows['link']['build'], 'does not build')
+        self.assertNotIn(WORD.replace('-', '_'), rows['link']['note'])
+        os.utime(self.golden, ns=(before.st_atime_ns, before.st_mtime_ns))
+        return done
+
+    def test_succeed_where_nothing_contains_them(self):
+        self.assertEqual([name for name, reached in self.attack('none').items() if not reached], [])
+
+    def test_are_not_run_where_nothing_contains_them_unless_trusted(self):
+        self.student('waits', SLEEP)
+        grading, results = self.start('--containment', 'none')
+        _, said = grading.communicate()
+        self.assertEqual(grading.returncode, 1)
+        self.assertIn('--trust-students runs it NOT CONTAINED', said)
+        self.assertFalse(results.exists())
+
+    def test_are_contained_by_bwrap(self):
+        self.contained('bwrap')
+
+    def test_are_contained_by_unshare(self):
+        self.contained('unshare')
+
+    def contained(self, kind):
+        if kind not in KINDS:
+            self.skipTest(f'{kind} does not work here')
+        self.assertEqual([name for name, reached in self.attack(kind).items() if reached], [])
+
+
+class Goldens(unittest.TestCase):
+    def test_that_change_end_the_run(self):
+        from build_and_run import CourseError, Grader
+        grader = Grader.__new__(Grader)
+        grader.lock, grader.sums = threading.Lock(), {}
+        with tempfile.TemporaryDirectory() as place:
+            golden = Path(place) / 'golden.png'
+            golden.write_bytes(b'right')
+            self.assertEqual([grader.expected(golden) for _ in range(2)], [str(golden)] * 2)
+            golden.write_bytes(b'wrong')
+            with self.assertRaises(CourseError):
+                grader.expected(golden)
+
+
+class Interrupts(Case):
+    def test_end_what_runs(self):
+        seconds = f'{2000 + os.getpid()}.{time.monotonic_ns() % 1000000}'
+        self.student('waits', f'#include <unistd.h>\nint main() {{ execl("/bin/sleep", "sleep", "{seconds}", nullptr); }}\n')
+        grading, results = self.start('--no-tests', '--no-hidden')
+        deadline = time.monotonic() + 300
+        while not running(seconds) and grading.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.assertTrue(running(seconds))
+        grading.send_signal(signal.SIGTERM)
+        grading.communicate()
+        self.assertEqual(grading.returncode, 130)
+        self.assertEqual(running(seconds), [])
+        self.assertEqual(results.read_text(), '')
+
+
+class Limits(Case):
+    def test_end_what_does_not_end(self):
+        for name, main in {'spin': SPIN, 'sleep': SLEEP, 'crash': CRASH, 'hoard': HOARD, 'crowd': CROWD, 'forks': FORKS, 'fill': FILL,
+                           'linked': LINKED, 'copycat': COPYCAT.replace('@bytes@', ','.join(map(str, self.golden.read_bytes()))),
+                           'loud': '#include <cstdio>\nint main() { for (int i = 0; i < 50000000; ++i) std::puts("x"); }\n'}.items():
+            self.student(name, main)
+        self.student('honest', lesson='// mine\n')
+        self.student('same')
+        (self.student('without') / 'main.cpp').unlink()
+        (self.student('missing') / 'lesson.hpp').unlink()
+        rows = self.grade('--no-tests', '--megabytes', '500')
+        how = {name: row['run'] for name, row in rows.items()}
+        self.assertEqual(how, {'spin': 'hang', 'sleep': 'hang', 'crash': 'crashed SIGSEGV', 'hoard': 'too much memory',
+                               'crowd': 'too much memory', 'forks': how['forks'], 'fill': 'failed (1)', 'linked': 'ok',
+                               'copycat': 'ok', 'loud': how['loud'], 'honest': 'ok', 'same': 'ok', 'without': 'ok', 'missing': ''})
+        self.assertIn(how['forks'], ('hang', 'too many processes'))
+        self.assertIn(how['loud'], ('ok', 'hang'))
+        self.assertLessEqual(int(rows['fill']['note'].split()[0]), 64)
+        self.assertEqual(rows['linked']['picture'], '')
+        self.assertEqual(rows['missing']['build'], 'missing')
+        for name in ('spin', 'honest'):
+            self.assertGreaterEqual(float(rows[name]['limit_cpu_seconds']), 5)
+        for name in ('honest', 'same', 'without'):  # right in both pictures
+            self.assertEqual(Path(rows[name]['hidden_picture']).read_bytes(), Path(rows[name]['hidden_expected']).read_bytes())
+        # One that carries the golden picture is right in the first alone.
+        self.assertEqual(Path(rows['copycat']['picture']).read_bytes(), self.golden.read_bytes())
+        self.assertNotEqual(Path(rows['copycat']['hidden_picture']).read_bytes(), Path(rows['copycat']['hidden_expected']).read_bytes())
+        # The same checkouts once more: nothing is built or run.
+        again = self.grade('--no-tests', '--megabytes', '500')
+        self.assertEqual({row['cached'] for name, row in again.items() if name != 'missing'}, {'yes'})
+        for name, row in again.items():
+            self.assertEqual(dict(row, cached=''), dict(rows[name], cached=''))
+
+
+def works(kind, work):
+    sys.path.insert(0, str(Case.tree / 'common/tools/grade'))
+    from box import Boxes
+    return Boxes(kind, work).works()
+
+
+if __name__ == '__main__':
+    if len(sys.argv) < 4:
+        sys.exit('usage: test_build_and_run.py TREE BUILD WORK [TEST...]')
+    Case.tree, Case.build, Case.work = (Path(word).resolve() for word in sys.argv[1:4])
+    Case.work.mkdir(parents=True, exist_ok=True)
+    KINDS = [kind for kind in ('bwrap', 'unshare') if works(kind, Case.work)]
+    if not KINDS:
+        print('skipped: neither bwrap nor unshare makes boxes here')
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)
