@@ -51,7 +51,7 @@ sed 's/= texture\.load()/= mirrored(texture.load())/; s/{texture\.load()}/{mirro
 }
 cat "$T/table"
 expect points.csv '"right","1","1","1"'
-for name in broken crash mirrored other; do expect points.csv "\"$name\",\"0\",\"1\",\"1\""; done
+for name in broken crash swapped other; do expect points.csv "\"$name\",\"0\",\"1\",\"1\""; done
 expect grades.csv '"broken","03_image_texture","does not build"'
 expect grades.csv '"crash","03_image_texture","ok","crashed SIG'
 expect grades.csv '"other","03_image_texture","missing"'
