@@ -63,4 +63,43 @@ expect broken.html 'error:'
   echo 'FAILED: a page where nothing is to be seen'
   failed=1
 }
+
+# Exercise 02.1: right, under another name; mirrored; as it was at the start; one that ends with status 0 before its function is tried; one
+# that has no end; one that does not compile. None has 02.2.
+solution=$tree/tests/exercises/02_1.hpp
+for name in right mirrored start ends loops broken; do
+  mkdir -p "$T/exercises/$name/chapters/02_checkerboard_uv/exercises"
+done
+# put NAME: writes a student's file of 02.1.
+put() { cat >"$T/exercises/$1/chapters/02_checkerboard_uv/exercises/1_mine.hpp"; }
+put right <"$solution"
+sed 's/atan2(-p\.z/atan2(p.z/' "$solution" | put mirrored
+(cd "$tree" && sh common/tools/check/check.sh start 02.1) | put start
+{
+  echo '#include <unistd.h>'
+  cat "$solution"
+  echo 'const int ended = [] { _exit(0); return 0; }();'
+} | put ends
+sed 's/^  const double u/  for (volatile int i = 0;; i = 1 - i) {} &/' "$solution" | put loops
+echo 'this does not compile' | put broken
+
+"$1" --out "$T/out" --work "$2" --chapters 02.2,2.1 --seconds 2 --trust-students --format gradescope "$T/exercises" >"$T/table" || {
+  echo "FAILED: status $?"
+  exit 1
+}
+cat "$T/table"
+expect points.csv '"right","1","2","2"'
+for name in mirrored start ends loops broken; do expect points.csv "\"$name\",\"0\",\"2\",\"2\""; done
+expect grades.csv '"right","02.2","missing"'
+expect grades.csv '"mirrored","02.1","ok","ok"'
+expect grades.csv '"u runs the other way: your map is mirrored; law: on +z'
+expect grades.csv '"start","02.1","ok","ok"'
+expect grades.csv '"not yet: '
+expect grades.csv '"ends","02.1","ok","ok"'
+expect grades.csv '"no verdict: the program ended'
+expect grades.csv '"loops","02.1","ok","hang"'
+expect grades.csv '"broken","02.1","does not build"'
+expect index.html '1 of 6: '
+expect mirrored.results.json '"number": "2.1"'
+[ ! -e "$T/out/right.html" ] || expect right.html 'there is no chapters/02_checkerboard_uv/exercises/2_which_square.hpp'
 exit $failed

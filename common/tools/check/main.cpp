@@ -22,11 +22,13 @@ using namespace texmap::check;
 struct Request {
   std::string out = "out/exercises";
   std::string title;
+  std::string report;
   std::string question, answer;
 
   void declare(CommandLine& line) {
     line.text("--out", "FOLDER", out, "where the pictures go, in a folder for each exercise");
     line.text("--title", "TEXT", title, "what the exercise is called");
+    line.text("--report", "FILE", report, "the verdict in two lines, as the grading reads it");
     line.text("--question", "ID", question, "check the answer to a question, such as 02.a");
     line.text("--answer", "NUMBER", answer, "the number that you predict");
     line.statuses("0 right; 1 not yet; 2 trouble, such as a file that cannot be written");
@@ -61,6 +63,21 @@ std::string in_words(const Exercise& exercise, const std::string& title, const V
   words += is_right({}, different, pixels) ? ".\n" : "; none should.\n";
   if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
   return words;
+}
+
+/// The verdict in two lines: "right" or "not yet", and what is wrong, known mistakes first.
+std::string in_two_lines(const Verdict& verdict, std::size_t different, std::size_t pixels) {
+  if (is_right(verdict, different, pixels)) return "right\n";
+  if (verdict.right) {
+    return text("not yet\nnot yet: all %zu values that were tried are right, but ",
+                verdict.places) +
+           percent(different, pixels) + " of the pixels of the chapter's picture differ\n";
+  }
+  std::string words = verdict.mistake;
+  if (words.empty())
+    words = text("not yet: %zu of %zu values are wrong", verdict.wrong, verdict.places);
+  return "not yet\n" + words + "; law: " + verdict.law + "; expected: " + verdict.expected +
+         "; yours: " + verdict.got + "\n";
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
@@ -100,6 +117,11 @@ int check_exercise(const Exercise& exercise, const Request& request) {
   save_png(difference_map(yours, right), folder / "map.png");
   write_page(folder, exercise.id + "  " + request.title, words);
   print("  pictures:  " + name_of(folder / "index.html") + "\n");
+  // Behind the last call of the student's function, which may end the program.
+  if (!request.report.empty()) {
+    write_text_atomically(path_of(request.report),
+                          in_two_lines(verdict, different, right.pixels.size()));
+  }
   return is_right(verdict, different, right.pixels.size()) ? 0 : 1;
 }
 

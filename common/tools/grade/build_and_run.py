@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Builds and runs students' chapters on Linux, kept from everything else; the program grade calls it.
+"""Builds and runs students' chapters and exercises on Linux, kept from everything else; the program grade calls it.
 
-Each line of --plan is a task: id, the folder that contains the student's chapters/, and a chapter NN_name, between tabs. For each
-task a line of COLUMNS is appended to --results when it is done. docs/grading.md says what is contained and what is not.
+Each line of --plan is a task: id, the folder that contains the student's chapters/, and a chapter NN_name or an exercise NN.K, between
+tabs. For each task a line of COLUMNS is appended to --results when it is done. docs/grading.md says what is contained and what is not.
 
 A student's code runs in a box (box.py), and so does the compiler that reads it. Golden pictures, results, other students and the
 home folder are not in there.
@@ -15,6 +15,7 @@ import json
 import os
 import random
 import re
+import secrets
 import shlex
 import shutil
 import signal
@@ -72,6 +73,20 @@ def sources_in(folder):
     return found
 
 
+def is_exercise(item):
+    return re.fullmatch(r'\d\d\.\d', item) is not None
+
+
+def exercise_in(folder, item):
+    """The folder of a student's file of an exercise, which is found by its number; its name and its bytes. Links are not followed."""
+    for at in sorted(Path(folder).glob(f'chapters/{item[:2]}_*/exercises')):
+        if not any(os.path.islink(place) for place in (at, at.parent, at.parent.parent)):
+            for name, text in sources_in(at).items():
+                if re.fullmatch(item[3] + r'_[^/]*\.hpp', name):
+                    return at, name, text
+    return None
+
+
 class Course:
     """The instructor's tree and its learn build."""
 
@@ -82,37 +97,58 @@ class Course:
     def make(self, items):
         """Builds what all students share and the course's own lessons; returns what they were made from, as a hash."""
         log = self.work / 'build.log'
-        built = sorted(set(items).union(*map(self.compared_with, items)))
+        exercises = {'exercise_' + item.replace('.', '_'): item for item in items if is_exercise(item)}
+        chapters = set(items) - set(exercises.values())
+        built = sorted(chapters.union(*map(self.compared_with, chapters)))
+        targets = built + sorted({'exercises_' + item[:2] for item in exercises.values()} | ({'check_main'} if exercises else set()))
         print('building the course\'s own lessons; the first time takes minutes', file=sys.stderr, flush=True)
         with open(log, 'wb') as out:
             for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
                              '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1', '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
-                            ['cmake', '--build', self.build, '--parallel', str(os.cpu_count() or 1), '--target', 'compare', *built]):
+                            ['cmake', '--build', self.build, '--parallel', str(os.cpu_count() or 1), '--target', 'compare', *targets]):
                 if subprocess.run(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out, check=False).returncode:
                     raise CourseError(f'the course itself cannot be built: see {log}')
-        self.units = {item: [] for item in built}
+        self.units = {item: [] for item in [*built, *exercises.values()]}
         for entry in json.loads((self.build / 'compile_commands.json').read_text()):
             words = shlex.split(entry['command'])
             made = os.path.normpath(os.path.join(entry['directory'], words.pop(words.index('-o') + 1)))
-            item = re.sub('(_code|_wide)$', '', Path(made).relative_to(self.build).parts[2].removesuffix('.dir'))
-            if item in self.units and '/chapters/CMakeFiles/' in made:
-                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()
-                here = str(self.chapters / item) + '/'
+            target = re.search(r'/CMakeFiles/(\w+)\.dir/', made)[1]
+            item = exercises.get(target, re.sub('(_code|_wide)$', '', target))
+            if item in self.units and (is_exercise(item) or '/chapters/CMakeFiles/' in made):
+                # An exercise's unit is never compiled for the course: the solution is.
+                read = [] if is_exercise(item) else Path(made + '.d').read_text().replace('\\\n', ' ').split()
+                here = str(self.folder(item)) + '/'
                 words = words[:words.index('-o')] + words[words.index('-o') + 1:words.index('-c')]
                 self.units[item].append(Unit(words, entry['file'], made, [name[len(here):] for name in read if name.startswith(here)]))
         archives = sorted((self.build / 'common').glob('*.a'))
         self.shared = [self.tree / 'common', self.build / 'CMakeFiles' / 'learn_headers.dir', *archives]
         pieces = [subprocess.run(['c++', '--version'], capture_output=True, check=True).stdout]
-        for folder in ('common', 'chapters', 'assets', 'tests/golden', 'tests/support', 'tests/chapters'):
+        for folder in ('common', 'chapters', 'assets', 'tests/golden', 'tests/support', 'tests/chapters', 'tests/exercises'):
             for path in sorted((self.tree / folder).rglob('*')):
                 if path.is_file():
                     pieces += [str(path).encode(), path.read_bytes()]
         return digest(*pieces)
 
+    def folder(self, item):
+        """Where the course's own lesson is, or its own file of an exercise."""
+        return exercise_in(self.tree, item)[0] if is_exercise(item) else self.chapters / item
+
+    def has(self, item):
+        return exercise_in(self.tree, item) is not None if is_exercise(item) else (self.chapters / item / 'lesson.hpp').is_file()
+
+    def own(self, item):
+        """The files of the course's own lesson; of an exercise the solution, under the name that the student's file has."""
+        if not is_exercise(item):
+            return sources_in(self.chapters / item)
+        solution = self.tests / 'exercises' / f'{item.replace(".", "_")}.hpp'
+        return {exercise_in(self.tree, item)[1]: solution.read_bytes()}
+
     def link(self, item):
-        """The command that links the chapter's program, with whole paths and without -o."""
-        at = self.build / 'chapters'
-        words = shlex.split((at / 'CMakeFiles' / f'{item}.dir' / 'link.txt').read_text())
+        """The command that links the item's program, with whole paths and without -o."""
+        at, target = self.build / 'chapters', item
+        if is_exercise(item):
+            at, target = self.build / 'common/tools/check', 'exercise_' + item.replace('.', '_')
+        words = shlex.split((at / 'CMakeFiles' / f'{target}.dir' / 'link.txt').read_text())
         where = words.index('-o')
         return [os.path.normpath(at / word) if word.endswith(('.o', '.a')) else word for word in words[:where] + words[where + 2:]]
 
@@ -140,7 +176,8 @@ class Course:
         return words + [f'-DTEXMAP_{name}="{text}"' for name, text in texts.items()] + [f'-I{folder}' for folder in folders]
 
     def neighbors(self, item):
-        return [path for path in sorted(self.chapters.iterdir()) if path.is_dir() and path.name != item]
+        """The chapters that a lesson may include; an exercise includes none."""
+        return [] if is_exercise(item) else [path for path in sorted(self.chapters.iterdir()) if path.is_dir() and path.name != item]
 
 
 def random_texture(path, rng):
@@ -231,11 +268,17 @@ class Grader:
 
     def verdict(self, item, folder):
         """What is known of a student's chapter, and whether it was known before."""
-        at = Path(folder) / 'chapters' / item
-        found = {} if os.path.islink(at) or os.path.islink(at.parent) else sources_in(at)
-        if 'lesson.hpp' not in found:
-            return {'build': 'missing', 'note': f'there is no chapters/{item}/lesson.hpp'}, False
-        own = sources_in(self.course.chapters / item)
+        own = self.course.own(item)
+        if is_exercise(item):
+            file = exercise_in(folder, item)
+            found = {next(iter(own)): file[2]} if file else {}
+            needed = str((self.course.folder(item) / next(iter(own))).relative_to(self.course.tree))
+        else:
+            at = Path(folder) / 'chapters' / item
+            found = {} if os.path.islink(at) or os.path.islink(at.parent) else sources_in(at)
+            needed = f'chapters/{item}/lesson.hpp'
+        if Path(needed).name not in found:
+            return {'build': 'missing', 'note': f'there is no {needed}'}, False
         files = own | found
         key = self.key(item, files)
         place = self.cache / key
@@ -250,12 +293,12 @@ class Grader:
         return result, known or again
 
     def reference(self, item):
-        """The course's own lesson, judged in this session: its times are the limits' measure."""
-        own = sources_in(self.course.chapters / item)
+        """The course's own lesson or solution, judged in this session: its times are the limits' measure."""
+        own = self.course.own(item)
 
         def judge():
             result = self.judge(item, own, self.cache / self.key(item, own), None)
-            if result['build'] != 'ok' or result['run'] != 'ok':
+            if result['build'] != 'ok' or result['run'] != 'ok' or is_exercise(item) and result['tests_passed'] != '1':
                 raise CourseError(f"the course's own {item}: {result['build']}, {result['run']}: {result['note']}")
             return result
         return self.once((item, 'reference'), judge)[0]
@@ -269,8 +312,8 @@ class Grader:
     def compile(self, item, sources, files, tests=None):
         """Compiles and links a chapter, or its tests. What the student left as it is in the course is not compiled again."""
         course = self.course
-        own, new, steps, seen = sources_in(course.chapters / item), {}, [], list(course.shared)
-        here = str(course.chapters / item) + '/'
+        own, new, steps, seen = course.own(item), {}, [], list(course.shared)
+        here = str(course.folder(item)) + '/'
         for number, unit in enumerate(course.units[item]):
             main = unit.object.endswith('/main.cpp.o')
             if main and tests:
@@ -278,7 +321,7 @@ class Grader:
                 words = course.test_command(item, sources.parent / 'program')
                 steps.append([words[0], f'-I{sources.parent}', *words[1:], '-o', f'{number}.o', '-c', str(tests)])
                 seen += [tests, course.tests / 'support']
-            elif any(files[name] != own.get(name) for name in unit.read):
+            elif is_exercise(item) or any(files[name] != own.get(name) for name in unit.read):
                 new[unit.object] = f'{number}.o'
                 source = unit.source.replace(here, f'{sources}/')
                 if source == unit.source:  # made by CMake: it names the chapter's header
@@ -286,7 +329,7 @@ class Grader:
                     source.write_text(Path(unit.source).read_text().replace(here, f'{sources}/'))
                 steps.append(unit.command + ['-o', f'{number}.o', '-c', str(source)])
         link = [new.get(word, word) for word in course.link(item)]
-        seen += [word for word in link if word.endswith('.o') and word.startswith('/')]
+        seen += [word for word in link if word.endswith(('.o', '.a')) and word.startswith('/') and Path(word) not in seen]
         if tests:
             shared = self.test_objects(item)
             shared = shared + [Path(unit.object) for name in course.compared_with(item) for unit in course.units[name]
@@ -314,7 +357,8 @@ class Grader:
     def judge(self, item, files, place, course):
         """Builds, draws, draws the hidden picture, tests. `course` is the verdict on the course's own lesson, None for that one."""
         with tempfile.TemporaryDirectory(dir=self.course.work) as private:
-            sources = Path(private) / item
+            sources = Path(private) / self.course.folder(item).relative_to(self.course.chapters)
+            sources.mkdir(parents=True)
             for name, text in files.items():
                 (sources / name).parent.mkdir(parents=True, exist_ok=True)
                 (sources / name).write_bytes(text)
@@ -332,9 +376,12 @@ class Grader:
                 program.chmod(0o755)
                 shutil.rmtree(place, ignore_errors=True)
                 place.mkdir()
-                self.run(item, program, place, course, result)
-                if not self.options.no_tests:
-                    self.test(item, sources, files, course, result)
+                if is_exercise(item):
+                    self.check(program, course, result)
+                else:
+                    self.run(item, program, place, course, result)
+                    if not self.options.no_tests:
+                        self.test(item, sources, files, course, result)
                 result['note'] = clean(result['note'])
         place.mkdir(exist_ok=True)
         (place / 'verdict.part').write_text(json.dumps(result))
@@ -375,6 +422,22 @@ class Grader:
             elif why:
                 result['note'] += ('; ' if result['note'] else '') + f'the picture of another size and texture: {how}, {why}'
         result['hidden_expected'] = (course or result).get('hidden_picture', '')
+
+    def check(self, program, course, result):
+        """Tries an exercise's function. Status 0 is not enough: the report has a random name, and is written behind the last call."""
+        report = secrets.token_hex(16)
+        limits = self.limits(course, 'verdict')
+        ended = self.boxes.run([str(program), '--out', 'pictures', '--report', report], [program, self.course.tree / 'assets'], limits, report)
+        result['cpu']['verdict'] = ended.cpu
+        verdict, _, why = ended.product.decode('utf-8', 'replace').partition('\n')
+        how = 'ok' if ended.how == 'failed (1)' and verdict == 'not yet' else ended.how
+        if how != 'ok':
+            why = first_error(ended.log) if how.startswith('failed') and ended.log.strip() else ended.why
+        elif verdict not in ('right', 'not yet'):
+            why = 'no verdict: the program ended before the function was tried'
+        right = ended.how == 'ok' and verdict == 'right'
+        result |= {'run': how, 'cpu_seconds': f'{ended.cpu:.2f}', 'limit_cpu_seconds': f"{self.limits(course or result, 'verdict').cpu:.1f}",
+                   'tests_run': '1', 'tests_passed': '1' if right else '0', 'note': '' if right else why.strip()[:300]}
 
     def test(self, item, sources, files, course, result):
         """Runs the chapter's short suite with the student's lesson in it."""
@@ -446,7 +509,7 @@ def main():
     course = Course(options.tree.resolve(), work, (options.build or work / 'build').resolve())
     boxes = choose_boxes(options, work)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    graded = {item for _, _, item in tasks if (course.chapters / item / 'lesson.hpp').is_file()}
+    graded = {item for _, _, item in tasks if course.has(item)}
     try:
         grader = Grader(options, course, boxes, course.make(sorted(graded)))
         for item in graded:

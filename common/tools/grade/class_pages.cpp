@@ -68,7 +68,8 @@ std::string sum_of(const Class& all, std::size_t column) {
   if (count.empty()) return "all right";
   const auto most = std::max_element(
       count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::string words = text("%zu of %zu ", most->second, rows) + most->first;
+  std::string words = text("%zu of %zu", most->second, rows);
+  words.append(all.items[column].exercise.empty() ? " " : ": ").append(most->first);
   if (count.size() > 1) {
     std::size_t others = 0;
     for (const auto& [word, students] : count) others += word == most->first ? 0 : students;
@@ -117,6 +118,7 @@ std::string table_row(const Student& student, std::size_t columns) {
   std::size_t passed = 0, run = 0;
   for (const Row& row : student.rows) {
     html += colored("td", row.right(), row.right() ? "✓" : row.word);
+    if (!row.exercise.empty()) continue;  // its word says it all
     passed += row.tests_passed;
     run += row.tests_run;
   }

@@ -1,7 +1,7 @@
 // A student's grades in the formats that learning systems read.
 //
 // Each format is a list of tests. A row of the grades makes one test for the picture, worth one
-// point, and one for the chapter's suite, if it ran.
+// point, and one for the chapter's suite, if it ran. An exercise is one test.
 #include "formats.hpp"
 
 #include <algorithm>
@@ -20,6 +20,7 @@ struct Test {
   std::string name;
   std::string number;  ///< 3.1
   std::string item;
+  std::string file;  ///< in the student's checkout
   bool passed = false;
   bool broken = false;  ///< the program could not be built
   std::string message;  ///< why it failed; empty if it passed
@@ -40,6 +41,7 @@ std::vector<Test> tests_of(const Student& student) {
   for (const Row& row : student.rows) {
     Test test;
     test.item = row.item;
+    test.file = row.exercise.empty() ? "chapters/" + row.item + "/lesson.hpp" : row.exercise;
     test.broken = row.build == "does not build";
     test.seconds = std::atof(row.cpu_seconds.c_str());
     test.chapter = std::atoi(number_of(row.item).c_str());
@@ -53,6 +55,10 @@ std::vector<Test> tests_of(const Student& student) {
       tests.push_back(test);
       test.seconds = 0;  // counted once
     };
+    if (!row.exercise.empty()) {
+      add("the exercise", "", row.tests_ok());
+      continue;
+    }
     add("the picture", ".1", row.picture_point());
     if (row.with_tests) {
       add("the tests", ".2", row.tests_ok());
@@ -92,11 +98,14 @@ double seconds_of(const std::vector<Test>& tests) {
 
 /// Pixels that are off in all pictures together; nothing if a picture is missing.
 std::vector<Json> leaderboard(const Student& student) {
-  std::size_t pixels = 0;
+  std::size_t pixels = 0, pictures = 0;
   for (const Row& row : student.rows) {
+    if (!row.exercise.empty()) continue;
     if (!row.figures) return {};
     pixels += row.figures->pixels_off;
+    ++pictures;
   }
+  if (pictures == 0) return {};
   return {Json::object({{"name", "pixels off"}, {"value", pixels}, {"order", "asc"}})};
 }
 
@@ -145,7 +154,7 @@ std::string classroom_json(const Student& student) {
                          {"score", int{test.passed}},
                          {"message", test.message},
                          {"test_code", "./course grade --chapters " + test.item},
-                         {"filename", "chapters/" + test.item + "/lesson.hpp"},
+                         {"filename", test.file},
                          {"line_no", 1},
                          {"duration", 1000 * test.seconds}});
   });

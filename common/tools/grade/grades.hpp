@@ -17,6 +17,7 @@ struct Item {
   std::string number;  ///< 03: what stands in the head of a table
   std::filesystem::path golden;
   bool has_tests = false;  ///< a checkout's tests are worth a point
+  std::string exercise;    ///< the file of an exercise, in a checkout; empty for a chapter
 };
 
 /// How far a picture is from the golden one.
@@ -36,6 +37,7 @@ struct ShownPicture {
 /// One student's result for one item. Words are the student's or the compiler's: not yet escaped.
 struct Row {
   std::string item;
+  std::string exercise;     ///< the file of an exercise, in a checkout; empty for a chapter
   std::string word;         ///< ok, mirrored, differs 2.5 %, missing, does not build, ...
   std::string note;         ///< the reason in words; empty if there is nothing to say
   std::string build;        ///< ok, missing, does not build; empty for a folder of pictures
@@ -58,8 +60,12 @@ struct Row {
   }
   [[nodiscard]] bool tests_ok() const { return tests_run > 0 && tests_passed == tests_run; }
   [[nodiscard]] bool picture_point() const { return picture_ok && hidden != "no"; }
-  [[nodiscard]] int points() const { return int{picture_point()} + int{with_tests && tests_ok()}; }
-  [[nodiscard]] int of() const { return 1 + int{with_tests}; }
+  /// An exercise is right or not; of a chapter, picture and tests are.
+  [[nodiscard]] int points() const {
+    if (!exercise.empty()) return int{tests_ok()};
+    return int{picture_point()} + int{with_tests && tests_ok()};
+  }
+  [[nodiscard]] int of() const { return exercise.empty() && with_tests ? 2 : 1; }
   [[nodiscard]] bool right() const { return points() == of(); }
 };
 

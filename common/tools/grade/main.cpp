@@ -6,8 +6,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "builder.hpp"
@@ -45,7 +48,8 @@ struct Request {
   void declare(CommandLine& line) {
     line.positionals("DIR", folders,
                      "a student's checkout or pictures, or a folder of such folders");
-    line.text("--chapters", "01,03", chapters, "grade these chapters only");
+    line.text("--chapters", "01,02.1", chapters,
+              "grade these chapters and exercises only; exercises: all of them");
     line.flag("--no-tests", no_tests, "compare the pictures, do not run the chapters' tests");
     line.flag("--no-second-picture", no_second_picture,
               "do not draw each chapter a second time with other settings");
@@ -71,6 +75,25 @@ struct Request {
   }
 };
 
+/// The exercises of a chapter, by number. A student's file may have another name behind it.
+std::vector<Item> exercises_of(const std::string& chapter) {
+  const fs::path tree = TEXMAP_TREE;
+  const fs::path below = fs::path("chapters") / path_of(chapter) / "exercises";
+  std::map<std::string, Item> found;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(tree / below, none)) {
+    const std::string file = name_of(entry.path().filename());
+    const std::string number = chapter.substr(0, 2) + "." + file.substr(0, 1);
+    if (file.find('_') == 1 && file.ends_with(".hpp"))
+      found[number] = {number, number, {}, false, name_of(below / path_of(file))};
+  }
+  std::vector<Item> items;
+  items.reserve(found.size());
+  for (auto& [number, item] : found) items.push_back(std::move(item));
+  return items;
+}
+
+/// All chapters, each with its exercises behind it.
 std::vector<Item> all_items() {
   const fs::path tree = TEXMAP_TREE;
   std::set<std::string> names;
@@ -84,16 +107,20 @@ std::vector<Item> all_items() {
       const fs::path suite = tree / "tests/chapters" / path_of("test_" + name + ".cpp");
       // The suite of 13 measures times, and none of that counts.
       items.push_back(
-          {name, name.substr(0, 2), golden, !name.starts_with("13") && fs::exists(suite)});
+          {name, name.substr(0, 2), golden, !name.starts_with("13") && fs::exists(suite), ""});
     }
+    for (Item& item : exercises_of(name)) items.push_back(std::move(item));
   }
   return items;
 }
 
-/// The items that `--chapters` names, by number or name.
+/// The items that `--chapters` names, by number or name; without it, the chapters.
 std::vector<Item> chosen_items(const std::string& chapters) {
   std::vector<Item> all = all_items();
-  if (chapters.empty()) return all;
+  if (chapters.empty()) {
+    std::erase_if(all, [](const Item& item) { return !item.exercise.empty(); });
+    return all;
+  }
   std::vector<bool> chosen(all.size());
   for (std::size_t begin = 0; begin <= chapters.size();) {
     const std::size_t end = std::min(chapters.find(',', begin), chapters.size());
@@ -101,11 +128,14 @@ std::vector<Item> chosen_items(const std::string& chapters) {
     begin = end + 1;
     bool found = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (word != all[i].name && word != all[i].number && "0" + word != all[i].number) continue;
+      const bool named = word == all[i].name || word == all[i].number ||
+                         "0" + word == all[i].number ||
+                         (word == "exercises" && !all[i].exercise.empty());
+      if (!named) continue;
       chosen[i] = true;
       found = true;
     }
-    if (!found) throw UsageError("there is no chapter '" + word + "'");
+    if (!found) throw UsageError("there is no chapter '" + word + "', and no exercise");
   }
   std::vector<Item> items;
   items.reserve(all.size());
@@ -125,7 +155,8 @@ class Grading {
     find_students();
     make_folder();
     goldens_.reserve(items_.size());
-    for (const Item& item : items_) goldens_.push_back(read_golden(item.golden));
+    for (const Item& item : items_)
+      goldens_.push_back(item.exercise.empty() ? read_golden(item.golden) : Golden());
     table_.open(out_ / "grades.csv", std::ios::binary | std::ios::trunc);
     append(grades_csv_head());
 
@@ -183,7 +214,10 @@ class Grading {
   Row row_of_picture(std::size_t i, std::size_t k) {
     Row row;
     const auto found = submissions_[i].pictures.find(items_[k].name);
-    if (found == submissions_[i].pictures.end()) {
+    if (!items_[k].exercise.empty()) {
+      row.word = "missing";
+      row.note = "there is no " + items_[k].exercise;
+    } else if (found == submissions_[i].pictures.end()) {
       row.word = "missing";
       row.note = "there is no picture " + items_[k].name + ".png";
     } else if (!found->second.why_not.empty()) {
@@ -211,6 +245,12 @@ class Grading {
     row.tests_run = std::strtoul(result.tests_run.c_str(), nullptr, 10);
     if (result.build != "ok") {
       row.word = result.build;
+      return row;
+    }
+    if (!items_[k].exercise.empty()) {
+      // The note begins with the word: "u runs the other way: your map is mirrored; law: ..."
+      if (!row.tests_ok())
+        row.word = row.run == "ok" ? row.note.substr(0, row.note.find_first_of(":;")) : row.run;
       return row;
     }
     if (result.picture.empty()) {
@@ -268,7 +308,7 @@ class Grading {
           }
           put(i, k, row_of_result(result, k));
           progress(std::to_string(++ended) + " of " + std::to_string(tasks.size()) +
-                   " chapters: " + clean(students_[i].name) + " " + items_[k].number);
+                   " done: " + clean(students_[i].name) + " " + items_[k].number);
         },
         is_stopped);
   }
@@ -277,6 +317,7 @@ class Grading {
   void put(std::size_t i, std::size_t k, Row row) {
     Student& student = students_[i];
     row.item = items_[k].name;
+    row.exercise = items_[k].exercise;
     if (row.word.empty()) row.word = "ok";
     append(grades_csv_line(student, row));
     student.rows[k] = std::move(row);
@@ -304,7 +345,8 @@ class Grading {
       wrong += clean(row.word);
     }
     bool all_missing = true;
-    for (const Row& row : student.rows) all_missing = all_missing && row.word == "missing";
+    for (const Row& row : student.rows)
+      all_missing = all_missing && row.word == "missing" && row.exercise.empty();
     if (all_missing) wrong = "no chapter and no picture found";
     std::string line = "[" + std::to_string(finished_) + "/" + std::to_string(class_.asked) + "]";
     line = padded(line, 10) +

@@ -125,6 +125,7 @@ struct Search {
     const bool is_link = entry.symlink_status(error).type() == fs::file_type::symlink;
     const std::string stem = name_of(entry.path().stem());
     for (const Item& item : items) {
+      if (!item.exercise.empty()) continue;
       const int fit = misfit(stem, item);
       if (fit < 3) candidates[item.name].push_back({entry.path(), fit, level, is_link});
     }

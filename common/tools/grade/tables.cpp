@@ -39,7 +39,7 @@ std::string grades_csv_line(const Student& student, const Row& row) {
   } else {
     cells.resize(cells.size() + 4);
   }
-  cells.emplace_back(row.picture_ok ? "yes" : "no");
+  cells.emplace_back(!row.exercise.empty() ? "" : row.picture_ok ? "yes" : "no");
   cells.push_back(row.tests());
   cells.insert(cells.end(),
                {row.note, row.word, std::to_string(row.points()), std::to_string(row.of()),
