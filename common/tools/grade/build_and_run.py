@@ -186,7 +186,8 @@ def first_failure(log):
     _, _, rest = log.partition('TEST CASE:')
     lines = [line.strip() for line in rest.splitlines()]
     told = [line for line in lines if line and not re.match(r'=+$|\[doctest]|TEST CASE:', line)]
-    return '; '.join(told[:4])[:400]
+    said = re.sub(r'[\w/.]+:\d+: (FATAL )?ERROR: ', '', '; '.join(told[:4]))
+    return re.sub('; look at differing/.*', '', said)[:400]  # the box's pictures are not kept
 
 
 class Grader:
