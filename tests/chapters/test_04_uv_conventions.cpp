@@ -16,8 +16,7 @@ using chapter_04::published_mappings;
 namespace {
 
 Image drawn_in(const char* convention, const char* rounding = "floor") {
-  return test::picture(
-      test::prepared<Lesson>({"--convention", convention, "--rounding", rounding}));
+  return test::picture(prepared<Lesson>({"--convention", convention, "--rounding", rounding}));
 }
 
 /// A picture without symmetry, put on the sphere by a published formula and seen flat from outside.
@@ -40,7 +39,7 @@ Image flat(const chapter_04::PublishedMapping& mapping) {
 }  // namespace
 
 TEST_CASE("the convention rtiow is chapter 03") {
-  const Image before = test::picture(test::prepared<chapter_03::Lesson>());
+  const Image before = test::picture(prepared<chapter_03::Lesson>());
   test::expect_same_picture(drawn_in("rtiow"), before);
   CHECK(test::count_different(drawn_in("daily"), before) > 3000);
   CHECK(test::count_different(drawn_in("lecture"), before) > 3000);
@@ -48,7 +47,7 @@ TEST_CASE("the convention rtiow is chapter 03") {
 }
 
 TEST_CASE("only the middle sphere changes from chapter 03, in every convention and rounding") {
-  const chapter_03::Lesson before = test::prepared<chapter_03::Lesson>();
+  const chapter_03::Lesson before = prepared<chapter_03::Lesson>();
   const std::vector<int> seen = test::objects_seen(before);
   const Image first = test::picture(before);
   for (const char* convention : {"daily", "rtiow", "lecture"}) {
@@ -107,7 +106,7 @@ TEST_CASE("the printed table names every relation and every source") {
 TEST_CASE(
     "the sheet has the size that was asked for and shows the same for One Weekend 2020 and Next "
     "Week") {
-  const Lesson lesson = test::prepared<Lesson>();
+  const Lesson lesson = prepared<Lesson>();
   CommandLine line("test", "");
   Session session("test", line, Lesson::about);
   session.settings.width = 1200;

@@ -51,7 +51,7 @@ std::vector<std::string> names() {
 Mistakes mistakes(const std::string& name, Variant variant) {
   static const auto all = names();
   const auto at = std::find(all.begin(), all.end(), name);
-  REQUIRE(at != all.end());
+  REQUIRE_MESSAGE(bool{at != all.end()}, name);
   return sheet().mistakes[static_cast<std::size_t>(at - all.begin())][variant];
 }
 

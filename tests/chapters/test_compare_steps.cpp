@@ -1,7 +1,10 @@
 // What ./course diff says about two steps.
 #include <doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -13,6 +16,7 @@
 #include "comparison.hpp"
 #include "engine/compare/difference_map.hpp"
 #include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
 #include "support/running.hpp"
 #include "support/temporary_folder.hpp"
 #include "tools/page/page.hpp"
@@ -32,6 +36,20 @@ const DrawnStep& second() {
   static const DrawnStep step =
       steps::draw_step<chapter_02::Lesson>("02_checkerboard_uv", 200, 150, 1);
   return step;
+}
+
+std::string text_in(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace
@@ -102,6 +120,28 @@ TEST_CASE("the map of texture coordinates shows |du| and |dv|, and gray where a 
   CHECK(map.at(3, 0) == Rgb8{128, 128, 128});
 }
 
+TEST_CASE("the part of a picture around a box ends at the picture's edges") {
+  Image picture(40, 30);
+  picture.at(20, 10) = {1, 2, 3};
+  const Image part = steps::crop(picture, {20, 10, 1, 2});
+  CHECK(part.width == 17);
+  CHECK(part.height == 18);
+  CHECK(part.at(8, 8) == Rgb8{1, 2, 3});
+  const Image all = steps::crop(picture, {0, 0, 40, 30});
+  CHECK(all == picture);
+}
+
+TEST_CASE("the box of changed coordinates is around all pixels that have others") {
+  DrawnStep turned = second();
+  const std::size_t place = 75 * 200 + 100;  // on the globe
+  REQUIRE_FALSE(std::isnan(turned.uv[place].u));
+  turned.uv[place].u += 0.25;
+  turned.uv[place + 201].v += 0.25;
+  const steps::Comparison result = steps::compare(second(), turned, {});
+  CHECK(result.uv_box == Box{100, 75, 2, 2});
+  CHECK(steps::compare(second(), second(), {}).uv_box == Box{});
+}
+
 TEST_CASE("the page has the map where both steps have texture coordinates") {
   const auto page_after = [](const DrawnStep& before) {
     return steps::report_page(steps::compare(before, second(), {}), "", "");
@@ -110,6 +150,7 @@ TEST_CASE("the page has the map where both steps have texture coordinates") {
   for (Uv<double>& uv : upside_down.uv) uv.v = 1 - uv.v;
   CHECK(page_after(upside_down).find("<h2>Texture coordinates</h2>") != std::string::npos);
   CHECK(page_after(first()).find("<h2>Texture coordinates</h2>") == std::string::npos);
+  CHECK(page_after(second()).find("they have the same.") != std::string::npos);
 }
 
 TEST_CASE("the page shows the pictures of the two steps") {
@@ -127,27 +168,101 @@ TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {
   CHECK(enlarged.at(2, 2) == Rgb8{128, 128, 128});
 }
 
-TEST_CASE("of chapters with different scenes the page shows both pictures and the code") {
+TEST_CASE("of chapters without pixels to compare the page shows the code and says why") {
   const TemporaryFolder folder;
-  const std::string program =
-      std::string(TEXMAP_COMPARE_STEPS) + " --out '" + folder.path() + "' --from ";
-  const Outcome outcome = run(program + "6 --to 07");
-  CHECK(outcome.status == 0);
-  CHECK(outcome.err.empty());
-  CHECK(outcome.out.find("different scenes, so no pixels are compared") != std::string::npos);
-  const std::filesystem::path place = folder / "06-07";
-  std::ifstream file(place / "index.html");
-  std::ostringstream page;
-  page << file.rdbuf();
-  const auto has = [&](const std::string& words) {
-    return page.str().find(words) != std::string::npos;
+  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --drawn '" + folder.path() +
+                              "' --out '" + folder.path() + "' --from ";
+  struct Pair {
+    const char* numbers;
+    const char* place;
+    const char* why;
+    const char* before;
+    const char* after;
   };
-  CHECK(has("<h1>From 06_phong_texture_blend to 07_earth_by_sampling</h1>"));
-  CHECK(has("- namespace texmap::chapter_06 {"));
-  CHECK(has("+ namespace texmap::chapter_07 {"));
-  CHECK_FALSE(has("pixels that differ"));
-  CHECK(load_image(place / "before.png").width == 800);
-  CHECK(load_image(place / "after.png").width == 400);
+  constexpr std::array pairs = {
+      Pair{"0 --to 01", "00-01", "00_one_file draws a scene of its own, so no pixels are compared",
+           "int main(", "struct Lesson"},
+      Pair{"6 --to 07", "06-07", "07_earth_by_sampling draws a scene of its own",
+           "- namespace texmap::chapter_06 {", "+ namespace texmap::chapter_07 {"},
+      Pair{"7 --to 13", "07-13",
+           "07_earth_by_sampling and 13_speed_for_accuracy draw scenes of their own",
+           "- namespace texmap::chapter_07 {", "+ namespace texmap::chapter_13 {"},
+      Pair{"13 --to 14", "13-14", "draw scenes of their own", "- namespace texmap::chapter_13 {",
+           "+ namespace texmap::chapter_14 {"}};
+  for (const Pair& pair : pairs) {
+    CAPTURE(pair.numbers);
+    const Outcome outcome = run(program + pair.numbers);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    CHECK(outcome.out.find(pair.why) != std::string::npos);
+    const std::string page = text_in(std::filesystem::path(folder / pair.place) / "index.html");
+    CHECK(page.find(pair.why) != std::string::npos);
+    CHECK(page.find(pair.before) != std::string::npos);
+    CHECK(page.find(pair.after) != std::string::npos);
+    CHECK(page.find("pixels that differ") == std::string::npos);
+    CHECK(page.find("src=\"data:image/png") != std::string::npos);  // golden pictures, in the page
+    CHECK(files_in(folder / pair.place) == std::vector<std::string>{"index.html"});
+  }
+}
+
+TEST_CASE("pages of neighbours share the chapters' pictures, where those are what was compared") {
+  const TemporaryFolder folder;
+  const auto save = [&](const DrawnStep& step) {
+    save_png(step.picture, folder / (step.chapter + ".png"));
+  };
+  save(first());
+  DrawnStep other = second();
+  other.picture.at(0, 0).r ^= 1;  // as a picture drawn with other options
+  save(other);
+  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --shared --drawn '" +
+                              folder.path() + "' --out '" + folder.path() +
+                              "/diff' --width 200 --height 150 --from 1 --to 2";
+  CHECK(run(program).status == 0);
+  const std::filesystem::path place = folder / "diff/01-02";
+  const std::string page = text_in(place / "index.html");
+  CHECK(page.find("src=\"../../01_plain_spheres.png\"") != std::string::npos);
+  CHECK(page.find("src=\"after.png\"") != std::string::npos);
+  CHECK(page.find("base64") == std::string::npos);
+  CHECK(load_image(place / "after.png") == second().picture);
+  CHECK(files_in(place) == std::vector<std::string>{"after.png", "after_close.png",
+                                                    "before_close.png", "difference.png",
+                                                    "index.html", "report.json"});
+}
+
+TEST_CASE("two pictures are compared on a page of the same kind, and the status says what it is") {
+  const TemporaryFolder folder;
+  save_png(first().picture, folder / "a.png");
+  save_png(second().picture, folder / "b.png");
+  save_png(Image(4, 3), folder / "small.png");
+  const auto compared = [&](const std::string& a, const std::string& b) {
+    return run("cd '" + folder.path() + "' && '" TEXMAP_COMPARE_STEPS "' --from " + a + " --to " +
+               b);
+  };
+  const Outcome different = compared("a.png", "b.png");
+  CHECK(different.status == 1);
+  CHECK(different.out.find("of 30000 pixels differ") != std::string::npos);
+  CHECK(different.out.find("out/diff/a.png-b.png/index.html") != std::string::npos);
+  const std::string page = text_in(folder / "out/diff/a.png-b.png/index.html");
+  for (const char* const words : {"<h1>From a.png to b.png</h1>", "The pictures differ in",
+                                  "<th scope=\"row\">SSIM</th>", "Where they differ"}) {
+    CAPTURE(words);
+    CHECK(page.find(words) != std::string::npos);
+  }
+  CHECK(page.find(page::inside(first().picture).address) != std::string::npos);
+  CHECK(page.find("ms became") == std::string::npos);
+
+  const Outcome same = compared("a.png", "a.png");
+  CHECK(same.status == 0);
+  CHECK(text_in(folder / "out/diff/a.png-a.png/index.html").find("The pictures are the same") !=
+        std::string::npos);
+
+  const Outcome sizes = compared("a.png", "small.png");
+  CHECK(sizes.status == 2);
+  CHECK(sizes.err.find("the pictures differ in size: 200 x 150 and 4 x 3 pixels") !=
+        std::string::npos);
+  const Outcome missing = compared("a.png", "none.png");
+  CHECK(missing.status == 2);
+  CHECK(missing.err.find("cannot load 'none.png'") != std::string::npos);
 }
 
 TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the page names it") {
@@ -157,10 +272,7 @@ TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the 
   const auto compared = [&](const char* numbers, const char* place) {
     CHECK(run(program + numbers).status == 0);
     const std::filesystem::path pages = folder / place;
-    std::ostringstream text;
-    text << std::ifstream(pages / "index.html").rdbuf()
-         << std::ifstream(pages / "report.json").rdbuf();
-    return text.str();
+    return text_in(pages / "index.html") + text_in(pages / "report.json");
   };
   const std::string forward = compared("03 --to 04", "03-04");
   CHECK(forward.find("<h1>From 03_image_texture to 04_uv_conventions --convention daily</h1>") !=
@@ -175,11 +287,12 @@ TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the 
 
 TEST_CASE("a chapter that cannot be compared is named, and those that can be") {
   const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
-  for (const char* const numbers : {"06 --to 99", "99 --to 06", "07 --to 14", "06 --to 007"}) {
+  for (const char* const numbers :
+       {"06 --to 99", "99 --to 06", "07 --to x", "06 --to 007", "a.png --to 06"}) {
     CAPTURE(numbers);
     const Outcome outcome = run(program + numbers);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("error: there is no chapter '") != std::string::npos);
-    CHECK(outcome.err.find("to compare: name two of 01 to ") != std::string::npos);
+    CHECK(outcome.err.find("name two of 00 to 14, or two picture files") != std::string::npos);
   }
 }

@@ -11,7 +11,7 @@
 
 int repeated_column(int column, int width) {
   // solution
-  const int rest = column % width;  // -width + 1 to width - 1: C++ keeps the sign of column
+  const int rest = column % width;  // C++ keeps the sign of column
   return rest < 0 ? rest + width : rest;
   // start: // Your lines here. The floor is magenta where you return no column of the picture.
   // start: return column < width ? column : 0;

@@ -2,14 +2,17 @@
 #include "engine/compare/difference.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include "engine/compare/flip.hpp"
 #include "engine/compare/ssim.hpp"
+#include "engine/render/threads.hpp"
 
 namespace texmap {
 namespace {
@@ -33,41 +36,96 @@ struct Sums {
   }
 };
 
-/// A mean that sums row by row, which keeps rounding errors small.
-struct Mean {
-  double sum = 0;
-  std::size_t count = 0;
+/// A mean of the compared values. Rows come in any order, and are summed in theirs: the same bits
+/// with any number of threads, and small rounding errors.
+class Mean {
+ public:
+  explicit Mean(int rows)
+      : sums_(static_cast<std::size_t>(rows)), counts_(static_cast<std::size_t>(rows)) {}
 
   /// Adds the compared values from column `first` up to, not including, `end`.
   void add(const Image& mask, int row, std::span<const double> values, int first, int end) {
-    double sum_of_row = 0;
+    double sum = 0;
+    std::size_t count = 0;
     for (int x = first; x < end; ++x) {
       if (!is_compared(mask, x, row)) continue;
-      sum_of_row += values[static_cast<std::size_t>(x)];
+      sum += values[static_cast<std::size_t>(x)];
       ++count;
     }
-    sum += sum_of_row;
+    sums_[static_cast<std::size_t>(row)] = sum;
+    counts_[static_cast<std::size_t>(row)] = count;
   }
-  [[nodiscard]] double value() const { return sum / static_cast<double>(count); }
+  [[nodiscard]] std::size_t count() const {
+    return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0});
+  }
+  [[nodiscard]] double value() const {
+    return std::accumulate(sums_.begin(), sums_.end(), 0.0) / static_cast<double>(count());
+  }
+
+ private:
+  std::vector<double> sums_;
+  std::vector<std::size_t> counts_;
 };
 
 double mean_ssim(const Image& a, const Image& b, const Image& mask) {
-  Mean all, inside;
+  Mean all(a.height), inside(a.height);
   ssim_rows(a, b, [&](int row, std::span<const double> values) {
     all.add(mask, row, values, 0, a.width);
     if (row < ssim_window_radius || row >= a.height - ssim_window_radius) return;
     inside.add(mask, row, values, ssim_window_radius, a.width - ssim_window_radius);
   });
-  return inside.count > 0 ? inside.value() : all.value();
+  return inside.count() > 0 ? inside.value() : all.value();
 }
 
 double mean_flip(const Image& a, const Image& b, const Image& mask) {
-  Mean all;
+  Mean all(a.height);
   flip_rows(a, b, usual_pixels_per_degree, [&](int row, std::span<const double> values) {
     all.add(mask, row, values, 0, a.width);
   });
   return all.value();
 }
+
+/// What the pixels of some rows say. All of it is whole numbers, so the parts make the same whole
+/// on any number of threads.
+struct Part {
+  Sums sums;
+  std::array<std::size_t, 256> pixels_by_levels{};
+  int left = 0, right = -1, top = 0, bottom = -1;
+  WorstPixel worst;
+
+  void add(const Image& a, const Image& b, const Image& mask, int row) {
+    for (int column = 0; column < a.width; ++column) {
+      if (!is_compared(mask, column, row)) continue;
+      const Rgb8 p = a.at(column, row);
+      const Rgb8 q = b.at(column, row);
+      sums.add(p, q);
+      const int levels = channel_difference(p, q);
+      ++pixels_by_levels[static_cast<std::size_t>(levels)];
+      if (levels == 0) continue;
+      if (right < 0) left = column;
+      if (bottom < 0) top = row;
+      left = std::min(left, column);
+      right = std::max(right, column);
+      bottom = row;
+      if (levels > worst.levels) worst = {column, row, levels, p, q};
+    }
+  }
+  /// Adds rows that come later.
+  void add(const Part& later) {
+    sums.absolute += later.sums.absolute;
+    sums.squared += later.sums.squared;
+    sums.of_a += later.sums.of_a;
+    sums.of_b += later.sums.of_b;
+    for (std::size_t i = 0; i < pixels_by_levels.size(); ++i)
+      pixels_by_levels[i] += later.pixels_by_levels[i];
+    if (later.right < 0) return;
+    left = right < 0 ? later.left : std::min(left, later.left);
+    if (bottom < 0) top = later.top;
+    right = std::max(right, later.right);
+    bottom = later.bottom;
+    if (later.worst.levels > worst.levels) worst = later.worst;
+  }
+};
 
 /// `b` with the pixels of `a` where the mask is black.
 Image with_left_out_equal(const Image& a, const Image& b, const Image& mask) {
@@ -102,31 +160,26 @@ void check_sizes(const Image& a, const Image& b, const Image& mask) {
   }
 }
 
-Figures measure(const Image& a, const Image& b, const Image& mask) {
+Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail) {
   check_sizes(a, b, mask);
   Figures figures;
   figures.width = a.width;
   figures.height = a.height;
 
   // One pass over the pixels.
-  Sums sums;
-  int left = a.width, right = -1, top = a.height, bottom = -1;
-  for (int row = 0; row < a.height; ++row) {
-    for (int column = 0; column < a.width; ++column) {
-      if (!is_compared(mask, column, row)) continue;
-      const Rgb8 p = a.at(column, row);
-      const Rgb8 q = b.at(column, row);
-      sums.add(p, q);
-      const int levels = channel_difference(p, q);
-      ++figures.pixels_by_levels[static_cast<std::size_t>(levels)];
-      if (levels == 0) continue;
-      left = std::min(left, column);
-      right = std::max(right, column);
-      top = std::min(top, row);
-      bottom = std::max(bottom, row);
-      if (levels > figures.worst.levels) figures.worst = {column, row, levels, p, q};
-    }
-  }
+  constexpr int rows_of_a_part = 64;
+  std::vector<Part> parts(static_cast<std::size_t>((a.height - 1) / rows_of_a_part) + 1);
+  for_each_row(static_cast<int>(parts.size()), 0, {}, [&](int i) {
+    Part part;
+    for (int k = 0; k < rows_of_a_part && i * rows_of_a_part + k < a.height; ++k)
+      part.add(a, b, mask, i * rows_of_a_part + k);
+    parts[static_cast<std::size_t>(i)] = part;
+  });
+  Part all;
+  for (const Part& part : parts) all.add(part);
+  const Sums& sums = all.sums;
+  figures.pixels_by_levels = all.pixels_by_levels;
+  figures.worst = all.worst;
   for (const std::size_t pixels : figures.pixels_by_levels) figures.pixels_compared += pixels;
   if (figures.pixels_compared == 0) throw DifferenceError("the mask leaves out every pixel");
 
@@ -142,7 +195,12 @@ Figures measure(const Image& a, const Image& b, const Image& mask) {
   if (figures.pixels_different == 0) return figures;  // with SSIM 1 and FLIP 0
 
   figures.peak_signal_to_noise = 20 * std::log10(255 / figures.root_mean_square_error);
-  figures.box = {left, top, right - left + 1, bottom - top + 1};
+  figures.box = {all.left, all.top, all.right - all.left + 1, all.bottom - all.top + 1};
+  if (detail == Detail::pixels) {
+    figures.structural_similarity = std::numeric_limits<double>::quiet_NaN();
+    figures.flip = figures.structural_similarity;
+    return figures;
+  }
   const Image second = with_left_out_equal(a, b, mask);
   figures.structural_similarity = mean_ssim(a, second, mask);
   figures.flip = mean_flip(a, second, mask);

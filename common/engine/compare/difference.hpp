@@ -59,12 +59,20 @@ struct Figures {
 /// Errors: DifferenceError with the sizes.
 void check_sizes(const Image& a, const Image& b, const Image& mask = {});
 
-/// Compares two pictures. How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
+/// What to compute: SSIM and FLIP look around each pixel and take a hundred times as long.
+enum class Detail {
+  pixels,  ///< all but SSIM and FLIP, which are NaN unless the pictures are equal
+  all
+};
+
+/// Compares two pictures on all cores.
+/// How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
 ///
 /// @param a, b  pictures of one size, at least one pixel
 /// @param mask  a picture of the same size; its black pixels are left out; empty for no mask
 /// Errors: DifferenceError if the sizes differ, the pictures are empty, or no pixel is compared.
-[[nodiscard]] Figures measure(const Image& a, const Image& b, const Image& mask = {});
+[[nodiscard]] Figures measure(const Image& a, const Image& b, const Image& mask = {},
+                              Detail detail = Detail::all);
 
 /// How many of the compared pixels have a channel_difference above so many levels.
 ///

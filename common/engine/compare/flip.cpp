@@ -277,10 +277,10 @@ void flip_rows(const Image& a, const Image& b, double pixels_per_degree, const T
   const Colors colors;
   const Spread spread(colors);
   const Filters filters(pixels_per_degree);
-  std::vector<double> values(static_cast<std::size_t>(a.width));
   for_each_band(a.height, filters.margin, [&](const Band& band) {
     const Seen of_a = seen(a, band, filters, colors);
     const Seen of_b = seen(b, band, filters, colors);
+    std::vector<double> values(static_cast<std::size_t>(a.width));
     for (int y = 0; y < band.rows; ++y) {
       for (int x = 0; x < a.width; ++x) {
         const auto lab = [x, y](const Seen& s) {

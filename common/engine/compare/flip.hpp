@@ -12,7 +12,7 @@ inline constexpr double usual_pixels_per_degree = 67;
 ///
 /// @param a, b               sRGB pictures of one size, at least one pixel; not checked
 /// @param pixels_per_degree  of the field of view, 1 to 1000; more: smaller pixels or farther away
-/// @param take               receives each row from the top: values in [0, 1], 0 for no difference
+/// @param take               receives the rows: values in [0, 1], 0 for no difference
 /// Source: Andersson and others: FLIP, 2020, sections 4.1 to 4.3. Summary: docs/numerics.md.
 void flip_rows(const Image& a, const Image& b, double pixels_per_degree, const TakeRow& take);
 

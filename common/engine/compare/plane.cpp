@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/threads.hpp"
+
 namespace texmap {
 namespace {
 
@@ -50,9 +52,11 @@ Plane filtered(const Plane& plane, const Kernel& across, const Kernel& down) {
 }
 
 void for_each_band(int height, int margin, const std::function<void(const Band&)>& work) {
-  for (int first = 0; first < height; first += rows_of_a_band) {
+  const int bands = (height + rows_of_a_band - 1) / rows_of_a_band;
+  for_each_row(bands, 0, {}, [&](int band) {
+    const int first = band * rows_of_a_band;
     work({.first = first, .rows = std::min(rows_of_a_band, height - first), .margin = margin});
-  }
+  });
 }
 
 Image cut_out(const Image& image, const Band& band) {

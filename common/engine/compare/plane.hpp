@@ -61,13 +61,13 @@ struct Band {
   int margin = 0;  // pixels at each of the four sides
 };
 
-/// Calls `work` for each band of a picture of this height, from the top.
+/// Calls `work` for each band of a picture of this height, on all cores.
 void for_each_band(int height, int margin, const std::function<void(const Band&)>& work);
 
 /// The pixels of a band and its margin. Outside the picture, the pixels at its edge repeat.
 [[nodiscard]] Image cut_out(const Image& image, const Band& band);
 
-/// Receives the values of one row of a picture.
+/// Receives the values of one row of a picture: each row once, in any order and from any thread.
 using TakeRow = std::function<void(int row, std::span<const double> values)>;
 
 }  // namespace texmap

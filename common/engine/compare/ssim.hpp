@@ -11,7 +11,7 @@ inline constexpr int ssim_window_radius = 5;
 /// The structural similarity (SSIM) of two pictures at each pixel: the mean of the three channels.
 ///
 /// @param a, b  pictures of one size, at least one pixel; not checked
-/// @param take  receives each row from the top: values in [-1, 1], exactly 1 for equal windows
+/// @param take  receives the rows: values in [-1, 1], exactly 1 for equal windows
 /// Source: Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment: From Error Visibility to
 /// Structural Similarity, 2004, equation 13. Formula and edges: docs/numerics.md.
 void ssim_rows(const Image& a, const Image& b, const TakeRow& take);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "engine/picture/codecs/deflate.hpp"
 #include "engine/system/file_error.hpp"
 #include "texture/image.hpp"
 
@@ -19,7 +20,8 @@ void check_output(const std::filesystem::path& path);
 ///
 /// @param image  1 to 16384 pixels a side, 2^27 in all
 /// Errors: FileError with the reason; std::bad_alloc.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image);
+[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image,
+                                                   Packing packing = Packing::fast);
 
 /// What saving a picture took, in milliseconds.
 struct SavingTime {

@@ -65,7 +65,8 @@ std::string name_of(const fs::path& source) {
 
 class Book {
  public:
-  Book(fs::path root, fs::path out) : root_(std::move(root)), out_(std::move(out)) {}
+  Book(fs::path root, fs::path out, bool with_print)
+      : root_(std::move(root)), out_(std::move(out)), with_print_(with_print) {}
 
   Report make() {
     find_pages();
@@ -80,7 +81,8 @@ class Book {
     for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
     write_sources();
     write_index();
-    write_print();
+    fs::remove(out_ / "print.html");
+    if (with_print_) write_print();
     write(out_ / "book.css", contents_of(folder() / "book.css"));
     write(out_ / "book.js", search_index() + contents_of(folder() / "book.js") +
                                 contents_of(folder() / "../turntable.js"));
@@ -404,6 +406,7 @@ class Book {
   };
 
   fs::path root_, out_;
+  bool with_print_;
   std::vector<Page> pages_;
   std::vector<Part> parts_;
   std::vector<Named> named_;  ///< links from one page to a heading of another
@@ -413,6 +416,8 @@ class Book {
 
 }  // namespace
 
-Report make_book(const fs::path& root, const fs::path& out) { return Book(root, out).make(); }
+Report make_book(const fs::path& root, const fs::path& out, bool with_print) {
+  return Book(root, out, with_print).make();
+}
 
 }  // namespace texmap::book

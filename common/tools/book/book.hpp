@@ -17,6 +17,8 @@ struct Report {
 /// Makes the book of the course in `root` in the folder `out`, where the chapters' programs have
 /// drawn their pictures; what is missing there is taken from tests/golden.
 /// Errors: std::runtime_error if a page cannot be read or written.
-[[nodiscard]] Report make_book(const std::filesystem::path& root, const std::filesystem::path& out);
+/// @param with_print  also print.html, the pages of students and instructors in one, for paper
+[[nodiscard]] Report make_book(const std::filesystem::path& root, const std::filesystem::path& out,
+                               bool with_print = false);
 
 }  // namespace texmap::book

@@ -1,10 +1,12 @@
 // What changed between two steps, and whether only that changed which the chapters declare.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "drawn_step.hpp"
 #include "engine/compare/difference.hpp"
+#include "tools/page/page.hpp"
 
 namespace texmap::steps {
 
@@ -21,6 +23,7 @@ struct Comparison {
   std::size_t pixels_with_uv = 0;  ///< where both steps have texture coordinates
   double largest_du = 0;           ///< turns, the short way round, 0 to 1/2
   double largest_dv = 0;           ///< 0 to 1
+  Box uv_box;                      ///< around the pixels of these that have other coordinates
 };
 
 /// Names of the stage's objects by index; the sky is -1.
@@ -29,9 +32,12 @@ struct Comparison {
 /// Errors: DifferenceError if the sizes differ.
 [[nodiscard]] Comparison compare(DrawnStep before, DrawnStep after, std::vector<int> may_change);
 
-/// |du| and |dv| side by side, as difference maps with 255 for half a turn and for the whole
+/// |du| and |dv| next to each other, as difference maps with 255 for half a turn and for the whole
 /// height; gray where a step has no texture coordinates.
 [[nodiscard]] Image uv_difference_map(const Comparison& comparison);
+
+/// A part of a picture with a few pixels around it.
+[[nodiscard]] Image crop(const Image& picture, const Box& box);
 
 /// The pixels around a place, each enlarged to a square, with a frame round the one in the middle.
 [[nodiscard]] Image zoom(const Image& picture, int column, int row);
@@ -39,17 +45,42 @@ struct Comparison {
 /// All figures as JSON.
 [[nodiscard]] std::string report_json(const Comparison& comparison);
 
-/// The page: one HTML file with everything in it, readable without a network.
-/// @param before_code, after_code  the two lessons
+/// Where the pictures of a page go.
+struct Pictures {
+  std::filesystem::path folder;  ///< the page's; empty: they go into the page, which is one file
+  std::filesystem::path drawn;   ///< has the chapters' own pictures, which pages then share
+
+  /// @param file  its name in the folder of the page
+  [[nodiscard]] page::Picture show(const Image& image, const std::string& file) const;
+  /// A step's picture: the chapter's own where that has the same pixels.
+  [[nodiscard]] page::Picture show(const DrawnStep& step, const std::string& file) const;
+  /// The picture in a file of the drawn ones.
+  [[nodiscard]] page::Picture show(const std::filesystem::path& file) const;
+};
+
+/// What stands on a page about a chapter.
+struct Code {
+  std::string chapter;            ///< its folder
+  std::string text;               ///< of its lesson
+  std::filesystem::path picture;  ///< that it drew; empty if there is none
+};
+
+/// The page of two steps on the same stage.
 [[nodiscard]] std::string report_page(const Comparison& comparison, const std::string& before_code,
-                                      const std::string& after_code);
+                                      const std::string& after_code, const Pictures& pictures = {});
 
-/// The page of two steps with different scenes: both pictures and the code.
-[[nodiscard]] std::string scenes_page(const DrawnStep& before, const DrawnStep& after,
-                                      const std::string& before_code,
-                                      const std::string& after_code);
+/// The page of two chapters with no pixels to compare.
+/// @param why  there are none; the page says so
+[[nodiscard]] std::string code_page(const Code& before, const Code& after, const std::string& why,
+                                    const Pictures& pictures = {});
 
-/// Five lines for the terminal.
+/// The page of two pictures of one size.
+/// @param a_name, b_name  as the user typed them
+[[nodiscard]] std::string picture_page(const std::string& a_name, const Image& a,
+                                       const std::string& b_name, const Image& b,
+                                       const Figures& figures, const Pictures& pictures = {});
+
+/// Lines for the terminal.
 [[nodiscard]] std::string summary(const Comparison& comparison, const std::string& page);
 
 }  // namespace texmap::steps

@@ -1,26 +1,20 @@
 // A chapter drawn for a comparison: its picture, and what is seen at each pixel.
 #pragma once
-#include <chrono>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
-#include "engine/picture/load_image.hpp"
-#include "engine/system/system.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap::steps {
 
-/// A lesson's picture of the stage with everything that a comparison asks about it; of another
-/// scene the picture alone.
+/// A lesson's picture of the stage with everything that a comparison asks about it.
 struct DrawnStep {
   std::string chapter;  ///< its folder, such as 02_checkerboard_uv, and the options drawn with
   Image picture;
   std::vector<int> objects;     ///< index of the object at each pixel's center, -1 for the sky
   std::vector<Uv<double>> uv;   ///< texture coordinates there; u is NaN where there are none
   std::vector<int> may_change;  ///< the objects that this step may change from the one before
-  double milliseconds = 0;      ///< time of drawing, the least of three
 };
 
 /// Draws a lesson's stage as its program does.
@@ -46,14 +40,7 @@ template <class Lesson>
   for (int object = 0; object < static_cast<int>(lesson.objects.size()); ++object) {
     if (Lesson::about.changed_objects.contains(object)) step.may_change.push_back(object);
   }
-  step.milliseconds = infinity<double>();
-  for (int repeat = 0; repeat < 3; ++repeat) {
-    const auto start = std::chrono::steady_clock::now();
-    step.picture = session.draw(lesson);
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    step.milliseconds = min(elapsed.count(), step.milliseconds);
-  }
+  step.picture = session.draw(lesson);
 
   const View<> view = view_of(lesson.stage.camera, width, height);
   for (int row = 0; row < height; ++row) {
@@ -63,25 +50,6 @@ template <class Lesson>
       step.uv.push_back(seen.uv);
     }
   }
-  return step;
-}
-
-/// Draws what a chapter's program draws without options, into `file`.
-template <class Lesson>
-[[nodiscard]] DrawnStep draw_scene(const std::string& chapter, const std::filesystem::path& file,
-                                   int threads) {
-  Lesson lesson;
-  CommandLine line(chapter, "");
-  lesson.options(line);
-  Session session(chapter, line, Lesson::about, offers_for(lesson));
-  static_cast<void>(line.parse({}));
-  session.settings.quiet = true;
-  session.settings.threads = threads;
-  session.settings.out = name_of(file);
-  draw_and_save(session, lesson);
-  DrawnStep step;
-  step.chapter = chapter;
-  step.picture = load_image(file);
   return step;
 }
 

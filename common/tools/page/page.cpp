@@ -37,7 +37,6 @@ figure { margin: 0; }
 figcaption { color: var(--soft); overflow-wrap: anywhere; }
 .row { display: grid; gap: 1rem; align-items: start;
   grid-template-columns: repeat(auto-fit, minmax(min(15rem, 100%), 1fr)); }
-.row img { image-rendering: pixelated; }
 .slider .pair { position: relative; width: fit-content; max-width: 100%; }
 .pair img + img { position: absolute; inset: 0; width: 100%; height: 100%;
   clip-path: inset(0 0 0 var(--cut, 50%)); }

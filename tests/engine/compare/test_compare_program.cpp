@@ -121,6 +121,14 @@ TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
   CHECK(has(desk.compare("a.png").err, "usage: compare A.png B.png [options]"));
 }
 
+TEST_CASE("of several files that cannot be loaded, the first is named") {
+  const Desk desk;
+  for (int i = 0; i < 20; ++i) {
+    CHECK(has(desk.compare("none.png nothing.png --mask no.png").err, "cannot load 'none.png'"));
+    CHECK(has(desk.compare("a.png nothing.png --mask no.png").err, "cannot load 'nothing.png'"));
+  }
+}
+
 TEST_CASE("trouble with a file leaves what was written before as it was") {
   const Desk desk;
   put(desk.folder / "map.png", {1, 2, 3});
@@ -138,7 +146,7 @@ TEST_CASE("a stdout that takes nothing is trouble") {
 
 TEST_CASE("the table has every figure with its unit, and the verdict last") {
   const Desk desk;
-  const std::string table = desk.compare("a.png b.png").out;
+  const std::string table = desk.compare("a.png b.png --all").out;
   CAPTURE(table);
   CHECK(has(table, "100 x 100 pixels, 10000 compared\n"));
   CHECK(has(table, "3 pixels (0.03 %)\n"));
@@ -150,6 +158,10 @@ TEST_CASE("the table has every figure with its unit, and the verdict last") {
   for (const char* name : {"SSIM", "FLIP", "mean value"}) CHECK(has(table, name));
   CHECK(table.ends_with("off by more than 0: 3 pixels, 0 of all allowed: they differ\n"));
   CHECK(has(desk.compare("a.png a.png").out, "infinite dB\n"));
+  const std::string less = desk.compare("a.png b.png").out;
+  CHECK(has(less, "mean value"));
+  CHECK_FALSE(has(less, "SSIM"));
+  CHECK_FALSE(has(less, "FLIP"));
   CHECK(desk.compare("a.png b.png --pixels-off-by-more-than 1 --at-most 0.02%")
             .out.ends_with("off by more than 1: 2 pixels, 0.02% of all allowed: the same\n"));
 }
@@ -172,7 +184,7 @@ TEST_CASE("what is printed is the table and the verdict to the byte, without lin
 
   const Figures figures = measure(desk.a, desk.b, Image());
   const auto color = [](Rgb8 c) { return text("(%d, %d, %d)", c.r, c.g, c.b); };
-  const Outcome other = desk.compare("a.png b.png");
+  const Outcome other = desk.compare("a.png b.png --all");
   CHECK(other.err.empty());
   CHECK(other.out ==
         "size                 100 x 100 pixels, 10000 compared\n"
@@ -220,9 +232,10 @@ TEST_CASE("the map, the figures and the mask are those of the library") {
 TEST_CASE("help and version are answers, not comparisons") {
   const Outcome help = run(program + "--help");
   CHECK(help.status == 0);
-  for (const char* part : {"usage: compare A.png B.png [options]", "--pixels-off-by-more-than N",
-                           "--at-most SHARE", "--map FILE", "--json FILE", "--mask FILE", "--quiet",
-                           "exit status: 0 the pictures are the same; 1 they differ; 2 an error"}) {
+  for (const char* part :
+       {"usage: compare A.png B.png [options]", "--pixels-off-by-more-than N", "--at-most SHARE",
+        "--all", "--map FILE", "--json FILE", "--mask FILE", "--quiet",
+        "exit status: 0 the pictures are the same; 1 they differ; 2 an error"}) {
     CAPTURE(part);
     CHECK(has(help.out, part));
   }

@@ -2,6 +2,7 @@
 // second, naive version of their papers.
 #include <doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -29,14 +30,16 @@ Image with(Image image, int column, int row, Rgb8 color) {
   return image;
 }
 
-/// The values of all pixels, from rows that come in order.
+/// The values of all pixels, from rows that come once each, in any order.
 template <class Rows>
 std::vector<double> values_of(const Image& image, const Rows& rows) {
-  std::vector<double> all;
+  std::vector<double> all(image.pixels.size());
+  std::vector<int> times(static_cast<std::size_t>(image.height));
   rows([&](int row, std::span<const double> values) {
-    CHECK(row * image.width == static_cast<int>(all.size()));
-    all.insert(all.end(), values.begin(), values.end());
+    ++times[static_cast<std::size_t>(row)];
+    std::copy(values.begin(), values.end(), all.begin() + row * image.width);
   });
+  CHECK(times == std::vector<int>(times.size(), 1));
   return all;
 }
 std::vector<double> ssim_of(const Image& a, const Image& b) {
@@ -425,4 +428,45 @@ TEST_CASE("SSIM's mean is that of scikit-image") {
              0.007323859550020152, 1e-12));
   CHECK(near(measure(ramps(120, 90), ramps(120, 90, 1)).structural_similarity, 0.5693023480677195,
              1e-12));
+}
+
+TEST_CASE("SSIM and FLIP are sums of rows in their order: the same bits on any number of threads") {
+  const Image a = noise(90, 150, 3);
+  const Image b = with(noise(90, 150, 3), 40, 70, {1, 2, 3});
+  const auto mean_of_rows = [](const std::vector<double>& values, int first, int end, int from,
+                               int to) {
+    double sum = 0;
+    for (int row = from; row < to; ++row) {
+      double of_row = 0;
+      for (int x = first; x < end; ++x) of_row += values[static_cast<std::size_t>(row * 90 + x)];
+      sum += of_row;
+    }
+    return sum / ((end - first) * (to - from));
+  };
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const Figures f = measure(a, b);
+    CHECK(f.structural_similarity == mean_of_rows(ssim_of(a, b), 5, 85, 5, 145));
+    CHECK(f.flip == mean_of_rows(flip_of(a, b), 0, 90, 0, 150));
+  }
+}
+
+TEST_CASE(
+    "without SSIM and FLIP all other figures are the same, whatever the part of the picture") {
+  Image a = noise(70, 200, 4);
+  Image b = a;
+  for (const auto& [column, row] : {std::pair{60, 63}, {3, 64}, {69, 64}, {20, 130}}) {
+    b.at(column, row).g ^= 16;
+  }
+  const Figures all = measure(a, b);
+  Figures pixels = measure(a, b, {}, Detail::pixels);
+  CHECK(std::isnan(pixels.structural_similarity));
+  CHECK(std::isnan(pixels.flip));
+  CHECK(pixels.box == Box{3, 63, 67, 68});
+  CHECK(pixels.box == all.box);
+  CHECK(pixels.worst.column == 60);  // the first of four
+  CHECK(pixels.worst.row == 63);
+  CHECK(pixels.pixels_by_levels == all.pixels_by_levels);
+  CHECK(pixels.root_mean_square_error == all.root_mean_square_error);
+  CHECK(pixels.mean_b == all.mean_b);
+  CHECK(measure(a, a, {}, Detail::pixels).structural_similarity == 1);
 }

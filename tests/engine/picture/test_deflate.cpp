@@ -13,6 +13,7 @@
 namespace {
 
 using texmap::Bytes;
+using texmap::Packing;
 using File = std::vector<std::uint8_t>;
 
 // RFC 1950, section 8.2, word by word.
@@ -54,11 +55,11 @@ File repeated(std::size_t period, std::size_t size) {
 }
 
 // The stream, from a room of exactly the promised size.
-File deflated(Bytes bytes) {
+File deflated(Bytes bytes, Packing packing = Packing::fast, std::size_t period = 0) {
   constexpr std::uint8_t untouched = 0xA5;
   const std::size_t room = texmap::most_deflated_bytes(bytes.size());
   File stream(room + 16, untouched);
-  const std::size_t size = texmap::deflate(bytes, {stream.data(), room});
+  const std::size_t size = texmap::deflate(bytes, {stream.data(), room}, packing, period);
   REQUIRE(size <= room);
   for (std::size_t i = room; i < stream.size(); ++i) REQUIRE(stream[i] == untouched);
   stream.resize(size);
@@ -66,8 +67,8 @@ File deflated(Bytes bytes) {
 }
 
 // Whether stb_image unpacks the stream to these bytes, and the stream ends with their checksum.
-bool comes_back(const File& bytes) {
-  const File stream = deflated(bytes);
+bool comes_back(const File& bytes, Packing packing, std::size_t period) {
+  const File stream = deflated(bytes, packing, period);
   File again(bytes.size() + 1);
   const int made = stbi_zlib_decode_buffer(
       reinterpret_cast<char*>(again.data()), static_cast<int>(again.size()),
@@ -76,6 +77,11 @@ bool comes_back(const File& bytes) {
   again.resize(bytes.size());
   return again == bytes &&
          texmap::big_endian_32(stream, stream.size() - 4) == adler32_by_definition(bytes);
+}
+
+bool comes_back(const File& bytes) {
+  return comes_back(bytes, Packing::fast, 0) && comes_back(bytes, Packing::fast, 7) &&
+         comes_back(bytes, Packing::close, 0) && comes_back(bytes, Packing::close, 7);
 }
 
 }  // namespace
@@ -129,8 +135,43 @@ TEST_CASE("matches from every distance come back, and none is sought beyond the 
 }
 
 TEST_CASE("the promised room is enough for the worst bytes, which are those with long codes") {
-  File bytes = noise(100000);
-  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(144 + byte % 112);
-  CHECK(comes_back(bytes));
-  CHECK(deflated(bytes).size() > 100000 * 9 / 8 - 2000);
+  for (const std::size_t size : std::vector<std::size_t>{1, 20, 60, 1000, 100000}) {
+    File bytes = noise(size);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(144 + byte % 112);
+    CHECK(comes_back(bytes));
+  }
+  // Too few to pay for codes of their own.
+  const File few = {144, 160, 180, 200, 220, 240, 250, 255};
+  CHECK(deflated(few).size() == 2 + (3 + 8 * 9 + 7 + 7) / 8 + 4);
+  CHECK(deflated(noise(100000)).size() < 100000 * 102 / 100);
+}
+
+TEST_CASE("bytes of very different frequencies come back: their codes would be too long") {
+  // Each byte half as often as the one before, or 0.618 times, in blocks of 16384 bytes and more.
+  for (const int percent : {50, 62, 75}) {
+    const File dice = noise(60000, 7);
+    File bytes;
+    bytes.reserve(dice.size() / 2);
+    for (std::size_t i = 0; i < dice.size() / 2; ++i) {
+      std::uint32_t left = std::uint32_t{dice[2 * i]} << 8 | dice[2 * i + 1];
+      std::uint8_t byte = 0;
+      const auto part = static_cast<std::uint32_t>(percent);
+      for (std::uint32_t all = 65536; byte < 40 && left < all * part / 100; ++byte)
+        all = all * part / 100;
+      bytes.push_back(byte);
+    }
+    CHECK(comes_back(bytes));
+    CHECK(deflated(bytes, Packing::close).size() <= deflated(bytes).size());
+  }
+}
+
+TEST_CASE("close packing finds what fast packing misses, and a period what is at its distance") {
+  File rows;
+  const File first = noise(3000);
+  for (std::uint8_t row = 0; row < 20; ++row) {  // each row the first with other bytes in between
+    rows.insert(rows.end(), first.begin(), first.end());
+    for (std::size_t i = row; i < first.size(); i += 23) rows[row * 3000U + i] ^= 0x55U;
+  }
+  CHECK(deflated(rows, Packing::close).size() < deflated(rows).size());
+  CHECK(deflated(rows, Packing::fast, 3000).size() < deflated(rows).size());
 }

@@ -26,6 +26,7 @@ namespace {
 using texmap::encode_png;
 using texmap::Image;
 using texmap::load_image;
+using texmap::Packing;
 using texmap::Rgb8;
 using texmap::save_png;
 using texmap::test::image_error_of;
@@ -131,23 +132,26 @@ TEST_CASE("the bytes are the same however many threads encode at once") {
   for (const bool mine : same) CHECK(mine);
 }
 
-// A flat row is one match after another. Noise takes nine bits for 112 of 256 bytes, else eight.
 TEST_CASE("flat pictures are small, and noise is hardly larger than its pixels") {
-  CHECK(encode_png(Image(800, 600, {120, 130, 140})).size() < 16000);
-  CHECK(encode_png(noise(800, 600, 1)).size() < 800 * 600 * 3 * 107 / 100);
+  CHECK(encode_png(Image(800, 600, {120, 130, 140})).size() < 9000);
+  CHECK(encode_png(noise(800, 600, 1)).size() < 800 * 600 * 3 * 102 / 100);
 }
 
 // The table has the sizes of the golden pictures as stb_image_write itself writes them, with its
 // default settings.
-TEST_CASE("the course's pictures take at most a quarter more than with stb's own compressor") {
+TEST_CASE("the course's pictures take less than with stb, and less again when packed closely") {
   const std::vector<std::pair<std::string, std::size_t>> table = {
       {"01_plain_spheres", 61705}, {"02_checkerboard_uv", 71857}, {"03_image_texture", 89188},
       {"05_y_rotation", 91021},    {"04_uv_conventions", 256430}, {"06_phong_texture_blend", 89708},
   };
   for (const auto& row : table) {
     CAPTURE(row.first);
-    CHECK(encode_png(load_image(TEXMAP_TESTS_DIR "/golden/" + row.first + ".png")).size() * 4 <=
-          row.second * 5);
+    const Image image = load_image(TEXMAP_TESTS_DIR "/golden/" + row.first + ".png");
+    const std::vector<std::uint8_t> close = encode_png(image, Packing::close);
+    CHECK(encode_png(image).size() < row.second * 97 / 100);
+    CHECK(close.size() < row.second * 78 / 100);
+    CHECK(decoded_by_stb(close) == image);
+    CHECK(texmap::decode_image(close) == image);
   }
 }
 
