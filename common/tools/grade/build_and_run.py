@@ -96,7 +96,10 @@ class Course:
             made = os.path.normpath(os.path.join(entry['directory'], words.pop(words.index('-o') + 1)))
             item = re.sub('(_code|_wide)$', '', Path(made).relative_to(self.build).parts[2].removesuffix('.dir'))
             if item in self.units and '/chapters/CMakeFiles/' in made:
-                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()
+                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()[1:]
+                read = [os.path.normpath(os.path.join(entry['directory'], name)) for name in read]  # ccache writes them relative
+                if entry['file'] not in read:
+                    raise CourseError(f'{made}.d does not name {entry["file"]}: what has to be compiled again is not known')
                 here = str(self.chapters / item) + '/'
                 words = words[:words.index('-o')] + words[words.index('-o') + 1:words.index('-c')]
                 self.units[item].append(Unit(words, entry['file'], made, [name[len(here):] for name in read if name.startswith(here)]))
