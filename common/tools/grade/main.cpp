@@ -81,8 +81,10 @@ std::vector<Item> all_items() {
   for (const std::string& name : names) {
     const fs::path golden = tree / "tests/golden" / path_of(name + ".png");
     if (fs::exists(golden)) {
-      const fs::path suite = tree / "tests/chapters" / path_of("symptoms_" + name + ".cpp");
-      items.push_back({name, name.substr(0, 2), golden, fs::exists(suite)});
+      const fs::path suite = tree / "tests/chapters" / path_of("test_" + name + ".cpp");
+      // The suite of 13 measures times, and none of that counts.
+      items.push_back(
+          {name, name.substr(0, 2), golden, !name.starts_with("13") && fs::exists(suite)});
     }
   }
   return items;
@@ -202,7 +204,9 @@ class Grading {
     row.limit_cpu_seconds = result.limit_cpu_seconds;
     row.note = result.note;
     row.cached = result.cached;
-    row.with_tests = !request_.no_tests && items_[k].has_tests;
+    // Of a chapter that is not there or does not compile, the builder may not know.
+    const bool has_tests = row.build == "ok" ? !result.tests_run.empty() : items_[k].has_tests;
+    row.with_tests = !request_.no_tests && has_tests;
     row.tests_passed = std::strtoul(result.tests_passed.c_str(), nullptr, 10);
     row.tests_run = std::strtoul(result.tests_run.c_str(), nullptr, 10);
     if (result.build != "ok") {
@@ -339,7 +343,9 @@ class Grading {
     for (std::size_t i = 0; i < students_.size(); ++i) {
       Student student = students_[i];
       student.rows.clear();
-      XX.rows.push_back(students_[i].rows[k]);
+      for (std::size_t k = 0; k < items_.size(); ++k) {
+        if (done_[i][k]) student.rows.push_back(students_[i].rows[k]);
+      }
       if (!student.rows.empty()) class_.students.push_back(std::move(student));
     }
     table_.close();
