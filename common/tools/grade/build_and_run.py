@@ -96,7 +96,10 @@ class Course:
             made = os.path.normpath(os.path.join(entry['directory'], words.pop(words.index('-o') + 1)))
             item = re.sub('(_code|_wide)$', '', Path(made).relative_to(self.build).parts[2].removesuffix('.dir'))
             if item in self.units and '/chapters/CMakeFiles/' in made:
-                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()
+                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()[1:]
+                read = [os.path.normpath(os.path.join(entry['directory'], name)) for name in read]  # ccache writes them relative
+                if entry['file'] not in read:
+                    raise CourseError(f'{made}.d does not name {entry["file"]}: what has to be compiled again is not known')
                 here = str(self.chapters / item) + '/'
                 words = words[:words.index('-o')] + words[words.index('-o') + 1:words.index('-c')]
                 self.units[item].append(Unit(words, entry['file'], made, [name[len(here):] for name in read if name.startswith(here)]))
@@ -186,7 +189,8 @@ def first_failure(log):
     _, _, rest = log.partition('TEST CASE:')
     lines = [line.strip() for line in rest.splitlines()]
     told = [line for line in lines if line and not re.match(r'=+$|\[doctest]|TEST CASE:', line)]
-    return '; '.join(told[:4])[:400]
+    said = re.sub(r'[\w/.]+:\d+: (FATAL )?ERROR: ', '', '; '.join(told[:4]))
+    return re.sub('; look at differing/.*', '', said)[:400]  # the box's pictures are not kept
 
 
 class Grader:
