@@ -18,6 +18,7 @@
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 #include "support/temporary_folder.hpp"
 #include "tools/page/page.hpp"
 
@@ -116,7 +117,7 @@ TEST_CASE("the map of texture coordinates shows |du| and |dv|, and gray where a 
   pixels.after.uv = {{0.2, 1}, {0, 0}};
   const Image map = steps::uv_difference_map(pixels);
   CHECK(map.width == 4);
-  CHECK((map.at(0, 0) == difference_color(127)));  // a quarter of a turn, the short way round
+  CHECK(map.at(0, 0) == difference_color(127));  // a quarter of a turn, the short way round
   CHECK(map.at(2, 0) == difference_color(191));
   CHECK(map.at(1, 0) == Rgb8{128, 128, 128});
   CHECK(map.at(3, 0) == Rgb8{128, 128, 128});
