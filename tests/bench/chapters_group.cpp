@@ -26,7 +26,7 @@ template <class Lesson>
 void add_chapter(Group& group, const std::string& line, int width, int height,
                  const std::vector<std::string>& options = {}) {
   const auto make = [=] {
-    return std::make_shared<LessonWork<Lesson>>(test::prepared<Lesson>(options), width, height);
+    return std::make_shared<LessonWork<Lesson>>(prepared<Lesson>(options), width, height);
   };
   const auto add = [&](const Variant& variant) {
     group.rows.push_back(row_of(line, line, variant, 1, make));
@@ -42,7 +42,7 @@ using Earth = LessonWork<chapter_07::Lesson>;
 
 /// Chapter 07 under a sky and a budget.
 [[nodiscard]] std::shared_ptr<Earth> earth(const std::string& sky, const std::string& budget) {
-  const auto lesson = test::prepared<chapter_07::Lesson>({"--sky", sky});
+  const auto lesson = prepared<chapter_07::Lesson>({"--sky", sky});
   const Image& texture = lesson.objects.front().paint.texture.image;
   return std::make_shared<Earth>(
       lesson, 400, 225, samples,

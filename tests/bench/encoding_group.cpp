@@ -22,9 +22,8 @@ const char* const column = "one thread";
 
 /// Chapter 03's picture, drawn once.
 [[nodiscard]] const Image& picture() {
-  static const Image drawn =
-      render<double>(test::prepared<chapter_03::Lesson>(),
-                     view_of(Camera{.eye = {0, 2, 8}, .target = {}}, 800, 600));
+  static const Image drawn = render<double>(
+      prepared<chapter_03::Lesson>(), view_of(Camera{.eye = {0, 2, 8}, .target = {}}, 800, 600));
   return drawn;
 }
 

@@ -143,9 +143,12 @@ std::vector<Student> students() {
   Row broken = row("04_uv_conventions", false, 0, "lesson.hpp:7: error: expected ';'");
   broken.build = broken.word = "does not build";
   broken.figures.reset();
-  Row plain = row("02.1", true, 0, "");
-  plain.with_tests = false;
-  return {{"s/ada", "ada", "ada", "", {row("03_image_texture", true, 5, ""), plain}},
+  Row exercise;
+  exercise.item = "02.1";
+  exercise.exercise = "chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp";
+  exercise.build = exercise.run = exercise.word = "ok";
+  exercise.tests_passed = exercise.tests_run = 1;
+  return {{"s/ada", "ada", "ada", "", {row("03_image_texture", true, 5, ""), exercise}},
           {"s/" + evil, evil, "evil", evil, {row("03_image_texture", false, 4, evil)}},
           {"s/bob", "bob", "bob", "", {broken, row("05_y_rotation", true, 5, "")}}};
 }
@@ -182,7 +185,9 @@ TEST_CASE("Gradescope's results have its fields, and the points add up") {
   }
   const json ada = json::parse(gradescope_json(students()[0]));
   CHECK(ada["tests"][0]["number"] == "3.1");
-  CHECK(ada["tests"][2]["name"] == "02.1: the picture");
+  CHECK(ada["tests"][2]["name"] == "02.1: the exercise");
+  CHECK(ada["tests"][2]["number"] == "2.1");
+  CHECK(ada["leaderboard"].size() == 1);  // an exercise has no picture
   CHECK(ada["leaderboard"][0]["value"] == 0);
   CHECK(
       json::parse(gradescope_json(students()[2]))["leaderboard"].empty());  // a picture is missing
@@ -196,7 +201,10 @@ TEST_CASE("Classroom's report has its fields, and the notices its numbers") {
     CHECK(results["version"] == 1);
     CHECK(results["max_score"] == student.of());
   }
-  CHECK(json::parse(classroom_json(students()[0]))["status"] == "pass");
+  const json ada = json::parse(classroom_json(students()[0]));
+  CHECK(ada["status"] == "pass");
+  CHECK(ada["tests"][0]["filename"] == "chapters/03_image_texture/lesson.hpp");
+  CHECK(ada["tests"][2]["filename"] == students()[0].rows[1].exercise);
   CHECK(json::parse(classroom_json(students()[1]))["status"] == "fail");
   CHECK(json::parse(classroom_json(students()[2]))["status"] == "error");
   const std::string notices = classroom_notices(students()[1]);

@@ -105,6 +105,7 @@ TEST_CASE("a wrong command line and nothing to grade have status 2 and say what 
   refused(quoted(folder / "nowhere"), "there is no folder");
   refused(quoted(folder / "file"), "there is nothing to grade");
   refused("--chapters 99 " + quoted(folder.path()), "there is no chapter '99'");
+  refused("--chapters 02.9 " + quoted(folder.path()), "'02.9', and no exercise");
   refused("--format pdf " + quoted(folder.path()), "gradescope|classroom");
 }
 
@@ -137,6 +138,38 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
   CHECK(text_of(folder / "out/eve.html").find("&lt;b&gt;error") != std::string::npos);
   CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"0\"") != std::string::npos);
   CHECK(grades.find("NOT CONTAINED") == std::string::npos);
+}
+
+TEST_CASE("exercises are graded where they are asked for") {
+  const TemporaryFolder folder;
+  copy(golden + "../../README.md", folder / "class/ada/chapters/01_plain_spheres/lesson.hpp");
+  copy(golden + "01_plain_spheres.png", folder / "class/bob/01.png");
+  const std::string body =
+      "while IFS=$tab read -r id folder item; do\n"
+      "  case $item in\n"
+      "    02.1) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 1 1 no '' ;;\n"
+      "    02.2) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 0 1 no 'stripes: no squares; law' "
+      ";;\n"
+      "    02.3) row $id $item bwrap ok hang 5.00 5.0 '' '' '' '' 0 1 no 'it was stopped' ;;\n"
+      "    *.*) row $id $item bwrap missing '' '' '' '' '' '' '' '' '' no 'there is none' ;;\n"
+      "    *) row $id $item bwrap ok ok 0.50 5.0 \"$golden$item.png\" '' '' '' '' '' no '' ;;\n"
+      "  esac\ndone <\"$plan\"\n";
+  const std::string of_class = quoted(folder / "class");
+  const Outcome outcome =
+      grade(folder, builder(folder, body) + "--chapters exercises,01 " + of_class);
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  const std::string grades = text_of(folder / "out/grades.csv");
+  CHECK(count(grades, "\r\n") == 1 + 2 * (1 + 36));
+  CHECK(grades.find("\"stripes: no squares; law\",\"stripes\",\"0\",\"1\"") != std::string::npos);
+  CHECK(grades.find("\"it was stopped\",\"hang\",\"0\",\"1\"") != std::string::npos);
+  // The chapter and 02.1; of pictures alone, no exercise.
+  CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"2\",\"37\"") != std::string::npos);
+  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"37\"") != std::string::npos);
+  CHECK(count(grades, "\"bob\",\"02.1\",\"\",") == 1);
+  // Without being asked for, none.
+  CHECK(grade(folder, builder(folder, body) + of_class).status == 0);
+  CHECK(text_of(folder / "out/grades.csv").find("02.1") == std::string::npos);
 }
 
 TEST_CASE("programs that were not contained are named first: terminal, tables, pages") {

@@ -326,6 +326,36 @@ TEST_CASE("the class's page has the worst first, a row of sums, and links where 
   CHECK(page.find("<a href=\"student_150.html\">") != std::string::npos);
 }
 
+TEST_CASE("an exercise is worth one point, and its mistakes are counted") {
+  const std::string file = "chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp";
+  Row wrong = wrong_row("02.1", "u runs the other way", "u runs the other way: mirrored");
+  wrong.exercise = file;
+  wrong.tests_run = 1;
+  Row right = wrong;
+  right.word = "ok";
+  right.note = "";
+  right.tests_passed = 1;
+  CHECK((wrong.points() == 0 && wrong.of() == 1));
+  CHECK((right.points() == 1 && right.of() == 1));
+  right.with_tests = true;  // as a chapter's tests would be
+  CHECK((right.points() == 1 && right.of() == 1));
+  const Class all{{{"02.1", "02.1", "", false, file}},
+                  {student_named("ada", {right}), student_named("bob", {wrong})},
+                  2};
+  CHECK(class_page(all).find("1 of 2: u runs the other way") != std::string::npos);
+  CHECK(
+      grades_csv(all).find("\"ada\",\"02.1\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"1 of 1\"") !=
+      std::string::npos);
+  CHECK(student_page(all.students[1]).find("u runs the other way: mirrored") != std::string::npos);
+}
+
+TEST_CASE("a picture is none of an exercise, also with its number as a name") {
+  const TemporaryFolder folder;
+  touch(path_of(folder / "ada/02.1.png"));
+  const std::vector<Item> items = {{"02.1", "02.1", "", false, "chapters/02_a/exercises/1_b.hpp"}};
+  CHECK(find_submissions({path_of(folder / "ada")}, items)[0].pictures.empty());
+}
+
 TEST_CASE("nothing that a student wrote becomes part of a page") {
   const std::string evil = "<script>alert(1)</script>\"'&\x1B";
   Student student = student_named(evil, {wrong_row("03_image_texture", evil, evil)});

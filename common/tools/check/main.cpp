@@ -92,7 +92,7 @@ void write_page(const std::filesystem::path& folder, const std::string& title,
   page +=
       "<style>:root{color-scheme:light dark}body{font:1rem/1.5 system-ui,sans-serif;margin:1rem "
       "auto;max-width:80rem;padding:0 1rem}main{display:flex;flex-wrap:wrap;gap:1rem}"
-      "figure{margin:0}img{max-width:100%}</style>\n";
+      "pre{white-space:pre-wrap}figure{margin:0}img{max-width:100%}</style>\n";
   page += "<h1>" + escaped_markup(title) + "</h1>\n<pre>" + escaped_markup(words) +
           "</pre>\n<main>\n" + figure("yours.png", "drawn with your function") +
           figure("right.png", "drawn with the course's function") +

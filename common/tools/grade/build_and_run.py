@@ -114,12 +114,18 @@ class Course:
             made = os.path.normpath(os.path.join(entry['directory'], words.pop(words.index('-o') + 1)))
             target = re.search(r'/CMakeFiles/(\w+)\.dir/', made)[1]
             item = exercises.get(target, re.sub('(_code|_wide)$', '', target))
-            if item in self.units and (is_exercise(item) or '/chapters/CMakeFiles/' in made):
-                # An exercise's unit is never compiled for the course: the solution is.
-                read = [] if is_exercise(item) else Path(made + '.d').read_text().replace('\\\n', ' ').split()
-                here = str(self.folder(item)) + '/'
-                words = words[:words.index('-o')] + words[words.index('-o') + 1:words.index('-c')]
-                self.units[item].append(Unit(words, entry['file'], made, [name[len(here):] for name in read if name.startswith(here)]))
+            if item in self.units and is_exercise(item):
+                read = [entry['file']]  # it is not compiled for the course, and always for a student
+            elif item in self.units and '/chapters/CMakeFiles/' in made:
+                read = Path(made + '.d').read_text().replace('\\\n', ' ').split()[1:]
+                read = [os.path.normpath(os.path.join(entry['directory'], name)) for name in read]  # ccache writes them relative
+                if entry['file'] not in read:
+                    raise CourseError(f'{made}.d does not name {entry["file"]}: what has to be compiled again is not known')
+            else:
+                continue
+            here = str(self.folder(item)) + '/'
+            words = words[:words.index('-o')] + words[words.index('-o') + 1:words.index('-c')]
+            self.units[item].append(Unit(words, entry['file'], made, [name[len(here):] for name in read if name.startswith(here)]))
         archives = sorted((self.build / 'common').glob('*.a'))
         self.shared = [self.tree / 'common', self.build / 'CMakeFiles' / 'learn_headers.dir', *archives]
         pieces = [subprocess.run(['c++', '--version'], capture_output=True, check=True).stdout]
@@ -223,7 +229,8 @@ def first_failure(log):
     _, _, rest = log.partition('TEST CASE:')
     lines = [line.strip() for line in rest.splitlines()]
     told = [line for line in lines if line and not re.match(r'=+$|\[doctest]|TEST CASE:', line)]
-    return '; '.join(told[:4])[:400]
+    said = re.sub(r'[\w/.]+:\d+: (FATAL )?ERROR: ', '', '; '.join(told[:4]))
+    return re.sub('; look at differing/.*', '', said)[:400]  # the box's pictures are not kept
 
 
 class Grader:

@@ -16,8 +16,8 @@ struct Item {
   std::string name;    ///< 03_image_texture
   std::string number;  ///< 03: what stands in the head of a table
   std::filesystem::path golden;
-  bool has_tests = false;  ///< a checkout's tests are worth a point
-  std::string exercise;    ///< the file of an exercise, in a checkout; empty for a chapter
+  bool has_tests = false;     ///< a checkout's tests are worth a point
+  std::string exercise = {};  ///< the file of an exercise, in a checkout; empty for a chapter
 };
 
 /// How far a picture is from the golden one.
