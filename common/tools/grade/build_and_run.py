@@ -112,7 +112,7 @@ class Course:
         for entry in json.loads((self.build / 'compile_commands.json').read_text()):
             words = shlex.split(entry['command'])
             made = os.path.normpath(os.path.join(entry['directory'], words.pop(words.index('-o') + 1)))
-            target = re.search(r'/CMakeFiles/(\w+)\.dir/', made)[1]
+            target = re.search(r'/CMakeFiles/([^/]+)\.dir/', made)[1]
             item = exercises.get(target, re.sub('(_code|_wide)$', '', target))
             if item in self.units and is_exercise(item):
                 read = [entry['file']]  # it is not compiled for the course, and always for a student
