@@ -117,7 +117,7 @@ int check_exercise(const Exercise& exercise, const Request& request) {
   save_png(difference_map(yours, right), folder / "map.png");
   write_page(folder, exercise.id + "  " + request.title, words);
   print("  pictures:  " + name_of(folder / "index.html") + "\n");
-  // Behind the last call of the student's function, which may end the program.
+  // After the last call of the student's function, which may end the program.
   if (!request.report.empty()) {
     write_text_atomically(path_of(request.report),
                           in_two_lines(verdict, different, right.pixels.size()));

@@ -431,10 +431,10 @@ class Grader:
         result['hidden_expected'] = (course or result).get('hidden_picture', '')
 
     def check(self, program, course, result):
-        """Tries an exercise's function. Status 0 is not enough: the report has a random name, and is written behind the last call."""
+        """Tries an exercise's function. Status 0 is not enough: a report with a random name is written after the last call."""
         report = secrets.token_hex(16)
-        limits = self.limits(course, 'verdict')
-        ended = self.boxes.run([str(program), '--out', 'pictures', '--report', report], [program, self.course.tree / 'assets'], limits, report)
+        words = [str(program), '--out', 'pictures', '--report', report]
+        ended = self.boxes.run(words, [program, self.course.tree / 'assets'], self.limits(course, 'verdict'), report)
         result['cpu']['verdict'] = ended.cpu
         verdict, _, why = ended.product.decode('utf-8', 'replace').partition('\n')
         how = 'ok' if ended.how == 'failed (1)' and verdict == 'not yet' else ended.how
@@ -443,7 +443,8 @@ class Grader:
         elif verdict not in ('right', 'not yet'):
             why = 'no verdict: the program ended before the function was tried'
         right = ended.how == 'ok' and verdict == 'right'
-        result |= {'run': how, 'cpu_seconds': f'{ended.cpu:.2f}', 'limit_cpu_seconds': f"{self.limits(course or result, 'verdict').cpu:.1f}",
+        limit = self.limits(course or result, 'verdict').cpu
+        result |= {'run': how, 'cpu_seconds': f'{ended.cpu:.2f}', 'limit_cpu_seconds': f'{limit:.1f}',
                    'tests_run': '1', 'tests_passed': '1' if right else '0', 'note': '' if right else why.strip()[:300]}
 
     def test(self, item, sources, files, course, result):

@@ -151,7 +151,7 @@ std::string section(const Row& row) {
   entry("run", row.run);
   if (!row.cpu_seconds.empty())
     entry("processor time", row.cpu_seconds + " s of " + row.limit_cpu_seconds + " s");
-  entry("tests passed", row.tests());
+  if (row.exercise.empty()) entry("tests passed", row.tests());
   if (row.figures && !row.picture_ok) {
     entry("pixels off by more than one level", text("%zu", row.figures->pixels_off));
     entry("RMSE", text("%.3g levels", row.figures->rmse));
