@@ -9,7 +9,7 @@ if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   add_test(NAME learn_build COMMAND "${CMAKE_COMMAND}" --build "${learn}" --parallel 2 --target ${chapters} compare_program draw_mistakes)
   add_test(NAME learn_pictures COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/golden/programs.sh" "${learn}/bin" ${chapters})
   add_test(NAME learn_has_one_number COMMAND "${learn}/bin/02_checkerboard_uv" --number float --out /dev/null)
-  set_tests_properties(learn_has_one_number PROPERTIES PASS_REGULAR_EXPRESSION "this one was built for learning")
+  set_tests_properties(learn_has_one_number PROPERTIES PASS_REGULAR_EXPRESSION "This one was built for learning")
   # Chapter 01 has light alone, chapter 08 a texture and options.
   add_test(NAME learn_draws_mistakes_in_light COMMAND "${learn}/bin/draw_mistakes" 01 --out "${learn}/mistakes_01" --width 80 --height 60)
   set_tests_properties(learn_draws_mistakes_in_light PROPERTIES PASS_REGULAR_EXPRESSION "25 wrong pictures")

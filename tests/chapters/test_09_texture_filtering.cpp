@@ -365,7 +365,7 @@ TEST_CASE("--help says why there are no intervals") {
   Lesson lesson;
   CommandLine line("09", "");
   const Session session("09", line, Lesson::about, offers_for(lesson));
-  CHECK(line.help().find("not interval: where rounding leaves") != std::string::npos);
+  CHECK(line.help().find("not interval: where rounding") != std::string::npos);
 }
 
 TEST_CASE("averaging bytes instead of light would make the horizon too dark") {

@@ -148,7 +148,7 @@ TEST_CASE("a PNG file with one mistake is refused with its reason") {
       {joined({start, grey_header, chunk("tRNS", {0, 1}), chunk("tRNS", {0, 1}), body, end}),
        "two transparencies"},
       {joined({start, header(1, 1, 8, 4), chunk("tRNS", {0, 1}), pixels({0, 1, 2}), end}),
-       "with alpha"},
+       "with an alpha channel"},
       {joined({start, palette_header, two_colors, pixels({0, 1, 2}), end}),
        "color 2 of a palette with 2"},
       // Pixels.
