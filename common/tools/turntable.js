@@ -2,7 +2,7 @@
 for (const button of document.querySelectorAll("button[data-frames]")) {
   const image = button.parentElement.closest("figure, section").querySelector("img");
   const frames = button.dataset.frames.split(" ");
-  const still = image.src;
+  const still = image.getAttribute("src");
   let timer = 0;
   button.addEventListener("click", () => {
     if (timer) {

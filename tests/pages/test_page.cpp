@@ -93,7 +93,7 @@ TEST_CASE("somebody's text cannot become markup, hide itself or turn the writing
         "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF", "\xC3\xA4\xE2\x82\xAC"}) {
     CHECK(shown(text) == text);
   }
-  CHECK(shown("\xC2\x9B") == bad + bad);
+  CHECK(shown("\xC2\x9B") == bad);
   // Too long a form, a surrogate, beyond the last character, cut off, and a byte alone.
   CHECK(shown("\xC0\xBC") == bad + bad);
   CHECK(shown("\xE0\x80\xBC") == bad + bad + bad);
@@ -102,10 +102,10 @@ TEST_CASE("somebody's text cannot become markup, hide itself or turn the writing
   CHECK(shown("\xE2\x82") == bad + bad);
   CHECK(shown("\xE2\x82<") == bad + bad + "&lt;");
   CHECK(shown("\xFF") == bad);
-  // Right-to-left override, isolate and mark.
-  CHECK(shown("\xE2\x80\xAE") == bad + bad + bad);
-  CHECK(shown("\xE2\x81\xA7") == bad + bad + bad);
-  CHECK(shown("\xE2\x80\x8F") == bad + bad + bad);
+  // One mark for each character: right-to-left override, isolate and mark.
+  CHECK(shown("\xE2\x80\xAE") == bad);
+  CHECK(shown("\xE2\x81\xA7") == bad);
+  CHECK(shown("\xE2\x80\x8F") == bad);
 }
 
 TEST_CASE("a path of any bytes is an address that leads to it") {
