@@ -94,7 +94,7 @@ for fault in "too wide" "no picture" "contrast 1.9"; do
 done
 # And a link that leads nowhere stops the making of the book.
 mkdir -p "$work/root/chapters/01_a" "$work/root/docs" "$work/root/common/tools"
-cp -R "$root/common/tools/book" "$work/root/common/tools/"
+cp -R "$root/common/tools/book" "$root/common/tools/turntable.js" "$work/root/common/tools/"
 printf '# 01\n\n[a](none.md) [b](#none)\n' >"$work/root/chapters/01_a/README.md"
 if "$book" "$work/root" "$work/wrong" >"$work/said" 2>&1; then
   echo "FAIL: a link that leads nowhere is not noticed"

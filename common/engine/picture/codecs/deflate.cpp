@@ -69,9 +69,9 @@ constexpr std::array<Code, n> codes_of(const Lengths<n>& lengths) {
     codes[i].length = lengths[i];
     if (lengths[i] == 0) continue;
     const std::uint32_t code = next[lengths[i]]++;
-    for (int bit = 0; bit < lengths[i]; ++bit) {
-      codes[i].bits = static_cast<std::uint16_t>(codes[i].bits << 1 | (code >> bit & 1U));
-    }
+    std::uint32_t bits = 0;
+    for (int bit = 0; bit < lengths[i]; ++bit) bits = bits << 1 | (code >> bit & 1U);
+    codes[i].bits = static_cast<std::uint16_t>(bits);
   }
   return codes;
 }
