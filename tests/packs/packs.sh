@@ -71,7 +71,7 @@ for chapter in "$@"; do
   draw "$chapter" "$work/double.png" double baseline
   for instructions in baseline avx2 avx512; do
     draw "$chapter" "$work/packs.png" double-pack "$instructions" 2>"$work/refusal" || {
-      grep -q "this machine cannot" "$work/refusal" || fail "$chapter with $instructions: $(cat "$work/refusal")"
+      grep -q "this machine does not have" "$work/refusal" || fail "$chapter with $instructions: $(cat "$work/refusal")"
       echo "$instructions: not on this machine"
       continue
     }
