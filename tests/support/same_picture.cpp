@@ -51,13 +51,12 @@ void leave(const Image& image, const std::filesystem::path& file) {
 }
 
 /// Writes both pictures and the map. Returns how their names begin.
-std::string leave_pictures(const Image& is, const Image& should,
-                           const std::source_location& place) {
+std::string leave_pictures(const Image& is, const Image& should, const CallPlace& place) {
   const std::filesystem::path folder = std::filesystem::path(TEXMAP_DIFFERING_DIR);
   std::error_code trouble;
   std::filesystem::create_directories(folder, trouble);
-  const std::string stem = std::filesystem::path(place.file_name()).stem().string() + "_line_" +
-                           std::to_string(place.line());
+  const std::string stem =
+      std::filesystem::path(place.file).stem().string() + "_line_" + std::to_string(place.line);
   leave(is, folder / (stem + "_is.png"));
   leave(should, folder / (stem + "_should.png"));
   leave(difference_map(is, should), folder / (stem + "_map.png"));
@@ -93,7 +92,7 @@ std::string difference_report(const Image& is, const Image& should, const Allowe
 }
 
 void expect_same_picture(const Image& is, const Image& should, const Allowed& allowed,
-                         const WrongPictures& wrong, std::source_location place) {
+                         const WrongPictures& wrong, CallPlace place) {
   const std::string report = difference_report(is, should, allowed, wrong);
   if (report.empty()) {
     CHECK(report.empty());  // it counts as an assertion
@@ -104,7 +103,7 @@ void expect_same_picture(const Image& is, const Image& should, const Allowed& al
     where = "\n  look at ";
     where += leave_pictures(is, should, place) + "_is.png, ..._should.png and ..._map.png";
   }
-  ADD_FAIL_CHECK_AT(place.file_name(), static_cast<int>(place.line()), report << where);
+  ADD_FAIL_CHECK_AT(place.file, place.line, report << where);
 }
 
 }  // namespace texmap::test

@@ -1,11 +1,11 @@
 // Whether two pictures are the same; if not, where they differ, what was seen, and why.
 #pragma once
 #include <functional>
-#include <source_location>
 #include <string>
 #include <vector>
 
 #include "engine/compare/known_mistakes.hpp"
+#include "support/call_place.hpp"
 #include "texture/image.hpp"
 
 namespace texmap::test {
@@ -28,7 +28,6 @@ using WrongPictures = std::function<std::vector<WrongPicture>()>;
 /// Checks that a picture is what it should be; a failure shows the difference_report. Both pictures
 /// and a map of their differences are then written into the build folder; the failure says where.
 void expect_same_picture(const Image& is, const Image& should, const Allowed& allowed = {},
-                         const WrongPictures& wrong = {},
-                         std::source_location place = std::source_location::current());
+                         const WrongPictures& wrong = {}, CallPlace place = CallPlace::current());
 
 }  // namespace texmap::test

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
-#include <source_location>
 #include <string>
 
 #include "math/vec3.hpp"
+#include "support/call_place.hpp"
 
 namespace texmap::test {
 
@@ -34,8 +34,7 @@ inline constexpr double beyond_doubt = 1e-9;
 /// @param within    how far off a right value may be
 inline void expect_number(const std::string& what, double is, double should,
                           std::initializer_list<Suspect> suspects, const char* usually = "",
-                          double within = beyond_doubt,
-                          std::source_location place = std::source_location::current()) {
+                          double within = beyond_doubt, CallPlace place = CallPlace::current()) {
   const auto same = [within](double a, double b) {
     return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= within;
   };
@@ -53,17 +52,17 @@ inline void expect_number(const std::string& what, double is, double should,
   std::string report = what;
   report += " is " + digits_of(is) + " here and should be " + digits_of(should);
   if (!word.empty()) report += ": " + word;
-  ADD_FAIL_CHECK_AT(place.file_name(), static_cast<int>(place.line()), report);
+  ADD_FAIL_CHECK_AT(place.file, place.line, report);
 }
 
 /// Checks that something is so, and names the mistake if it is not.
 inline void expect_that(bool so, const std::string& law, const char* word,
-                        std::source_location place = std::source_location::current()) {
+                        CallPlace place = CallPlace::current()) {
   if (so) {
     CHECK(so);
     return;
   }
-  ADD_FAIL_CHECK_AT(place.file_name(), static_cast<int>(place.line()), law << ": " << word);
+  ADD_FAIL_CHECK_AT(place.file, place.line, law << ": " << word);
 }
 
 /// A direction with the name that a message gives it.
