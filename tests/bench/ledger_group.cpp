@@ -44,7 +44,7 @@ void add_base(Group& group, const std::string& line, const std::string& set, con
 
 template <class Lesson>
 [[nodiscard]] Lesson prepared() {
-  return prepared<Lesson>();
+  return texmap::prepared<Lesson>();
 }
 
 /// A lesson that has what another one has, and draws it in its own way.
@@ -130,7 +130,7 @@ Group ledger_group() {
   const auto unturned = [] { return on_stage(prepared<chapter_04::Lesson>()); };
   add_base(group, "05: not turned, by chapter 04's lesson", "05 not turned", unturned);
   add_variant(group, "05: turned by 0 degrees", "05 not turned", unturned, [] {
-    return on_stage(prepared<chapter_05::Lesson>({"--degrees", "0"}));
+    return on_stage(texmap::prepared<chapter_05::Lesson>({"--degrees", "0"}));
   });
 
   const auto sixth = [] { return on_stage(prepared<chapter_06::Lesson>()); };
