@@ -11,10 +11,10 @@
 #include "support/many_digits.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
+#include "support/shown_values.hpp"
 
 #ifdef TEXMAP_HAVE_DIGITS
 #include "extremes/digits.hpp"
-#include "support/shown_values.hpp"
 
 template <>
 inline texmap::test::Digits50 texmap::pi<texmap::test::Digits50>() {
