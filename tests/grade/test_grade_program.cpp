@@ -220,10 +220,13 @@ TEST_CASE("each format leaves its file, with the page's name where there are sev
   const TemporaryFolder folder;
   for (const char* name : {"ada", "bob"})
     copy(golden + "01_plain_spheres.png", folder / ("class/" + std::string(name) + "/01.png"));
-  for (const auto& [format, file] : {std::pair{"gradescope", "results.json"},
-                                     {"classroom", "classroom.json"},
-                                     {"exercism", "results.json"},
-                                     {"junit", "junit.xml"}}) {
+  for (const auto& pair : {std::pair{"gradescope", "results.json"},
+                           {"classroom", "classroom.json"},
+                           {"exercism", "results.json"},
+                           {"junit", "junit.xml"}}) {
+    const std::string format =
+        pair.first;  // CAPTURE makes a lambda, which takes no structured binding
+    const std::string file = pair.second;
     CAPTURE(format);
     const std::string words = "--chapters 01 --format " + std::string(format) + " ";
     const Outcome alone = grade(folder, words + quoted(folder / "class/ada"));
