@@ -172,7 +172,7 @@ std::string name_mistake(const Image& drawn, const Image& right,
   std::vector<double> distances;
   distances.reserve(wrong.size());
   for (const WrongPicture& one : wrong) {
-    // A mistake that nobody can see on this picture is no reason for another one.
+    // A mistake that does not change this picture must not keep another one from being named.
     const bool shows = same_size(one.picture, right) && !is_same_picture(one.picture, right);
     distances.push_back(shows ? distance_between(drawn, one.picture)
                               : std::numeric_limits<double>::infinity());

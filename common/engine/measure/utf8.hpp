@@ -5,7 +5,7 @@
 
 namespace texmap {
 
-/// What stands for a byte that is not UTF-8.
+/// Replaces a byte that is not UTF-8.
 inline constexpr char32_t replacement_character = 0xFFFD;
 
 /// Takes a character off the front of a text that is not empty; of what is no UTF-8, one byte, as

@@ -68,6 +68,11 @@ using FromCoordinate = int(double, int);
 
 int cut_off(double x) { return static_cast<int>(x); }
 
+/// The function with its number limited to the texels that there are.
+std::function<FromCoordinate> limited_to_texels(int (*function)(double, int)) {
+  return [=](double x, int n) { return std::clamp(function(x, n), 0, n - 1); };
+}
+
 Exercise which_column() {
   Law<FromCoordinate> law{
       .right = [](double u, int n) { return texel_number(u, n, TexelRounding::floor); },
@@ -83,10 +88,7 @@ Exercise which_column() {
   // Those who make another mistake often forget the ends, too.
   for (const bool limited : {true, false}) {
     const auto wrong = [&](const char* word, int (*function)(double, int)) {
-      law.mistakes.push_back({word, [=](double u, int n) {
-                                return limited ? std::clamp(function(u, n), 0, n - 1)
-                                               : function(u, n);
-                              }});
+      law.mistakes.push_back({word, limited ? limited_to_texels(function) : function});
     };
     wrong(
         "multiply by width, not by width - 1: now the last column is at u = 1 alone, and the "
@@ -130,10 +132,7 @@ Exercise which_row() {
       .mistakes = {}};
   for (const bool limited : {true, false}) {
     const auto wrong = [&](const char* word, int (*function)(double, int)) {
-      law.mistakes.push_back({word, [=](double v, int n) {
-                                return limited ? std::clamp(function(v, n), 0, n - 1)
-                                               : function(v, n);
-                              }});
+      law.mistakes.push_back({word, limited ? limited_to_texels(function) : function});
     };
     wrong("you count from below, and the file from the top: your map is upside down",
           [](double v, int n) { return cut_off(v * n); });

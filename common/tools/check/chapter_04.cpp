@@ -15,8 +15,8 @@ static Hook<Uv<double>(Vec3<double>)> uv_of;
 static Hook<double(double)> lecture_u;
 static Hook<bool(Uv<double>, Uv<double>, Uv<double>)> is_mirrored;
 
-/// True if the student's function says that this convention mirrors. It is asked at one point,
-/// which is seen in the picture.
+/// Whether the student's function calls this convention mirrored. It gets the (u, v) of one point
+/// that the picture shows, and of two neighbors.
 static bool mirrors(Convention convention) {
   constexpr double step = 0.01;
   const auto place = [=](double u, double v) {

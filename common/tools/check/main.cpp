@@ -13,6 +13,7 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
 #include "exercises.hpp"
+#include "tools/page/page.hpp"
 
 namespace {
 
@@ -80,24 +81,23 @@ std::string in_two_lines(const Verdict& verdict, std::size_t different, std::siz
          "; yours: " + verdict.got + "\n";
 }
 
-std::string figure(const std::string& file, const std::string& caption) {
-  return "<figure><img src=\"" + file + "\" alt=\"" + caption + "\"><figcaption>" + caption +
-         "</figcaption></figure>\n";
+/// Saves a picture into the folder, for a page there.
+page::Picture saved(const Image& image, const std::filesystem::path& folder, const char* file) {
+  save_png(image, folder / file);
+  return {file, image.width, image.height};
 }
 
-void write_page(const std::filesystem::path& folder, const std::string& title,
-                const std::string& words) {
-  std::string page = "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" +
-                     escaped_markup(title) + "</title>\n";
-  page +=
-      "<style>:root{color-scheme:light dark}body{font:1rem/1.5 system-ui,sans-serif;margin:1rem "
-      "auto;max-width:80rem;padding:0 1rem}main{display:flex;flex-wrap:wrap;gap:1rem}"
-      "pre{white-space:pre-wrap}figure{margin:0}img{max-width:100%}</style>\n";
-  page += "<h1>" + escaped_markup(title) + "</h1>\n<pre>" + escaped_markup(words) +
-          "</pre>\n<main>\n" + figure("yours.png", "drawn with your function") +
-          figure("right.png", "drawn with the course's function") +
-          figure("map.png", "where they differ") + "</main>\n</html>\n";
-  write_text_atomically(folder / "index.html", page);
+void write_page(const std::filesystem::path& folder, const std::string& title, bool good,
+                const std::string& words, const Image& yours, const Image& right) {
+  const Image map = difference_map(yours, right);
+  std::string body = page::verdict(good, good ? "Right." : "Not yet.");
+  body += "<pre>" + page::escaped_foreign(words) + "</pre>\n";
+  body += page::side_by_side(
+      {page::figure(saved(yours, folder, "yours.png"), "drawn with your function"),
+       page::figure(saved(right, folder, "right.png"), "drawn with the right function"),
+       page::figure(saved(map, folder, "map.png"), "where they differ")});
+  const page::Frame frame{.title = title, .style = "pre { white-space: pre-wrap; }", .script = {}};
+  write_text_atomically(folder / "index.html", page::framed(frame, body));
 }
 
 /// Checks the student's function, draws the pictures, and writes the page. Returns the status.
@@ -112,17 +112,15 @@ int check_exercise(const Exercise& exercise, const Request& request) {
 
   const std::filesystem::path folder = path_of(request.out) / exercise.id;
   std::filesystem::create_directories(folder);
-  save_png(yours, folder / "yours.png");
-  save_png(right, folder / "right.png");
-  save_png(difference_map(yours, right), folder / "map.png");
-  write_page(folder, exercise.id + "  " + request.title, words);
+  const bool good = is_right(verdict, different, right.pixels.size());
+  write_page(folder, exercise.id + "  " + request.title, good, words, yours, right);
   print("  pictures:  " + name_of(folder / "index.html") + "\n");
   // After the last call of the student's function, which may end the program.
   if (!request.report.empty()) {
     write_text_atomically(path_of(request.report),
                           in_two_lines(verdict, different, right.pixels.size()));
   }
-  return is_right(verdict, different, right.pixels.size()) ? 0 : 1;
+  return good ? 0 : 1;
 }
 
 /// Says how far a prediction is off. Returns the status.

@@ -58,7 +58,7 @@ struct Pictures {
   [[nodiscard]] page::Picture show(const std::filesystem::path& file) const;
 };
 
-/// What stands on a page about a chapter.
+/// A chapter on a page: its lesson and its picture.
 struct Code {
   std::string chapter;            ///< its folder
   std::string text;               ///< of its lesson

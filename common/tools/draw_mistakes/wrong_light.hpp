@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "math/color.hpp"
 #include "scene/light.hpp"
 #include "scene/nearest.hpp"
 
@@ -12,7 +13,7 @@ namespace texmap::mistakes {
 enum class LightMistake {
   not_normalized,    ///< n . (lamp - point), without dividing by the distance
   inward,            ///< the normal points into the sphere
-  no_shadows,        ///< nothing is asked whether it hides the lamp
+  no_shadows,        ///< no object hides the lamp
   no_limit,          ///< cosines below 0 take light away
   no_ambient,        ///< black where the lamp does not shine
   no_light,          ///< the color alone

@@ -311,7 +311,7 @@ class Grader:
         return self.once((item, 'reference'), judge)[0]
 
     def limits(self, course, name):
-        """As many times as asked what the course's own lesson takes."""
+        """The course's own time for this task, times --cpu-factor."""
         if not course:
             return Limits(COURSE_SECONDS, self.options.megabytes)
         return Limits(self.options.seconds or max(FLOOR_SECONDS, self.options.cpu_factor * course['cpu'][name]), self.options.megabytes)

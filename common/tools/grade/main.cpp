@@ -238,7 +238,7 @@ class Grading {
     row.limit_cpu_seconds = result.limit_cpu_seconds;
     row.note = result.note;
     row.cached = result.cached;
-    // Of a chapter that is not there or does not compile, the builder may not know.
+    // Where a chapter is missing or does not compile, the builder may not know about its tests.
     const bool has_tests = row.build == "ok" ? !result.tests_run.empty() : items_[k].has_tests;
     row.with_tests = !request_.no_tests && has_tests;
     row.tests_passed = std::strtoul(result.tests_passed.c_str(), nullptr, 10);

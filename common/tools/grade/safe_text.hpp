@@ -17,7 +17,7 @@ namespace texmap::grade {
 /// spreadsheets split cells at.
 [[nodiscard]] std::string csv_cell(std::string_view text);
 
-/// Letters, digits, - and _ that remind of a name, for a file on any system; never empty.
+/// The name as a file name on any system: all but letters, digits, - and _ becomes _; never empty.
 [[nodiscard]] std::string file_name_of(std::string_view name);
 
 /// The text with blanks up to so many columns of a terminal; East Asian characters take two.

@@ -49,7 +49,7 @@ std::string grades_csv_line(const Student& student, const Row& row) {
 
 std::string grades_csv(const Class& all) {
   std::string table = grades_csv_head();
-  // Behind the byte order mark, so that a spreadsheet still knows UTF-8.
+  // The byte order mark stays first, or a spreadsheet would not read the file as UTF-8.
   if (!all.contained()) table.insert(3, line({not_contained}));
   for (const Student& student : all.students) {
     for (const Row& row : student.rows) table += grades_csv_line(student, row);

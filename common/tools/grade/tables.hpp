@@ -6,7 +6,7 @@
 
 namespace texmap::grade {
 
-/// The byte order mark, by which spreadsheets know UTF-8, and the names of the columns.
+/// The names of the columns, after the byte order mark that tells spreadsheets: this is UTF-8.
 [[nodiscard]] std::string grades_csv_head();
 /// A line of grades.csv.
 [[nodiscard]] std::string grades_csv_line(const Student& student, const Row& row);
