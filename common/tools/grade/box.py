@@ -96,13 +96,13 @@ class Users:
     def __init__(self):
         with subprocess.Popen(['unshare', '--user', 'sh', '-c', 'echo; read _'], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as made:
             made.stdout.readline()  # now it is in its namespace
-            for kind in ('uid', 'gid'):
-                count = int(Path(f'/proc/self/{kind}_map').read_text().split()[2])
+            counts = {kind: int(Path(f'/proc/self/{kind}_map').read_text().split()[2]) for kind in ('uid', 'gid')}
+            for kind, count in counts.items():
                 Path(f'/proc/{made.pid}/{kind}_map').write_text(f'0 0 {count}')
             namespace = os.open(f'/proc/{made.pid}/ns/user', os.O_RDONLY)  # it stays while this is open
         self.enter = ['nsenter', f'--user=/proc/{os.getpid()}/fd/{namespace}']
         subprocess.run([*self.enter, 'sh', '-c', 'echo 0 >/proc/sys/user/max_user_namespaces'], check=True)
-        last = min(count, 1 << 31) - 3  # below nobody; where there are all ids, nobody has these
+        last = min(*counts.values(), 1 << 31) - 3  # not 65534, the user nobody; if all ids are there, these are free
         self.ids = itertools.cycle(range(last, last - 10000, -1))
 
     def next(self):
@@ -169,6 +169,17 @@ def usage(pid, most):
     return ticks / os.sysconf('SC_CLK_TCK'), pages * os.sysconf('SC_PAGE_SIZE'), count
 
 
+def own_threads():
+    """How many threads this user has. They count for the kernel's limit on processes where no box is."""
+    count = 0
+    for process in Path('/proc').glob('[0-9]*'):
+        try:
+            count += len(os.listdir(process / 'task')) if process.stat().st_uid == os.getuid() else 0
+        except OSError:
+            pass  # it has just ended
+    return count
+
+
 class Boxes:
     """Runs commands in boxes of one kind."""
 
@@ -193,8 +204,9 @@ class Boxes:
     def run(self, argv, visible, limits, product=''):
         """Runs argv where only `visible` and the system are seen; `product` is the file that it leaves in the box."""
         alone = 'no' if self.kind == 'none' else 'yes'
+        processes = limits.processes + (own_threads() + 1000 if self.kind == 'none' else 0)  # this user may begin others, too
         argv = ['sh', '-c', INSIDE, 'sh', str(int(limits.cpu) + 2), str(limits.megabytes << 10), str(limits.disk_megabytes << 11),
-                str(limits.processes), product, alone, *argv]
+                str(processes), product, alone, *argv]
         enter, become = self.users.next() if self.users else ([], [])
         command = CONTAINMENTS[self.kind](self.system + [str(place) for place in visible], limits, argv, self.work, enter, become)
         with tempfile.TemporaryFile() as handed_over, tempfile.TemporaryDirectory() as place:
