@@ -47,7 +47,12 @@ constexpr LightTables<Number> make_light_tables() {
 
 }  // namespace
 
-constinit const std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
+#ifdef __EMSCRIPTEN__  // computed when a page starts: they would be a fifth of what it loads
+#define TEXMAP_TABLE_INIT
+#else
+#define TEXMAP_TABLE_INIT constinit
+#endif
+TEXMAP_TABLE_INIT const std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
     light_tables = {make_light_tables<float>(), make_light_tables<double>(),
                     make_light_tables<long double>()};
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "engine/measure/text.hpp"
 #include "engine/system/system.hpp"
@@ -210,8 +209,9 @@ std::string CommandLine::help() const {
       row.clear();
     }
     row.resize(indent, ' ');
-    std::istringstream words(right);
-    for (std::string word; words >> word;) {
+    for (std::size_t begin = 0, end = 0; begin < right.size(); begin = end + 1) {
+      end = std::min(right.find(' ', begin), right.size());
+      const std::string word = right.substr(begin, end - begin);
       if (row.size() + word.size() > columns && row.size() > indent) {
         row.pop_back();
         text += row + "\n";

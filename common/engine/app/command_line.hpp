@@ -28,6 +28,14 @@ class UsageError : public std::runtime_error {
 /// The options of a program, and the reader of what the user typed.
 class CommandLine {
  public:
+  struct Option {
+    std::string name;
+    std::string placeholder;  ///< its words with | between them; empty for a flag
+    std::string help;
+    std::string preset;  ///< the default; may be empty
+    std::function<void(std::string_view)> read;
+  };
+
   /// @param program  its name, as typed
   /// @param purpose  one line for the top of the help
   CommandLine(std::string program, std::string purpose);
@@ -90,18 +98,13 @@ class CommandLine {
   /// True when the option was typed; valid after parse().
   [[nodiscard]] bool was_given(std::string_view name) const;
 
+  /// The options in the order of the help.
+  [[nodiscard]] const std::vector<Option>& options() const { return options_; }
   /// The line that shows how the program is called.
   [[nodiscard]] std::string usage() const;
   [[nodiscard]] std::string help() const;
 
  private:
-  struct Option {
-    std::string name;
-    std::string placeholder;  // empty for a flag
-    std::string help;
-    std::string preset;  // the default, for the help; may be empty
-    std::function<void(std::string_view)> read;
-  };
   void add(Option option);
   [[nodiscard]] std::string call() const;
   [[noreturn]] static void refuse(std::string_view option, std::string_view expected,

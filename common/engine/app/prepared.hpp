@@ -18,8 +18,7 @@ Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) 
   Session session("test", line, Lesson::about, offers_for(lesson));
   if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
   lesson.prepare(session);
-  const Budget budget = read_budget(session.settings.budget);
-  if constexpr (requires { lesson.phong; }) lesson.phong.plan(session, budget);
+  choose_formulas(session, lesson);
   return session.settings;
 }
 

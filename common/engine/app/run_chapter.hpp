@@ -144,6 +144,19 @@ inline constexpr const char* unused_texture =
     "the lesson offers --texture and never loads it: is its hook spelt `prepare`? Write `override` "
     "after it, and the compiler checks the name";
 
+/// Chooses the formulas of a lesson's spheres and of its highlight, after `prepare`.
+template <class Lesson>
+void choose_formulas(Session& session, Lesson& lesson) {
+  if constexpr (HasSpheres<Lesson>) {
+    if (session.was_given("--spheres"))
+      for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
+    keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
+  }
+  if constexpr (requires { lesson.phong; }) {
+    lesson.phong.plan(session, read_budget(session.settings.budget));
+  }
+}
+
 /// Draws and saves what a lesson shows with the options that were read.
 template <class Lesson>
 void draw_and_save(Session& session, Lesson& lesson) {
@@ -152,18 +165,11 @@ void draw_and_save(Session& session, Lesson& lesson) {
   if constexpr (requires { lesson.texture.loaded; } && !shows_itself<Lesson>) {
     if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
   }
-  if constexpr (HasSpheres<Lesson>) {
-    if (session.was_given("--spheres"))
-      for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
-    keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
-  }
   if constexpr (requires { lesson.filtering; }) {
     if (session.settings.zoom != 1 && session.was_given("--budget"))
       throw UsageError("--budget chooses a filter for the whole picture: leave --zoom out");
   }
-  if constexpr (requires { lesson.phong; }) {
-    lesson.phong.plan(session, read_budget(session.settings.budget));
-  }
+  choose_formulas(session, lesson);
   if constexpr (shows_itself<Lesson>) {
     lesson.show(session);
     return;

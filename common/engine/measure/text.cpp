@@ -40,15 +40,25 @@ bool is_decimal(std::string_view text) {
 
 }  // namespace
 
-std::optional<double> read_decimal(std::string_view text) {
-  if (!is_decimal(text)) return {};
-  std::istringstream in{std::string(text)};
+#ifdef __EMSCRIPTEN__  // a page has the C locale alone, and streams would double its size
+namespace {
+/// JavaScript's Number(text). The C library's would bring the arithmetic of long double along.
+__attribute__((import_module("page"), import_name("number"))) extern "C" double page_number(const char* text);
+double read_number(const std::string& text, bool&) { return page_number(text.c_str()); }
+}  // namespace
+
+std::string shown(double value, int digits) { return text("%.*g", digits, value); }
+#else
+namespace {
+double read_number(const std::string& text, bool& fails) {
+  std::istringstream in{text};
   in.imbue(std::locale::classic());
   double value = 0;
   in >> value;
-  if (in.fail() && std::abs(value) > 1) return {};  // a number that is too small is 0
+  fails = in.fail();
   return value;
 }
+}  // namespace
 
 std::string shown(double value, int digits) {
   std::ostringstream out;
@@ -56,6 +66,15 @@ std::string shown(double value, int digits) {
   out.precision(digits);
   out << value;
   return out.str();
+}
+#endif
+
+std::optional<double> read_decimal(std::string_view text) {
+  if (!is_decimal(text)) return {};
+  bool fails = false;
+  const double value = read_number(std::string(text), fails);
+  if (fails && std::abs(value) > 1) return {};  // a number that is too small is 0
+  return value;
 }
 
 std::string round_trip(double value) {

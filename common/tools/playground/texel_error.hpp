@@ -1,0 +1,73 @@
+// Where float puts the texture in another place than double does, in texels.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "engine/app/lesson.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/surfaces.hpp"
+#include "math/color.hpp"
+#include "scene/camera.hpp"
+#include "texture/image.hpp"
+
+namespace texmap::live {
+
+/// The texels of a paint's picture, columns and rows; those of the course's Earth where it has none.
+template <class Paint>
+[[nodiscard]] Size texels_of(const Paint& paint) {
+  if constexpr (requires { paint.texture.image; }) {
+    return {paint.texture.image.width, paint.texture.image.height};
+  } else {
+    return {2048, 1024};
+  }
+}
+template <class... Paints>
+[[nodiscard]] Size texels_of(const AnyOf<Paints...>& paint) {
+  return std::visit([](const auto& one) { return texels_of(one); },
+                    static_cast<const std::variant<Paints...>&>(paint));
+}
+
+/// How far two places on a picture are apart, in texels; u = 0 and u = 1 are the same place.
+[[nodiscard]] inline double texels_apart(const Uv<double>& a, const Uv<double>& b, Size texels) {
+  const double across = std::abs(a.u - b.u);
+  return std::hypot(std::min(across, 1 - across) * texels.width, (a.v - b.v) * texels.height);
+}
+
+/// An error as a color: blue for 1e-5 texel or less, through red, to yellow for 1 or more.
+[[nodiscard]] inline Rgb color_of_error(double texels) {
+  const Rgb least{0.1, 0.15, 0.5}, middle{0.85, 0.15, 0.25}, most{1, 0.95, 0.3};
+  const double t = clamp(std::log10(std::max(texels, 1e-9)) / 5 + 1, 0.0, 1.0);
+  return t < 0.5 ? mix(least, middle, 2 * t) : mix(middle, most, 2 * t - 1);
+}
+
+/// The error of a pixel: black for the sky, gray where there is no (u, v), white where float meets
+/// another object than double.
+template <class Lesson>
+[[nodiscard]] Rgb color_of_texel_error(const Lesson& lesson, const View<>& view, int column,
+                                       int row) {
+  const auto right = surface_along(lesson, ray_through(view, double(column), double(row)));
+  const auto drawn =
+      surface_along(lesson, ray_through(view, static_cast<float>(column), static_cast<float>(row)));
+  if (drawn.object != right.object) return gray(1.0);
+  if (right.object < 0) return gray(0.0);
+  if (!right.has_uv()) return gray(0.3);
+  const auto& paint = lesson.objects[static_cast<std::size_t>(right.object)].paint;
+  return color_of_error(
+      texels_apart({double(drawn.uv.u), double(drawn.uv.v)}, right.uv, texels_of(paint)));
+}
+
+/// The errors of all pixels.
+template <class Lesson>
+[[nodiscard]] Image draw_errors(const Lesson& lesson, const View<>& view) {
+  Image image(view.width, view.height);
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const Rgb color = color_of_texel_error(lesson, view, column, row);
+      image.at(column, row) = {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
+    }
+  }
+  return image;
+}
+
+}  // namespace texmap::live

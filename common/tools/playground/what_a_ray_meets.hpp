@@ -1,0 +1,85 @@
+// What a ray meets, with every number between the pixel and its color, for a page.
+#pragma once
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/measure/json.hpp"
+#include "engine/render/surfaces.hpp"
+#include "scene/light.hpp"
+#include "texel_error.hpp"
+#include "texture/checkerboard.hpp"
+#include "texture/image_texture.hpp"
+
+namespace texmap::live {
+
+using Members = std::vector<std::pair<const char*, Json>>;
+
+[[nodiscard]] inline Json list_of(const Vec3d& v) { return Json::list({v.x, v.y, v.z}); }
+
+/// What a texture has at (u, v): the texel of a picture, or the square of a checkerboard.
+template <class Paint>
+void add_texel(const Paint& paint, const Uv<double>& uv, Members& members) {
+  if constexpr (requires { paint.texture.image; paint.texture.rounding; }) {
+    const Image& image = paint.texture.image;
+    const TexelPlace<double> place = texel_place(uv, image.width, image.height,
+                                                 paint.texture.v_axis, paint.texture.rounding);
+    const Rgb8& texel = image.at(place.column, place.row);
+    members.emplace_back(
+        "texel", Json::object({{"column", place.column},
+                               {"row", place.row},
+                               {"width", image.width},
+                               {"height", image.height},
+                               {"down", paint.texture.v_axis == VAxis::down},
+                               {"floor", paint.texture.rounding == TexelRounding::floor},
+                               {"color", Json::list({int{texel.r}, int{texel.g}, int{texel.b}})}}));
+  } else if constexpr (requires { paint.texture.squares; }) {
+    members.emplace_back("squares", paint.texture.squares);
+  }
+}
+template <class... Paints>
+void add_texel(const AnyOf<Paints...>& paint, const Uv<double>& uv, Members& members) {
+  std::visit([&](const auto& one) { add_texel(one, uv, members); },
+             static_cast<const std::variant<Paints...>&>(paint));
+}
+
+/// The rotation of a paint's mapping, as its cosine and sine.
+template <class Paint>
+void add_rotation(const Paint& paint, const Vec3d& normal, Members& members) {
+  if constexpr (requires { paint.mapping.rotation(normal); })
+    members.emplace_back("rotated", list_of(paint.mapping.rotation(normal)));
+}
+template <class... Paints>
+void add_rotation(const AnyOf<Paints...>& paint, const Vec3d& normal, Members& members) {
+  std::visit([&](const auto& one) { add_rotation(one, normal, members); },
+             static_cast<const std::variant<Paints...>&>(paint));
+}
+
+/// Ray, hit, normal, (u, v), texel and light of a ray, as far as there are any.
+template <HasObjects Lesson>
+[[nodiscard]] Json what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
+  Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
+  const Nearest<double> nearest = find_nearest(lesson.objects, ray);
+  if (nearest.index < 0) return Json::object(members);
+  const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
+  const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
+  members.emplace_back("object", static_cast<int>(nearest.index));
+  members.emplace_back("distance", nearest.distance);
+  members.emplace_back("point", list_of(hit.point));
+  members.emplace_back("center", list_of(object.shape.center));
+  members.emplace_back("radius", object.shape.radius);
+  members.emplace_back("normal", list_of(hit.normal));
+  const Uv<double> uv = uv_of_paint(object.paint, hit);
+  if (!std::isnan(uv.u)) {
+    add_rotation(object.paint, hit.normal, members);
+    members.emplace_back("uv", Json::list({uv.u, uv.v}));
+    add_texel(object.paint, uv, members);
+  }
+  const auto light = sample_light(lesson.stage.light, lesson.objects, hit);
+  members.emplace_back("to_light", list_of(light.to_light));
+  members.emplace_back("cosine", light.cosine);
+  return Json::object(members);
+}
+
+}  // namespace texmap::live
