@@ -231,6 +231,20 @@ TEST_CASE("pages of neighbours share the chapters' pictures, where those are wha
         "after.png after_close.png before_close.png difference.png index.html report.json ");
 }
 
+TEST_CASE("a step that draws what an earlier chapter drew shows that chapter's picture") {
+  const TemporaryFolder folder;
+  save_png(first().picture, folder / "00_same.png");
+  save_png(second().picture, folder / "02_checkerboard_uv_000.png");  // of a turntable
+  save_png(second().picture, folder / "03_later.png");
+  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --shared --drawn '" +
+                              folder.path() + "' --out '" + folder.path() +
+                              "/diff' --width 200 --height 150 --from 1 --to 2";
+  CHECK(run(program).status == 0);
+  const std::string page = text_in(std::filesystem::path(folder / "diff/01-02") / "index.html");
+  CHECK(page.find("src=\"../../00_same.png\"") != std::string::npos);
+  CHECK(page.find("src=\"after.png\"") != std::string::npos);
+}
+
 TEST_CASE("two pictures are compared on a page of the same kind, and the status says what it is") {
   const TemporaryFolder folder;
   save_png(first().picture, folder / "a.png");

@@ -52,7 +52,7 @@ struct Pictures {
 
   /// @param file  its name in the folder of the page
   [[nodiscard]] page::Picture show(const Image& image, const std::string& file) const;
-  /// A step's picture: the chapter's own where that has the same pixels.
+  /// A step's picture: that of its chapter, or of one before, where it has the same pixels.
   [[nodiscard]] page::Picture show(const DrawnStep& step, const std::string& file) const;
   /// The picture in a file of the drawn ones.
   [[nodiscard]] page::Picture show(const std::filesystem::path& file) const;

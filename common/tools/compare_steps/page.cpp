@@ -1,4 +1,6 @@
 // The pages that show what changed between two steps, two chapters or two pictures.
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,21 @@ std::string texture_coordinates(const Comparison& c, const Pictures& pictures) {
          "(u, v).</p>\n";
 }
 
+using Paths = std::vector<std::filesystem::path>;
+
+/// The chapters' pictures, such as 03_image_texture.png, the last first; none of a turntable.
+Paths of_chapters(const std::filesystem::path& folder) {
+  Paths pictures;
+  if (!std::filesystem::is_directory(folder)) return pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = name_of(entry.path().stem());
+    const bool is_frame = name.find_last_not_of("0123456789") + 3 == name.size();
+    if (entry.path().extension() == ".png" && !is_frame) pictures.push_back(entry.path());
+  }
+  std::sort(pictures.rbegin(), pictures.rend());
+  return pictures;
+}
+
 std::string code_section(const std::string& before, const std::string& after) {
   return "<h2>The code</h2>\n" + page::code_difference(before, after);
 }
@@ -85,10 +102,11 @@ page::Picture Pictures::show(const Image& image, const std::string& file) const 
 }
 
 page::Picture Pictures::show(const DrawnStep& step, const std::string& file) const {
-  const std::filesystem::path own = drawn / (step.chapter + ".png");
-  if (folder.empty() || !std::filesystem::exists(own) || load_image(own) != step.picture)
-    return show(step.picture, file);
-  return show(own);
+  const std::string chapter = step.chapter.substr(0, step.chapter.find(' '));
+  for (const std::filesystem::path& own : folder.empty() ? Paths{} : of_chapters(drawn)) {
+    if (own.stem() <= chapter && load_image(own) == step.picture) return show(own);
+  }
+  return show(step.picture, file);
 }
 
 page::Picture Pictures::show(const std::filesystem::path& file) const {
