@@ -348,6 +348,7 @@ function live(main, module) {
   }
   // Asks for a small picture now, and for the full one when the reader rests.
   function change() {
+    if (!hand) return;
     refresh();
     clearTimeout(idle);
     section.dataset.state = "drawing";
@@ -623,6 +624,7 @@ function live(main, module) {
     lens.imageSmoothingEnabled = false;
     lens.clearRect(0, 0, 11, 11);
     lens.drawImage(canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
+    loupe.classList.toggle("live-pinned", pinned);
     loupe.classList.toggle("live-left", column > full[0] / 2);  // on the other half of the picture
     Object.assign(mark.style, {left: `${(column + 0.5) / full[0] * canvas.clientWidth}px`, top: `${(row + 0.5) / full[1] * canvas.clientHeight}px`});
     loupe.hidden = mark.hidden = false;
