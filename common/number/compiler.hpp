@@ -14,3 +14,13 @@
 #else
 #define TEXMAP_FLATTEN
 #endif
+
+// Tables are computed at compile time. Those of a page are computed when it starts: they would be a
+// third of what it loads.
+#if defined(__EMSCRIPTEN__)
+#define TEXMAP_TABLE_CONSTEXPR
+#define TEXMAP_TABLE_CONSTINIT
+#else
+#define TEXMAP_TABLE_CONSTEXPR constexpr
+#define TEXMAP_TABLE_CONSTINIT constinit
+#endif

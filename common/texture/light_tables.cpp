@@ -1,11 +1,12 @@
 // The tables of what a texel's bytes mean, computed at compile time.
+#include "number/compiler.hpp"
 #include "texture/image_texture.hpp"
 
 namespace texmap {
 namespace {
 
 /// x^(1/5) for x in (0, 1], by Newton's iteration, which falls until rounding stops it.
-constexpr long double fifth_root(long double x) {
+TEXMAP_TABLE_CONSTEXPR long double fifth_root(long double x) {
   long double root = 1;
   for (;;) {
     const long double fourth = root * root * root * root;
@@ -17,7 +18,7 @@ constexpr long double fifth_root(long double x) {
 
 /// srgb_decode (math/srgb.hpp) of a byte. Compilers cannot evaluate its power 2.4: take the square
 /// times the square of the fifth root.
-constexpr long double linear_light(int byte) {
+TEXMAP_TABLE_CONSTEXPR long double linear_light(int byte) {
   const long double encoded = static_cast<long double>(byte) / 255;
   if (encoded <= 0.04045L) return encoded / 12.92L;
   const long double base = (encoded + 0.055L) / 1.055L;
@@ -26,7 +27,7 @@ constexpr long double linear_light(int byte) {
 }
 
 /// The byte that stb_image makes from its HDR float: 256 x^2.2, cut off; 2.2 is 2 and a fifth.
-constexpr long double stb_light(int byte) {
+TEXMAP_TABLE_CONSTEXPR long double stb_light(int byte) {
   if (byte == 0) return 0;
   const long double encoded = static_cast<long double>(byte) / 255;
   const int level = static_cast<int>(256 * (encoded * encoded * fifth_root(encoded)));
@@ -34,7 +35,7 @@ constexpr long double stb_light(int byte) {
 }
 
 template <class Number>
-constexpr LightTables<Number> make_light_tables() {
+TEXMAP_TABLE_CONSTEXPR LightTables<Number> make_light_tables() {
   LightTables<Number> tables{};
   for (std::size_t i = 0; i < 256; ++i) {
     const int byte = static_cast<int>(i);
@@ -47,12 +48,7 @@ constexpr LightTables<Number> make_light_tables() {
 
 }  // namespace
 
-#ifdef __EMSCRIPTEN__  // computed when a page starts: they would be a fifth of what it loads
-#define TEXMAP_TABLE_INIT
-#else
-#define TEXMAP_TABLE_INIT constinit
-#endif
-TEXMAP_TABLE_INIT const std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
+TEXMAP_TABLE_CONSTINIT const std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
     light_tables = {make_light_tables<float>(), make_light_tables<double>(),
                     make_light_tables<long double>()};
 

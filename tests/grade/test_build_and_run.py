@@ -16,6 +16,7 @@ import threading
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
@@ -76,6 +77,19 @@ struct Cheat {
 } cheat;
 int main() {}
 '''
+# Writes a letter for each child that it gets, out of 300. They wait, a minute at most.
+CHILDREN = '''#include <unistd.h>
+int main() {
+  for (int i = 0; i < 300; ++i) {
+    const pid_t child = fork();
+    if (child == 0) {
+      sleep(60);
+      _exit(0);
+    }
+    if (child > 0 && write(1, "c", 1) != 1) return 1;
+  }
+}
+'''
 LINKED = '#include <unistd.h>\nint main() { return symlink("/usr/include/stdio.h", "picture.png"); }\n'
 
 
@@ -123,7 +137,7 @@ class Case(unittest.TestCase):
         plan.write_text(''.join(f'{student.name}\t{student}\t{ITEM}\n' for student in students))
         command = [sys.executable, self.tree / 'common/tools/grade/build_and_run.py', '--tree', self.tree, '--build', self.build,
                    '--work', self.work, '--plan', plan, '--results', results, *options]
-        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment), results
+        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, umask=0o077), results
 
     def grade(self, *options, environment=None):
         """Grades all students; the rows by student."""
@@ -221,6 +235,45 @@ class Attacks(Case):
         self.assertEqual([name for name, reached in self.attack(kind).items() if reached], [])
 
 
+class Boxed(Case):
+    """What holds in a box of each kind, for root, too."""
+
+    def each(self, argv, *visible, product='', kinds=()):
+        """How a command ends in a box of each kind that nobody watches."""
+        from box import Boxes, Limits
+        with mock.patch('box.usage', return_value=(0.0, 0, 1)):
+            return {kind: Boxes(kind, self.work).run(argv, visible, Limits(10, 1024), product) for kind in kinds or KINDS}
+
+    def test_gets_no_more_processes_than_it_may(self):
+        program = self.at / 'children'
+        subprocess.run([os.environ.get('CXX', 'c++'), '-x', 'c++', '-', '-o', program], input=CHILDREN, text=True, check=True)
+        for kind, ended in self.each([str(program)], program).items():
+            with self.subTest(kind):
+                self.assertRegex(ended.log, '^c{32,63}$')
+                self.assertEqual(ended.how, 'left processes')
+
+    @unittest.skipIf(os.geteuid() == 0, 'the kernel does not count the processes of root')
+    def test_has_processes_whatever_else_the_user_runs(self):
+        others = [subprocess.Popen(['sleep', '1000']) for _ in range(70)]
+        for kind, ended in self.each(['sh', '-c', 'true; sh -c true'], kinds=[*KINDS, 'none']).items():
+            with self.subTest(kind):
+                self.assertEqual(ended.how, 'ok')
+        for process in others:
+            process.kill()
+            process.wait()
+
+    def test_reads_and_runs_what_only_the_grader_may_and_changes_nothing(self):
+        own = self.at / 'own'
+        own.mkdir(mode=0o700)
+        (own / 'file').touch(mode=0o700)
+        (own / 'file').write_text('#!/bin/sh\necho kept\n')
+        script = f'{own}/file >it; echo changed >>{own}/file || echo unchanged >>it'
+        for seen in (own, own / 'file'):
+            for kind, ended in self.each(['sh', '-c', script], seen, product='it').items():
+                with self.subTest(kind, seen=seen.name):
+                    self.assertEqual((ended.product, ended.how), (b'kept\nunchanged\n', 'ok'))
+
+
 class Goldens(unittest.TestCase):
     def test_that_change_end_the_run(self):
         from build_and_run import CourseError, Grader
@@ -251,13 +304,16 @@ class Interrupts(Case):
         self.assertEqual(results.read_text(), '')
 
 
-class Limits(Case):
+class Endless(Case):
     def test_end_what_does_not_end(self):
         for name, main in {'spin': SPIN, 'sleep': SLEEP, 'crash': CRASH, 'hoard': HOARD, 'crowd': CROWD, 'forks': FORKS, 'fill': FILL,
                            'linked': LINKED, 'copycat': COPYCAT.replace('@bytes@', ','.join(map(str, self.golden.read_bytes()))),
                            'loud': '#include <cstdio>\nint main() { for (int i = 0; i < 50000000; ++i) std::puts("x"); }\n'}.items():
             self.student(name, main)
         self.student('honest', lesson='// mine\n')
+        private = self.student('private', lesson='// for me alone\n')
+        for path in [private, *private.rglob('*')]:
+            path.chmod(0o700 if path.is_dir() else 0o600)
         self.student('same')
         (self.student('without') / 'main.cpp').unlink()
         (self.student('missing') / 'lesson.hpp').unlink()
@@ -265,7 +321,8 @@ class Limits(Case):
         how = {name: row['run'] for name, row in rows.items()}
         self.assertEqual(how, {'spin': 'hang', 'sleep': 'hang', 'crash': 'crashed SIGSEGV', 'hoard': 'too much memory',
                                'crowd': 'too much memory', 'forks': how['forks'], 'fill': 'failed (1)', 'linked': 'ok',
-                               'copycat': 'ok', 'loud': how['loud'], 'honest': 'ok', 'same': 'ok', 'without': 'ok', 'missing': ''})
+                               'copycat': 'ok', 'loud': how['loud'], 'honest': 'ok', 'private': 'ok', 'same': 'ok', 'without': 'ok',
+                               'missing': ''})
         self.assertIn(how['forks'], ('hang', 'too many processes'))
         self.assertIn(how['loud'], ('ok', 'hang'))
         self.assertLessEqual(int(rows['fill']['note'].split()[0]), 64)
@@ -273,7 +330,7 @@ class Limits(Case):
         self.assertEqual(rows['missing']['build'], 'missing')
         for name in ('spin', 'honest'):
             self.assertGreaterEqual(float(rows[name]['limit_cpu_seconds']), 5)
-        for name in ('honest', 'same', 'without'):  # right in both pictures
+        for name in ('honest', 'private', 'same', 'without'):  # right in both pictures
             self.assertEqual(Path(rows[name]['hidden_picture']).read_bytes(), Path(rows[name]['hidden_expected']).read_bytes())
         # One that carries the golden picture is right in the first alone.
         self.assertEqual(Path(rows['copycat']['picture']).read_bytes(), self.golden.read_bytes())

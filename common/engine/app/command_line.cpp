@@ -63,15 +63,28 @@ void CommandLine::add(Option option) {
   same->help += "; " + option.help;
   same->read = [first = *same, second = option, words](std::string_view typed) {
     if (!has_word(first.placeholder, typed) && !has_word(second.placeholder, typed))
-      refuse(first.name, words, typed);
+      refuse_value(first.name, words, typed);
     (has_word(first.placeholder, typed) ? first : second).read(typed);
   };
   same->placeholder = words;
 }
 
-void CommandLine::refuse(std::string_view option, std::string_view expected,
-                         std::string_view typed) {
-  refuse_value(option, expected, typed);
+void CommandLine::one_of(std::string_view name, const std::vector<std::string_view>& words,
+                         std::size_t preset, std::function<void(std::size_t)> choose,
+                         std::string_view help) {
+  std::string listed;
+  for (const std::string_view word : words) {
+    if (!listed.empty()) listed += '|';
+    listed += word;
+  }
+  add({std::string(name), listed, std::string(help),
+       std::string(preset < words.size() ? words[preset] : ""),
+       [words, choose = std::move(choose), listed,
+        name = std::string(name)](std::string_view typed) {
+         const auto word = std::find(words.begin(), words.end(), typed);
+         if (word == words.end()) refuse_value(name, listed, typed);
+         choose(static_cast<std::size_t>(word - words.begin()));
+       }});
 }
 
 void CommandLine::whole(std::string_view name, int& value, int low, int high,

@@ -1,5 +1,6 @@
 // A program's command line: a table of options, read strictly.
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -57,23 +58,15 @@ class CommandLine {
   template <class Value>
   void choice(std::string_view name, Value& value,
               const std::vector<std::pair<std::string_view, Value>>& words, std::string_view help) {
-    std::string listed;
-    std::string preset;
+    std::vector<std::string_view> names;
+    std::vector<Value> meanings;
+    std::size_t preset = words.size();
     for (const auto& [word, meaning] : words) {
-      if (!listed.empty()) listed += '|';
-      listed += word;
-      if (meaning == value) preset = word;
+      if (meaning == value) preset = names.size();
+      names.push_back(word);
+      meanings.push_back(meaning);
     }
-    add({std::string(name), listed, std::string(help), preset,
-         [&value, words, listed, name = std::string(name)](std::string_view typed) {
-           for (const auto& [word, meaning] : words) {
-             if (typed == word) {
-               value = meaning;
-               return;
-             }
-           }
-           refuse(name, listed, typed);
-         }});
+    one_of(name, names, preset, [&value, meanings](std::size_t i) { value = meanings[i]; }, help);
   }
 
   /// A word without an option, such as a file to read; required, in the order of these calls.
@@ -106,9 +99,9 @@ class CommandLine {
 
  private:
   void add(Option option);
+  void one_of(std::string_view name, const std::vector<std::string_view>& words, std::size_t preset,
+              std::function<void(std::size_t)> choose, std::string_view help);
   [[nodiscard]] std::string call() const;
-  [[noreturn]] static void refuse(std::string_view option, std::string_view expected,
-                                  std::string_view typed);
 
   std::string program_;
   std::string purpose_;

@@ -4,6 +4,8 @@ In a box there are no other files, no /proc, no network and no processes but its
 memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits.
 """
 import dataclasses
+import functools
+import itertools
 import os
 import re
 import select
@@ -72,19 +74,58 @@ mount -o rbind /proc proc
 pivot_root . old
 umount -l /old /proc
 cd /box
-exec setpriv --bounding-set=-all --inh-caps=-all --no-new-privs {command}
+exec {command}
 '''
+POWERLESS = ['setpriv', '--bounding-set=-all', '--inh-caps=-all', '--no-new-privs']
 
 
-def bwrap(visible, limits, argv, _work):
-    command = ['bwrap', '--unshare-all', '--unshare-user', '--disable-userns', '--die-with-parent', '--cap-drop', 'ALL']
+def exempt():
+    """Whether this is the machine's root: the kernel lets it have any number of processes, in a user namespace of its own, too."""
+    ids = (map(int, line.split()) for line in Path('/proc/self/uid_map').read_text().splitlines())
+    return os.geteuid() == 0 and any(inside == outside == 0 for inside, outside, _ in ids)
+
+
+class Users:
+    """A user namespace with more users than root. Each of root's boxes gets one, with a number of processes of its own."""
+
+    # The user may read and run what root may: the course and what is made may be for root alone. What it sees is mounted read-only.
+    # Who becomes another user has to ask again for the signal that the parent ended.
+    BECOME = ['setpriv', '--pdeathsig', 'KILL', '--clear-groups', '--no-new-privs',
+              *(f'--{caps}=-all,+dac_override' for caps in ('bounding-set', 'inh-caps', 'ambient-caps'))]
+
+    def __init__(self):
+        with subprocess.Popen(['unshare', '--user', 'sh', '-c', 'echo; read _'], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as made:
+            made.stdout.readline()  # now it is in its namespace
+            counts = {kind: int(Path(f'/proc/self/{kind}_map').read_text().split()[2]) for kind in ('uid', 'gid')}
+            for kind, count in counts.items():
+                Path(f'/proc/{made.pid}/{kind}_map').write_text(f'0 0 {count}')
+            namespace = os.open(f'/proc/{made.pid}/ns/user', os.O_RDONLY)  # it stays while this is open
+        self.enter = ['nsenter', f'--user=/proc/{os.getpid()}/fd/{namespace}']
+        subprocess.run([*self.enter, 'sh', '-c', 'echo 0 >/proc/sys/user/max_user_namespaces'], check=True)
+        last = min(*counts.values(), 1 << 31) - 3  # not 65534, the user nobody; if all ids are there, these are free
+        self.ids = itertools.cycle(range(last, last - 10000, -1))
+
+    def next(self):
+        """The words that enter the namespace as root, and those that become another user."""
+        user = str(next(self.ids))
+        return self.enter, [*self.BECOME, '--reuid', user, '--regid', user]
+
+
+def bwrap(visible, limits, argv, _work, enter, become):
+    command = [*enter, 'bwrap', '--unshare-ipc', '--unshare-pid', '--unshare-net', '--unshare-uts', '--unshare-cgroup-try',
+               '--die-with-parent', '--cap-drop', 'ALL']
+    if enter:
+        for power in ('SETUID', 'SETGID', 'SETPCAP', 'DAC_OVERRIDE'):
+            command += ['--cap-add', f'CAP_{power}']
+    else:
+        command += ['--unshare-user', '--disable-userns']
     for place in visible:
         command += ['--symlink', os.readlink(place), place] if os.path.islink(place) else ['--ro-bind', place, place]
-    return command + ['--dev', '/dev', '--size', str(limits.disk_megabytes << 20), '--tmpfs', BOX, '--remount-ro', '/',
-                      '--remount-ro', '/dev', '--chdir', BOX, *argv]
+    return command + ['--dev', '/dev', '--size', str(limits.disk_megabytes << 20), '--perms', '1777', '--tmpfs', BOX,
+                      '--remount-ro', '/', '--remount-ro', '/dev', '--chdir', BOX, *become, *argv]
 
 
-def unshare(visible, limits, argv, work):
+def unshare(visible, limits, argv, work, enter, become):
     root = work / 'root'
     root.mkdir(exist_ok=True)
     links = [place for place in visible if os.path.islink(place)]
@@ -97,23 +138,24 @@ def unshare(visible, limits, argv, work):
     files = [place for place in places if not os.path.isdir(place)] + devices
     folders = [place if os.path.isdir(place) else os.path.dirname(place) for place in places]
     script = UNSHARED.format(root=shlex.quote(str(root)), folders=shlex.join('.' + place for place in folders), links=shlex.join(links),
-                             files=shlex.join('.' + place for place in files), table=shlex.join(table), command=shlex.join(argv))
-    return ['setpriv', '--pdeathsig', 'KILL', 'unshare', '--user', '--map-root-user', '--pid', '--fork', '--kill-child', '--net',
-            '--ipc', '--uts', '--mount', 'sh', '-c', script]
+                             files=shlex.join('.' + place for place in files), table=shlex.join(table),
+                             command=shlex.join([*(become or POWERLESS), *argv]))
+    return ['setpriv', '--pdeathsig', 'KILL', *enter, 'unshare', *([] if enter else ['--user', '--map-root-user']), '--pid', '--fork',
+            '--kill-child', '--net', '--ipc', '--uts', '--mount', 'sh', '-c', script]
 
 
-def none(_visible, _limits, argv, _work):
+def none(_visible, _limits, argv, *_):
     return argv
 
 
 CONTAINMENTS = {'bwrap': bwrap, 'unshare': unshare, 'none': none}
 
 
-def usage(pid):
-    """CPU seconds, bytes of memory and number of the processes below and with this one."""
+def usage(pid, most):
+    """CPU seconds, bytes of memory and number of the processes below and with this one, or of `most` of them."""
     ticks = pages = count = 0
     todo = [pid]
-    while todo:
+    while todo and count < most:
         process = todo.pop()
         try:
             fields = Path(f'/proc/{process}/stat').read_text().rpartition(')')[2].split()
@@ -127,6 +169,17 @@ def usage(pid):
     return ticks / os.sysconf('SC_CLK_TCK'), pages * os.sysconf('SC_PAGE_SIZE'), count
 
 
+def own_threads():
+    """How many threads this user has. They count for the kernel's limit on processes where no box is."""
+    count = 0
+    for process in Path('/proc').glob('[0-9]*'):
+        try:
+            count += len(os.listdir(process / 'task')) if process.stat().st_uid == os.getuid() else 0
+        except OSError:
+            pass  # it has just ended
+    return count
+
+
 class Boxes:
     """Runs commands in boxes of one kind."""
 
@@ -135,21 +188,27 @@ class Boxes:
         self.stopping = threading.Event()
         self.system = [place for place in SYSTEM if os.path.lexists(place)]
 
+    @functools.cached_property
+    def users(self):
+        return Users() if self.kind != 'none' and exempt() else None
+
     def works(self):
         """Whether this machine makes such boxes, and they keep what they should."""
         try:
             ended = self.run(['sh', '-c', f'test ! -e {shlex.quote(str(self.work))}/root -a ! -e /proc/self && echo kept >it'], [],
                              Limits(10, 1024), 'it')
-        except OSError:
+        except (OSError, subprocess.SubprocessError):
             return False
         return ended.product == b'kept\n'
 
     def run(self, argv, visible, limits, product=''):
         """Runs argv where only `visible` and the system are seen; `product` is the file that it leaves in the box."""
         alone = 'no' if self.kind == 'none' else 'yes'
+        processes = limits.processes + (own_threads() + 1000 if self.kind == 'none' else 0)  # this user may begin others, too
         argv = ['sh', '-c', INSIDE, 'sh', str(int(limits.cpu) + 2), str(limits.megabytes << 10), str(limits.disk_megabytes << 11),
-                str(limits.processes), product, alone, *argv]
-        command = CONTAINMENTS[self.kind](self.system + [str(place) for place in visible], limits, argv, self.work)
+                str(processes), product, alone, *argv]
+        enter, become = self.users.next() if self.users else ([], [])
+        command = CONTAINMENTS[self.kind](self.system + [str(place) for place in visible], limits, argv, self.work, enter, become)
         with tempfile.TemporaryFile() as handed_over, tempfile.TemporaryDirectory() as place:
             environment = dict(ENVIRONMENT, **({'HOME': place, 'TMPDIR': place} if self.kind == 'none' else {}))
             process = subprocess.Popen(command, stdin=handed_over, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=place,
@@ -183,7 +242,7 @@ class Boxes:
             if now < due:
                 continue
             due, pause = now + pause, min(0.1, 1.5 * pause)
-            was, (cpu, memory, count) = cpu, usage(process.pid)
+            was, (cpu, memory, count) = cpu, usage(process.pid, limits.processes)
             busy = now if cpu > was else busy
             if why:
                 if now > start:  # what is not contained may hold the pipe open
@@ -198,8 +257,8 @@ class Boxes:
                 why = 'hang: it did not come to an end'
             elif memory > limits.megabytes << 20:
                 why = f'too much memory: its processes took more than {limits.megabytes} MB'
-            elif count > limits.processes + 8:
-                why = f'too many processes: more than {limits.processes}'
+            elif count >= limits.processes:
+                why = f'too many processes: it may not have {limits.processes}'
             if why:
                 os.kill(process.pid, signal.SIGKILL)  # a box's first process takes all others with it
                 self.kill_group(process)

@@ -114,13 +114,18 @@ class Live final : public LiveLesson {
   }
 
   [[nodiscard]] std::string look(int column, int row) const override {
-    return what_a_ray_meets(state_->lesson, ray_through(state_->whole, double(column), double(row)))
+    const Lesson& lesson = state_->lesson;
+    return what_a_ray_meets(lesson, ray_through(state_->whole, double(column), double(row)))
         .text;
   }
 
  private:
+  /// A page shows one picture: the sheets that some lessons save stay out of the module.
+  struct OnePicture : Lesson {
+    void show(Session&) override {}
+  };
   struct State {
-    Lesson lesson;
+    OnePicture lesson;
     CommandLine line{"live", Lesson::about.idea};
     Session session = make_session();
     Knobs<Lesson> knobs;
@@ -148,7 +153,8 @@ class Live final : public LiveLesson {
       whole = session.view(lesson.stage.camera, settings.width, settings.height);
     }
 
-    [[nodiscard]] Image draw(const View<>& view) const {
+    [[nodiscard]] Image draw(const View<>& view) const { return draw_lesson(lesson, view); }
+    [[nodiscard]] Image draw_lesson(const Lesson& lesson, const View<>& view) const {
       const Settings& settings = session.settings;
       const RenderSettings how{.samples = settings.samples, .threads = 1};
       if constexpr (HasSpheres<Lesson>) {
@@ -161,8 +167,8 @@ class Live final : public LiveLesson {
         }
       }
       if (settings.number == NumberKind::float_) return render<float>(lesson, view, how);
-      if (settings.number == NumberKind::double_) return render<double>(lesson, view, how);
-      return render<Pack2<Pack<double>>>(lesson, view, how);
+      // Packs of double draw what double draws (tests/packs).
+      return render<Pack<double>>(lesson, view, how);
     }
   };
   std::unique_ptr<State> state_ = std::make_unique<State>();

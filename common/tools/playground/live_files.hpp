@@ -1,10 +1,12 @@
-// Files that a page hands over.
+// Pictures that a page hands over.
 #pragma once
 #include <string>
 
+#include "texture/image.hpp"
+
 namespace texmap::live {
 
-/// Decodes this picture again when it is asked for next.
-void forget_picture(const std::string& name);
+/// Keeps a texture under its name, without folders; one of the same name is replaced.
+void keep_picture(const std::string& name, Image picture);
 
 }  // namespace texmap::live

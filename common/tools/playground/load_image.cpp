@@ -1,11 +1,10 @@
-// Textures in a browser: decoded once. Linked before the library, these functions take the place of
-// those that read the disk.
+// Textures in a browser: the loader has decoded them, and the page handed them over. Linked before
+// the library, these functions take the place of those that read the disk.
 #include "engine/picture/load_image.hpp"
 
 #include <map>
+#include <utility>
 
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/decode_image.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
@@ -15,27 +14,24 @@ namespace texmap {
 namespace {
 
 std::map<std::string, Image>& pictures() {
-  static std::map<std::string, Image> decoded;
-  return decoded;
+  static std::map<std::string, Image> kept;
+  return kept;
 }
 
 }  // namespace
 
 namespace live {
 
-void forget_picture(const std::string& name) { pictures().erase(name); }
+void keep_picture(const std::string& name, Image picture) { pictures()[name] = std::move(picture); }
 
 }  // namespace live
 
 std::filesystem::path find_texture(const std::string& name) { return path_of(name); }
 
 Image load_image(const std::filesystem::path& path) {
-  const std::string name = name_of(path);
-  const auto kept = pictures().find(name);
+  const auto kept = pictures().find(name_of(path));
   if (kept != pictures().end()) return kept->second;
-  return pictures()[name] = with_name("cannot load texture", path, [&] {
-           return decode_image(read_file(path, max_file_bytes));
-         });
+  throw FileError("cannot load texture '" + name_of(path) + "': this page does not have it");
 }
 
 void check_output(const std::filesystem::path&) {}

@@ -1,23 +1,24 @@
 // A WebAssembly module of some chapters: what a page calls. Texts and pixels stay where they are
 // until the next call.
+#include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/system/browser.hpp"
-#include "live_files.hpp"
+#include "exports.hpp"
 #include "live_chapters.hpp"
+#include "live_files.hpp"
 
 namespace {
 
 using namespace texmap;
+using live::answer;
 
 std::unique_ptr<live::LiveLesson> lesson;
-std::string text;
-std::vector<std::uint8_t> pixels;
+std::vector<std::uint8_t> drawn;
 
 /// The words of a text that ends each with a line feed.
 std::vector<std::string> words_of(const char* lines) {
@@ -33,32 +34,23 @@ std::vector<std::string> words_of(const char* lines) {
   return words;
 }
 
-/// What `work` returns, or the reason why it failed after an exclamation mark.
-template <class Work>
-const char* answer(const Work& work) {
-  try {
-    text = work();
-  } catch (const std::bad_alloc&) {
-    text = "!there is not enough memory for this";
-  } catch (const std::exception& error) {
-    text = std::string("!") + error.what();
-  }
-  return text.c_str();
-}
-
 }  // namespace
 
-#define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
-
-/// Memory for what the page hands over; the page gives it back.
-EXPORTED(take) void* take(int bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
-EXPORTED(give_back) void give_back(void* memory) { std::free(memory); }
-
-/// Keeps a file under a name.
+/// Keeps a file, such as a mesh, under a name.
 EXPORTED(keep) const char* keep(const char* name, const std::uint8_t* bytes, int size) {
   return answer([&] {
     keep_file(name, {bytes, bytes + size});
-    live::forget_picture(name);
+    return std::string();
+  });
+}
+
+/// Keeps a texture: what the loader read.
+EXPORTED(keep_picture)
+const char* keep_picture(const char* name, const Rgb8* pixels, int width, int height) {
+  return answer([&] {
+    Image picture(width, height);
+    std::copy_n(pixels, picture.pixels.size(), picture.pixels.begin());
+    live::keep_picture(name, std::move(picture));
     return std::string();
   });
 }
@@ -82,12 +74,12 @@ EXPORTED(set) const char* set(const char* words, int widest) {
 /// Draws rows; returns their pixels, 4 bytes each.
 EXPORTED(rows) const std::uint8_t* rows(int first, int count) {
   const Image image = lesson->rows(first, count);
-  pixels.resize(image.pixels.size() * 4);
-  auto out = pixels.begin();
+  drawn.resize(image.pixels.size() * 4);
+  auto out = drawn.begin();
   for (const Rgb8& pixel : image.pixels) {
     for (const std::uint8_t byte : {pixel.r, pixel.g, pixel.b, std::uint8_t{255}}) *out++ = byte;
   }
-  return pixels.data();
+  return drawn.data();
 }
 
 /// What the ray of a pixel meets.

@@ -5,13 +5,15 @@
 #include <array>
 #include <cstddef>
 
+#include "number/compiler.hpp"
+
 namespace texmap {
 namespace {
 
 using Table = std::array<std::uint32_t, 256>;
 
 // tables[k][b] is what the byte b does to the checksum when k more bytes follow it.
-constexpr std::array<Table, 8> make_tables() {
+TEXMAP_TABLE_CONSTEXPR std::array<Table, 8> make_tables() {
   std::array<Table, 8> tables{};
   for (std::uint32_t byte = 0; byte < 256; ++byte) {
     std::uint32_t crc = byte;
@@ -27,7 +29,7 @@ constexpr std::array<Table, 8> make_tables() {
   return tables;
 }
 
-constexpr std::array<Table, 8> tables = make_tables();
+TEXMAP_TABLE_CONSTEXPR const std::array<Table, 8> tables = make_tables();
 
 // How often each of 64 bytes counts in Adler-32's second sum: the first 64 times, the last once.
 constexpr auto weights = [] {
