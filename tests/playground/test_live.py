@@ -90,6 +90,9 @@ class Place:
             shutil.copy(os.path.join(tools, name), live)
         shutil.copy(os.path.join(root, "common", "tools", "book", "book.css"), self.folder)
         self.make("script", os.path.join(root, "assets", "earth.png"), os.path.join(live, "earth.js"))
+        wasm = os.path.join(modules, "loader.wasm")
+        if os.path.exists(wasm):
+            self.make("script", wasm, "loader", os.path.join(live, "module_loader.js"))
         for chapter in CHAPTERS:
             name = next((name for name in (chapter, "spheres") if os.path.exists(os.path.join(modules, f"live_{name}.wasm"))), None)
             if name is None:

@@ -5,7 +5,7 @@ const texmapLive = (() => {
 
 // ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from file://.
 function worker() {
-  let code;           // what the module exports
+  let code, decoder;  // the chapter's module, opened; that of the loader, not yet
   let used = "";      // the words and width that the module is set to
   let size = [0, 0];  // of that picture
   let job = null;     // the drawing that waits
@@ -14,37 +14,44 @@ function worker() {
   // Lets messages in: setTimeout would wait 4 ms.
   const pause = () => new Promise((done) => { channel.port1.onmessage = done; channel.port2.postMessage(0); });
 
-  // Memory may have moved since the last call, so each access takes its buffer again.
-  const memory = () => new Uint8Array(code.memory.buffer);
-  function textAt(start) {
-    const end = memory().indexOf(0, start);
-    return new TextDecoder().decode(memory().slice(start, end));
-  }
-  function answerAt(start) {
-    const text = textAt(start);
-    if (text[0] === "!") throw {refusal: text.slice(1)};
-    return text;
-  }
-  // Calls `use` with a copy of the bytes, ended by 0, in the module's memory.
-  function lend(bytes, use) {
-    const start = code.take(bytes.length + 1);
-    if (!start) throw {refusal: "there is not enough memory for this"};
-    memory().set(bytes, start);
-    memory()[start + bytes.length] = 0;
-    try { return use(start); } finally { code.give_back(start); }
-  }
-  const lendText = (text, use) => lend(new TextEncoder().encode(text), use);
-
-  async function load(module) {
+  // A module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the buffer again.
+  async function open(module) {
     const imports = {};
     for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
-    imports.page.number = (text) => Number(textAt(text));
-    code = (await WebAssembly.instantiate(module, imports)).exports;
-    code._initialize();
+    const own = {
+      memory: () => new Uint8Array(own.calls.memory.buffer),
+      text: (start) => new TextDecoder().decode(own.memory().slice(start, own.memory().indexOf(0, start))),
+      answer(start) {
+        const text = own.text(start);
+        if (text[0] === "!") throw {refusal: text.slice(1)};
+        return text;
+      },
+      // Calls `use` with copies of texts and bytes in the module's memory, each ended by 0.
+      lend(things, use) {
+        const starts = [];
+        try {
+          for (const thing of things) {
+            const bytes = typeof thing === "string" ? new TextEncoder().encode(thing) : thing;
+            const start = own.calls.take(bytes.length + 1);
+            if (!start) throw {refusal: "there is not enough memory for this"};
+            starts.push(start);
+            own.memory().set(bytes, start);
+            own.memory()[start + bytes.length] = 0;
+          }
+          return use(...starts);
+        } finally {
+          starts.forEach(own.calls.give_back);
+        }
+      },
+    };
+    if (imports.page) imports.page.number = (text) => Number(own.text(text));
+    own.calls = (await WebAssembly.instantiate(module, imports)).exports;
+    own.calls._initialize();
+    return own;
   }
   function set(words, widest) {
     const lines = words.map((word) => word + "\n").join("");
-    if (used !== lines + widest) size = lendText(lines, (start) => answerAt(code.set(start, widest)).split(" ").map(Number));
+    if (used !== lines + widest) size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ").map(Number);
     used = lines + widest;
   }
   // Draws in strips of about 15 ms. A full picture is given up for a newer request; a small one is not, or a fast hand
@@ -55,8 +62,8 @@ function worker() {
       const [columns, rows] = size;
       const count = Math.min(most, rows - first);
       const began = performance.now();
-      const start = code.rows(first, count);
-      const strip = memory().slice(start, start + 4 * columns * count);
+      const start = code.calls.rows(first, count);
+      const strip = code.memory().slice(start, start + 4 * columns * count);
       const last = first + count === rows;
       postMessage({kind: "rows", id, columns, rows, first, strip, small, last}, [strip.buffer]);
       if (last) return;
@@ -67,16 +74,30 @@ function worker() {
       if (job && !small) return;
     }
   }
+  const keepPixels = (name, pixels, width, height) =>
+    code.lend([name, pixels], (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
   const can = {
-    async load({module}) { await load(module); },
-    keep({name, bytes}) { lendText(name, (text) => lend(bytes, (start) => answerAt(code.keep(text, start, bytes.length)))); },
+    async load({module, loader}) {
+      decoder = loader;
+      code = await open(module);
+    },
+    // The loader lives for one file: what it needed is free afterwards.
+    async keep({name, shown, bytes}) {
+      const loader = await open(decoder);
+      const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
+        .split(" ").map(Number);
+      const start = loader.calls.pixels();
+      keepPixels(name, loader.memory().subarray(start, start + 3 * width * height), width, height);
+      postMessage({kind: "kept", name, bytes, shown});
+    },
+    drop: ({name}) => keepPixels(name, new Uint8Array(3), 1, 1),
     begin({chapter}) {
       used = "";
-      postMessage({kind: "options", options: JSON.parse(lendText(chapter, (text) => answerAt(code.begin(text))))});
+      postMessage({kind: "options", options: JSON.parse(code.lend([chapter], (text) => code.answer(code.calls.begin(text))))});
     },
     look({words, widest, column, row}) {
       set(words, widest);
-      postMessage({kind: "seen", column, row, seen: JSON.parse(answerAt(code.look(column, row)))});
+      postMessage({kind: "seen", column, row, seen: JSON.parse(code.answer(code.calls.look(column, row)))});
     },
     async draw(message) {
       job = message;
@@ -98,11 +119,10 @@ function worker() {
       postMessage(error.refusal ? {kind: "refused", of: kind, id, reason: error.refusal} : {kind: "lost", reason: String(error)});
     }
   }
-  let before = Promise.resolve();  // only loading takes a while; what follows waits for it
+  let before = Promise.resolve();  // what others wait for
   onmessage = ({data}) => {
-    const act = () => attempt(() => can[data.kind](data), data);
-    if (data.kind === "load") before = act();
-    else before.then(act);
+    const done = before.then(() => attempt(() => can[data.kind](data), data));
+    if (data.kind !== "draw") before = done;
   };
 }
 
@@ -184,7 +204,7 @@ function fetched(name, script) {
 }
 
 // ---- A live picture, its form and its loupe.
-function live(main, module) {
+function live(main, module, loader) {
   const image = main.querySelector("img");
   // A paragraph that has only the picture goes with it.
   const still = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
@@ -209,7 +229,7 @@ function live(main, module) {
   const command = element("code");
   const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
   const hereOnly = element("span");
-  const choose = element("input", {type: "file", accept: "image/png,image/jpeg,.hdr", onchange: () => openFile(choose.files[0])});
+  const choose = element("input", {type: "file", accept: "image/png,image/jpeg", onchange: () => openFile(choose.files[0])});
   const opener = element("label", {className: "live-open"}, "Open file ", choose);
   const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
     element("div", {className: "live-actions"}, opener, element("button", {type: "button", textContent: "Reset", onclick: () => { reset(); change(); }})),
@@ -226,8 +246,6 @@ function live(main, module) {
   let presets = {}, values = {}, widgets = {};
   let fileOption = "";                 // the option that takes the reader's file
   const files = new Map();             // what the module was given, for a new worker
-  let trial = null;                    // the reader's file until it is drawn: {name, before}
-  const fileNames = {};                // safe name: the reader's
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
   let patience = 0, idle = 0, full = null;
@@ -242,11 +260,12 @@ function live(main, module) {
     URL.revokeObjectURL(address);
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
-    send({kind: "load", module});
-    for (const [name, bytes] of files) send({kind: "keep", name, bytes});
+    send({kind: "load", module, loader});
+    for (const [name, file] of files) send({kind: "keep", name, ...file});
     begin();
   }
   function begin() {
+    ++latest;  // what the old chapter still draws is out of date
     unfinished = true;
     send({kind: "begin", chapter});
   }
@@ -283,8 +302,8 @@ function live(main, module) {
           if (words !== "FILE" || !/^\w+\.\w+$/.test(preset) || files.has(preset)) continue;
           const bytes = await fetched(preset, preset.replace(/\.\w+$/, ".js"));
           if (mine !== hand) return;
-          files.set(preset, bytes);
-          send({kind: "keep", name: preset, bytes});
+          files.set(preset, {shown: preset, bytes});
+          send({kind: "keep", name: preset, ...files.get(preset)});
         }
       } catch (error) {
         lost(error.message);
@@ -319,10 +338,15 @@ function live(main, module) {
       if (of === "look") { looking = null; return; }
       if (of === "draw" && id !== latest) return;
       unfinished = false;
-      const name = trial ? trial.name : values[fileOption];
-      says.textContent = fileNames[name] ? reason.replaceAll(name, fileNames[name]) : reason;
+      says.textContent = reason;
       section.dataset.state = "refused";
-      if (trial) takeBack();
+    },
+    kept({name, shown, bytes}) {
+      if (!name.startsWith("own_") || files.has(name)) return;  // one of the chapter's, or given again
+      files.set(name, {shown, bytes});
+      forgetFiles(name);
+      values[fileOption] = name;
+      change();
     },
     lost: ({reason}) => lost(reason),
   };
@@ -343,7 +367,6 @@ function live(main, module) {
     canvas.hidden = false;
     if (still) still.style.display = "none";
     section.dataset.pictures = 1 + Number(section.dataset.pictures || 0);
-    if (trial) acceptFile();
     if (turning) requestAnimationFrame(turn);
   }
   // Asks for a small picture now, and for the full one when the reader rests.
@@ -397,7 +420,7 @@ function live(main, module) {
     if (widgets["--samples"]) widgets["--samples"].field.disabled = !plainView();
     const all = given();
     const native = all.filter((one) => !one.here).flatMap((one) => one.words);
-    command.textContent = ["./course run", chapter, ...native.map((word) => quoted(fileNames[word] || word))].join(" ");
+    command.textContent = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))].join(" ");
     hereOnly.textContent = all.some((one) => one.here)
       ? `On this page only: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.` : "";
     legend.hidden = !legends[values["--show"]];
@@ -431,7 +454,7 @@ function live(main, module) {
       (control.more ? moreRows : rows).append(widget.row);
     }
     more.hidden = !moreRows.children.length;
-    fileOption = ["--texture", "--sky"].find((option) => option in found) || "";
+    fileOption = "--texture" in found ? "--texture" : "";
     opener.hidden = !fileOption;
     reset();
   }
@@ -482,7 +505,7 @@ function live(main, module) {
   }
   document.addEventListener("visibilitychange", () => { if (document.hidden) stopTurning(); });
 
-  // -- The reader's own file. It is tried under another name than the one before, which stays until the new one is drawn.
+  // -- The reader's own file. It is read under another name than the one before, which stays if the new one is refused.
   async function openFile(file) {
     if (!file || !fileOption || !hand) return;
     choose.value = "";
@@ -490,37 +513,19 @@ function live(main, module) {
       says.textContent = `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`;
       return;
     }
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    if (!hand) return;
-    if (trial) takeBack();
-    const before = values[fileOption];
-    const name = before === "own_a" ? "own_b" : "own_a";
-    fileNames[name] = file.name;
-    files.set(name, bytes);
-    send({kind: "keep", name, bytes});
-    trial = {name, before};
-    values[fileOption] = name;
-    change();
+    let bytes;
+    try {
+      bytes = new Uint8Array(await file.arrayBuffer());
+    } catch (error) {
+      says.textContent = `${file.name} cannot be read: ${error.message}`;
+      return;
+    }
+    section.dataset.state = "reading";
+    unfinished = true;
+    send({kind: "keep", name: values[fileOption] === "own_a" ? "own_b" : "own_a", shown: file.name, bytes});
   }
-  function drop(name) {
-    if (!files.delete(name)) return;
-    send({kind: "keep", name, bytes: new Uint8Array()});
-  }
-  function takeBack() {
-    clearTimeout(idle);
-    values[fileOption] = trial.before;
-    drop(trial.name);
-    trial = null;
-    refresh();
-  }
-  function acceptFile() {
-    if (trial.before.startsWith("own_")) drop(trial.before);
-    trial = null;
-  }
-  function forgetFiles() {
-    trial = null;
-    drop("own_a");
-    drop("own_b");
+  function forgetFiles(except) {
+    for (const name of ["own_a", "own_b"]) if (name !== except && files.delete(name)) send({kind: "drop", name});
   }
   section.addEventListener("dragover", (event) => { if (fileOption) event.preventDefault(); });
   section.addEventListener("drop", (event) => { event.preventDefault(); openFile(event.dataTransfer.files[0]); });
@@ -591,13 +596,16 @@ function live(main, module) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
     const list = [["pixel", `column ${column}, row ${row}: `, ...swatch(color)],
       ["ray", "from ", ...vector(seen.eye), " along ", ...vector(seen.direction)]];
-    if (seen.object === undefined) return [...list, ["hit", "nothing: the sky"]];
-    list.push(["hit", `object ${seen.object}`, ...(seen.radius ? [" of radius ", number(seen.radius)] : []), " at distance ", number(seen.distance)],
-      ["point", ...vector(seen.point)], ["normal n", ...vector(seen.normal)]);
-    if (seen.rotated) list.push(["n rotated", ...vector(seen.rotated)]);
+    if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
+    const what = "object" in seen ? `object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
+    list.push(["hit", what, ...(seen.radius ? [" of radius ", number(seen.radius)] : []), " at distance ", number(seen.distance)],
+      ["point", ...vector(seen.point)]);
+    for (const [name, key] of [["normal n", "normal"], ["n rotated", "rotated"], ["n bumped", "bumped"], ["weights", "weights"]]) {
+      if (seen[key]) list.push([name, ...vector(seen[key])]);
+    }
     if (seen.uv) {
       const [u, v] = seen.uv;
-      const normal = seen.rotated || seen.normal;
+      const normal = seen.rotated || seen.normal || [0, 0, 0];
       const convention = seen.texel && values["--convention"] || "rtiow";
       list.push(formula("u", across[convention], normal, u), formula("v", convention === "daily" ? downward : upward, normal, v));
     }
@@ -611,7 +619,7 @@ function live(main, module) {
       list.push(["square", `⌊${seen.squares} u⌋ + ⌊${seen.squares} v⌋ = ${across} + ${up} = ${across + up}, ${(across + up) % 2 ? "odd" : "even"}`]);
     }
     if (seen.to_light) {
-      const cosine = seen.normal.reduce((sum, n, i) => sum + n * seen.to_light[i], 0);
+      const cosine = seen.normal.reduce((sum, n, i) => sum + n * seen.to_light[i], 0);  // the module's is 0 in shadow
       list.push(["light", "l = ", ...vector(seen.to_light), ", n · l = ", number(cosine),
         cosine <= 0 ? ": it faces away" : seen.cosine === 0 ? ": in shadow" : ""]);
     }
@@ -653,7 +661,8 @@ addEventListener("DOMContentLoaded", async () => {
   if (!main || typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined") return;
   const name = main.dataset.module || main.dataset.live;
   try {
-    live(main, await WebAssembly.compile(await unpacked(await fetched("module " + name, `module_${name}.js`))));
+    live(main, ...await Promise.all([name, "loader"].map(async (one) =>
+      WebAssembly.compile(await unpacked(await fetched("module " + one, `module_${one}.js`))))));
   } catch (error) {
     console.info(`The pictures stay still: ${error.message}`);
   }
