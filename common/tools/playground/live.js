@@ -54,10 +54,10 @@ function worker() {
     if (used !== lines + widest) size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ").map(Number);
     used = lines + widest;
   }
-  // Draws in strips of about 15 ms. A full picture is given up for a newer request; a small one is not, or a fast hand
-  // would see none.
+  // Draws in strips, and lets messages in between. A full picture is given up for a newer request; a small one is not, or a
+  // fast hand would see none.
   async function draw({id, words, widest, small}) {
-    for (let first = 0, most = 8;;) {
+    for (let first = 0, most = 16;;) {
       set(words, widest);  // a look may have set something else meanwhile
       const [columns, rows] = size;
       const count = Math.min(most, rows - first);
@@ -68,7 +68,7 @@ function worker() {
       postMessage({kind: "rows", id, columns, rows, first, strip, small, last}, [strip.buffer]);
       if (last) return;
       const took = Math.max(performance.now() - began, 0.1);
-      most = Math.max(1, Math.min(4 * count, Math.round(15 / took * count)));
+      most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));  // 50 ms, 15 ms
       first += count;
       await pause();
       if (job && !small) return;
@@ -239,6 +239,7 @@ function live(main, module, loader) {
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
   still ? still.after(section) : main.append(section);
+  main.querySelector(".live-missing")?.remove();
 
   let hand = null;                     // the worker
   let chapter = main.dataset.live;

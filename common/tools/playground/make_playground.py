@@ -3,11 +3,12 @@
 
 usage: make_playground.py script FILE.wasm NAME OUT      OUT calls texmapLive.module(NAME, ...)
        make_playground.py script FILE.png OUT            OUT calls texmapLive.file("FILE.png", ...)
-       make_playground.py page FILE.wasm EARTH.png OUT   the page of chapters 02 to 06, in one file
+       make_playground.py page FILE.wasm LOADER.wasm EARTH.jpg OUT    the page of chapters 02 to 06, in one file
 """
 import base64
 import gzip
 import os
+import re
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -35,20 +36,27 @@ def file_script(path, name=None):
     return f'texmapLive.file("{name or os.path.basename(path)}", "{base64_of(read(path))}");\n'
 
 
-def page(module, earth):
+def colors():
+    # The book's, light and dark: what stands before the first rule of all elements.
+    return read(os.path.join(HERE, "..", "book", "book.css")).decode("utf-8").split("* {")[0].strip()
+
+
+def shorter(script):
+    # The page is small enough to be mailed; who wants to read the script finds it in the project.
+    lines = (re.sub("(^|  )//.*", "", line).strip() for line in script.splitlines())
+    return "\n".join(line for line in lines if line)
+
+
+def page(module, loader, earth):
+    scripts = [module_script(module, "spheres"), module_script(loader, "loader"), file_script(earth, "earth.png")]
     parts = {
-        "{{css}}": source("live.css"),
-        "{{live}}": source("live.js"),
-        "{{module}}": module_script(module, "spheres"),
+        "colors": colors(),
+        "css": source("live.css"),
+        "live": shorter(source("live.js")),
         # The chapters ask for earth.png; its bytes say what it is.
-        "{{earth}}": file_script(earth, "earth.png"),
+        "modules": "".join(f"<script>{script.strip()}</script>\n" for script in scripts),
     }
-    text = source("playground.html")
-    for mark, part in parts.items():
-        if text.count(mark) != 1:
-            raise SystemExit(f"error: playground.html has {mark} {text.count(mark)} times")
-        text = text.replace(mark, part)
-    return text
+    return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], source("playground.html"))
 
 
 def main(words):
@@ -56,8 +64,8 @@ def main(words):
         text = module_script(words[1], words[2])
     elif len(words) == 3 and words[0] == "script":
         text = file_script(words[1])
-    elif len(words) == 4 and words[0] == "page":
-        text = page(words[1], words[2])
+    elif len(words) == 5 and words[0] == "page":
+        text = page(*words[1:4])
     else:
         raise SystemExit(__doc__.strip())
     with open(words[-1], "w", encoding="utf-8") as file:
