@@ -655,6 +655,7 @@ function live(main, module, loader) {
 }
 
 async function unpacked(bytes) {
+  if (bytes[0] === 0) return bytes;  // WebAssembly, from playground.html
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 addEventListener("DOMContentLoaded", async () => {
@@ -671,6 +672,11 @@ addEventListener("DOMContentLoaded", async () => {
 
 return {
   module: (name, base64) => arrival("module " + name).give(bytesOf(base64)),
+  // Modules one after another, as playground.html has them: names and sizes.
+  packed(parts, base64) {
+    const all = unlzma(bytesOf(base64), parts.reduce((sum, [, size]) => sum + size, 0));
+    for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) arrival("module " + parts[i][0]).give(all.slice(start, start + parts[i][1]));
+  },
   file: (name, base64) => arrival(name).give(bytesOf(base64)),
 };
 })();

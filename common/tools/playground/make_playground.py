@@ -7,6 +7,7 @@ usage: make_playground.py script FILE.wasm NAME OUT      OUT calls texmapLive.mo
 """
 import base64
 import gzip
+import lzma
 import os
 import re
 import sys
@@ -47,14 +48,23 @@ def shorter(script):
     return "\n".join(line for line in lines if line)
 
 
+def packed_modules(modules):
+    # Both in one stream, without the padding to words that this format expects.
+    data = [read(path) for _, path in modules]
+    filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}]
+    text = base64_of(lzma.compress(b"".join(data), format=lzma.FORMAT_ALONE, filters=filters))
+    sizes = ", ".join(f'["{name}", {len(one)}]' for (name, _), one in zip(modules, data))
+    return f'texmapLive.packed([{sizes}], "{text}");\n'
+
+
 def page(module, loader, earth):
-    scripts = [module_script(module, "spheres"), module_script(loader, "loader"), file_script(earth, "earth.png")]
+    scripts = [packed_modules([("spheres", module), ("loader", loader)]), file_script(earth, "earth.png")]
     parts = {
         "colors": colors(),
         "css": source("live.css"),
-        "live": shorter(source("live.js")),
+        "live": shorter(source("unlzma.js")) + "\n" + shorter(source("live.js")),
         # The chapters ask for earth.png; its bytes say what it is.
-        "modules": "".join(f"<script>{script.strip()}</script>\n" for script in scripts),
+        "scripts": "".join(f"<script>{script.strip()}</script>\n" for script in scripts),
     }
     return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], source("playground.html"))
 
