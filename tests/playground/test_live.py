@@ -110,6 +110,12 @@ class Place:
 <p><img src="{program}.png" alt="The chapter's picture"></p><p>Words below.</p></main></div></html>
 """)
 
+        module, earth = os.path.join(modules, "live_spheres.wasm"), os.path.join(self.folder, "earth.jpg")
+        smaller = os.path.join(programs, "small_earth")
+        if os.path.exists(module) and os.path.exists(smaller):
+            subprocess.run([smaller, os.path.join(root, "assets", "earth.png"), earth], check=True)
+            self.make("page", module, wasm, earth, os.path.join(self.folder, "playground.html"))
+
     def make(self, *words):
         subprocess.run([sys.executable, self.maker, *words], check=True)
 
@@ -482,6 +488,40 @@ def check_narrow(place, spoiled):
                   .filter((one) => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map((one) => one.outerHTML.slice(0, 80))""")
                 if unnamed:
                     faults.append(f"{chapter}: no name: {unnamed}")
+        faults += browser.log
+    return faults
+
+
+def check_playground(place, spoiled):
+    """playground.html is one file of less than 250 KB; each of its chapters draws, keeps its own options and opens a file."""
+    faults = []
+    page = os.path.join(place.folder, "playground.html")
+    if not os.path.exists(page):
+        return ["there is no playground.html: MODULES has no live_spheres.wasm, or BIN no small_earth"]
+    size = os.path.getsize(page) + (20000 if spoiled else 0)
+    print(f"  {size} bytes")
+    if size >= 250000:
+        faults.append(f"{size} bytes")
+    with Browser() as browser:
+        browser.open("file://" + page)
+        settle(browser)
+        earth = os.path.join(place.root, "assets", "earth.png")
+        for chapter in CHAPTERS[1:]:
+            browser.run(f"document.querySelector('[name=live-chapter][value=\"{chapter}\"]').click()")
+            browser.wait(f"document.querySelector('.live-command code').textContent.startsWith('./course run {chapter}') && {STATE} === 'done'")
+            if chapter != "02":
+                browser.choose_file(".live input[type=file]", earth)
+                browser.wait(f"document.querySelector('.live-command code').textContent.includes('--texture') && {STATE} === 'done'")
+            words = shlex.split(browser.run("document.querySelector('.live-command code').textContent"))[3:]
+            drawn = pixels(browser)
+            bad = differing(drawn, place.native(chapter, [earth if word == "earth.png" else word for word in words], *drawn[:2]))
+            if bad:
+                faults.append(f"{chapter} {words}: differing bytes: {bad}")
+        for width in (360, 1366):
+            browser.size(width, 768)
+            wide = browser.run("document.documentElement.scrollWidth")
+            if wide > width:
+                faults.append(f"at {width}: {wide} wide")
         faults += browser.log
     return faults
 

@@ -206,8 +206,9 @@ function fetched(name, script) {
 // ---- A live picture, its form and its loupe.
 function live(main, module, loader) {
   const image = main.querySelector("img");
-  // A paragraph that has only the picture goes with it.
-  const still = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
+  // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above the live one.
+  const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
+  const still = always[main.dataset.live] ? null : frame;
   const canvas = element("canvas", {width: 800, height: 600, tabIndex: 0, hidden: true});
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", (image ? image.alt : "The chapter's picture") + ". Arrow keys show how a pixel gets its color.");
@@ -217,7 +218,7 @@ function live(main, module, loader) {
   const mark = element("div", {className: "live-mark", hidden: true});
   const zoomed = element("canvas", {width: 11, height: 11});
   const facts = element("table");
-  const loupe = element("div", {className: "live-loupe", hidden: true}, zoomed, facts);
+  const loupe = element("div", {className: "live-loupe", hidden: true}, facts);
   const picture = element("div", {className: "live-picture"}, canvas, mark, loupe);
   const legend = element("p", {className: "live-legend", hidden: true});
   const says = element("p", {className: "live-says"});
@@ -238,7 +239,7 @@ function live(main, module, loader) {
   const section = element("section", {className: "live"}, picture, legend, says, again, form);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
-  still ? still.after(section) : main.append(section);
+  frame ? frame.after(section) : main.append(section);
   main.querySelector(".live-missing")?.remove();
 
   let hand = null;                     // the worker
@@ -354,7 +355,7 @@ function live(main, module, loader) {
 
   // -- The picture.
   function fit(columns, rows) {
-    canvas.style.maxWidth = columns + "px";
+    picture.style.maxWidth = columns + "px";
     if (canvas.width === columns && canvas.height === rows) return;
     Object.assign(canvas, {width: columns, height: rows});
     if (small.width) paper.drawImage(small, 0, 0, columns, rows);
@@ -449,7 +450,7 @@ function live(main, module, loader) {
       const option = found[control.option];
       if (!option) continue;
       if (control.off) presets[control.option] = "";
-      const widget = control.range ? slider(control) : choice(control, option.words, "--errors" in found);
+      const widget = control.range ? slider(control, option.preset) : choice(control, option.words, "--errors" in found);
       if (!widget) continue;
       widgets[control.option] = widget;
       (control.more ? moreRows : rows).append(widget.row);
@@ -459,7 +460,7 @@ function live(main, module, loader) {
     opener.hidden = !fileOption;
     reset();
   }
-  function slider({option, label, range: [least, most, step], log, off, turns}) {
+  function slider({option, label, range: [least, most, step], log, off, turns}, first) {
     const id = "live" + option;
     const [to, from] = log ? [Math.log10, (x) => Number((10 ** x).toPrecision(3))] : [Number, Number];
     const field = element("input", {type: "range", id, min: to(least), max: to(most), step,
@@ -472,7 +473,7 @@ function live(main, module, loader) {
       show(value, preset) {
         if (box) Object.assign(box, {checked: value !== "", disabled: !!preset});
         field.disabled = !!box && value === "";
-        if (value !== "") field.value = to(value);
+        field.value = to(value === "" ? first : value);
         shown.value = value === "" ? "off" : rounded(value, 5) + (option === "--degrees" ? "°" : "");
         field.setAttribute("aria-valuetext", shown.value);
       },
@@ -581,21 +582,19 @@ function live(main, module, loader) {
   const upward = ["atan2(√({x}² + {z}²), {-y}) / π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), -y) / Math.PI];
   const downward = ["atan2(√({x}² + {z}²), {y}) / π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), y) / Math.PI];
   function formula(name, [text, by], normal, result) {
+    if (!(Math.abs(by(normal) - result) < 1e-9)) return [name, number(result, 6)];  // this chapter has another formula
     const filled = [];
-    if (Math.abs(by(normal) - result) < 1e-9) {  // else this chapter has another one
-      filled.push(`${text.replace(/[{}]/g, "").replace("-y", "−y")} = `);
-      for (const part of text.split(/(\{-?[xyz]\}²?)/)) {
-        const [, sign, axis, power] = /^\{(-?)([xyz])\}(²?)$/.exec(part) || [];
-        const value = axis && (sign ? -1 : 1) * normal["xyz".indexOf(axis)];
-        filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value), value < 0 ? ")²" : "²"] : [number(value)]));
-      }
-      filled.push(" = ");
+    for (const part of text.split(/(\{-?[xyz]\}²?)/)) {
+      const [, sign, axis, power] = /^\{(-?)([xyz])\}(²?)$/.exec(part) || [];
+      const value = axis && (sign ? -1 : 1) * normal["xyz".indexOf(axis)];
+      filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value), value < 0 ? ")²" : "²"] : [number(value)]));
     }
-    return [name, element("span", {className: "live-formula"}, ...filled, number(result, 6))];
+    return [name, element("span", {className: "live-formula"}, text.replace(/[{}]/g, "").replace("-y", "−y"),
+      element("span", {}, " = ", ...filled), element("span", {}, " = ", number(result, 6)))];
   }
   function factsOf(column, row, seen) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
-    const list = [["pixel", `column ${column}, row ${row}: `, ...swatch(color)],
+    const list = [["pixel", `column ${column}, row ${row}: `, ...swatch(color), zoomed],
       ["ray", "from ", ...vector(seen.eye), " along ", ...vector(seen.direction)]];
     if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
     const what = "object" in seen ? `object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
