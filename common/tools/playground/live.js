@@ -218,7 +218,7 @@ function live(main, module, loader) {
   const mark = element("div", {className: "live-mark", hidden: true});
   const zoomed = element("canvas", {width: 11, height: 11});
   const facts = element("table");
-  const loupe = element("div", {className: "live-loupe", hidden: true}, facts);
+  const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, facts);
   const picture = element("div", {className: "live-picture"}, canvas, mark, loupe);
   const legend = element("p", {className: "live-legend", hidden: true});
   const says = element("p", {className: "live-says"});
@@ -231,11 +231,12 @@ function live(main, module, loader) {
   const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
   const hereOnly = element("span");
   const choose = element("input", {type: "file", accept: "image/png,image/jpeg", onchange: () => openFile(choose.files[0])});
-  const opener = element("label", {className: "live-open"}, "Open file ", choose);
+  const opened = element("span");
+  const opener = element("span", {className: "live-open"}, element("label", {className: "live-button"}, "Open file…", choose), " ", opened);
   const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
     element("div", {className: "live-actions"}, opener, element("button", {type: "button", textContent: "Reset", onclick: () => { reset(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
-  const form = element("form", {onsubmit: (event) => event.preventDefault()}, panel);
+  const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
   const section = element("section", {className: "live"}, picture, legend, says, again, form);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
@@ -258,8 +259,14 @@ function live(main, module, loader) {
     says.textContent = "";
     panel.disabled = false;
     const address = URL.createObjectURL(new Blob([`(${worker})()`]));
-    hand = new Worker(address);
-    URL.revokeObjectURL(address);
+    try {
+      hand = new Worker(address);
+    } catch (error) {
+      lost(error.message);
+      return;
+    } finally {
+      URL.revokeObjectURL(address);
+    }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
     send({kind: "load", module, loader});
@@ -298,6 +305,7 @@ function live(main, module, loader) {
   const heard = {
     async options({options}) {
       const mine = hand;
+      unfinished = false;  // now it is the page that waits, perhaps for a slow network
       const found = Object.fromEntries(options.map((option) => [option.name, option]));
       try {
         for (const {words, preset} of options) {  // the files that the chapter begins with
@@ -423,6 +431,7 @@ function live(main, module, loader) {
     const all = given();
     const native = all.filter((one) => !one.here).flatMap((one) => one.words);
     command.textContent = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))].join(" ");
+    opened.textContent = values[fileOption] === presets[fileOption] ? "a PNG or JPEG; or drop it on the picture" : files.get(values[fileOption]).shown;
     hereOnly.textContent = all.some((one) => one.here)
       ? `On this page only: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.` : "";
     legend.hidden = !legends[values["--show"]];
@@ -442,6 +451,7 @@ function live(main, module, loader) {
   // -- The form.
   function build(found) {
     built = chapter;
+    form.hidden = false;
     widgets = {};
     rows.replaceChildren();
     moreRows.replaceChildren();
@@ -553,14 +563,11 @@ function live(main, module, loader) {
   }
   canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) look(place(event)); });
   canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
-  canvas.addEventListener("click", (event) => { pinned = !pinned || event.detail === 0; look(place(event)); });
+  canvas.addEventListener("click", (event) => { pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
   canvas.addEventListener("blur", () => { if (pinned && !loupe.matches(":hover")) closeLoupe(); });
   section.addEventListener("keydown", (event) => {
     const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
-    if (event.key === "Escape" && pixel) {
-      closeLoupe();
-      event.stopPropagation();
-    } else if (step && event.target === canvas && full) {
+    if (step && event.target === canvas && full) {
       event.preventDefault();
       const far = event.shiftKey ? 10 : 1;
       const from = pixel || {column: full[0] >> 1, row: full[1] >> 1};
@@ -569,6 +576,7 @@ function live(main, module, loader) {
       look(pixel ? {column: moved(from.column, step[0], full[0]), row: moved(from.row, step[1], full[1])} : from);
     }
   });
+  document.addEventListener("keydown", (event) => { if (event.key === "Escape") closeLoupe(); });
   // A number with its full value within, so that formulas can be checked.
   const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
   const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ", number(list[2]), ")"];
@@ -594,7 +602,7 @@ function live(main, module, loader) {
   }
   function factsOf(column, row, seen) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
-    const list = [["pixel", `column ${column}, row ${row}: `, ...swatch(color), zoomed],
+    const list = [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color)],
       ["ray", "from ", ...vector(seen.eye), " along ", ...vector(seen.direction)]];
     if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
     const what = "object" in seen ? `object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
