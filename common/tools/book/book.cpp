@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/measure/base64.hpp"
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
 #include "highlight.hpp"
@@ -81,6 +82,7 @@ class Book {
     for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
     write_sources();
     write_index();
+    write_live();
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
     write(out_ / "book.css", contents_of(folder() / "book.css"));
@@ -236,9 +238,43 @@ class Book {
           "open><summary>Contents</summary>\n" +
           contents(current) + "</details></nav>\n";
     }
-    html += "<main id=\"main\">\n" + body + "</main>\n</div>\n";
+    const std::string live = up.empty() ? live_chapter(current) : "";
+    html += "<main id=\"main\"" + (live.empty() ? "" : " data-live=\"" + live + "\"") + ">\n" +
+            body + "</main>\n</div>\n";
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
+    if (!live.empty()) {
+      html +=
+          "<link rel=\"stylesheet\" href=\"live/live.css\">\n"
+          "<script src=\"live/live.js\" defer></script>\n";
+    }
     return html + "</body>\n</html>\n";
+  }
+
+  /// The number of a page's chapter if its picture is live, else nothing.
+  [[nodiscard]] std::string live_chapter(std::size_t page) const {
+    if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
+    std::string number = pages_[page].chapter.substr(0, 2);
+    return fs::exists(root_ / "docs/live" / ("module_" + number + ".js")) ? number : "";
+  }
+
+  /// What live pictures load: modules, their page's code, and the textures that they begin with.
+  void write_live() const {
+    const fs::path live = out_ / "live";
+    fs::remove_all(live);
+    if (!fs::exists(root_ / "docs/live")) return;
+    fs::create_directories(live);
+    for (const auto& entry : fs::directory_iterator(root_ / "docs/live")) {
+      if (entry.path().filename().string().rfind("module_", 0) == 0)
+        fs::copy_file(entry.path(), live / entry.path().filename());
+    }
+    for (const char* file : {"live.js", "live.css"})
+      fs::copy_file(root_ / "common/tools/playground" / file, live / file);
+    for (const std::string texture : {"earth", "crate"}) {
+      const std::string bytes = contents_of(root_ / "assets" / (texture + ".png"));
+      const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+      write(live / (texture + ".js"),
+            "texmapLive.file(\"" + texture + ".png\", \"" + base64(data) + "\");\n");
+    }
   }
 
   /// What the course's programs made for a chapter: its step, its turntable, its plots.
