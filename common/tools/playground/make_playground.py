@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """Makes what the live pictures load, out of modules and pictures.
 
-usage: make_playground.py script FILE.wasm NAME OUT      OUT calls texmapLive.module(NAME, ...)
-       make_playground.py script FILE.png OUT            OUT calls texmapLive.file("FILE.png", ...)
-       make_playground.py page FILE.wasm LOADER.wasm EARTH.jpg OUT    the page of chapters 02 to 06, in one file
+usage: make_playground.py all BIN OUT           of BIN/module_NAME.wasm: OUT/module_NAME.js, and OUT/playground.html
+       make_playground.py script FILE.png OUT   OUT calls texmapLive.file("FILE.png", ...)
 """
 import base64
 import gzip
@@ -57,29 +56,36 @@ def packed_modules(modules):
     return f'texmapLive.packed([{sizes}], "{text}");\n'
 
 
-def page(module, loader, earth):
-    scripts = [packed_modules([("spheres", module), ("loader", loader)]), file_script(earth, "earth.png")]
+def page(folder):
+    """Chapters 02 to 06 in one file."""
+    modules = [(name, os.path.join(folder, f"module_{name}.wasm")) for name in ("spheres", "loader")]
+    # The chapters ask for earth.png; the bytes say that it is a JPEG.
+    scripts = [packed_modules(modules), file_script(os.path.join(HERE, "small_earth.jpg"), "earth.png")]
     parts = {
         "colors": colors(),
         "css": source("live.css"),
         "live": shorter(source("unlzma.js")) + "\n" + shorter(source("live.js")),
-        # The chapters ask for earth.png; its bytes say what it is.
         "scripts": "".join(f"<script>{script.strip()}</script>\n" for script in scripts),
     }
     return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], source("playground.html"))
 
 
+def write(path, text):
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        file.write(text)
+
+
 def main(words):
-    if len(words) == 4 and words[0] == "script":
-        text = module_script(words[1], words[2])
+    if len(words) == 3 and words[0] == "all":
+        for name in sorted(os.listdir(words[1])):
+            match = re.fullmatch(r"module_(\d\d|loader)\.wasm", name)
+            if match:
+                write(os.path.join(words[2], f"module_{match[1]}.js"), module_script(os.path.join(words[1], name), match[1]))
+        write(os.path.join(words[2], "playground.html"), page(words[1]))
     elif len(words) == 3 and words[0] == "script":
-        text = file_script(words[1])
-    elif len(words) == 5 and words[0] == "page":
-        text = page(*words[1:4])
+        write(words[2], file_script(words[1]))
     else:
         raise SystemExit(__doc__.strip())
-    with open(words[-1], "w", encoding="utf-8") as file:
-        file.write(text)
 
 
 if __name__ == "__main__":
