@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """The live pictures in a real browser, from file://: the same bytes as the programs, and what happens when something goes wrong.
 
-usage: test_live.py ROOT BIN MODULES [--self-test] [CHECK ...]
-ROOT is the project, BIN has the chapters' programs, MODULES the modules live_NN.wasm or live_spheres.wasm. Status 77 where there is no
-browser, or no module. --self-test spoils what each check looks at, and demands that the check notices.
+usage: test_live.py ROOT BIN LIVE [--self-test] [CHECK ...]
+ROOT is the project, BIN has the chapters' programs, LIVE what ./course playground makes. Status 77 where there is no browser, or no LIVE. --self-test spoils what each check looks at, and demands that the check notices.
 """
 import base64
 import math
@@ -21,18 +20,20 @@ import zlib
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from browser import Browser, Fault, installed  # noqa: E402
 
-CHAPTERS = ["01", "02", "03", "04", "05", "06"]
 # The default picture of each chapter comes first; then what a reader sets on its page, from the default each.
 SETTINGS = {
     "01": [{"show": "normal"}, {"number": "float"}],
     "02": [{"show": "uv"}, {"spheres": "plain"}, {"samples": "4"}],
-    "03": [{"show": "object"}, {"number": "double"}],
+    "03": [{"show": "object"}, {"spheres": "plain"}],
     "04": [{"convention": "daily"}, {"convention": "lecture", "rounding": "lecture"}],
     "05": [{"degrees": "-135"}, {"degrees": "180", "convention": "daily"}, {"spheres": "hybrid", "number": "float"}],
     "06": [{"degrees": "40", "blend": "0.5"}, {"blend": "0"}, {"shininess": 2.5}, {"highlight": "lecture", "degrees": "0"},
            {"scene": "lecture"}, {"scene": "lecture", "highlight": "lecture", "degrees": "77"}, {"samples": "16", "blend": "1"},
            {"rounding": "lecture", "number": "float"}],
+    "08": [{"wrap": "repeat", "degrees": "70"}],
+    "10": [{"projection": "cube"}],
 }
+CHAPTERS = ["01", "02", "03", "04", "05", "06"]
 
 
 def png_bytes(path):
@@ -78,46 +79,34 @@ def png_bytes(path):
 class Place:
     """A folder with a page for each chapter, as the book has them."""
 
-    def __init__(self, root, programs, modules):
+    def __init__(self, root, programs, made):
         self.programs = programs
         self.root = root
+        self.made = made
+        if not os.path.exists(os.path.join(made, "playground.html")):
+            print(f"skipped: {made} has no live pictures: ./course playground makes them")
+            sys.exit(77)
         self.folder = tempfile.mkdtemp()
         tools = os.path.join(root, "common", "tools", "playground")
-        self.maker = os.path.join(tools, "make_playground.py")
         live = os.path.join(self.folder, "live")
         os.mkdir(live)
         for name in ("live.js", "live.css"):
             shutil.copy(os.path.join(tools, name), live)
+        for name in os.listdir(made):
+            shutil.copy(os.path.join(made, name), live if name.startswith("module_") else self.folder)
         shutil.copy(os.path.join(root, "common", "tools", "book", "book.css"), self.folder)
-        self.make("script", os.path.join(root, "assets", "earth.png"), os.path.join(live, "earth.js"))
-        wasm = os.path.join(modules, "loader.wasm")
-        if os.path.exists(wasm):
-            self.make("script", wasm, "loader", os.path.join(live, "module_loader.js"))
-        for chapter in CHAPTERS:
-            name = next((name for name in (chapter, "spheres") if os.path.exists(os.path.join(modules, f"live_{name}.wasm"))), None)
-            if name is None:
-                print(f"skipped: {modules} has no module of chapter {chapter}: ./course playground builds them")
-                sys.exit(77)
-            script = os.path.join(live, f"module_{name}.js")
-            if not os.path.exists(script):
-                self.make("script", os.path.join(modules, f"live_{name}.wasm"), name, script)
+        for name in ("earth", "crate"):
+            subprocess.run([sys.executable, os.path.join(tools, "make_playground.py"), "script", os.path.join(root, "assets", name + ".png"),
+                            os.path.join(live, name + ".js")], check=True)
+        for chapter in SETTINGS:
             program = self.program(chapter)
             shutil.copy(os.path.join(root, "tests", "golden", program + ".png"), self.folder)
             with open(os.path.join(self.folder, chapter + ".html"), "w", encoding="utf-8") as file:
                 file.write(f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{program}</title><link rel="icon" href="data:,">
 <meta name="viewport" content="width=device-width"><link rel="stylesheet" href="book.css"><link rel="stylesheet" href="live/live.css">
-<script src="live/live.js" defer></script><div class="columns"><main data-live="{chapter}" data-module="{name}"><h1>Chapter {chapter}</h1>
+<script src="live/live.js" defer></script><div class="columns"><main data-live="{chapter}"><h1>Chapter {chapter}</h1>
 <p><img src="{program}.png" alt="The chapter's picture"></p><p>Words below.</p></main></div></html>
 """)
-
-        module, earth = os.path.join(modules, "live_spheres.wasm"), os.path.join(self.folder, "earth.jpg")
-        smaller = os.path.join(programs, "small_earth")
-        if os.path.exists(module) and os.path.exists(smaller):
-            subprocess.run([smaller, os.path.join(root, "assets", "earth.png"), earth], check=True)
-            self.make("page", module, wasm, earth, os.path.join(self.folder, "playground.html"))
-
-    def make(self, *words):
-        subprocess.run([sys.executable, self.maker, *words], check=True)
 
     def program(self, chapter):
         return next(name for name in sorted(os.listdir(os.path.join(self.root, "chapters"))) if name.startswith(chapter + "_"))
@@ -173,7 +162,7 @@ def check_pixels(place, spoiled):
     """Small and full pictures equal those that the command shown draws."""
     faults, count = [], 0
     with Browser() as browser:
-        for chapter in CHAPTERS if not spoiled else ["05"]:
+        for chapter in SETTINGS if not spoiled else ["05"]:
             browser.open(place.url(chapter))
             settle(browser)
             for setting in [{}] + SETTINGS[chapter] if not spoiled else [{}]:
@@ -181,7 +170,7 @@ def check_pixels(place, spoiled):
                 settle(browser)
                 for option, value in setting.items():
                     change(browser, option, value)
-                settle(browser)
+                    settle(browser)  # else, on a slow machine, the full picture may come in place of the small one
                 words = shlex.split(browser.run("document.querySelector('.live-command code').textContent"))
                 if words[:3] != ["./course", "run", chapter] or any("--" + name not in words for name in setting):
                     faults.append(f"{chapter} {setting}: the command is {words}")
@@ -386,7 +375,7 @@ def check_still(place, spoiled):
                 with open(os.path.join(place.folder, "03.html"), encoding="utf-8") as file:
                     text = file.read()
                 with open(os.path.join(place.folder, "none.html"), "w", encoding="utf-8") as file:
-                    file.write(re.sub('data-module="[^"]*"', 'data-module="none"', text))
+                    file.write(text.replace("data-live", 'data-module="none" data-live'))
                 url = f"file://{place.folder}/none.html"
             browser.open(url)
             time.sleep(1)
@@ -505,8 +494,11 @@ def check_playground(place, spoiled):
     """playground.html is one file of less than 250 KB; each of its chapters draws, keeps its own options and opens a file."""
     faults = []
     page = os.path.join(place.folder, "playground.html")
-    if not os.path.exists(page):
-        return ["there is no playground.html: MODULES has no live_spheres.wasm, or BIN no small_earth"]
+    earth = os.path.join(place.folder, "earth.jpg")
+    subprocess.run([os.path.join(place.programs, "small_earth"), os.path.join(place.root, "assets", "earth.png"), earth], check=True)
+    with open(earth, "rb") as made, open(os.path.join(place.root, "common", "tools", "playground", "small_earth.jpg"), "rb") as kept:
+        if made.read() != kept.read():
+            faults.append("small_earth.jpg is not what small_earth makes of assets/earth.png")
     size = os.path.getsize(page) + (20000 if spoiled else 0)
     print(f"  {size} bytes")
     if size >= 250000:
