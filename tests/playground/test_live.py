@@ -126,7 +126,11 @@ CANVAS = "document.querySelector('.live-picture > canvas')"
 
 
 def settle(browser, state="done"):
-    browser.wait(f"{STATE} === '{state}'")
+    try:
+        browser.wait(f"{STATE} === '{state}'")
+    except Fault as fault:
+        raise Fault(f"{fault}; it is " + browser.run(f"{STATE} + ': ' + document.querySelector('.live-says')?.textContent") +
+                    ", ".join(browser.log)) from fault
 
 
 def change(browser, option, value):
