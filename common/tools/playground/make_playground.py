@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
 """Makes what the live pictures load, out of modules and pictures.
 
-usage: make_playground.py all BIN OUT           of BIN/module_NAME.wasm: OUT/module_NAME.js, and OUT/playground.html
-       make_playground.py script FILE.png OUT   OUT calls texmapLive.file("FILE.png", ...)
+usage: make_playground.py BIN ASSETS OUT     BIN/module_NAME.wasm in OUT/modules.js, ASSETS' textures in OUT/earth.js and others,
+                                             and OUT/playground.html: chapters 02 to 06 in one file
 """
 import base64
-import gzip
 import lzma
 import os
 import re
+import struct
 import sys
+import zlib
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+TEXTURES = ["crate.png", "earth.png"]
+ON_THE_PAGE = ["02", "03", "04", "05", "06", "loader"]
 
 
 def read(path):
@@ -23,44 +26,85 @@ def source(name):
     return read(os.path.join(HERE, name)).decode("utf-8")
 
 
-def base64_of(data):
-    return base64.b64encode(data).decode("ascii")
+def packed(data, literal_context):
+    """LZMA in base64, without the padding to words that this format expects: a fifth smaller than gzip, which browsers unpack."""
+    filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0, "lc": literal_context, "lp": 0}]
+    return base64.b64encode(lzma.compress(data, format=lzma.FORMAT_ALONE, filters=filters)).decode("ascii")
 
 
-def module_script(path, name):
-    # Without a time in gzip's header the same module gives the same script.
-    return f'texmapLive.module("{name}", "{base64_of(gzip.compress(read(path), 9, mtime=0))}");\n'
+def modules_script(folder, names):
+    """One stream for all: what the chapters share is in it once."""
+    data = [read(os.path.join(folder, f"module_{name}.wasm")) for name in names]
+    sizes = ", ".join(f'["{name}", {len(one)}]' for name, one in zip(names, data))
+    return f'texmapLive.modules([{sizes}], "{packed(b"".join(data), 3)}");\n'
 
 
-def file_script(path, name=None):
-    return f'texmapLive.file("{name or os.path.basename(path)}", "{base64_of(read(path))}");\n'
+def unfiltered(kind, line, before):
+    """A row of a PNG with three bytes a pixel. Source: the PNG specification, section 9."""
+    for i in range(len(line) if kind else 0):
+        left = line[i - 3] if i >= 3 else 0
+        up = before[i]
+        corner = before[i - 3] if i >= 3 else 0
+        if kind == 1:
+            line[i] = (line[i] + left) & 255
+        elif kind == 2:
+            line[i] = (line[i] + up) & 255
+        elif kind == 3:
+            line[i] = (line[i] + (left + up) // 2) & 255
+        else:
+            guess = left + up - corner
+            nearest = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))
+            line[i] = (line[i] + nearest[2]) & 255
+    return line
+
+
+def pixels(path):
+    """Columns, rows and the RGB bytes of a PNG with 8 bits a channel, not interlaced, as the course writes them."""
+    data = read(path)
+    stream, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        part = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            columns, rows, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", part)
+        elif kind == b"IDAT":
+            stream += part
+        at += length + 12
+    if (depth, color, interlace) != (8, 2, 0):
+        raise SystemExit(f"error: {path} is not a plain RGB picture")
+    raw = zlib.decompress(stream)
+    step = 3 * columns
+    before, result = bytes(step), bytearray()
+    for row in range(rows):
+        start = row * (step + 1)
+        before = unfiltered(raw[start], bytearray(raw[start + 1:start + 1 + step]), before)
+        result += before
+    return columns, rows, bytes(result)
+
+
+def texture_script(path):
+    columns, rows, data = pixels(path)
+    return f'texmapLive.texture("{os.path.basename(path)}", {columns}, {rows}, "{packed(data, 4)}");\n'
+
+
+def file_script(path, name):
+    return f'texmapLive.file("{name}", "{base64.b64encode(read(path)).decode("ascii")}");\n'
 
 
 def colors():
-    # The book's, light and dark: what stands before the first rule of all elements.
+    """The book's, light and dark: what stands before the first rule of all elements."""
     return read(os.path.join(HERE, "..", "book", "book.css")).decode("utf-8").split("* {")[0].strip()
 
 
 def shorter(script):
-    # The page is small enough to be mailed; who wants to read the script finds it in the project.
+    """The page is small enough to be mailed; who wants to read the script finds it in the project."""
     lines = (re.sub("(^|  )//.*", "", line).strip() for line in script.splitlines())
     return "\n".join(line for line in lines if line)
 
 
-def packed_modules(modules):
-    # Both in one stream, without the padding to words that this format expects.
-    data = [read(path) for _, path in modules]
-    filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}]
-    text = base64_of(lzma.compress(b"".join(data), format=lzma.FORMAT_ALONE, filters=filters))
-    sizes = ", ".join(f'["{name}", {len(one)}]' for (name, _), one in zip(modules, data))
-    return f'texmapLive.packed([{sizes}], "{text}");\n'
-
-
 def page(folder):
-    """Chapters 02 to 06 in one file."""
-    modules = [(name, os.path.join(folder, f"module_{name}.wasm")) for name in ("spheres", "loader")]
     # The chapters ask for earth.png; the bytes say that it is a JPEG.
-    scripts = [packed_modules(modules), file_script(os.path.join(HERE, "small_earth.jpg"), "earth.png")]
+    scripts = [modules_script(folder, ON_THE_PAGE), file_script(os.path.join(HERE, "small_earth.jpg"), "earth.png")]
     parts = {
         "colors": colors(),
         "css": source("live.css"),
@@ -76,16 +120,14 @@ def write(path, text):
 
 
 def main(words):
-    if len(words) == 3 and words[0] == "all":
-        for name in sorted(os.listdir(words[1])):
-            match = re.fullmatch(r"module_(\d\d|loader)\.wasm", name)
-            if match:
-                write(os.path.join(words[2], f"module_{match[1]}.js"), module_script(os.path.join(words[1], name), match[1]))
-        write(os.path.join(words[2], "playground.html"), page(words[1]))
-    elif len(words) == 3 and words[0] == "script":
-        write(words[2], file_script(words[1]))
-    else:
+    if len(words) != 3:
         raise SystemExit(__doc__.strip())
+    folder, assets, out = words
+    names = sorted(name[7:-5] for name in os.listdir(folder) if re.fullmatch(r"module_(\d\d|loader)\.wasm", name))
+    write(os.path.join(out, "modules.js"), modules_script(folder, names))
+    for texture in TEXTURES:
+        write(os.path.join(out, texture.replace(".png", ".js")), texture_script(os.path.join(assets, texture)))
+    write(os.path.join(out, "playground.html"), page(folder))
 
 
 if __name__ == "__main__":
