@@ -90,14 +90,14 @@ class Place:
         tools = os.path.join(root, "common", "tools", "playground")
         live = os.path.join(self.folder, "live")
         os.mkdir(live)
-        for name in ("live.js", "live.css"):
-            shutil.copy(os.path.join(tools, name), live)
+        shutil.copy(os.path.join(tools, "live.css"), live)
+        with open(os.path.join(live, "live.js"), "wb") as script:  # as the book writes it
+            for name in ("unlzma.js", "live.js"):
+                with open(os.path.join(tools, name), "rb") as part:
+                    script.write(part.read())
         for name in os.listdir(made):
-            shutil.copy(os.path.join(made, name), live if name.startswith("module_") else self.folder)
+            shutil.copy(os.path.join(made, name), live if name.endswith(".js") else self.folder)
         shutil.copy(os.path.join(root, "common", "tools", "book", "book.css"), self.folder)
-        for name in ("earth", "crate"):
-            subprocess.run([sys.executable, os.path.join(tools, "make_playground.py"), "script", os.path.join(root, "assets", name + ".png"),
-                            os.path.join(live, name + ".js")], check=True)
         for chapter in SETTINGS:
             program = self.program(chapter)
             shutil.copy(os.path.join(root, "tests", "golden", program + ".png"), self.folder)
@@ -366,12 +366,11 @@ def check_still(place, spoiled):
     """Without JavaScript, WebAssembly or the module's file the page is as it was."""
     faults = []
     heights = {}
-    for way in ("no script", "no WebAssembly", "no decompression", "no exceptions", "no module"):
+    for way in ("no script", "no WebAssembly", "no exceptions", "no module"):
         with Browser() as browser:
             if way == "no script" and not spoiled:
                 browser.call("Emulation.setScriptExecutionDisabled", value=True)
-            spoil = {"no WebAssembly": "delete window.WebAssembly", "no decompression": "delete window.DecompressionStream",
-                     "no exceptions": "WebAssembly.compile = () => Promise.reject(new WebAssembly.CompileError('invalid'))"}.get(way)
+            spoil = {"no WebAssembly": "delete window.WebAssembly", "no exceptions": "WebAssembly.validate = () => false"}.get(way)
             if spoil and not spoiled:
                 browser.call("Page.addScriptToEvaluateOnNewDocument", source=spoil)
             url = place.url("03")
@@ -379,7 +378,9 @@ def check_still(place, spoiled):
                 with open(os.path.join(place.folder, "03.html"), encoding="utf-8") as file:
                     text = file.read()
                 with open(os.path.join(place.folder, "none.html"), "w", encoding="utf-8") as file:
-                    file.write(text.replace("data-live", 'data-module="none" data-live'))
+                    file.write(text.replace('"live/live.js"', '"none/live.js"'))
+                shutil.copytree(os.path.join(place.folder, "live"), os.path.join(place.folder, "none"))
+                os.remove(os.path.join(place.folder, "none", "modules.js"))
                 url = f"file://{place.folder}/none.html"
             browser.open(url)
             time.sleep(1)
