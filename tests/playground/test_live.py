@@ -18,7 +18,9 @@ import time
 import zlib
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), *[".."] * 2, "common", "tools", "playground"))
 from browser import Browser, Fault, installed  # noqa: E402
+from make_playground import pixels as pixels_of  # noqa: E402
 
 # The default picture of each chapter comes first; then what a reader sets on its page, from the default each.
 SETTINGS = {
@@ -36,46 +38,6 @@ SETTINGS = {
 CHAPTERS = ["01", "02", "03", "04", "05", "06"]
 
 
-def png_bytes(path):
-    """Columns, rows and the RGB bytes of a PNG with 8 bits a channel, no interlace."""
-    with open(path, "rb") as file:
-        data = file.read()
-    packed, at = b"", 8
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        part = data[at + 8:at + 8 + length]
-        if kind == b"IHDR":
-            columns, rows, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", part)
-        elif kind == b"IDAT":
-            packed += part
-        at += length + 12
-    if depth != 8 or color != 2 or interlace:
-        raise Fault(f"{path} is not a plain RGB picture")
-    raw = zlib.decompress(packed)
-    step = 3 * columns
-    before, result = bytearray(step), bytearray()
-    for row in range(rows):
-        kind = raw[row * (step + 1)]
-        line = bytearray(raw[row * (step + 1) + 1:(row + 1) * (step + 1)])
-        for i in range(step if kind else 0):
-            left = line[i - 3] if i >= 3 else 0
-            up = before[i]
-            if kind == 1:
-                guess = left
-            elif kind == 2:
-                guess = up
-            elif kind == 3:
-                guess = (left + up) // 2
-            else:
-                corner = before[i - 3] if i >= 3 else 0
-                a, b, c = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
-                guess = left if a <= b and a <= c else up if b <= c else corner
-            line[i] = (line[i] + guess) & 255
-        result += line
-        before = line
-    return columns, rows, bytes(result)
-
-
 class Place:
     """A folder with a page for each chapter, as the book has them."""
 
@@ -90,11 +52,11 @@ class Place:
         tools = os.path.join(root, "common", "tools", "playground")
         live = os.path.join(self.folder, "live")
         os.mkdir(live)
-        shutil.copy(os.path.join(tools, "live.css"), live)
-        with open(os.path.join(live, "live.js"), "wb") as script:  # as the book writes it
+        with open(os.path.join(live, "live.js"), "w", encoding="utf-8") as script:
             for name in ("unlzma.js", "live.js"):
-                with open(os.path.join(tools, name), "rb") as part:
+                with open(os.path.join(tools, name), encoding="utf-8") as part:
                     script.write(part.read())
+        shutil.copy(os.path.join(tools, "live.css"), live)
         for name in os.listdir(made):
             shutil.copy(os.path.join(made, name), live if name.endswith(".js") else self.folder)
         shutil.copy(os.path.join(root, "common", "tools", "book", "book.css"), self.folder)
@@ -118,7 +80,7 @@ class Place:
         out = os.path.join(self.folder, "native.png")
         subprocess.run([os.path.join(self.programs, self.program(chapter)), *words, "--width", str(columns), "--height", str(rows), "--quiet",
                         "--out", out], check=True, stdout=subprocess.DEVNULL)
-        return png_bytes(out)
+        return pixels_of(out)
 
 
 STATE = "document.querySelector('.live')?.dataset.state"
@@ -465,6 +427,28 @@ def check_loupe(place, spoiled):
     return faults
 
 
+def check_motion(place, spoiled):
+    """The globe turns by itself only when asked, not for who asked for less motion, and not where nobody sees it."""
+    faults = []
+    degrees = "Number(document.getElementById('live--degrees').value)"
+    with Browser() as browser:
+        browser.media(prefers_reduced_motion="reduce" if not spoiled else "no-preference")
+        browser.open(place.url("05"))
+        settle(browser)
+        if browser.run("getComputedStyle(document.querySelector('.live-turn')).display") != "none":
+            faults.append("under reduced motion there is a button that turns the globe")
+        browser.media(prefers_reduced_motion="no-preference")
+        before = browser.run(degrees)
+        browser.run("document.querySelector('.live-turn').click()")
+        browser.wait(f"{degrees} !== {before}", 20)
+        browser.run("Object.defineProperty(document, 'hidden', {value: true}); document.dispatchEvent(new Event('visibilitychange'))")
+        settle(browser)
+        if browser.run("document.querySelector('.live-turn').textContent") != "Turn":
+            faults.append("the globe turns where nobody sees it")
+        faults += browser.log
+    return faults
+
+
 def check_narrow(place, spoiled):
     """At 360 pixels nothing sticks out, whatever is open."""
     faults = []
@@ -482,6 +466,11 @@ def check_narrow(place, spoiled):
                 browser.wait("!document.querySelector('.live-loupe').hidden", 20)
                 if spoiled:
                     browser.run("document.querySelector('.live-command').style.width = '3000px'")
+                if width == 360:  # a finger, too, moves the loupe
+                    x, y = browser.run(f"(({{left, top, width, height}}) => [left + 0.1 * width, top + 0.9 * height])({CANVAS}.getBoundingClientRect())")
+                    browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+                    browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+                    browser.wait("/column [78]., row 5..,/.test(document.querySelector('.live-loupe').textContent)", 20)
                 wide = browser.run("document.documentElement.scrollWidth")
                 out = browser.run("""[...document.querySelectorAll(".live *")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
                   .map((one) => one.outerHTML.slice(0, 80))""")

@@ -15,7 +15,8 @@ function worker() {
   const pause = () => new Promise((done) => { channel.port1.onmessage = done; channel.port2.postMessage(0); });
 
   // A module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the buffer again.
-  async function open(module) {
+  async function open(bytes) {
+    const module = await WebAssembly.compile(bytes);
     const imports = {};
     for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
     const own = {
@@ -82,7 +83,8 @@ function worker() {
       code = await open(module);
     },
     // The loader lives for one file: what it needed is free afterwards.
-    async keep({name, shown, bytes}) {
+    async keep({name, shown, bytes, size}) {
+      if (size) return keepPixels(name, unlzma(bytes, 3 * size[0] * size[1]), ...size);  // one of the course's own
       const loader = await open(decoder);
       const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
         .split(" ").map(Number);
@@ -183,7 +185,7 @@ function bytesOf(base64) {
 const quoted = (word) => /^[\w.\/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 const rounded = (value, digits) => String(Number(Number(value).toPrecision(digits))).replaceAll("-", "−");
 
-// ---- What scripts hand over: module_NN.js calls texmapLive.module, earth.js calls texmapLive.file.
+// ---- What scripts hand over: modules.js calls texmapLive.modules, earth.js calls texmapLive.texture.
 const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");  // none: all is in the page
 const arrivals = new Map();
 function arrival(name) {
@@ -204,7 +206,7 @@ function fetched(name, script) {
 }
 
 // ---- A live picture, its form and its loupe.
-function live(main, module, loader) {
+function live(main, modules) {
   const image = main.querySelector("img");
   // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above the live one.
   const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
@@ -258,7 +260,7 @@ function live(main, module, loader) {
     again.hidden = true;
     says.textContent = "";
     panel.disabled = false;
-    const address = URL.createObjectURL(new Blob([`(${worker})()`]));
+    const address = URL.createObjectURL(new Blob([`${unlzma}\n(${worker})()`]));
     try {
       hand = new Worker(address);
     } catch (error) {
@@ -269,7 +271,7 @@ function live(main, module, loader) {
     }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
-    send({kind: "load", module, loader});
+    send({kind: "load", module: modules.get(chapter), loader: modules.get("loader")});
     for (const [name, file] of files) send({kind: "keep", name, ...file});
     begin();
   }
@@ -283,10 +285,10 @@ function live(main, module, loader) {
     hand.postMessage(message);
     if (!patience) wait();
   }
-  // A worker that owes an answer has 10 s for it.
+  // A worker that owes an answer has 30 s for it.
   function wait() {
     clearTimeout(patience);
-    patience = hand && (unfinished || looking) ? setTimeout(() => lost("no answer for 10 s"), 10000) : 0;
+    patience = hand && (unfinished || looking) ? setTimeout(() => lost("no answer for 30 s"), 30000) : 0;
   }
   function lost(reason) {
     hand?.terminate();
@@ -310,9 +312,9 @@ function live(main, module, loader) {
       try {
         for (const {words, preset} of options) {  // the files that the chapter begins with
           if (words !== "FILE" || !/^\w+\.\w+$/.test(preset) || files.has(preset)) continue;
-          const bytes = await fetched(preset, preset.replace(/\.\w+$/, ".js"));
+          const file = await fetched(preset, preset.replace(/\.\w+$/, ".js"));
           if (mine !== hand) return;
-          files.set(preset, {shown: preset, bytes});
+          files.set(preset, {shown: preset, ...file});
           send({kind: "keep", name: preset, ...files.get(preset)});
         }
       } catch (error) {
@@ -655,35 +657,34 @@ function live(main, module, loader) {
       closeLoupe();
       clearTimeout(idle);
       forgetFiles();
-      hand ? begin() : start();
+      hand?.terminate();  // each chapter has a module of its own
+      start();
     });
   }
   start();
 }
 
-async function unpacked(bytes) {
-  if (bytes[0] === 0) return bytes;  // WebAssembly, from playground.html
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-}
 addEventListener("DOMContentLoaded", async () => {
   const main = document.querySelector("main[data-live]");
-  if (!main || typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined") return;
-  const name = main.dataset.module || main.dataset.live;
+  if (!main || typeof WebAssembly === "undefined") return;
   try {
-    live(main, ...await Promise.all([name, "loader"].map(async (one) =>
-      WebAssembly.compile(await unpacked(await fetched("module " + one, `module_${one}.js`))))));
+    const modules = await fetched("modules", "modules.js");
+    if (WebAssembly.validate(modules.get(main.dataset.live))) live(main, modules);
   } catch (error) {
     console.info(`The pictures stay still: ${error.message}`);
   }
 });
 
 return {
-  module: (name, base64) => arrival("module " + name).give(bytesOf(base64)),
-  // Modules one after another, as playground.html has them: names and sizes.
-  packed(parts, base64) {
+  // Modules one after another: names and sizes, and all of them packed.
+  modules(parts, base64) {
     const all = unlzma(bytesOf(base64), parts.reduce((sum, [, size]) => sum + size, 0));
-    for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) arrival("module " + parts[i][0]).give(all.slice(start, start + parts[i][1]));
+    const found = new Map();
+    for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) found.set(parts[i][0], all.slice(start, start + parts[i][1]));
+    arrival("modules").give(found);
   },
-  file: (name, base64) => arrival(name).give(bytesOf(base64)),
+  // A texture of the course, its pixels packed.
+  texture: (name, width, height, base64) => arrival(name).give({bytes: bytesOf(base64), size: [width, height]}),
+  file: (name, base64) => arrival(name).give({bytes: bytesOf(base64)}),
 };
 })();

@@ -1,4 +1,4 @@
-// Unpacks what Python's lzma packed, for playground.html: a fifth smaller than what browsers unpack themselves.
+// Unpacks what Python's lzma packed: a fifth smaller than what browsers unpack themselves.
 // After Igor Pavlov's specification of LZMA; the names are his.
 function unlzma(packed, size) {
   const out = new Uint8Array(size);
