@@ -88,7 +88,11 @@ CANVAS = "document.querySelector('.live-picture > canvas')"
 
 
 def settle(browser, state="done"):
-    browser.wait(f"{STATE} === '{state}'")
+    try:
+        browser.wait(f"{STATE} === '{state}'")
+    except Fault as fault:
+        raise Fault(f"{fault}; it is " + browser.run(f"{STATE} + ': ' + document.querySelector('.live-says')?.textContent") +
+                    ", ".join(browser.log)) from fault
 
 
 def change(browser, option, value):
@@ -324,12 +328,11 @@ def check_still(place, spoiled):
     """Without JavaScript, WebAssembly or the module's file the page is as it was."""
     faults = []
     heights = {}
-    for way in ("no script", "no WebAssembly", "no decompression", "no exceptions", "no module"):
+    for way in ("no script", "no WebAssembly", "no exceptions", "no module"):
         with Browser() as browser:
             if way == "no script" and not spoiled:
                 browser.call("Emulation.setScriptExecutionDisabled", value=True)
-            spoil = {"no WebAssembly": "delete window.WebAssembly", "no decompression": "delete window.DecompressionStream",
-                     "no exceptions": "WebAssembly.compile = () => Promise.reject(new WebAssembly.CompileError('invalid'))"}.get(way)
+            spoil = {"no WebAssembly": "delete window.WebAssembly", "no exceptions": "WebAssembly.validate = () => false"}.get(way)
             if spoil and not spoiled:
                 browser.call("Page.addScriptToEvaluateOnNewDocument", source=spoil)
             url = place.url("03")
@@ -337,7 +340,9 @@ def check_still(place, spoiled):
                 with open(os.path.join(place.folder, "03.html"), encoding="utf-8") as file:
                     text = file.read()
                 with open(os.path.join(place.folder, "none.html"), "w", encoding="utf-8") as file:
-                    file.write(text.replace("data-live", 'data-module="none" data-live'))
+                    file.write(text.replace('"live/live.js"', '"none/live.js"'))
+                shutil.copytree(os.path.join(place.folder, "live"), os.path.join(place.folder, "none"))
+                os.remove(os.path.join(place.folder, "none", "modules.js"))
                 url = f"file://{place.folder}/none.html"
             browser.open(url)
             time.sleep(1)
@@ -422,6 +427,28 @@ def check_loupe(place, spoiled):
     return faults
 
 
+def check_motion(place, spoiled):
+    """The globe turns by itself only when asked, not for who asked for less motion, and not where nobody sees it."""
+    faults = []
+    degrees = "Number(document.getElementById('live--degrees').value)"
+    with Browser() as browser:
+        browser.media(prefers_reduced_motion="reduce" if not spoiled else "no-preference")
+        browser.open(place.url("05"))
+        settle(browser)
+        if browser.run("getComputedStyle(document.querySelector('.live-turn')).display") != "none":
+            faults.append("under reduced motion there is a button that turns the globe")
+        browser.media(prefers_reduced_motion="no-preference")
+        before = browser.run(degrees)
+        browser.run("document.querySelector('.live-turn').click()")
+        browser.wait(f"{degrees} !== {before}", 20)
+        browser.run("Object.defineProperty(document, 'hidden', {value: true}); document.dispatchEvent(new Event('visibilitychange'))")
+        settle(browser)
+        if browser.run("document.querySelector('.live-turn').textContent") != "Turn":
+            faults.append("the globe turns where nobody sees it")
+        faults += browser.log
+    return faults
+
+
 def check_narrow(place, spoiled):
     """At 360 pixels nothing sticks out, whatever is open."""
     faults = []
@@ -439,6 +466,11 @@ def check_narrow(place, spoiled):
                 browser.wait("!document.querySelector('.live-loupe').hidden", 20)
                 if spoiled:
                     browser.run("document.querySelector('.live-command').style.width = '3000px'")
+                if width == 360:  # a finger, too, moves the loupe
+                    x, y = browser.run(f"(({{left, top, width, height}}) => [left + 0.1 * width, top + 0.9 * height])({CANVAS}.getBoundingClientRect())")
+                    browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+                    browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+                    browser.wait("/column [78]., row 5..,/.test(document.querySelector('.live-loupe').textContent)", 20)
                 wide = browser.run("document.documentElement.scrollWidth")
                 out = browser.run("""[...document.querySelectorAll(".live *")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
                   .map((one) => one.outerHTML.slice(0, 80))""")
