@@ -256,7 +256,8 @@ class Book {
   [[nodiscard]] std::string live_chapter(std::size_t page) const {
     if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
     std::string number = pages_[page].chapter.substr(0, 2);
-    return modules_.find(number.insert(0, 1, '"')) == std::string::npos ? "" : number.substr(1);
+    const std::string in_utf16{'"', '\0', number[0], '\0', number[1], '\0', '"', '\0'};
+    return modules_.find(in_utf16) == std::string::npos ? "" : number;
   }
 
   /// What live pictures load: modules and textures, and the code of their page.
