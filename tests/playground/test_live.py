@@ -75,10 +75,12 @@ class Place:
     def url(self, chapter):
         return f"file://{self.folder}/{chapter}.html"
 
-    def native(self, chapter, words, columns, rows):
+    def native(self, chapter, words, columns=0, rows=0):
+        """What the program draws; without a size, in its own."""
         out = os.path.join(self.folder, "native.png")
-        subprocess.run([os.path.join(self.programs, self.program(chapter)), *words, "--width", str(columns), "--height", str(rows), "--quiet",
-                        "--out", out], check=True, stdout=subprocess.DEVNULL)
+        size = ["--width", str(columns), "--height", str(rows)] if columns else []
+        subprocess.run([os.path.join(self.programs, self.program(chapter)), *words, *size, "--quiet", "--out", out], check=True,
+                       stdout=subprocess.DEVNULL)
         return pixels_of(out)
 
 
@@ -145,7 +147,7 @@ def check_pixels(place, spoiled):
                     if canvas != CANVAS and "--samples" in words:
                         continue  # a small picture takes one ray a pixel
                     drawn = pixels(browser, canvas)
-                    bad = differing(drawn, place.native(chapter, words, *drawn[:2]))
+                    bad = differing(drawn, place.native(chapter, words, *(drawn[:2] if canvas != CANVAS else ())))
                     count += 1
                     if bad:
                         faults.append(f"{chapter} {words} at {drawn[0]}: differing bytes: {bad}")
@@ -452,6 +454,7 @@ def check_narrow(place, spoiled):
     """At 360 pixels nothing sticks out, whatever is open."""
     faults = []
     with Browser() as browser:
+        browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
         for chapter in CHAPTERS:
             for width in (360, 1280):
                 browser.size(width, 900)
@@ -466,10 +469,11 @@ def check_narrow(place, spoiled):
                 if spoiled:
                     browser.run("document.querySelector('.live-command').style.width = '3000px'")
                 if width == 360:  # a finger, too, moves the loupe
+                    browser.run(CANVAS + ".scrollIntoView()")
                     x, y = browser.run(f"(({{left, top, width, height}}) => [left + 0.1 * width, top + 0.9 * height])({CANVAS}.getBoundingClientRect())")
                     browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
                     browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-                    browser.wait("/column [78]., row 5..,/.test(document.querySelector('.live-loupe').textContent)", 20)
+                    browser.wait("/column [78]., row 5..:/.test(document.querySelector('.live-loupe').textContent)", 20)
                 wide = browser.run("document.documentElement.scrollWidth")
                 out = browser.run("""[...document.querySelectorAll(".live *")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
                   .map((one) => one.outerHTML.slice(0, 80))""")

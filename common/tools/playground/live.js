@@ -154,8 +154,9 @@ const controls = [
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
 ];
 const names = {"--errors": "error in texels"};
-// Without these options a program draws a sheet of several pictures.
+// Without these options a program draws a sheet of several pictures; with them, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
+const sizeOfOne = ["--width", "800", "--height", "600"];
 // What the lecture's scene presets otherwise.
 const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500", "--blend": "0.3"}};
 const legends = {
@@ -416,7 +417,7 @@ function live(main, modules) {
     if (fileOption && values[fileOption] !== presets[fileOption]) list.push({words: [fileOption, values[fileOption]]});
     return list;
   }
-  const words = (isSmall) => given(isSmall).flatMap((one) => one.words);
+  const words = (isSmall) => [...(always[chapter] ? sizeOfOne : []), ...given(isSmall).flatMap((one) => one.words)];
   function reset() {
     stopTurning();
     values = {...presets};
