@@ -32,7 +32,6 @@ SETTINGS = {
     "06": [{"degrees": "40", "blend": "0.5"}, {"blend": "0"}, {"shininess": 2.5}, {"highlight": "lecture", "degrees": "0"},
            {"scene": "lecture"}, {"scene": "lecture", "highlight": "lecture", "degrees": "77"}, {"samples": "16", "blend": "1"},
            {"rounding": "lecture", "number": "float"}],
-    "10": [{"projection": "cube"}],
 }
 CHAPTERS = ["01", "02", "03", "04", "05", "06"]
 
