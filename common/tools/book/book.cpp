@@ -10,8 +10,10 @@
 
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
+#include "engine/picture/codecs/deflate.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
+#include "tools/page/page.hpp"
 
 namespace texmap::book {
 namespace {
@@ -86,7 +88,7 @@ class Book {
     write_live();
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
-    write(out_ / "book.css", contents_of(folder() / "book.css"));
+    write(out_ / "book.css", contents_of(folder() / "book.css") + line_numbers());
     write(out_ / "book.js", search_index() + contents_of(folder() / "book.js") +
                                 contents_of(folder() / "../turntable.js"));
     report_.pages = static_cast<int>(pages_.size());
@@ -333,12 +335,23 @@ class Book {
     write(out_ / page.file, framed(page.title(), body, i));
   }
 
+  /// The numbers of the longest source's lines, once for all sources: each shows as many as it has
+  /// lines. Nobody copies them with the code, and screen readers do not read them.
+  [[nodiscard]] std::string line_numbers() const {
+    std::string numbers;
+    for (std::ptrdiff_t line = 1; line <= most_lines_; ++line)
+      numbers += std::to_string(line) + "\\a ";
+    return ":root { --numbers: \"" + numbers + "\"; }\n";
+  }
+
   void write_sources() {
     for (const std::string& source : sources_) {
       const std::string extension = fs::path(source).extension().string();
       const bool is_cpp = extension == ".hpp" || extension == ".cpp";
-      const std::string body = "<h1>" + escaped_markup(source) + "</h1>\n" +
-                               highlighted_file(contents_of(root_ / source), is_cpp);
+      const std::string code = contents_of(root_ / source);
+      most_lines_ = std::max(most_lines_, 1 + std::count(code.begin(), code.end(), '\n'));
+      const std::string body =
+          "<h1>" + escaped_markup(source) + "</h1>\n" + highlighted_file(code, is_cpp);
       write(out_ / "source" / (flat(source) + ".html"), framed(source, body, pages_.size(), "../"));
       ++report_.sources;
     }
@@ -419,6 +432,8 @@ class Book {
     return out + html.substr(from);
   }
 
+  /// Names and words of all sections, as a zlib stream in text: a third of what they take as they
+  /// are. book.js unpacks it when somebody searches.
   [[nodiscard]] std::string search_index() const {
     std::vector<Json> items;
     for (const Page& page : pages_) {
@@ -431,7 +446,11 @@ class Book {
         }));
       }
     }
-    return "const sections = " + Json::list(items, true).text + ";\n";
+    const std::string json = Json::list(items, false).text;
+    const Bytes bytes(reinterpret_cast<const std::uint8_t*>(json.data()), json.size());
+    std::vector<std::uint8_t> packed(most_deflated_bytes(bytes.size()));
+    packed.resize(deflate(bytes, packed, Packing::close));
+    return "const packed_sections = \"" + page::base64(packed) + "\";\n";
   }
 
   struct Named {
@@ -440,6 +459,7 @@ class Book {
 
   fs::path root_, out_;
   bool with_print_;
+  std::ptrdiff_t most_lines_ = 0;  ///< of a source
   std::vector<Page> pages_;
   std::vector<Part> parts_;
   std::vector<Named> named_;  ///< links from one page to a heading of another

@@ -1,6 +1,13 @@
-// Search, keyboard and turntable. `sections`, above, is made from the pages.
+// Search, keyboard and turntable. `packed_sections`, above, is made from the pages.
 const box = document.querySelector("#search");
 const found = document.querySelector("#found");
+let sections = null; // filled by the first search
+
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return JSON.parse(await new Response(stream).text());
+}
 
 // Sections that hold all words; a word in a title counts more.
 function matches(query) {
@@ -24,7 +31,14 @@ function excerpt(section, query) {
   return (at > 0 ? "… " : "") + section.words.slice(at, at + 110) + " …";
 }
 
-function show() {
+async function show() {
+  found.hidden = !box.value.trim();
+  if (found.hidden) return;
+  if (typeof DecompressionStream === "undefined") {
+    found.textContent = "Search needs a newer browser: this one has no DecompressionStream.";
+    return;
+  }
+  sections ??= await unpacked(packed_sections);
   const list = matches(box.value);
   found.replaceChildren(...list.map((section) => {
     const item = document.createElement("li");
@@ -38,7 +52,6 @@ function show() {
     return item;
   }));
   if (list.length === 0 && box.value.trim()) found.textContent = "Nothing holds all of these words.";
-  found.hidden = !box.value.trim();
 }
 
 box.addEventListener("input", show);

@@ -5,8 +5,6 @@
 #include <sstream>
 #include <string_view>
 
-#include "engine/measure/text.hpp"
-
 namespace texmap::book {
 namespace {
 
@@ -29,9 +27,24 @@ bool is_keyword(std::string_view word) {
   return false;
 }
 
+/// Text between tags, where only these two signs mean something else.
+std::string escaped_text(std::string_view plain) {
+  std::string html;
+  for (const char c : plain) {
+    if (c == '&') {
+      html += "&amp;";
+    } else if (c == '<') {
+      html += "&lt;";
+    } else {
+      html += c;
+    }
+  }
+  return html;
+}
+
 /// Words in an element with a short name, for a file has thousands; book.css colors it.
 std::string element(const std::string& name, const std::string& words) {
-  return "<" + name + ">" + escaped_markup(words) + "</" + name + ">";
+  return "<" + name + ">" + escaped_text(words) + "</" + name + ">";
 }
 
 bool is_of_a_word(char c) {
@@ -54,9 +67,9 @@ std::string highlighted_line(const std::string& line) {
     } else if (is_of_a_word(line[i])) {
       while (end < line.size() && is_of_a_word(line[end])) ++end;
       const std::string word = line.substr(i, end - i);
-      html += is_keyword(word) ? element("b", word) : escaped_markup(word);
+      html += is_keyword(word) ? element("b", word) : escaped_text(word);
     } else {
-      html += escaped_markup(line.substr(i, 1));
+      html += escaped_text(line.substr(i, 1));
     }
     i = end;
   }
@@ -72,25 +85,21 @@ std::string highlighted_block(const std::string& code, const std::string& langua
                          : line[0] == '+' ? "added"
                          : line[0] == '-' ? "removed"
                                           : "same";
-      html += std::string("<span class=\"") + kind + "\">" + escaped_markup(line) + "</span>\n";
+      html += std::string("<span class=\"") + kind + "\">" + escaped_text(line) + "</span>\n";
     } else {
-      html += (language == "cpp" ? highlighted_line(line) : escaped_markup(line)) + "\n";
+      html += (language == "cpp" ? highlighted_line(line) : escaped_text(line)) + "\n";
     }
   }
   return html + "</code></pre>\n";
 }
 
 std::string highlighted_file(const std::string& code, bool is_cpp) {
-  std::string numbers;
   std::string html;
   std::istringstream lines(code);
-  int number = 0;
   for (std::string line; std::getline(lines, line);) {
-    numbers += std::to_string(++number) + '\n';
-    html += (is_cpp ? highlighted_line(line) : escaped_markup(line)) + '\n';
+    html += (is_cpp ? highlighted_line(line) : escaped_text(line)) + '\n';
   }
-  return "<div class=\"file\"><pre aria-hidden=\"true\">" + numbers +
-         "</pre><pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
+  return "<div class=\"file\"><pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
 }
 
 }  // namespace texmap::book

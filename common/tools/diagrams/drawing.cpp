@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -19,7 +20,7 @@ svg {
 @media (prefers-color-scheme: dark) {
   svg { --ink: #e8eaed; --soft: #8f98a3; --blue: #7fb7ff; --red: #ff9a8f; --green: #74d39c; }
 }
-line, polyline, path, rect, circle {
+line, path, rect, circle {
   fill: none; stroke-width: 1.6; stroke-linecap: round; stroke-linejoin: round;
 }
 .ink { stroke: var(--ink); }
@@ -45,21 +46,41 @@ text.green { fill: var(--green); }
 text.soft { fill: var(--soft); }
 )";
 
-/// A coordinate with at most two decimals: enough for a screen, and the same on every machine.
+/// A coordinate with at most one decimal: enough for a screen, and the same on every machine.
 std::string number(double x) {
-  std::string rounded = texmap::text("%.2f", x);
+  std::string rounded = texmap::text("%.1f", x);
   while (rounded.back() == '0') rounded.pop_back();
   if (rounded.back() == '.') rounded.pop_back();
   return rounded == "-0" ? "0" : rounded;
 }
 
-std::string points(const std::vector<Spot>& spots) {
-  std::string list;
+/// A number of tenths in as few letters as SVG allows, after what may end in a digit.
+std::string tenths(long number, bool first) {
+  std::string digits = std::to_string(std::abs(number) / 10);
+  if (digits == "0" && number % 10 != 0) digits.clear();
+  if (number % 10 != 0) digits.append(".").append(std::to_string(std::abs(number) % 10));
+  if (number < 0) return "-" + digits;
+  return first ? digits : " " + digits;
+}
+
+/// Lines through places: the first as it is, each other as its way from the one before, both in
+/// whole tenths, so that roundings do not add up.
+std::string path_through(const std::vector<Spot>& spots) {
+  std::string path;
+  long x = 0, y = 0;
   for (const Spot& spot : spots) {
-    if (!list.empty()) list += ' ';
-    list += number(spot.x) + "," + number(spot.y);
+    const long to_x = std::lround(10 * spot.x);
+    const long to_y = std::lround(10 * spot.y);
+    const std::size_t before = path.size();
+    if (before == 0) path += "M";
+    if (before > 0 && to_x == x && to_y == y && &spot != &spots.back()) continue;
+    if (path.find('l') == std::string::npos && before > 0) path += "l";
+    const bool first = path.back() == 'M' || path.back() == 'l';
+    path.append(tenths(to_x - x, first)).append(tenths(to_y - y, false));
+    x = to_x;
+    y = to_y;
   }
-  return list;
+  return path;
 }
 
 }  // namespace
@@ -91,11 +112,11 @@ void Drawing::arrow(Spot from, Spot to, const std::string& style) {
 }
 
 void Drawing::curve(const std::vector<Spot>& through, const std::string& style) {
-  body_ += "<polyline class=\"" + style + "\" points=\"" + points(through) + "\"/>\n";
+  body_ += "<path class=\"" + style + "\" d=\"" + path_through(through) + "\"/>\n";
 }
 
 void Drawing::area(const std::vector<Spot>& corners, const std::string& style) {
-  body_ += "<polygon class=\"" + style + "\" points=\"" + points(corners) + "\"/>\n";
+  body_ += "<path class=\"" + style + "\" d=\"" + path_through(corners) + "z\"/>\n";
 }
 
 void Drawing::rectangle(Spot corner, double width, double height, const std::string& style) {

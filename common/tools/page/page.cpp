@@ -57,21 +57,6 @@ pre span { display: block; min-width: fit-content; }
 .added { background: var(--added); }
 )css";
 
-/// Source: RFC 4648, section 4.
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string encoded;
-  encoded.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = bytes.size() - i < 3 ? bytes.size() - i : 3;
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8U | (k < count ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      encoded += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
-  }
-  return encoded;
-}
-
 }  // namespace
 
 const char* const slider_script = R"js(
@@ -102,6 +87,20 @@ for (const slider of document.querySelectorAll(".slider")) {
   });
 }
 )js";
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string encoded;
+  encoded.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = bytes.size() - i < 3 ? bytes.size() - i : 3;
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8U | (k < count ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      encoded += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
+  }
+  return encoded;
+}
 
 std::string framed(const Frame& frame, const std::string& body_html) {
   const std::string title = escaped_foreign(frame.title);

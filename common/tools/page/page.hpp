@@ -37,6 +37,9 @@ struct Picture {
   int height = 0;
 };
 
+/// Bytes as text. Source: RFC 4648, section 4.
+[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
+
 /// A picture with its bytes inside the page, which then is one file.
 [[nodiscard]] Picture inside(const Image& image);
 
