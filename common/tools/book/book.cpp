@@ -8,7 +8,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "engine/measure/base64.hpp"
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
 #include "highlight.hpp"
@@ -70,6 +69,8 @@ class Book {
       : root_(std::move(root)), out_(std::move(out)), with_print_(with_print) {}
 
   Report make() {
+    const fs::path modules = root_ / "docs/live/modules.js";
+    if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
     for (Page& page : pages_) {
       page.converted =
@@ -239,8 +240,9 @@ class Book {
           contents(current) + "</details></nav>\n";
     }
     const std::string live = up.empty() ? live_chapter(current) : "";
-    html += "<main id=\"main\"" + (live.empty() ? "" : " data-live=\"" + live + "\"") + ">\n" +
-            body + "</main>\n</div>\n";
+    html += "<main id=\"main\"";
+    if (!live.empty()) html.append(" data-live=\"").append(live).append("\"");
+    html.append(">\n").append(body).append("</main>\n</div>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (!live.empty()) {
       html +=
@@ -254,27 +256,21 @@ class Book {
   [[nodiscard]] std::string live_chapter(std::size_t page) const {
     if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
     std::string number = pages_[page].chapter.substr(0, 2);
-    return fs::exists(root_ / "docs/live" / ("module_" + number + ".js")) ? number : "";
+    const std::string in_utf16{'"', '\0', number[0], '\0', number[1], '\0', '"', '\0'};
+    return modules_.find(in_utf16) == std::string::npos ? "" : number;
   }
 
-  /// What live pictures load: modules, their page's code, and the textures that they begin with.
+  /// What live pictures load: modules and textures, and the code of their page.
   void write_live() const {
-    const fs::path live = out_ / "live";
-    fs::remove_all(live);
-    if (!fs::exists(root_ / "docs/live")) return;
-    fs::create_directories(live);
+    fs::remove_all(out_ / "live");
+    if (modules_.empty()) return;
     for (const auto& entry : fs::directory_iterator(root_ / "docs/live")) {
-      if (entry.path().filename().string().rfind("module_", 0) == 0)
-        fs::copy_file(entry.path(), live / entry.path().filename());
+      const fs::path& file = entry.path();
+      if (file.extension() == ".js") write(out_ / "live" / file.filename(), contents_of(file));
     }
-    for (const char* file : {"live.js", "live.css"})
-      fs::copy_file(root_ / "common/tools/playground" / file, live / file);
-    for (const std::string texture : {"earth", "crate"}) {
-      const std::string bytes = contents_of(root_ / "assets" / (texture + ".png"));
-      const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-      write(live / (texture + ".js"),
-            "texmapLive.file(\"" + texture + ".png\", \"" + base64(data) + "\");\n");
-    }
+    const fs::path code = root_ / "common/tools/playground";
+    write(out_ / "live/live.js", contents_of(code / "unlzma.js") + contents_of(code / "live.js"));
+    write(out_ / "live/live.css", contents_of(code / "live.css"));
   }
 
   /// What the course's programs made for a chapter: its step, its turntable, its plots.
@@ -413,7 +409,8 @@ class Book {
           std::any_of(pages_.begin(), pages_.end(), [&](const Page& p) { return p.file == file; });
       out += html.substr(from, at - from);
       if (is_page) {
-        out += "#" + file + (hash == std::string::npos ? "" : "/" + url.substr(hash + 1));
+        out.append("#").append(file);
+        if (hash != std::string::npos) out.append("/").append(url, hash + 1);
       } else {
         out += url;
       }
@@ -446,6 +443,7 @@ class Book {
   std::vector<Page> pages_;
   std::vector<Part> parts_;
   std::vector<Named> named_;  ///< links from one page to a heading of another
+  std::string modules_;       // of live pictures; empty: there are none
   std::set<std::string> sources_, pictures_;
   Report report_;
 };

@@ -44,7 +44,7 @@ cmake -S "$tree" -B "$build" -D CMAKE_TOOLCHAIN_FILE="$toolchain" -D CMAKE_BUILD
   -D TEXMAP_LEARN=ON -D stb_image_INCLUDE_DIR="$build/headers" \
   -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti -include $tree/common/tools/playground/libcxx_13.hpp"
 cmake --build "$build" --target playground --parallel 2
-python3 "$tree/common/tools/playground/make_playground.py" all "$build/bin" "$place"
+python3 "$tree/common/tools/playground/make_playground.py" "$build/bin" "$tree/assets" "$place"
 [ "$place" != "$build/live" ] || {
   stale=""
   for file in "$place"/*; do
