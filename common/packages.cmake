@@ -14,8 +14,10 @@ function(borrow name header)
 endfunction()
 
 borrow(stb_image stb_image.h stb)
-borrow(stb_image_write stb_image_write.h stb)
-borrow(doctest doctest.h doctest)
+if(NOT EMSCRIPTEN)
+  borrow(stb_image_write stb_image_write.h stb)
+  borrow(doctest doctest.h doctest)
+endif()
 
 get_property(missing GLOBAL PROPERTY MISSING_HEADERS)
 if(missing)

@@ -48,8 +48,9 @@ TEXMAP_TABLE_CONSTEXPR LightTables<Number> make_light_tables() {
 
 }  // namespace
 
-TEXMAP_TABLE_CONSTINIT const std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
-    light_tables = {make_light_tables<float>(), make_light_tables<double>(),
-                    make_light_tables<long double>()};
+TEXMAP_TABLE_CONSTINIT const
+    std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
+        light_tables = {make_light_tables<float>(), make_light_tables<double>(),
+                        make_light_tables<long double>()};
 
 }  // namespace texmap

@@ -10,7 +10,8 @@
 double cosine_of(Vec3 point, Vec3 normal, Vec3 lamp) {
   // solution
   return std::max(dot(normal, normalize(lamp - point)), 0.0);
-  // start: // Your line here. dot(v, w) and normalize(v) are there.
+  // start: // Your line here. dot(v, w), normalize(v) and std::max(x, y) are there.
+  // start: // std::max needs two numbers of one type: write 0.0, because 0 is an int.
   // start: return 0.5;
 }
 // hint: The dot product of two vectors of length 1 is the cosine of the angle between them.

@@ -14,6 +14,7 @@ Uv uv_of(Vec3 p) {
   const double v = std::acos(std::clamp(-p.y, -1.0, 1.0)) / pi;
   return {u, v};
   // start: // Your lines here. Vec3 has .x, .y and .z; pi is there, and all of <cmath>.
+  // start: // C++ reads a / 2 * pi as (a / 2) * pi. To divide by both, write a / (2 * pi).
   // start: return {p.x, p.y};
 }
 // hint: The longitude is the angle of (x, -z), seen from above: std::atan2(-p.z, p.x).

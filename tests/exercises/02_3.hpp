@@ -4,6 +4,7 @@
 // So the fields on the equator are twice as wide as they are high. Let the pattern go around
 // twice, so that fields on the equator are squares.
 // uv is what the lesson's mapping gives. Return what the checkerboard should get in its place.
+// Its u may be more than 1: there the checkerboard goes on in the same way.
 //
 // Check it:  ./course check 02.3
 #include "exercise.hpp"

@@ -19,6 +19,7 @@ double level_of_width(double width) {
   }
   return level + (scaled * scaled - 1) / 3;
   // start: // Your lines here. A while loop finds l.
+  // start: // In C++, ^ is not a power: 2^l is std::pow(2, l).
   // start: return width < 2 ? 0 : 1;
 }
 // hint: Halve the width until it is below 2, and count how often. The count is l.

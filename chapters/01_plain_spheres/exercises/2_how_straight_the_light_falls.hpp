@@ -8,6 +8,7 @@
 #include "exercise.hpp"
 
 double cosine_of(Vec3 point, Vec3 normal, Vec3 lamp) {
-  // Your line here. dot(v, w) and normalize(v) are there.
+  // Your line here. dot(v, w), normalize(v) and std::max(x, y) are there.
+  // std::max needs two numbers of one type: write 0.0, because 0 is an int.
   return 0.5;
 }

@@ -9,5 +9,6 @@
 
 Uv uv_of(Vec3 p) {
   // Your lines here. Vec3 has .x, .y and .z; pi is there, and all of <cmath>.
+  // C++ reads a / 2 * pi as (a / 2) * pi. To divide by both, write a / (2 * pi).
   return {p.x, p.y};
 }

@@ -3,7 +3,8 @@
 // here is the place in the picture of a point of the globe: u to the right, v upward. east and
 // north are the places of two points next to it, a small step to the east and a small step to the
 // north. Return true if letters in the picture are mirrored on the globe. A picture that is only
-// turned is not mirrored. The program turns u around where you return true.
+// turned is not mirrored. To draw the globe, the program takes 1 - u in place of u where you return
+// true: if your function is right, all letters on the globe can be read.
 //
 // Check it:  ./course check 04.3
 #include "exercise.hpp"

@@ -11,5 +11,6 @@
 
 double level_of_width(double width) {
   // Your lines here. A while loop finds l.
+  // In C++, ^ is not a power: 2^l is std::pow(2, l).
   return width < 2 ? 0 : 1;
 }

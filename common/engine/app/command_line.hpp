@@ -66,7 +66,8 @@ class CommandLine {
       names.push_back(word);
       meanings.push_back(meaning);
     }
-    one_of(name, names, preset, [&value, meanings](std::size_t i) { value = meanings[i]; }, help);
+    one_of(
+        name, names, preset, [&value, meanings](std::size_t i) { value = meanings[i]; }, help);
   }
 
   /// A word without an option, such as a file to read; required, in the order of these calls.

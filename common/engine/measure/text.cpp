@@ -43,7 +43,8 @@ bool is_decimal(std::string_view text) {
 #ifdef __EMSCRIPTEN__  // a page has the C locale alone, and streams would double its size
 namespace {
 /// JavaScript's Number(text). The C library's would bring the arithmetic of long double along.
-__attribute__((import_module("page"), import_name("number"))) extern "C" double page_number(const char* text);
+__attribute__((import_module("page"), import_name("number"))) extern "C" double page_number(
+    const char* text);
 double read_number(const std::string& text, bool&) { return page_number(text.c_str()); }
 }  // namespace
 

@@ -31,9 +31,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
   return file->second;
 }
 
-void check_writable(const std::filesystem::path&) {
-  throw FileError("a page cannot write files");
-}
+void check_writable(const std::filesystem::path&) { throw FileError("a page cannot write files"); }
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t>) {
   check_writable(path);
 }

@@ -71,6 +71,8 @@ class Book {
       : root_(std::move(root)), out_(std::move(out)), with_print_(with_print) {}
 
   Report make() {
+    const fs::path modules = root_ / "docs/live/modules.js";
+    if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
     for (Page& page : pages_) {
       page.converted =
@@ -83,6 +85,7 @@ class Book {
     for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
     write_sources();
     write_index();
+    write_live();
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
     write(out_ / "book.css", contents_of(folder() / "book.css") + line_numbers());
@@ -238,9 +241,38 @@ class Book {
           "open><summary>Contents</summary>\n" +
           contents(current) + "</details></nav>\n";
     }
-    html += "<main id=\"main\">\n" + body + "</main>\n</div>\n";
+    const std::string live = up.empty() ? live_chapter(current) : "";
+    html += "<main id=\"main\"";
+    if (!live.empty()) html.append(" data-live=\"").append(live).append("\"");
+    html.append(">\n").append(body).append("</main>\n</div>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
+    if (!live.empty()) {
+      html +=
+          "<link rel=\"stylesheet\" href=\"live/live.css\">\n"
+          "<script src=\"live/live.js\" defer></script>\n";
+    }
     return html + "</body>\n</html>\n";
+  }
+
+  /// The number of a page's chapter if its picture is live, else nothing.
+  [[nodiscard]] std::string live_chapter(std::size_t page) const {
+    if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
+    std::string number = pages_[page].chapter.substr(0, 2);
+    const std::string in_utf16{'"', '\0', number[0], '\0', number[1], '\0', '"', '\0'};
+    return modules_.find(in_utf16) == std::string::npos ? "" : number;
+  }
+
+  /// What live pictures load: modules and textures, and the code of their page.
+  void write_live() const {
+    fs::remove_all(out_ / "live");
+    if (modules_.empty()) return;
+    for (const auto& entry : fs::directory_iterator(root_ / "docs/live")) {
+      const fs::path& file = entry.path();
+      if (file.extension() == ".js") write(out_ / "live" / file.filename(), contents_of(file));
+    }
+    const fs::path code = root_ / "common/tools/playground";
+    write(out_ / "live/live.js", contents_of(code / "unlzma.js") + contents_of(code / "live.js"));
+    write(out_ / "live/live.css", contents_of(code / "live.css"));
   }
 
   /// What the course's programs made for a chapter: its step, its turntable, its plots.
@@ -390,7 +422,8 @@ class Book {
           std::any_of(pages_.begin(), pages_.end(), [&](const Page& p) { return p.file == file; });
       out += html.substr(from, at - from);
       if (is_page) {
-        out += "#" + file + (hash == std::string::npos ? "" : "/" + url.substr(hash + 1));
+        out.append("#").append(file);
+        if (hash != std::string::npos) out.append("/").append(url, hash + 1);
       } else {
         out += url;
       }
@@ -430,6 +463,7 @@ class Book {
   std::vector<Page> pages_;
   std::vector<Part> parts_;
   std::vector<Named> named_;  ///< links from one page to a heading of another
+  std::string modules_;       // of live pictures; empty: there are none
   std::set<std::string> sources_, pictures_;
   Report report_;
 };

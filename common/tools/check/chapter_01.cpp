@@ -94,7 +94,7 @@ Exercise where_the_ray_meets_the_sphere() {
           },
       .places = {{"from (0, 0, 5) straight at the unit sphere, t is 4",
                   {eye, Vector{0, 0, -1}, middle, 1}},
-                 {"away from the center's line by 0.6, it is 0.2 more",
+                 {"from (0, 0.6, 5) in the direction (0, 0, -1), t is 4.2",
                   {Vector{0, 0.6, 5}, Vector{0, 0, -1}, middle, 1}},
                  {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
                   {Vector{3, 1, 4}, Vector{0, 0, -1}, Vector{3, 1, -2}, 0.5}},
@@ -151,15 +151,17 @@ Exercise how_straight_the_light_falls() {
           },
       .places = {{"a lamp straight above, at distance 1: the cosine is 1",
                   {origin, up, Vector{0, 1, 0}}},
-                 {"the distance does not matter: at distance 3 it is 1, too",
+                 {"a lamp straight above, at distance 3: the cosine is 1, too",
                   {origin, up, Vector{0, 3, 0}}},
-                 {"at 60 degrees it is 1/2", {origin, up, Vector{std::sqrt(3.0), 1, 0}}},
-                 {"the direction goes from the point to the lamp: the same at the point (5, 0, 2)",
+                 {"a lamp at 60 degrees from the normal: the cosine is 1/2",
+                  {origin, up, Vector{std::sqrt(3.0), 1, 0}}},
+                 {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
                   {Vector{5, 0, 2}, up, Vector{5 + std::sqrt(3.0), 1, 2}}},
-                 {"on a wall: the lamp (3, 0, 4) is at the cosine 0.6",
+                 {"normal (1, 0, 0), point (0, 0, 0), lamp (3, 0, 4): the cosine is 0.6",
                   {origin, Vector{1, 0, 0}, Vector{3, 0, 4}}},
-                 {"behind the surface it is 0", {origin, up, Vector{1, -2, 0}}},
-                 {"in the surface it is 0", {origin, up, Vector{0, 0, 2}}}},
+                 {"a lamp behind the surface: return 0", {origin, up, Vector{1, -2, 0}}},
+                 {"a lamp in the plane of the surface: the cosine is 0",
+                  {origin, up, Vector{0, 0, 2}}}},
       .mistakes = {},
       .tolerance = 1e-9};
   struct Angle {
@@ -216,17 +218,18 @@ Exercise is_the_lamp_hidden() {
   Law<Function> law{
       .right = [=](const Vector& point, const Vector& normal, const Vector& lamp,
                    const FirstHit& hit) { return towards(point + normal * 0.001, lamp, hit); },
-      .places = {{"a sphere is between the point and the lamp: it is hidden",
-                  {top, up, Vector{0, 8, 0}, scene}},
-                 {"nothing is between them: it is not hidden", {top, up, Vector{5, 5, 0}, scene}},
-                 {"rounding put the point 1e-12 below its own sphere: that does not hide the lamp",
-                  {Vector{0, 1 - 1e-12, 0}, up, Vector{5, 5, 0}, scene}},
-                 {"the sphere is behind the lamp: it does not hide it",
-                  {top, up, Vector{0, 3, 0}, scene}},
-                 {"the sphere is 5 times as far away as the lamp: it does not hide it",
-                  {Vector{0, 4.5, 0}, up, Vector{0, 7.3, 0}, scene}},
-                 {"the sphere is on the other side: it does not hide the lamp",
-                  {Vector{0, 7, 0}, up, Vector{0, 10, 0}, scene}}},
+      .places =
+          {{"a sphere is between the point and the lamp: the lamp is hidden",
+            {top, up, Vector{0, 8, 0}, scene}},
+           {"nothing is between the point and the lamp: the lamp is not hidden",
+            {top, up, Vector{5, 5, 0}, scene}},
+           {"rounding put the point 1e-12 below its own sphere: this sphere does not hide the lamp",
+            {Vector{0, 1 - 1e-12, 0}, up, Vector{5, 5, 0}, scene}},
+           {"a sphere behind the lamp does not hide the lamp", {top, up, Vector{0, 3, 0}, scene}},
+           {"a sphere 5 times as far away as the lamp does not hide the lamp",
+            {Vector{0, 4.5, 0}, up, Vector{0, 7.3, 0}, scene}},
+           {"a sphere on the other side of the point does not hide the lamp",
+            {Vector{0, 7, 0}, up, Vector{0, 10, 0}, scene}}},
       .mistakes = {}};
   const auto wrong = [&](const char* word, std::function<Function> function) {
     law.mistakes.push_back({word, std::move(function)});
@@ -277,8 +280,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
       .exercises = {where_the_ray_meets_the_sphere(), how_straight_the_light_falls(),
                     is_the_lamp_hidden()},
       .questions = {{"01.a",
-                     "A point of the right sphere is in shadow. Which number, 0 to 255, does its "
-                     "pixel have for blue?",
+                     "The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in "
+                     "shadow. Which number, 0 to 255, does the pixel there have for blue? "
+                     "Decimals are cut off.",
                      [] {
                        const chapter_01::Lesson lesson;
                        const Rgb paint = lesson.objects[chapter_01::right].paint.color;

@@ -81,9 +81,9 @@ Exercise which_column() {
                  {"of 2048 columns, u = 1/4 is in number 512", {0.25, 2048}},
                  {"of 10 columns, u = 0.06 is in number 0", {0.06, 10}},
                  {"of 10 columns, u = 0.96 is in number 9", {0.96, 10}},
-                 {"at u = 1 it is the last column, number 7 of 8", {1.0, 8}},
-                 {"above 1 it is the last column, too", {1.3, 8}},
-                 {"below 0 it is the first column", {-0.2, 8}}},
+                 {"of 8 columns, u = 1 is in the last one, number 7", {1.0, 8}},
+                 {"of 8 columns, a u above 1 gives the last one, number 7", {1.3, 8}},
+                 {"a u below 0 gives the first column, number 0", {-0.2, 8}}},
       .mistakes = {}};
   // Those who make another mistake often forget the ends, too.
   for (const bool limited : {true, false}) {
@@ -122,13 +122,13 @@ Exercise which_row() {
             return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;
           },
       .places = {{"of 4 rows, v = 0.8 is in the top row, number 0", {0.8, 4}},
-                 {"v = 0.6 is in the next one, number 1", {0.6, 4}},
-                 {"at v = 0 it is the bottom row, number 3", {0.0, 4}},
+                 {"of 4 rows, v = 0.6 is in number 1, below the top row", {0.6, 4}},
+                 {"of 4 rows, v = 0 is in the bottom row, number 3", {0.0, 4}},
                  {"of 1024 rows, the Sahara at v = 0.63 is in number 378", {0.63, 1024}},
                  {"of 10 rows, v = 0.06 is in number 9", {0.06, 10}},
-                 {"at v = 1 it is the top row, number 0", {1.0, 4}},
-                 {"above 1 it is the top row, too", {1.3, 4}},
-                 {"below 0 it is the bottom row", {-0.3, 4}}},
+                 {"v = 1 is in the top row, number 0", {1.0, 4}},
+                 {"a v above 1 gives the top row, number 0", {1.3, 4}},
+                 {"of 4 rows, a v below 0 gives the bottom row, number 3", {-0.3, 4}}},
       .mistakes = {}};
   for (const bool limited : {true, false}) {
     const auto wrong = [&](const char* word, int (*function)(double, int)) {
@@ -172,9 +172,10 @@ Exercise color_of_a_texel() {
       .right = [=](const Bytes& b, int width, int column,
                    int row) { return at(b, 3 * (row * width + column), 255); },
       .places = {{"the first texel, 255 0 51, is (1, 0, 0.2)", {bytes, 3, 0, 0}},
-                 {"its right neighbor comes three bytes later", {bytes, 3, 1, 0}},
-                 {"after the first row of 3 texels comes the second row", {bytes, 3, 0, 1}},
-                 {"the last texel of that row is 204 230 250", {bytes, 3, 2, 1}}},
+                 {"the right neighbor of the first texel begins three bytes later",
+                  {bytes, 3, 1, 0}},
+                 {"the second row begins after the 3 texels of the first row", {bytes, 3, 0, 1}},
+                 {"the last texel of the second row is 204 230 250", {bytes, 3, 2, 1}}},
       .mistakes = {},
       .tolerance = 1e-9};
   const auto wrong = [&](const char* word, std::function<Function> function) {

@@ -133,11 +133,11 @@ Exercise from_one_to_another() {
             return in_convention(Convention::lecture, Place2{u, 0.5}).u;
           },
       .places = {{"on +z, u goes from 1/4 to 0", {0.25}},
-                 {"on +x, from 1/2 to 1/4", {0.5}},
-                 {"on -z, from 3/4 to 1/2", {0.75}},
-                 {"on -x, from 0 to 3/4", {0.0}},
-                 {"from 0.1 to 0.85", {0.1}},
-                 {"from 0.95 to 0.7", {0.95}}},
+                 {"on +x, u goes from 1/2 to 1/4", {0.5}},
+                 {"on -z, u goes from 3/4 to 1/2", {0.75}},
+                 {"on -x, u goes from 0 to 3/4", {0.0}},
+                 {"u = 0.1 becomes 0.85", {0.1}},
+                 {"u = 0.95 becomes 0.7", {0.95}}},
       .mistakes =
           {{"below 0 a whole turn is missing: add 1 there (std::fmod does not)",
             [](double u) { return u - 0.25; }},

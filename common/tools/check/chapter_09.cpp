@@ -161,18 +161,19 @@ Exercise mix_two_texels() {
             const double right = four_texels(Uv<double>{u, 0.5}, width, 2).across;
             return Weights{1 - right, right};
           },
-      .places = {{"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0",
-                  {0.375, 4}},
-                 {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2",
-                  {0.5, 4}},
-                 {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4",
-                  {0.4375, 4}},
-                 {"u = 9/16 is three quarters of that way: 1/4 and 3/4", {0.5625, 4}},
-                 {"u = 0.3 of 8 texels", {0.3, 8}},
-                 {"on the left edge, u = 0, the texel on the left is the last one of the picture "
-                  "again: 1/2 and 1/2",
-                  {0, 4}},
-                 {"u = 1/16, still left of the first center", {0.0625, 4}}},
+      .places =
+          {{"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
+           {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
+           {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4",
+            {0.4375, 4}},
+           {"u = 9/16 is three quarters of the way from center 1 to center 2 of 4: 1/4 and 3/4",
+            {0.5625, 4}},
+           {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9",
+            {0.3, 8}},
+           {"on the left edge, u = 0, the texel on the left is the last one of the picture "
+            "again: 1/2 and 1/2",
+            {0, 4}},
+           {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}}},
       .mistakes = {
           {"the weights are exchanged: the closer texel must count more",
            [=](double u, int width) {
@@ -222,8 +223,8 @@ Exercise which_level() {
                  {"a read 2 texels wide is at level 1", {2}},
                  {"8 = 2^3 texels are at level 3", {8}},
                  {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
-                 {"1.5 texels: l = 0", {1.5}},
-                 {"100 texels: l = 6", {100}},
+                 {"1.5 texels: l = 0, and f = (1.5^2 - 1) / 3 = 0.4167", {1.5}},
+                 {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
                  {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
                  {"a footprint of width 0 is at level 0", {0}}},
       .mistakes = {

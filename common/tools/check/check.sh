@@ -8,14 +8,14 @@ passed=out/exercises/passed.txt
 
 usage() {
   cat <<'TEXT'
-usage: ./course check                  all exercises and questions, and how far you are
+usage: ./course check                  all exercises, and how far you are
        ./course check 02               check your exercises of chapter 02
        ./course check 02.1             check one: words, a picture with your function, a page out/exercises/02.1/index.html
-       ./course check 02.a 0.25        check your answer to a question: how far off it is
+       ./course check 02.a 0.25        check your answer to a question: how far off it is; without a number it asks the question
        ./course check hint 02.1        a hint; ask again for the next one
        ./course check solution 02.1    a solution
        ./course check reset 02.1       begin again; your lines are kept in out/exercises/02.1/
-Write into the files chapters/NN_*/exercises/K_*.hpp, or into a copy that you keep elsewhere.
+Write into the files chapters/NN_*/exercises/K_*.hpp; only these are checked. The questions are on the pages of the chapters.
 status: 0 right, or only shown; 1 not yet; 2 wrong command line, or the build failed for another reason than your file
 TEXT
 }

@@ -61,7 +61,8 @@ std::string in_words(const Exercise& exercise, const std::string& title, const V
     if (!verdict.mistake.empty()) words += "  This is a known mistake: " + verdict.mistake + ".\n";
   }
   words += "  In the chapter's picture " + percent(different, pixels) + " of the pixels differ";
-  words += is_right({}, different, pixels) ? ".\n" : "; none should.\n";
+  words +=
+      is_right({}, different, pixels) ? ".\n" : "; none should. The pictures below show where.\n";
   if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
   return words;
 }

@@ -57,10 +57,12 @@ void change_paint(AnyOf<Paints...>& paint, const Change& change) {
 template <class Lesson>
 struct Knobs {
   double squares = 10;
-  double eye = 1;      ///< how many times as far away the eye is
+  double eye = 1;       ///< how many times as far away the eye is
   bool errors = false;  ///< shows texel errors
 
-  static constexpr bool has_squares = requires(Lesson& lesson) { lesson.checkered.texture.squares; };
+  static constexpr bool has_squares = requires(Lesson & lesson) {
+    lesson.checkered.texture.squares;
+  };
 
   void declare(CommandLine& line) {
     if constexpr (has_squares)
@@ -76,8 +78,10 @@ struct Knobs {
   void apply(Lesson& lesson) const {
     if constexpr (has_squares) {
       for (auto& object : lesson.objects) {
-        change_paint(object.paint, [this](auto& paint) requires requires { paint.texture.squares; }
-                     { paint.texture.squares = squares; });
+        change_paint(
+            object.paint, [this](auto& paint) requires requires { paint.texture.squares; } {
+              paint.texture.squares = squares;
+            });
       }
     }
     Camera& camera = lesson.stage.camera;
@@ -89,12 +93,14 @@ template <class Lesson>
 class Live final : public LiveLesson {
  public:
   [[nodiscard]] std::string options() const override {
-    return Json::list_of(state_->line.options(), [](const CommandLine::Option& option) {
-             return Json::object({{"name", option.name},
-                                  {"words", option.placeholder},
-                                  {"preset", option.preset},
-                                  {"help", option.help}});
-           }).text;
+    return Json::list_of(state_->line.options(),
+                         [](const CommandLine::Option& option) {
+                           return Json::object({{"name", option.name},
+                                                {"words", option.placeholder},
+                                                {"preset", option.preset},
+                                                {"help", option.help}});
+                         })
+        .text;
   }
 
   void set(const std::vector<std::string>& words, int widest) override {
@@ -115,8 +121,7 @@ class Live final : public LiveLesson {
 
   [[nodiscard]] std::string look(int column, int row) const override {
     const Lesson& lesson = state_->lesson;
-    return what_a_ray_meets(lesson, ray_through(state_->whole, double(column), double(row)))
-        .text;
+    return what_a_ray_meets(lesson, ray_through(state_->whole, double(column), double(row))).text;
   }
 
  private:
@@ -146,7 +151,8 @@ class Live final : public LiveLesson {
       knobs.apply(lesson);
       choose_formulas(session, lesson);
       if (settings.width > widest) {
-        settings.height = std::max(1, (settings.height * widest + settings.width / 2) / settings.width);
+        settings.height =
+            std::max(1, (settings.height * widest + settings.width / 2) / settings.width);
         settings.width = widest;
       }
       settings.zoom *= knobs.eye;
@@ -154,21 +160,21 @@ class Live final : public LiveLesson {
     }
 
     [[nodiscard]] Image draw(const View<>& view) const { return draw_lesson(lesson, view); }
-    [[nodiscard]] Image draw_lesson(const Lesson& lesson, const View<>& view) const {
+    [[nodiscard]] Image draw_lesson(const Lesson& seen, const View<>& view) const {
       const Settings& settings = session.settings;
       const RenderSettings how{.samples = settings.samples, .threads = 1};
       if constexpr (HasSpheres<Lesson>) {
-        if (knobs.errors) return draw_errors(lesson, view);
+        if (knobs.errors) return draw_errors(seen, view);
       }
       if constexpr (HasSurfaces<Lesson>) {
         if (settings.show != Shown::color) {
-          return render<double>(SurfaceColors<Lesson>{lesson, settings.show}, view,
+          return render<double>(SurfaceColors<Lesson>{seen, settings.show}, view,
                                 {.samples = 1, .threads = 1});
         }
       }
-      if (settings.number == NumberKind::float_) return render<float>(lesson, view, how);
+      if (settings.number == NumberKind::float_) return render<float>(seen, view, how);
       // Packs of double draw what double draws (tests/packs).
-      return render<Pack<double>>(lesson, view, how);
+      return render<Pack<double>>(seen, view, how);
     }
   };
   std::unique_ptr<State> state_ = std::make_unique<State>();

@@ -1,6 +1,6 @@
 // What a ray meets, with every number between the pixel and its color, for a page.
 #pragma once
-#include <type_traits>
+#include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -8,6 +8,7 @@
 #include "engine/measure/json.hpp"
 #include "engine/render/surfaces.hpp"
 #include "scene/light.hpp"
+#include "scene/mesh.hpp"
 #include "texel_error.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/image_texture.hpp"
@@ -21,10 +22,13 @@ using Members = std::vector<std::pair<const char*, Json>>;
 /// What a texture has at (u, v): the texel of a picture, or the square of a checkerboard.
 template <class Paint>
 void add_texel(const Paint& paint, const Uv<double>& uv, Members& members) {
-  if constexpr (requires { paint.texture.image; paint.texture.rounding; }) {
+  if constexpr (requires {
+                  paint.texture.image;
+                  paint.texture.rounding;
+                }) {
     const Image& image = paint.texture.image;
-    const TexelPlace<double> place = texel_place(uv, image.width, image.height,
-                                                 paint.texture.v_axis, paint.texture.rounding);
+    const TexelPlace<double> place =
+        texel_place(uv, image.width, image.height, paint.texture.v_axis, paint.texture.rounding);
     const Rgb8& texel = image.at(place.column, place.row);
     members.emplace_back(
         "texel", Json::object({{"column", place.column},
@@ -56,29 +60,76 @@ void add_rotation(const AnyOf<Paints...>& paint, const Vec3d& normal, Members& m
              static_cast<const std::variant<Paints...>&>(paint));
 }
 
+/// Where a paint is read: (u, v), texel and, if the mapping turns with its object, the normal.
+template <class Paint, class AnyHit>
+void add_place(const Paint& paint, const AnyHit& hit, Members& members) {
+  const Uv<double> uv = uv_of_paint(paint, hit);
+  if (std::isnan(uv.u)) return;
+  add_rotation(paint, hit.normal, members);
+  members.emplace_back("uv", Json::list({uv.u, uv.v}));
+  add_texel(paint, uv, members);
+}
+
+/// The light that arrives.
+template <class Objects>
+void add_light(const PointLight& lamp, const Objects& objects, const Hit<double>& hit,
+               Members& members) {
+  const auto light = sample_light(lamp, objects, hit);
+  members.emplace_back("to_light", list_of(light.to_light));
+  members.emplace_back("cosine", light.cosine);
+}
+
 /// Ray, hit, normal, (u, v), texel and light of a ray, as far as there are any.
 template <HasObjects Lesson>
 [[nodiscard]] Json what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
   Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
   const Nearest<double> nearest = find_nearest(lesson.objects, ray);
-  if (nearest.index < 0) return Json::object(members);
-  const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
-  const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
-  members.emplace_back("object", static_cast<int>(nearest.index));
-  members.emplace_back("distance", nearest.distance);
-  members.emplace_back("point", list_of(hit.point));
-  members.emplace_back("center", list_of(object.shape.center));
-  members.emplace_back("radius", object.shape.radius);
-  members.emplace_back("normal", list_of(hit.normal));
-  const Uv<double> uv = uv_of_paint(object.paint, hit);
-  if (!std::isnan(uv.u)) {
-    add_rotation(object.paint, hit.normal, members);
-    members.emplace_back("uv", Json::list({uv.u, uv.v}));
-    add_texel(object.paint, uv, members);
+  if (nearest.index >= 0) {
+    const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
+    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
+    members.emplace_back("object", static_cast<int>(nearest.index));
+    members.emplace_back("distance", nearest.distance);
+    members.emplace_back("point", list_of(hit.point));
+    members.emplace_back("center", list_of(object.shape.center));
+    members.emplace_back("radius", object.shape.radius);
+    members.emplace_back("normal", list_of(hit.normal));
+    if constexpr (requires { lesson.bumps; }) {
+      members.emplace_back("bumped",
+                           list_of(lesson.bumps(hit, inverse_radius<double>(object.shape))));
+    }
+    add_place(object.paint, hit, members);
+    if constexpr (
+        requires { lesson.surface; } || requires { object.material; })
+      add_light(lesson.stage.light, lesson.objects, hit, members);
+  } else if constexpr (requires { lesson.ground; }) {
+    const double distance = distance_to(lesson.floor, ray);
+    if (distance < infinity<double>()) {
+      const Vec3d point = point_on(lesson.floor, ray, distance);
+      const Uv<double> uv = lesson.ground.mapping(point);
+      members.emplace_back("distance", distance);
+      members.emplace_back("point", list_of(point));
+      members.emplace_back("uv", Json::list({uv.u, uv.v}));
+    }
   }
-  const auto light = sample_light(lesson.stage.light, lesson.objects, hit);
-  members.emplace_back("to_light", list_of(light.to_light));
-  members.emplace_back("cosine", light.cosine);
+  return Json::object(members);
+}
+template <HasMesh Lesson>
+[[nodiscard]] Json what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
+  Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
+  const MeshHit<double> hit =
+      lesson.choice.weighted(lesson.scene.mesh, first_hit(lesson.scene.mesh, ray));
+  if (!hit.met) return Json::object(members);
+  members.emplace_back("triangle", static_cast<int>(hit.triangle));
+  members.emplace_back("distance", hit.distance);
+  members.emplace_back("point", list_of(hit.point));
+  members.emplace_back("normal", list_of(hit.normal));
+  members.emplace_back("weights", Json::list({hit.a, hit.b, hit.c}));
+  std::vector<Json> places;
+  for (const Uv<double>& uv : lesson.scene.mapping.corners[static_cast<std::size_t>(hit.triangle)])
+    places.push_back(Json::list({uv.u, uv.v}));
+  members.emplace_back("corners", Json::list(places));
+  add_place(lesson.paint, hit, members);
+  add_light(lesson.stage.light, others(lesson.scene.mesh, hit), hit, members);
   return Json::object(members);
 }
 

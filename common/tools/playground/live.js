@@ -1,0 +1,695 @@
+// Live pictures: a chapter's own code, as WebAssembly, draws in a worker what a form below the picture asks for.
+// Plain scripts only, and no fetch: pages are opened as files. Where a browser lacks something, the still picture stays.
+"use strict";
+const texmapLive = (() => {
+
+// ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from file://.
+function worker() {
+  let code, decoder;  // the chapter's module, opened; that of the loader, not yet
+  let used = "";      // the words and width that the module is set to
+  let size = [0, 0];  // of that picture
+  let job = null;     // the drawing that waits
+  let drawing = false;
+  const channel = new MessageChannel();
+  // Lets messages in: setTimeout would wait 4 ms.
+  const pause = () => new Promise((done) => { channel.port1.onmessage = done; channel.port2.postMessage(0); });
+
+  // A module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the buffer again.
+  async function open(bytes) {
+    const module = await WebAssembly.compile(bytes);
+    const imports = {};
+    for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
+    const own = {
+      memory: () => new Uint8Array(own.calls.memory.buffer),
+      text: (start) => new TextDecoder().decode(own.memory().slice(start, own.memory().indexOf(0, start))),
+      answer(start) {
+        const text = own.text(start);
+        if (text[0] === "!") throw {refusal: text.slice(1)};
+        return text;
+      },
+      // Calls `use` with copies of texts and bytes in the module's memory, each ended by 0.
+      lend(things, use) {
+        const starts = [];
+        try {
+          for (const thing of things) {
+            const bytes = typeof thing === "string" ? new TextEncoder().encode(thing) : thing;
+            const start = own.calls.take(bytes.length + 1);
+            if (!start) throw {refusal: "there is not enough memory for this"};
+            starts.push(start);
+            own.memory().set(bytes, start);
+            own.memory()[start + bytes.length] = 0;
+          }
+          return use(...starts);
+        } finally {
+          starts.forEach(own.calls.give_back);
+        }
+      },
+    };
+    if (imports.page) imports.page.number = (text) => Number(own.text(text));
+    own.calls = (await WebAssembly.instantiate(module, imports)).exports;
+    own.calls._initialize();
+    return own;
+  }
+  function set(words, widest) {
+    const lines = words.map((word) => word + "\n").join("");
+    if (used !== lines + widest) size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ").map(Number);
+    used = lines + widest;
+  }
+  // Draws in strips, and lets messages in between. A full picture is given up for a newer request; a small one is not, or a
+  // fast hand would see none.
+  async function draw({id, words, widest, small}) {
+    for (let first = 0, most = 16;;) {
+      set(words, widest);  // a look may have set something else meanwhile
+      const [columns, rows] = size;
+      const count = Math.min(most, rows - first);
+      const began = performance.now();
+      const start = code.calls.rows(first, count);
+      const strip = code.memory().slice(start, start + 4 * columns * count);
+      const last = first + count === rows;
+      postMessage({kind: "rows", id, columns, rows, first, strip, small, last}, [strip.buffer]);
+      if (last) return;
+      const took = Math.max(performance.now() - began, 0.1);
+      most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));  // 50 ms, 15 ms
+      first += count;
+      await pause();
+      if (job && !small) return;
+    }
+  }
+  const keepPixels = (name, pixels, width, height) =>
+    code.lend([name, pixels], (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
+  const can = {
+    async load({module, loader}) {
+      decoder = loader;
+      code = await open(module);
+    },
+    // The loader lives for one file: what it needed is free afterwards.
+    async keep({name, shown, bytes, size}) {
+      if (size) return keepPixels(name, unlzma(bytes, 3 * size[0] * size[1]), ...size);  // one of the course's own
+      const loader = await open(decoder);
+      const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
+        .split(" ").map(Number);
+      const start = loader.calls.pixels();
+      keepPixels(name, loader.memory().subarray(start, start + 3 * width * height), width, height);
+      postMessage({kind: "kept", name, bytes, shown});
+    },
+    drop: ({name}) => keepPixels(name, new Uint8Array(3), 1, 1),
+    begin({chapter}) {
+      used = "";
+      postMessage({kind: "options", options: JSON.parse(code.lend([chapter], (text) => code.answer(code.calls.begin(text))))});
+    },
+    look({words, widest, column, row}) {
+      set(words, widest);
+      postMessage({kind: "seen", column, row, seen: JSON.parse(code.answer(code.calls.look(column, row)))});
+    },
+    async draw(message) {
+      job = message;
+      if (drawing) return;
+      drawing = true;
+      while (job) {
+        const now = job;
+        job = null;
+        await attempt(() => draw(now), now);
+      }
+      drawing = false;
+    },
+  };
+  // A refusal in words is an answer; anything else is the end of this worker.
+  async function attempt(act, {kind, id}) {
+    try {
+      await act();
+    } catch (error) {
+      postMessage(error.refusal ? {kind: "refused", of: kind, id, reason: error.refusal} : {kind: "lost", reason: String(error)});
+    }
+  }
+  let before = Promise.resolve();  // what others wait for
+  onmessage = ({data}) => {
+    const done = before.then(() => attempt(() => can[data.kind](data), data));
+    if (data.kind !== "draw") before = done;
+  };
+}
+
+// ---- Which controls there are. A chapter has those that its module offers; the choices' words come from the module.
+const controls = [
+  {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
+  {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `${value} squares`},
+  {option: "--convention", label: "Convention"},
+  {option: "--rounding", label: "Rounding"},
+  {option: "--filter", label: "Filter"},
+  {option: "--taps", label: "Taps", range: [1, 64, 1]},
+  {option: "--projection", label: "Projection"},
+  {option: "--bump", label: "Bumps"},
+  {option: "--relief-from", label: "Heights from"},
+  {option: "--relief", label: "Height", range: [-0.2, 0.2, 0.01]},
+  {option: "--wrap", label: "Wrap"},
+  {option: "--exposure", label: "Exposure", range: [-4, 4, 0.5]},
+  {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true},
+  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true},
+  {option: "--highlight", label: "Highlight"},
+  {option: "--scene", label: "Scene"},
+  {option: "--show", label: "Show", only: ["globe", "color", "normal", "uv", "object", "--errors"]},
+  {option: "--eye", label: "Eye distance", range: [1, 1e7, 0.01], log: true, more: true,
+   here: (value) => `the eye ${value} times as far away`},
+  {option: "--number", label: "Number", only: ["double-pack", "double", "float"], more: true},
+  {option: "--spheres", label: "Spheres", more: true, names: {plain: "plain (textbook)"}},
+  {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
+];
+const names = {"--errors": "error in texels"};
+// Without these options a program draws a sheet of several pictures; with them, one of this size.
+const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
+const sizeOfOne = ["--width", "800", "--height", "600"];
+// What the lecture's scene presets otherwise.
+const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500", "--blend": "0.3"}};
+const legends = {
+  normal: "x as red, y as green, z as blue, each from −1 to 1",
+  uv: "u as red, v as green, each from 0 to 1; gray: no (u, v)",
+  object: "one color for each object",
+  "--errors": ["float against double: 10⁻⁵ texel or less ", element("i", {className: "live-errors"}),
+    " 1 texel or more; black: the sky; gray: no (u, v); white: float meets another object"],
+};
+const smallest = 480, widest = 800;  // columns while the reader drags, and after
+const largestFile = 64 << 20;        // bytes; the chapters' own limit
+
+// ---- Small tools.
+function element(name, properties = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties)) key in made ? made[key] = value : made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them.
+function bytesOf(text) {
+  if (text < "\u3400") return Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(Math.floor(text.length * 15 / 8));
+  for (let i = 0, at = 0, bits = 0, count = 0; i < text.length; ++i) {
+    bits = bits << 15 | text.charCodeAt(i) - 0x3400;
+    for (count += 15; count >= 8; bits &= (1 << count) - 1) bytes[at++] = bits >> (count -= 8);
+  }
+  return bytes;
+}
+// As the shell reads it.
+const quoted = (word) => /^[\w.\/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
+const rounded = (value, digits) => String(Number(Number(value).toPrecision(digits))).replaceAll("-", "−");
+
+// ---- What scripts hand over: modules.js calls texmapLive.modules, earth.js calls texmapLive.texture.
+const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");  // none: all is in the page
+const arrivals = new Map();
+function arrival(name) {
+  if (!arrivals.has(name)) {
+    const one = {};
+    one.promise = new Promise((give, refuse) => Object.assign(one, {give, refuse}));
+    arrivals.set(name, one);
+  }
+  return arrivals.get(name);
+}
+function fetched(name, script) {
+  const one = arrival(name);
+  if (folder && !one.asked) {
+    one.asked = true;
+    document.head.append(element("script", {src: folder + script, onerror: () => one.refuse(new Error(`there is no ${script}`))}));
+  }
+  return one.promise;
+}
+
+// ---- A live picture, its form and its loupe.
+function live(main, modules) {
+  const image = main.querySelector("img");
+  // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above the live one.
+  const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
+  const still = always[main.dataset.live] ? null : frame;
+  const canvas = element("canvas", {width: 800, height: 600, tabIndex: 0, hidden: true});
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", (image ? image.alt : "The chapter's picture") + ". Arrow keys show how a pixel gets its color.");
+  const paper = canvas.getContext("2d", {willReadFrequently: true});
+  const small = element("canvas");
+  const smallPaper = small.getContext("2d", {willReadFrequently: true});
+  const mark = element("div", {className: "live-mark", hidden: true});
+  const zoomed = element("canvas", {width: 11, height: 11});
+  const facts = element("table");
+  const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, facts);
+  const picture = element("div", {className: "live-picture"}, canvas, mark, loupe);
+  const legend = element("p", {className: "live-legend", hidden: true});
+  const says = element("p", {className: "live-says"});
+  says.setAttribute("role", "status");
+  const again = element("button", {type: "button", textContent: "Try again", hidden: true, onclick: () => { reset(); start(); }});
+  const rows = element("div", {className: "live-rows"});
+  const moreRows = element("div", {className: "live-rows"});
+  const more = element("details", {}, element("summary", {textContent: "More"}), moreRows);
+  const command = element("code");
+  const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
+  const hereOnly = element("span");
+  const choose = element("input", {type: "file", accept: "image/png,image/jpeg", onchange: () => openFile(choose.files[0])});
+  const opened = element("span");
+  const opener = element("span", {className: "live-open"}, element("label", {className: "live-button"}, "Open file…", choose), " ", opened);
+  const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
+    element("div", {className: "live-actions"}, opener, element("button", {type: "button", textContent: "Reset", onclick: () => { reset(); change(); }})),
+    element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
+  const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
+  const section = element("section", {className: "live"}, picture, legend, says, again, form);
+  section.setAttribute("aria-label", "Live picture");
+  section.small = small;  // for the tests: what was drawn while dragging
+  frame ? frame.after(section) : main.append(section);
+  main.querySelector(".live-missing")?.remove();
+
+  let hand = null;                     // the worker
+  let chapter = main.dataset.live;
+  let built = "";                      // the chapter whose form is there
+  let presets = {}, values = {}, widgets = {};
+  let fileOption = "";                 // the option that takes the reader's file
+  const files = new Map();             // what the module was given, for a new worker
+  let latest = 0, unfinished = false;  // the last drawing asked for
+  let looking = null, nextLook = null, pixel = null, pinned = false;
+  let patience = 0, idle = 0, full = null;
+
+  // -- The worker's life.
+  function start() {
+    again.hidden = true;
+    says.textContent = "";
+    panel.disabled = false;
+    const address = URL.createObjectURL(new Blob([`${unlzma}\n(${worker})()`]));
+    try {
+      hand = new Worker(address);
+    } catch (error) {
+      lost(error.message);
+      return;
+    } finally {
+      URL.revokeObjectURL(address);
+    }
+    hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
+    hand.onerror = (event) => lost(event.message);
+    send({kind: "load", module: modules.get(chapter), loader: modules.get("loader")});
+    for (const [name, file] of files) send({kind: "keep", name, ...file});
+    begin();
+  }
+  function begin() {
+    ++latest;  // what the old chapter still draws is out of date
+    unfinished = true;
+    send({kind: "begin", chapter});
+  }
+  function send(message) {
+    if (!hand) return;
+    hand.postMessage(message);
+    if (!patience) wait();
+  }
+  // A worker that owes an answer has 30 s for it.
+  function wait() {
+    clearTimeout(patience);
+    patience = hand && (unfinished || looking) ? setTimeout(() => lost("no answer for 30 s"), 30000) : 0;
+  }
+  function lost(reason) {
+    hand?.terminate();
+    hand = null;
+    clearTimeout(idle);
+    stopTurning();
+    unfinished = false;
+    looking = nextLook = null;
+    closeLoupe();
+    panel.disabled = true;
+    if (still) { still.style.display = ""; canvas.hidden = true; }
+    says.textContent = `The live picture stopped (${reason}). ${still ? "This is the still one." : ""}`;
+    again.hidden = false;
+    section.dataset.state = "lost";
+  }
+  const heard = {
+    async options({options}) {
+      const mine = hand;
+      unfinished = false;  // now it is the page that waits, perhaps for a slow network
+      const found = Object.fromEntries(options.map((option) => [option.name, option]));
+      try {
+        for (const {words, preset} of options) {  // the files that the chapter begins with
+          if (words !== "FILE" || !/^\w+\.\w+$/.test(preset) || files.has(preset)) continue;
+          const file = await fetched(preset, preset.replace(/\.\w+$/, ".js"));
+          if (mine !== hand) return;
+          files.set(preset, {shown: preset, ...file});
+          send({kind: "keep", name: preset, ...files.get(preset)});
+        }
+      } catch (error) {
+        lost(error.message);
+        return;
+      }
+      if (built !== chapter) build(found);
+      change();
+    },
+    rows({id, columns, rows, first, strip, small: isSmall, last}) {
+      const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
+      if (isSmall) {
+        if (first === 0) Object.assign(small, {width: columns, height: rows});
+        smallPaper.putImageData(data, 0, first);
+        if (last) showSmall(columns, rows);
+      } else if (id === latest) {  // not a strip of what is out of date
+        if (first === 0) fit(columns, rows);
+        paper.putImageData(data, 0, first);
+        if (last) full = [columns, rows];
+      }
+      if (!last || id !== latest) return;
+      unfinished = false;
+      if (isSmall) return;
+      section.dataset.state = "done";
+      if (pixel) look(pixel);
+    },
+    seen({column, row, seen}) {
+      looking = null;
+      if (nextLook) look(nextLook);
+      else if (pixel) showLoupe(column, row, seen);
+    },
+    refused({of, id, reason}) {
+      if (of === "look") { looking = null; return; }
+      if (of === "draw" && id !== latest) return;
+      unfinished = false;
+      says.textContent = reason;
+      section.dataset.state = "refused";
+    },
+    kept({name, shown, bytes}) {
+      if (!name.startsWith("own_") || files.has(name)) return;  // one of the chapter's, or given again
+      files.set(name, {shown, bytes});
+      forgetFiles(name);
+      values[fileOption] = name;
+      change();
+    },
+    lost: ({reason}) => lost(reason),
+  };
+
+  // -- The picture.
+  function fit(columns, rows) {
+    picture.style.maxWidth = columns + "px";
+    if (canvas.width === columns && canvas.height === rows) return;
+    Object.assign(canvas, {width: columns, height: rows});
+    if (small.width) paper.drawImage(small, 0, 0, columns, rows);
+  }
+  function showSmall(columns, rows) {
+    if (Math.abs(canvas.width / canvas.height - columns / rows) > 0.01) {
+      full = null;
+      Object.assign(canvas, {width: columns, height: rows});
+    }
+    paper.drawImage(small, 0, 0, canvas.width, canvas.height);
+    canvas.hidden = false;
+    if (still) still.style.display = "none";
+    section.dataset.pictures = 1 + Number(section.dataset.pictures || 0);
+    if (turning) requestAnimationFrame(turn);
+  }
+  // Asks for a small picture now, and for the full one when the reader rests.
+  function change() {
+    if (!hand) return;
+    refresh();
+    clearTimeout(idle);
+    section.dataset.state = "drawing";
+    says.textContent = "";
+    ask(true);
+    idle = setTimeout(() => ask(false), 200);
+  }
+  function ask(isSmall) {
+    unfinished = true;
+    send({kind: "draw", id: ++latest, words: words(isSmall), widest: isSmall ? smallest : widest, small: isSmall});
+  }
+
+  // -- The options.
+  const preset = (option) => sceneSets[values["--scene"]]?.[option] ?? presets[option];
+  const plainView = () => ["color", "globe", undefined].includes(values["--show"]);
+  // Only what differs from the presets. A small picture takes one ray per pixel; so do normals and objects, of which
+  // there is no mean.
+  function given(isSmall) {
+    const list = [];
+    for (const {option, here} of controls) {
+      const value = values[option];
+      if (!(option in widgets) || value === "" || (value === preset(option) && always[chapter] !== option)) continue;
+      if (option === "--samples" && (isSmall || !plainView())) continue;
+      list.push(value === "--errors" ? {words: [value], here: () => "errors in texels"} : {words: [option, value], here});
+    }
+    if (fileOption && values[fileOption] !== presets[fileOption]) list.push({words: [fileOption, values[fileOption]]});
+    return list;
+  }
+  const words = (isSmall) => [...(always[chapter] ? sizeOfOne : []), ...given(isSmall).flatMap((one) => one.words)];
+  function reset() {
+    stopTurning();
+    values = {...presets};
+    for (const option of Object.keys(widgets)) values[option] ||= widgets[option].first;
+    forgetFiles();
+  }
+  function put(option, value) {
+    const before = Object.fromEntries(Object.keys(widgets).map((one) => [one, preset(one)]));
+    values[option] = value;
+    if (option === "--scene") {  // what stands at the old scene's preset goes to the new one's
+      for (const one of Object.keys(widgets)) if (one !== option && (values[one] || "") === (before[one] || "")) values[one] = preset(one);
+    }
+    change();
+  }
+  function refresh() {
+    for (const [option, widget] of Object.entries(widgets)) widget.show(values[option], preset(option));
+    if (widgets["--samples"]) widgets["--samples"].field.disabled = !plainView();
+    const all = given();
+    const native = all.filter((one) => !one.here).flatMap((one) => one.words);
+    command.textContent = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))].join(" ");
+    opened.textContent = values[fileOption] === presets[fileOption] ? "a PNG or JPEG; or drop it on the picture" : files.get(values[fileOption]).shown;
+    hereOnly.textContent = all.some((one) => one.here)
+      ? `On this page only: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.` : "";
+    legend.hidden = !legends[values["--show"]];
+    legend.replaceChildren(...[legends[values["--show"]] || ""].flat());
+  }
+  async function copyCommand() {
+    try {
+      await navigator.clipboard.writeText(command.textContent);
+    } catch {
+      getSelection().selectAllChildren(command);
+      document.execCommand("copy");
+    }
+    copy.textContent = "Copied";
+    setTimeout(() => { copy.textContent = "Copy"; }, 2000);
+  }
+
+  // -- The form.
+  function build(found) {
+    built = chapter;
+    form.hidden = false;
+    widgets = {};
+    rows.replaceChildren();
+    moreRows.replaceChildren();
+    presets = Object.fromEntries(Object.values(found).map(({name, preset}) => [name, preset]));
+    for (const control of controls) {
+      const option = found[control.option];
+      if (!option) continue;
+      if (control.off) presets[control.option] = "";
+      const widget = control.range ? slider(control, option.preset) : choice(control, option.words, "--errors" in found);
+      if (!widget) continue;
+      widgets[control.option] = widget;
+      (control.more ? moreRows : rows).append(widget.row);
+    }
+    more.hidden = !moreRows.children.length;
+    fileOption = "--texture" in found ? "--texture" : "";
+    opener.hidden = !fileOption;
+    reset();
+  }
+  function slider({option, label, range: [least, most, step], log, off, turns}, first) {
+    const id = "live" + option;
+    const [to, from] = log ? [Math.log10, (x) => Number((10 ** x).toPrecision(3))] : [Number, Number];
+    const field = element("input", {type: "range", id, min: to(least), max: to(most), step,
+      oninput: () => { stopTurning(); put(option, String(from(field.value))); }});
+    const shown = element("output", {htmlFor: id});
+    const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`, onchange: () => put(option, box.checked ? String(from(field.value)) : "")});
+    const play = turns && element("button", {type: "button", className: "live-turn", textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
+    return {
+      row: element("div", {}, element("label", {htmlFor: id, textContent: label}), ...[box, field, shown, play].filter(Boolean)), field, play, first: "",
+      show(value, preset) {
+        if (box) Object.assign(box, {checked: value !== "", disabled: !!preset});
+        field.disabled = !!box && value === "";
+        field.value = to(value === "" ? first : value);
+        shown.value = value === "" ? "off" : rounded(value, 5) + (option === "--degrees" ? "°" : "");
+        field.setAttribute("aria-valuetext", shown.value);
+      },
+    };
+  }
+  function choice({option, label, only, names: own = {}}, offered, hasErrors) {
+    const id = "live" + option;
+    const words = only && !offered.includes("|") ? only
+      : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])].filter((word) => !only || only.includes(word));
+    const field = element("select", {id, onchange: () => put(option, field.value)},
+      ...words.map((value) => element("option", {value, textContent: own[value] || names[value] || value})));
+    return {row: element("div", {}, element("label", {htmlFor: id, textContent: label}), field), field, first: words[0],
+      show(value) { field.value = value; }};
+  }
+  // Turns the globe, a picture after another; not for readers who asked for less motion.
+  let turning = 0;
+  function startTurning() {
+    turning = performance.now();
+    widgets["--degrees"].play.textContent = "Stop";
+    turn(turning);
+  }
+  function turn(now) {
+    if (!turning || document.hidden) { stopTurning(); return; }
+    const degrees = Number(values["--degrees"]) + Math.max(1, Math.round((now - turning) * 0.03));
+    turning = now;
+    put("--degrees", String(degrees > 180 ? degrees - 360 : degrees));
+  }
+  function stopTurning() {
+    turning = 0;
+    if (widgets["--degrees"]) widgets["--degrees"].play.textContent = "Turn";
+  }
+  document.addEventListener("visibilitychange", () => { if (document.hidden) stopTurning(); });
+
+  // -- The reader's own file. It is read under another name than the one before, which stays if the new one is refused.
+  async function openFile(file) {
+    if (!file || !fileOption || !hand) return;
+    choose.value = "";
+    if (file.size > largestFile) {
+      says.textContent = `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`;
+      return;
+    }
+    let bytes;
+    try {
+      bytes = new Uint8Array(await file.arrayBuffer());
+    } catch (error) {
+      says.textContent = `${file.name} cannot be read: ${error.message}`;
+      return;
+    }
+    section.dataset.state = "reading";
+    unfinished = true;
+    send({kind: "keep", name: values[fileOption] === "own_a" ? "own_b" : "own_a", shown: file.name, bytes});
+  }
+  function forgetFiles(except) {
+    for (const name of ["own_a", "own_b"]) if (name !== except && files.delete(name)) send({kind: "drop", name});
+  }
+  section.addEventListener("dragover", (event) => { if (fileOption) event.preventDefault(); });
+  section.addEventListener("drop", (event) => { event.preventDefault(); openFile(event.dataTransfer.files[0]); });
+
+  // -- The loupe: a pixel, and each number between its ray and its color.
+  function place(event) {
+    const box = canvas.getBoundingClientRect();
+    const inside = (share, n) => Math.max(0, Math.min(n - 1, Math.floor(share * n)));
+    return full && {column: inside((event.clientX - box.left) / box.width, full[0]), row: inside((event.clientY - box.top) / box.height, full[1])};
+  }
+  function look(where) {
+    if (!where || !full || !hand) return;
+    pixel = where;
+    if (looking) { nextLook = where; return; }
+    nextLook = null;
+    looking = where;
+    send({kind: "look", words: words(), widest, ...where});
+  }
+  function closeLoupe() {
+    pixel = null;
+    pinned = false;
+    loupe.hidden = mark.hidden = true;
+  }
+  canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) look(place(event)); });
+  canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
+  canvas.addEventListener("click", (event) => { pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
+  canvas.addEventListener("blur", () => { if (pinned && !loupe.matches(":hover")) closeLoupe(); });
+  section.addEventListener("keydown", (event) => {
+    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+    if (step && event.target === canvas && full) {
+      event.preventDefault();
+      const far = event.shiftKey ? 10 : 1;
+      const from = pixel || {column: full[0] >> 1, row: full[1] >> 1};
+      const moved = (at, by, n) => Math.max(0, Math.min(n - 1, at + by * far));
+      pinned = true;
+      look(pixel ? {column: moved(from.column, step[0], full[0]), row: moved(from.row, step[1], full[1])} : from);
+    }
+  });
+  document.addEventListener("keydown", (event) => { if (event.key === "Escape") closeLoupe(); });
+  // A number with its full value within, so that formulas can be checked.
+  const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
+  const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ", number(list[2]), ")"];
+  const swatch = (color) => [element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`];
+  // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates them.
+  const across = {
+    daily: ["1/2 + atan2({z}, {x}) / 2π", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
+    rtiow: ["1/2 − atan2({z}, {x}) / 2π", ([x, , z]) => 0.5 - Math.atan2(z, x) / (2 * Math.PI)],
+    lecture: ["frac(atan2({x}, {z}) / 2π)", ([x, , z]) => (1 + Math.atan2(x, z) / (2 * Math.PI)) % 1],
+  };
+  const upward = ["atan2(√({x}² + {z}²), {-y}) / π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), -y) / Math.PI];
+  const downward = ["atan2(√({x}² + {z}²), {y}) / π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), y) / Math.PI];
+  function formula(name, [text, by], normal, result) {
+    if (!(Math.abs(by(normal) - result) < 1e-9)) return [name, number(result, 6)];  // this chapter has another formula
+    const filled = [];
+    for (const part of text.split(/(\{-?[xyz]\}²?)/)) {
+      const [, sign, axis, power] = /^\{(-?)([xyz])\}(²?)$/.exec(part) || [];
+      const value = axis && (sign ? -1 : 1) * normal["xyz".indexOf(axis)];
+      filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value), value < 0 ? ")²" : "²"] : [number(value)]));
+    }
+    return [name, element("span", {className: "live-formula"}, text.replace(/[{}]/g, "").replace("-y", "−y"),
+      element("span", {}, " = ", ...filled), element("span", {}, " = ", number(result, 6)))];
+  }
+  function factsOf(column, row, seen) {
+    const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
+    const list = [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color)],
+      ["ray", "from ", ...vector(seen.eye), " along ", ...vector(seen.direction)]];
+    if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
+    const what = "object" in seen ? `object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
+    list.push(["hit", what, ...(seen.radius ? [" of radius ", number(seen.radius)] : []), " at distance ", number(seen.distance)],
+      ["point", ...vector(seen.point)]);
+    for (const [name, key] of [["normal n", "normal"], ["n rotated", "rotated"], ["n bumped", "bumped"], ["weights", "weights"]]) {
+      if (seen[key]) list.push([name, ...vector(seen[key])]);
+    }
+    if (seen.uv) {
+      const [u, v] = seen.uv;
+      const normal = seen.rotated || seen.normal || [0, 0, 0];
+      const convention = seen.texel && values["--convention"] || "rtiow";
+      list.push(formula("u", across[convention], normal, u), formula("v", convention === "daily" ? downward : upward, normal, v));
+    }
+    if (seen.texel) {
+      const {column, row, width, height, down, floor, color} = seen.texel;
+      const times = (n) => floor ? n : `(${n} − 1)`;
+      list.push(["texel", `column ⌊u · ${times(width)}⌋ = ${column}, row ${down ? "" : `${height - 1} − `}⌊v · ${times(height)}⌋ = ${row}: `, ...swatch(color)]);
+    }
+    if (seen.squares && seen.uv) {
+      const [across, up] = seen.uv.map((x) => Math.floor(Math.min(x, 1 - 2 ** -53) * seen.squares));
+      list.push(["square", `⌊${seen.squares} u⌋ + ⌊${seen.squares} v⌋ = ${across} + ${up} = ${across + up}, ${(across + up) % 2 ? "odd" : "even"}`]);
+    }
+    if (seen.to_light) {
+      const cosine = seen.normal.reduce((sum, n, i) => sum + n * seen.to_light[i], 0);  // the module's is 0 in shadow
+      list.push(["light", "l = ", ...vector(seen.to_light), ", n · l = ", number(cosine),
+        cosine <= 0 ? ": it faces away" : seen.cosine === 0 ? ": in shadow" : ""]);
+    }
+    return list;
+  }
+  function showLoupe(column, row, seen) {
+    facts.replaceChildren(...factsOf(column, row, seen).map(([name, ...what]) =>
+      element("tr", {}, element("th", {scope: "row", textContent: name}), element("td", {}, ...what))));
+    const lens = zoomed.getContext("2d");
+    lens.imageSmoothingEnabled = false;
+    lens.clearRect(0, 0, 11, 11);
+    lens.drawImage(canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
+    loupe.classList.toggle("live-pinned", pinned);
+    loupe.classList.toggle("live-left", column > full[0] / 2);  // on the other half of the picture
+    Object.assign(mark.style, {left: `${(column + 0.5) / full[0] * canvas.clientWidth}px`, top: `${(row + 0.5) / full[1] * canvas.clientHeight}px`});
+    loupe.hidden = mark.hidden = false;
+  }
+
+  // A book's arrow keys turn its pages: not while they move something here.
+  section.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation(); });
+  for (const one of main.querySelectorAll("input[name=live-chapter]")) {
+    one.addEventListener("change", () => {
+      chapter = one.value;
+      stopTurning();
+      closeLoupe();
+      clearTimeout(idle);
+      forgetFiles();
+      hand?.terminate();  // each chapter has a module of its own
+      start();
+    });
+  }
+  start();
+}
+
+addEventListener("DOMContentLoaded", async () => {
+  const main = document.querySelector("main[data-live]");
+  if (!main || typeof WebAssembly === "undefined") return;
+  try {
+    const modules = await fetched("modules", "modules.js");
+    if (WebAssembly.validate(modules.get(main.dataset.live))) live(main, modules);
+  } catch (error) {
+    console.info(`The pictures stay still: ${error.message}`);
+  }
+});
+
+return {
+  // Modules one after another: names and sizes, and all of them packed.
+  modules(parts, base64) {
+    const all = unlzma(bytesOf(base64), parts.reduce((sum, [, size]) => sum + size, 0));
+    const found = new Map();
+    for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) found.set(parts[i][0], all.slice(start, start + parts[i][1]));
+    arrival("modules").give(found);
+  },
+  // A texture of the course, its pixels packed.
+  texture: (name, width, height, base64) => arrival(name).give({bytes: bytesOf(base64), size: [width, height]}),
+  file: (name, base64) => arrival(name).give({bytes: bytesOf(base64)}),
+};
+})();

@@ -1,0 +1,174 @@
+// Live lessons without a browser: what a page's modules are made of.
+#include "live.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "02_checkerboard_uv/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
+#include "published/uv.hpp"
+#include "support/pictures.hpp"
+#include "support/same_picture.hpp"
+
+using namespace texmap;
+using live::Live;
+using live::LiveLesson;
+using Words = std::vector<std::string>;
+
+namespace {
+
+constexpr int widest = 120;
+
+Image whole(const LiveLesson& lesson) { return lesson.rows(0, lesson.size().height); }
+
+Image in_strips(const LiveLesson& lesson, int rows) {
+  const Size size = lesson.size();
+  Image image(size.width, size.height);
+  for (int first = 0; first < size.height; first += rows) {
+    const Image strip = lesson.rows(first, std::min(rows, size.height - first));
+    for (int row = 0; row < strip.height; ++row) {
+      for (int column = 0; column < size.width; ++column)
+        image.at(column, first + row) = strip.at(column, row);
+    }
+  }
+  return image;
+}
+
+template <class Lesson>
+Image live_picture(const Words& words) {
+  Live<Lesson> lesson;
+  lesson.set(words, widest);
+  return whole(lesson);
+}
+
+/// The chapter's picture in a page's size, drawn with double.
+template <class Lesson>
+Image chapter_picture(const Words& words, int width, int height) {
+  return test::picture(prepared<Lesson>(words), width, height);
+}
+
+nlohmann::json seen(const LiveLesson& lesson, int column, int row) {
+  return nlohmann::json::parse(lesson.look(column, row));
+}
+
+}  // namespace
+
+TEST_CASE("a live picture is the chapter's, in the size of the page") {
+  test::expect_same_picture(live_picture<chapter_02::Lesson>({}),
+                            chapter_picture<chapter_02::Lesson>({}, 120, 90));
+  const Words lecture{"--convention", "lecture", "--rounding", "lecture"};
+  test::expect_same_picture(live_picture<chapter_04::Lesson>(lecture),
+                            chapter_picture<chapter_04::Lesson>(lecture, 120, 60));
+  const Words blended{"--degrees", "200", "--blend", "0.5", "--shininess", "9"};
+  test::expect_same_picture(live_picture<chapter_06::Lesson>(blended),
+                            chapter_picture<chapter_06::Lesson>(blended, 120, 90));
+}
+
+TEST_CASE("strips of rows have the pixels of the whole picture") {
+  Live<chapter_06::Lesson> lesson;
+  for (const Words& words : {Words{}, Words{"--errors"}, Words{"--show", "uv"},
+                             Words{"--number", "float", "--samples", "4", "--zoom", "3"}}) {
+    lesson.set(words, widest);
+    test::expect_same_picture(in_strips(lesson, 7), whole(lesson));
+  }
+}
+
+TEST_CASE("wrong words are refused, and the picture before stays") {
+  Live<chapter_02::Lesson> lesson;
+  lesson.set({"--squares", "4"}, widest);
+  const Image before = whole(lesson);
+  CHECK_THROWS_AS(lesson.set({"--squares", "0"}, widest), UsageError);
+  CHECK_THROWS_AS(lesson.set({"--help"}, widest), UsageError);
+  test::expect_same_picture(whole(lesson), before);
+}
+
+TEST_CASE("--squares changes every checkerboard") {
+  const chapter_02::Lesson ten;
+  chapter_02::Lesson four;
+  for (auto& object : four.objects) {
+    if (auto* checkered = std::get_if<chapter_02::Checkered>(&object.paint))
+      checkered->texture.squares = 4;
+  }
+  const Image drawn = live_picture<chapter_02::Lesson>({"--squares", "4"});
+  test::expect_same_picture(drawn, test::picture(four, 120, 90));
+  CHECK(test::count_different(drawn, test::picture(ten, 120, 90)) > 1000);
+}
+
+TEST_CASE("--eye leaves the ray through the target where it was") {
+  Live<chapter_06::Lesson> lesson;
+  lesson.set({}, 801);  // an odd width has a middle column; 801 is not wider than the picture
+  for (const char* factor : {"1", "10", "1e5"}) {
+    lesson.set({"--width", "801", "--height", "601", "--eye", factor}, 801);
+    const auto middle = seen(lesson, 400, 300);
+    // The eye is at (0, 2, 8) times the factor and looks at the center of the unit sphere.
+    CHECK(middle["normal"][0].get<double>() == doctest::Approx(0).epsilon(1e-9));
+    CHECK(middle["normal"][1].get<double>() == doctest::Approx(2 / std::sqrt(68)).epsilon(1e-9));
+    CHECK(middle["normal"][2].get<double>() == doctest::Approx(8 / std::sqrt(68)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("look tells what the published formulas give") {
+  Live<chapter_04::Lesson> lesson;
+  struct Case {
+    const char* word;
+    Uv<double> (*formula)(const Vec3d&);
+    bool down;
+  };
+  for (const Case& one : {Case{"daily", published::uv_daily<double>, true},
+                          Case{"rtiow", published::uv_next_week_v4<double>, false},
+                          Case{"lecture", published::uv_lecture<double>, false}}) {
+    lesson.set({"--convention", one.word}, 800);
+    const Size size = lesson.size();
+    const auto pixel = seen(lesson, size.width / 2 + 20, size.height / 2 - 15);
+    REQUIRE(pixel["object"] == chapter_04::middle);
+    const auto& n = pixel["normal"];
+    const Uv<double> uv = one.formula({n[0], n[1], n[2]});
+    CHECK(pixel["uv"][0].get<double>() == doctest::Approx(uv.u).epsilon(1e-12));
+    CHECK(pixel["uv"][1].get<double>() == doctest::Approx(uv.v).epsilon(1e-12));
+    CHECK(pixel["texel"]["column"] == static_cast<int>(uv.u * 2048));
+    const int from_zero = static_cast<int>(uv.v * 1024);
+    CHECK(pixel["texel"]["row"] == (one.down ? from_zero : 1023 - from_zero));
+  }
+}
+
+TEST_CASE("look sees a crate's triangle, its weights and its corners") {
+  Live<chapter_08::Lesson> lesson;
+  lesson.set({}, 480);
+  const auto pixel = seen(lesson, 240, 180);
+  const auto& w = pixel["weights"];
+  for (const std::size_t i : {0U, 1U}) {
+    double mixed = 0;
+    for (const std::size_t corner : {0U, 1U, 2U})
+      mixed += w[corner].get<double>() * pixel["corners"][corner][i].get<double>();
+    CHECK(pixel["uv"][i].get<double>() == doctest::Approx(mixed).epsilon(1e-14));
+  }
+  CHECK(w[0].get<double>() + w[1].get<double>() + w[2].get<double>() == doctest::Approx(1));
+}
+
+TEST_CASE("the seam is no distance, and errors have the colors of the legend") {
+  using live::texels_apart;
+  CHECK(texels_apart({0.999, 0.5}, {0.001, 0.5}, {1000, 500}) == doctest::Approx(2));
+  CHECK(texels_apart({0.25, 0.5}, {0.253, 0.508}, {1000, 500}) == doctest::Approx(5));
+  CHECK(live::color_of_error(1e-5).b > live::color_of_error(1e-5).r);
+  CHECK(live::color_of_error(1).g > 0.9);
+}
+
+TEST_CASE("far away, float's texels are off by the textbook's sphere more than by its own rays") {
+  // The middle of the globe, which shows a color between blue and yellow: red and green tell which.
+  const auto yellow_pixels = [](const char* form) {
+    Live<chapter_06::Lesson> lesson;
+    lesson.set({"--errors", "--eye", "1000", "--spheres", form}, widest);
+    const Image errors = whole(lesson);
+    long count = 0;
+    for (int row = 35; row < 55; ++row) {
+      for (int column = 50; column < 70; ++column) count += errors.at(column, row).g > 150 ? 1 : 0;
+    }
+    return count;
+  };
+  CHECK(yellow_pixels("plain") > 200);
+  CHECK(yellow_pixels("hybrid") < 60);  // 8000 radii away, a float's ray is 5e-4 radii off
+}
