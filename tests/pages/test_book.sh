@@ -43,6 +43,13 @@ size=$((size / 1024))
   echo "FAIL: out/ has $size KB, more than 8 MB"
   failed=1
 }
+# The lines of all sources have numbers, which stand in book.css; a page has 18 lines around its source.
+numbers=$(grep -o '[0-9][0-9]*\\a' "$work/out/book.css" | wc -l)
+longest=$(for page in "$work/out"/source/*.html; do wc -l <"$page"; done | sort -n | tail -n 1)
+[ "$numbers" -gt $((longest - 25)) ] || {
+  echo "FAIL: book.css numbers $numbers lines, and a source page has $longest"
+  failed=1
+}
 cp "$root/tests/pages/book_probe.html" "$work/out/"
 files=$(cd "$work/out" && find . -maxdepth 1 -name '*.html' ! -name book_probe.html | sed 's|^\./||' | sort | tr '\n' ',' | sed 's/,$//')
 count=$(echo "$files" | tr ',' '\n' | wc -l)
