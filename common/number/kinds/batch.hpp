@@ -14,13 +14,22 @@ using xsimd::any;
 using xsimd::batch;
 using xsimd::batch_bool;
 using xsimd::bitofsign;
-using xsimd::default_arch;
 using xsimd::exp;
 using xsimd::floor;
 using xsimd::log1p;
 using xsimd::max;
 using xsimd::min;
 using xsimd::select;
+
+#if XSIMD_WITH_FMA3_AVX2
+/// The widest instructions that code is compiled for, without those that multiply and add at once:
+/// they round once, and the pictures would differ.
+using default_arch =
+    std::conditional_t<std::is_same_v<xsimd::default_arch, xsimd::fma3<xsimd::avx2>>, xsimd::avx2,
+                       xsimd::default_arch>;
+#else
+using xsimd::default_arch;
+#endif
 
 /// a / b, rounded in each lane like a single number.
 template <class T, class Arch>

@@ -225,6 +225,8 @@ Exercise is_the_lamp_hidden() {
             {top, up, Vector{5, 5, 0}, scene}},
            {"rounding put the point 1e-12 below its own sphere: this sphere does not hide the lamp",
             {Vector{0, 1 - 1e-12, 0}, up, Vector{5, 5, 0}, scene}},
+           {"a point under a sphere, and nothing between it and the lamp below: it is not hidden",
+            {Vector{0, -1, 0}, Vector{0, -1, 0}, Vector{5, -5, 0}, scene}},
            {"a sphere behind the lamp does not hide the lamp", {top, up, Vector{0, 3, 0}, scene}},
            {"a sphere 5 times as far away as the lamp does not hide the lamp",
             {Vector{0, 4.5, 0}, up, Vector{0, 7.3, 0}, scene}},

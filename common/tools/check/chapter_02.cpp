@@ -122,8 +122,10 @@ Exercise which_square() {
                   {Place2{0.05, 0.15}, 10}},
                  {"of 10 x 10 fields, the one at (0.15, 0.15) has the first color",
                   {Place2{0.15, 0.15}, 10}},
-                 {"of 4 x 4 fields, the one at (0.6, 0.3) has the second color",
-                  {Place2{0.6, 0.3}, 4}},
+                 {"of 10 x 10 fields, the one at (0.12, 0.07) has the second color",
+                  {Place2{0.12, 0.07}, 10}},
+                 {"of 4 x 4 fields, the one at (0.55, 0.3) has the second color",
+                  {Place2{0.55, 0.3}, 4}},
                  {"of 9 x 9 fields, the one at (0.99, 0.99) has the first color",
                   {Place2{0.99, 0.99}, 9}},
                  {"at the north pole v is 1: this is the last row; the field at (0.05, 1) has the "
@@ -143,6 +145,14 @@ Exercise which_square() {
                     }},
                    {"at v = 1 you begin a new row: put it into the last one",
                     [=](Place2 uv, int n) { return (column(uv, n) + row(uv, n)) % 2 == 0; }},
+                   {"`squares` says how many there are: not always 10",
+                    [=](Place2 uv, int n) {
+                      return (column(uv, 10) + std::min(row(uv, 10), n - 1)) % 2 == 0;
+                    }},
+                   {"cut the numbers of column and row off, do not round them",
+                    [](Place2 uv, int n) {
+                      return (std::lround(uv.u * n) + std::lround(uv.v * n)) % 2 == 0;
+                    }},
                    {"column and row must be added; their product is even too often",
                     [=](Place2 uv, int n) { return column(uv, n) * row(uv, n) % 2 == 0; }}}};
   return exercise("02.2", "bool is_first_color(Uv uv, int squares)", std::move(law), is_first_color,

@@ -144,6 +144,13 @@ int check_answer(const Question& question, double predicted) {
   return right ? 0 : 1;
 }
 
+/// The number that somebody predicts. Errors: std::runtime_error.
+double predicted_number(const std::string& typed) {
+  if (const auto number = read_decimal(typed)) return *number;
+  throw std::runtime_error("an answer is a number such as 0.25 or 1398101, without commas, not '" +
+                           typed + "'");
+}
+
 /// The item with this id. Errors: std::runtime_error.
 template <class Item>
 const Item& with_id(const std::vector<Item>& items, const std::string& id) {
@@ -166,7 +173,7 @@ int main(int argc, char** argv) {
       print(with_id(chapter.questions, request.question).text + "\n");
     } else if (!request.question.empty()) {
       found = check_answer(with_id(chapter.questions, request.question),
-                           parse_decimal("--answer", request.answer, -1e300, 1e300));
+                           predicted_number(request.answer));
     } else {
       found = check_exercise(with_id(chapter.exercises, attempt.id), request);
     }
