@@ -1,5 +1,5 @@
-// What the course asks of the operating system, answered in a browser: files are those that the page
-// handed over, nothing is written, and nobody types words.
+// What the course asks of the operating system, answered in a browser: files are those that the
+// page handed over, nothing is written, and nobody types words.
 #include "engine/system/browser.hpp"
 
 #include <cstdlib>

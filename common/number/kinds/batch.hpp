@@ -70,7 +70,7 @@ inline constexpr std::size_t batch_size = 16 / sizeof(T);
 
 template <class T, class Arch>
 struct batch_bool {
-  std::array<bool, batch_size<T> > lanes{};
+  std::array<bool, batch_size<T>> lanes{};
 
   friend batch_bool operator&&(const batch_bool& a, const batch_bool& b) {
     return each([&](std::size_t i) { return a.lanes[i] && b.lanes[i]; });

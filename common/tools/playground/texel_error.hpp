@@ -13,7 +13,7 @@
 
 namespace texmap::live {
 
-/// The texels of a paint's picture, columns and rows; those of the course's Earth where it has none.
+/// The texels of a paint's picture, columns and rows; the Earth's where it has none.
 template <class Paint>
 [[nodiscard]] Size texels_of(const Paint& paint) {
   if constexpr (requires { paint.texture.image; }) {
