@@ -17,8 +17,8 @@ import tempfile
 import time
 import zlib
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), *[".."] * 2, "common", "tools", "playground"))
+for folder in ("tests/browser", "common/tools/playground"):
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", folder))
 from browser import Browser, Fault, installed  # noqa: E402
 from make_playground import pixels as pixels_of  # noqa: E402
 

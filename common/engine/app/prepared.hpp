@@ -19,6 +19,7 @@ Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) 
   if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
   lesson.prepare(session);
   choose_formulas(session, lesson);
+  static_cast<void>(read_budget(session.settings.budget));  // a program refuses it when it draws
   return session.settings;
 }
 
