@@ -1,5 +1,5 @@
-// The diagrams of chapter 08: the weights of a point in a triangle, the edge that two triangles
-// share, and what a texture shows beyond its edges.
+// The diagrams of chapter 08: the weights of a point in a triangle, the view along a ray, the edge
+// that two triangles share, and what a texture shows beyond its edges.
 #include <array>
 #include <cmath>
 #include <string>
@@ -86,6 +86,83 @@ Drawing barycentric() {
   d.mark("origin of the texture", place(0, 0));
   d.mark("b in the texture", place(1, 0));
   d.mark("p in the texture", place(u, v));
+  return d;
+}
+
+/// The corners of a triangle slide parallel to the ray onto the plane z = 0, where the ray is one
+/// point.
+Drawing view_along_ray() {
+  Drawing d("view_along_ray", 720, 310, "Corners slide along the ray onto the plane z = 0",
+            "Left: the plane z = 0 through the ray's origin, and a triangle with the corners a, b "
+            "and c farther along the ray, which goes through it. A dashed line goes from each "
+            "corner to the plane, parallel to the ray; its end is the corner's place in the "
+            "plane. Right: the plane seen flat. The three places form a triangle, and the ray is "
+            "the point (0, 0) in it. Lines from there to the places cut the triangle into three.");
+  const Ray<double> ray{{0, 0, 0}, {0.4, 0.25, 1}};
+  const RaySpace<double> space(ray);
+  const std::array<Vec3d, 3> corners{
+      Vec3d{-0.48, -0.45, 1.8}, {2.31, 0.225, 2.9}, {0.88, 1.65, 2.2}};
+  const std::array<const char*, 3> names{"a", "b", "c"}, styles{"blue", "red", "green"};
+  std::array<Vec3d, 3> places{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d seen = seen_along(space, corners[i]);
+    places[i] = Vec3d{seen.x, seen.y, 0} * (1 / ray.direction.z);
+  }
+
+  // In space. The viewer is behind the triangle, so that x goes to the right in both halves.
+  const SpaceView view({-0.9, 0.42, 0.6}, {104, 180}, 72);
+  d.area({view({-1.6, -1.3, 0}), view({1.6, -1.3, 0}), view({1.6, 1.5, 0}), view({-1.6, 1.5, 0})});
+  d.area({view(places[0]), view(places[1]), view(places[2])}, "fill-blue");
+  d.area({view(corners[0]), view(corners[1]), view(corners[2])}, "fill-green");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    d.line(view(places[i]), view(places[next]));
+    d.line(view(corners[i]), view(corners[next]));
+    d.line(view(corners[i]), view(places[i]), std::string(styles[i]) + " dashed");
+    d.dot(view(places[i]));
+    d.dot(view(corners[i]));
+    d.mark(std::string(names[i]) + " in space", view(corners[i]));
+    d.mark(std::string(names[i]) + " on the plane", view(places[i]));
+  }
+  const Crossing<double> met =
+      crossing(space, seen_along(space, corners[0]), seen_along(space, corners[1]),
+               seen_along(space, corners[2]));
+  const auto on_ray = [&](double t) { return view(ray.direction * t); };
+  d.arrow(on_ray(0), on_ray(4.2), "red thick");
+  d.dot(on_ray(0), "fill-red");
+  d.dot(on_ray(met.distance), "fill-red");
+  d.mark("hit", on_ray(met.distance));
+  d.mark("ray's origin", on_ray(0));
+  d.mark("ray's end", on_ray(4.2));
+  d.text(view(corners[0]) + Spot{0, 22}, "a", Anchor::middle, "blue");
+  d.text(view(corners[1]) + Spot{12, 10}, "b", Anchor::start, "red");
+  d.text(view(corners[2]) + Spot{10, -4}, "c", Anchor::start, "green");
+  d.text(on_ray(4.2) + Spot{-14, -12}, "the ray", Anchor::middle, "red");
+  d.text(view({1.6, 1.5, 0}) + Spot{0, -8}, "the plane z = 0", Anchor::end, "small");
+  d.text((view(corners[2]) + view(places[2])) * 0.5 + Spot{12, -14}, "parallel to the ray",
+         Anchor::middle, "green small");
+  d.text({200, 298}, "in space", Anchor::middle, "small");
+
+  // The plane, seen flat.
+  const Spot origin{580, 148};
+  const double size = 85;
+  const auto flat = [&](const Vec3d& p) { return origin + Spot{p.x, -p.y} * size; };
+  d.rectangle(flat({-1.6, 1.5, 0}), 3.2 * size, 2.8 * size, "fill-soft");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
+    d.area({origin, flat(places[next]), flat(places[last])}, std::string("fill-") + styles[i]);
+    d.line(flat(places[i]), flat(places[next]));
+    d.line(flat(places[i]), origin, "soft");
+    d.dot(flat(places[i]));
+    d.mark(std::string(names[i]) + " seen flat", flat(places[i]));
+  }
+  d.dot(origin, "fill-red");
+  d.text(origin + Spot{8, -8}, "(0, 0)", Anchor::start, "red");
+  d.text(flat(places[0]) + Spot{-6, 20}, "a", Anchor::middle, "blue");
+  d.text(flat(places[1]) + Spot{8, 18}, "b", Anchor::middle, "red");
+  d.text(flat(places[2]) + Spot{0, -12}, "c", Anchor::middle, "green");
+  d.text({580, 298}, "the plane z = 0, seen flat", Anchor::middle, "small");
+  d.mark("ray seen flat", origin);
   return d;
 }
 
@@ -182,6 +259,8 @@ Drawing wrap_modes() {
 
 }  // namespace
 
-std::vector<Drawing> diagrams_of_08() { return {barycentric(), shared_edge(), wrap_modes()}; }
+std::vector<Drawing> diagrams_of_08() {
+  return {barycentric(), view_along_ray(), shared_edge(), wrap_modes()};
+}
 
 }  // namespace texmap::diagrams

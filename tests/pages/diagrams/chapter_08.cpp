@@ -30,6 +30,45 @@ TEST_CASE("in the texture the point is at (0.6, 0.4)") {
   CHECK(-p.y / size == doctest::Approx(0.4));
 }
 
+TEST_CASE("along the ray a corner goes to its place on the plane z = 0") {
+  const Drawing d = named("view_along_ray");
+  // The page's formula, with the ray's direction (0.4, 0.25, 1).
+  struct Corner {
+    std::string name;
+    double x, y, z;
+  };
+  for (const Corner& p : {Corner{"a", -0.48, -0.45, 1.8}, Corner{"b", 2.31, 0.225, 2.9},
+                          Corner{"c", 0.88, 1.65, 2.2}}) {
+    const Spot place{p.x - p.z * 0.4, p.y - p.z * 0.25};
+    const Spot flat = d.marked(p.name + " seen flat") - d.marked("ray seen flat");
+    CHECK(flat.x == doctest::Approx(85 * place.x));
+    CHECK(flat.y == doctest::Approx(-85 * place.y));  // y goes down
+
+    // In space a corner slides in the direction of the ray, z / 4.2 of the arrow's length.
+    const Spot ray = d.marked("ray's end") - d.marked("ray's origin");
+    const Spot slid = d.marked(p.name + " in space") - d.marked(p.name + " on the plane");
+    CHECK(slid.x == doctest::Approx(ray.x * p.z / 4.2));
+    CHECK(slid.y == doctest::Approx(ray.y * p.z / 4.2));
+  }
+}
+
+TEST_CASE("the ray meets the triangle where the areas on the plane say") {
+  const Drawing d = named("view_along_ray");
+  const auto area = [](Spot a, Spot b) { return a.x * b.y - a.y * b.x; };
+  const Spot origin = d.marked("ray seen flat");
+  const Spot a = d.marked("a seen flat") - origin, b = d.marked("b seen flat") - origin,
+             c = d.marked("c seen flat") - origin;
+  const double whole = area(a, b) + area(b, c) + area(c, a);
+  const Spot hit = d.marked("a in space") * (area(b, c) / whole) +
+                   d.marked("b in space") * (area(c, a) / whole) +
+                   d.marked("c in space") * (area(a, b) / whole);
+  CHECK(distance(hit, d.marked("hit")) < 1e-9);
+  // All three areas have one sign: the ray goes through the triangle.
+  CHECK(area(a, b) * whole > 0);
+  CHECK(area(b, c) * whole > 0);
+  CHECK(area(c, a) * whole > 0);
+}
+
 TEST_CASE("the ray is close to the shared edge and below it") {
   const Drawing d = named("shared_edge");
   const Spot a = d.marked("a"), ray = d.marked("ray") - a;
