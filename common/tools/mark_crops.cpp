@@ -1,10 +1,10 @@
 // Puts crops of pictures next to each other, each with a number and with rings around what to see.
-// usage: mark_crops OUT.png (FILE COLUMN,ROW,SCALE NUMBER:RING...)...
+// usage: mark_crops OUT.png (FILE COLUMN,ROW,SCALE NUMBER[:RING]...)...
 //   COLUMN,ROW  the upper left corner of the crop in the picture
 //   SCALE       each of its pixels becomes so many rows and columns, 1, 2, 5 or 10
 //   NUMBER      what the crop, 200 x 150 pixels large, shows in its lower left corner
 //   RING        COLUMN,ROW,WIDE,HIGH: an ellipse's middle in the crop, and its half axes; colons
-//               join several
+//               join several, and a crop may have none
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -90,7 +90,6 @@ Image marked(const std::string& file, const std::string& corner, const std::stri
   const std::vector<int> place = numbers(corner, 3);
   Image crop = cut(load_image(path_of(file)), place[0], place[1], place[2]);
   const std::vector<std::string> parts = split(marks, ':');
-  if (parts.size() < 2) throw UsageError("'" + marks + "' has no ring");
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::vector<int> ring = numbers(parts[i], 4);
     draw_ring(crop, ring[0], ring[1], ring[2], ring[3]);

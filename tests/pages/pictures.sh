@@ -39,7 +39,7 @@ done <"$work/rows"
 
 # Strips of marked crops: each row of the table is a crop.
 # shellcheck disable=SC2016  # the quotes are Markdown's
-sed -n 's/^| \(look_[0-9]*\.png\) | `\(.*\)` | \([0-9,]*\) | \([0-9,:]*\) |$/\1 \3 \4 \2/p' "$root/docs/pictures/README.md" >"$work/crops"
+sed -n 's/^| \([0-9a-z_]*\.png\) | `\(.*\)` | \([0-9,]*\) | \([0-9,:]*\) |$/\1 \3 \4 \2/p' "$root/docs/pictures/README.md" >"$work/crops"
 for strip in $(cut -d ' ' -f 1 "$work/crops" | uniq); do
   tried=$((tried + 1))
   set --

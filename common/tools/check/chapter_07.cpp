@@ -306,11 +306,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       .exercises = {average_light(), more_light_from_above(), one_sample_in_each_cell()},
       .questions =
-          {{"07.a", "Which byte has a pixel that is a quarter white, the rest black?",
+          {{"07.a", "Which byte does a pixel get that is a quarter white, the rest black?",
             [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
            {"07.b",
             "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
-            "show something else than the sky?",
+            "differ from the sky?",
             [] { return pixels_unlike_sky({}); }, "pixels", 0}},
   };
   return chapter;

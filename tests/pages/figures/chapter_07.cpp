@@ -78,10 +78,11 @@ void figures_of_07(Figures& figures) {
   const auto small = [&](SamplerKind kind) { return levels(film_of(lesson, kind, 64), truth); };
   const double in_levels = small(SamplerKind::random) / small(SamplerKind::sobol);
   figures.emplace_back("07.times_in_levels", whole(std::lround(square(in_levels))));
+  figures.emplace_back("07.worth", whole(100 * std::lround(0.64 * square(in_levels))));
   // An error of light falls with the root of the number of random samples.
   const double ratio = error_of_halves(film_of(lesson, SamplerKind::random, 64), truth) /
                        error_of_halves(film_of(lesson, SamplerKind::sobol, 64), truth);
-  figures.emplace_back("07.worth", whole(10 * std::lround(6.4 * square(ratio))));
+  figures.emplace_back("07.worth_in_light", whole(10 * std::lround(6.4 * square(ratio))));
   figures.emplace_back("07.seeds_random",
                        decimals(levels(film_of(lesson, SamplerKind::random, 4),
                                        film_of(lesson, SamplerKind::random, 4, 1)),
@@ -89,6 +90,10 @@ void figures_of_07(Figures& figures) {
   figures.emplace_back("07.seeds_sobol", decimals(levels(film_of(lesson, SamplerKind::sobol, 4),
                                                          film_of(lesson, SamplerKind::sobol, 4, 1)),
                                                   1));
+  const double seed_0 = levels(film_of(lesson, SamplerKind::sobol, 4), truth);
+  const double seed_1 = levels(film_of(lesson, SamplerKind::sobol, 4, 1), truth);
+  figures.emplace_back("07.sobol_4_seed_1", decimals(seed_1, 1));
+  figures.emplace_back("07.sobol_4_both", decimals(std::hypot(seed_0, seed_1), 1));
 
   figures.emplace_back("07.quarter_white", whole(std::lround(255 * srgb_encode(0.25))));
   auto furnace = lesson;
