@@ -1,4 +1,7 @@
 // The figures of chapter 08's page.
+#include <cmath>
+#include <string>
+
 #include "08_triangle_uv/lesson.hpp"
 #include "figures.hpp"
 #include "support/fragile_triangles.hpp"
@@ -16,16 +19,29 @@ std::string changed_by_heron() {
                                picture<Real>(prepared<Lesson>(), 480, 360)));
 }
 
-/// (u, v) and the color at a pixel's center.
+/// A channel of --show uv: the part after the decimal point as a byte.
+std::string byte_of(double coordinate) {
+  return whole(static_cast<long>(255 * (coordinate - std::floor(coordinate))));
+}
+
+/// What a pixel's center shows: (u, v), how it is mixed, and its bytes with --show uv.
 void add_pixel(Figures& figures, const std::string& name, const Lesson& lesson, int column,
                int row) {
   const View<> view = view_of(lesson.stage.camera, 480, 360);
   const Ray<double> ray = ray_through<double>(view, column, row);
   const MeshHit<double> hit = first_hit(lesson.scene.mesh, ray);
   const Uv<double> uv = lesson.scene.mapping(hit);
+  std::string corners;
+  for (const Uv<double>& corner :
+       lesson.scene.mapping.corners.at(static_cast<std::size_t>(hit.triangle))) {
+    corners += (corners.empty() ? "(" : ", (") + whole(std::lround(corner.u)) + ", " +
+               whole(std::lround(corner.v)) + ")";
+  }
+  figures.emplace_back("08.corners_" + name, corners);
   figures.emplace_back("08.weights_" + name,
-                       decimals(hit.a, 3) + ", " + decimals(hit.b, 3) + ", " + decimals(hit.c, 3));
+                       decimals(hit.a, 5) + ", " + decimals(hit.b, 5) + ", " + decimals(hit.c, 5));
   figures.emplace_back("08.uv_" + name, decimals(uv.u, 3) + ", " + decimals(uv.v, 3));
+  figures.emplace_back("08.bytes_" + name, byte_of(uv.u) + ", " + byte_of(uv.v));
 }
 
 }  // namespace
@@ -34,7 +50,7 @@ void figures_of_08(Figures& figures) {
   const auto lesson = prepared<Lesson>();
   add_pixel(figures, "below", lesson, 220, 230);
   add_pixel(figures, "above", lesson, 150, 160);
-  add_pixel(figures, "floor", lesson, 60, 320);
+  add_pixel(figures, "floor", lesson, 50, 310);
 
   figures.emplace_back("08.heron_in_double", changed_by_heron<double>());
   figures.emplace_back("08.heron_in_float", changed_by_heron<float>());
