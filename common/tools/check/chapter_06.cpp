@@ -252,8 +252,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
       .exercises = {the_mirrored_direction(), the_highlight(), the_blend()},
       .questions =
           {{"06.a",
-            "How many times as many pixels does the highlight change with --shininess 50 as with "
-            "--shininess 500?",
+            "The highlight changes some pixels of the picture. By what factor are there more of them "
+            "with --shininess 50 than with --shininess 500?",
             [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
            {"06.b",
             "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the "
