@@ -89,8 +89,8 @@ void figures_of_06(Figures& figures) {
   const auto narrow = spot("500");
   figures.emplace_back("06.pixels_at_50", whole(static_cast<long long>(wide)));
   figures.emplace_back("06.pixels_at_500", whole(static_cast<long long>(narrow)));
-  figures.emplace_back(
-      "06.spot_factor", decimals(static_cast<double>(wide) / static_cast<double>(narrow), 1));
+  figures.emplace_back("06.spot_factor",
+                       decimals(static_cast<double>(wide) / static_cast<double>(narrow), 1));
 
   // The side that the lamp does not reach.
   const Image texture = picture(prepared<Lesson>({"--blend", "1"}));
