@@ -299,7 +299,11 @@ def check_lost(place, spoiled):
         browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
           window.workers = [];
           window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); } };""")
-        browser.open(place.url("06"))
+        with open(os.path.join(place.folder, "06.html"), encoding="utf-8") as file:
+            text = file.read()
+        with open(os.path.join(place.folder, "impatient.html"), "w", encoding="utf-8") as file:
+            file.write(text.replace('data-live="06"', 'data-live="06" data-patience="4"'))
+        browser.open(f"file://{place.folder}/impatient.html")
         settle(browser)
         for name, act in (("ended", "workers.at(-1).terminate()"), ("broken", "workers.at(-1).postMessage({kind: 'none'})")):
             if not spoiled:

@@ -296,10 +296,11 @@ function live(main, modules) {
     hand.postMessage(message);
     if (!patience) wait();
   }
-  // A worker that owes an answer has 30 s for it.
+  // A worker that owes an answer has 30 s for it; in the tests' pages less.
+  const allowed = Number(main.dataset.patience || 30);
   function wait() {
     clearTimeout(patience);
-    patience = hand && (unfinished || looking) ? setTimeout(() => lost("no answer for 30 s"), 30000) : 0;
+    patience = hand && (unfinished || looking) ? setTimeout(() => lost(`no answer for ${allowed} s`), 1000 * allowed) : 0;
   }
   function say(words, isFault = true) {
     says.textContent = words;
