@@ -14,7 +14,7 @@ tried=0
 . "$root/tests/support/drawn.sh"
 
 if [ "$mode" = --self-test ]; then
-  if is_drawn "$root/docs/pictures/05_turned_0.png" 05_y_rotation --degrees 1 --width 400 --height 300 --samples 16; then
+  if is_drawn "$root/docs/pictures/05_turned_0.png" 05_y_rotation --degrees 1 --width 400 --height 300 --samples 16 --zoom 3; then
     echo "FAIL: another picture is taken for the one of the page"
     exit 1
   fi

@@ -3,10 +3,12 @@
 
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
 #include "04_uv_conventions/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "08_triangle_uv/lesson.hpp"
@@ -133,6 +135,62 @@ TEST_CASE("look tells what the published formulas give") {
     const int from_zero = static_cast<int>(uv.v * 1024);
     CHECK(pixel["texel"]["row"] == (one.down ? from_zero : 1023 - from_zero));
   }
+}
+
+TEST_CASE("look's light, paint and highlight make the pixel's color") {
+  int lit = 0, shiny = 0, blended = 0;
+  Live<chapter_06::Lesson> lesson;
+  for (const Words& words : {Words{}, Words{"--blend", "0.6"}, Words{"--scene", "lecture"},
+                             Words{"--scene", "lecture", "--highlight", "lecture"}}) {
+    lesson.set(words, 200);
+    const Image drawn = whole(lesson);
+    for (int row = 0; row < drawn.height; row += 3) {
+      for (int column = 0; column < drawn.width; column += 3) {
+        const auto pixel = seen(lesson, column, row);
+        if (!pixel.contains("ambient")) continue;
+        const auto number = [&](const char* name) { return pixel.value(name, 0.0); };
+        const double light = number("ambient") + number("diffuse") * number("cosine");
+        const double highlight = number("highlight");
+        const double red = pixel["paint"][0];
+        const bool blends = pixel.contains("blend") && pixel.contains("texel");
+        const double gray = 255 * std::clamp(light + highlight, 0.0, 1.0);
+        const double made = blends ? gray * (1 - number("blend")) + red * number("blend")
+                                   : red * light + 255 * highlight;
+        CHECK(std::abs(drawn.at(column, row).r + 0.5 - std::clamp(made, 0.0, 255.5)) < 0.502);
+        lit += number("cosine") > 0 ? 1 : 0;
+        shiny += highlight > 0 ? 1 : 0;
+        blended += blends ? 1 : 0;
+      }
+    }
+  }
+  CHECK(std::min({lit, shiny, blended}) > 50);
+}
+
+TEST_CASE("where nothing casts a shadow, look sees none") {
+  Live<chapter_06::Lesson> lesson;
+  lesson.set({"--scene", "lecture"}, 800);
+  const auto pixel = seen(lesson, 320, 280);  // ground that the globe would shade
+  const auto& n = pixel["normal"];
+  const auto& l = pixel["to_light"];
+  const double cosine =
+      double(n[0]) * double(l[0]) + double(n[1]) * double(l[1]) + double(n[2]) * double(l[2]);
+  CHECK(cosine > 0.5);
+  CHECK(pixel["cosine"].get<double>() == doctest::Approx(cosine).epsilon(1e-12));
+}
+
+TEST_CASE("in float, look tells what float meets and how far its place is off") {
+  Live<chapter_03::Lesson> lesson;
+  lesson.set({}, 400);
+  CHECK(!seen(lesson, 210, 140).contains("float"));
+  lesson.set({"--number", "float"}, 400);
+  const auto pixel = seen(lesson, 210, 140);
+  REQUIRE(pixel.contains("float"));
+  CHECK(pixel["float"]["object"] == pixel["object"]);
+  const double across = (double(pixel["float"]["uv"][0]) - double(pixel["uv"][0])) * 2048;
+  const double up = (double(pixel["float"]["uv"][1]) - double(pixel["uv"][1])) * 1024;
+  CHECK(pixel["float"]["apart"].get<double>() == doctest::Approx(std::hypot(across, up)));
+  CHECK(std::hypot(across, up) > 0);
+  CHECK(std::hypot(across, up) < 0.05);
 }
 
 TEST_CASE("look sees a crate's triangle, its weights and its corners") {

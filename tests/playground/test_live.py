@@ -299,7 +299,11 @@ def check_lost(place, spoiled):
         browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
           window.workers = [];
           window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); } };""")
-        browser.open(place.url("06"))
+        with open(os.path.join(place.folder, "06.html"), encoding="utf-8") as file:
+            text = file.read()
+        with open(os.path.join(place.folder, "impatient.html"), "w", encoding="utf-8") as file:
+            file.write(text.replace('data-live="06"', 'data-live="06" data-patience="4"'))
+        browser.open(f"file://{place.folder}/impatient.html")
         settle(browser)
         for name, act in (("ended", "workers.at(-1).terminate()"), ("broken", "workers.at(-1).postMessage({kind: 'none'})")):
             if not spoiled:
@@ -363,18 +367,18 @@ def evaluated(text):
     """The value of a formula as the page writes it."""
     text = re.sub(r"\)²", ")**2", text)
     text = re.sub(r"([0-9.e]+)²", r"(\1)**2", text)
-    for mark, word in (("−", "-"), ("√", "sqrt"), ("/ 2π", "/ (2*pi)"), ("π", "pi")):
+    for mark, word in (("−", "-"), ("·", "*"), ("^", "**"), ("√", "sqrt"), ("/ 2π", "/ (2*pi)"), ("π", "pi")):
         text = text.replace(mark, word)
     return eval(text, {"__builtins__": {}, "atan2": math.atan2, "sqrt": math.sqrt, "pi": math.pi, "frac": lambda x: x % 1})  # noqa: S307
 
 
 def check_loupe(place, spoiled):
-    """The loupe's formulas, evaluated, give the module's (u, v); keys, pointer and Escape work."""
-    faults, count = [], 0
+    """The loupe's formulas, evaluated, give the module's (u, v), light and the picture's color; keys, pointer and Escape work."""
+    faults, count, colors = [], 0, 0
     with Browser() as browser:
         browser.size(1280, 1000)
         for chapter, settings in (("02", [{}]), ("04", [{"convention": "daily"}, {"convention": "lecture"}, {"convention": "rtiow"}]), ("05", [{"degrees": "-135"}]),
-                                  ("06", [{"degrees": "33", "convention": "daily"}, {"scene": "lecture"}])):
+                                  ("06", [{"degrees": "33", "convention": "daily"}, {"blend": "0.6", "scene": "stage"}, {"scene": "lecture"}])):
             browser.open(place.url(chapter))
             settle(browser)
             for setting in settings:
@@ -394,6 +398,11 @@ def check_loupe(place, spoiled):
                       return [row.cells[0].textContent, exact.cells[1].textContent, row.cells[1].textContent];
                     })""")
                     for name, exact, shown in rows:
+                        if name in ("lambert", "highlight", "red", "green", "blue") and " = " in exact:
+                            left, right = re.sub(", at most 255|: .*", "", exact).split(" = ")
+                            colors += name in ("red", "green", "blue")
+                            if abs(evaluated(left) - float(right)) > 1e-9:
+                                faults.append(f"{chapter} {setting}: {name}: {exact} is {evaluated(left)}")
                         if name not in ("u", "v"):
                             continue
                         parts = exact.split(" = ")
@@ -420,10 +429,25 @@ def check_loupe(place, spoiled):
         browser.wait(f"{text}.includes('column 401, row 199')", 20)
         browser.key("Escape")
         browser.wait(hidden, 20)
+        # While the pointer holds the loupe open, arrow keys move it, wherever the focus is.
+        browser.run("document.activeElement.blur()")
+        browser.mouse("mouseMoved", box[0] + box[2] / 2, box[1] + box[3] / 2)
+        browser.wait(f"!{hidden} && {text}.includes('column 400')", 20)
+        browser.key("ArrowRight")
+        browser.wait(f"{text}.includes('column 401')", 20)
+        browser.key("Escape")
+        # In float the loupe tells what float meets; in the lecture's scene nothing is in shadow.
+        facts = "document.querySelector('.live-loupe').textContent"
+        change(browser, "number", "float")
+        settle(browser)
+        browser.mouse("mouseMoved", box[0] + box[2] * 0.4, box[1] + box[3] * 0.7)
+        browser.wait(f"!{hidden} && {facts}.includes('in float')", 20)
+        if "in shadow" in browser.run(facts):
+            faults.append("a shadow in the scene that has none: " + browser.run(facts))
         faults += browser.log
-    if count < 30:
-        faults.append(f"only {count} formulas")
-    print(f"  {count} formulas evaluated")
+    if count < 30 or colors < 12:
+        faults.append(f"only {count} formulas and {colors} colors")
+    print(f"  {count} formulas and {colors} colors evaluated")
     return faults
 
 
@@ -460,7 +484,7 @@ def check_narrow(place, spoiled):
                 browser.open(place.url(chapter))
                 settle(browser)
                 browser.run("for (const one of document.querySelectorAll('.live details')) one.open = true")
-                change(browser, "show", "--errors")
+                change(browser, "show", "--errors" if chapter != "01" else "normal")
                 settle(browser)
                 browser.run(CANVAS + ".focus()")
                 browser.key("ArrowDown")
@@ -514,6 +538,15 @@ def check_playground(place, spoiled):
             bad = differing(drawn, place.native(chapter, [earth if word == "earth.png" else word for word in words], *drawn[:2]))
             if bad:
                 faults.append(f"{chapter} {words}: differing bytes: {bad}")
+        # What the reader chose goes along to the next chapter, and through one that does not offer it.
+        change(browser, "degrees", "77")
+        change(browser, "convention", "daily" if not spoiled else "rtiow")
+        for chapter in ("02", "05"):
+            browser.run(f"document.querySelector('[name=live-chapter][value=\"{chapter}\"]').click()")
+            browser.wait(f"document.querySelector('.live-command code').textContent.startsWith('./course run {chapter}') && {STATE} === 'done'")
+        words = shlex.split(browser.run("document.querySelector('.live-command code').textContent"))[3:]
+        if words != ["--degrees", "77", "--convention", "daily", "--texture", "earth.png"]:
+            faults.append(f"of what was chosen in 06, 05 has {words}")
         for width in (360, 1366):
             browser.size(width, 768)
             wide = browser.run("document.documentElement.scrollWidth")

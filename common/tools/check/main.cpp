@@ -60,7 +60,7 @@ std::string in_words(const Exercise& exercise, const std::string& title, const V
     words += text("  %zu of %zu values are wrong.\n", verdict.wrong, verdict.places);
     if (!verdict.mistake.empty()) words += "  This is a known mistake: " + verdict.mistake + ".\n";
   }
-  words += "  In the chapter's picture " + percent(different, pixels) + " of the pixels differ";
+  words += "  In the exercise's picture " + percent(different, pixels) + " of the pixels differ";
   words +=
       is_right({}, different, pixels) ? ".\n" : "; none should. The pictures below show where.\n";
   if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
@@ -73,7 +73,7 @@ std::string in_two_lines(const Verdict& verdict, std::size_t different, std::siz
   if (verdict.right) {
     return text("not yet\nnot yet: all %zu values that were tried are right, but ",
                 verdict.places) +
-           percent(different, pixels) + " of the pixels of the chapter's picture differ\n";
+           percent(different, pixels) + " of the pixels of the exercise's picture differ\n";
   }
   std::string words = verdict.mistake;
   if (words.empty())
@@ -135,10 +135,11 @@ int check_answer(const Question& question, double predicted) {
                       check::in_words(answer) + unit + ": ";
   if (right) {
     words += "right.\n";
-  } else if (answer == 0) {
-    words += "off by " + check::in_words(off) + ".\n";
   } else {
-    words += text("off by %.3g %%.\n", 100 * off / std::abs(answer));
+    words += check::in_words(off) + (predicted > answer ? " too large" : " too small");
+    if (answer != 0 && answer != std::round(answer))
+      words += text(" (%.3g %%)", 100 * off / std::abs(answer));
+    words += ".\n";
   }
   print(words);
   return right ? 0 : 1;

@@ -121,7 +121,20 @@ class Live final : public LiveLesson {
 
   [[nodiscard]] std::string look(int column, int row) const override {
     const Lesson& lesson = state_->lesson;
-    return what_a_ray_meets(lesson, ray_through(state_->whole, double(column), double(row))).text;
+    const View<>& view = state_->whole;
+    Members members = what_a_ray_meets(lesson, ray_through(view, double(column), double(row)));
+    if constexpr (HasSpheres<Lesson>) {
+      if (state_->knobs.errors || state_->session.settings.number == NumberKind::float_) {
+        const TexelError error = texel_error(lesson, view, column, row);
+        Members found{{"object", error.object}};
+        if (error.has_uv) {
+          found.emplace_back("uv", Json::list({error.uv.u, error.uv.v}));
+          found.emplace_back("apart", error.apart);
+        }
+        members.emplace_back("float", Json::object(found));
+      }
+    }
+    return Json::object(members).text;
   }
 
  private:

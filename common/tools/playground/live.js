@@ -78,9 +78,12 @@ function worker() {
   const keepPixels = (name, pixels, width, height) =>
     code.lend([name, pixels], (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
   const can = {
-    async load({module, loader}) {
-      decoder = loader;
-      code = await open(module);
+    async load({chapter, parts, packed}) {
+      const all = unlzma(packed, parts.reduce((sum, [, size]) => sum + size, 0));
+      const modules = {};
+      for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) modules[parts[i][0]] = all.slice(start, start + parts[i][1]);
+      decoder = modules.loader;
+      code = await open(modules[chapter]);
     },
     // The loader lives for one file: what it needed is free afterwards.
     async keep({name, shown, bytes, size}) {
@@ -131,7 +134,7 @@ function worker() {
 // ---- Which controls there are. A chapter has those that its module offers; the choices' words come from the module.
 const controls = [
   {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
-  {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `${value} squares`},
+  {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention"},
   {option: "--rounding", label: "Rounding"},
   {option: "--filter", label: "Filter"},
@@ -143,14 +146,14 @@ const controls = [
   {option: "--wrap", label: "Wrap"},
   {option: "--exposure", label: "Exposure", range: [-4, 4, 0.5]},
   {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true},
-  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true},
-  {option: "--highlight", label: "Highlight"},
-  {option: "--scene", label: "Scene"},
+  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true},
+  {option: "--highlight", label: "Highlight", names: {lecture: "lecture's slides"}},
+  {option: "--scene", label: "Scene", names: {lecture: "lecture's globe"}},
   {option: "--show", label: "Show", only: ["globe", "color", "normal", "uv", "object", "--errors"]},
-  {option: "--eye", label: "Eye distance", range: [1, 1e7, 0.01], log: true, more: true,
-   here: (value) => `the eye ${value} times as far away`},
-  {option: "--number", label: "Number", only: ["double-pack", "double", "float"], more: true},
-  {option: "--spheres", label: "Spheres", more: true, names: {plain: "plain (textbook)"}},
+  {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, help: "the picture is enlarged by the same factor",
+   here: (value) => `Eye distance × ${value}`},
+  {option: "--number", label: "Number", only: ["double-pack", "double", "float"], more: true, names: {"double-pack": "double, several at once"}},
+  {option: "--spheres", label: "Spheres", more: true, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
 ];
 const names = {"--errors": "error in texels"};
@@ -163,10 +166,11 @@ const legends = {
   normal: "x as red, y as green, z as blue, each from −1 to 1",
   uv: "u as red, v as green, each from 0 to 1; gray: no (u, v)",
   object: "one color for each object",
-  "--errors": ["float against double: 10⁻⁵ texel or less ", element("i", {className: "live-errors"}),
-    " 1 texel or more; black: the sky; gray: no (u, v); white: float meets another object"],
+  "--errors": ["How far float's place in the texture is from double's: 10⁻⁵ texel or less ", element("i", {className: "live-errors"}),
+    " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts as 2048 × 1024 texels."],
 };
 const smallest = 480, widest = 800;  // columns while the reader drags, and after
+const lacks = {"01": ["uv", "--errors"]};  // nothing there has (u, v)
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
 // ---- Small tools.
@@ -227,10 +231,11 @@ function live(main, modules) {
   const facts = element("table");
   const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, facts);
   const picture = element("div", {className: "live-picture"}, canvas, mark, loupe);
-  const legend = element("p", {className: "live-legend", hidden: true});
+  const legend = element("p", {className: "live-legend"});
+  const hint = "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with Shift by ten pixels), Esc closes.";
   const says = element("p", {className: "live-says"});
   says.setAttribute("role", "status");
-  const again = element("button", {type: "button", textContent: "Try again", hidden: true, onclick: () => { reset(); start(); }});
+  const again = element("button", {type: "button", textContent: "Try again", hidden: true, onclick: () => { startOver(); start(); }});
   const rows = element("div", {className: "live-rows"});
   const moreRows = element("div", {className: "live-rows"});
   const more = element("details", {}, element("summary", {textContent: "More"}), moreRows);
@@ -241,7 +246,7 @@ function live(main, modules) {
   const opened = element("span");
   const opener = element("span", {className: "live-open"}, element("label", {className: "live-button"}, "Open file…", choose), " ", opened);
   const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
-    element("div", {className: "live-actions"}, opener, element("button", {type: "button", textContent: "Reset", onclick: () => { reset(); change(); }})),
+    element("div", {className: "live-actions"}, opener, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
   const section = element("section", {className: "live"}, picture, legend, says, again, form);
@@ -255,6 +260,7 @@ function live(main, modules) {
   let built = "";                      // the chapter whose form is there
   let presets = {}, values = {}, widgets = {};
   let fileOption = "";                 // the option that takes the reader's file
+  let carried = {};                    // what the reader chose in chapters before this one
   const files = new Map();             // what the module was given, for a new worker
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
@@ -263,7 +269,7 @@ function live(main, modules) {
   // -- The worker's life.
   function start() {
     again.hidden = true;
-    says.textContent = "";
+    say("");
     panel.disabled = false;
     const address = URL.createObjectURL(new Blob([`${unlzma}\n(${worker})()`]));
     try {
@@ -276,7 +282,7 @@ function live(main, modules) {
     }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
-    send({kind: "load", module: modules.get(chapter), loader: modules.get("loader")});
+    send({kind: "load", chapter, ...modules});
     for (const [name, file] of files) send({kind: "keep", name, ...file});
     begin();
   }
@@ -290,10 +296,15 @@ function live(main, modules) {
     hand.postMessage(message);
     if (!patience) wait();
   }
-  // A worker that owes an answer has 30 s for it.
+  // A worker that owes an answer has 30 s for it; in the tests' pages less.
+  const allowed = Number(main.dataset.patience || 30);
   function wait() {
     clearTimeout(patience);
-    patience = hand && (unfinished || looking) ? setTimeout(() => lost("no answer for 30 s"), 30000) : 0;
+    patience = hand && (unfinished || looking) ? setTimeout(() => lost(`no answer for ${allowed} s`), 1000 * allowed) : 0;
+  }
+  function say(words, isFault = true) {
+    says.textContent = words;
+    says.classList.toggle("live-fault", isFault && words !== "");
   }
   function lost(reason) {
     hand?.terminate();
@@ -305,7 +316,7 @@ function live(main, modules) {
     closeLoupe();
     panel.disabled = true;
     if (still) { still.style.display = ""; canvas.hidden = true; }
-    says.textContent = `The live picture stopped (${reason}). ${still ? "This is the still one." : ""}`;
+    say(`The live picture stopped (${reason}). ${still ? "This is the still one." : ""}`);
     again.hidden = false;
     section.dataset.state = "lost";
   }
@@ -326,7 +337,7 @@ function live(main, modules) {
         lost(error.message);
         return;
       }
-      if (built !== chapter) build(found);
+      if (built !== chapter) { build(found); carryOver(); }
       change();
     },
     rows({id, columns, rows, first, strip, small: isSmall, last}) {
@@ -355,7 +366,7 @@ function live(main, modules) {
       if (of === "look") { looking = null; return; }
       if (of === "draw" && id !== latest) return;
       unfinished = false;
-      says.textContent = reason;
+      say(reason);
       section.dataset.state = "refused";
     },
     kept({name, shown, bytes}) {
@@ -385,6 +396,7 @@ function live(main, modules) {
     if (still) still.style.display = "none";
     section.dataset.pictures = 1 + Number(section.dataset.pictures || 0);
     if (turning) requestAnimationFrame(turn);
+    if (turning && pixel) look(pixel);
   }
   // Asks for a small picture now, and for the full one when the reader rests.
   function change() {
@@ -392,7 +404,7 @@ function live(main, modules) {
     refresh();
     clearTimeout(idle);
     section.dataset.state = "drawing";
-    says.textContent = "";
+    say("");
     ask(true);
     idle = setTimeout(() => ask(false), 200);
   }
@@ -422,6 +434,10 @@ function live(main, modules) {
     stopTurning();
     values = {...presets};
     for (const option of Object.keys(widgets)) values[option] ||= widgets[option].first;
+  }
+  function startOver() {
+    carried = {};
+    reset();
     forgetFiles();
   }
   function put(option, value) {
@@ -434,15 +450,20 @@ function live(main, modules) {
   }
   function refresh() {
     for (const [option, widget] of Object.entries(widgets)) widget.show(values[option], preset(option));
-    if (widgets["--samples"]) widgets["--samples"].field.disabled = !plainView();
+    const off = (option, isOff) => { if (widgets[option]) widgets[option].field.disabled = isOff; };
+    off("--samples", !plainView());
+    off("--number", values["--show"] === "--errors");
+    off("--squares", values["--scene"] === "lecture");
     const all = given();
     const native = all.filter((one) => !one.here).flatMap((one) => one.words);
-    command.textContent = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))].join(" ");
+    const typed = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))];
+    command.replaceChildren(...typed.flatMap((word, i) => [i ? " " : "", element("span", {textContent: word})]));
+    copy.textContent = "Copy";
     opened.textContent = values[fileOption] === presets[fileOption] ? "a PNG or JPEG; or drop it on the picture" : files.get(values[fileOption]).shown;
     hereOnly.textContent = all.some((one) => one.here)
-      ? `On this page only: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.` : "";
-    legend.hidden = !legends[values["--show"]];
-    legend.replaceChildren(...[legends[values["--show"]] || ""].flat());
+      ? `The command draws the picture without what only this page can do: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.`
+      : main.dataset.note || "";
+    legend.replaceChildren(...[legends[values["--show"]] || hint].flat());
   }
   async function copyCommand() {
     try {
@@ -467,7 +488,7 @@ function live(main, modules) {
       const option = found[control.option];
       if (!option) continue;
       if (control.off) presets[control.option] = "";
-      const widget = control.range ? slider(control, option.preset) : choice(control, option.words, "--errors" in found);
+      const widget = control.range ? slider(control, option) : choice(control, option, "--errors" in found);
       if (!widget) continue;
       widgets[control.option] = widget;
       (control.more ? moreRows : rows).append(widget.row);
@@ -477,33 +498,54 @@ function live(main, modules) {
     opener.hidden = !fileOption;
     reset();
   }
-  function slider({option, label, range: [least, most, step], log, off, turns}, first) {
+  function slider({option, label, help, range: [least, most, step], log, whole, off, turns}, {preset: first, help: about}) {
     const id = "live" + option;
-    const [to, from] = log ? [Math.log10, (x) => Number((10 ** x).toPrecision(3))] : [Number, Number];
-    const field = element("input", {type: "range", id, min: to(least), max: to(most), step,
-      oninput: () => { stopTurning(); put(option, String(from(field.value))); }});
-    const shown = element("output", {htmlFor: id});
-    const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`, onchange: () => put(option, box.checked ? String(from(field.value)) : "")});
+    const to = (value) => log ? Math.log10(value) : value;
+    const from = (x) => String(!log ? x : whole ? Math.round(10 ** x) : Number((10 ** x).toPrecision(3)));
+    const moved = (value) => { stopTurning(); put(option, value); };
+    const field = element("input", {type: "range", id, min: to(least), max: to(most), step, value: to(first),
+      oninput: () => moved(from(field.value))});
+    // Any number that the chapter takes, also beyond the slider's ends.
+    const typed = element("input", {type: "number", step: "any", ariaLabel: `${label}, as a number`,
+      onchange: () => Number.isFinite(typed.valueAsNumber) ? moved(String(typed.valueAsNumber)) : refresh()});
+    const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`, onchange: () => put(option, box.checked ? from(field.value) : "")});
     const play = turns && element("button", {type: "button", className: "live-turn", textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
     return {
-      row: element("div", {}, element("label", {htmlFor: id, textContent: label}), ...[box, field, shown, play].filter(Boolean)), field, play, first: "",
+      row: element("div", {title: help || about}, element("label", {htmlFor: id, textContent: label}), ...[box, field, typed, play].filter(Boolean)),
+      field, play, first: "", takes: () => true,
       show(value, preset) {
-        if (box) Object.assign(box, {checked: value !== "", disabled: !!preset});
-        field.disabled = !!box && value === "";
-        field.value = to(value === "" ? first : value);
-        shown.value = value === "" ? "off" : rounded(value, 5) + (option === "--degrees" ? "°" : "");
-        field.setAttribute("aria-valuetext", shown.value);
+        if (box) Object.assign(box, {checked: value !== "", disabled: !!preset, title: preset ? "this scene always blends" : ""});
+        field.disabled = typed.disabled = !!box && value === "";
+        if (value !== "") field.value = to(value);
+        typed.value = value;
+        field.setAttribute("aria-valuetext", value === "" ? "off" : value);
       },
     };
   }
-  function choice({option, label, only, names: own = {}}, offered, hasErrors) {
+  function choice({option, label, only, names: own = {}}, {words: offered, help}, hasErrors) {
     const id = "live" + option;
-    const words = only && !offered.includes("|") ? only
-      : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])].filter((word) => !only || only.includes(word));
+    const words = (only && !offered.includes("|") ? only
+      : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])].filter((word) => !only || only.includes(word)))
+      .filter((word) => !lacks[chapter]?.includes(word));
     const field = element("select", {id, onchange: () => put(option, field.value)},
       ...words.map((value) => element("option", {value, textContent: own[value] || names[value] || value})));
-    return {row: element("div", {}, element("label", {htmlFor: id, textContent: label}), field), field, first: words[0],
-      show(value) { field.value = value; }};
+    return {row: element("div", {title: help}, element("label", {htmlFor: id, textContent: label}), field), field, first: words[0],
+      takes: (value) => words.includes(value), show(value) { field.value = value; }};
+  }
+  // What the reader chose in another chapter stays chosen where this one offers it.
+  function carryOver() {
+    for (const option of ["--scene", ...Object.keys(widgets)]) {
+      if (option in carried && widgets[option]?.takes(carried[option])) values[option] = carried[option];
+      else if (widgets[option] && values["--scene"] !== presets["--scene"]) values[option] = preset(option) || widgets[option].first;
+    }
+    if (fileOption && files.has(carried.file)) values[fileOption] = carried.file;
+  }
+  function remember() {
+    for (const option of Object.keys(widgets)) {
+      if (values[option] === (preset(option) || widgets[option].first)) delete carried[option];
+      else carried[option] = values[option];
+    }
+    if (fileOption) carried.file = values[fileOption];
   }
   // Turns the globe, a picture after another; not for readers who asked for less motion.
   let turning = 0;
@@ -529,14 +571,14 @@ function live(main, modules) {
     if (!file || !fileOption || !hand) return;
     choose.value = "";
     if (file.size > largestFile) {
-      says.textContent = `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`;
+      say(`${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`);
       return;
     }
     let bytes;
     try {
       bytes = new Uint8Array(await file.arrayBuffer());
     } catch (error) {
-      says.textContent = `${file.name} cannot be read: ${error.message}`;
+      say(`${file.name} cannot be read: ${error.message}`);
       return;
     }
     section.dataset.state = "reading";
@@ -571,18 +613,22 @@ function live(main, modules) {
   canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) look(place(event)); });
   canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
   canvas.addEventListener("click", (event) => { pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
-  canvas.addEventListener("blur", () => { if (pinned && !loupe.matches(":hover")) closeLoupe(); });
-  section.addEventListener("keydown", (event) => {
+  canvas.addEventListener("blur", () => { if (pinned) closeLoupe(); });
+  loupe.addEventListener("click", closeLoupe);
+  // While the loupe is open, arrow keys are its own, wherever the focus is but in a field.
+  document.addEventListener("keydown", (event) => {
     const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
-    if (step && event.target === canvas && full) {
+    const isMine = event.target === canvas || pixel && !event.target.closest("form, input:not([type=radio]), select, textarea");
+    if (step && isMine && full) {
       event.preventDefault();
+      event.stopPropagation();
       const far = event.shiftKey ? 10 : 1;
       const from = pixel || {column: full[0] >> 1, row: full[1] >> 1};
       const moved = (at, by, n) => Math.max(0, Math.min(n - 1, at + by * far));
       pinned = true;
       look(pixel ? {column: moved(from.column, step[0], full[0]), row: moved(from.row, step[1], full[1])} : from);
     }
-  });
+  }, true);
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") closeLoupe(); });
   // A number with its full value within, so that formulas can be checked.
   const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
@@ -607,17 +653,58 @@ function live(main, modules) {
     return [name, element("span", {className: "live-formula"}, text.replace(/[{}]/g, "").replace("-y", "−y"),
       element("span", {}, " = ", ...filled), element("span", {}, " = ", number(result, 6)))];
   }
+  // filled`n · l = ${x}`: text with numbers.
+  const filled = (texts, ...parts) => texts.flatMap((text, i) =>
+    [text, ...(i < parts.length ? [parts[i]] : []).flat().map((one) => typeof one === "number" ? number(one) : one)]);
+  const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+  // From the light and the paint to the color, as chapters 01 and 06 derive it.
+  function shadingOf(seen, color) {
+    const {to_light: l, normal: n, ambient, diffuse, paint, specular, shininess, mirrored, highlight = 0, blend} = seen;
+    const cosine = dot(n, l);  // the module's is 0 in shadow
+    const list = [["light l", ...vector(l), ...filled`, n · l = ${cosine}`, cosine <= 0 ? ": the lamp is behind the surface" : seen.cosine === 0 ? ": in shadow" : ""]];
+    if (ambient === undefined) return list;
+    const light = ambient + diffuse * seen.cosine;
+    list.push(["lambert", ...filled`${ambient} + ${diffuse} · ${seen.cosine} = ${light}`]);
+    if (mirrored) {
+      const e = seen.direction.map((x) => -x);
+      const bySlides = values["--highlight"] === "lecture";
+      const base = dot(mirrored, bySlides ? seen.direction : e);
+      list.push(["r", ...vector(mirrored), ...filled`, r · ${bySlides ? "d" : "e"} = ${base}`]);
+      list.push(["highlight", ...(!bySlides && (cosine <= 0 || base <= 0 || seen.cosine === 0) ? ["0"]
+        : filled`${specular} · ${base < 0 ? ["(", base, ")"] : base}^${shininess} = ${highlight}`),
+        bySlides && base < 0 && shininess % 2 ? ": a negative number to this power is negative, or no number" : ""]);
+    }
+    // One channel in numbers, where the picture has this color: one ray, the color itself, double.
+    const blends = blend !== undefined && seen.texel;
+    const bright = Math.max(...paint);
+    const one = paint.indexOf(bright);
+    const gray = Math.min(1, light + highlight);
+    const result = blends ? 255 * gray * (1 - blend) + bright * blend : bright * light + 255 * highlight;
+    if (Math.floor(Math.min(Math.max(result, 0), 255) + 1e-6) !== color[one]) return list;
+    const sum = blends ? filled`${255 * gray} · (1 − ${blend}) + ${bright} · ${blend} = ${result}`
+      : highlight ? filled`${bright} · ${light} + 255 · ${highlight} = ${result}` : filled`${bright} · ${light} = ${result}`;
+    list.push([["red", "green", "blue"][one], ...sum, result >= 256 ? ", at most 255" : ""]);
+    return list;
+  }
   function factsOf(column, row, seen) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
-    const list = [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color)],
-      ["ray", "from ", ...vector(seen.eye), " along ", ...vector(seen.direction)]];
+    const list = [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color),
+      ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+      [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ", ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
     if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
-    const what = "object" in seen ? `object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
+    const what = "object" in seen ? `${seen.texel ? "the globe, " : ""}object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
     list.push(["hit", what, ...(seen.radius ? [" of radius ", number(seen.radius)] : []), " at distance ", number(seen.distance)],
       ["point", ...vector(seen.point)]);
-    for (const [name, key] of [["normal n", "normal"], ["n rotated", "rotated"], ["n bumped", "bumped"], ["weights", "weights"]]) {
-      if (seen[key]) list.push([name, ...vector(seen[key])]);
+    const center = seen.center?.some((x) => x) ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
+    if (seen.normal) list.push(["normal n", ...vector(seen.normal), ...(seen.radius ? [" = ", ...center] : [])]);
+    if (seen.rotated && seen.turn[1] !== 1) {
+      const [sine, cosine] = seen.turn;
+      const [x, , z] = seen.normal;
+      list.push(["n rotated", ...vector(seen.rotated), element("span", {className: "live-formula"},
+        element("span", {}, ...filled`x′ = x cos β + z sin β = ${x} · ${cosine} + ${z} · ${sine}`),
+        element("span", {}, ...filled`z′ = z cos β − x sin β = ${z} · ${cosine} − ${x} · ${sine}`))]);
     }
+    for (const [name, key] of [["n bumped", "bumped"], ["weights", "weights"]]) if (seen[key]) list.push([name, ...vector(seen[key])]);
     if (seen.uv) {
       const [u, v] = seen.uv;
       const normal = seen.rotated || seen.normal || [0, 0, 0];
@@ -628,17 +715,19 @@ function live(main, modules) {
       const {column, row, width, height, down, floor, color} = seen.texel;
       const times = (n) => floor ? n : `(${n} − 1)`;
       list.push(["texel", `column ⌊u · ${times(width)}⌋ = ${column}, row ${down ? "" : `${height - 1} − `}⌊v · ${times(height)}⌋ = ${row}: `, ...swatch(color)]);
+    } else if (seen.paint) {
+      list.push(["paint", ...swatch(seen.paint.map(Math.floor))]);
     }
     if (seen.squares && seen.uv) {
       const [across, up] = seen.uv.map((x) => Math.floor(Math.min(x, 1 - 2 ** -53) * seen.squares));
       list.push(["square", `⌊${seen.squares} u⌋ + ⌊${seen.squares} v⌋ = ${across} + ${up} = ${across + up}, ${(across + up) % 2 ? "odd" : "even"}`]);
     }
-    if (seen.to_light) {
-      const cosine = seen.normal.reduce((sum, n, i) => sum + n * seen.to_light[i], 0);  // the module's is 0 in shadow
-      list.push(["light", "l = ", ...vector(seen.to_light), ", n · l = ", number(cosine),
-        cosine <= 0 ? ": it faces away" : seen.cosine === 0 ? ": in shadow" : ""]);
+    if (seen.float) {
+      const {object, uv, apart} = seen.float;
+      list.push(["in float", ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : `object ${object}`]
+        : uv ? filled`u = ${uv[0]}, v = ${uv[1]}: ${apart} texel from double's` : ["the same object"]), ". The other rows are in double."]);
     }
-    return list;
+    return seen.to_light ? [...list, ...shadingOf(seen, color)] : list;
   }
   function showLoupe(column, row, seen) {
     facts.replaceChildren(...factsOf(column, row, seen).map(([name, ...what]) =>
@@ -657,11 +746,11 @@ function live(main, modules) {
   section.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation(); });
   for (const one of main.querySelectorAll("input[name=live-chapter]")) {
     one.addEventListener("change", () => {
+      remember();
       chapter = one.value;
       stopTurning();
       closeLoupe();
       clearTimeout(idle);
-      forgetFiles();
       hand?.terminate();  // each chapter has a module of its own
       start();
     });
@@ -669,12 +758,13 @@ function live(main, modules) {
   start();
 }
 
+// What the chapters' modules need, in 35 bytes: (func (try (do) (catch_all)) (drop (i32x4.splat (i32.const 0)))).
+const needed = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 15, 1, 13, 0, 6, 64, 1, 25, 1, 11, 65, 0, 253, 17, 26, 11);
 addEventListener("DOMContentLoaded", async () => {
   const main = document.querySelector("main[data-live]");
-  if (!main || typeof WebAssembly === "undefined") return;
+  if (!main || typeof WebAssembly === "undefined" || !WebAssembly.validate(needed)) return;
   try {
-    const modules = await fetched("modules", "modules.js");
-    if (WebAssembly.validate(modules.get(main.dataset.live))) live(main, modules);
+    live(main, await fetched("modules", "modules.js"));
   } catch (error) {
     console.info(`The pictures stay still: ${error.message}`);
   }
@@ -682,12 +772,7 @@ addEventListener("DOMContentLoaded", async () => {
 
 return {
   // Modules one after another: names and sizes, and all of them packed.
-  modules(parts, base64) {
-    const all = unlzma(bytesOf(base64), parts.reduce((sum, [, size]) => sum + size, 0));
-    const found = new Map();
-    for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) found.set(parts[i][0], all.slice(start, start + parts[i][1]));
-    arrival("modules").give(found);
-  },
+  modules: (parts, text) => arrival("modules").give({parts, packed: bytesOf(text)}),
   // A texture of the course, its pixels packed.
   texture: (name, width, height, base64) => arrival(name).give({bytes: bytesOf(base64), size: [width, height]}),
   file: (name, base64) => arrival(name).give({bytes: bytesOf(base64)}),

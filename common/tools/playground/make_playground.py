@@ -113,19 +113,16 @@ def colors():
     return read(os.path.join(HERE, "..", "book", "book.css")).decode("utf-8").split("* {")[0].strip()
 
 
-def shorter(script):
-    """The page is small enough to be mailed; who wants to read the script finds it in the project."""
-    lines = (re.sub("(^|  )//.*", "", line).strip() for line in script.splitlines())
-    return "\n".join(line for line in lines if line)
-
-
 def page(folder):
     # The chapters ask for earth.png; the bytes say that it is a JPEG.
     scripts = [modules_script(folder, ON_THE_PAGE, in_base64), file_script(os.path.join(HERE, "small_earth.jpg"), "earth.png")]
+    live = source("live.js").encode("utf-8")
     parts = {
         "colors": colors(),
         "css": source("live.css"),
-        "live": shorter(source("unlzma.js")) + "\n" + shorter(source("live.js")),
+        "unlzma": source("unlzma.js"),
+        "live": in_base64(packed(live, 3)),
+        "size": str(len(live)),
         "scripts": "".join(f"<script>{script.strip()}</script>\n" for script in scripts),
     }
     return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], source("playground.html"))

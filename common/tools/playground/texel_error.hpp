@@ -41,20 +41,36 @@ template <class... Paints>
   return t < 0.5 ? mix(least, middle, 2 * t) : mix(middle, most, 2 * t - 1);
 }
 
-/// The error of a pixel: black for the sky, gray where there is no (u, v), white where float meets
-/// another object than double.
+/// What float finds at a pixel, and how far that is from what double finds.
+struct TexelError {
+  int object;     ///< met by float; -1: the sky
+  bool same;      ///< whether double meets that object, too
+  bool has_uv;    ///< whether both have a place on a texture
+  Uv<double> uv;  ///< by float
+  double apart;   ///< in texels
+};
+
 template <class Lesson>
-[[nodiscard]] Rgb color_of_texel_error(const Lesson& lesson, const View<>& view, int column,
-                                       int row) {
+[[nodiscard]] TexelError texel_error(const Lesson& lesson, const View<>& view, int column,
+                                     int row) {
   const auto right = surface_along(lesson, ray_through(view, double(column), double(row)));
   const auto drawn =
       surface_along(lesson, ray_through(view, static_cast<float>(column), static_cast<float>(row)));
-  if (drawn.object != right.object) return gray(1.0);
-  if (right.object < 0) return gray(0.0);
-  if (!right.has_uv()) return gray(0.3);
+  TexelError error{drawn.object, drawn.object == right.object, false, {}, 0};
+  if (!error.same || right.object < 0 || !right.has_uv()) return error;
+  error.has_uv = true;
+  error.uv = {double(drawn.uv.u), double(drawn.uv.v)};
   const auto& paint = lesson.objects[static_cast<std::size_t>(right.object)].paint;
-  return color_of_error(
-      texels_apart({double(drawn.uv.u), double(drawn.uv.v)}, right.uv, texels_of(paint)));
+  error.apart = texels_apart(error.uv, right.uv, texels_of(paint));
+  return error;
+}
+
+/// The error of a pixel: black for the sky, gray where there is no (u, v), white where float meets
+/// another object than double.
+[[nodiscard]] inline Rgb color_of_texel_error(const TexelError& error) {
+  if (!error.same) return gray(1.0);
+  if (error.object < 0) return gray(0.0);
+  return error.has_uv ? color_of_error(error.apart) : gray(0.3);
 }
 
 /// The errors of all pixels.
@@ -63,7 +79,7 @@ template <class Lesson>
   Image image(view.width, view.height);
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
-      const Rgb color = color_of_texel_error(lesson, view, column, row);
+      const Rgb color = color_of_texel_error(texel_error(lesson, view, column, row));
       image.at(column, row) = {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
     }
   }

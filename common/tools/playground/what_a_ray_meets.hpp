@@ -48,11 +48,14 @@ void add_texel(const AnyOf<Paints...>& paint, const Uv<double>& uv, Members& mem
              static_cast<const std::variant<Paints...>&>(paint));
 }
 
-/// The rotation of a paint's mapping, as its cosine and sine.
+/// The rotation of a paint's mapping, as sine and cosine, and the normal after it.
 template <class Paint>
 void add_rotation(const Paint& paint, const Vec3d& normal, Members& members) {
-  if constexpr (requires { paint.mapping.rotation(normal); })
-    members.emplace_back("rotated", list_of(paint.mapping.rotation(normal)));
+  if constexpr (requires { paint.mapping.rotation.sine; }) {
+    const auto& rotation = paint.mapping.rotation;
+    members.emplace_back("turn", Json::list({rotation.sine, rotation.cosine}));
+    members.emplace_back("rotated", list_of(rotation(normal)));
+  }
 }
 template <class... Paints>
 void add_rotation(const AnyOf<Paints...>& paint, const Vec3d& normal, Members& members) {
@@ -72,16 +75,44 @@ void add_place(const Paint& paint, const AnyHit& hit, Members& members) {
 
 /// The light that arrives.
 template <class Objects>
-void add_light(const PointLight& lamp, const Objects& objects, const Hit<double>& hit,
-               Members& members) {
+LightSample<double> add_light(const PointLight& lamp, const Objects& objects,
+                              const Hit<double>& hit, Members& members) {
   const auto light = sample_light(lamp, objects, hit);
   members.emplace_back("to_light", list_of(light.to_light));
   members.emplace_back("cosine", light.cosine);
+  return light;
+}
+
+/// What becomes of the light: a Lambertian surface's share, and in later chapters a highlight.
+template <class Lesson, class Object>
+void add_shading(const Lesson& lesson, const Object& object, const Hit<double>& hit,
+                 const Vec3d& direction, Members& members) {
+  Lambertian matte;
+  if constexpr (requires { lesson.phong; }) {
+    const auto& phong = lesson.phong;
+    const auto light = add_light(lesson.stage.light, phong.casters(lesson.objects), hit, members);
+    matte = object.material.lambertian;
+    if (object.material.specular > 0) {
+      members.emplace_back("mirrored", list_of(mirror(light.to_light, hit.normal)));
+      members.emplace_back("specular", object.material.specular);
+      members.emplace_back("shininess", object.material.shininess);
+      members.emplace_back("highlight",
+                           phong.highlight(object.material, light, hit.normal, -direction));
+      if (phong.blends) members.emplace_back("blend", phong.blend);
+    }
+  } else {
+    add_light(lesson.stage.light, lesson.objects, hit, members);
+    matte = lesson.surface;
+  }
+  members.emplace_back("ambient", matte.ambient);
+  members.emplace_back("diffuse", matte.diffuse);
+  const Color<double> paint = object.paint(hit);
+  members.emplace_back("paint", Json::list({255 * paint.r, 255 * paint.g, 255 * paint.b}));
 }
 
 /// Ray, hit, normal, (u, v), texel and light of a ray, as far as there are any.
 template <HasObjects Lesson>
-[[nodiscard]] Json what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
+[[nodiscard]] Members what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
   Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
   const Nearest<double> nearest = find_nearest(lesson.objects, ray);
   if (nearest.index >= 0) {
@@ -100,7 +131,7 @@ template <HasObjects Lesson>
     add_place(object.paint, hit, members);
     if constexpr (
         requires { lesson.surface; } || requires { object.material; })
-      add_light(lesson.stage.light, lesson.objects, hit, members);
+      add_shading(lesson, object, hit, ray.direction, members);
   } else if constexpr (requires { lesson.ground; }) {
     const double distance = distance_to(lesson.floor, ray);
     if (distance < infinity<double>()) {
@@ -111,14 +142,14 @@ template <HasObjects Lesson>
       members.emplace_back("uv", Json::list({uv.u, uv.v}));
     }
   }
-  return Json::object(members);
+  return members;
 }
 template <HasMesh Lesson>
-[[nodiscard]] Json what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
+[[nodiscard]] Members what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
   Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
   const MeshHit<double> hit =
       lesson.choice.weighted(lesson.scene.mesh, first_hit(lesson.scene.mesh, ray));
-  if (!hit.met) return Json::object(members);
+  if (!hit.met) return members;
   members.emplace_back("triangle", static_cast<int>(hit.triangle));
   members.emplace_back("distance", hit.distance);
   members.emplace_back("point", list_of(hit.point));
@@ -130,7 +161,7 @@ template <HasMesh Lesson>
   members.emplace_back("corners", Json::list(places));
   add_place(lesson.paint, hit, members);
   add_light(lesson.stage.light, others(lesson.scene.mesh, hit), hit, members);
-  return Json::object(members);
+  return members;
 }
 
 }  // namespace texmap::live

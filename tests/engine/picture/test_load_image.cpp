@@ -176,6 +176,7 @@ TEST_CASE("a file of 64 MiB is read, and one with a byte more is refused before 
     return image_error_of(
         [&] { static_cast<void>(texmap::decode_image(texmap::Bytes(bytes).first(length))); });
   };
+  CHECK(error_of_decoding(0) == "the file is empty");
   CHECK(error_of_decoding(limit) == "it is not a PNG or JPEG file, whatever its name says");
   CHECK(error_of_decoding(limit + 1) == "the file is too long");
 }

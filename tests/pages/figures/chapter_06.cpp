@@ -57,12 +57,9 @@ void spot_figures(Figures& figures) {
   }
 }
 
-/// How many pixels the slides' formula and the right one brighten, without a texture.
+/// How many pixels the slides' formula brightens in the dark, without a texture.
 void lecture_figures(Figures& figures) {
-  const BrightenedPixels count = brightened_pixels();
-  figures.emplace_back("06.pixels_of_the_lectures_globe", whole(count.globe));
-  figures.emplace_back("06.pixels_in_the_light", whole(count.in_the_light));
-  figures.emplace_back("06.pixels_in_the_dark", whole(count.in_the_dark));
+  figures.emplace_back("06.pixels_in_the_dark", whole(brightened_pixels().in_the_dark));
 }
 
 }  // namespace
@@ -85,10 +82,15 @@ void figures_of_06(Figures& figures) {
   figures.emplace_back("06.highlight", std::to_string(column) + ", " + std::to_string(row));
   figures.emplace_back("06.highlight_before", color(before.at(column, row)));
   figures.emplace_back("06.highlight_after", color(after.at(column, row)));
-  for (const std::string shininess : {"50", "500"}) {
-    const Image drawn = picture(prepared<Lesson>({"--shininess", shininess}));
-    figures.emplace_back("06.pixels_at_" + shininess, whole(count_different(drawn, before)));
-  }
+  const auto spot = [&](const char* shininess) {
+    return count_different(picture(prepared<Lesson>({"--shininess", shininess})), before);
+  };
+  const auto wide = spot("50");
+  const auto narrow = spot("500");
+  figures.emplace_back("06.pixels_at_50", whole(static_cast<long long>(wide)));
+  figures.emplace_back("06.pixels_at_500", whole(static_cast<long long>(narrow)));
+  figures.emplace_back("06.spot_factor",
+                       decimals(static_cast<double>(wide) / static_cast<double>(narrow), 1));
 
   // The side that the lamp does not reach.
   const Image texture = picture(prepared<Lesson>({"--blend", "1"}));
