@@ -91,7 +91,9 @@ void figures_of_12(Figures& figures) {
     light = {std::min(light.r, 1.0F), std::min(light.g, 1.0F), std::min(light.b, 1.0F)};
   }
   figures.emplace_back("12.brightest", whole(std::lround(static_cast<double>(brightest))));
-  figures.emplace_back("12.noise_cosine", decimals(noise_of(SkyLight(Environment(map))).cosine, 0));
+  const SkyNoise noise = noise_of(SkyLight(Environment(map)));
+  figures.emplace_back("12.noise_cosine", decimals(noise.cosine, 0));
+  figures.emplace_back("12.noise_mis", decimals(noise.mis, 2));
   const Rgb all = SkyMoments(Environment(map)).sums()[0];
   const Rgb left = SkyMoments(Environment(cut)).sums()[0];
   figures.emplace_back("12.red_lost", decimals(100 * (1 - left.r / all.r), 0));
@@ -106,8 +108,8 @@ void figures_of_12(Figures& figures) {
   const auto row = static_cast<double>(sun / columns);
   const Vec3d to_sun = direction_rtiow(Uv<double>{
       (static_cast<double>(sun % columns) + 0.5) / map.width, 1 - (row + 0.5) / map.height});
-  figures.emplace_back("12.sun", decimals(to_sun.x, 2) + ", " + decimals(to_sun.y, 2) + ", " +
-                                     decimals(to_sun.z, 2));
+  figures.emplace_back("12.sun", decimals(to_sun.x, 4) + ", " + decimals(to_sun.y, 4) + ", " +
+                                     decimals(to_sun.z, 4));
   add_direction(figures, "sun", sky, to_sun);
 
   // By the cosine, directions within an angle r of the normal have the probability sin^2 r.
