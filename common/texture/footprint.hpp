@@ -39,7 +39,7 @@ template <class Real>
   const Real vv = v_by_x * v_by_x + v_by_y * v_by_y;
   const Real uv_both = u_by_x * v_by_x + u_by_y * v_by_y;
 
-  // The eigenvalues of that matrix are the squares of the rectangle's sides.
+  // The squares of the sides are the eigenvalues of the matrix ((uu, uv_both), (uv_both, vv)).
   const Real half = (uu - vv) * Real(0.5);
   const Real root = sqrt(half * half + uv_both * uv_both);
   const Real longer = sqrt((uu + vv) * Real(0.5) + root);

@@ -1,8 +1,8 @@
 // Exercise 02.3: square squares
 //
-// The equator is twice as long as the way from pole to pole, and both are divided into 10 fields.
-// So the fields on the equator are twice as wide as they are high. Let the pattern go around
-// twice, so that fields on the equator are squares.
+// The equator is twice as long as the way from pole to pole, and both are divided into 10 squares.
+// So the squares on the equator are twice as wide as they are high. Let the pattern go around
+// twice, so that the squares on the equator are as wide as they are high.
 // uv is what the lesson's mapping gives. Return what the checkerboard should get in its place.
 // Its u may be more than 1: there the checkerboard goes on in the same way.
 //

@@ -122,7 +122,7 @@ TEST_CASE("09.3: which level") {
 
   check_mistake(
       "09.3", +[](double width) { return width < 1 ? 0 : std::log(width) / std::log(2.0); },
-      "textbook");
+      "logarithm log2");
   check_mistake(
       "09.3", +[](double width) { return std::log2(width); }, "below 1");
   check_mistake(

@@ -115,23 +115,23 @@ Exercise which_square() {
           [](Place2 uv, int squares) {
             return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
           },
-      .places = {{"the field at (0, 0) has the first color", {Place2{0.01, 0.01}, 10}},
-                 {"of 10 x 10 fields, the one at (0.15, 0.05) has the second color",
+      .places = {{"the square at (0, 0) is the lower left one", {Place2{0.01, 0.01}, 10}},
+                 {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color",
                   {Place2{0.15, 0.05}, 10}},
-                 {"of 10 x 10 fields, the one at (0.05, 0.15) has the second color",
+                 {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color",
                   {Place2{0.05, 0.15}, 10}},
-                 {"of 10 x 10 fields, the one at (0.15, 0.15) has the first color",
+                 {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color",
                   {Place2{0.15, 0.15}, 10}},
-                 {"of 10 x 10 fields, the one at (0.12, 0.07) has the second color",
+                 {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color",
                   {Place2{0.12, 0.07}, 10}},
-                 {"of 4 x 4 fields, the one at (0.55, 0.3) has the second color",
+                 {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color",
                   {Place2{0.55, 0.3}, 4}},
-                 {"of 9 x 9 fields, the one at (0.99, 0.99) has the first color",
+                 {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color",
                   {Place2{0.99, 0.99}, 9}},
-                 {"at the north pole v is 1: this is the last row; the field at (0.05, 1) has the "
-                  "second color",
+                 {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the "
+                  "other color",
                   {Place2{0.05, 1}, 10}},
-                 {"v = 1 is in the last row: the field at (0.15, 1) has the first color",
+                 {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
                   {Place2{0.15, 1}, 10}}},
       .mistakes = {{"you look at u alone: these are stripes, not squares",
                     [=](Place2 uv, int n) { return column(uv, n) % 2 == 0; }},
@@ -172,10 +172,11 @@ Exercise square_squares() {
                   {Place2{0.75, 0.25}}},
                  {"u = 1/4 becomes 1/2, and v stays as it is", {Place2{0.25, 0.75}}}},
       .mistakes =
-          {{"v must stay as it is: the fields are smaller now, and still twice as wide as they are "
+          {{"v must stay as it is: the squares are smaller now, and still twice as wide as they "
+            "are "
             "high",
             twice(2, 2)},
-           {"v is doubled and u is not: now the fields are four times as wide as they are high",
+           {"v is doubled and u is not: now the squares are four times as wide as they are high",
             twice(1, 2)},
            {"the pattern goes around once in two turns: multiply u, do not divide it",
             twice(0.5, 1)}},
@@ -183,7 +184,7 @@ Exercise square_squares() {
   return exercise("02.3", "Uv twice_around(Uv uv)", std::move(law), twice_around, picture);
 }
 
-/// The northern latitude, in degrees, where a field of the checkerboard is as wide as it is high.
+/// The northern latitude, in degrees, where a square of the checkerboard is as wide as it is high.
 double latitude_of_squares() {
   const auto uv_at = [](double east, double north) {  // in radians, from +x
     return uv_rtiow(Vector{std::cos(north) * std::cos(east), std::sin(north),
@@ -226,7 +227,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       .exercises = {where_on_the_map(), which_square(), square_squares()},
       .questions = {{"02.a",
-                     "On the equator a field of the checkerboard is twice as wide as it is high. "
+                     "On the equator a square of the checkerboard is twice as wide as it is high. "
                      "At which latitude, in degrees, is it as wide as it is high?",
                      latitude_of_squares, "degrees"},
                     {"02.b",

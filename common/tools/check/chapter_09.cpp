@@ -228,7 +228,7 @@ Exercise which_level() {
                  {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
                  {"a footprint of width 0 is at level 0", {0}}},
       .mistakes = {
-          {"this is the textbook's log2: right at whole levels, up to 0.17 off between them",
+          {"this is the logarithm log2: right at whole levels, up to 0.17 off between them",
            [](double width) { return std::log2(std::max(width, 1.0)); }},
           {"widths below 1 must count as 1: there is no level below 0",
            [](double width) { return std::log2(width); }},

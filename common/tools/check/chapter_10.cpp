@@ -226,10 +226,10 @@ Exercise back_from_the_cylinder() {
                   [] { return globe("cylinder"); });
 }
 
-/// Texels of an equirectangular picture with largest texels as large as those of an equal-area one.
+/// Texels of an equirectangular picture with no texel larger than those of an equal-area one.
 double texels_needed() {
   const Vector on_equator{0.8, 0, 0.6};
-  return 1024 * 1024 * distortion(Projection::equirect, on_equator).area;
+  return std::ceil(1024 * 1024 * distortion(Projection::equirect, on_equator).area);
 }
 
 /// The latitude at which the lesson's globe shows what its file has at 45 degrees.
@@ -246,8 +246,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
       .questions =
           {{"10.a",
             "An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
-            "equirectangular picture have, if its largest texel may cover no more of the globe?",
-            texels_needed, "texels", 1e-3},
+            "equirectangular picture have, if its largest texel may cover no more of the globe "
+            "than one texel of the first picture?",
+            texels_needed, "texels", 2e-3},
            {"10.b",
             "You read an equirectangular file as if it were a cylinder's. At which latitude of the "
             "globe do you see what the file has at 45 degrees north?",

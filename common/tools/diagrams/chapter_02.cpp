@@ -60,7 +60,8 @@ Drawing sphere_uv() {
   d.dot(view(at(0, 1)));
   d.dot(view(at(0, 0)), "fill-ink");
   d.text({20, 60}, "seam: u = 0 and u = 1,", Anchor::start, "red small");
-  d.text({20, 78}, "the meridian through -x", Anchor::start, "red small");
+  d.text({20, 78}, "the line from pole to", Anchor::start, "red small");
+  d.text({20, 96}, "pole through -x", Anchor::start, "red small");
   d.line({150, 84}, view(at(0, 0.62)) + Spot{-4, -4}, "soft");
   d.text({470, 40}, "north pole, v = 1", Anchor::start, "small");
   d.line({466, 38}, view(at(0, 1)) + Spot{6, -2}, "soft");

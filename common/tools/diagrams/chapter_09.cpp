@@ -141,13 +141,12 @@ Drawing pixel_footprint() {
   return d;
 }
 
-/// The levels of a pyramid, and the one for a width.
+/// The levels of a pyramid.
 Drawing mip_pyramid() {
-  Drawing d("mip_pyramid", 640, 300, "The levels of a MIP pyramid",
+  Drawing d("mip_pyramid", 640, 190, "The levels of a MIP pyramid",
             "A picture of 8 by 8 texels, and its levels of 4 by 4, 2 by 2 and 1 texel, all drawn "
             "in the same size. Each texel of a level holds the mean of four texels of the level "
-            "before. Below, an axis of widths: the texels of level 0 to 3 are 1, 2, 4 and 8 wide. "
-            "A read 3 texels wide lies between level 1 and level 2, at 0.42 of the way.");
+            "before.");
   constexpr int texels = 8;
   LightImage image(texels, texels);
   const std::array<std::string, texels> picture{"........", ".#####..", ".#......", ".####...",
@@ -184,23 +183,33 @@ Drawing mip_pyramid() {
     d.text(corner + Spot{side / 2, -12}, "level " + std::to_string(number), Anchor::middle,
            "strong");
   }
+  return d;
+}
 
-  // The widths of the levels' texels, and a width between two of them.
-  constexpr double axis = 248, width = 3;
-  const LevelPlace<double> place = level_place(width, pyramid.last_level());
-  const auto middle = [&](double number) { return left + side / 2 + number * (side + between); };
-  d.line({middle(0), axis}, {middle(3), axis});
-  for (int number = 0; number <= 3; ++number) {
-    d.line({middle(number), axis - 5}, {middle(number), axis + 5});
-    d.text({middle(number), axis + 24}, std::to_string(1 << number), Anchor::middle);
+/// The level of a read with a width between those of two levels.
+Drawing level_of_width() {
+  constexpr int last = 3;
+  Drawing d("level_of_width", 640, 130, "The level of a read 3 texels wide",
+            "An axis with the levels 0, 1, 2 and 3 at equal distances. The texels of level 0 are 1 "
+            "texel wide, those of level 1 are 2 wide, of level 2 are 4 wide, of level 3 are 8 "
+            "wide. A read 3 texels wide lies between level 1 and level 2, at 0.42 of the way.");
+  constexpr double axis = 68, width = 3;
+  const LevelPlace<double> place = level_place(width, last);
+  const auto middle = [](double number) { return 90 + number * 154; };
+  d.line({middle(0), axis}, {middle(last), axis});
+  for (int number = 0; number <= last; ++number) {
+    const Spot tick{middle(number), axis};
+    d.line(tick - Spot{0, 5}, tick + Spot{0, 5});
+    d.text(tick + Spot{0, 26}, "level " + std::to_string(number), Anchor::middle);
+    d.text(tick + Spot{0, 46}, text(number == 0 ? "%d texel wide" : "%d texels wide", 1 << number),
+           Anchor::middle, "small");
+    d.mark("level " + std::to_string(number), tick);
   }
   const Spot chosen{middle(place.number + place.fraction), axis};
   d.arrow(chosen + Spot{0, -38}, chosen, "blue thick");
-  d.text(chosen + Spot{0, -46}, text("3 texels: level %.2f", place.number + place.fraction),
-         Anchor::middle, "blue small");
-  d.text({320, 292}, "width of a texel, in texels of level 0", Anchor::middle, "small");
-  d.mark("level 0", {middle(0), axis});
-  d.mark("level 1", {middle(1), axis});
+  d.text(chosen + Spot{0, -46},
+         text("a read 3 texels wide: level %.2f", place.number + place.fraction), Anchor::middle,
+         "blue small");
   d.mark("width 3", chosen);
   return d;
 }
@@ -282,7 +291,7 @@ Drawing slope_at_seam() {
 }  // namespace
 
 std::vector<Drawing> diagrams_of_09() {
-  return {pixel_footprint(), mip_pyramid(), square_or_row(), slope_at_seam()};
+  return {pixel_footprint(), mip_pyramid(), level_of_width(), square_or_row(), slope_at_seam()};
 }
 
 }  // namespace texmap::diagrams

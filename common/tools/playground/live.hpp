@@ -186,8 +186,7 @@ class Live final : public LiveLesson {
         }
       }
       if (settings.number == NumberKind::float_) return render<float>(seen, view, how);
-      // Packs of double draw what double draws (tests/packs).
-      return render<Pack<double>>(seen, view, how);
+      return render<double>(seen, view, how);
     }
   };
   std::unique_ptr<State> state_ = std::make_unique<State>();

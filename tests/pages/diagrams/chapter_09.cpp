@@ -71,7 +71,7 @@ TEST_CASE("the levels hold the means of a picture with 18 filled texels of 64") 
 }
 
 TEST_CASE("a read 3 texels wide lies where a mix of the squares 4 and 16 is 9") {
-  const Drawing d = named("mip_pyramid");
+  const Drawing d = named("level_of_width");
   const double step = d.marked("level 1").x - d.marked("level 0").x;
   const double fraction = (d.marked("width 3").x - d.marked("level 1").x) / step;
   CHECK((1 - fraction) * 4 + fraction * 16 == doctest::Approx(9));

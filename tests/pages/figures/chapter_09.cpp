@@ -25,8 +25,8 @@ void add_footprint(Figures& figures, const Lesson& lesson, int row) {
   const auto level = texture.place(reads.width);
   const std::string name = "09.row_" + std::to_string(row) + "_";
   figures.emplace_back(name + "distance", decimals(std::hypot(point.x.value, point.z.value), 1));
-  figures.emplace_back(name + "longer", decimals(footprint.longer, 1));
-  figures.emplace_back(name + "shorter", decimals(footprint.shorter, 1));
+  figures.emplace_back(name + "longer", decimals(footprint.longer, 2));
+  figures.emplace_back(name + "shorter", decimals(footprint.shorter, 2));
   figures.emplace_back(name + "ratio", decimals(footprint.longer / footprint.shorter, 1));
   figures.emplace_back(name + "reads", decimals(reads.count, 0));
   figures.emplace_back(name + "level", decimals(level.number + level.fraction, 2));

@@ -47,7 +47,7 @@ void figures_of_10(Figures& figures) {
                          decimals(distortion(Projection::equirect, n).stretch, 2));
   }
   const double largest = distortion(Projection::equirect, Vec3d{0.8, 0, 0.6}).area;
-  figures.emplace_back("10.texels_needed", whole(std::lround(1024 * 1024 * largest)));
+  figures.emplace_back("10.texels_needed", whole(std::lround(std::ceil(1024 * 1024 * largest))));
 }
 
 }  // namespace texmap::test
