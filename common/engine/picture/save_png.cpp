@@ -167,11 +167,12 @@ std::vector<std::uint8_t> encode_png(const Image& image, Packing packing) {
     return file;
   }
   const std::size_t all_bytes = row_bytes * size.height;
-  // Memory as it comes: to clear it would take as long as to filter the rows.
-  const auto rows = std::make_unique_for_overwrite<std::uint8_t[]>(all_bytes);
+  // Memory as it comes: to clear it would take as long as to filter the rows. libc++ 14 has no
+  // make_unique_for_overwrite.
+  const std::unique_ptr<std::uint8_t[]> rows(new std::uint8_t[all_bytes]);
   filter_rows(image, rows.get());
   const std::size_t most = most_deflated_bytes(all_bytes);
-  const auto room = std::make_unique_for_overwrite<std::uint8_t[]>(most);
+  const std::unique_ptr<std::uint8_t[]> room(new std::uint8_t[most]);
   append_all(
       {room.get(), deflate({rows.get(), all_bytes}, {room.get(), most}, packing, row_bytes)});
   return file;
