@@ -151,11 +151,11 @@ TEST_CASE("look's light, paint and highlight make the pixel's color") {
         const auto number = [&](const char* name) { return pixel.value(name, 0.0); };
         const double light = number("ambient") + number("diffuse") * number("cosine");
         const double highlight = number("highlight");
-        const double red = pixel["paint"][0];
+        const double paint = pixel["paint"][0];
         const bool blends = pixel.contains("blend") && pixel.contains("texel");
         const double gray = 255 * std::clamp(light + highlight, 0.0, 1.0);
-        const double made = blends ? gray * (1 - number("blend")) + red * number("blend")
-                                   : red * light + 255 * highlight;
+        const double made = blends ? gray * (1 - number("blend")) + paint * number("blend")
+                                   : paint * light + 255 * highlight;
         CHECK(std::abs(drawn.at(column, row).r + 0.5 - std::clamp(made, 0.0, 255.5)) < 0.502);
         lit += number("cosine") > 0 ? 1 : 0;
         shiny += highlight > 0 ? 1 : 0;
