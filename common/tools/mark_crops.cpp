@@ -155,7 +155,7 @@ void reduce_colors(Image& image) {
     for (const Counted& c : box) {
       for (std::size_t k = 0; k < 3; ++k) sum[k] += static_cast<long>(c.color[k]) * c.count;
     }
-    const long pixels = pixels_of(box);
+    const long pixels = std::max(pixels_of(box), 1L);  // never 0: a box has a color
     const auto mean = [&](std::size_t k) {
       return static_cast<std::uint8_t>((2 * sum[k] + pixels) / (2 * pixels));
     };
