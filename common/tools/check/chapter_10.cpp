@@ -83,7 +83,8 @@ Exercise onto_a_cylinder() {
                  {"at the north pole v is 1", {Vector{0, 1, 0}}},
                  {"in the direction (-2, 1, 2) / 3", {Vector{-2. / 3, 1. / 3, 2. / 3}}}},
       .mistakes = {}};
-  const auto wrong = [&](const char* word, std::function<Place2(Place2 right, Vector p)> function) {
+  const auto wrong = [&](const char* word,
+                         const std::function<Place2(Place2 right, Vector p)>& function) {
     law.mistakes.push_back({word, [=](Vector p) { return function(uv_cylinder(p), p); }});
   };
   wrong("v is the latitude here: that is the equirectangular layout. On the cylinder v is a height",
@@ -137,7 +138,7 @@ Exercise fold_an_octahedron() {
                  {"(-1, -8, 3), close to the south pole: close to a corner", {Vector{-1, -8, 3}}}},
       .mistakes = {}};
   /// `fold` is called with (a, b) of a point of the lower half.
-  const auto wrong = [&](const char* word, std::function<Place2(double a, double b)> fold) {
+  const auto wrong = [&](const char* word, const std::function<Place2(double a, double b)>& fold) {
     law.mistakes.push_back({word, [=](Vector p) {
                               const Place2 at = from_above(p);
                               const Place2 moved = p.y < 0 ? fold(at.u, at.v) : at;
