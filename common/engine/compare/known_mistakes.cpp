@@ -97,9 +97,10 @@ Image grayed(const Image& image, const Weights& weights) {
 
 Image through_curve(const Image& image, double (*curve)(double)) {
   std::array<std::uint8_t, 256> table{};
-  for (std::size_t byte = 0; byte < table.size(); ++byte)
+  for (std::size_t byte = 0; byte < table.size(); ++byte) {
     table[byte] =
         static_cast<std::uint8_t>(std::lround(255 * curve(static_cast<double>(byte) / 255)));
+  }
   return changed_pixels(image, [&](Rgb8 p) { return Rgb8{table[p.r], table[p.g], table[p.b]}; });
 }
 double square_root(double x) { return std::sqrt(x); }

@@ -71,9 +71,10 @@ class ObjReader {
   void read_line(std::string_view line) {
     if (line.find_first_of(std::string_view("\0\r\f\v", 4)) != std::string_view::npos)
       throw FileError("it has a byte that is not text; is this an OBJ file?");
-    if (!line.empty() && line.back() == '\\')
+    if (!line.empty() && line.back() == '\\') {
       throw FileError(
           "it continues in the next line (\\), which is not supported: join the two lines");
+    }
     split_words(line.substr(0, line.find('#')), words_);
     if (words_.empty()) return;
     const std::string_view kind = words_.front();

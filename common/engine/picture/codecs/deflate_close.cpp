@@ -240,9 +240,10 @@ Way cheapest_way(const Segment& segment, const Way& before) {
     for (const Match& match : segment.at(at)) {
       const std::uint32_t there = cost[at] + costs.distance[split(match.back, 2).symbol];
       if (match.length >= long_enough) length = match.length;
-      for (; length <= match.length; ++length)
+      for (; length <= match.length; ++length) {
         reach(at + length, there + costs.length[length],
               {static_cast<std::uint16_t>(length), match.back});
+      }
     }
   }
   // From the end back, edges are moved to where they begin.
