@@ -105,7 +105,7 @@ Exercise normal_of_a_bump() {
                  {"slopes to both sides, on a hill", {1, 1.2, 0.7, 0.1}},
                  {"the normal has the length 1, also on a steep slope", {0, 5, 3, 0.1}}},
       .mistakes = {}};
-  const auto wrong = [&](const char* word, std::function<Vector(Vector slopes)> function) {
+  const auto wrong = [&](const char* word, const std::function<Vector(Vector slopes)>& function) {
     law.mistakes.push_back({word, [=](double here, double right, double up, double step) {
                               return function(slopes(here, right, up, step));
                             }});

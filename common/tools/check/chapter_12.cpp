@@ -178,7 +178,8 @@ Exercise angle_of_a_texel() {
                  {"the first row of the chapter's sky", {0, 384, 192}},
                  {"its row at the equator", {96, 384, 192}}},
       .mistakes = {}};
-  const auto wrong = [&](const char* word, std::function<double(double, double, double)> function) {
+  const auto wrong = [&](const char* word,
+                         const std::function<double(double, double, double)>& function) {
     law.mistakes.push_back(
         {word, [=](int row, int width, int height) { return function(row, width, height); }});
   };
