@@ -123,9 +123,10 @@ std::string code_page(const Code& before, const Code& after, const std::string& 
   std::string html = page::verdict(true, page::escaped_foreign(why));
   std::vector<std::string> figures;
   for (const Code* code : {&before, &after}) {
-    if (!code->picture.empty())
+    if (!code->picture.empty()) {
       figures.push_back(
           page::figure(pictures.show(code->picture), "The picture of " + code->chapter));
+    }
   }
   if (!figures.empty()) html += "<h2>Their pictures</h2>\n" + page::side_by_side(figures);
   html += code_section(before.text, after.text);
