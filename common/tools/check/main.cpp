@@ -78,7 +78,8 @@ std::string in_words(const Exercise& exercise, const std::string& title, const V
   } else if (!right) {
     words += "  The exercise's picture does not show this mistake.\n";
   } else {
-    words += "  In the exercise's picture " + percent(different, pixels) + " of the pixels differ.\n";
+    words +=
+        "  In the exercise's picture " + percent(different, pixels) + " of the pixels differ.\n";
   }
   if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
   return words;
