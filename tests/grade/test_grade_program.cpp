@@ -199,6 +199,43 @@ TEST_CASE("a builder that refuses ends the run with status 2, and what was grade
   CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"1\"") != std::string::npos);
 }
 
+TEST_CASE("a task without a result ends the run with status 2") {
+  const TemporaryFolder folder;
+  for (const char* name : {"ada", "bob"}) {
+    copy(golden + "../../README.md",
+         folder / ("class/" + std::string(name) + "/chapters/01_plain_spheres/lesson.hpp"));
+  }
+  std::string body = graded_well;
+  body.replace(body.find("row $id"), 7, "[ $id = 1-0 ] || row $id");
+  const Outcome outcome =
+      grade(folder, builder(folder, body) + "--chapters 01 " + quoted(folder / "class"));
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err.find("1 of 2 tasks have no result, the first is 01_plain") !=
+        std::string::npos);
+}
+
+TEST_CASE("two runs at once: the second one says which folder is in use, with status 2") {
+  const TemporaryFolder folder;
+  copy(golden + "../../README.md", folder / "class/ada/chapters/01_plain_spheres/lesson.hpp");
+  const std::string words =
+      "--chapters 01 --work " + quoted(folder / "work") + " " + quoted(folder / "class");
+  // The first run's builder begins the others, with one of the two folders.
+  const auto other = [&](const std::string& out, const std::string& work) {
+    return "\"" TEXMAP_GRADE "\" " + words + " --out " + quoted(folder / out) + " --work " +
+           quoted(folder / work) + " 2>>" + quoted(folder / "said") + "; echo $? >>" +
+           quoted(folder / "said") + "\n";
+  };
+  const std::string body = other("out", "free") + other("free", "work") + graded_well;
+  const Outcome outcome = grade(folder, builder(folder, body) + words);
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  const std::string said = text_of(folder / "said");
+  CHECK(said.find("is using the folder '" + folder / "out" + "'") != std::string::npos);
+  CHECK(said.find("is using the folder '" + folder / "work" + "'") != std::string::npos);
+  CHECK(count(said, "\n2\n") == 2);
+  CHECK(text_of(folder / "out/points.csv").find("\"class\",\"1\",\"1\"") != std::string::npos);
+}
+
 TEST_CASE("a run that is ended keeps what is done, and says so") {
   const TemporaryFolder folder;
   for (const char* name : {"ada", "eve"}) {

@@ -3,12 +3,14 @@
 
 #include <chrono>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <thread>
 
 #include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
 
+#include "folder_lock.hpp"
 #include "process.hpp"
 
 namespace texmap::grade {
@@ -31,11 +33,13 @@ void take_lines(std::ifstream& file, std::string& begun,
 void Builder::run(const std::vector<Task>& tasks,
                   const std::function<void(const TaskResult&)>& take,
                   const std::function<bool()>& stopped) const {
-  std::filesystem::create_directories(work);
+  const FolderLock lock(work, "--work");
   const std::filesystem::path plan = work / "plan.tsv";
   const std::filesystem::path results = work / "results.tsv";
   std::string lines;
+  std::map<std::string, std::string> expected;  // the items of the tasks without a result
   for (const Task& task : tasks) {
+    expected[task.id] = task.item;
     lines.append(task.id).append("\t").append(name_of(task.checkout));
     lines.append("\t").append(task.item).append("\n");
   }
@@ -54,16 +58,30 @@ void Builder::run(const std::vector<Task>& tasks,
     throw FileError(std::string("checkouts need Linux with Python 3: ") + error.what() +
                     ". Folders of the pictures that students' programs drew are graded everywhere");
   }
+  const auto take_expected = [&](const TaskResult& result) {
+    const auto found = expected.find(result.id);
+    if (found == expected.end() || found->second != result.item) {
+      throw FileError("a line of results.tsv is of no task that is open: " + result.id + " " +
+                      result.item);
+    }
+    expected.erase(found);
+    take(result);
+  };
   std::ifstream file(results);
   std::string begun;
   for (bool runs = true; runs && !stopped();) {
     runs = process->runs();
-    take_lines(file, begun, take);
+    take_lines(file, begun, take_expected);
     if (runs) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   const int status = process->end();
-  take_lines(file, begun, take);
-  if (stopped() || status == 0) return;
+  take_lines(file, begun, take_expected);
+  if (stopped() || (status == 0 && expected.empty())) return;
+  if (status == 0) {
+    throw FileError(std::to_string(expected.size()) + " of " + std::to_string(tasks.size()) +
+                    " tasks have no result, the first is " + expected.begin()->second +
+                    "; grade once more");
+  }
   throw FileError(status == 2 ? "the checkouts were not graded; the reason is above"
                               : "the program that builds and runs checkouts, " + name_of(program) +
                                     ", did not run to its end; its message is above");
