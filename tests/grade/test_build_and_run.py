@@ -90,6 +90,37 @@ int main() {
   }
 }
 '''
+# Names each way to memory that no process is seen to have.
+UNCOUNTED = '''#include <sys/ipc.h>
+#include <sys/mman.h>
+#include <sys/msg.h>
+#include <sys/sem.h>
+#include <sys/shm.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <fcntl.h>
+#include <unistd.h>
+#include <cstdio>
+int main() {
+  int ends[2];
+  const auto got = [](const char* name, bool is) { if (is) std::puts(name); };
+  const auto shared = [](int flags, int file) {
+    return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | flags, file, 0) != MAP_FAILED;
+  };
+  got("memfd", memfd_create("", 0) >= 0);
+  const int segment = shmget(IPC_PRIVATE, 4096, 0600), semaphores = semget(IPC_PRIVATE, 1, 0600), queue = msgget(IPC_PRIVATE, 0600);
+  got("segment", segment >= 0);
+  got("semaphores", semaphores >= 0);
+  got("queue", queue >= 0);
+  shmctl(segment, IPC_RMID, nullptr);
+  semctl(semaphores, 0, IPC_RMID);
+  msgctl(queue, IPC_RMID, nullptr);
+  got("pages", shared(MAP_ANONYMOUS, -1));
+  got("zero", shared(0, open("/dev/zero", O_RDWR)));
+  got("pair", socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
+  got("socket", socket(AF_UNIX, SOCK_STREAM, 0) >= 0);
+}
+'''
 LINKED = '#include <unistd.h>\nint main() { return symlink("/usr/include/stdio.h", "picture.png"); }\n'
 
 
@@ -251,6 +282,15 @@ class Boxed(Case):
             with self.subTest(kind):
                 self.assertRegex(ended.log, '^c{32,63}$')
                 self.assertEqual(ended.how, 'left processes')
+
+    @unittest.skipIf(os.uname().machine not in ('x86_64', 'aarch64'), 'no filter of system calls for this machine')
+    def test_gets_no_memory_that_is_not_counted(self):
+        program = self.at / 'uncounted'
+        subprocess.run([os.environ.get('CXX', 'c++'), '-x', 'c++', '-', '-o', program], input=UNCOUNTED, text=True, check=True)
+        ways = 'memfd segment semaphores queue pages zero pair socket'.split()
+        for kind, ended in self.each([str(program)], program, kinds=[*KINDS, 'none']).items():
+            with self.subTest(kind):
+                self.assertEqual((ended.how, ended.log.split()), ('ok', ways if kind == 'none' else []))
 
     @unittest.skipIf(os.geteuid() == 0, 'the kernel does not count the processes of root')
     def test_has_processes_whatever_else_the_user_runs(self):

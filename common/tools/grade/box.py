@@ -1,7 +1,8 @@
 """Boxes in which a command sees the system's programs and what is named for it, and nothing else: by bwrap, or else by unshare.
 
 In a box there are no other files, no /proc, no network and no processes but its own, and it can write nothing but its own small
-memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits.
+memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits. System
+calls that give memory outside of processes are forbidden (uncounted.py).
 """
 import dataclasses
 import functools
@@ -12,10 +13,13 @@ import select
 import shlex
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 from pathlib import Path
+
+import uncounted
 
 SYSTEM = ['/usr', '/bin', '/sbin', '/lib', '/lib32', '/lib64', '/libx32', '/etc/alternatives', '/etc/ld.so.cache', '/nix/store']
 BOX = '/box'
@@ -111,9 +115,10 @@ class Users:
         return self.enter, [*self.BECOME, '--reuid', user, '--regid', user]
 
 
-def bwrap(visible, limits, argv, _work, enter, become):
-    command = [*enter, 'bwrap', '--unshare-ipc', '--unshare-pid', '--unshare-net', '--unshare-uts', '--unshare-cgroup-try',
-               '--die-with-parent', '--cap-drop', 'ALL']
+def bwrap(visible, limits, argv, work, enter, become):
+    # It makes a socket itself, and filters afterwards.
+    command = ['sh', '-c', 'exec "$@" 9<"$0"', str(work / 'filter'), *enter, 'bwrap', '--seccomp', '9', '--unshare-ipc',
+               '--unshare-pid', '--unshare-net', '--unshare-uts', '--unshare-cgroup-try', '--die-with-parent', '--cap-drop', 'ALL']
     if enter:
         for power in ('SETUID', 'SETGID', 'SETPCAP', 'DAC_OVERRIDE'):
             command += ['--cap-add', f'CAP_{power}']
@@ -121,8 +126,9 @@ def bwrap(visible, limits, argv, _work, enter, become):
         command += ['--unshare-user', '--disable-userns']
     for place in visible:
         command += ['--symlink', os.readlink(place), place] if os.path.islink(place) else ['--ro-bind', place, place]
-    return command + ['--dev', '/dev', '--size', str(limits.disk_megabytes << 20), '--perms', '1777', '--tmpfs', BOX,
-                      '--remount-ro', '/', '--remount-ro', '/dev', '--chdir', BOX, *become, *argv]
+    # Shared pages of /dev/zero would be memory without a process.
+    return command + ['--dev', '/dev', '--ro-bind', '/dev/null', '/dev/zero', '--size', str(limits.disk_megabytes << 20),
+                      '--perms', '1777', '--tmpfs', BOX, '--remount-ro', '/', '--remount-ro', '/dev', '--chdir', BOX, *become, *argv]
 
 
 def unshare(visible, limits, argv, work, enter, become):
@@ -130,7 +136,7 @@ def unshare(visible, limits, argv, work, enter, become):
     root.mkdir(exist_ok=True)
     links = [place for place in visible if os.path.islink(place)]
     places = [place for place in visible if place not in links]
-    devices = [f'/dev/{name}' for name in ('null', 'zero', 'random', 'urandom')]
+    devices = [f'/dev/{name}' for name in ('null', 'random', 'urandom')]
     table = [f'none {root}{BOX} tmpfs nosuid,nodev,size={limits.disk_megabytes}m']
     for place in places + devices:
         name = re.sub(r'[\s\\]', lambda letter: f'\\{ord(letter[0]):03o}', place)
@@ -140,8 +146,8 @@ def unshare(visible, limits, argv, work, enter, become):
     script = UNSHARED.format(root=shlex.quote(str(root)), folders=shlex.join('.' + place for place in folders), links=shlex.join(links),
                              files=shlex.join('.' + place for place in files), table=shlex.join(table),
                              command=shlex.join([*(become or POWERLESS), *argv]))
-    return ['setpriv', '--pdeathsig', 'KILL', *enter, 'unshare', *([] if enter else ['--user', '--map-root-user']), '--pid', '--fork',
-            '--kill-child', '--net', '--ipc', '--uts', '--mount', 'sh', '-c', script]
+    return ['setpriv', '--pdeathsig', 'KILL', sys.executable, '-I', '-S', uncounted.__file__, *enter, 'unshare',
+            *([] if enter else ['--user', '--map-root-user']), '--pid', '--fork', '--kill-child', '--net', '--ipc', '--uts', '--mount', 'sh', '-c', script]
 
 
 def none(_visible, _limits, argv, *_):
@@ -187,6 +193,7 @@ class Boxes:
         self.kind, self.work = kind, work
         self.stopping = threading.Event()
         self.system = [place for place in SYSTEM if os.path.lexists(place)]
+        (work / 'filter').write_bytes(uncounted.program())
 
     @functools.cached_property
     def users(self):
