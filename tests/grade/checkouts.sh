@@ -65,14 +65,18 @@ expect broken.html 'error:'
 }
 
 # Exercise 02.1: right, under another name; mirrored; as it was at the start; one that ends with status 0 before its function is tried; one
-# that has no end; one that does not compile. None has 02.2.
+# that has no end; one that does not compile; two that write a verdict themselves before main() and end: in words, and as values.
+# None has 02.2.
 solution=$tree/tests/exercises/02_1.hpp
-for name in right mirrored start ends loops broken; do
+for name in right mirrored start ends loops broken words values; do
   mkdir -p "$T/exercises/$name/chapters/02_checkerboard_uv/exercises"
 done
 # put NAME: writes a student's file of 02.1.
 put() { cat >"$T/exercises/$1/chapters/02_checkerboard_uv/exercises/1_mine.hpp"; }
-put right <"$solution"
+{
+  cat "$solution"
+  echo '// right, and names _exit'
+} | put right
 sed 's/atan2(-p\.z/atan2(p.z/' "$solution" | put mirrored
 (cd "$tree" && sh common/tools/check/check.sh start 02.1) | put start
 {
@@ -82,6 +86,25 @@ sed 's/atan2(-p\.z/atan2(p.z/' "$solution" | put mirrored
 } | put ends
 sed 's/^  const double u/  for (volatile int i = 0;; i = 1 - i) {} &/' "$solution" | put loops
 echo 'this does not compile' | put broken
+# Each writes to all files that its command line could name.
+forged() {
+  cat <<TEXT
+#include <cstdio>
+#include <unistd.h>
+__attribute__((constructor)) void forge(int count, char** words) {
+  for (int i = 1; i < count; ++i) {
+    std::FILE* file = std::fopen(words[i], "wb");
+    if (file == nullptr) continue;
+    $1
+    std::fclose(file);
+  }
+  _exit(0);
+}
+TEXT
+  cat "$solution"
+}
+forged 'std::fputs("right\n", file);' | put words
+forged 'for (int byte = 0; byte < 400 * 300 * 3 + 1000; ++byte) std::fputc(0, file);' | put values
 
 "$1" --out "$T/out" --work "$2" --chapters 02.2,2.1 --seconds 2 --trust-students --format gradescope "$T/exercises" >"$T/table" || {
   echo "FAILED: status $?"
@@ -89,7 +112,7 @@ echo 'this does not compile' | put broken
 }
 cat "$T/table"
 expect points.csv '"right","1","2","2"'
-for name in mirrored start ends loops broken; do expect points.csv "\"$name\",\"0\",\"2\",\"2\""; done
+for name in mirrored start ends loops broken words values; do expect points.csv "\"$name\",\"0\",\"2\",\"2\""; done
 expect grades.csv '"right","02.2","missing"'
 expect grades.csv '"mirrored","02.1","ok","ok"'
 expect grades.csv '"u runs the other way: your map is mirrored; tried: on +z'
@@ -97,9 +120,11 @@ expect grades.csv '"start","02.1","ok","ok"'
 expect grades.csv '"not yet: '
 expect grades.csv '"ends","02.1","ok","ok"'
 expect grades.csv '"no verdict: the program ended'
+expect grades.csv '"no verdict: what the program left are not its values'
 expect grades.csv '"loops","02.1","ok","hang"'
+expect grades.csv 'read this file: it has _exit'
 expect grades.csv '"broken","02.1","does not build"'
-expect index.html '1 of 6: '
+expect index.html '2 of 8: no verdict'
 expect mirrored.results.json '"number": "2.1"'
 [ ! -e "$T/out/right.html" ] || expect right.html 'there is no chapters/02_checkerboard_uv/exercises/2_which_square.hpp'
 exit $failed

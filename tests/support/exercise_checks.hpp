@@ -32,6 +32,11 @@ void check_start(const std::string& id, Function* start) {
   CHECK_MESSAGE(share_different(id, start) > 0.0002, id);
 }
 
+/// The verdict on the same values in another process.
+[[nodiscard]] inline check::Verdict replayed(const std::string& id, const check::Verdict& verdict) {
+  return exercise(id).verdict(check::Replayed{verdict.values});
+}
+
 /// A solution passes by its values and by its picture.
 template <class Function>
 void check_solution(const std::string& id, Function* solution) {
@@ -39,6 +44,7 @@ void check_solution(const std::string& id, Function* solution) {
   CHECK_MESSAGE(verdict.right, id << ": " << verdict.law << ": " << verdict.got);
   CHECK(verdict.places >= 3);
   CHECK_MESSAGE(share_different(id, solution) <= 0.0002, id);
+  CHECK_MESSAGE(replayed(id, verdict).right, id);
 }
 
 /// A mistake fails with a word that contains this text; no other exercise's word will do.
@@ -48,6 +54,7 @@ void check_mistake(const std::string& id, Function* mistaken, const std::string&
   CHECK_MESSAGE(!verdict.right, id << ": " << text);
   CHECK_MESSAGE(verdict.mistake.find(text) != std::string::npos,
                 id << ": '" << verdict.mistake << "' should say '" << text << "'");
+  CHECK_MESSAGE(replayed(id, verdict).mistake == verdict.mistake, id);
 }
 
 /// A wrong function that is no known mistake fails without a word.

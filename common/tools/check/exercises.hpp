@@ -2,9 +2,12 @@
 // defines them.
 #pragma once
 #include <any>
+#include <cstddef>
+#include <cstring>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/app/prepared.hpp"
@@ -50,22 +53,48 @@ class WrongSignature : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a function returned in another process at the places of its law: Verdict::values.
+struct Replayed {
+  std::string values;
+};
+
+/// The function that returns these values, call by call.
+/// Errors: std::runtime_error if it is called more often.
+template <class Out, class... Args>
+[[nodiscard]] std::function<Out(Args...)> function_of(const Replayed& replayed,
+                                                      const std::function<Out(Args...)>& /*type*/) {
+  static_assert(std::is_trivially_copyable_v<Out>);
+  return [values = replayed.values, at = std::size_t{0}](const Args&... /*where*/) mutable -> Out {
+    if (values.size() - at < sizeof(Out)) throw std::runtime_error("there are too few values");
+    Out value{};
+    if constexpr (std::is_same_v<Out, bool>) {
+      value = values[at] != 0;  // no other byte is a bool
+    } else {
+      std::memcpy(&value, values.data() + at, sizeof value);
+    }
+    at += sizeof value;
+    return value;
+  };
+}
+
 /// An exercise from its law and the lesson that calls `hook` while it is drawn.
 template <class Function>
 [[nodiscard]] Exercise exercise(std::string id, std::string signature, Law<Function> law,
                                 Hook<Function>& hook, std::function<Image()> draw) {
-  const auto function_of = [signature,
+  const auto function_in = [signature,
                             right = law.right](const std::any& yours) -> std::function<Function> {
     if (!yours.has_value()) return right;
+    if (const auto* replayed = std::any_cast<Replayed>(&yours))
+      return function_of(*replayed, right);
     if (const auto* function = std::any_cast<Function*>(&yours)) return *function;
     throw WrongSignature("the function must be: " + signature);
   };
   return {std::move(id), signature,
-          [law = std::move(law), function_of](const std::any& yours) {
-            return judge(law, function_of(yours));
+          [law = std::move(law), function_in](const std::any& yours) {
+            return judge(law, function_in(yours));
           },
-          [&hook, draw = std::move(draw), function_of](const std::any& yours) {
-            hook.yours = function_of(yours);
+          [&hook, draw = std::move(draw), function_in](const std::any& yours) {
+            hook.yours = function_in(yours);
             Image image = draw();
             hook.yours = nullptr;
             return image;

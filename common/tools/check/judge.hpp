@@ -45,6 +45,7 @@ struct Verdict {
   std::string mistake;    ///< the word of the known mistake, empty if it is none of them
   std::size_t wrong = 0;  ///< at how many places
   std::size_t places = 0;
+  std::string values;  ///< those of the function at all places, as bytes
 };
 
 /// Tries a function at all places.
@@ -59,13 +60,15 @@ template <class Out, class... Args>
   std::vector<Out> values;
   for (const auto& place : law.places) {
     values.push_back(std::apply(yours, place.at));
+    const Out value = values.back();
+    verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
     const Out right = std::apply(law.right, place.at);
-    if (apart(right, values.back()) <= law.tolerance) continue;
+    if (apart(right, value) <= law.tolerance) continue;
     if (verdict.right) {
       verdict.right = false;
       verdict.law = place.law;
       verdict.expected = in_words(right);
-      verdict.got = in_words(values.back());
+      verdict.got = in_words(value);
     }
     ++verdict.wrong;
   }

@@ -2,9 +2,14 @@
 // builds and runs it.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "attempt.hpp"
 #include "engine/app/command_line.hpp"
@@ -24,13 +29,18 @@ using namespace texmap::check;
 struct Request {
   std::string out = "out/exercises";
   std::string title;
-  std::string report;
+  std::string values, exercise, judge, report;
   std::string question, answer;
 
   void declare(CommandLine& line) {
     line.text("--out", "FOLDER", out, "where the pictures go, in a folder for each exercise");
     line.text("--title", "TEXT", title, "what the exercise is called");
-    line.text("--report", "FILE", report, "the verdict in two lines, as the grading reads it");
+    line.text("--values", "FILE", values,
+              "write what your function returns, for another program to judge");
+    line.text("--exercise", "ID", exercise, "judge such a file of this exercise, such as 02.1");
+    line.text("--judge", "FILE", judge, "the file");
+    line.text("--report", "FILE", report,
+              "the verdict on it in two lines, as the grading reads it");
     line.text("--question", "ID", question, "check the answer to a question, such as 02.a");
     line.text("--answer", "NUMBER", answer, "the number that you predict");
     line.statuses("0 right; 1 not yet; 2 trouble, such as a file that cannot be written");
@@ -133,12 +143,31 @@ int check_exercise(const Exercise& exercise, const Request& request) {
   const bool good = is_right(verdict, different, right.pixels.size());
   write_page(folder, exercise.id + "  " + request.title, good, words, yours, right);
   print("  pictures:  " + name_of(folder / "index.html") + "\n");
-  // After the last call of the student's function, which may end the program.
-  if (!request.report.empty()) {
-    write_text_atomically(path_of(request.report),
-                          in_two_lines(verdict, different, right.pixels.size()));
-  }
   return good ? 0 : 1;
+}
+
+/// Writes the picture of the student's function, pixel by pixel, and its values.
+void write_values(const Exercise& exercise, const std::string& file) {
+  const std::string values = exercise.verdict(attempt.function).values;
+  const Image yours = exercise.draw(attempt.function);
+  std::string bytes(yours.pixels.size() * sizeof(Rgb8), '\0');
+  std::memcpy(bytes.data(), yours.pixels.data(), bytes.size());
+  write_text_atomically(path_of(file), bytes + values);
+}
+
+/// Judges what write_values() wrote, in a program without the student's function.
+void judge_values(const Exercise& exercise, const Request& request) {
+  const Image right = exercise.draw({});
+  Image yours = right;
+  const std::size_t size = yours.pixels.size() * sizeof(Rgb8);
+  const std::vector<std::uint8_t> bytes = read_file(path_of(request.judge), size + (1U << 20U));
+  if (bytes.size() < size) throw std::runtime_error("there is no whole picture");
+  std::memcpy(yours.pixels.data(), bytes.data(), size);
+  const Verdict verdict =
+      exercise.verdict(Replayed{{bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end()}});
+  write_text_atomically(
+      path_of(request.report),
+      in_two_lines(verdict, measure(yours, right).pixels_different, right.pixels.size()));
 }
 
 /// Which unit a prediction is in, if it is right in another one than the question's.
@@ -204,6 +233,10 @@ int main(int argc, char** argv) {
     } else if (!request.question.empty()) {
       found = check_answer(with_id(chapter.questions, request.question),
                            predicted_number(request.answer));
+    } else if (!request.judge.empty()) {
+      judge_values(with_id(chapter.exercises, request.exercise), request);
+    } else if (!request.values.empty()) {
+      write_values(with_id(chapter.exercises, attempt.id), request.values);
     } else {
       found = check_exercise(with_id(chapter.exercises, attempt.id), request);
     }

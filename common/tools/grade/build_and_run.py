@@ -15,7 +15,6 @@ import json
 import os
 import random
 import re
-import secrets
 import shlex
 import shutil
 import signal
@@ -36,6 +35,8 @@ COLUMNS = ('id item containment build run cpu_seconds limit_cpu_seconds picture 
 # A chapter's suites, of which the first that reads its lesson counts. Chapter 13's times itself: a busy machine would fail it.
 SUITES = ('symptoms_{item:.2}.cpp', 'test_{item}.cpp')
 UNTESTED = ('13',)
+# What no exercise needs: a file that has one of these and is right should be read.
+SUSPECT = r'constructor|_[eE]xit|syscall|\basm\b|fopen|fstream|environ|/proc|check::|exercises_of_chapter'
 SUFFIXES = ('.hpp', '.cpp', '.h', '.c', '.inc', '.inl')
 MOST_FILES, MOST_FILE_BYTES = 100, 1 << 20  # taken of a student's chapter
 FLOOR_SECONDS, COMPILE_SECONDS, COURSE_SECONDS = 5, 120, 900  # of CPU: the least limit of a run; a file; the course's own lesson
@@ -100,7 +101,7 @@ class Course:
         exercises = {'exercise_' + item.replace('.', '_'): item for item in items if is_exercise(item)}
         chapters = set(items) - set(exercises.values())
         built = sorted(chapters.union(*map(self.compared_with, chapters)))
-        targets = built + sorted({'exercises_' + item[:2] for item in exercises.values()} | ({'check_main'} if exercises else set()))
+        targets = built + sorted({'check_' + item[:2] for item in exercises.values()})
         print('building the course\'s own lessons; the first time takes minutes', file=sys.stderr, flush=True)
         with open(log, 'wb') as out:
             for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
@@ -384,7 +385,10 @@ class Grader:
                 shutil.rmtree(place, ignore_errors=True)
                 place.mkdir()
                 if is_exercise(item):
-                    self.check(program, course, result)
+                    self.check(item, program, course, result)
+                    suspect = sorted({word.decode() for text in files.values() for word in re.findall(SUSPECT.encode(), text)})
+                    if not result['note'] and course and suspect:
+                        result['note'] = f'read this file: it has {", ".join(suspect)}, which no exercise needs'
                 else:
                     self.run(item, program, place, course, result)
                     if not self.options.no_tests:
@@ -430,19 +434,25 @@ class Grader:
                 result['note'] += ('; ' if result['note'] else '') + f'the picture of another size and texture: {how}, {why}'
         result['hidden_expected'] = (course or result).get('hidden_picture', '')
 
-    def check(self, program, course, result):
-        """Tries an exercise's function. Status 0 is not enough: a report with a random name is written after the last call."""
-        report = secrets.token_hex(16)
-        words = [str(program), '--out', 'pictures', '--report', report]
-        ended = self.boxes.run(words, [program, self.course.tree / 'assets'], self.limits(course, 'verdict'), report)
+    def check(self, item, program, course, result):
+        """Tries an exercise's function. Its program writes values and a picture; another one, without the student's code, judges them."""
+        assets = self.course.tree / 'assets'
+        ended = self.boxes.run([str(program), '--values', 'values'], [program, assets], self.limits(course, 'verdict'), 'values')
         result['cpu']['verdict'] = ended.cpu
-        verdict, _, why = ended.product.decode('utf-8', 'replace').partition('\n')
-        how = 'ok' if ended.how == 'failed (1)' and verdict == 'not yet' else ended.how
+        how, why, right = ended.how, ended.why, False
         if how != 'ok':
-            why = first_error(ended.log) if how.startswith('failed') and ended.log.strip() else ended.why
-        elif verdict not in ('right', 'not yet'):
+            why = first_error(ended.log) if how.startswith('failed') and ended.log.strip() else why
+        elif not ended.product:
             why = 'no verdict: the program ended before the function was tried'
-        right = ended.how == 'ok' and verdict == 'right'
+        else:
+            values, judge = program.with_name('values'), self.course.build / 'bin' / f'check_{item[:2]}'
+            values.write_bytes(ended.product)
+            words = [str(judge), '--exercise', item, '--judge', str(values), '--report', 'report']
+            judged = self.boxes.run(words, [judge, values, assets], self.limits(None, ''), 'report')
+            verdict, _, why = judged.product.decode('utf-8', 'replace').partition('\n')
+            right = verdict == 'right'
+            if verdict not in ('right', 'not yet'):
+                why = f'no verdict: what the program left are not its values ({judged.log.strip()})'
         limit = self.limits(course or result, 'verdict').cpu
         result |= {'run': how, 'cpu_seconds': f'{ended.cpu:.2f}', 'limit_cpu_seconds': f'{limit:.1f}',
                    'tests_run': '1', 'tests_passed': '1' if right else '0', 'note': '' if right else why.strip()[:300]}
