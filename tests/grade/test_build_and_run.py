@@ -173,8 +173,8 @@ class Case(unittest.TestCase):
     def grade(self, *options, environment=None):
         """Grades all students; the rows by student."""
         grading, results = self.start(*options, environment=environment)
-        _, said = grading.communicate()
-        self.assertEqual(grading.returncode, 0, said)
+        _, self.said = grading.communicate()
+        self.assertEqual(grading.returncode, 0, self.said)
         self.text = results.read_text()
         names = ('id item containment build run cpu_seconds limit_cpu_seconds picture expected hidden_picture hidden_expected '
                  'tests_passed tests_run cached note').split()
@@ -250,7 +250,8 @@ class Attacks(Case):
         self.student('waits', SLEEP)
         grading, results = self.start('--containment', 'none')
         _, said = grading.communicate()
-        self.assertEqual(grading.returncode, 1)
+        self.assertEqual(grading.returncode, 2)
+        self.assertIn('  none: it contains nothing\n', said)
         self.assertIn('--trust-students runs it NOT CONTAINED', said)
         self.assertFalse(results.exists())
 
@@ -292,6 +293,14 @@ class Boxed(Case):
             with self.subTest(kind):
                 self.assertEqual((ended.how, ended.log.split()), ('ok', ways if kind == 'none' else []))
 
+    def test_is_found_where_the_system_has_it_and_says_why_it_is_not(self):
+        from box import Boxes
+        with mock.patch.dict(os.environ, PATH=str(self.at)):
+            self.assertEqual([kind for kind in KINDS if Boxes(kind, self.work).why_not()], [])
+        with mock.patch.dict('box.ENVIRONMENT', PATH=str(self.at)):
+            for kind in KINDS:
+                self.assertRegex(Boxes(kind, self.work).why_not(), 'No such file|not found')
+
     @unittest.skipIf(os.geteuid() == 0, 'the kernel does not count the processes of root')
     def test_has_processes_whatever_else_the_user_runs(self):
         others = [subprocess.Popen(['sleep', '1000']) for _ in range(70)]
@@ -326,6 +335,66 @@ class Goldens(unittest.TestCase):
             golden.write_bytes(b'wrong')
             with self.assertRaises(CourseError):
                 grader.expected(golden)
+
+
+class Notes(unittest.TestCase):
+    """What an instructor reads about a failure."""
+
+    def test_say_of_a_failed_test_its_name_and_what_is_and_should_be(self):
+        from build_and_run import first_failure
+        for said, words in {
+                'ERROR: CHECK( middle.r == doctest::Approx(83.68).epsilon(0.0001) ) is NOT correct!\n'
+                '  values: CHECK( 3 == Approx( 83.68 ) )\n': 'a law: it is 3 here and should be 83.68',
+                'FATAL ERROR: REQUIRE( r <= 2 ) is NOT correct!\n  values: REQUIRE( 3 <= 2 )\n': 'a law: 3 <= 2 does not hold',
+                'ERROR: CHECK( a ) is NOT correct!\n  values: CHECK( false )\n': 'a law',
+                'ERROR: CHECK( r == 2 ) is NOT correct!\n  values: CHECK( 3 == 2 )\n  logged: on +z\n':
+                    'a law: on +z; it is 3 here and should be 2',
+                'ERROR: u is 3 here and should be 2: u runs the other way\n': 'a law: u is 3 here and should be 2: u runs the other way',
+                'ERROR: 9 pixels differ\n  the first is (0, 0)\n': 'a law: 9 pixels differ; the first is (0, 0)',
+                'ERROR: test case THREW exception: oh\n': 'a law: it threw: oh',
+                'FATAL ERROR: test case CRASHED: SIGSEGV - Segmentation violation signal\n':
+                    'a law: it crashed: SIGSEGV - Segmentation violation signal'}.items():
+            rule = '=' * 79 + '\n'
+            log = f'{rule}/t.cpp:5:\nTEST SUITE: laws\nTEST CASE:  a law\n\n/t.cpp:5: {said}\n{rule}[doctest] test cases: 1 | 0 passed\n'
+            self.assertEqual(first_failure(log), words)
+        self.assertEqual(first_failure('[doctest] test cases: 1 | 1 passed\n'), '')
+
+
+class Causes(Case):
+    """What is wrong with a checkout that the compiler does not say."""
+
+    def test_are_said(self):
+        own = self.student('own', lesson='const int made = my_uv();\n')
+        (own.parents[1] / 'common/texture').mkdir(parents=True)
+        (own.parents[1] / 'common/texture/uv.hpp').write_text('int my_uv();\n')
+        lesson = (self.tree / 'chapters' / ITEM / 'lesson.hpp').read_text()
+        (self.student('wide') / 'lesson.hpp').write_text(lesson, encoding='utf-16')
+        (self.student('lines') / 'lesson.hpp').write_bytes(lesson.replace('\n', '\r\n').encode())
+        linked = self.student('linked') / 'lesson.hpp'
+        linked.rename(linked.with_name('mine.hpp'))
+        linked.symlink_to('mine.hpp')
+        (self.student('none') / 'lesson.hpp').unlink()
+        color = 'template <class Real>\n  Color<Real> operator()(const Ray<Real>& ray) const {\n'
+        self.assertIn(color, lesson)
+        for name, other in {'double': 'using Real = double;\n  Color<Real> operator()(const Ray<Real>& ray) const {\n',
+                            'crash': color + 'volatile int* nothing = nullptr;\n    *nothing = 1;\n',
+                            'end': color + 'std::exit(0);\n',
+                            'dark': color + 'if (objects.size() > 2) return {};\n'}.items():
+            self.student(name).joinpath('lesson.hpp').write_text('#include <cstdlib>\n' + lesson.replace(color, other))
+        rows = self.grade('--no-hidden')
+        notes = {name: row['note'] for name, row in rows.items()}
+        self.assertRegex(notes['own'], "^your common/ is not used in grading; common/texture/uv.hpp differs from the course's; .*my_uv")
+        self.assertRegex(notes['wide'], '^lesson.hpp is not in UTF-8 but probably in UTF-16: save it as UTF-8; ')
+        self.assertEqual((rows['lines']['build'], notes['lines']), ('ok', ''))
+        self.assertIn('is a symbolic link', notes['linked'])
+        self.assertEqual(notes['none'], f'there is no chapters/{ITEM}/lesson.hpp')
+        every = 'tests: every pixel has the color that an independent program computes for the ray through its center'
+        self.assertRegex(notes['double'], '^the tests do not build with this lesson: .*error: ')
+        self.assertRegex(notes['crash'], f'; {every}: it crashed: SIGSEGV')
+        self.assertRegex(notes['end'], '; tests: their program ended before all were run$')
+        self.assertRegex(notes['dark'], f'^{every}: ')
+        for note in notes.values():
+            self.assertNotRegex(note, 'CHECK|: ;|^tests: *$')
 
 
 class Interrupts(Case):
@@ -377,6 +446,7 @@ class Endless(Case):
         self.assertNotEqual(Path(rows['copycat']['hidden_picture']).read_bytes(), Path(rows['copycat']['hidden_expected']).read_bytes())
         # The same checkouts once more: nothing is built or run.
         again = self.grade('--no-tests', '--megabytes', '500')
+        self.assertNotIn('takes minutes', self.said)
         self.assertEqual({row['cached'] for name, row in again.items() if name != 'missing'}, {'yes'})
         for name, row in again.items():
             self.assertEqual(dict(row, cached=''), dict(rows[name], cached=''))
@@ -385,7 +455,7 @@ class Endless(Case):
 def works(kind, work):
     sys.path.insert(0, str(Case.tree / 'common/tools/grade'))
     from box import Boxes
-    return Boxes(kind, work).works()
+    return not Boxes(kind, work).why_not()
 
 
 if __name__ == '__main__':

@@ -196,7 +196,17 @@ TEST_CASE("a builder that refuses ends the run with status 2, and what was grade
                                             "--chapters 01 " + quoted(folder / "class"));
   CHECK(outcome.status == 2);
   CHECK(outcome.err.find("cannot contain") != std::string::npos);
+  CHECK(outcome.err.find("did not run to its end") != std::string::npos);
   CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"1\"") != std::string::npos);
+}
+
+TEST_CASE("a builder that has said why it refuses has the last word") {
+  const TemporaryFolder folder;
+  copy(golden + "../../README.md", folder / "ada/chapters/01_plain_spheres/lesson.hpp");
+  const Outcome outcome = grade(folder, builder(folder, "echo 'error: no box' >&2; exit 2\n") +
+                                            "--chapters 01 " + quoted(folder / "ada"));
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err == "error: no box\n");
 }
 
 TEST_CASE("a task without a result ends the run with status 2") {

@@ -98,14 +98,15 @@ class Users:
               *(f'--{caps}=-all,+dac_override' for caps in ('bounding-set', 'inh-caps', 'ambient-caps'))]
 
     def __init__(self):
-        with subprocess.Popen(['unshare', '--user', 'sh', '-c', 'echo; read _'], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as made:
+        with subprocess.Popen(['unshare', '--user', 'sh', '-c', 'echo; read _'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              env=ENVIRONMENT) as made:
             made.stdout.readline()  # now it is in its namespace
             counts = {kind: int(Path(f'/proc/self/{kind}_map').read_text().split()[2]) for kind in ('uid', 'gid')}
             for kind, count in counts.items():
                 Path(f'/proc/{made.pid}/{kind}_map').write_text(f'0 0 {count}')
             namespace = os.open(f'/proc/{made.pid}/ns/user', os.O_RDONLY)  # it stays while this is open
         self.enter = ['nsenter', f'--user=/proc/{os.getpid()}/fd/{namespace}']
-        subprocess.run([*self.enter, 'sh', '-c', 'echo 0 >/proc/sys/user/max_user_namespaces'], check=True)
+        subprocess.run([*self.enter, 'sh', '-c', 'echo 0 >/proc/sys/user/max_user_namespaces'], check=True, env=ENVIRONMENT)
         last = min(*counts.values(), 1 << 31) - 3  # not 65534, the user nobody; if all ids are there, these are free
         self.ids = itertools.cycle(range(last, last - 10000, -1))
 
@@ -147,7 +148,8 @@ def unshare(visible, limits, argv, work, enter, become):
                              files=shlex.join('.' + place for place in files), table=shlex.join(table),
                              command=shlex.join([*(become or POWERLESS), *argv]))
     return ['setpriv', '--pdeathsig', 'KILL', sys.executable, '-I', '-S', uncounted.__file__, *enter, 'unshare',
-            *([] if enter else ['--user', '--map-root-user']), '--pid', '--fork', '--kill-child', '--net', '--ipc', '--uts', '--mount', 'sh', '-c', script]
+            *([] if enter else ['--user', '--map-root-user']), '--pid', '--fork', '--kill-child', '--net', '--ipc', '--uts', '--mount',
+            'sh', '-c', script]
 
 
 def none(_visible, _limits, argv, *_):
@@ -199,14 +201,14 @@ class Boxes:
     def users(self):
         return Users() if self.kind != 'none' and exempt() else None
 
-    def works(self):
-        """Whether this machine makes such boxes, and they keep what they should."""
+    def why_not(self):
+        """Why this machine makes no such boxes, or none that keep what they should; empty if it does."""
         try:
             ended = self.run(['sh', '-c', f'test ! -e {shlex.quote(str(self.work))}/root -a ! -e /proc/self && echo kept >it'], [],
                              Limits(10, 1024), 'it')
-        except (OSError, subprocess.SubprocessError):
-            return False
-        return ended.product == b'kept\n'
+        except (OSError, subprocess.SubprocessError) as error:
+            return str(error)
+        return '' if ended.product == b'kept\n' else ' '.join(ended.log.split()) or ended.why or 'it keeps nothing'
 
     def run(self, argv, visible, limits, product=''):
         """Runs argv where only `visible` and the system are seen; `product` is the file that it leaves in the box."""

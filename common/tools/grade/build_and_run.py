@@ -28,7 +28,7 @@ import zlib
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the tree stays as it is
-from box import BOX, CONTAINMENTS, Boxes, Limits  # noqa: E402
+from box import BOX, CONTAINMENTS, ENVIRONMENT, Boxes, Limits  # noqa: E402
 
 COLUMNS = ('id item containment build run cpu_seconds limit_cpu_seconds picture expected hidden_picture hidden_expected '
            'tests_passed tests_run cached note').split()
@@ -102,7 +102,8 @@ class Course:
         chapters = set(items) - set(exercises.values())
         built = sorted(chapters.union(*map(self.compared_with, chapters)))
         targets = built + sorted({'check_' + item[:2] for item in exercises.values()})
-        print('building the course\'s own lessons; the first time takes minutes', file=sys.stderr, flush=True)
+        first = '' if (self.work / 'cache').exists() else '; the first time takes minutes'
+        print(f'building the course\'s own lessons{first}', file=sys.stderr, flush=True)
         with open(log, 'wb') as out:
             for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
                              '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1', '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
@@ -226,12 +227,41 @@ def first_error(log):
 
 
 def first_failure(log):
-    """What the first test that failed says: from its name on, without doctest's own lines."""
-    _, _, rest = log.partition('TEST CASE:')
-    lines = [line.strip() for line in rest.splitlines()]
-    told = [line for line in lines if line and not re.match(r'=+$|\[doctest]|TEST CASE:', line)]
-    said = re.sub(r'[\w/.]+:\d+: (FATAL )?ERROR: ', '', '; '.join(told[:4]))
-    return re.sub('; look at differing/.*', '', said)[:400]  # the box's pictures are not kept
+    """The first test that failed, in words: its name, and what it says or what is and should be; empty if none says so."""
+    first = re.split(r'^=+$|^\[doctest]', log.partition('TEST CASE:')[2], maxsplit=1, flags=re.MULTILINE)[0]
+    name, said, *_ = [*re.split(r'^\S+:\d+: (?:FATAL )?ERROR: ', first, flags=re.MULTILINE), '', '']
+    asserted = re.match(r'[A-Z_]+\( .*(?:is NOT correct!|did NOT throw|threw a DIFFERENT|THREW )', said)
+    if asserted:
+        values = re.search(r'^ *values: [A-Z_]+\( (.*) \)$', said, re.MULTILINE)
+        logged = re.search(r'^ *logged: (.*)', said, re.MULTILINE | re.DOTALL)
+        said = [logged[1].strip()] if logged else []
+        equal = values and re.fullmatch(r'(.+?)(?: == |, )(?:Approx\( )?(.+?)(?: \))?', values[1])
+        if equal:
+            said.append(f'it is {equal[1]} here and should be {equal[2]}')
+        elif values and values[1] not in ('true', 'false'):
+            said.append(f'{values[1]} does not hold')
+        said = '; '.join(said)
+    said = re.sub('test case (CRASHED|THREW exception)', lambda word: {'C': 'it crashed', 'T': 'it threw'}[word[1][0]], said)
+    lines = [[line.strip() for line in text.splitlines() if line.strip()] for text in (name, said)]
+    words = ': '.join('; '.join(part) for part in lines if part)
+    return re.sub('[:;]? look at differing/.*', '', words)[:400]  # the box's pictures are not kept
+
+
+def cause(checkout, files, course_common):
+    """Why a chapter may not build, if that is not in the compiler's words."""
+    for name, text in sorted(files.items()):
+        if b'\0' in text:
+            return f'{name} is not in UTF-8 but probably in UTF-16: save it as UTF-8'
+    own = Path(checkout) / 'common'
+    for parent, _, names in () if os.path.islink(own) else os.walk(own):
+        for name in sorted(names):
+            path = Path(parent) / name
+            if not name.endswith(SUFFIXES) or not stat.S_ISREG(path.lstat().st_mode) or path.lstat().st_size >= MOST_FILE_BYTES:
+                continue
+            known = course_common / path.relative_to(own)
+            if not known.is_file() or known.read_bytes() != path.read_bytes():
+                return f'your common/ is not used in grading; {path.relative_to(own.parent)} differs from the course\'s'
+    return ''
 
 
 class Grader:
@@ -286,7 +316,12 @@ class Grader:
             found = {} if os.path.islink(at) or os.path.islink(at.parent) else sources_in(at)
             needed = f'chapters/{item}/lesson.hpp'
         if Path(needed).name not in found:
-            return {'build': 'missing', 'note': f'there is no {needed}'}, False
+            at = Path(folder) / needed
+            if is_exercise(item):
+                at = next(Path(folder).glob(f'chapters/{item[:2]}_*/exercises/{item[3]}_*.hpp'), at)
+            linked = any(os.path.islink(Path(folder, *at.relative_to(folder).parts[:depth])) for depth in (1, 2, 3, 4))
+            why = f'{needed} is a symbolic link or behind one, and links are not followed' if linked else f'there is no {needed}'
+            return {'build': 'missing', 'note': why}, False
         files = own | found
         key = self.key(item, files)
         place = self.cache / key
@@ -298,6 +333,9 @@ class Grader:
             course = self.reference(item)
             return course if files == own else self.judge(item, files, place, course)
         result, again = self.once(key, judge)
+        if result['build'] == 'does not build':
+            why = cause(folder, found, self.course.tree / 'common')
+            result = dict(result, note=why + ('; ' if why else '') + result['note'])
         return result, known or again
 
     def reference(self, item):
@@ -479,8 +517,12 @@ class Grader:
         passed = min(int(counts[2]), run) if counts else 0
         result |= {'tests_passed': str(passed), 'tests_run': str(run)} if run else {}
         if passed < run:
-            why = first_failure(ended.log) if counts else first_error(built.log) if not built.product else f'{ended.how}, {ended.why}'
-            result['note'] += ('; ' if result['note'] else '') + f'tests: {why}'
+            if not built.product:
+                why = 'the tests do not build with this lesson: ' + first_error(built.log)
+            else:
+                ending = f'{ended.how}, {ended.why}' if ended.how != 'ok' else 'their program ended before all were run'
+                why = 'tests: ' + (first_failure(ended.log) or ending)
+            result['note'] += ('; ' if result['note'] else '') + why
 
     def row(self, task, item, folder):
         """A line of the results."""
@@ -493,15 +535,25 @@ class Grader:
         return '\t'.join(''.join(escaped.get(letter, letter) for letter in cells.get(name, '')) for name in COLUMNS) + '\n'
 
 
+def refuse(why):
+    """Ends with the status that says: the reason has been said."""
+    print(f'error: {why}', file=sys.stderr, flush=True)
+    sys.exit(2)
+
+
 def choose_boxes(options, work):
     """The best box that this machine makes; without one, only students who are trusted are run."""
+    reasons = {}
     for kind in [options.containment] if options.containment else ['bwrap', 'unshare']:
         boxes = Boxes(kind, work)
-        if kind != 'none' and boxes.works():
+        reasons[kind] = 'it contains nothing' if kind == 'none' else boxes.why_not()
+        if not reasons[kind]:
             return boxes
     if not options.trust_students:
-        sys.exit('error: students\' code cannot be contained here: install bubblewrap, or let users make namespaces (unshare --user);\n'
-                 'in a container or a virtual machine that holds nothing else, --trust-students runs it NOT CONTAINED')
+        install = '' if shutil.which('bwrap', path=ENVIRONMENT['PATH']) else 'install bubblewrap, or '
+        refuse('students\' code cannot be contained here\n' + ''.join(f'  {kind}: {why}\n' for kind, why in reasons.items()) +
+               f'{install}let users make namespaces (unshare --user); in a container or a virtual machine that holds nothing else,\n'
+               '--trust-students runs it NOT CONTAINED')
     print('NOT CONTAINED: students\' programs can read and change all that you can', file=sys.stderr, flush=True)
     return Boxes('none', work)
 
@@ -544,7 +596,7 @@ def main():
                 pool.shutdown(cancel_futures=True)
                 raise
     except CourseError as error:
-        sys.exit(f'error: {error}')
+        refuse(error)
     except KeyboardInterrupt:
         sys.exit(130)
 

@@ -82,9 +82,9 @@ void Builder::run(const std::vector<Task>& tasks,
                     " tasks have no result, the first is " + expected.begin()->second +
                     "; grade once more");
   }
-  throw FileError(status == 2 ? "the checkouts were not graded; the reason is above"
-                              : "the program that builds and runs checkouts, " + name_of(program) +
-                                    ", did not run to its end; its message is above");
+  if (status == 2) throw AlreadySaid("the checkouts were not graded");
+  throw FileError("the program that builds and runs checkouts, " + name_of(program) +
+                  ", did not run to its end; its message is above");
 }
 
 std::string unescaped_field(std::string_view field) {

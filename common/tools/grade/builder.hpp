@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/system/file_error.hpp"
+
 namespace texmap::grade {
 
 /// A chapter of a student that is to be built, run and tested.
@@ -27,6 +29,12 @@ struct TaskResult {
   std::string note;
 };
 
+/// The builder refused, and said why on standard error.
+class AlreadySaid : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 /// A field of results.tsv, where \t, \n and \\ are a tab, a line end and a backslash.
 [[nodiscard]] std::string unescaped_field(std::string_view field);
 
@@ -42,7 +50,8 @@ struct Builder {
 
   /// Runs the tasks and calls `take` for each as it ends, until `stopped` says so.
   ///
-  /// Errors: FileError with a remedy, if the program cannot be run here or does not run to its end.
+  /// Errors: FileError with a remedy, if the program cannot be run here or does not run to its end;
+  /// AlreadySaid.
   void run(const std::vector<Task>& tasks, const std::function<void(const TaskResult&)>& take,
            const std::function<bool()>& stopped) const;
 };

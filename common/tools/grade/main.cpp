@@ -421,12 +421,17 @@ int main(int argc, char** argv) {
   texmap::CommandLine line("grade", "students' chapters against the golden pictures");
   Request request;
   request.declare(line);
+  bool refused = false;
   const int status = texmap::run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
     std::signal(SIGINT, stop);
     std::signal(SIGTERM, stop);
-    Grading(request).run();
+    try {
+      Grading(request).run();
+    } catch (const AlreadySaid&) {
+      refused = true;
+    }
   });
-  if (status != 0) return 2;
+  if (status != 0 || refused) return 2;
   return is_stopped() ? 130 : 0;
 }
