@@ -90,7 +90,7 @@ Drawing far_sphere() {
   d.text(on_line(bb) + Spot{0, -16}, "b² = 999,999.36", Anchor::middle, "red small");
   d.text(on_line(ac + 2.9 * step) + Spot{0, 32}, "the floats there are 1/16 apart", Anchor::middle,
          "small");
-  d.text({320, 318}, "their difference, 0.36, is what remains of six digits that cancel",
+  d.text({320, 318}, "the first six digits cancel; 0.36 remains",
          Anchor::middle, "small");
   return d;
 }
@@ -169,7 +169,7 @@ Drawing shadow_start() {
   d.mark("surface 1", surface(below.x));
   d.mark("surface 2", surface(above.x));
   d.text(below + Spot{12, 20}, "rounded hit: below the surface", Anchor::start, "red small");
-  d.text(below + Spot{90, -102}, "meets the surface: acne", Anchor::middle, "red small");
+  d.text(below + Spot{96, -70}, "meets the surface: acne", Anchor::start, "red small");
   d.text(above + Spot{-10, -12}, "lifted by a bound", Anchor::end, "green small");
   d.text({320, 262}, "dots: the points that the number has", Anchor::middle, "small");
   return d;
