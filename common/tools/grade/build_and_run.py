@@ -104,6 +104,8 @@ class Course:
         targets = built + sorted({'check_' + item[:2] for item in exercises.values()})
         first = '' if (self.work / 'cache').exists() else '; the first time takes minutes'
         print(f'building the course\'s own lessons{first}', file=sys.stderr, flush=True)
+        if not shutil.which('cmake'):
+            raise CourseError('the course itself cannot be built: there is no cmake on your PATH')
         with open(log, 'wb') as out:
             for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
                              '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1', '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
