@@ -171,8 +171,7 @@ void add_mistakes_in_the_formula(Law<ToSphere>& law) {
   const char* const radius = "c is dot(f, f) - radius * radius, and yours is another one";
   const char* const center = "the center is not subtracted everywhere: f is origin - center";
   const char* const fit =
-      "the 2s and the 4 do not fit: with b = -dot(f, direction), t is (b - sqrt(b * b - a * c)) / "
-      "a";
+      "the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a";
   const char* const parentheses =
       "only the root is divided by a: write parentheses, (b - root) / a";
   const char* const sign = "a discriminant below 0 means that there is no point: return infinity";
@@ -461,10 +460,8 @@ void add_mistakes_with_the_look(Law<InShadow>& law) {
         Look{-0.001, to, distance});
   wrong("the ray starts too far above the surface and misses what is nearer: add normal * 0.001",
         Look{1, to, distance});
-  wrong(
-      "this is never true: ask first_hit, and compare what it returns with the distance of the "
-      "lamp",
-      [](const Vector&, const Vector&, const Vector&, const FirstHit&) { return false; });
+  wrong("this is never true: compare what first_hit returns with the distance of the lamp",
+        [](const Vector&, const Vector&, const Vector&, const FirstHit&) { return false; });
   wrong("this is true everywhere: compare what first_hit returns with the distance of the lamp",
         [](const Vector&, const Vector&, const Vector&, const FirstHit&) { return true; });
   wrong("this says whether the lamp is behind the surface: ask first_hit what is in between",
@@ -477,10 +474,8 @@ void add_mistakes_with_the_look(Law<InShadow>& law) {
       wrong("a sphere behind the lamp casts no shadow: compare with the distance of the lamp",
             Look{lift, direction, anywhere});
     }
-    wrong(
-        "distances are in lengths of the direction: normalize it, compare with length(lamp - "
-        "start)",
-        Look{lift, all_the_way, distance});
+    wrong("distances are in lengths of the direction: normalize it; the lamp is length(path) away",
+          Look{lift, all_the_way, distance});
     wrong("a normalized direction has length 1: compare with length(lamp - start), not with 1",
           Look{lift, to, one});
     for (const auto direction : {to, all_the_way}) {

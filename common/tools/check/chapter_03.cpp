@@ -102,8 +102,7 @@ void add_mistakes_with_the_column(Law<FromCoordinate>& law) {
   const char* const narrow =
       "multiply by width, not by width - 1: now the last column is at u = 1 alone";
   const char* const nearest =
-      "you take the nearest whole number: this shifts the map by half a texel; cut off the "
-      "decimals";
+      "the nearest whole number shifts the map by half a texel: cut off the decimals";
   const char* const mirrored = "u runs the other way: your map is mirrored";
   const char* const early =
       "the decimals are cut off too early: it is static_cast<int>(u * width), the product";
@@ -180,8 +179,7 @@ void add_mistakes_with_the_row(Law<FromCoordinate>& law) {
   const char* const forgotten =
       "the last row is height - 1: you forgot the - 1, and yours is one too far down";
   const char* const nearest =
-      "you take the nearest whole number: this shifts the map by half a texel; cut off the "
-      "decimals";
+      "the nearest whole number shifts the map by half a texel: cut off the decimals";
   const char* const too_far_up =
       "yours is one too far up: the row is height - 1 minus v * height without its decimals";
   const char* const early =

@@ -222,7 +222,7 @@ void add_mistakes_with_the_sign(Law<IsMirrored>& law) {
   const char* const positions =
       "these are places, not steps: subtract here from east and from north first";
   const char* const not_turned =
-      "right unless the picture is turned by a quarter: the determinant has u_n * v_e, too";
+      "right unless the picture is slanted or turned by a quarter: subtract u_n * v_e, too";
   const char* const all_exchanged =
       "yes and no are exchanged, and a picture turned by a quarter needs the whole determinant";
   const char* const other = "the determinant is u_e * v_n - u_n * v_e: yours has other factors";
@@ -254,6 +254,8 @@ void add_mistakes_with_the_sign(Law<IsMirrored>& law) {
           [](const Slopes& s) { return -s.u_n * s.v_e; });
     wrong("this is the dot product: the determinant is u_e * v_n - u_n * v_e",
           [](const Slopes& s) { return s.u_e * s.u_n + s.v_e * s.v_n; });
+    wrong(other, [](const Slopes& s) { return s.u_e * s.u_n; });
+    wrong(other, [](const Slopes& s) { return s.v_e * s.v_n; });
     wrong(other, [](const Slopes& s) { return s.u_e * s.u_n - s.v_e * s.v_n; });
     wrong(other, [](const Slopes& s) { return s.u_e * s.v_e - s.u_n * s.v_n; });
     wrong(other, [](const Slopes& s) { return s.u_e * s.v_n - s.u_n * s.v_n; });
@@ -306,26 +308,28 @@ Exercise is_it_mirrored() {
             const auto flat = [&](Place2 to) { return Vector{to.u - here.u, to.v - here.v, 0}; };
             return cross(flat(east), flat(north)).z < 0;
           },
-      .places =
-          {{"east is to the right, north is up: as printed", steps(0.01, 0, 0, 0.01)},
-           {"east is to the left, north is up: mirrored", steps(-0.01, 0, 0, 0.01)},
-           {"east is to the right, north is down: upside down, and mirrored",
-            steps(0.01, 0, 0, -0.01)},
-           {"east is to the left, north is down: turned by half a turn, not mirrored",
-            steps(-0.01, 0, 0, -0.01)},
-           {"east is up, north is to the left: turned by a quarter, not mirrored",
-            steps(0, 0.01, -0.01, 0)},
-           {"east is up, north is to the right: turned by a quarter, and mirrored",
-            steps(0, 0.01, 0.01, 0)},
-           {"both slanted: turned by an eighth, not mirrored", steps(0.01, -0.02, 0.02, 0.01)},
-           {"a step of (0.01, 0.02) to the east, of (0.01, 0.01) to the north: mirrored",
-            steps(0.01, 0.02, 0.01, 0.01)},
-           {"a step of (-0.02, 0.01) to the east, of (-0.01, 0.01) to the north: mirrored",
-            steps(-0.02, 0.01, -0.01, 0.01)},
-           {"a step of (0.02, 0.01) to the east, of (-0.01, 0.01) to the north: not mirrored",
-            steps(0.02, 0.01, -0.01, 0.01)},
-           {"a step of (0.01, 0.02) to the east, of (-0.02, -0.01) to the north: not mirrored",
-            steps(0.01, 0.02, -0.02, -0.01)}},
+      .places = {{"east is to the right, north is up: as printed", steps(0.01, 0, 0, 0.01)},
+                 {"east is to the left, north is up: mirrored", steps(-0.01, 0, 0, 0.01)},
+                 {"east is to the right, north is down: upside down, and mirrored",
+                  steps(0.01, 0, 0, -0.01)},
+                 {"east is to the left, north is down: turned by half a turn, not mirrored",
+                  steps(-0.01, 0, 0, -0.01)},
+                 {"east is up, north is to the left: turned by a quarter, not mirrored",
+                  steps(0, 0.01, -0.01, 0)},
+                 {"east is up, north is to the right: turned by a quarter, and mirrored",
+                  steps(0, 0.01, 0.01, 0)},
+                 {"both slanted: turned by an eighth, not mirrored",
+                  steps(0.01, -0.02, 0.02, 0.01)},
+                 {"east is at (+0.01, +0.02), north at (+0.01, +0.01) from here: mirrored",
+                  steps(0.01, 0.02, 0.01, 0.01)},
+                 {"east is at (-0.02, +0.01), north at (-0.01, +0.01) from here: mirrored",
+                  steps(-0.02, 0.01, -0.01, 0.01)},
+                 {"east is at (+0.02, +0.01), north at (-0.01, +0.01) from here: not mirrored",
+                  steps(0.02, 0.01, -0.01, 0.01)},
+                 {"east is at (+0.01, +0.02), north at (-0.01, +0.01) from here: not mirrored",
+                  steps(0.01, 0.02, -0.01, 0.01)},
+                 {"east is at (+0.01, +0.02), north at (-0.02, -0.01) from here: not mirrored",
+                  steps(0.01, 0.02, -0.02, -0.01)}},
       .mistakes = {}};
   add_mistakes_with_the_sign(law);
   return exercise("04.3", "bool is_mirrored(Uv here, Uv east, Uv north)", std::move(law),
