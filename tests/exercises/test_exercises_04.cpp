@@ -210,7 +210,7 @@ TEST_CASE("04.3: wrong steps, wrong products") {
   mistake([](Uv here, Uv east, Uv north) { return east.u > here.u || north.v > here.v; },
           "half a turn, no mirror");
   mistake([](Uv here, Uv east, Uv north) { return east.u < here.u && north.v > here.v; },
-          "whichever it is");
+          "or the one to the north");
   mistake([](Uv here, Uv east, Uv) { return east.v < here.v; }, "if nothing is turned");
   mistake([](Uv here, Uv east, Uv north) { return east.u - here.u + north.v - here.v < 0; },
           "not added");
@@ -231,7 +231,8 @@ TEST_CASE("04.3: wrong steps, wrong products") {
           "dot product");
   product([](double u_e, double v_e, double u_n, double v_n) { return u_e * v_e - u_n * v_n; },
           "other factors");
-  product([](double, double v_e, double u_n, double) { return u_n * v_e; }, "second half");
+  product([](double, double v_e, double u_n, double) { return u_n * v_e; },
+          "half of the determinant");
 }
 
 TEST_CASE("the questions of chapter 04 have the answers of its page") {

@@ -160,92 +160,110 @@ Roots mixed(const Meeting& m) {
   return {(b - root) / (of_a * m.a), (b + root) / (of_a * m.a)};
 }
 
+/// Other roots than the right ones, with their word.
+struct Formula {
+  const char* word;
+  Roots (*roots)(const Meeting&);
+};
+
+constexpr const char* other_c = "c is dot(f, f) - radius * radius, and yours is another one";
+constexpr const char* no_center = "the center is not subtracted everywhere: f is origin - center";
+constexpr const char* fit =
+    "the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a";
+constexpr const char* parentheses =
+    "only the root is divided by a: write parentheses, (b - root) / a";
+constexpr const char* no_point =
+    "a discriminant below 0 means that there is no point: return infinity";
+
+constexpr Formula formulas[] = {
+    {"the ray runs backward: f is origin - center, and b is -dot(f, direction)",
+     [](const Meeting& m) { return roots_of(m.a, -m.b, m.c); }},
+    {"the direction may have any length: divide by a = dot(direction, direction)",
+     [](const Meeting& m) { return roots_of(1, m.b, m.a * m.c); }},
+    {"this is right for directions of length 1 alone: t counts in lengths of the direction",
+     [](const Meeting& m) { return roots_of(1, m.b / std::sqrt(m.a), m.c); }},
+    {"this is chapter 00's formula, for directions of length 1: here a = dot(d, d) is missing",
+     [](const Meeting& m) { return roots_of(1, m.b, m.c); }},
+    {"the discriminant is b * b - a * c: you have no a there",
+     [](const Meeting& m) {
+       const Roots t = roots_of(1, m.b, m.c);
+       return Roots{t.entry / m.a, t.exit / m.a};
+     }},
+    {"a is the square of the direction's length: dot(direction, direction)",
+     [](const Meeting& m) { return roots_of(std::sqrt(m.a), m.b, m.c); }},
+    {"divide by a, do not multiply: C++ reads x / 2 * a as (x / 2) * a; write x / (2 * a)",
+     [](const Meeting& m) {
+       const Roots t = roots_of(1, m.b, m.a * m.c);
+       return Roots{t.entry * m.a, t.exit * m.a};
+     }},
+    {parentheses,
+     [](const Meeting& m) {
+       const double root = std::sqrt(m.b * m.b - m.a * m.c) / m.a;
+       return Roots{m.b - root, m.b + root};
+     }},
+    {parentheses,
+     [](const Meeting& m) {
+       const double root = std::sqrt(m.b * m.b - m.a * m.c) / m.a;
+       return Roots{2 * m.b - root, 2 * m.b + root};  // school's formula
+     }},
+    {"the radius is not squared: c is dot(f, f) - radius * radius",
+     [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f) - m.radius); }},
+    {other_c, [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f)); }},
+    {other_c,
+     [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f) + m.radius * m.radius); }},
+    {other_c, [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f) - 2 * m.radius); }},
+    {other_c,
+     [](const Meeting& m) { return roots_of(m.a, m.b, length(m.f) - m.radius * m.radius); }},
+    {other_c,
+     [](const Meeting& m) {
+       return roots_of(m.a, m.b, (length(m.f) - m.radius) * (length(m.f) - m.radius));
+     }},
+    {no_center,
+     [](const Meeting& m) {
+       const Meeting there{m.origin, m.direction, Vector{}, m.radius};
+       return roots_of(m.a, there.b, there.c);
+     }},
+    {no_center, [](const Meeting& m) { return roots_of(m.a, -dot(m.origin, m.direction), m.c); }},
+    {no_center,
+     [](const Meeting& m) {
+       const Meeting there{m.origin, m.direction, m.center * -1.0, m.radius};
+       return roots_of(m.a, there.b, there.c);
+     }},
+    {"the discriminant is b * b - a * c: yours has a plus",
+     [](const Meeting& m) { return roots_of(m.a, m.b, -m.c); }},
+    {"the square root of the discriminant is missing: std::sqrt",
+     [](const Meeting& m) {
+       const double inside = m.b * m.b - m.a * m.c;
+       const double root = inside < 0 ? std::nan("") : inside;
+       return Roots{(m.b - root) / m.a, (m.b + root) / m.a};
+     }},
+    {fit, mixed<2, 1, 1>},
+    {fit, mixed<2, 1, 2>},
+    {fit, mixed<1, 4, 2>},
+    {fit, mixed<2, 4, 1>},
+    {fit, mixed<1, 4, 1>},
+    {fit, mixed<1, 1, 2>},
+    {no_point,
+     [](const Meeting& m) {
+       const double root = std::sqrt(std::abs(m.b * m.b - m.a * m.c));
+       return Roots{(m.b - root) / m.a, (m.b + root) / m.a};
+     }},
+    {no_point,
+     [](const Meeting& m) {
+       const double root = std::sqrt(std::max(m.b * m.b - m.a * m.c, 0.0));
+       return Roots{(m.b - root) / m.a, (m.b + root) / m.a};
+     }},
+};
+
 void add_mistakes_in_the_formula(Law<ToSphere>& law) {
-  double (*rest)(const Roots&) = nullptr;
-  const auto wrong = [&](const char* word, Roots (*formula)(const Meeting&)) {
-    law.mistakes.push_back(
-        {word, [=](const Vector& o, const Vector& d, const Vector& center, double r) {
-           return rest(formula({o, d, center, r}));
-         }});
-  };
-  const char* const radius = "c is dot(f, f) - radius * radius, and yours is another one";
-  const char* const center = "the center is not subtracted everywhere: f is origin - center";
-  const char* const fit =
-      "the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a";
-  const char* const parentheses =
-      "only the root is divided by a: write parentheses, (b - root) / a";
-  const char* const sign = "a discriminant below 0 means that there is no point: return infinity";
   // Those who make another mistake often take the first root alone, too.
   for (double (*const pick)(const Roots&) : {first_ahead, entry_alone, entry_ahead}) {
-    rest = pick;
-    wrong("the ray runs backward: f is origin - center, and b is -dot(f, direction)",
-          [](const Meeting& m) { return roots_of(m.a, -m.b, m.c); });
-    wrong("the direction may have any length: divide by a = dot(direction, direction)",
-          [](const Meeting& m) { return roots_of(1, m.b, m.a * m.c); });
-    wrong("this is right for directions of length 1 alone: t counts in lengths of the direction",
-          [](const Meeting& m) { return roots_of(1, m.b / std::sqrt(m.a), m.c); });
-    wrong("this is chapter 00's formula, for directions of length 1: here a = dot(d, d) is missing",
-          [](const Meeting& m) { return roots_of(1, m.b, m.c); });
-    wrong("the discriminant is b * b - a * c: you have no a there", [](const Meeting& m) {
-      const Roots t = roots_of(1, m.b, m.c);
-      return Roots{t.entry / m.a, t.exit / m.a};
-    });
-    wrong("a is the square of the direction's length: dot(direction, direction)",
-          [](const Meeting& m) { return roots_of(std::sqrt(m.a), m.b, m.c); });
-    wrong("divide by a, do not multiply: C++ reads x / 2 * a as (x / 2) * a; write x / (2 * a)",
-          [](const Meeting& m) {
-            const Roots t = roots_of(1, m.b, m.a * m.c);
-            return Roots{t.entry * m.a, t.exit * m.a};
-          });
-    wrong(parentheses, [](const Meeting& m) {
-      const double root = std::sqrt(m.b * m.b - m.a * m.c) / m.a;
-      return Roots{m.b - root, m.b + root};
-    });
-    wrong(parentheses, [](const Meeting& m) {
-      const double root = std::sqrt(m.b * m.b - m.a * m.c) / m.a;
-      return Roots{2 * m.b - root, 2 * m.b + root};  // school's formula
-    });
-    wrong("the radius is not squared: c is dot(f, f) - radius * radius",
-          [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f) - m.radius); });
-    wrong(radius, [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f)); });
-    wrong(radius,
-          [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f) + m.radius * m.radius); });
-    wrong(radius,
-          [](const Meeting& m) { return roots_of(m.a, m.b, dot(m.f, m.f) - 2 * m.radius); });
-    wrong(radius,
-          [](const Meeting& m) { return roots_of(m.a, m.b, length(m.f) - m.radius * m.radius); });
-    wrong(radius, [](const Meeting& m) {
-      return roots_of(m.a, m.b, (length(m.f) - m.radius) * (length(m.f) - m.radius));
-    });
-    wrong(center, [](const Meeting& m) {
-      const Meeting there{m.origin, m.direction, Vector{}, m.radius};
-      return roots_of(m.a, there.b, there.c);
-    });
-    wrong(center, [](const Meeting& m) { return roots_of(m.a, -dot(m.origin, m.direction), m.c); });
-    wrong(center, [](const Meeting& m) {
-      const Meeting there{m.origin, m.direction, m.center * -1.0, m.radius};
-      return roots_of(m.a, there.b, there.c);
-    });
-    wrong("the discriminant is b * b - a * c: yours has a plus",
-          [](const Meeting& m) { return roots_of(m.a, m.b, -m.c); });
-    wrong("the square root of the discriminant is missing: std::sqrt", [](const Meeting& m) {
-      const double inside = m.b * m.b - m.a * m.c;
-      const double root = inside < 0 ? std::nan("") : inside;
-      return Roots{(m.b - root) / m.a, (m.b + root) / m.a};
-    });
-    for (Roots (*const formula)(const Meeting&) :
-         {mixed<2, 1, 1>, mixed<2, 1, 2>, mixed<1, 4, 2>, mixed<2, 4, 1>, mixed<1, 4, 1>,
-          mixed<1, 1, 2>}) {
-      wrong(fit, formula);
+    for (const Formula& formula : formulas) {
+      law.mistakes.push_back(
+          {formula.word, [=](const Vector& o, const Vector& d, const Vector& center, double r) {
+             return pick(formula.roots({o, d, center, r}));
+           }});
     }
-    wrong(sign, [](const Meeting& m) {
-      const double root = std::sqrt(std::abs(m.b * m.b - m.a * m.c));
-      return Roots{(m.b - root) / m.a, (m.b + root) / m.a};
-    });
-    wrong(sign, [](const Meeting& m) {
-      const double root = std::sqrt(std::max(m.b * m.b - m.a * m.c, 0.0));
-      return Roots{(m.b - root) / m.a, (m.b + root) / m.a};
-    });
   }
 }
 
@@ -339,6 +357,7 @@ void add_mistakes_with_the_cosine(Law<CosineOf>& law) {
     wrong(color, [=](Vector p, Vector n, Vector lamp) { return 0.2 + 0.8 * cosine(n, lamp - p); });
     wrong(color, [=](Vector p, Vector n, Vector lamp) { return 0.8 * cosine(n, lamp - p); });
   }
+  // From here on each cuts off in its own way.
   const auto after = [&](const char* word, double (*function)(double)) {
     wrong(word, [=](Vector p, Vector n, Vector lamp) { return function(cosine(n, lamp - p)); });
   };

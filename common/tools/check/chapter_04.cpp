@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "exercises.hpp"
 #include "map_mistakes.hpp"
@@ -201,99 +202,100 @@ struct Slopes {
   double u_e, v_e, u_n, v_n;
 };
 
+Slopes slopes_of(Place2 here, Place2 east, Place2 north) {
+  return {east.u - here.u, east.v - here.v, north.u - here.u, north.v - here.v};
+}
+double determinant(const Slopes& s) { return s.u_e * s.v_n - s.u_n * s.v_e; }
+double sum_of_products(const Slopes& s) { return s.u_e * s.v_n + s.u_n * s.v_e; }
+
+/// A number that a student takes for the determinant: the word if its sign means mirrored, and the
+/// word if a student has exchanged yes and no, too.
+struct Sign {
+  const char* word;
+  const char* word_if_exchanged;
+  double (*number)(const Slopes&);
+};
+
+constexpr const char* east_alone =
+    "you look at the step to the east alone: the step to the north can be turned around, too";
+constexpr const char* north_alone =
+    "you look at the step to the north alone: the step to the east can be turned around, too";
+constexpr const char* half_turn =
+    "two signs that are turned around make half a turn, no mirror: multiply them";
+constexpr const char* not_turned =
+    "right unless the picture is slanted or turned by a quarter: subtract u_n * v_e, too";
+constexpr const char* exchanged_and_not_turned =
+    "yes and no are exchanged, and a picture turned by a quarter needs the whole determinant";
+constexpr const char* plus = "in the determinant the second product is subtracted";
+constexpr const char* half = "this is half of the determinant alone: it is u_e * v_n - u_n * v_e";
+constexpr const char* dot_product =
+    "this is the dot product: the determinant is u_e * v_n - u_n * v_e";
+constexpr const char* other = "the determinant is u_e * v_n - u_n * v_e: yours has other factors";
+constexpr const char* either =
+    "the step to the east can be turned around, or the one to the north: multiply the two signs";
+constexpr const char* crossed =
+    "the step to the east moves u if nothing is turned, and the step to the north moves v";
+constexpr const char* added = "the signs are multiplied, not added";
+
+constexpr Sign signs[] = {
+    {east_alone, east_alone, [](const Slopes& s) { return s.u_e; }},
+    {north_alone, north_alone, [](const Slopes& s) { return s.v_n; }},
+    {half_turn, "this is mirrored only if one of the two is turned around: multiply the signs",
+     [](const Slopes& s) { return std::min(s.u_e, s.v_n); }},
+    {"this is mirrored only if one of the two is turned around, and you ask for both", half_turn,
+     [](const Slopes& s) { return std::max(s.u_e, s.v_n); }},
+    {not_turned, exchanged_and_not_turned, [](const Slopes& s) { return s.u_e * s.v_n; }},
+    {plus, plus, sum_of_products},
+    {half, half, [](const Slopes& s) { return -s.u_n * s.v_e; }},
+    {dot_product, dot_product, [](const Slopes& s) { return s.u_e * s.u_n + s.v_e * s.v_n; }},
+    {other, other, [](const Slopes& s) { return s.u_e * s.u_n; }},
+    {other, other, [](const Slopes& s) { return s.v_e * s.v_n; }},
+    {other, other, [](const Slopes& s) { return s.u_e * s.u_n - s.v_e * s.v_n; }},
+    {other, other, [](const Slopes& s) { return s.u_e * s.v_e - s.u_n * s.v_n; }},
+    {other, other, [](const Slopes& s) { return s.u_e * s.v_n - s.u_n * s.v_n; }},
+    {either, either, [](const Slopes& s) { return s.u_e < 0 && s.v_n > 0 ? -1.0 : 1.0; }},
+    {either, either, [](const Slopes& s) { return s.u_e > 0 && s.v_n < 0 ? -1.0 : 1.0; }},
+    {crossed, crossed, [](const Slopes& s) { return s.v_e; }},
+    {crossed, crossed, [](const Slopes& s) { return s.u_n; }},
+    {added, added, [](const Slopes& s) { return s.u_e + s.v_n; }},
+};
+
 void add_mistakes_with_the_sign(Law<IsMirrored>& law) {
-  bool exchanged = false;
-  const auto add = [&](const char* word, Slopes (*slopes)(Place2, Place2, Place2),
-                       double (*function)(const Slopes&)) {
-    law.mistakes.push_back({word, [=](Place2 here, Place2 east, Place2 north) {
-                              const double sign = function(slopes(here, east, north));
-                              return exchanged ? sign > 0 : sign < 0;
-                            }});
+  const auto wrong = [&](const char* word, auto function) {
+    law.mistakes.push_back({word, function});
   };
-  const auto wrong = [&](const char* word, double (*function)(const Slopes&)) {
-    add(
-        word,
-        [](Place2 here, Place2 east, Place2 north) {
-          return Slopes{east.u - here.u, east.v - here.v, north.u - here.u, north.v - here.v};
-        },
-        function);
-  };
-  const auto determinant = [](const Slopes& s) { return s.u_e * s.v_n - s.u_n * s.v_e; };
-  const char* const positions =
-      "these are places, not steps: subtract here from east and from north first";
-  const char* const not_turned =
-      "right unless the picture is slanted or turned by a quarter: subtract u_n * v_e, too";
-  const char* const all_exchanged =
-      "yes and no are exchanged, and a picture turned by a quarter needs the whole determinant";
-  const char* const other = "the determinant is u_e * v_n - u_n * v_e: yours has other factors";
   wrong("this is never true: multiply the signs of east - here and north - here, or take all four",
-        [](const Slopes&) { return 1.0; });
+        [](Place2, Place2, Place2) { return false; });
   wrong("this is always true: only a negative determinant means mirrored",
-        [](const Slopes&) { return -1.0; });
-  // Those who make another mistake often exchange yes and no, too.
-  for (const bool exchanges : {false, true}) {
-    exchanged = exchanges;
-    if (exchanged) {
-      wrong("yes and no are exchanged: a negative determinant means mirrored", determinant);
-    }
-    wrong("you look at the step to the east alone: the step to the north can be turned around, too",
-          [](const Slopes& s) { return s.u_e; });
-    wrong("you look at the step to the north alone: the step to the east can be turned around, too",
-          [](const Slopes& s) { return s.v_n; });
-    wrong(exchanged ? "this is mirrored only if one of the two is turned around: multiply the signs"
-                    : "two signs that are turned around make half a turn, no mirror: multiply them",
-          [](const Slopes& s) { return std::min(s.u_e, s.v_n); });
-    wrong(exchanged
-              ? "two signs that are turned around make half a turn, no mirror: multiply them"
-              : "this is mirrored only if one of the two is turned around, and you ask for both",
-          [](const Slopes& s) { return std::max(s.u_e, s.v_n); });
-    wrong(exchanged ? all_exchanged : not_turned, [](const Slopes& s) { return s.u_e * s.v_n; });
-    wrong("in the determinant the second product is subtracted",
-          [](const Slopes& s) { return s.u_e * s.v_n + s.u_n * s.v_e; });
-    wrong("this is the second half of the determinant alone: u_e * v_n - u_n * v_e",
-          [](const Slopes& s) { return -s.u_n * s.v_e; });
-    wrong("this is the dot product: the determinant is u_e * v_n - u_n * v_e",
-          [](const Slopes& s) { return s.u_e * s.u_n + s.v_e * s.v_n; });
-    wrong(other, [](const Slopes& s) { return s.u_e * s.u_n; });
-    wrong(other, [](const Slopes& s) { return s.v_e * s.v_n; });
-    wrong(other, [](const Slopes& s) { return s.u_e * s.u_n - s.v_e * s.v_n; });
-    wrong(other, [](const Slopes& s) { return s.u_e * s.v_e - s.u_n * s.v_n; });
-    wrong(other, [](const Slopes& s) { return s.u_e * s.v_n - s.u_n * s.v_n; });
-    wrong("only one of the two is turned around, whichever it is: multiply the two signs",
-          [](const Slopes& s) { return s.u_e < 0 && s.v_n > 0 ? -1.0 : 1.0; });
-    wrong("only one of the two is turned around, whichever it is: multiply the two signs",
-          [](const Slopes& s) { return s.u_e > 0 && s.v_n < 0 ? -1.0 : 1.0; });
-    wrong("the step to the east moves u if nothing is turned, and the step to the north moves v",
-          [](const Slopes& s) { return s.v_e; });
-    wrong("the step to the east moves u if nothing is turned, and the step to the north moves v",
-          [](const Slopes& s) { return s.u_n; });
-    wrong("the signs are multiplied, not added", [](const Slopes& s) { return s.u_e + s.v_n; });
-    for (double (*const function)(const Slopes&) :
-         {+determinant, +[](const Slopes& s) { return s.u_e * s.v_n + s.u_n * s.v_e; }}) {
-      add(
-          positions,
-          [](Place2, Place2 e, Place2 n) {
-            return Slopes{e.u, e.v, n.u, n.v};
-          },
-          function);
-      add(
-          positions,
-          [](Place2 h, Place2 e, Place2 n) {
-            return Slopes{e.u - h.u, e.v - h.v, n.u, n.v};
-          },
-          function);
-      add(
-          positions,
-          [](Place2 h, Place2 e, Place2 n) {
-            return Slopes{e.u, e.v, n.u - h.u, n.v - h.v};
-          },
-          function);
+        [](Place2, Place2, Place2) { return true; });
+  wrong("yes and no are exchanged: a negative determinant means mirrored",
+        [](Place2 h, Place2 e, Place2 n) { return determinant(slopes_of(h, e, n)) > 0; });
+  for (const Sign& sign : signs) {
+    wrong(sign.word,
+          [=](Place2 h, Place2 e, Place2 n) { return sign.number(slopes_of(h, e, n)) < 0; });
+    wrong(sign.word_if_exchanged,
+          [=](Place2 h, Place2 e, Place2 n) { return sign.number(slopes_of(h, e, n)) > 0; });
+  }
+  wrong("a product of 0 says that the picture is turned by a quarter: take the whole determinant",
+        [](Place2 h, Place2 e, Place2 n) { return (e.u - h.u) * (n.v - h.v) <= 0; });
+  wrong(exchanged_and_not_turned,
+        [](Place2 h, Place2 e, Place2 n) { return (e.u - h.u) * (n.v - h.v) >= 0; });
+  // Those who do not subtract `here` from both do so from none or from one.
+  for (double (*const number)(const Slopes&) : {determinant, sum_of_products}) {
+    for (const auto& [from_east, from_north] :
+         {std::pair{false, false}, {true, false}, {false, true}}) {
+      for (const bool exchanged : {false, true}) {
+        wrong("these are places, not steps: subtract here from east and from north first",
+              [=](Place2 h, Place2 e, Place2 n) {
+                const Place2 origin{0, 0};
+                const Slopes to_east = slopes_of(from_east ? h : origin, e, n);
+                const Slopes to_north = slopes_of(from_north ? h : origin, e, n);
+                const double sign = number({to_east.u_e, to_east.v_e, to_north.u_n, to_north.v_n});
+                return exchanged ? sign > 0 : sign < 0;
+              });
+      }
     }
   }
-  exchanged = false;
-  wrong("a product of 0 says that the picture is turned by a quarter: take the whole determinant",
-        [](const Slopes& s) { return s.u_e * s.v_n > 0 ? 1.0 : -1.0; });
-  wrong(all_exchanged, [](const Slopes& s) { return s.u_e * s.v_n >= 0 ? -1.0 : 1.0; });
 }
 
 Exercise is_it_mirrored() {
