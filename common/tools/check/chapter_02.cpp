@@ -103,80 +103,93 @@ int column_of(const Place2& uv, int squares) { return static_cast<int>(uv.u * sq
 int row_of(const Place2& uv, int squares) { return static_cast<int>(uv.v * squares); }
 bool is_even(int n) { return n % 2 == 0; }
 
+/// A wrong question about the numbers of column and row, with its word.
+struct WrongQuestion {
+  const char* word;
+  bool (*function)(int column, int row, int squares);
+};
+
+constexpr const char* product = "column and row must be added; their product is even too often";
+
+constexpr WrongQuestion wrong_questions[] = {
+    {"you look at u alone: these are stripes, not squares",
+     [](int c, int, int) { return is_even(c); }},
+    {"you look at v alone: these are rings, not squares",
+     [](int, int r, int) { return is_even(r); }},
+    {product, [](int c, int r, int) { return is_even(c * r); }},
+    {product, [](int c, int r, int) { return is_even(c) || is_even(r); }},
+    {"two odd numbers make an even sum, too: column and row need not both be even",
+     [](int c, int r, int) { return is_even(c) && is_even(r); }},
+    {"equal column and row are the diagonal alone: compare whether their sum is even",
+     [](int c, int r, int) { return c == r; }},
+    {"there are two colors: column + row modulo 2, not modulo squares",
+     [](int c, int r, int n) { return (c + r) % n == 0; }},
+    {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
+     [](int c, int r, int) { return (c + r) / 2 == 0; }},
+    {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2",
+     [](int c, int r, int) { return c + r % 2 == 0; }},
+    {"a difference of two numbers can be -1: ask for % 2 == 0, or add them",
+     [](int c, int r, int) { return (c - r) % 2 != 1; }},
+};
+
+/// Wrong numbers of column and row, with their word.
+struct WrongNumbers {
+  const char* word;
+  int (*column)(const Place2& uv, int squares);
+  int (*row)(const Place2& uv, int squares);
+};
+
+constexpr WrongNumbers wrong_numbers[] = {
+    {"`squares` says how many there are: not always 10",
+     [](const Place2& uv, int) { return column_of(uv, 10); },
+     [](const Place2& uv, int) { return row_of(uv, 10); }},
+    {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
+     [](const Place2& uv, int n) { return column_of(uv, n - 1); },
+     [](const Place2& uv, int n) { return row_of(uv, n - 1); }},
+    {"cut the numbers of column and row off, do not round them",
+     [](const Place2& uv, int n) { return static_cast<int>(std::lround(uv.u * n)); },
+     [](const Place2& uv, int n) { return static_cast<int>(std::lround(uv.v * n)); }},
+    {"cut off the decimals of column and row each, then add: now these are slanted stripes",
+     [](const Place2& uv, int n) { return static_cast<int>((uv.u + uv.v) * n); },
+     [](const Place2&, int) { return 0; }},
+    {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
+     [](const Place2& uv, int n) { return static_cast<int>(uv.u) * n; },
+     [](const Place2& uv, int n) { return static_cast<int>(uv.v) * n; }},
+};
+
 void add_mistakes_with_the_square(Law<IsFirst>& law) {
-  bool limited = true;
-  bool exchanged = false;
-  const auto wrong = [&](const char* word, bool (*function)(int column, int row, int squares)) {
-    law.mistakes.push_back({word, [=](const Place2& uv, int n) {
-                              const int row =
-                                  limited ? std::min(row_of(uv, n), n - 1) : row_of(uv, n);
-                              return function(column_of(uv, n), row, n) != exchanged;
-                            }});
-  };
-  const auto wrong_place = [&](const char* word, auto function) {
-    law.mistakes.push_back(
-        {word, [=](const Place2& uv, int n) { return is_even(function(uv, n)) != exchanged; }});
-  };
   // Those who make another mistake often forget v = 1, or exchange the colors, too.
-  for (const auto& [limits, exchanges] :
-       {std::pair{true, false}, {false, false}, {true, true}, {false, true}}) {
-    limited = limits;
-    exchanged = exchanges;
-    if (exchanged) {
-      wrong("the two colors are exchanged", [](int c, int r, int) { return is_even(c + r); });
-    } else if (!limited) {
-      wrong("at v = 1 you begin a new row: put it into the last one",
-            [](int c, int r, int) { return is_even(c + r); });
+  for (const bool exchanged : {false, true}) {
+    for (const bool limited : {true, false}) {
+      const auto wrong = [&](const char* word, auto column, auto row, auto question) {
+        law.mistakes.push_back({word, [=](const Place2& uv, int n) {
+                                  const int r = limited ? std::min(row(uv, n), n - 1) : row(uv, n);
+                                  return question(column(uv, n), r, n) != exchanged;
+                                }});
+      };
+      const auto even_sum = [](int c, int r, int) { return is_even(c + r); };
+      if (exchanged) {
+        wrong("the two colors are exchanged", column_of, row_of, even_sum);
+      } else if (!limited) {
+        wrong("at v = 1 you begin a new row: put it into the last one", column_of, row_of,
+              even_sum);
+      }
+      for (const WrongQuestion& one : wrong_questions) {
+        wrong(one.word, column_of, row_of, one.function);
+      }
+      for (const WrongNumbers& one : wrong_numbers) {
+        wrong(one.word, one.column, one.row, even_sum);
+      }
     }
-    wrong("you look at u alone: these are stripes, not squares",
-          [](int c, int, int) { return is_even(c); });
-    wrong("you look at v alone: these are rings, not squares",
-          [](int, int r, int) { return is_even(r); });
-    const char* const product = "column and row must be added; their product is even too often";
-    wrong(product, [](int c, int r, int) { return is_even(c * r); });
-    wrong(product, [](int c, int r, int) { return is_even(c) || is_even(r); });
-    wrong("two odd numbers make an even sum, too: column and row need not both be even",
-          [](int c, int r, int) { return is_even(c) && is_even(r); });
-    wrong("equal column and row are the diagonal alone: compare whether their sum is even",
-          [](int c, int r, int) { return c == r; });
-    wrong("there are two colors: column + row modulo 2, not modulo squares",
-          [](int c, int r, int n) { return (c + r) % n == 0; });
-    wrong("% is the remainder, / the quotient: a number is even if number % 2 is 0",
-          [](int c, int r, int) { return (c + r) / 2 == 0; });
-    wrong("C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2",
-          [](int c, int r, int) { return c + r % 2 == 0; });
-    wrong("a difference of two numbers can be -1: ask for % 2 == 0, or add them",
-          [](int c, int r, int) { return (c - r) % 2 != 1; });
-    const auto row = [=](const Place2& uv, int n) {
-      return limits ? std::min(row_of(uv, n), n - 1) : row_of(uv, n);
-    };
-    const char* const always_10 = "`squares` says how many there are: not always 10";
-    wrong_place(always_10, [=](const Place2& uv, int) { return column_of(uv, 10) + row(uv, 10); });
-    wrong_place(always_10, [=](const Place2& uv, int n) {
-      return column_of(uv, 10) + (limits ? std::min(row_of(uv, 10), n - 1) : row_of(uv, 10));
-    });
-    wrong_place("multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
-                [=](const Place2& uv, int n) { return column_of(uv, n - 1) + row_of(uv, n - 1); });
-    const char* const rounded = "cut the numbers of column and row off, do not round them";
-    wrong_place(rounded, [=](const Place2& uv, int n) {
-      const int nearest = static_cast<int>(std::lround(uv.v * n));
-      return static_cast<int>(std::lround(uv.u * n)) +
-             (limits ? std::min(nearest, n - 1) : nearest);
-    });
-    const char* const first =
-        "cut off the decimals of column and row each, then add: now these are slanted stripes";
-    wrong_place(first, [](const Place2& uv, int n) { return static_cast<int>((uv.u + uv.v) * n); });
-    const char* const early =
-        "the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product";
-    wrong_place(early, [=](const Place2& uv, int n) {
-      const int below = static_cast<int>(uv.v) * n;
-      return static_cast<int>(uv.u) * n + (limits ? std::min(below, n - 1) : below);
-    });
   }
-  limited = false;
-  exchanged = false;
-  wrong("std::max puts every row into the last one: std::min(row, squares - 1)",
-        [](int c, int r, int n) { return is_even(c + std::max(r, n - 1)); });
+  law.mistakes.push_back(
+      {"`squares` says how many there are: not always 10", [](const Place2& uv, int) {
+         return is_even(column_of(uv, 10) + std::min(row_of(uv, 10), 9));
+       }});
+  law.mistakes.push_back({"std::max puts every row into the last one: std::min(row, squares - 1)",
+                          [](const Place2& uv, int n) {
+                            return is_even(column_of(uv, n) + std::max(row_of(uv, n), n - 1));
+                          }});
 }
 
 Exercise which_square() {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <set>
-#include <utility>
 
 #include "bytes.hpp"
 #include "exercises.hpp"
@@ -80,20 +79,25 @@ constexpr Number limits[] = {
     [](double x, int) { return std::max(cut_off(x), 0); },
 };
 
+/// A wrong number, with its word.
+struct WrongNumber {
+  const char* word;
+  Number number;
+};
+
 /// Adds mistakes in the number. Those who make one often forget the ends, too.
-void add_mistakes(Law<FromCoordinate>& law,
-                  std::initializer_list<std::pair<const char*, Number>> table) {
+void add_mistakes(Law<FromCoordinate>& law, std::initializer_list<WrongNumber> table) {
   for (const Number limit : limits) {
-    for (const auto& [word, function] : table) {
-      law.mistakes.push_back({word, [=](double x, int n) { return limit(function(x, n), n); }});
+    for (const WrongNumber& one : table) {
+      law.mistakes.push_back(
+          {one.word, [=](double x, int n) { return limit(one.number(x, n), n); }});
     }
   }
 }
 
 /// Adds mistakes at the ends alone.
-void add_mistakes_at_the_ends(Law<FromCoordinate>& law,
-                              std::initializer_list<std::pair<const char*, Number>> table) {
-  for (const auto& [word, function] : table) law.mistakes.push_back({word, function});
+void add_mistakes_at_the_ends(Law<FromCoordinate>& law, std::initializer_list<WrongNumber> table) {
+  for (const WrongNumber& one : table) law.mistakes.push_back({one.word, one.number});
 }
 
 double fraction(double x) { return x - std::floor(x); }

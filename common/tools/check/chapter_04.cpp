@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "exercises.hpp"
 #include "map_mistakes.hpp"
@@ -281,20 +280,20 @@ void add_mistakes_with_the_sign(Law<IsMirrored>& law) {
   wrong(exchanged_and_not_turned,
         [](Place2 h, Place2 e, Place2 n) { return (e.u - h.u) * (n.v - h.v) >= 0; });
   // Those who do not subtract `here` from both do so from none or from one.
-  for (double (*const number)(const Slopes&) : {determinant, sum_of_products}) {
-    for (const auto& [from_east, from_north] :
-         {std::pair{false, false}, {true, false}, {false, true}}) {
-      for (const bool exchanged : {false, true}) {
-        wrong("these are places, not steps: subtract here from east and from north first",
-              [=](Place2 h, Place2 e, Place2 n) {
-                const Place2 origin{0, 0};
-                const Slopes to_east = slopes_of(from_east ? h : origin, e, n);
-                const Slopes to_north = slopes_of(from_north ? h : origin, e, n);
-                const double sign = number({to_east.u_e, to_east.v_e, to_north.u_n, to_north.v_n});
-                return exchanged ? sign > 0 : sign < 0;
-              });
-      }
+  const auto places = [&](double (*number)(const Slopes&), double from_east, double from_north) {
+    for (const bool exchanged : {false, true}) {
+      wrong("these are places, not steps: subtract here from east and from north first",
+            [=](Place2 h, Place2 e, Place2 n) {
+              const double sign = number({e.u - from_east * h.u, e.v - from_east * h.v,
+                                          n.u - from_north * h.u, n.v - from_north * h.v});
+              return exchanged ? sign > 0 : sign < 0;
+            });
     }
+  };
+  for (double (*const number)(const Slopes&) : {determinant, sum_of_products}) {
+    places(number, 0, 0);
+    places(number, 1, 0);
+    places(number, 0, 1);
   }
 }
 
