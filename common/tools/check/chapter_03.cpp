@@ -75,6 +75,7 @@ using Number = int (*)(double, int);
 constexpr Number limits[] = {
     [](double x, int n) { return std::clamp(cut_off(x), 0, n - 1); },
     [](double x, int) { return cut_off(x); },
+    [](double x, int n) { return std::clamp(cut_off(x), 0, n); },
     [](double x, int n) { return std::min(cut_off(x), n - 1); },
     [](double x, int) { return std::max(cut_off(x), 0); },
 };

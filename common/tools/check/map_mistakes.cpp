@@ -91,6 +91,7 @@ constexpr Form forms_of_v[] = {
     {no_half_in_v, [](const Seen& s) { return std::asin(s.y) / pi; }},
     {"v is in radians: divide the angle by pi", [](const Seen& s) { return s.from_south; }},
     {degrees, [](const Seen& s) { return s.from_south / 180; }},
+    {degrees, [](const Seen& s) { return 0.5 + std::asin(s.y) / 180; }},
     {"acos runs from 0 to pi: divide v by pi, not by 2 pi",
      [](const Seen& s) { return s.from_south / (2 * pi); }},
     {"asin runs from -pi/2 to pi/2: divide v by pi, not by 2 pi",
