@@ -42,9 +42,22 @@ void touch(const fs::path& path) {
 Submission found_with(const std::string& file) {
   const TemporaryFolder folder;
   touch(path_of(folder / file));
-  const auto all = find_submissions({path_of(folder / "ada")}, two_items);
+  const auto all = find_submissions({path_of(folder / "ada")}, two_items).submissions;
   REQUIRE(all.size() == 1);
   return all[0];
+}
+
+/// The names of the students in these folders.
+std::set<std::string> names_in(const std::vector<fs::path>& folders,
+                               Reading reading = Reading::by_structure) {
+  std::set<std::string> names;
+  for (const Submission& one : find_submissions(folders, two_items, reading).submissions)
+    names.insert(one.name);
+  return names;
+}
+
+std::vector<std::string> remarks_on(const std::vector<fs::path>& folders) {
+  return find_submissions(folders, two_items).remarks;
 }
 
 /// A golden picture in a file, and the row of a student's picture.
@@ -153,15 +166,15 @@ TEST_CASE("of several pictures the best name counts, then the one nearest to the
   const TemporaryFolder folder;
   touch(path_of(folder / "ada/old/03_image_texture.png"));
   touch(path_of(folder / "ada/03.png"));
-  auto all = find_submissions({path_of(folder / "ada")}, two_items);
+  auto all = find_submissions({path_of(folder / "ada")}, two_items).submissions;
   CHECK(all[0].pictures.at("03_image_texture").path.parent_path().filename() == "old");
   touch(path_of(folder / "ada/03_image_texture.png"));
-  all = find_submissions({path_of(folder / "ada")}, two_items);
+  all = find_submissions({path_of(folder / "ada")}, two_items).submissions;
   CHECK(all[0].pictures.at("03_image_texture").path.parent_path().filename() == "ada");
 
   touch(path_of(folder / "bob/04_a.png"));
   touch(path_of(folder / "bob/04_b.png"));
-  all = find_submissions({path_of(folder / "bob")}, two_items);
+  all = find_submissions({path_of(folder / "bob")}, two_items).submissions;
   CHECK(all[0].pictures.at("04_uv_conventions").why_not ==
         "04_a.png or 04_b.png? Name the picture 04_uv_conventions.png");
 }
@@ -173,12 +186,45 @@ TEST_CASE("a folder of students' folders is a class; one student's folders are n
   touch(path_of(folder / "class/王小明/texmap-main/chapters/03_image_texture/lesson.hpp"));
   fs::create_directories(path_of(folder / "class/nobody"));
   touch(path_of(folder / "class/read me.txt"));
-  std::set<std::string> names;
-  for (const Submission& one : find_submissions({path_of(folder / "class")}, two_items))
-    names.insert(one.name);
-  CHECK(names == std::set<std::string>{"ada", "bob", "王小明", "nobody"});
-
+  CHECK(names_in({path_of(folder / "class")}) ==
+        std::set<std::string>{"ada", "bob", "王小明", "nobody"});
+  CHECK(remarks_on({path_of(folder / "class")}).empty());
   CHECK(found_with("ada/texmap-main/out/03.png").name == "ada");
+}
+
+TEST_CASE("a picture next to the students' folders does not turn a class into one student") {
+  const TemporaryFolder folder;
+  for (const char* file : {"03_expected.png", "03 solution.png", "ada/03.png", "nobody/a.txt"})
+    touch(path_of(folder / (std::string("one in two/") + file)));
+  const fs::path first = path_of(folder / "one in two");
+  CHECK(names_in({first}) == std::set<std::string>{"ada", "nobody"});
+  touch(first / "bob/chapters/03_image_texture/lesson.hpp");
+  CHECK(names_in({first}) == std::set<std::string>{"ada", "bob", "nobody"});
+  const std::vector<std::string> remarks = remarks_on({first});
+  REQUIRE(remarks.size() == 1);
+  CHECK(remarks[0].find("a class of 3 students; 03 solution.png is nobody's; --one") !=
+        std::string::npos);
+  CHECK(names_in({first}, Reading::one_student) == std::set<std::string>{"one in two"});
+
+  // A student's own picture counts where each student was named.
+  fs::create_directories(path_of(folder / "two"));
+  CHECK(names_in({first, path_of(folder / "two")}) == std::set<std::string>{"one in two", "two"});
+  touch(path_of(folder / "own/03.png"));
+  touch(path_of(folder / "own/old/03.png"));
+  CHECK(names_in({path_of(folder / "own")}) == std::set<std::string>{"own"});
+  CHECK(remarks_on({path_of(folder / "own")}).size() == 1);
+  CHECK(names_in({path_of(folder / "own")}, Reading::students) == std::set<std::string>{"old"});
+}
+
+TEST_CASE("folders in a folder are students, even if nothing that was asked for is in them") {
+  const TemporaryFolder folder;
+  for (const char* file : {"ada/05.png", "bob/05.png", "eve/notes.txt"})
+    touch(path_of(folder / (std::string("class/") + file)));
+  touch(path_of(folder / "small/ada/03.png"));
+  CHECK(names_in({path_of(folder / "class")}) == std::set<std::string>{"ada", "bob", "eve"});
+  CHECK(names_in({path_of(folder / "small")}) == std::set<std::string>{"ada"});
+  CHECK(remarks_on({path_of(folder / "small")}).size() == 1);
+  CHECK(names_in({path_of(folder / "class/ada"), path_of(folder / "small/ada")}).size() == 1);
 }
 
 #ifndef _WIN32
@@ -189,7 +235,7 @@ TEST_CASE("links are not followed: neither pictures nor folders") {
   fs::create_symlink(path_of(folder / "secret/04_uv_conventions.png"),
                      path_of(folder / "ada/03.png"));
   fs::create_directory_symlink(path_of(folder / "secret"), path_of(folder / "ada/out"));
-  const auto all = find_submissions({path_of(folder / "ada")}, two_items);
+  const auto all = find_submissions({path_of(folder / "ada")}, two_items).submissions;
   CHECK(all[0].pictures.at("03_image_texture").why_not ==
         "03.png is a link; links are not followed");
   CHECK(all[0].pictures.count("04_uv_conventions") == 0);
@@ -353,7 +399,7 @@ TEST_CASE("a picture is none of an exercise, also with its number as a name") {
   const TemporaryFolder folder;
   touch(path_of(folder / "ada/02.1.png"));
   const std::vector<Item> items = {{"02.1", "02.1", "", false, "chapters/02_a/exercises/1_b.hpp"}};
-  CHECK(find_submissions({path_of(folder / "ada")}, items)[0].pictures.empty());
+  CHECK(find_submissions({path_of(folder / "ada")}, items).submissions[0].pictures.empty());
 }
 
 TEST_CASE("nothing that a student wrote becomes part of a page") {

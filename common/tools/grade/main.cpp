@@ -43,11 +43,14 @@ struct Request {
   std::string work = TEXMAP_TREE "/build/grade";
   Format format = Format::none;
   bool no_tests = false, no_second_picture = false, trust_students = false;
+  bool one = false, each = false;
   int seconds = 0, megabytes = 2048, jobs = 0;
 
   void declare(CommandLine& line) {
     line.positionals("DIR", folders,
                      "a student's checkout or pictures, or a folder of such folders");
+    line.flag("--one", one, "each DIR is one student's, whatever is in it");
+    line.flag("--class", each, "each folder in a DIR is a student's, whatever lies next to it");
     line.text("--chapters", "01,02.1", chapters,
               "grade these chapters and exercises only; exercises: all of them");
     line.flag("--no-tests", no_tests, "compare the pictures, do not run the chapters' tests");
@@ -186,7 +189,14 @@ class Grading {
       }
     }
     if (folders.empty()) throw FileError("there is nothing to grade: none of these is a folder");
-    submissions_ = find_submissions(folders, items_);
+    if (request_.one && request_.each) throw UsageError("--one and --class exclude each other");
+    Found found = find_submissions(folders, items_,
+                                   request_.one    ? Reading::one_student
+                                   : request_.each ? Reading::students
+                                                   : Reading::by_structure);
+    for (const std::string& remark : found.remarks) say(remark + "\n");
+    submissions_ = std::move(found.submissions);
+    if (submissions_.empty()) throw FileError("there is nothing to grade: no folder is in there");
     const std::vector<std::string> pages = page_names(submissions_);
     class_.asked = submissions_.size();
     class_.items = items_;

@@ -96,6 +96,7 @@ struct Search {
   std::map<std::string, std::vector<Candidate>> candidates = {};
   std::size_t entries = 0;
   bool cut = false;
+  std::vector<std::string> seen = {};  ///< names of pictures, whether they fit or not
 
   /// Searches a folder and those in it, down to so many levels.
   void look_into(const fs::path& folder, int level, int levels) {
@@ -124,6 +125,7 @@ struct Search {
     std::error_code error;
     const bool is_link = entry.symlink_status(error).type() == fs::file_type::symlink;
     const std::string stem = name_of(entry.path().stem());
+    seen.push_back(name_of(entry.path().filename()));
     for (const Item& item : items) {
       if (!item.exercise.empty()) continue;
       const int fit = misfit(stem, item);
@@ -131,7 +133,7 @@ struct Search {
     }
   }
 
-  [[nodiscard]] bool found() const { return !checkout.empty() || !candidates.empty(); }
+  [[nodiscard]] bool has_work() const { return !checkout.empty() || !seen.empty(); }
 
   /// Of the candidates the one whose name fits best, then the one nearest to the top.
   [[nodiscard]] std::map<std::string, FoundPicture> pictures() const {
@@ -165,12 +167,6 @@ Search searched(const std::vector<Item>& items, const fs::path& folder, int leve
   return search;
 }
 
-bool has_own_work(const std::vector<Item>& items, const fs::path& folder) {
-  if (searched(items, folder, 0).found()) return true;
-  const fs::path out = folder / "out";
-  return fs::is_directory(out) && searched(items, out, 0).found();
-}
-
 Submission submission_of(const std::vector<Item>& items, const fs::path& path,
                          const std::string& folder) {
   Submission result{folder, name_of(path.filename()), path, {}, {}, ""};
@@ -194,32 +190,97 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
   return result;
 }
 
-/// The folders in a class, if it is one.
-std::vector<fs::directory_entry> folders_of_class(const std::vector<Item>& items,
-                                                  const fs::path& folder) {
-  if (has_own_work(items, folder)) return {};
-  std::vector<fs::directory_entry> all;
-  int with_work = 0;
-  for (const fs::directory_entry& entry : entries_of(folder)) {
-    if (!entry.is_directory() || is_passed_over(name_of(entry.path().filename()))) continue;
-    all.push_back(entry);
-    const bool found =
-        is_real_folder(entry) && searched(items, entry.path(), most_levels - 1).found();
-    with_work += found ? 1 : 0;
+/// A folder in a student's own tree, not a student.
+bool is_part_of_one(const std::vector<Item>& items, const std::string& folder) {
+  const std::string name = lower(folder);
+  if (name == "out" || name == "chapters" || is_passed_over(folder)) return true;
+  return std::any_of(items.begin(), items.end(),
+                     [&name](const Item& item) { return name == lower(item.name); });
+}
+
+/// The one folder that a site, or a student, packs all in.
+bool is_packing(const std::string& folder) {
+  static const std::set<std::string> words = {"bilder",   "homework", "hw",         "images",
+                                              "pictures", "png",      "screenshots"};
+  const std::string name = lower(folder);
+  return words.contains(name) || name.ends_with("-main") || name.ends_with("-master") ||
+         name.find("texmap") != std::string::npos || name.find("texture") != std::string::npos;
+}
+
+/// A folder that was named: the folders in it that may be students', and what speaks against that.
+struct Structure {
+  std::vector<fs::directory_entry> folders = {};
+  std::size_t with_work = 0;  ///< of these folders
+  std::string own_picture = {};
+  bool has_chapters = false;
+
+  Structure(const std::vector<Item>& items, const fs::path& folder) {
+    for (const fs::directory_entry& entry : entries_of(folder)) {
+      if (!entry.is_directory() || is_part_of_one(items, name_of(entry.path().filename())))
+        continue;
+      folders.push_back(entry);
+      if (is_real_folder(entry) && searched(items, entry.path(), most_levels - 1).has_work())
+        ++with_work;
+    }
+    for (const fs::path& place : {folder, folder / "out"}) {
+      if (!fs::is_directory(place)) continue;
+      const Search search = searched(items, place, 0);
+      has_chapters = has_chapters || !search.checkout.empty();
+      if (!search.candidates.empty() && own_picture.empty())
+        own_picture = name_of(search.candidates.begin()->second[0].path.filename());
+    }
   }
-  return with_work > 1 ? all : std::vector<fs::directory_entry>();
+
+  [[nodiscard]] bool is_packed() const {
+    return folders.size() == 1 && is_packing(name_of(folders[0].path().filename()));
+  }
+
+  /// @param alone  no other folder was named
+  [[nodiscard]] bool is_class(bool alone) const {
+    if (folders.empty() || has_chapters) return false;
+    if (!alone) return with_work > 1 && own_picture.empty();
+    if (with_work > 1) return true;  // a stray picture changes nothing
+    return own_picture.empty() ? !is_packed() : folders.size() > 1 && with_work > 0;
+  }
+
+  /// Both readings are possible.
+  [[nodiscard]] bool is_unclear(bool as_class, bool alone) const {
+    if (as_class) return with_work < 2 || !own_picture.empty();
+    return with_work > (alone && !is_packed() && !has_chapters ? 0U : 1U);
+  }
+};
+
+std::string remark_on(const std::string& folder, const Structure& structure, bool as_class) {
+  std::string remark = clean(folder);
+  if (!as_class) {
+    return remark +
+           " is graded as one student's folder; --class grades each folder in it as a student's";
+  }
+  remark.append(" is graded as a class of ").append(counted(structure.folders.size(), "student"));
+  if (!structure.own_picture.empty())
+    remark.append("; ").append(clean(structure.own_picture)).append(" is nobody's");
+  return remark.append("; --one grades it as one student's folder");
 }
 
 }  // namespace
 
-std::vector<Submission> find_submissions(const std::vector<fs::path>& folders,
-                                         const std::vector<Item>& items) {
-  std::vector<Submission> all;
+Found find_submissions(const std::vector<fs::path>& folders, const std::vector<Item>& items,
+                       Reading reading) {
+  Found found;
+  std::vector<Submission>& all = found.submissions;
   for (const fs::path& folder : folders) {
     const fs::path path = fs::canonical(folder);
-    const std::vector<fs::directory_entry> in_class = folders_of_class(items, path);
-    if (in_class.empty()) all.push_back(submission_of(items, path, name_of(folder)));
-    for (const fs::directory_entry& entry : in_class) {
+    const Structure structure(items, path);
+    const bool alone = folders.size() == 1;
+    const bool as_class =
+        reading == Reading::by_structure ? structure.is_class(alone) : reading == Reading::students;
+    if (reading == Reading::by_structure && structure.is_unclear(as_class, alone))
+      found.remarks.push_back(remark_on(name_of(folder), structure, as_class));
+    if (!as_class) {
+      all.push_back(submission_of(items, path, name_of(folder)));
+      continue;
+    }
+    for (const fs::directory_entry& entry : structure.folders) {
       const std::string name = name_of(folder / entry.path().filename());
       if (is_real_folder(entry)) {
         all.push_back(submission_of(items, entry.path(), name));
@@ -233,7 +294,7 @@ std::vector<Submission> find_submissions(const std::vector<fs::path>& folders,
       }
     }
   }
-  return all;
+  return found;
 }
 
 std::vector<std::string> page_names(const std::vector<Submission>& submissions) {
