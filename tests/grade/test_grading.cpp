@@ -113,6 +113,15 @@ TEST_CASE("names in any writing stay as they are; control characters and turning
   CHECK(clean("\xED\xA0\x80") == "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");  // a surrogate
 }
 
+TEST_CASE("a name that is not UTF-8 is shown with its letters, or its bytes") {
+  CHECK(shown_name("王小明") == "王小明");
+  CHECK(shown_name("M\xFC"
+                   "ller") == "Müller");
+  CHECK(shown_name("M\x81"
+                   "ller") == "M\\x81ller");
+  CHECK(shown_name("\xEF\xBF\xBD") == "\xEF\xBF\xBD");
+}
+
 TEST_CASE("every cell is quoted, and none is a formula for any spreadsheet") {
   CHECK(csv_cell("ada") == "\"ada\"");
   CHECK(csv_cell("say \"hi\"") == "\"say \"\"hi\"\"\"");
@@ -226,6 +235,36 @@ TEST_CASE("folders in a folder are students, even if nothing that was asked for 
   CHECK(remarks_on({path_of(folder / "small")}).size() == 1);
   CHECK(names_in({path_of(folder / "class/ada"), path_of(folder / "small/ada")}).size() == 1);
 }
+
+#ifdef __linux__  // other systems make no such names
+TEST_CASE("a folder is graded whatever bytes its name has, except what ends a line") {
+  const TemporaryFolder folder;
+  const auto found = [&folder](const std::string& name) {
+    touch(path_of(folder / (name + "/chapters/03_image_texture/lesson.hpp")));
+    return find_submissions({path_of(folder / name)}, two_items).submissions.at(0);
+  };
+  for (const char* name : {"M\xFC"
+                           "ller",
+                           "a\xE2\x80\xAE"
+                           "b",
+                           "a\x1B"
+                           "b"}) {
+    const Submission one = found(name);
+    CHECK(one.note.empty());
+    CHECK(one.checkout == one.path);
+  }
+  CHECK(found("M\xFC"
+              "ller")
+            .name == "Müller");
+  for (const char* name : {"a\tb", "a\nb",
+                           "a\xC2\x85"
+                           "b"}) {
+    const Submission one = found(name);
+    CHECK(one.checkout.empty());
+    CHECK(one.note == "the folder's name has a tab or a line end; rename it");
+  }
+}
+#endif
 
 #ifndef _WIN32
 TEST_CASE("links are not followed: neither pictures nor folders") {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstddef>
 
+#include "engine/measure/text.hpp"
 #include "engine/measure/utf8.hpp"
 
 namespace texmap::grade {
@@ -38,6 +39,23 @@ std::string clean(std::string_view text) {
       result += ' ';
     } else if (is_harmless(c)) {
       append_utf8(result, c);
+    }
+  }
+  return result;
+}
+
+std::string shown_name(std::string_view name) {
+  std::string result;
+  while (!name.empty()) {
+    const auto byte = static_cast<unsigned char>(name[0]);
+    const std::size_t size = name.size();
+    const char32_t c = take_character(name);
+    if (c != replacement_character || size - name.size() > 1) {
+      append_utf8(result, c);
+    } else if (byte >= 0xA0) {
+      append_utf8(result, byte);
+    } else {
+      result += text("\\x%02X", byte);
     }
   }
   return result;

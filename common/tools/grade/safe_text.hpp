@@ -9,7 +9,11 @@ namespace texmap::grade {
 /// the direction of writing. Every other character stays as it is.
 [[nodiscard]] std::string clean(std::string_view text);
 
-/// The same, with line ends and at most so many characters; longer texts end in "...".
+/// A file's name to be shown: each byte that is not UTF-8 as the Latin-1 letter that it is in archives
+/// from older Windows systems, or as \xNN. A name in UTF-8 stays as it is.
+[[nodiscard]] std::string shown_name(std::string_view name);
+
+/// As clean(), but with line ends and at most so many characters; longer texts end in "...".
 [[nodiscard]] std::string clean_lines(std::string_view text, std::size_t most_characters);
 
 /// A cell of a table as RFC 4180 has it, always quoted. What a spreadsheet could take for a formula

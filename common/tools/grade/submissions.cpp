@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/measure/utf8.hpp"
 #include "engine/system/file_error.hpp"
 #include "safe_text.hpp"
 
@@ -167,9 +168,21 @@ Search searched(const std::vector<Item>& items, const fs::path& folder, int leve
   return search;
 }
 
+/// Has a tab, or what Python takes for the end of a line.
+bool breaks_line(std::string_view name) {
+  while (!name.empty()) {
+    const char32_t c = take_character(name);
+    if ((c >= 0x09 && c <= 0x0D) || (c >= 0x1C && c <= 0x1E) || c == 0x85 || c == 0x2028 ||
+        c == 0x2029) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Submission submission_of(const std::vector<Item>& items, const fs::path& path,
                          const std::string& folder) {
-  Submission result{folder, name_of(path.filename()), path, {}, {}, ""};
+  Submission result{shown_name(folder), shown_name(name_of(path.filename())), path, {}, {}, ""};
   std::error_code error;
   if (fs::directory_iterator(path, error); error) {
     result.note = "the folder cannot be read: " + error.message();
@@ -178,10 +191,10 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
   const Search search = searched(items, path, most_levels);
   result.checkout = search.checkout;
   if (search.checkout.empty()) result.pictures = search.pictures();
-  if (name_of(result.checkout) != clean(name_of(result.checkout))) {
+  if (breaks_line(name_of(result.checkout))) {
     // The plan of tasks is a table of lines.
     result.checkout.clear();
-    result.note = "the folder's name has control characters; rename it";
+    result.note = "the folder's name has a tab or a line end; rename it";
   }
   if (search.cut) {
     result.note = "the folder has more than " + std::to_string(most_entries) +
@@ -251,14 +264,14 @@ struct Structure {
 };
 
 std::string remark_on(const std::string& folder, const Structure& structure, bool as_class) {
-  std::string remark = clean(folder);
+  std::string remark = clean(shown_name(folder));
   if (!as_class) {
     return remark +
            " is graded as one student's folder; --class grades each folder in it as a student's";
   }
   remark.append(" is graded as a class of ").append(counted(structure.folders.size(), "student"));
   if (!structure.own_picture.empty())
-    remark.append("; ").append(clean(structure.own_picture)).append(" is nobody's");
+    remark.append("; ").append(clean(shown_name(structure.own_picture))).append(" is nobody's");
   return remark.append("; --one grades it as one student's folder");
 }
 
@@ -285,8 +298,8 @@ Found find_submissions(const std::vector<fs::path>& folders, const std::vector<I
       if (is_real_folder(entry)) {
         all.push_back(submission_of(items, entry.path(), name));
       } else {
-        all.push_back({name,
-                       name_of(entry.path().filename()),
+        all.push_back({shown_name(name),
+                       shown_name(name_of(entry.path().filename())),
                        entry.path(),
                        {},
                        {},
