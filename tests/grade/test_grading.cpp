@@ -171,6 +171,32 @@ TEST_CASE("work is found in the layouts of learning systems, in any case") {
   }
 }
 
+TEST_CASE("chapters are found in Chapters/ and without a folder around them") {
+  const auto checkout_of = [](const std::string& file) {
+    const Submission found = found_with(file);
+    return found.checkout.empty() ? "" : name_of(found.checkout.lexically_relative(found.path));
+  };
+  // The builder looks for chapters/ in it, then takes it for the folder of the chapters.
+  CHECK(checkout_of("ada/chapters/03_image_texture/lesson.hpp") == ".");
+  CHECK(checkout_of("ada/Chapters/03_image_texture/lesson.hpp") == "Chapters");
+  CHECK(checkout_of("ada/03_image_texture/lesson.hpp") == ".");
+  CHECK(checkout_of("ada/homework/03_image_texture/lesson.hpp") == "homework");
+  CHECK(checkout_of("ada/03_image_texture/exercises/1_a.hpp") == ".");
+  CHECK(checkout_of("ada/03_image_texture/03.png").empty());
+  CHECK(checkout_of("ada/09_another/lesson.hpp").empty());
+  const std::vector<Item> exercise = {
+      {"03.1", "03.1", "", false, "chapters/03_image_texture/exercises/1_b.hpp"}};
+  const TemporaryFolder folder;
+  touch(path_of(folder / "ada/03_image_texture/exercises/1_a.hpp"));
+  CHECK(!find_submissions({path_of(folder / "ada")}, exercise).submissions[0].checkout.empty());
+}
+
+TEST_CASE("what lies there under another name is named") {
+  CHECK(found_with("ada/lesson.hpp").seen == "lesson.hpp, but not in a chapter's folder");
+  CHECK(found_with("ada/screenshot.png").seen == "screenshot.png");
+  CHECK(found_with("ada/notes.txt").seen.empty());
+}
+
 TEST_CASE("of several pictures the best name counts, then the one nearest to the top") {
   const TemporaryFolder folder;
   touch(path_of(folder / "ada/old/03_image_texture.png"));

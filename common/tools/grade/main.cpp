@@ -236,6 +236,8 @@ class Grading {
     } else {
       compare(found->second.path, k, row);
     }
+    if (row.word == "missing" && !submissions_[i].seen.empty())
+      row.note.append("; found ").append(submissions_[i].seen);
     return row;
   }
 

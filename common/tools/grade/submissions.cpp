@@ -65,6 +65,26 @@ bool has_chapters(const fs::path& folder) {
   });
 }
 
+bool is_code(const fs::path& file) {
+  const std::string ending = lower(name_of(file.extension()));
+  return ending == ".hpp" || ending == ".cpp";
+}
+
+/// A chapter that is asked for, with code in it; its name alone may be a student's, or a picture's.
+bool is_chapter(const std::vector<Item>& items, const fs::directory_entry& folder) {
+  const std::string name = name_of(folder.path().filename());
+  const auto asked = std::find_if(items.begin(), items.end(), [&name](const Item& item) {
+    return name == item.name ||
+           (!item.exercise.empty() && item.exercise.find('/' + name + '/') != std::string::npos);
+  });
+  if (asked == items.end()) return false;
+  const auto entries = entries_of(folder);
+  return std::any_of(entries.begin(), entries.end(), [](const fs::directory_entry& entry) {
+    return is_code(entry.path()) ||
+           (is_real_folder(entry) && entry.path().filename() == "exercises");
+  });
+}
+
 /// How well a file's name says that it is an item's picture: 0 best, 1, 2; 3 not at all.
 int misfit(const std::string& stem, const Item& item) {
   std::string name = lower(stem);
@@ -98,10 +118,12 @@ struct Search {
   std::size_t entries = 0;
   bool cut = false;
   std::vector<std::string> seen = {};  ///< names of pictures, whether they fit or not
+  std::string code = {};               ///< the first file of code outside a chapter
 
   /// Searches a folder and those in it, down to so many levels.
   void look_into(const fs::path& folder, int level, int levels) {
     std::vector<fs::path> below;
+    bool holds_chapters = false;
     for (const fs::directory_entry& entry : entries_of(folder)) {
       if (++entries > most_entries) {
         cut = true;
@@ -110,13 +132,18 @@ struct Search {
       const std::string name = name_of(entry.path().filename());
       if (is_real_folder(entry)) {
         if (lower(name) == "chapters" && has_chapters(entry.path())) {
-          if (checkout.empty()) checkout = folder;
+          // The builder knows chapters/ in small letters; of another name it gets the folder itself.
+          if (checkout.empty()) checkout = name == "chapters" ? folder : entry.path();
+        } else if (is_chapter(items, entry)) {
+          holds_chapters = true;
         } else if (!is_passed_over(name)) {
           below.push_back(entry.path());
         }
       }
       take_picture(entry, level);
+      if (code.empty() && is_code(entry.path())) code = name_of(entry.path().filename());
     }
+    if (checkout.empty() && holds_chapters) checkout = folder;
     if (level == levels || !checkout.empty()) return;
     for (const fs::path& next : below) look_into(next, level + 1, levels);
   }
@@ -134,7 +161,23 @@ struct Search {
     }
   }
 
-  [[nodiscard]] bool has_work() const { return !checkout.empty() || !seen.empty(); }
+  [[nodiscard]] bool has_work() const {
+    return !checkout.empty() || !seen.empty() || !code.empty();
+  }
+
+  /// What lies there under other names, at most so many pictures.
+  [[nodiscard]] std::string what_else(std::size_t most) const {
+    std::string words;
+    for (std::size_t i = 0; i < seen.size() && i < most; ++i)
+      words.append(i == 0 ? "" : ", ").append(clean(shown_name(seen[i])));
+    if (seen.size() > most)
+      words.append(" and ").append(counted(seen.size() - most, "picture")) += " more";
+    if (!code.empty()) {
+      words.append(words.empty() ? "" : "; ").append(clean(shown_name(code)));
+      words += ", but not in a chapter's folder";
+    }
+    return words;
+  }
 
   /// Of the candidates the one whose name fits best, then the one nearest to the top.
   [[nodiscard]] std::map<std::string, FoundPicture> pictures() const {
@@ -190,7 +233,10 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
   }
   const Search search = searched(items, path, most_levels);
   result.checkout = search.checkout;
-  if (search.checkout.empty()) result.pictures = search.pictures();
+  if (search.checkout.empty()) {
+    result.pictures = search.pictures();
+    result.seen = search.what_else(4);
+  }
   if (breaks_line(name_of(result.checkout))) {
     // The plan of tasks is a table of lines.
     result.checkout.clear();
@@ -204,9 +250,10 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
 }
 
 /// A folder in a student's own tree, not a student.
-bool is_part_of_one(const std::vector<Item>& items, const std::string& folder) {
-  const std::string name = lower(folder);
-  if (name == "out" || name == "chapters" || is_passed_over(folder)) return true;
+bool is_part_of_one(const std::vector<Item>& items, const fs::directory_entry& folder) {
+  const std::string name = lower(name_of(folder.path().filename()));
+  if (name == "out" || name == "chapters" || is_passed_over(name) || is_chapter(items, folder))
+    return true;
   return std::any_of(items.begin(), items.end(),
                      [&name](const Item& item) { return name == lower(item.name); });
 }
@@ -229,8 +276,7 @@ struct Structure {
 
   Structure(const std::vector<Item>& items, const fs::path& folder) {
     for (const fs::directory_entry& entry : entries_of(folder)) {
-      if (!entry.is_directory() || is_part_of_one(items, name_of(entry.path().filename())))
-        continue;
+      if (!entry.is_directory() || is_part_of_one(items, entry)) continue;
       folders.push_back(entry);
       if (is_real_folder(entry) && searched(items, entry.path(), most_levels - 1).has_work())
         ++with_work;

@@ -20,9 +20,10 @@ struct Submission {
   std::string folder;  ///< as the instructor named it
   std::string name;
   std::filesystem::path path;
-  std::filesystem::path checkout;  ///< the folder that holds chapters/; empty for pictures
+  std::filesystem::path checkout;  ///< holds chapters/ or the chapters; empty for pictures
   std::map<std::string, FoundPicture> pictures;  ///< by the item's name
   std::string note;
+  std::string seen = {};  ///< pictures and code that lie there, by name, where no checkout is
 };
 
 /// What a folder that was named is: the only one named, it is a class if folders in it have work.
