@@ -123,11 +123,14 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
       ";;\n"
       "    */ada/texmap-main,02*) row $id $item bwrap ok 'crashed SIGSEGV' 0.50 5.0 '' "
       "\"$golden$item.png\" '' '' '' '' no 'it ended by signal SIGSEGV' ;;\n"
+      "    */ada/texmap-main,03*) row $id $item bwrap ok 'left processes' 0.50 5.0 "
+      "\"$golden$item.png\" \"$golden$item.png\" '' \"$golden$item.png\" '' '' no 'it left one' "
+      ";;\n"
       "    *) row $id $item bwrap 'does not build' '' '' '' '' \"$golden$item.png\" '' '' '' '' no "
       "'<b>error</b>: =1+1\\nline 2' ;;\n"
       "  esac\ndone <\"$plan\"\n";
   const Outcome outcome =
-      grade(folder, builder(folder, body) + "--chapters 01,02 " + quoted(folder / "class"));
+      grade(folder, builder(folder, body) + "--chapters 01,02,03 " + quoted(folder / "class"));
   CAPTURE(outcome.err);
   CHECK(outcome.status == 0);
   const std::string grades = text_of(folder / "out/grades.csv");
@@ -135,6 +138,8 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
         std::string::npos);
   CHECK(grades.find("a second one, drawn with other settings, is not") != std::string::npos);
   CHECK(grades.find("\"crashed SIGSEGV\"") != std::string::npos);
+  // A program that did not end well draws no second picture, so nothing is said of one.
+  CHECK(grades.find("\"it left one\",\"left processes\",\"0\"") != std::string::npos);
   CHECK(text_of(folder / "out/eve.html").find("&lt;b&gt;error") != std::string::npos);
   CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"0\"") != std::string::npos);
   CHECK(grades.find("NOT CONTAINED") == std::string::npos);
@@ -148,7 +153,7 @@ TEST_CASE("exercises are graded where they are asked for") {
       "while IFS=$tab read -r id folder item; do\n"
       "  case $item in\n"
       "    02.1) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 1 1 no '' ;;\n"
-      "    02.2) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 0 1 no 'stripes: no squares; "
+      "    02.2) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 0 1 no 'std::fmod: no squares; "
       "tried' "
       ";;\n"
       "    02.3) row $id $item bwrap ok hang 5.00 5.0 '' '' '' '' 0 1 no 'it was stopped' ;;\n"
@@ -162,7 +167,8 @@ TEST_CASE("exercises are graded where they are asked for") {
   CHECK(outcome.status == 0);
   const std::string grades = text_of(folder / "out/grades.csv");
   CHECK(count(grades, "\r\n") == 1 + 2 * (1 + 36));
-  CHECK(grades.find("\"stripes: no squares; tried\",\"stripes\",\"0\",\"1\"") != std::string::npos);
+  CHECK(grades.find("\"std::fmod: no squares; tried\",\"std::fmod\",\"0\",\"1\"") !=
+        std::string::npos);
   CHECK(grades.find("\"it was stopped\",\"hang\",\"0\",\"1\"") != std::string::npos);
   // The chapter and 02.1; of pictures alone, no exercise.
   CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"2\",\"37\"") != std::string::npos);

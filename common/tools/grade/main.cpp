@@ -261,8 +261,7 @@ class Grading {
     }
     if (!items_[k].exercise.empty()) {
       // The note begins with the word: "u runs the other way: your map is mirrored; tried: ..."
-      if (!row.tests_ok())
-        row.word = row.run == "ok" ? row.note.substr(0, row.note.find_first_of(":;")) : row.run;
+      if (!row.tests_ok()) row.word = row.run == "ok" ? first_word(row.note) : row.run;
       return row;
     }
     if (result.picture.empty()) {
@@ -270,11 +269,11 @@ class Grading {
     } else {
       compare(result.picture, k, row);
     }
-    if (!result.hidden_expected.empty())
-      compare_hidden(result.hidden_picture, result.hidden_expected, row);
     if (result.run != "ok") {
       row.word = result.run;
       row.picture_ok = false;
+    } else if (!result.hidden_expected.empty()) {
+      compare_hidden(result.hidden_picture, result.hidden_expected, row);
     }
     if (row.word.empty() && row.with_tests && !row.tests_ok()) row.word = "tests " + row.tests();
     return row;

@@ -1,6 +1,7 @@
 // Text from students, made safe for terminals, tables and pages.
 #include "safe_text.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstddef>
 
@@ -82,9 +83,19 @@ std::string csv_cell(std::string_view text) {
     if (at_start && begins_formula(c)) cell += '\'';
     append_utf8(cell, c);
     if (c == '"') cell += '"';
-    at_start = c == ';' || c == ',' || c == '|' || (at_start && (is_blank(c) || c == '"'));
+    at_start = at_start && (is_blank(c) || c == '"');
   }
   return cell + '"';
+}
+
+std::string first_word(std::string_view note) {
+  return std::string(note.substr(0, std::min(note.find(": "), note.find("; "))));
+}
+
+std::string with_word(const std::string& word, const std::string& note) {
+  if (note.empty() || word.empty()) return word + note;
+  const bool again = note == word || note.starts_with(word + ":") || note.starts_with(word + ";");
+  return again ? note : word + ": " + note;
 }
 
 std::string file_name_of(std::string_view name) {

@@ -85,7 +85,18 @@ bool is_chapter(const std::vector<Item>& items, const fs::directory_entry& folde
   });
 }
 
-/// How well a file's name says that it is an item's picture: 0 best, 1, 2; 3 not at all.
+/// The only number in a name; empty if there is none, or a second one.
+std::string only_number(const std::string& name) {
+  constexpr const char* digits = "0123456789";
+  const std::size_t begin = std::min(name.find_first_of(digits), name.size());
+  const std::size_t end = std::min(name.find_first_not_of(digits, begin), name.size());
+  const bool another = name.find_first_of(digits, end) != std::string::npos;
+  return another ? "" : name.substr(begin, end - begin);
+}
+
+constexpr int no_fit = 4;
+
+/// How well a file's name says that it is an item's picture: 0 best, then 1, 2, 3.
 int misfit(const std::string& stem, const Item& item) {
   std::string name = lower(stem);
   if (name == lower(item.name)) return 0;
@@ -101,7 +112,9 @@ int misfit(const std::string& stem, const Item& item) {
                        !is_digit(name[number.size()]) &&
                        (name[number.size()] != '.' || name.size() == number.size() + 1 ||
                         !is_digit(name[number.size() + 1]));
-  return goes_on ? 2 : 3;
+  if (goes_on) return 2;
+  const std::string only = only_number(name);
+  return only == number || only == shorter ? 3 : no_fit;
 }
 
 /// What one folder holds.
@@ -110,14 +123,14 @@ struct Search {
   fs::path checkout;
   struct Candidate {
     fs::path path;
-    int misfit = 3;
+    int misfit = no_fit;
     int level = 0;
     bool is_link = false;
   };
   std::map<std::string, std::vector<Candidate>> candidates = {};
   std::size_t entries = 0;
   bool cut = false;
-  std::vector<std::string> seen = {};  ///< names of pictures, whether they fit or not
+  std::vector<std::string> seen = {};  ///< names of pictures that fit nothing
   std::string code = {};               ///< the first file of code outside a chapter
 
   /// Searches a folder and those in it, down to so many levels.
@@ -153,16 +166,19 @@ struct Search {
     std::error_code error;
     const bool is_link = entry.symlink_status(error).type() == fs::file_type::symlink;
     const std::string stem = name_of(entry.path().stem());
-    seen.push_back(name_of(entry.path().filename()));
+    bool fits = false;
     for (const Item& item : items) {
       if (!item.exercise.empty()) continue;
       const int fit = misfit(stem, item);
-      if (fit < 3) candidates[item.name].push_back({entry.path(), fit, level, is_link});
+      if (fit == no_fit) continue;
+      candidates[item.name].push_back({entry.path(), fit, level, is_link});
+      fits = true;
     }
+    if (!fits) seen.push_back(name_of(entry.path().filename()));
   }
 
   [[nodiscard]] bool has_work() const {
-    return !checkout.empty() || !seen.empty() || !code.empty();
+    return !checkout.empty() || !candidates.empty() || !seen.empty() || !code.empty();
   }
 
   /// What lies there under other names, at most so many pictures.
@@ -188,7 +204,7 @@ struct Search {
             return std::pair(a.misfit, a.level) < std::pair(b.misfit, b.level);
           });
       const auto rival = std::find_if(all.begin(), all.end(), [&best](const Candidate& other) {
-        return other.path != best->path && other.misfit == best->misfit && best->misfit == 2 &&
+        return other.path != best->path && other.misfit == best->misfit && best->misfit >= 2 &&
                other.level == best->level;
       });
       FoundPicture& found = result[item];
