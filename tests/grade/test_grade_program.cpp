@@ -88,8 +88,9 @@ TEST_CASE("a class of pictures is graded: statuses, tables, pages") {
   CHECK(count(text_of(folder / "out/points.csv"), "\r\n") == 1 + 4);
   CHECK(fs::exists(folder / "out/Bea.html"));
   CHECK(!fs::exists(folder / "out/ada.html"));  // nothing is to be seen there
-  CHECK(text_of(folder / "out/index.html").find("1 of 4 the whole picture is mirrored") !=
-        std::string::npos);
+  CHECK(
+      text_of(folder / "out/index.html").find("3 of 4 right<br>1 the whole picture is mirrored") !=
+      std::string::npos);
 }
 
 TEST_CASE("a wrong command line and nothing to grade have status 2 and say what helps") {
@@ -106,6 +107,8 @@ TEST_CASE("a wrong command line and nothing to grade have status 2 and say what 
   refused(quoted(folder / "file"), "there is nothing to grade");
   refused("--chapters 99 " + quoted(folder.path()), "there is no chapter '99'");
   refused("--chapters 02.9 " + quoted(folder.path()), "'02.9', and no exercise");
+  refused("--chapters 02, " + quoted(folder.path()), "'02,' has a comma with nothing before or");
+  refused("--one --class " + quoted(folder.path()), "--one and --class exclude each other");
   refused("--format pdf " + quoted(folder.path()), "gradescope|classroom");
 }
 
@@ -158,7 +161,7 @@ TEST_CASE("exercises are graded where they are asked for") {
       ";;\n"
       "    02.3) row $id $item bwrap ok hang 5.00 5.0 '' '' '' '' 0 1 no 'it was stopped' ;;\n"
       "    *.*) row $id $item bwrap missing '' '' '' '' '' '' '' '' '' no 'there is none' ;;\n"
-      "    *) row $id $item bwrap ok ok 0.50 5.0 \"$golden$item.png\" '' '' '' '' '' no '' ;;\n"
+      "    *) row $id $item bwrap ok ok 0.50 5.0 \"$golden$item.png\" '' '' '' 5 5 no '' ;;\n"
       "  esac\ndone <\"$plan\"\n";
   const std::string of_class = quoted(folder / "class");
   const Outcome outcome =
@@ -170,10 +173,17 @@ TEST_CASE("exercises are graded where they are asked for") {
   CHECK(grades.find("\"std::fmod: no squares; tried\",\"std::fmod\",\"0\",\"1\"") !=
         std::string::npos);
   CHECK(grades.find("\"it was stopped\",\"hang\",\"0\",\"1\"") != std::string::npos);
-  // The chapter and 02.1; of pictures alone, no exercise.
-  CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"2\",\"37\"") != std::string::npos);
-  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"37\"") != std::string::npos);
+  // The chapter, its tests and 02.1; of pictures alone, no tests and no exercise.
+  CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"3\",\"38\"") != std::string::npos);
+  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"38\"") != std::string::npos);
   CHECK(count(grades, "\"bob\",\"02.1\",\"\",") == 1);
+  // Blanks in a list are allowed. Who has nothing of it has one word for all.
+  fs::create_directories(path_of(folder / "class/nobody"));
+  const Outcome blanks =
+      grade(folder, builder(folder, body) + "--chapters '01, 02.1 ,2.2' " + of_class);
+  CHECK(blanks.status == 0);
+  CHECK(blanks.out.find("0 of 4    nobody                   no chapter and no picture found\n") !=
+        std::string::npos);
   // Without being asked for, none.
   CHECK(grade(folder, builder(folder, body) + of_class).status == 0);
   CHECK(text_of(folder / "out/grades.csv").find("02.1") == std::string::npos);
@@ -202,7 +212,7 @@ TEST_CASE("a builder that refuses ends the run with status 2, and what was grade
                                             "--chapters 01 " + quoted(folder / "class"));
   CHECK(outcome.status == 2);
   CHECK(outcome.err.find("cannot contain") != std::string::npos);
-  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"1\"") != std::string::npos);
+  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"2\"") != std::string::npos);
 }
 
 TEST_CASE("a run that is ended keeps what is done, and says so") {

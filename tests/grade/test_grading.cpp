@@ -426,8 +426,9 @@ TEST_CASE("a table begins with the byte order mark, and warns first if nothing w
   Class all{two_items, {student_named("ada", {right_row("03_image_texture")})}, 1};
   CHECK(grades_csv(all).starts_with("\xEF\xBB\xBF\"student\",\"chapter\""));
   CHECK(points_csv(all) ==
-        "\xEF\xBB\xBF\"folder\",\"name\",\"points\",\"of\",\"chapters\"\r\n"
-        "\"students/ada\",\"ada\",\"1\",\"1\",\"1\"\r\n");
+        "\xEF\xBB\xBF\"folder\",\"name\",\"points\",\"of\",\"chapters\",\"page\",\"note\"\r\n"
+        "\"students/ada\",\"ada\",\"1\",\"1\",\"1\",\"ada\",\"ended with 1 of 2 graded\"\r\n");
+  CHECK(class_page(all).find(">1 of 1<br>ended with 1 of 2 graded</td>") != std::string::npos);
   all.students[0].rows[0].containment = "none";
   CHECK(grades_csv(all).starts_with("\xEF\xBB\xBF\"NOT CONTAINED"));
   CHECK(points_csv(all).starts_with("\xEF\xBB\xBF\"NOT CONTAINED"));
@@ -450,7 +451,10 @@ TEST_CASE("the class's page has the worst first, a row of sums, and links where 
         wrong_row("03_image_texture", "mirrored", "");
   all.students[190].rows[0] = wrong_row("03_image_texture", "differs 3 %", "");
   const std::string page = class_page(all);
-  CHECK(page.find("37 of 200 mirrored, 1 otherwise wrong") != std::string::npos);
+  CHECK(page.find("<td>162 of 200 right<br>37 mirrored<br>1 differ</td>") != std::string::npos);
+  CHECK(page.find("Tests") == std::string::npos);  // nobody has any
+  all.students[0].rows[0].tests_run = 5;
+  CHECK(class_page(all).find("Tests</button>") != std::string::npos);
   CHECK(page.find("student 150<") < page.find("student 0<"));
   CHECK(page.find("<a href=\"student_150.html\">") != std::string::npos);
 }
@@ -471,7 +475,7 @@ TEST_CASE("an exercise is worth one point, and its mistakes are counted") {
   const Class all{{{"02.1", "02.1", "", false, file}},
                   {student_named("ada", {right}), student_named("bob", {wrong})},
                   2};
-  CHECK(class_page(all).find("1 of 2: u runs the other way") != std::string::npos);
+  CHECK(class_page(all).find("1 of 2 right<br>1 u runs the other way") != std::string::npos);
   CHECK(
       grades_csv(all).find("\"ada\",\"02.1\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"1 of 1\"") !=
       std::string::npos);

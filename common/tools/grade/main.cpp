@@ -127,8 +127,14 @@ std::vector<Item> chosen_items(const std::string& chapters) {
   std::vector<bool> chosen(all.size());
   for (std::size_t begin = 0; begin <= chapters.size();) {
     const std::size_t end = std::min(chapters.find(',', begin), chapters.size());
-    const std::string word = chapters.substr(begin, end - begin);
+    std::string word = chapters.substr(begin, end - begin);
     begin = end + 1;
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    if (word.empty()) {
+      throw UsageError("--chapters '" + chapters +
+                       "' has a comma with nothing before or after it; such as 02,04 is right");
+    }
     bool found = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool named = word == all[i].name || word == all[i].number ||
@@ -206,6 +212,7 @@ class Grading {
       const Submission& submission = submissions_[i];
       students_[i] = {submission.folder, submission.name, pages[i], submission.note, {}};
       students_[i].rows.resize(items_.size());
+      has_checkouts_ = has_checkouts_ || !submission.checkout.empty();
     }
   }
 
@@ -235,6 +242,12 @@ class Grading {
       row.note = found->second.why_not;
     } else {
       compare(found->second.path, k, row);
+    }
+    // In a class with checkouts all have the same points to reach.
+    row.with_tests = has_checkouts_ && items_[k].has_tests && !request_.no_tests;
+    if (row.with_tests && row.word.empty()) {
+      row.word = "no tests";
+      row.note = "the picture is right; the tests need the chapter's code";
     }
     if (row.word == "missing" && !submissions_[i].seen.empty())
       row.note.append("; found ").append(submissions_[i].seen);
@@ -347,18 +360,28 @@ class Grading {
     print(line_of(student));
   }
 
+  /// In words, if nothing is there of what was asked for.
+  [[nodiscard]] std::string nothing_of(const Student& student) const {
+    const bool missing = std::all_of(student.rows.begin(), student.rows.end(),
+                                     [](const Row& row) { return row.word == "missing"; });
+    if (!missing) return "";
+    const Submission& submission =
+        submissions_[static_cast<std::size_t>(&student - students_.data())];
+    if (!student.note.empty()) return clean(student.note);
+    if (!submission.checkout.empty()) return "nothing of what was asked for is in its chapters";
+    if (!submission.seen.empty()) return "missing; found " + submission.seen;
+    return "no chapter and no picture found";
+  }
+
   [[nodiscard]] std::string line_of(const Student& student) const {
-    std::string wrong;
-    for (std::size_t k = 0; k < items_.size(); ++k) {
+    std::string wrong = nothing_of(student);
+    const bool by_item = wrong.empty();
+    for (std::size_t k = 0; k < items_.size() && by_item; ++k) {
       const Row& row = student.rows[k];
       if (row.right()) continue;
       wrong.append(wrong.empty() ? "" : ", ").append(items_[k].number).append(" ");
       wrong += clean(row.word);
     }
-    bool all_missing = true;
-    for (const Row& row : student.rows)
-      all_missing = all_missing && row.word == "missing" && row.exercise.empty();
-    if (all_missing) wrong = "no chapter and no picture found";
     std::string line = "[" + std::to_string(finished_) + "/" + std::to_string(class_.asked) + "]";
     line = padded(line, 10) +
            padded(std::to_string(student.points()) + " of " + std::to_string(student.of()), 10);
@@ -430,6 +453,7 @@ class Grading {
   std::vector<std::vector<bool>> done_;  // which of their rows are there
   Class class_;
   std::size_t finished_ = 0;
+  bool has_checkouts_ = false;
   std::ofstream table_;
   bool watched_ = stderr_is_watched();
 };
