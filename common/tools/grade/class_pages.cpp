@@ -28,6 +28,7 @@ body { max-width: none; }
 @media print {
   .grades thead { position: static; }
   .grades tr { break-inside: avoid; }
+  .grades button { display: contents; } /* or Chromium leaves it out where a head stands again */
 }
 )css";
 
@@ -72,7 +73,7 @@ bool has_tests(const Class& all) {
   });
 }
 
-/// "149 of 200 right", and below it the words that most students share: "37 mirrored".
+/// "149 right", and below it the words that most students share: "37 mirrored".
 std::string sum_of(const Class& all, std::size_t column) {
   constexpr std::size_t most_words = 3;
   std::map<std::string, std::size_t> count;
@@ -94,7 +95,7 @@ std::string sum_of(const Class& all, std::size_t column) {
   for (const auto& [word, students] : count) words.emplace_back(students, word);
   std::stable_sort(words.begin(), words.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::string html = text("%zu of %zu right", rows - wrong, rows);
+  std::string html = text("%zu right", rows - wrong);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i == most_words) return html + text("<br>%zu other", wrong);
     html += text("<br>%zu ", words[i].first) + page::escaped_foreign(words[i].second);

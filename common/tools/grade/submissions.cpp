@@ -145,7 +145,7 @@ struct Search {
       const std::string name = name_of(entry.path().filename());
       if (is_real_folder(entry)) {
         if (lower(name) == "chapters" && has_chapters(entry.path())) {
-          // The builder knows chapters/ in small letters; of another name it gets the folder itself.
+          // The builder knows chapters/ in small letters; else it gets the folder itself.
           if (checkout.empty()) checkout = name == "chapters" ? folder : entry.path();
         } else if (is_chapter(items, entry)) {
           holds_chapters = true;
