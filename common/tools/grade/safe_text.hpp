@@ -9,7 +9,7 @@ namespace texmap::grade {
 /// the direction of writing. Every other character stays as it is.
 [[nodiscard]] std::string clean(std::string_view text);
 
-/// A file's name to be shown: each byte that is not UTF-8 as its Latin-1 letter, as in archives from
+/// A file's name to be shown: a byte that is not UTF-8 as its Latin-1 letter, as in archives from
 /// older Windows systems, or as \xNN. A name in UTF-8 stays as it is.
 [[nodiscard]] std::string shown_name(std::string_view name);
 
