@@ -141,7 +141,7 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
   CHECK(grades.find("a second one, drawn with other settings, is not") != std::string::npos);
   CHECK(grades.find("\"crashed SIGSEGV\"") != std::string::npos);
   // A program that did not end well draws no second picture, so nothing is said of one.
-  CHECK(grades.find("\"it left one\",\"left processes\",\"0\"") != std::string::npos);
+  CHECK(grades.find("\"it left one\",\"left processes\",\"0\",\"1\",\"\"") != std::string::npos);
   CHECK(text_of(folder / "out/eve.html").find("&lt;b&gt;error") != std::string::npos);
   CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"0\"") != std::string::npos);
   CHECK(grades.find("NOT CONTAINED") == std::string::npos);
