@@ -241,7 +241,6 @@ std::vector<Mistake<double(double, double)>> wrong_u() {
     wrong(word, shown_by(cut_off, place));
     wrong(word, shown_by(as_it_is, place));
     wrong(word, shown_by(moved_once, place));
-    wrong(word, shown_by(limited, place));
   };
   scaled("the angle has the wrong sign: a turn to the east adds to u",
          [=](double u, double degrees) { return turns(u, -degrees); });
