@@ -455,7 +455,8 @@ TEST_CASE("05.2: more u that students compute") {
       "05.2",
       +[](double u, double degrees) {
         const int whole = static_cast<int>(degrees);
-        return u + whole % 360 / 360;
+        const int turns = whole % 360 / 360;
+        return u + turns;
       },
       "no effect");
   check_mistake(
@@ -500,7 +501,7 @@ TEST_CASE("05.2: more u that students compute") {
       "not multiplied");
   check_mistake(
       "05.2",
-      +[](double u, double degrees) {
+      +[](double, double degrees) {
         const double x = degrees / 360;
         return x - std::floor(x);
       },
@@ -599,7 +600,7 @@ TEST_CASE("05.3: more looks at a leaning globe") {
       "turn of x and y");
   check_mistake(
       "05.3",
-      +[](Vec3 p, double lean, double turn) {
+      +[](Vec3 p, double, double turn) {
         const double a = 23.4 * pi / 180;
         const double b = turn * pi / 180;
         const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
@@ -687,7 +688,7 @@ TEST_CASE("05.3: more looks at a leaning globe") {
       "new z is computed");
   check_mistake(
       "05.3",
-      +[](Vec3 p, double lean, double turn) {
+      +[](Vec3 p, double lean, double) {
         const double a = lean * pi / 180;
         return Vec3{p.x * std::cos(a) + p.y * std::sin(a), p.y * std::cos(a) - p.x * std::sin(a),
                     p.z};

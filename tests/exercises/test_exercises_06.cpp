@@ -174,7 +174,7 @@ TEST_CASE("06.1: more directions that students write") {
   check_mistake(
       "06.1", +[](Vec3 l, Vec3 n) { return n * (-2 * dot(n, l)) - l; }, "wrong sign: add it");
   check_mistake(
-      "06.1", +[](Vec3 l, Vec3 n) { return l; }, "you return l");
+      "06.1", +[](Vec3 l, Vec3) { return l; }, "you return l");
   check_mistake(
       "06.1", +[](Vec3 l, Vec3 n) { return n * (2 * dot(n, l)); }, "no more than");
   check_mistake(
@@ -197,13 +197,13 @@ TEST_CASE("06.1: more directions that students write") {
       "06.1", +[](Vec3 l, Vec3 n) { return normalize((l + n) / 2); }, "other side of n");
   check_mistake(
       "06.1",
-      +[](Vec3 l, Vec3 n) {
+      +[](Vec3 l, Vec3) {
         return Vec3{-l.x, l.y, -l.z};
       },
       "n = +y at most");
   check_mistake(
       "06.1",
-      +[](Vec3 l, Vec3 n) {
+      +[](Vec3 l, Vec3) {
         return Vec3{-l.x, l.y, l.z};
       },
       "n = +y at most");
@@ -286,7 +286,7 @@ TEST_CASE("06.2: more highlights that students write") {
       "not to 1");
   check_mistake(
       "06.2",
-      +[](Vec3 n, Vec3 to_lamp, Vec3 d, double shininess) {
+      +[](Vec3 n, Vec3 to_lamp, Vec3, double shininess) {
         const Vec3 l = normalize(to_lamp);
         if (dot(n, l) <= 0) return 0.0;
         return std::pow(std::max(dot(n, l), 0.0), shininess);
@@ -367,7 +367,7 @@ TEST_CASE("06.2: more highlights that students write") {
       "base and exponent");
   check_mistake(
       "06.2",
-      +[](Vec3 n, Vec3 to_lamp, Vec3 d, double shininess) {
+      +[](Vec3 n, Vec3 to_lamp, Vec3 d, double) {
         const Vec3 l = normalize(to_lamp);
         if (dot(n, l) <= 0) return 0.0;
         const Vec3 r = 2 * dot(n, l) * n - l;
@@ -535,17 +535,16 @@ TEST_CASE("06.3: more blends that students write") {
       "same share");
   check_mistake(
       "06.3",
-      +[](Color texture, double light, double t) {
+      +[](Color texture, double light, double) {
         const double x = std::min(light, 1.0);
         return (texture + Color{x, x, x}) * 0.5;
       },
       "share 1/2");
   check_mistake(
-      "06.3", +[](Color texture, double light, double t) { return texture * t; },
-      "light is missing");
+      "06.3", +[](Color texture, double, double t) { return texture * t; }, "light is missing");
   check_mistake(
       "06.3",
-      +[](Color texture, double light, double t) {
+      +[](Color, double light, double t) {
         const double x = std::min(light, 1.0);
         return Color{x, x, x} * (1 - t);
       },
@@ -566,7 +565,7 @@ TEST_CASE("06.3: more blends that students write") {
       "by 1 minus the light");
   check_mistake(
       "06.3",
-      +[](Color texture, double light, double t) {
+      +[](Color texture, double, double t) {
         return texture * t + Color{1 - t, 1 - t, 1 - t};
       },
       "share 1");

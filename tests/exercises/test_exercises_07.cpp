@@ -549,7 +549,7 @@ TEST_CASE("07.2: more directions that students make") {
       "a and b are exchanged");
   check_mistake(
       "07.2",
-      +[](double a, double b) {
+      +[](double a, double) {
         const double r = std::sqrt(a);
         const double w = 2 * pi * a;
         return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
@@ -557,7 +557,7 @@ TEST_CASE("07.2: more directions that students make") {
       "a makes the radius and the angle");
   check_mistake(
       "07.2",
-      +[](double a, double b) {
+      +[](double, double b) {
         const double r = std::sqrt(b);
         const double w = 2 * pi * b;
         return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
@@ -584,10 +584,10 @@ TEST_CASE("07.2: more directions that students make") {
 TEST_CASE("07.3: more places that students compute") {
   check_mistake(
       "07.3",
-      +[](int i, int n, double a, double b) {
-        const double column = i % n;
-        const double row = i / n;
-        return Uv{column / n, row / n};
+      +[](int i, int n, double, double) {
+        const int column = i % n;
+        const int row = i / n;
+        return Uv{1.0 * column / n, 1.0 * row / n};
       },
       "at its corner");
   check_mistake(
@@ -606,13 +606,13 @@ TEST_CASE("07.3: more places that students compute") {
       "first cell");
   check_mistake(
       "07.3",
-      +[](int i, int n, double a, double b) {
+      +[](int, int n, double a, double b) {
         return Uv{a / n, b / n};
       },
       "first cell");
   check_mistake(
       "07.3",
-      +[](int i, int n, double a, double b) {
+      +[](int i, int n, double, double) {
         const int column = i % n / n;
         const int row = i / n / n;
         return Uv{1.0 * column, 1.0 * row};
@@ -628,7 +628,7 @@ TEST_CASE("07.3: more places that students compute") {
       "a is across");
   check_mistake(
       "07.3",
-      +[](int i, int n, double a, double b) {
+      +[](int i, int n, double a, double) {
         const int column = i % n;
         const int row = i / n;
         return Uv{(column + a) / n, (row + a) / n};

@@ -596,7 +596,7 @@ TEST_CASE("08.2: more shares that students compute") {
       "missing in the sum");
   check_mistake(
       "08.2",
-      +[](Vec3 a, Vec3 b, Vec3 c) {
+      +[](Vec3, Vec3, Vec3) {
         return std::array<double, 3>{1.0 / 3, 1.0 / 3, 1.0 / 3};
       },
       "all weights are 1/3");
@@ -641,7 +641,7 @@ TEST_CASE("08.2: more shares that students compute") {
 TEST_CASE("08.3: more mixes that students write") {
   check_mistake(
       "08.3",
-      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+      +[](Uv a, Uv b, Uv c, std::array<double, 3>) {
         return Uv{a.u + b.u + c.u, a.v + b.v + c.v};
       },
       "no weights");
@@ -696,13 +696,13 @@ TEST_CASE("08.3: more mixes that students write") {
       "one product of u");
   check_mistake(
       "08.3",
-      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+      +[](Uv, Uv b, Uv c, std::array<double, 3> w) {
         return Uv{w[1] * b.u + w[2] * c.u, w[1] * b.v + w[2] * c.v};
       },
       "corner a is missing");
   check_mistake(
       "08.3",
-      +[](Uv a, Uv b, Uv c, std::array<double, 3> w) {
+      +[](Uv a, Uv, Uv c, std::array<double, 3> w) {
         return Uv{w[0] * a.u + w[2] * c.u, w[0] * a.v + w[2] * c.v};
       },
       "corner b is missing");
