@@ -24,5 +24,6 @@ if(SH AND NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and conver
     endif()
   endforeach()
   add_test(NAME check_script COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
-  set_tests_properties(check_script PROPERTIES LABELS "exercises;posix")
+  add_test(NAME watch_script COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
+  set_tests_properties(check_script watch_script PROPERTIES LABELS "exercises;posix")
 endif()

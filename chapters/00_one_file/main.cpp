@@ -133,4 +133,5 @@ int main(int argc, char** argv) {
     std::cerr << "error: cannot write " << file << '\n';
     return 1;
   }
+  std::cout << file << '\n';
 }

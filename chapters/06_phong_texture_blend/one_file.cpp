@@ -129,4 +129,5 @@ int main(int argc, char** argv) {
     std::cerr << "error: cannot write " << out << '\n';
     return 1;
   }
+  std::cout << out << '\n';
 }

@@ -83,7 +83,7 @@ holds "a start has its task and lines to replace" grep -q 'return {p.x, p.y};' "
 expect "the list begins" 0 "[ ] 02.1  where on the map?
 [ ] 02.2  which square?
 0 of 2 right. Next: write $first, then ./course check 02.1"
-expect "a start is not right" 1 "ran --title where on the map?" 02.1
+expect "a start is not right" 1 "ran --title where on the map?" 2.1
 sh "$script" solution 02.1 >"$first"
 expect "the solution is right" 0 "ran" 02.1
 expect "the list shows it" 0 "[x] 02.1  where on the map?
@@ -93,7 +93,7 @@ echo "// one more line" >>"$first"
 expect "a change is seen" 0 "[?] 02.1"
 echo SYNTAX >>"$first"
 expect "a file that does not compile" 1 "error: what is SYNTAX?
-02.1  where on the map?: does not compile" 02.1
+02.1  where on the map? does not compile" 02.1
 expect "then it is open again" 0 "[ ] 02.1"
 expect "reset keeps the student's lines" 0 "Your lines are kept in out/exercises/02.1/" reset 02.1
 holds "all of them" grep -q SYNTAX out/exercises/02.1/before_reset_*.hpp
@@ -112,9 +112,9 @@ sh "$script" reset 02.1 >/dev/null
 
 expect "the first hint" 0 "(hint 1 of 2)" hint 02.1
 expect "the second hint" 0 "Divide by what the angles run over.
-(hint 2 of 2)" hint 02.1
+(hint 2 of 2)" hint 2.1
 expect "the last hint stays" 0 "(hint 2 of 2)" hint 02.1
-expect "one wrong exercise of a chapter" 1 "ran --title which square?" 02
+expect "one wrong exercise of a chapter" 1 "ran --title which square?" 2
 for id in 02.1 02.2; do sh "$script" solution "$id" >"$(echo $folder/"${id#*.}"_*.hpp)"; done
 expect "a chapter that is right" 0 "ran" 02
 expect "all are right" 0 "2 of 2 right.

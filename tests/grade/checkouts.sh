@@ -92,7 +92,7 @@ expect points.csv '"right","1","2","2"'
 for name in mirrored start ends loops broken; do expect points.csv "\"$name\",\"0\",\"2\",\"2\""; done
 expect grades.csv '"right","02.2","missing"'
 expect grades.csv '"mirrored","02.1","ok","ok"'
-expect grades.csv '"u runs the other way: your map is mirrored; law: on +z'
+expect grades.csv '"u runs the other way: your map is mirrored; tried: on +z'
 expect grades.csv '"start","02.1","ok","ok"'
 expect grades.csv '"not yet: '
 expect grades.csv '"ends","02.1","ok","ok"'

@@ -172,9 +172,7 @@ class Book {
   }
 
   std::string picture(const fs::path& target) {
-    // A golden picture is one that a chapter's program draws: if it has, that one is shown.
-    std::string drawn = target.filename().string();
-    if (target.parent_path() == "tests/golden" && fs::exists(out_ / drawn)) return drawn;
+    // A copy also where the chapter's program has drawn it: the reader may draw it again, changed.
     std::string place = "pictures/" + flat(target);
     if (pictures_.insert(place).second) {
       fs::create_directories(out_ / "pictures");
@@ -368,10 +366,10 @@ class Book {
       const std::string drawn = page.chapter + ".png";
       const fs::path golden = "tests/golden/" + drawn;
       std::string shown;
-      if (fs::exists(out_ / drawn)) {
-        shown = drawn;
-      } else if (fs::exists(root_ / golden)) {
+      if (fs::exists(root_ / golden)) {
         shown = picture(golden);
+      } else if (fs::exists(out_ / drawn)) {
+        shown = drawn;
       }
       body += "<a class=\"card\" href=\"" + page.file + "\">";
       if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";

@@ -14,8 +14,8 @@ struct Report {
   std::vector<std::string> faults;  ///< links and pictures that lead nowhere
 };
 
-/// Makes the book of the course in `root` in the folder `out`, where the chapters' programs have
-/// drawn their pictures; what is missing there is taken from tests/golden.
+/// Makes the book of the course in `root` in the folder `out`. Its pages have copies of the golden
+/// pictures, because the reader may draw out/NN_name.png again, changed.
 /// Errors: std::runtime_error if a page cannot be read or written.
 /// @param with_print  also print.html, the pages of students and instructors in one, for paper
 [[nodiscard]] Report make_book(const std::filesystem::path& root, const std::filesystem::path& out,

@@ -37,6 +37,9 @@ whole_of() { printf 'tests/exercises/%s.hpp' "$(printf '%s' "$1" | tr . _)"; }
 
 title_of() { sed -n '1s/^[^:]*: //p' "$(whole_of "$1")"; }
 
+# head_of ID: how a line about it begins.
+head_of() { printf '%s  %s' "$1" "$(title_of "$1" | sed 's/[^?]$/&:/')"; }
+
 # name_of ID: sets file to the student's file, or to the name it should have if it is gone. Stops if there is no such exercise.
 name_of() {
   case "$1" in
@@ -109,7 +112,7 @@ check() {
   file_of "$1"
   program=exercise_$(printf '%s' "$1" | tr . _)
   ./course --build learn "$program" 1 || {
-    printf '%s  %s: does not compile; the compiler says why above\n' "$1" "$(title_of "$1")"
+    printf '%s does not compile; the compiler says why above\n' "$(head_of "$1")"
     remember "$1" 1
     status=1
     return
@@ -121,8 +124,8 @@ check() {
   (ulimit -t "$seconds" && exec "build/learn/bin/$program" --title "$(title_of "$1")") || status=$?
   case $status in
     0 | 1 | 2) ;;
-    152 | 137 | 158) printf '%s  %s: still running after %s s of processor time; is there a loop without an end?\n' "$1" "$(title_of "$1")" "$seconds" ;;
-    *) printf '%s  %s: your function crashed (status %s)\n' "$1" "$(title_of "$1")" "$status" ;;
+    152 | 137 | 158) printf '%s still running after %s s of processor time; is there a loop without an end?\n' "$(head_of "$1")" "$seconds" ;;
+    *) printf '%s your function crashed (status %s)\n' "$(head_of "$1")" "$status" ;;
   esac
   remember "$1" "$status"
 }
@@ -134,6 +137,12 @@ question() {
   fi
   exec "build/learn/bin/check_${1%.*}" --question "$1" --answer "$2"
 }
+
+# 2.1 means 02.1.
+case "${1:-}" in
+  [0-9] | [0-9].*) first=0$1 && shift && set -- "$first" "$@" ;;
+  hint | solution | reset) case "$#${2:-}" in 2[0-9].*) set -- "$1" "0$2" ;; esac ;;
+esac
 
 case "${1:-}" in
   "") list ;;

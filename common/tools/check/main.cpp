@@ -1,5 +1,6 @@
 // Checks one exercise and says what it found, in words and with a picture: ./course check 02.1
 // builds and runs it.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -47,22 +48,39 @@ bool is_right(const Verdict& verdict, std::size_t different, std::size_t pixels)
   return verdict.right && different * 5000 <= pixels;
 }
 
+/// "02.1  a checkerboard: ", which the verdict ends.
+std::string headline(const std::string& id, const std::string& title) {
+  const bool asks = !title.empty() && title.back() == '?';
+  return id + "  " + title + (asks ? " " : ": ");
+}
+
+std::string wrong_values(const Verdict& verdict) {
+  return text("%zu of %zu values %s wrong", verdict.wrong, verdict.places,
+              verdict.wrong == 1 ? "is" : "are");
+}
+
 /// The verdict, line by line.
 std::string in_words(const Exercise& exercise, const std::string& title, const Verdict& verdict,
                      std::size_t different, std::size_t pixels) {
   const bool right = is_right(verdict, different, pixels);
-  std::string words = exercise.id + "  " + title + (right ? ": right\n" : ": not yet\n");
+  std::string words = headline(exercise.id, title) + (right ? "right\n" : "not yet\n");
   if (verdict.right) {
     words += text("  All %zu values that were tried are right.\n", verdict.places);
   } else {
-    words += "  law:       " + verdict.law + "\n  expected:  " + verdict.expected +
+    words += "  tried:     " + verdict.law + "\n  expected:  " + verdict.expected +
              "\n  yours:     " + verdict.got + "\n";
-    words += text("  %zu of %zu values are wrong.\n", verdict.wrong, verdict.places);
+    words += "  " + wrong_values(verdict) + ".\n";
     if (!verdict.mistake.empty()) words += "  This is a known mistake: " + verdict.mistake + ".\n";
   }
-  words += "  In the exercise's picture " + percent(different, pixels) + " of the pixels differ";
-  words +=
-      is_right({}, different, pixels) ? ".\n" : "; none should. The pictures below show where.\n";
+  if (!is_right({}, different, pixels)) {
+    words += "  In the exercise's picture " + percent(different, pixels) +
+             " of the pixels differ; none should. The pictures show where.\n";
+  } else if (!right) {
+    words += "  The exercise's picture does not show this mistake.\n";
+  } else {
+    words +=
+        "  In the exercise's picture " + percent(different, pixels) + " of the pixels differ.\n";
+  }
   if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
   return words;
 }
@@ -76,9 +94,8 @@ std::string in_two_lines(const Verdict& verdict, std::size_t different, std::siz
            percent(different, pixels) + " of the pixels of the exercise's picture differ\n";
   }
   std::string words = verdict.mistake;
-  if (words.empty())
-    words = text("not yet: %zu of %zu values are wrong", verdict.wrong, verdict.places);
-  return "not yet\n" + words + "; law: " + verdict.law + "; expected: " + verdict.expected +
+  if (words.empty()) words = "not yet: " + wrong_values(verdict);
+  return "not yet\n" + words + "; tried: " + verdict.law + "; expected: " + verdict.expected +
          "; yours: " + verdict.got + "\n";
 }
 
@@ -124,6 +141,18 @@ int check_exercise(const Exercise& exercise, const Request& request) {
   return good ? 0 : 1;
 }
 
+/// Which unit a prediction is in, if it is right in another one than the question's.
+std::string wrong_unit(const Question& question, double answer, double predicted) {
+  const auto means = [&](double number) {
+    return apart(answer, number) <= std::max(question.tolerance, 0.01) * std::abs(answer);
+  };
+  if (question.unit == "degrees" && means(predicted * 180 / pi<double>()))
+    return " Yours is in radians.";
+  if (question.unit == "percent" && means(predicted * 100))
+    return " Yours is a fraction: multiply by 100 for percent.";
+  return "";
+}
+
 /// Says how far a prediction is off. Returns the status.
 int check_answer(const Question& question, double predicted) {
   const double answer = question.answer();
@@ -137,9 +166,9 @@ int check_answer(const Question& question, double predicted) {
     words += "right.\n";
   } else {
     words += check::in_words(off) + (predicted > answer ? " too large" : " too small");
-    if (answer != 0 && answer != std::round(answer))
+    if (answer != std::round(answer) && off < std::abs(answer))
       words += text(" (%.3g %%)", 100 * off / std::abs(answer));
-    words += ".\n";
+    words += "." + wrong_unit(question, answer, predicted) + "\n";
   }
   print(words);
   return right ? 0 : 1;

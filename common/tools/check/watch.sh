@@ -70,9 +70,14 @@ while :; do
   status=0
   said=$({ ./course --build learn "$program" 1 && "build/learn/bin/$program" "$@"; } 2>&1) || status=$?
   said=$(printf "%s\n" "$said" | grep -vE "^\[ *[0-9]+%\] |^\+ ") || :
-  [ ! -f "$folder/after.png" ] || cp "$folder/after.png" "$folder/before.png"
-  # A picture that this run did not draw is not shown.
-  if [ -f "$picture" ]; then mv "$picture" "$folder/after.png"; fi
+  # "before" is the last picture that was different, also after an error.
+  if [ -f "$picture" ] && cmp -s "$picture" "$folder/after.png"; then
+    [ -n "$said" ] || said="drawn; the picture is the same"
+    rm "$picture"
+  elif [ -f "$picture" ]; then
+    [ ! -f "$folder/after.png" ] || mv "$folder/after.png" "$folder/before.png"
+    mv "$picture" "$folder/after.png"
+  fi
   [ -n "$said" ] || said="drawn"
   case $status in 0) word=good ;; *) word=bad ;; esac
   { printf 'show(%s, "%s", ' "$count" "$word" && printf '%s\n' "$said" | as_string && echo ');'; } >"$folder/state.new"

@@ -168,7 +168,7 @@ Drawing lambert_law() {
       const Spot foot = at + Spot{wide / 2, 0};
       const Spot across{-std::cos(angle), -std::sin(angle)};
       d.line(foot, foot + across * w, "red dashed");
-      d.text(foot + across * (w * 0.3) + Spot{2, 16}, "w", Anchor::middle, "red");
+      d.text(foot + across * (w * 0.27) + Spot{13, 6}, "w", Anchor::middle, "red");
     }
     d.text(at + Spot{-8, -104}, "n", Anchor::end, "blue");
     d.mark(degrees > 0 ? "slanted left" : "straight left", at + Spot{-wide / 2, 0});

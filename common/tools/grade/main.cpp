@@ -248,7 +248,7 @@ class Grading {
       return row;
     }
     if (!items_[k].exercise.empty()) {
-      // The note begins with the word: "u runs the other way: your map is mirrored; law: ..."
+      // The note begins with the word: "u runs the other way: your map is mirrored; tried: ..."
       if (!row.tests_ok())
         row.word = row.run == "ok" ? row.note.substr(0, row.note.find_first_of(":;")) : row.run;
       return row;
