@@ -289,7 +289,7 @@ TEST_CASE("09.2: more weights that students compute") {
       "width - 1");
   check_mistake(
       "09.2",
-      +[](double u, int width) {
+      +[](double u, int) {
         const double x = u - 0.5;
         const double right = x - std::floor(x);
         return std::array<double, 2>{1 - right, right};
@@ -297,7 +297,7 @@ TEST_CASE("09.2: more weights that students compute") {
       "multiply it by width");
   check_mistake(
       "09.2",
-      +[](double u, int width) {
+      +[](double u, int) {
         const double x = u;
         const double right = x;
         return std::array<double, 2>{1 - right, right};
