@@ -148,7 +148,7 @@ std::vector<Mistake<MeanByte>> wrong_means() {
                             double sum = 0;
                             for (const int byte : bytes) sum += decode(byte);
                             const double value = encode(sum, static_cast<double>(bytes.size()));
-                            return static_cast<int>(rounds ? std::lround(value) : value);
+                            return static_cast<int>(rounds ? std::round(value) : value);
                           }});
     }
   };
