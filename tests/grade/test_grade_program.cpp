@@ -141,7 +141,7 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
   CHECK(grades.find("a second one, drawn with other settings, is not") != std::string::npos);
   CHECK(grades.find("\"crashed SIGSEGV\"") != std::string::npos);
   // A program that did not end well draws no second picture, so nothing is said of one.
-  CHECK(grades.find("\"it left one\",\"left processes\",\"0\"") != std::string::npos);
+  CHECK(grades.find("\"it left one\",\"left processes\",\"0\",\"1\",\"\"") != std::string::npos);
   CHECK(text_of(folder / "out/eve.html").find("&lt;b&gt;error") != std::string::npos);
   CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"0\"") != std::string::npos);
   CHECK(grades.find("NOT CONTAINED") == std::string::npos);
@@ -183,6 +183,8 @@ TEST_CASE("exercises are graded where they are asked for") {
   CHECK(blanks.status == 0);
   CHECK(blanks.out.find("0 of 4    nobody                   no chapter and no picture found\n") !=
         std::string::npos);
+  CHECK(grade(folder, "--chapters 2.1 " + quoted(folder / "class/bob"))
+            .out.find("bob                      missing; found 01.png\n") != std::string::npos);
   // Without being asked for, none.
   CHECK(grade(folder, builder(folder, body) + of_class).status == 0);
   CHECK(text_of(folder / "out/grades.csv").find("02.1") == std::string::npos);
@@ -272,11 +274,15 @@ TEST_CASE("a run that is ended keeps what is done, and says so") {
       "row $id $item bwrap ok ok 0.50 5.0 \"$golden$item.png\" \"$golden$item.png\" '' '' '' '' no "
       "''\nkill -s TERM $PPID\nexec sleep 60\n";
   const Outcome outcome =
-      grade(folder, builder(folder, body) + "--chapters 01 " + quoted(folder / "class"));
+      grade(folder, builder(folder, body) + "--chapters 01,02 " + quoted(folder / "class"));
   CAPTURE(outcome.err);
   CHECK(outcome.status == 130);
   CHECK(count(text_of(folder / "out/grades.csv"), "\r\n") == 2);
   CHECK(text_of(folder / "out/index.html").find("1 folder graded of 2") != std::string::npos);
+  for (const char* file : {"points.csv", "index.html"}) {
+    CHECK(text_of(folder / (std::string("out/") + file)).find("ended with 1 of 2 graded") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("each format leaves its file, with the page's name where there are several students") {

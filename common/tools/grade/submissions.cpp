@@ -314,7 +314,6 @@ struct Structure {
   [[nodiscard]] bool is_class(bool alone) const {
     if (folders.empty() || has_chapters) return false;
     if (!alone) return with_work > 1 && own_picture.empty();
-    if (with_work > 1) return true;  // a stray picture changes nothing
     return own_picture.empty() ? !is_packed() : folders.size() > 1 && with_work > 0;
   }
 
