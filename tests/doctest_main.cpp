@@ -8,7 +8,7 @@ namespace {
 
 constexpr int most_failures = 10;  // more of them say no more
 
-/// Says which tests were skipped and why; at the end that the suite stopped, and how to see the rest.
+/// Says which tests were skipped and why, and at the end that the suite stopped.
 struct Notices : doctest::IReporter {
   explicit Notices(const doctest::ContextOptions& /*options*/) {}
   void report_query(const doctest::QueryData&) override {}
