@@ -145,7 +145,7 @@ TEST_CASE("09.3: which level") {
         for (double w = width; w >= 2; w /= 2) ++level;
         return static_cast<double>(level);
       },
-      "steps");
+      "whole level alone");
   check_mistake(
       "09.3",
       +[](double width) {
@@ -178,6 +178,423 @@ TEST_CASE("09.3: which level") {
       "before you divide");
   check_unknown(
       "09.3", +[](double width) { return width; });
+}
+
+TEST_CASE("09.1: more columns that students compute") {
+  check_mistake(
+      "09.1",
+      +[](int column, int width) { return column < 0 ? width - -column % width : column % width; },
+      "not where the column is");
+  check_mistake(
+      "09.1", +[](int column, int width) { return column % width + width; }, "to every rest");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        const int rest = column % width;
+        return rest < 0 ? width + rest - 1 : rest;
+      },
+      "no more and no less");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        const int rest = column % width;
+        return rest < 0 ? rest + width + 1 : rest;
+      },
+      "no more and no less");
+  check_mistake(
+      "09.1", +[](int column, int width) { return column % (width - 1); }, "width - 1");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) { return (column % (width + 1) + width + 1) % (width + 1); },
+      "width + 1");
+  check_mistake(
+      "09.1", +[](int column, int width) { return column % (width + 1); }, "width + 1");
+  check_mistake(
+      "09.1", +[](int column, int width) { return width % column; }, "write column % width");
+  check_mistake(
+      "09.1", +[](int column, int width) { return column / width; }, "which copy");
+  check_mistake(
+      "09.1", +[](int column, int width) { return column & (width - 1); }, "& is right");
+  check_mistake(
+      "09.1", +[](int column, int width) { return (column + width) % width; },
+      "one width is not enough");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        if (column < 0) column = column + width;
+        return column % width;
+      },
+      "one width is not enough");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        if (column < 0) return width + column;
+        return column > width ? column - width : column;
+      },
+      "one width is not enough");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        while (column < 0) column += width;
+        while (column > width) column -= width;
+        return column;
+      },
+      "column >= width");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        while (column >= width) column -= width;
+        return column;
+      },
+      "left of the picture stay");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        while (column < 0) column += width;
+        return column;
+      },
+      "right of the picture stay");
+  check_mistake(
+      "09.1",
+      +[](int column, int width) {
+        if (column < 0 || column >= width) return 0;
+        return column;
+      },
+      "always column 0");
+}
+
+TEST_CASE("09.2: more weights that students compute") {
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width;
+        return std::array<double, 2>{x - std::floor(x), 1 - x + std::floor(x)};
+      },
+      "half a texel is missing");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = (u - 0.5) * width;
+        const double right = x - std::floor(x);
+        return std::array<double, 2>{1 - right, right};
+      },
+      "subtracted from u");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * (width - 1) - 0.5;
+        const double right = x - std::floor(x);
+        return std::array<double, 2>{1 - right, right};
+      },
+      "width - 1");
+  check_mistake(
+      "09.2",
+      +[](double u, int) {
+        const double x = u - 0.5;
+        const double right = x - std::floor(x);
+        return std::array<double, 2>{1 - right, right};
+      },
+      "multiply it by width");
+  check_mistake(
+      "09.2",
+      +[](double u, int) {
+        const double x = u;
+        const double right = x;
+        return std::array<double, 2>{1 - right, right};
+      },
+      "multiply it by width");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const int x = static_cast<int>(u * width - 0.5);
+        const double right = x - std::floor(x);
+        return std::array<double, 2>{1 - right, right};
+      },
+      "must be a double");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = std::abs(x - static_cast<int>(x));
+        return std::array<double, 2>{1 - right, right};
+      },
+      "loses its sign");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = std::abs(x - std::round(x));
+        return std::array<double, 2>{1 - right, right};
+      },
+      "nearest center");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = x - std::round(x);
+        return std::array<double, 2>{1 - right, right};
+      },
+      "nearest center");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = std::ceil(x) - x;
+        return std::array<double, 2>{1 - right, right};
+      },
+      "std::ceil");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = x;
+        return std::array<double, 2>{1 - right, right};
+      },
+      "a place and no part");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = std::floor(x);
+        return std::array<double, 2>{1 - right, right};
+      },
+      "a place and no part");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double right = x - std::floor(x);
+        return std::array<double, 2>{right, right};
+      },
+      "both weights are the same");
+  check_mistake(
+      "09.2",
+      +[](double u, int width) {
+        const double x = u * width - 0.5;
+        const double left = 1 - x + std::floor(x);
+        return std::array<double, 2>{left, left};
+      },
+      "both weights are the same");
+}
+
+TEST_CASE("09.3: more levels that students compute") {
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        int scaled = static_cast<int>(std::max(width, 1.0));
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (scaled * scaled - 1) / 3.0;
+      },
+      "not int");
+  check_mistake(
+      "09.3", +[](double width) { return std::log(width); }, "natural");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::min(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (scaled * scaled - 1) / 3;
+      },
+      "std::min");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return (scaled * scaled - 1) / 3;
+      },
+      "f alone");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level - 1 + (scaled * scaled - 1) / 3;
+      },
+      "one too low");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (scaled - 1) / 3;
+      },
+      "square of the width");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = width;
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (scaled - 1) / 3;
+      },
+      "square of the width");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + scaled * scaled - 1;
+      },
+      "divide by 3");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (scaled * scaled - 1) / 2;
+      },
+      "another number");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + scaled * scaled / 3;
+      },
+      "not reduced by 1");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + scaled * scaled - 1.0 / 3;
+      },
+      "before -");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        const int third = 1 / 3;
+        double scaled = width;
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + scaled * scaled - third;
+      },
+      "before -");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (1 - scaled * scaled) / 3;
+      },
+      "f is 0 or more");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level - (scaled * scaled - 1) / 3;
+      },
+      "f is 0 or more");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level * (scaled * scaled - 1) / 3;
+      },
+      "not multiplied");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        double scaled = std::max(width, 1.0);
+        int level = 0;
+        while (scaled >= 2) {
+          scaled = scaled / 2;
+          level++;
+        }
+        return level + (width * width - 1) / 3;
+      },
+      "whole width");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        const double l = std::floor(std::log2(std::max(width, 1.0)));
+        const double scaled = width / (2 * l);
+        return l + (scaled * scaled - 1) / 3;
+      },
+      "not 2 * l");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        const int l = static_cast<int>(std::log2(std::max(width, 1.0)));
+        const double scaled = std::max(width, 1.0) / (2 ^ l);
+        return l + (scaled * scaled - 1) / 3;
+      },
+      "no power");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        width = std::max(width, 1.0);
+        const double l = std::ceil(std::log2(width));
+        const double scaled = width / std::exp2(l);
+        return l + (scaled * scaled - 1) / 3;
+      },
+      "by std::floor");
+  check_mistake(
+      "09.3",
+      +[](double width) {
+        width = std::max(width, 1.0);
+        const double l = std::round(std::log2(width));
+        const double scaled = width / std::exp2(l);
+        return l + (scaled * scaled - 1) / 3;
+      },
+      "by std::floor");
 }
 
 TEST_CASE("the questions of chapter 09 have the answers of its page") {

@@ -121,7 +121,7 @@ TEST_CASE("10.2: fold an octahedron out") {
         }
         return Uv{(1 + a) / 2, (1 + b) / 2};
       },
-      "new a");
+      "old a");
   check_mistake(
       "10.2",
       +[](Vec3 p) {
@@ -226,6 +226,601 @@ TEST_CASE("10.3: back from the cylinder") {
       "10.3", +[](Uv) {
         return Vec3{0, 0, 1};
       });
+}
+
+TEST_CASE("10.1: more places that students compute") {
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), std::acos(p.y) / pi};
+      },
+      "equirectangular");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), std::abs(p.y)};
+      },
+      "lower half");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), 1 + p.y};
+      },
+      "halve 1 + y");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), 1 + p.y / 2};
+      },
+      "write (1 + y) / 2");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), p.y / 2};
+      },
+      "-1/2 to 1/2");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), p.y + 0.5};
+      },
+      "halve it");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), 2 * p.y - 1};
+      },
+      "goes back");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{-std::atan2(p.z, p.x) / (2 * pi), p.y};
+      },
+      "int is 0");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{std::atan2(p.z, p.x) / (2 * pi), (p.y + 1) / 2};
+      },
+      "and begins at -1/2");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / pi, (p.y + 1) / 2};
+      },
+      "not pi: u");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x) / 2 * pi, (p.y + 1) / 2};
+      },
+      "multiplies by pi");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.z, p.x), (p.y + 1) / 2};
+      },
+      "no share");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{(0.5 - std::atan2(p.z, p.x)) / (2 * pi), (p.y + 1) / 2};
+      },
+      "the angle alone");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{1 - std::atan2(p.z, p.x) / (2 * pi), (p.y + 1) / 2};
+      },
+      "off by 1/2");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 + std::atan2(p.x, p.z) / (2 * pi), (p.y + 1) / 2};
+      },
+      "z first");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan(p.z / p.x) / (2 * pi), (p.y + 1) / 2};
+      },
+      "from the back");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{0.5 - std::atan2(p.y, p.x) / (2 * pi), (p.y + 1) / 2};
+      },
+      "y is the axis");
+  check_mistake(
+      "10.1",
+      +[](Vec3 p) {
+        return Uv{(p.y + 1) / 2, 0.5 - std::atan2(p.z, p.x) / (2 * pi)};
+      },
+      "u and v are exchanged");
+}
+
+TEST_CASE("10.2: more folds that students write") {
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), b);
+          const double d = std::copysign(1 - std::abs(a), a);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "signs are exchanged");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), -a);
+          const double d = std::copysign(1 - std::abs(a), -b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "turned around");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = (a < 0 ? -1.0 : 1.0) * (1 - b);
+          const double d = (b < 0 ? -1.0 : 1.0) * (1 - a);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "bars are missing: it is");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = 1 - b;
+          const double d = 1 - a;
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "bars and the signs");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = a * (1 - std::abs(b));
+          const double d = b * (1 - std::abs(a));
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "counts twice");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 + std::abs(b), a);
+          const double d = std::copysign(1 + std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "leaves the square");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = b;
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "b is not folded");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = a;
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "a is not folded");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = -p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "west and east");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        const double c = std::copysign(1 - std::abs(b), a);
+        return Uv{(1 + c) / 2, (1 + std::copysign(1 - std::abs(a), b)) / 2};
+      },
+      "everywhere");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.z < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "where z is below");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        double a = p.x;
+        double b = -p.z;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "any length");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = p.x + p.y + p.z;
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "missing in the sum: divide by |x|");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "y is missing");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::max(std::abs(p.x), std::max(std::abs(p.y), std::abs(p.z)));
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "cube");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = p.y / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + a) / 2, (1 + b) / 2};
+      },
+      "from the front");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{a, b};
+      },
+      "from -1 to 1");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{a / 2, b / 2};
+      },
+      "from -1 to 1");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{1 + a, 1 + b};
+      },
+      "from -1 to 1");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{1 + a / 2, 1 + b / 2};
+      },
+      "comes before");
+  check_mistake(
+      "10.2",
+      +[](Vec3 p) {
+        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+        double a = p.x / s;
+        double b = -p.z / s;
+        if (p.y < 0) {
+          const double c = std::copysign(1 - std::abs(b), a);
+          const double d = std::copysign(1 - std::abs(a), b);
+          a = c;
+          b = d;
+        }
+        return Uv{(1 + b) / 2, (1 + a) / 2};
+      },
+      "u and v are exchanged");
+}
+
+TEST_CASE("10.3: more directions that students compute") {
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = 1 - y * y;
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "length of the result");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "length of the result");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = y;
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "length of the result");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, std::sin(w)};
+      },
+      "multiply both");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{std::cos(w), y, r * std::sin(w)};
+      },
+      "multiply both");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        return normalize(Vec3{std::cos(w), 2 * uv.v - 1, std::sin(w)});
+      },
+      "do not normalize");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = -uv.u * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "half is missing");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = uv.u * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "falls with u");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "half of the globe");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) / (2 * pi);
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "do not divide");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = 0.5 - uv.u;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "share of a turn");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = 0.5 - uv.u * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "comes before");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = uv.v - 0.5;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "from -1/2 to 1/2");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "then subtract 1");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * (uv.v - 1);
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "double v alone");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "from 0 to 2");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = (1 + uv.v) / 2;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "goes forward");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.u) * 2 * pi;
+        const double y = 2 * uv.v - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), r * std::sin(w), y};
+      },
+      "y is the height here");
+  check_mistake(
+      "10.3",
+      +[](Uv uv) {
+        const double w = (0.5 - uv.v) * 2 * pi;
+        const double y = 2 * uv.u - 1;
+        const double r = std::sqrt(1 - y * y);
+        return Vec3{r * std::cos(w), y, r * std::sin(w)};
+      },
+      "u makes the angle");
 }
 
 TEST_CASE("the questions of chapter 10 have the answers of its page") {

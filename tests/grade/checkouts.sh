@@ -82,13 +82,17 @@ sed 's/atan2(-p\.z/atan2(p.z/' "$solution" | put mirrored
 } | put ends
 sed 's/^  const double u/  for (volatile int i = 0;; i = 1 - i) {} &/' "$solution" | put loops
 echo 'this does not compile' | put broken
+# Right, too: in Chapters/, and without chapters/.
+mkdir -p "$T/exercises/capital" "$T/exercises/bare"
+cp -R "$T/exercises/right/chapters" "$T/exercises/capital/Chapters"
+cp -R "$T/exercises/right/chapters/." "$T/exercises/bare"
 
 "$1" --out "$T/out" --work "$2" --chapters 02.2,2.1 --seconds 2 --trust-students --format gradescope "$T/exercises" >"$T/table" || {
   echo "FAILED: status $?"
   exit 1
 }
 cat "$T/table"
-expect points.csv '"right","1","2","2"'
+for name in right capital bare; do expect points.csv "\"$name\",\"1\",\"2\",\"2\""; done
 for name in mirrored start ends loops broken; do expect points.csv "\"$name\",\"0\",\"2\",\"2\""; done
 expect grades.csv '"right","02.2","missing"'
 expect grades.csv '"mirrored","02.1","ok","ok"'
@@ -99,7 +103,7 @@ expect grades.csv '"ends","02.1","ok","ok"'
 expect grades.csv '"no verdict: the program ended'
 expect grades.csv '"loops","02.1","ok","hang"'
 expect grades.csv '"broken","02.1","does not build"'
-expect index.html '1 of 6: '
-expect mirrored.results.json '"number": "2.1"'
+expect index.html '3 right<br>'
+expect mirrored.results.json '"number": "2.E1"'
 [ ! -e "$T/out/right.html" ] || expect right.html 'there is no chapters/02_checkerboard_uv/exercises/2_which_square.hpp'
 exit $failed

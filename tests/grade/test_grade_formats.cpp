@@ -186,8 +186,8 @@ TEST_CASE("Gradescope's results have its fields, and the points add up") {
   const json ada = json::parse(gradescope_json(students()[0]));
   CHECK(ada["tests"][0]["number"] == "3.1");
   CHECK(ada["tests"][2]["name"] == "02.1: the exercise");
-  CHECK(ada["tests"][2]["number"] == "2.1");
-  CHECK(ada["leaderboard"].size() == 1);  // an exercise has no picture
+  CHECK(ada["tests"][2]["number"] == "2.E1");  // 2.1 is the picture of chapter 02
+  CHECK(ada["leaderboard"].size() == 1);       // an exercise has no picture
   CHECK(ada["leaderboard"][0]["value"] == 0);
   CHECK(
       json::parse(gradescope_json(students()[2]))["leaderboard"].empty());  // a picture is missing
@@ -206,7 +206,7 @@ TEST_CASE("Classroom's report has its fields, and the notices its numbers") {
   CHECK(ada["tests"][0]["filename"] == "chapters/03_image_texture/lesson.hpp");
   CHECK(ada["tests"][2]["filename"] == students()[0].rows[1].exercise);
   CHECK(json::parse(classroom_json(students()[1]))["status"] == "fail");
-  CHECK(json::parse(classroom_json(students()[2]))["status"] == "error");
+  CHECK(json::parse(classroom_json(students()[2]))["status"] == "fail");  // one chapter was built
   const std::string notices = classroom_notices(students()[1]);
   CHECK(notices.starts_with("::notice title=Autograding complete::Points 0/2\n"));
   const std::string report = notices.substr(notices.find("report::") + 8);
@@ -225,14 +225,41 @@ TEST_CASE("Exercism's results have its fields; only an error has a message of it
   }
 }
 
+TEST_CASE("one chapter that does not build is an error of its own, not of the whole") {
+  Student student = students()[2];
+  json results = json::parse(exercism_json(student));
+  CHECK(results["status"] == "fail");
+  CHECK(results["tests"][0]["status"] == "error");
+  student.rows.pop_back();
+  results = json::parse(exercism_json(student));
+  CHECK(results["status"] == "error");
+  CHECK(results["message"] == "does not build: lesson.hpp:7: error: expected ';'");
+}
+
+TEST_CASE("a message says the reason once") {
+  Row mirrored = row("03_image_texture", false, 0, "mirrored: columns run the other way");
+  mirrored.note += "; tests: the texture's left half: is blue";
+  const Row untested = row("04_uv_conventions", true, 0, "tests: the pole: is red");
+  Row failed = untested;
+  failed.word = "tests 0 of 5";
+  const json tests =
+      json::parse(gradescope_json({"s/ada", "ada", "ada", "", {mirrored, failed}}))["tests"];
+  CHECK(tests[0]["output"] == mirrored.note);
+  CHECK(tests[1]["output"] == "0 of 5 tests passed: the texture's left half: is blue");
+  CHECK(tests[3]["output"] == "0 of 5 tests passed: the pole: is red");
+}
+
 TEST_CASE("a long message is cut before a learning system refuses it") {
   Student student = students()[1];
+  student.rows.resize(1);
   student.rows[0].note.assign(100000, 'x');
   student.rows[0].build = "does not build";
   CHECK(json::parse(exercism_json(student))["message"].get<std::string>().size() <= 65535);
 }
 
-TEST_CASE("a JUnit file is XML, and has a case for each test and a failure for each that failed") {
+TEST_CASE(
+    "a JUnit file is XML, and has a case for each test and a failure or an error for each that "
+    "failed") {
   for (const Student& student : students()) {
     const std::string xml = junit_xml(student);
     const auto count = [&xml](const std::string& part) {
@@ -241,7 +268,10 @@ TEST_CASE("a JUnit file is XML, and has a case for each test and a failure for e
       return found;
     };
     CHECK(count("<testcase ") == static_cast<std::size_t>(student.of()));
-    CHECK(count("<failure ") == static_cast<std::size_t>(student.of() - student.points()));
+    CHECK(count("<failure ") + count("<error ") ==
+          static_cast<std::size_t>(student.of() - student.points()));
+    CHECK(count("<error ") == (student.name == "bob" ? 2U : 0U));  // a chapter that is not built
+    CHECK(count(" errors=\"2\"") == (student.name == "bob" ? 1U : 0U));
     CHECK(count("\x01") == 0);
 #ifndef _WIN32
     const TemporaryFolder folder;

@@ -88,7 +88,7 @@ TEST_CASE("a class of pictures is graded: statuses, tables, pages") {
   CHECK(count(text_of(folder / "out/points.csv"), "\r\n") == 1 + 4);
   CHECK(fs::exists(folder / "out/Bea.html"));
   CHECK(!fs::exists(folder / "out/ada.html"));  // nothing is to be seen there
-  CHECK(text_of(folder / "out/index.html").find("1 of 4 the whole picture is mirrored") !=
+  CHECK(text_of(folder / "out/index.html").find("3 right<br>1 the whole picture is mirrored") !=
         std::string::npos);
 }
 
@@ -106,6 +106,8 @@ TEST_CASE("a wrong command line and nothing to grade have status 2 and say what 
   refused(quoted(folder / "file"), "there is nothing to grade");
   refused("--chapters 99 " + quoted(folder.path()), "there is no chapter '99'");
   refused("--chapters 02.9 " + quoted(folder.path()), "'02.9', and no exercise");
+  refused("--chapters 02, " + quoted(folder.path()), "'02,' has a comma with nothing before or");
+  refused("--one --class " + quoted(folder.path()), "--one and --class exclude each other");
   refused("--format pdf " + quoted(folder.path()), "gradescope|classroom");
 }
 
@@ -123,11 +125,14 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
       ";;\n"
       "    */ada/texmap-main,02*) row $id $item bwrap ok 'crashed SIGSEGV' 0.50 5.0 '' "
       "\"$golden$item.png\" '' '' '' '' no 'it ended by signal SIGSEGV' ;;\n"
+      "    */ada/texmap-main,03*) row $id $item bwrap ok 'left processes' 0.50 5.0 "
+      "\"$golden$item.png\" \"$golden$item.png\" '' \"$golden$item.png\" '' '' no 'it left one' "
+      ";;\n"
       "    *) row $id $item bwrap 'does not build' '' '' '' '' \"$golden$item.png\" '' '' '' '' no "
       "'<b>error</b>: =1+1\\nline 2' ;;\n"
       "  esac\ndone <\"$plan\"\n";
   const Outcome outcome =
-      grade(folder, builder(folder, body) + "--chapters 01,02 " + quoted(folder / "class"));
+      grade(folder, builder(folder, body) + "--chapters 01,02,03 " + quoted(folder / "class"));
   CAPTURE(outcome.err);
   CHECK(outcome.status == 0);
   const std::string grades = text_of(folder / "out/grades.csv");
@@ -135,6 +140,8 @@ TEST_CASE("checkouts are graded by what the builder finds, and its text is made 
         std::string::npos);
   CHECK(grades.find("a second one, drawn with other settings, is not") != std::string::npos);
   CHECK(grades.find("\"crashed SIGSEGV\"") != std::string::npos);
+  // A program that did not end well draws no second picture, so nothing is said of one.
+  CHECK(grades.find("\"it left one\",\"left processes\",\"0\"") != std::string::npos);
   CHECK(text_of(folder / "out/eve.html").find("&lt;b&gt;error") != std::string::npos);
   CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"0\"") != std::string::npos);
   CHECK(grades.find("NOT CONTAINED") == std::string::npos);
@@ -148,12 +155,12 @@ TEST_CASE("exercises are graded where they are asked for") {
       "while IFS=$tab read -r id folder item; do\n"
       "  case $item in\n"
       "    02.1) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 1 1 no '' ;;\n"
-      "    02.2) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 0 1 no 'stripes: no squares; "
+      "    02.2) row $id $item bwrap ok ok 0.50 5.0 '' '' '' '' 0 1 no 'std::fmod: no squares; "
       "tried' "
       ";;\n"
       "    02.3) row $id $item bwrap ok hang 5.00 5.0 '' '' '' '' 0 1 no 'it was stopped' ;;\n"
       "    *.*) row $id $item bwrap missing '' '' '' '' '' '' '' '' '' no 'there is none' ;;\n"
-      "    *) row $id $item bwrap ok ok 0.50 5.0 \"$golden$item.png\" '' '' '' '' '' no '' ;;\n"
+      "    *) row $id $item bwrap ok ok 0.50 5.0 \"$golden$item.png\" '' '' '' 5 5 no '' ;;\n"
       "  esac\ndone <\"$plan\"\n";
   const std::string of_class = quoted(folder / "class");
   const Outcome outcome =
@@ -162,12 +169,20 @@ TEST_CASE("exercises are graded where they are asked for") {
   CHECK(outcome.status == 0);
   const std::string grades = text_of(folder / "out/grades.csv");
   CHECK(count(grades, "\r\n") == 1 + 2 * (1 + 36));
-  CHECK(grades.find("\"stripes: no squares; tried\",\"stripes\",\"0\",\"1\"") != std::string::npos);
+  CHECK(grades.find("\"std::fmod: no squares; tried\",\"std::fmod\",\"0\",\"1\"") !=
+        std::string::npos);
   CHECK(grades.find("\"it was stopped\",\"hang\",\"0\",\"1\"") != std::string::npos);
-  // The chapter and 02.1; of pictures alone, no exercise.
-  CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"2\",\"37\"") != std::string::npos);
-  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"37\"") != std::string::npos);
+  // The chapter, its tests and 02.1; of pictures alone, no tests and no exercise.
+  CHECK(text_of(folder / "out/points.csv").find("\"ada\",\"3\",\"38\"") != std::string::npos);
+  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"38\"") != std::string::npos);
   CHECK(count(grades, "\"bob\",\"02.1\",\"\",") == 1);
+  // Blanks in a list are allowed. Who has nothing of it has one word for all.
+  fs::create_directories(path_of(folder / "class/nobody"));
+  const Outcome blanks =
+      grade(folder, builder(folder, body) + "--chapters '01, 02.1 ,2.2' " + of_class);
+  CHECK(blanks.status == 0);
+  CHECK(blanks.out.find("0 of 4    nobody                   no chapter and no picture found\n") !=
+        std::string::npos);
   // Without being asked for, none.
   CHECK(grade(folder, builder(folder, body) + of_class).status == 0);
   CHECK(text_of(folder / "out/grades.csv").find("02.1") == std::string::npos);
@@ -196,7 +211,7 @@ TEST_CASE("a builder that refuses ends the run with status 2, and what was grade
                                             "--chapters 01 " + quoted(folder / "class"));
   CHECK(outcome.status == 2);
   CHECK(outcome.err.find("cannot contain") != std::string::npos);
-  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"1\"") != std::string::npos);
+  CHECK(text_of(folder / "out/points.csv").find("\"bob\",\"1\",\"2\"") != std::string::npos);
 }
 
 TEST_CASE("a run that is ended keeps what is done, and says so") {

@@ -2,6 +2,7 @@
 // which calls the student's functions.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <set>
 
 #include "bytes.hpp"
@@ -68,9 +69,93 @@ using FromCoordinate = int(double, int);
 
 int cut_off(double x) { return static_cast<int>(x); }
 
-/// The function with its number limited to the texels that there are.
-std::function<FromCoordinate> limited_to_texels(int (*function)(double, int)) {
-  return [=](double x, int n) { return std::clamp(function(x, n), 0, n - 1); };
+using Number = int (*)(double, int);
+
+/// How students limit a number to the n texels that there are, or do not.
+constexpr Number limits[] = {
+    [](double x, int n) { return std::clamp(cut_off(x), 0, n - 1); },
+    [](double x, int) { return cut_off(x); },
+    [](double x, int n) { return std::clamp(cut_off(x), 0, n); },
+    [](double x, int n) { return std::min(cut_off(x), n - 1); },
+    [](double x, int) { return std::max(cut_off(x), 0); },
+};
+
+/// A wrong number, with its word.
+struct WrongNumber {
+  const char* word;
+  Number number;
+};
+
+/// Adds mistakes in the number. Those who make one often forget the ends, too.
+void add_mistakes(Law<FromCoordinate>& law, std::initializer_list<WrongNumber> table) {
+  for (const Number limit : limits) {
+    for (const WrongNumber& one : table) {
+      law.mistakes.push_back(
+          {one.word, [=](double x, int n) { return limit(one.number(x, n), n); }});
+    }
+  }
+}
+
+/// Adds mistakes at the ends alone.
+void add_mistakes_at_the_ends(Law<FromCoordinate>& law, std::initializer_list<WrongNumber> table) {
+  for (const WrongNumber& one : table) law.mistakes.push_back({one.word, one.number});
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+void add_mistakes_with_the_column(Law<FromCoordinate>& law) {
+  const char* const narrow =
+      "multiply by width, not by width - 1: now the last column is at u = 1 alone";
+  const char* const nearest =
+      "the nearest whole number shifts the map by half a texel: cut off the decimals";
+  const char* const mirrored = "u runs the other way: your map is mirrored";
+  const char* const early =
+      "the decimals are cut off too early: it is static_cast<int>(u * width), the product";
+  add_mistakes(law, {{narrow, [](double u, int n) { return cut_off(u * (n - 1)); }},
+                     {narrow, [](double u, int n) { return cut_off(std::round(u * (n - 1))); }},
+                     {nearest, [](double u, int n) { return cut_off(std::round(u * n)); }},
+                     {nearest, [](double u, int n) { return cut_off(u * n + 0.5); }},
+                     {"the columns are numbered from 0: yours is one too far right",
+                      [](double u, int n) { return cut_off(u * n) + 1; }},
+                     {"u * width without its decimals is the number: yours is one too far left",
+                      [](double u, int n) { return cut_off(u * n) - 1; }},
+                     {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
+                      [](double u, int n) { return cut_off(std::ceil(u * n)); }},
+                     {mirrored, [](double u, int n) { return n - 1 - cut_off(u * n); }},
+                     {mirrored, [](double u, int n) { return cut_off((1 - u) * n); }},
+                     {mirrored, [](double u, int n) { return n - cut_off(u * n); }},
+                     {early, [](double u, int n) { return cut_off(u) * n; }},
+                     {early, [](double u, int n) { return cut_off(u) * (n - 1); }},
+                     {"multiply u by width: a column is 1 / width wide",
+                      [](double u, int n) { return cut_off(u / n); }}});
+  const char* const at_1 = "at u = 1 the number is width, one too many: limit it to width - 1";
+  const char* const around =
+      "beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays";
+  const char* const only_at_1 =
+      "you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all";
+  add_mistakes_at_the_ends(
+      law,
+      {{"nothing limits the number: at u = 1 it is width, one too many",
+        [](double u, int n) { return cut_off(u * n); }},
+       {"the number can be less than 0: limit it there, too",
+        [](double u, int n) { return std::min(cut_off(u * n), n - 1); }},
+       {"the number can be less than 0: limit it there; std::abs makes another column of it",
+        [](double u, int n) { return std::min(std::abs(cut_off(u * n)), n - 1); }},
+       {at_1, [](double u, int n) { return std::max(cut_off(u * n), 0); }},
+       {at_1, [](double u, int n) { return cut_off(std::clamp(u, 0.0, 1.0) * n); }},
+       {at_1, [](double u, int n) { return std::clamp(cut_off(u * n), 0, n); }},
+       {at_1, [](double u, int n) { return std::min(cut_off(u * n), n); }},
+       {at_1, [](double u, int n) { return u > 1 ? n - 1 : std::max(cut_off(u * n), 0); }},
+       {at_1, [](double u, int n) { return u > 1 ? n - 1 : cut_off(u * n); }},
+       {only_at_1, [](double u, int n) { return u == 1 ? n - 1 : cut_off(u * n); }},
+       {only_at_1, [](double u, int n) { return u == 1 ? n - 1 : std::max(cut_off(u * n), 0); }},
+       {around, [](double u, int n) { return cut_off(u * n) % n; }},
+       {around, [](double u, int n) { return (cut_off(u * n) % n + n) % n; }},
+       {around, [](double u, int n) { return std::max(cut_off(u * n) % n, 0); }},
+       {around, [](double u, int n) { return std::abs(cut_off(u * n)) % n; }},
+       {around, [](double u, int n) { return cut_off(fraction(u) * n); }},
+       {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
+        [](double, int n) { return n - 1; }}});
 }
 
 Exercise which_column() {
@@ -80,39 +165,78 @@ Exercise which_column() {
                  {"u = 0 is in the first column, number 0", {0.0, 8}},
                  {"of 2048 columns, u = 1/4 is in number 512", {0.25, 2048}},
                  {"of 10 columns, u = 0.06 is in number 0", {0.06, 10}},
+                 {"of 10 columns, u = 0.38 is in number 3", {0.38, 10}},
                  {"of 10 columns, u = 0.96 is in number 9", {0.96, 10}},
                  {"of 8 columns, u = 1 is in the last one, number 7", {1.0, 8}},
                  {"of 8 columns, a u above 1 gives the last one, number 7", {1.3, 8}},
                  {"a u below 0 gives the first column, number 0", {-0.2, 8}}},
       .mistakes = {}};
-  // Those who make another mistake often forget the ends, too.
-  for (const bool limited : {true, false}) {
-    const auto wrong = [&](const char* word, int (*function)(double, int)) {
-      law.mistakes.push_back({word, limited ? limited_to_texels(function) : function});
-    };
-    wrong(
-        "multiply by width, not by width - 1: now the last column is at u = 1 alone, and the "
-        "others are too wide",
-        [](double u, int n) { return cut_off(u * (n - 1)); });
-    wrong(
-        "you take the nearest whole number: this shifts the map by half a texel; cut off the "
-        "decimals",
-        [](double u, int n) { return cut_off(std::round(u * n)); });
-    wrong("the columns are numbered from 0: yours is one too far right",
-          [](double u, int n) { return cut_off(u * n) + 1; });
-    wrong("u runs the other way: your map is mirrored",
-          [](double u, int n) { return n - 1 - cut_off(u * n); });
-    if (!limited) {
-      wrong("nothing limits the number: at u = 1 it is width, one too many",
-            [](double u, int n) { return cut_off(u * n); });
-      wrong("the number can be less than 0: limit it there, too",
-            [](double u, int n) { return std::min(cut_off(u * n), n - 1); });
-      wrong("at u = 1 the number is width, one too many: limit it there, too",
-            [](double u, int n) { return std::max(cut_off(u * n), 0); });
-    }
-  }
+  add_mistakes_with_the_column(law);
   return exercise("03.1", "int column_of(double u, int width)", std::move(law), column_of,
                   [] { return globe(32); });
+}
+
+void add_mistakes_with_the_row(Law<FromCoordinate>& law) {
+  const char* const upside_down =
+      "you count from below, and the file from the top: your map is upside down";
+  const char* const narrow =
+      "multiply by height, not by height - 1: now one row is at an end of v alone";
+  const char* const forgotten =
+      "the last row is height - 1: you forgot the - 1, and yours is one too far down";
+  const char* const nearest =
+      "the nearest whole number shifts the map by half a texel: cut off the decimals";
+  const char* const too_far_up =
+      "yours is one too far up: the row is height - 1 minus v * height without its decimals";
+  const char* const early =
+      "the decimals are cut off too early: it is static_cast<int>(v * height), the product";
+  add_mistakes(
+      law,
+      {{upside_down, [](double v, int n) { return cut_off(v * n); }},
+       {upside_down, [](double v, int n) { return cut_off(v * (n - 1)); }},
+       {narrow, [](double v, int n) { return n - 1 - cut_off(v * (n - 1)); }},
+       {narrow, [](double v, int n) { return cut_off((1 - v) * (n - 1)); }},
+       {narrow, [](double v, int n) { return n - 1 - cut_off(std::round(v * (n - 1))); }},
+       {narrow, [](double v, int n) { return cut_off(std::round((1 - v) * (n - 1))); }},
+       {forgotten, [](double v, int n) { return n - cut_off(v * n); }},
+       {forgotten, [](double v, int n) { return n - std::clamp(cut_off(v * n), 0, n - 1); }},
+       {forgotten, [](double v, int n) { return n - std::clamp(cut_off(v * n), 0, n); }},
+       {nearest, [](double v, int n) { return n - 1 - cut_off(std::round(v * n)); }},
+       {nearest,
+        [](double v, int n) { return n - 1 - std::clamp(cut_off(std::round(v * n)), 0, n - 1); }},
+       {nearest, [](double v, int n) { return cut_off(std::round((1 - v) * n)); }},
+       {too_far_up, [](double v, int n) { return cut_off((1 - v) * n) - 1; }},
+       {too_far_up, [](double v, int n) { return n - 2 - cut_off(v * n); }},
+       {too_far_up, [](double v, int n) { return cut_off(n - 1 - v * n); }},
+       {early, [](double v, int n) { return n - 1 - cut_off(v) * n; }},
+       {early, [](double v, int n) { return cut_off(1 - v) * n; }},
+       {early, [](double v, int n) { return n - 1 - std::clamp(cut_off(v) * n, 0, n - 1); }},
+       {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height",
+        [](double v, int n) { return cut_off(1 - v * n); }}});
+  const char* const at_1 = "the number can be less than 0, at v = 1: limit it to 0 there";
+  const char* const at_0 = "the number can be more than height - 1: limit it to height - 1";
+  const char* const around =
+      "beyond the ends you begin again at the other end: std::clamp stays in the last row there";
+  add_mistakes_at_the_ends(
+      law, {{"nothing limits the number: at v = 1 it is -1, and there is no such row",
+             [](double v, int n) { return n - 1 - cut_off(v * n); }},
+            {"nothing limits the number: at v = 0 it is height, and there is no such row",
+             [](double v, int n) { return cut_off((1 - v) * n); }},
+            {at_0, [](double v, int n) { return std::max(n - 1 - cut_off(v * n), 0); }},
+            {at_0, [](double v, int n) { return std::max(cut_off((1 - v) * n), 0); }},
+            {at_0, [](double v, int n) { return cut_off((1 - std::clamp(v, 0.0, 1.0)) * n); }},
+            {at_1, [](double v, int n) { return std::min(n - 1 - cut_off(v * n), n - 1); }},
+            {at_1, [](double v, int n) { return std::min(cut_off((1 - v) * n), n - 1); }},
+            {at_1, [](double v, int n) { return n - 1 - cut_off(std::clamp(v, 0.0, 1.0) * n); }},
+            {at_0, [](double v, int n) { return std::clamp(n - 1 - cut_off(v * n), 0, n); }},
+            {at_1, [](double v, int n) { return n - 1 - std::clamp(cut_off(v * n), 0, n); }},
+            {at_0, [](double v, int n) { return std::clamp(cut_off((1 - v) * n), 0, n); }},
+            {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
+             [](double v, int n) { return v == 1 ? 0 : n - 1 - cut_off(v * n); }},
+            {around, [](double v, int n) { return n - 1 - cut_off(v * n) % n; }},
+            {around, [](double v, int n) { return (n - 1 - cut_off(v * n)) % n; }},
+            {around, [](double v, int n) { return (2 * n - 1 - cut_off(v * n)) % n; }},
+            {around, [](double v, int n) { return cut_off((1 - v) * n) % n; }},
+            {around, [](double v, int n) { return n - 1 - cut_off(fraction(v) * n); }}});
 }
 
 Exercise which_row() {
@@ -126,91 +250,119 @@ Exercise which_row() {
                  {"of 4 rows, v = 0 is in the bottom row, number 3", {0.0, 4}},
                  {"of 1024 rows, the Sahara at v = 0.63 is in number 378", {0.63, 1024}},
                  {"of 10 rows, v = 0.06 is in number 9", {0.06, 10}},
+                 {"of 10 rows, v = 0.12 is in number 8", {0.12, 10}},
+                 {"of 10 rows, v = 0.38 is in number 6", {0.38, 10}},
                  {"v = 1 is in the top row, number 0", {1.0, 4}},
                  {"a v above 1 gives the top row, number 0", {1.3, 4}},
                  {"of 4 rows, a v below 0 gives the bottom row, number 3", {-0.3, 4}}},
       .mistakes = {}};
-  for (const bool limited : {true, false}) {
-    const auto wrong = [&](const char* word, int (*function)(double, int)) {
-      law.mistakes.push_back({word, limited ? limited_to_texels(function) : function});
-    };
-    wrong("you count from below, and the file from the top: your map is upside down",
-          [](double v, int n) { return cut_off(v * n); });
-    wrong("multiply by height, not by height - 1: now the top row is at v = 1 alone",
-          [](double v, int n) { return n - 1 - cut_off(v * (n - 1)); });
-    wrong("the bottom row is number height - 1: yours is one too far down",
-          [](double v, int n) { return n - cut_off(v * n); });
-    wrong(
-        "you take the nearest whole number: this shifts the map by half a texel; cut off the "
-        "decimals",
-        [](double v, int n) { return n - 1 - cut_off(std::round(v * n)); });
-    if (!limited) {
-      wrong("nothing limits the number: at v = 1 it is -1, and there is no such row",
-            [](double v, int n) { return n - 1 - cut_off(v * n); });
-      wrong("the number can be more than height - 1: limit it there, too",
-            [](double v, int n) { return std::max(n - 1 - cut_off(v * n), 0); });
-    }
-  }
+  add_mistakes_with_the_row(law);
   return exercise("03.2", "int row_of(double v, int height)", std::move(law), row_of,
                   [] { return globe(32); });
 }
 
+using ColorOf = Color<double>(const Bytes&, int, int, int);
+
+/// The color whose red, green and blue have these numbers.
+Color<double> color_from(const Bytes& b, int red, int green, int blue, double divisor) {
+  return {b[red] / divisor, b[green] / divisor, b[blue] / divisor};
+}
+
+void add_mistakes_with_the_texel(Law<ColorOf>& law) {
+  const auto wrong_channels = [&](const char* word, auto function) {
+    law.mistakes.push_back({word, [=](const Bytes& b, int width, int column, int row) {
+                              return function(b, 3 * (row * width + column));
+                            }});
+  };
+  wrong_channels("a channel goes from 0 to 1: divide the byte by 255.0",
+                 [](const Bytes& b, int i) { return color_from(b, i, i + 1, i + 2, 1); });
+  wrong_channels("whole numbers are divided without decimals: divide by 255.0",
+                 [](const Bytes& b, int i) {
+                   const Color<double> c = color_from(b, i, i + 1, i + 2, 255);
+                   return Color<double>{std::floor(c.r), std::floor(c.g), std::floor(c.b)};
+                 });
+  // Those who make another mistake often divide by another number, too.
+  for (const double divisor : {255.0, 256.0, 1.0}) {
+    if (divisor == 256) {
+      wrong_channels(
+          "the largest byte is 255: divide by 255, not by 256, or white is gray",
+          [=](const Bytes& b, int i) { return color_from(b, i, i + 1, i + 2, divisor); });
+    }
+    const auto wrong_order = [&](const char* word, int red, int green, int blue) {
+      wrong_channels(word, [=](const Bytes& b, int i) {
+        return color_from(b, i + red, i + green, i + blue, divisor);
+      });
+    };
+    wrong_order("red and blue are exchanged: the first byte of a texel is red", 2, 1, 0);
+    wrong_order("green comes after red, and blue last: + 0, + 1 and + 2", 0, 2, 1);
+    wrong_order("green comes after red, and blue last: + 0, + 1 and + 2", 1, 0, 2);
+    wrong_order("all three channels have the same byte: green is at + 1, blue at + 2", 0, 0, 0);
+    wrong_order("the three bytes of a texel follow each other: + 0, + 1 and + 2", 0, 3, 6);
+    const auto wrong_first = [&](const char* word, int (*first)(int w, int column, int row)) {
+      law.mistakes.push_back({word, [=](const Bytes& b, int width, int column, int row) {
+                                const int i = first(width, column, row);
+                                return color_from(b, i, i + 1, i + 2, divisor);
+                              }});
+    };
+    const char* const exchanged =
+        "column and row are exchanged: before the texel there are row whole rows";
+    const char* const row_alone =
+        "only the row is multiplied by 3: each texel to the left has three bytes, too";
+    const char* const rows =
+        "before the texel there are row whole rows, each of width texels: row * width + column";
+    wrong_first("you count texels, and each texel has three bytes: multiply by 3",
+                [](int w, int column, int row) { return row * w + column; });
+    wrong_first(
+        "only the column is multiplied by 3: each texel of the rows above has three bytes, too",
+        [](int w, int column, int row) { return row * w + 3 * column; });
+    wrong_first(row_alone, [](int w, int column, int row) { return 3 * row * w + column; });
+    wrong_first(row_alone, [](int w, int column, int row) { return row * (3 * w + column); });
+    wrong_first(exchanged, [](int w, int column, int row) { return 3 * (column * w + row); });
+    wrong_first(exchanged, [](int w, int column, int row) { return column * w + row; });
+    wrong_first(rows, [](int, int column, int row) { return 3 * (row + column); });
+    wrong_first(rows, [](int, int column, int row) { return 3 * row + column; });
+    wrong_first(rows, [](int, int column, int row) { return 3 * row * column; });
+    wrong_first(rows, [](int w, int column, int row) { return 3 * (row * (w - 1) + column); });
+    wrong_first(rows, [](int w, int column, int row) { return 3 * (row * (w + 1) + column); });
+    wrong_first("bytes are counted from 0: yours begins one byte too late",
+                [](int w, int column, int row) { return 3 * (row * w + column) + 1; });
+    wrong_first("bytes are counted from 0: yours begins one byte too early",
+                [](int w, int column, int row) { return 3 * (row * w + column) - 1; });
+    wrong_first("columns are counted from 0: this is the texel to the right",
+                [](int w, int column, int row) { return 3 * (row * w + column + 1); });
+    wrong_first("columns are counted from 0: this is the texel to the left",
+                [](int w, int column, int row) { return 3 * (row * w + column - 1); });
+    wrong_first("rows are counted from 0: this is the row above",
+                [](int w, int column, int row) { return 3 * ((row - 1) * w + column); });
+    wrong_first("a texel has three bytes here, not four",
+                [](int w, int column, int row) { return 4 * (row * w + column); });
+  }
+}
+
 Exercise color_of_a_texel() {
-  // 3 x 2 texels, all bytes different; some of them are 0 and 255.
+  // 5 x 2 texels, all bytes different; some of them are 0 and 255.
   static const Image image = [] {
-    Image made(3, 2);
-    made.pixels = {{255, 0, 51},   {10, 20, 30},    {40, 60, 80},
-                   {90, 102, 110}, {120, 140, 160}, {204, 230, 250}};
+    Image made(5, 2);
+    made.pixels = {{255, 0, 51},    {10, 20, 30},    {40, 60, 80},    {90, 102, 110},
+                   {120, 140, 160}, {170, 180, 190}, {200, 210, 220}, {240, 245, 235},
+                   {204, 230, 250}, {5, 15, 25}};
     return made;
   }();
   const Bytes bytes(image);
-  using Function = Color<double>(const Bytes&, int, int, int);
-  const auto at = [](const Bytes& b, int first, double divisor) {
-    return Color<double>{b[first] / divisor, b[first + 1] / divisor, b[first + 2] / divisor};
-  };
-  Law<Function> law{
-      .right = [=](const Bytes& b, int width, int column,
-                   int row) { return at(b, 3 * (row * width + column), 255); },
-      .places = {{"the first texel, 255 0 51, is (1, 0, 0.2)", {bytes, 3, 0, 0}},
+  Law<ColorOf> law{
+      .right =
+          [](const Bytes& b, int width, int column, int row) {
+            const int first = 3 * (row * width + column);
+            return color_from(b, first, first + 1, first + 2, 255);
+          },
+      .places = {{"the first texel, 255 0 51, is (1, 0, 0.2)", {bytes, 5, 0, 0}},
                  {"the right neighbor of the first texel begins three bytes later",
-                  {bytes, 3, 1, 0}},
-                 {"the second row begins after the 3 texels of the first row", {bytes, 3, 0, 1}},
-                 {"the last texel of the second row is 204 230 250", {bytes, 3, 2, 1}}},
+                  {bytes, 5, 1, 0}},
+                 {"the second row begins after the 5 texels of the first row", {bytes, 5, 0, 1}},
+                 {"the fourth texel of the second row is 204 230 250", {bytes, 5, 3, 1}}},
       .mistakes = {},
       .tolerance = 1e-9};
-  const auto wrong = [&](const char* word, std::function<Function> function) {
-    law.mistakes.push_back({word, std::move(function)});
-  };
-  wrong("red and blue are exchanged: the first byte of a texel is red",
-        [=](const Bytes& b, int width, int column, int row) {
-          const Color<double> c = at(b, 3 * (row * width + column), 255);
-          return Color<double>{c.b, c.g, c.r};
-        });
-  wrong("the largest byte is 255: divide by 255, not by 256, or white is gray",
-        [=](const Bytes& b, int width, int column, int row) {
-          return at(b, 3 * (row * width + column), 256);
-        });
-  wrong("a channel goes from 0 to 1: divide the byte by 255.0",
-        [=](const Bytes& b, int width, int column, int row) {
-          return at(b, 3 * (row * width + column), 1);
-        });
-  wrong("whole numbers are divided without decimals: divide by 255.0",
-        [=](const Bytes& b, int width, int column, int row) {
-          const Color<double> c = at(b, 3 * (row * width + column), 255);
-          return Color<double>{std::floor(c.r), std::floor(c.g), std::floor(c.b)};
-        });
-  wrong("you count texels, and each texel has three bytes: multiply by 3",
-        [=](const Bytes& b, int width, int column, int row) {
-          return at(b, row * width + column, 255);
-        });
-  wrong("only the column is multiplied by 3: each texel of the rows above has three bytes, too",
-        [=](const Bytes& b, int width, int column, int row) {
-          return at(b, row * width + 3 * column, 255);
-        });
-  wrong("column and row are exchanged: before the texel there are row whole rows",
-        [=](const Bytes& b, int width, int column, int row) {
-          return at(b, 3 * (column * width + row), 255);
-        });
+  add_mistakes_with_the_texel(law);
   return exercise("03.3", "Color color_of(const Bytes& bytes, int width, int column, int row)",
                   std::move(law), color_of, [] { return globe(512); });
 }

@@ -69,7 +69,8 @@ Drawing far_sphere() {
   d.text(eye + Spot{-4, -12}, "eye", Anchor::start);
   d.text(center + Spot{-8, -20}, "h", Anchor::end, "blue");
   d.text(center + Spot{22, 24}, "r", Anchor::start, "green");
-  d.text({267, 128}, "1,000 r", Anchor::middle, "small");
+  d.text({267, 128}, "D = 1,000 r", Anchor::middle, "small");
+  d.text(along(150) + Spot{0, -10}, "b", Anchor::middle, "red");
 
   // Floats between 2^19 and 2^20 are 2^-4 apart.
   const double step = std::ldexp(1.0, 19 - 23);
@@ -90,7 +91,7 @@ Drawing far_sphere() {
   d.text(on_line(bb) + Spot{0, -16}, "b² = 999,999.36", Anchor::middle, "red small");
   d.text(on_line(ac + 2.9 * step) + Spot{0, 32}, "the floats there are 1/16 apart", Anchor::middle,
          "small");
-  d.text({320, 318}, "their difference, 0.36, is what remains of six digits that cancel",
+  d.text({320, 318}, "the first six digits cancel; 0.36 remains",
          Anchor::middle, "small");
   return d;
 }
@@ -159,6 +160,7 @@ Drawing shadow_start() {
     const std::string color = lifted ? "green" : "red";
     d.arrow(from, from + Spot{90, lifted ? -75.0 : -95.0}, color);
     d.dot(hit, "fill-ink");
+    d.text(hit + Spot{-8, -8}, "hit", Anchor::end, "small");
     d.dot(from, "fill-" + color);
     d.mark(lifted ? "lifted" : "rounded", from);
     d.mark(lifted ? "hit 2" : "hit 1", hit);
@@ -169,7 +171,7 @@ Drawing shadow_start() {
   d.mark("surface 1", surface(below.x));
   d.mark("surface 2", surface(above.x));
   d.text(below + Spot{12, 20}, "rounded hit: below the surface", Anchor::start, "red small");
-  d.text(below + Spot{90, -102}, "meets the surface: acne", Anchor::middle, "red small");
+  d.text(below + Spot{44, -70}, "meets the surface: acne", Anchor::end, "red small");
   d.text(above + Spot{-10, -12}, "lifted by a bound", Anchor::end, "green small");
   d.text({320, 262}, "dots: the points that the number has", Anchor::middle, "small");
   return d;

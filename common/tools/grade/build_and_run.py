@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Builds and runs students' chapters and exercises on Linux, kept from everything else; the program grade calls it.
 
-Each line of --plan is a task: id, the folder that contains the student's chapters/, and a chapter NN_name or an exercise NN.K, between
-tabs. For each task a line of COLUMNS is appended to --results when it is done. docs/grading.md says what is contained and what is not.
+Each line of --plan is a task: id, the folder with the student's chapters/ or with the chapters themselves, and a chapter NN_name or an
+exercise NN.K, between tabs. For each task a line of COLUMNS is appended to --results when it is done. docs/grading.md says what is contained and what is not.
 
 A student's code runs in a box (box.py), and so does the compiler that reads it. Golden pictures, results, other students and the
 home folder are not in there.
@@ -77,9 +77,15 @@ def is_exercise(item):
     return re.fullmatch(r'\d\d\.\d', item) is not None
 
 
+def chapters_in(folder):
+    """The chapters of a folder: in its chapters/, or the folder itself holds them."""
+    inner = Path(folder) / 'chapters'
+    return inner if os.path.lexists(inner) else Path(folder)
+
+
 def exercise_in(folder, item):
     """The folder of a student's file of an exercise, which is found by its number; its name and its bytes. Links are not followed."""
-    for at in sorted(Path(folder).glob(f'chapters/{item[:2]}_*/exercises')):
+    for at in sorted(chapters_in(folder).glob(f'{item[:2]}_*/exercises')):
         if not any(os.path.islink(place) for place in (at, at.parent, at.parent.parent)):
             for name, text in sources_in(at).items():
                 if re.fullmatch(item[3] + r'_[^/]*\.hpp', name):
@@ -282,7 +288,7 @@ class Grader:
             found = {next(iter(own)): file[2]} if file else {}
             needed = str((self.course.folder(item) / next(iter(own))).relative_to(self.course.tree))
         else:
-            at = Path(folder) / 'chapters' / item
+            at = chapters_in(folder) / item
             found = {} if os.path.islink(at) or os.path.islink(at.parent) else sources_in(at)
             needed = f'chapters/{item}/lesson.hpp'
         if Path(needed).name not in found:

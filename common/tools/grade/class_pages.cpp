@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "engine/measure/text.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr const char* table_style = R"css(
 body { max-width: none; }
-.scroll { overflow: auto; max-height: 94vh; }
 .grades { width: 100%; border-collapse: separate; border-spacing: 0; }
 .grades th, .grades td { padding: .2rem .3rem; font-size: .8rem; line-height: 1.3; }
 .grades td { min-width: 3rem; }
@@ -24,6 +24,17 @@ body { max-width: none; }
 .grades .points { white-space: nowrap; font-weight: 600; }
 .grades button { border: 0; padding: 0; background: none; color: inherit; font: inherit;
   cursor: pointer; text-decoration: underline dotted; }
+@page { size: landscape; margin: 1cm; }
+@media print {
+  .grades thead { position: static; }
+  .grades tr { break-inside: avoid; }
+  .grades button { display: contents; } /* or Chromium leaves it out where a head stands again */
+}
+)css";
+
+// A compiler's message is one long line.
+constexpr const char* notes_style = R"css(
+pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 )css";
 
 // A cell is sorted by its data-key, a number, or by its text.
@@ -54,28 +65,43 @@ std::string warning_of(bool contained) {
   return contained ? "" : page::verdict(false, page::escaped_foreign(not_contained));
 }
 
-/// "37 of 200 mirrored": the word that most students share, or that all are right.
+/// Whether the chapters' tests ran for anybody.
+bool has_tests(const Class& all) {
+  return std::any_of(all.students.begin(), all.students.end(), [](const Student& student) {
+    return std::any_of(student.rows.begin(), student.rows.end(),
+                       [](const Row& row) { return row.exercise.empty() && row.tests_run > 0; });
+  });
+}
+
+/// "149 right", and below it the words that most students share: "37 mirrored".
 std::string sum_of(const Class& all, std::size_t column) {
+  constexpr std::size_t most_words = 3;
   std::map<std::string, std::size_t> count;
-  std::size_t rows = 0;
+  std::size_t rows = 0, wrong = 0;
   for (const Student& student : all.students) {
     if (column >= student.rows.size()) continue;
     ++rows;
     const Row& row = student.rows[column];
-    // Shares of pixels differ from student to student.
-    if (!row.right()) ++count[row.word.starts_with("differs") ? "differ" : row.word];
+    if (row.right()) continue;
+    ++wrong;
+    // Shares of pixels and numbers of tests differ from student to student.
+    ++count[row.word.starts_with("differs")  ? "differ"
+            : row.word.starts_with("tests ") ? "fail tests"
+                                             : row.word];
   }
   if (count.empty()) return "all right";
-  const auto most = std::max_element(
-      count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::string words = text("%zu of %zu", most->second, rows);
-  words.append(all.items[column].exercise.empty() ? " " : ": ").append(most->first);
-  if (count.size() > 1) {
-    std::size_t others = 0;
-    for (const auto& [word, students] : count) others += word == most->first ? 0 : students;
-    words += text(", %zu otherwise wrong", others);
+  std::vector<std::pair<std::size_t, std::string>> words;
+  words.reserve(count.size());
+  for (const auto& [word, students] : count) words.emplace_back(students, word);
+  std::stable_sort(words.begin(), words.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string html = text("%zu right", rows - wrong);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i == most_words) return html + text("<br>%zu other", wrong);
+    html += text("<br>%zu ", words[i].first) + page::escaped_foreign(words[i].second);
+    wrong -= words[i].first;
   }
-  return words;
+  return html;
 }
 
 std::string head_of_table(const Class& all) {
@@ -88,7 +114,7 @@ std::string head_of_table(const Class& all) {
   column("Student", " class=\"name\"");
   for (const Item& item : all.items)
     column(item.number, (" title=\"" + page::escaped_foreign(item.name) + "\"").c_str());
-  column("Tests", "");
+  if (has_tests(all)) column("Tests", "");
   html += "</tr>\n<tr><td>";
   double points = 0, of = 0;
   for (const Student& student : all.students) {
@@ -98,14 +124,18 @@ std::string head_of_table(const Class& all) {
   if (of > 0) html += text("mean %.0f %%", 100 * points / of);
   html += text("</td><td>all %zu</td>", all.students.size());
   for (std::size_t i = 0; i < all.items.size(); ++i)
-    html.append("<td>").append(page::escaped_foreign(sum_of(all, i))).append("</td>");
-  return html.append("<td></td></tr></thead>\n");
+    html.append("<td>").append(sum_of(all, i)).append("</td>");
+  if (has_tests(all)) html += "<td></td>";
+  return html.append("</tr></thead>\n");
 }
 
-std::string table_row(const Student& student, std::size_t columns) {
+std::string table_row(const Class& all, const Student& student) {
   const double share = student.of() > 0 ? 1.0 * student.points() / student.of() : 0;
-  std::string html = text("<tr><td class=\"points\" data-key=\"%.0f\">%d of %d</td>", 1e6 * share,
+  std::string html = text("<tr><td class=\"points\" data-key=\"%.0f\">%d of %d", 1e6 * share,
                           student.points(), student.of());
+  if (const std::string unfinished = all.unfinished(student); !unfinished.empty())
+    html.append("<br>").append(unfinished);
+  html += "</td>";
   html += "<th scope=\"row\" class=\"name\"><bdi>";
   const std::string name = page::escaped_foreign(student.name);
   if (student.has_page()) {
@@ -122,7 +152,8 @@ std::string table_row(const Student& student, std::size_t columns) {
     passed += row.tests_passed;
     run += row.tests_run;
   }
-  for (std::size_t i = student.rows.size(); i < columns; ++i) html += "<td></td>";
+  for (std::size_t i = student.rows.size(); i < all.items.size(); ++i) html += "<td></td>";
+  if (!has_tests(all)) return html.append("</tr>\n");
   html +=
       run == 0 ? "<td></td>" : text("<td data-key=\"%zu\">%zu of %zu</td>", passed, passed, run);
   return html.append("</tr>\n");
@@ -170,7 +201,6 @@ std::string class_page(const Class& all) {
   html +=
       ". All figures: <a href=\"grades.csv\">grades.csv</a>, "
       "<a href=\"points.csv\">points.csv</a>. A name with a link has a page.</p>\n"
-      "<div class=\"scroll\" role=\"region\" aria-label=\"Grades\" tabindex=\"0\">"
       "<table class=\"grades\">\n";
   html += head_of_table(all) + "<tbody>\n";
   std::vector<const Student*> sorted;
@@ -179,8 +209,8 @@ std::string class_page(const Class& all) {
   std::stable_sort(sorted.begin(), sorted.end(), [](const Student* a, const Student* b) {
     return a->points() * b->of() < b->points() * a->of();
   });
-  for (const Student* student : sorted) html += table_row(*student, all.items.size());
-  html += "</tbody>\n</table></div>\n";
+  for (const Student* student : sorted) html += table_row(all, *student);
+  html += "</tbody>\n</table>\n";
   return page::framed({"Grades", table_style, sort_script}, html);
 }
 
@@ -199,7 +229,7 @@ std::string student_page(const Student& student) {
     }
   }
   if (!right.empty()) html += "<h2>Right</h2>\n<p>" + page::escaped_foreign(right) + "</p>\n";
-  return page::framed({"Grades of " + student.name, "", ""}, html);
+  return page::framed({"Grades of " + student.name, notes_style, ""}, html);
 }
 
 }  // namespace texmap::grade

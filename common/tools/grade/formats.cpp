@@ -18,7 +18,7 @@ namespace {
 
 struct Test {
   std::string name;
-  std::string number;  ///< 3.1
+  std::string number;  ///< 3.1; of an exercise 3.E1
   std::string item;
   std::string file;  ///< in the student's checkout
   bool passed = false;
@@ -28,11 +28,15 @@ struct Test {
   int chapter = 0;
 };
 
-/// 3 of 03_image_texture, 2.1 of 02.1: what a student calls it.
-std::string number_of(const std::string& item) {
-  const std::string digits = item.substr(0, item.find_first_not_of("0123456789."));
-  const std::size_t first = digits.find_first_not_of('0');
-  return first == std::string::npos ? "0" : digits.substr(first);
+/// "4 of 5 tests passed: " and the first that failed, which the note has behind "tests: ".
+std::string why_of_tests(const Row& row) {
+  std::string message = text("%zu of %zu tests passed", row.tests_passed, row.tests_run);
+  const std::size_t later = row.note.find("; tests: ");
+  const std::string why = row.note.starts_with("tests: ") ? row.note.substr(7)
+                          : later != std::string::npos    ? row.note.substr(later + 9)
+                                                          : with_word(row.word, row.note);
+  if (!why.empty()) message.append(": ").append(why);
+  return clean_lines(message, 4000);
 }
 
 std::vector<Test> tests_of(const Student& student) {
@@ -44,28 +48,24 @@ std::vector<Test> tests_of(const Student& student) {
     test.file = row.exercise.empty() ? "chapters/" + row.item + "/lesson.hpp" : row.exercise;
     test.broken = row.build == "does not build";
     test.seconds = std::atof(row.cpu_seconds.c_str());
-    test.chapter = std::atoi(number_of(row.item).c_str());
-    const auto add = [&](const char* what, const char* suffix, bool passed) {
+    test.chapter = std::atoi(row.item.c_str());
+    const auto add = [&](const char* what, const std::string& suffix, bool passed) {
       test.name = row.item + ": " + what;
-      test.number = number_of(row.item) + suffix;
+      test.number = std::to_string(test.chapter).append(suffix);
       test.passed = passed;
-      std::string message = passed ? "" : row.word;
-      if (!passed && !row.note.empty()) message += ": " + row.note;
-      test.message = clean_lines(message, 4000);
+      test.message = passed ? "" : clean_lines(with_word(row.word, row.note), 4000);
       tests.push_back(test);
       test.seconds = 0;  // counted once
     };
     if (!row.exercise.empty()) {
-      add("the exercise", "", row.tests_ok());
+      // 2.E1, because 2.1 is the picture of chapter 02.
+      add("the exercise", ".E" + row.item.substr(row.item.find('.') + 1), row.tests_ok());
       continue;
     }
     add("the picture", ".1", row.picture_point());
     if (row.with_tests) {
       add("the tests", ".2", row.tests_ok());
-      if (!tests.back().passed && row.tests_run > 0) {
-        tests.back().message = text("%zu of %zu tests passed: ", row.tests_passed, row.tests_run) +
-                               tests.back().message;
-      }
+      if (!tests.back().passed && row.tests_run > 0) tests.back().message = why_of_tests(row);
     }
   }
   return tests;
@@ -77,14 +77,11 @@ std::string summary(const Student& student) {
   return words;
 }
 
-const Test* first_broken(const std::vector<Test>& tests) {
-  const auto first =
-      std::find_if(tests.begin(), tests.end(), [](const Test& test) { return test.broken; });
-  return first == tests.end() ? nullptr : &*first;
-}
-
+/// An error if nothing could be built: then no test says more.
 const char* status_of(const std::vector<Test>& tests) {
-  if (first_broken(tests) != nullptr) return "error";
+  const bool broken =
+      std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.broken; });
+  if (broken && !tests.empty()) return "error";
   const bool passed =
       std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.passed; });
   return passed ? "pass" : "fail";
@@ -177,7 +174,7 @@ std::string classroom_notices(const Student& student) {
 
 std::string exercism_json(const Student& student) {
   const std::vector<Test> tests = tests_of(student);
-  const Test* const broken = first_broken(tests);
+  const std::string status = status_of(tests);
   const Json list = Json::list_of(tests, [](const Test& test) {
     return Json::object({{"name", test.name},
                          {"test_code", "./course grade --chapters " + test.item},
@@ -189,8 +186,8 @@ std::string exercism_json(const Student& student) {
                          {"task_id", test.chapter}});
   });
   return Json::object({{"version", 3},
-                       {"status", status_of(tests)},
-                       {"message", broken != nullptr ? Json(broken->message) : Json(nullptr)},
+                       {"status", status},
+                       {"message", status == "error" ? Json(tests[0].message) : Json(nullptr)},
                        {"tests", list}},
                       true)
              .text +
@@ -199,7 +196,7 @@ std::string exercism_json(const Student& student) {
 
 std::string junit_xml(const Student& student) {
   const std::vector<Test> tests = tests_of(student);
-  std::size_t failures = 0;
+  std::size_t failures = 0, errors = 0;
   std::string cases;
   for (const Test& test : tests) {
     cases += "  <testcase" + attribute("name", test.name) + attribute("classname", test.item) +
@@ -209,12 +206,14 @@ std::string junit_xml(const Student& student) {
       cases += "/>\n";
       continue;
     }
-    ++failures;
-    cases += ">\n    <failure" + attribute("message", test.message) + "/>\n  </testcase>\n";
+    ++(test.broken ? errors : failures);
+    cases.append(">\n    <").append(test.broken ? "error" : "failure");
+    cases += attribute("message", test.message) + "/>\n  </testcase>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite" +
          attribute("name", student.name) + attribute("tests", std::to_string(tests.size())) +
-         attribute("failures", std::to_string(failures)) + attribute("disabled", "0") +
+         attribute("failures", std::to_string(failures)) +
+         attribute("errors", std::to_string(errors)) + attribute("disabled", "0") +
          attribute("skipped", "0") + attribute("time", text("%.3f", seconds_of(tests))) + ">\n" +
          cases + "</testsuite>\n";
 }

@@ -106,6 +106,12 @@ struct Class {
   std::vector<Student> students;
   std::size_t asked = 0;  ///< folders to grade; more than students if the run was ended
 
+  /// Empty; or that the run was ended before all of a student's was graded.
+  [[nodiscard]] std::string unfinished(const Student& student) const {
+    if (student.rows.size() >= items.size()) return "";
+    return "ended with " + std::to_string(student.rows.size()) + " of " +
+           std::to_string(items.size()) + " graded";
+  }
   [[nodiscard]] bool contained() const {
     return std::all_of(students.begin(), students.end(),
                        [](const Student& student) { return student.contained(); });

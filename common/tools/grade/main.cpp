@@ -43,11 +43,14 @@ struct Request {
   std::string work = TEXMAP_TREE "/build/grade";
   Format format = Format::none;
   bool no_tests = false, no_second_picture = false, trust_students = false;
+  bool one = false, each = false;
   int seconds = 0, megabytes = 2048, jobs = 0;
 
   void declare(CommandLine& line) {
     line.positionals("DIR", folders,
                      "a student's checkout or pictures, or a folder of such folders");
+    line.flag("--one", one, "each DIR is one student's, whatever is in it");
+    line.flag("--class", each, "each folder in a DIR is a student's, whatever lies next to it");
     line.text("--chapters", "01,02.1", chapters,
               "grade these chapters and exercises only; exercises: all of them");
     line.flag("--no-tests", no_tests, "compare the pictures, do not run the chapters' tests");
@@ -124,8 +127,14 @@ std::vector<Item> chosen_items(const std::string& chapters) {
   std::vector<bool> chosen(all.size());
   for (std::size_t begin = 0; begin <= chapters.size();) {
     const std::size_t end = std::min(chapters.find(',', begin), chapters.size());
-    const std::string word = chapters.substr(begin, end - begin);
+    std::string word = chapters.substr(begin, end - begin);
     begin = end + 1;
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    if (word.empty()) {
+      throw UsageError("--chapters '" + chapters +
+                       "' has a comma with nothing before or after it; such as 02,04 is right");
+    }
     bool found = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool named = word == all[i].name || word == all[i].number ||
@@ -186,7 +195,14 @@ class Grading {
       }
     }
     if (folders.empty()) throw FileError("there is nothing to grade: none of these is a folder");
-    submissions_ = find_submissions(folders, items_);
+    if (request_.one && request_.each) throw UsageError("--one and --class exclude each other");
+    Found found = find_submissions(folders, items_,
+                                   request_.one    ? Reading::one_student
+                                   : request_.each ? Reading::students
+                                                   : Reading::by_structure);
+    for (const std::string& remark : found.remarks) say(remark + "\n");
+    submissions_ = std::move(found.submissions);
+    if (submissions_.empty()) throw FileError("there is nothing to grade: no folder is in there");
     const std::vector<std::string> pages = page_names(submissions_);
     class_.asked = submissions_.size();
     class_.items = items_;
@@ -196,6 +212,7 @@ class Grading {
       const Submission& submission = submissions_[i];
       students_[i] = {submission.folder, submission.name, pages[i], submission.note, {}};
       students_[i].rows.resize(items_.size());
+      has_checkouts_ = has_checkouts_ || !submission.checkout.empty();
     }
   }
 
@@ -226,6 +243,14 @@ class Grading {
     } else {
       compare(found->second.path, k, row);
     }
+    // In a class with checkouts all have the same points to reach.
+    row.with_tests = has_checkouts_ && items_[k].has_tests && !request_.no_tests;
+    if (row.with_tests && row.word.empty()) {
+      row.word = "no tests";
+      row.note = "the picture is right; the tests need the chapter's code";
+    }
+    if (row.word == "missing" && !submissions_[i].seen.empty())
+      row.note.append("; found ").append(submissions_[i].seen);
     return row;
   }
 
@@ -249,8 +274,7 @@ class Grading {
     }
     if (!items_[k].exercise.empty()) {
       // The note begins with the word: "u runs the other way: your map is mirrored; tried: ..."
-      if (!row.tests_ok())
-        row.word = row.run == "ok" ? row.note.substr(0, row.note.find_first_of(":;")) : row.run;
+      if (!row.tests_ok()) row.word = row.run == "ok" ? first_word(row.note) : row.run;
       return row;
     }
     if (result.picture.empty()) {
@@ -258,11 +282,11 @@ class Grading {
     } else {
       compare(result.picture, k, row);
     }
-    if (!result.hidden_expected.empty())
-      compare_hidden(result.hidden_picture, result.hidden_expected, row);
     if (result.run != "ok") {
       row.word = result.run;
       row.picture_ok = false;
+    } else if (!result.hidden_expected.empty()) {
+      compare_hidden(result.hidden_picture, result.hidden_expected, row);
     }
     if (row.word.empty() && row.with_tests && !row.tests_ok()) row.word = "tests " + row.tests();
     return row;
@@ -336,18 +360,28 @@ class Grading {
     print(line_of(student));
   }
 
+  /// In words, if nothing is there of what was asked for.
+  [[nodiscard]] std::string nothing_of(const Student& student) const {
+    const bool missing = std::all_of(student.rows.begin(), student.rows.end(),
+                                     [](const Row& row) { return row.word == "missing"; });
+    if (!missing) return "";
+    const Submission& submission =
+        submissions_[static_cast<std::size_t>(&student - students_.data())];
+    if (!student.note.empty()) return clean(student.note);
+    if (!submission.checkout.empty()) return "nothing of what was asked for is in its chapters";
+    if (!submission.seen.empty()) return "missing; found " + submission.seen;
+    return "no chapter and no picture found";
+  }
+
   [[nodiscard]] std::string line_of(const Student& student) const {
-    std::string wrong;
-    for (std::size_t k = 0; k < items_.size(); ++k) {
+    std::string wrong = nothing_of(student);
+    const bool by_item = wrong.empty();
+    for (std::size_t k = 0; k < items_.size() && by_item; ++k) {
       const Row& row = student.rows[k];
       if (row.right()) continue;
       wrong.append(wrong.empty() ? "" : ", ").append(items_[k].number).append(" ");
       wrong += clean(row.word);
     }
-    bool all_missing = true;
-    for (const Row& row : student.rows)
-      all_missing = all_missing && row.word == "missing" && row.exercise.empty();
-    if (all_missing) wrong = "no chapter and no picture found";
     std::string line = "[" + std::to_string(finished_) + "/" + std::to_string(class_.asked) + "]";
     line = padded(line, 10) +
            padded(std::to_string(student.points()) + " of " + std::to_string(student.of()), 10);
@@ -419,6 +453,7 @@ class Grading {
   std::vector<std::vector<bool>> done_;  // which of their rows are there
   Class class_;
   std::size_t finished_ = 0;
+  bool has_checkouts_ = false;
   std::ofstream table_;
   bool watched_ = stderr_is_watched();
 };

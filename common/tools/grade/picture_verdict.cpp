@@ -130,7 +130,7 @@ void compare(const std::vector<std::uint8_t>& file, const Golden& golden, Row& r
   row.word = "differs " + percent(row.figures->share_off);
   const std::string mistake = name ? name(is) : "";
   if (!mistake.empty()) {
-    row.word = mistake.substr(0, mistake.find(':'));
+    row.word = first_word(mistake);
     add_note(row, mistake);
   }
   add_note(row, off_words);

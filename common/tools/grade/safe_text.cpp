@@ -1,9 +1,11 @@
 // Text from students, made safe for terminals, tables and pages.
 #include "safe_text.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstddef>
 
+#include "engine/measure/text.hpp"
 #include "engine/measure/utf8.hpp"
 
 namespace texmap::grade {
@@ -43,6 +45,23 @@ std::string clean(std::string_view text) {
   return result;
 }
 
+std::string shown_name(std::string_view name) {
+  std::string result;
+  while (!name.empty()) {
+    const auto byte = static_cast<unsigned char>(name[0]);
+    const std::size_t size = name.size();
+    const char32_t c = take_character(name);
+    if (c != replacement_character || size - name.size() > 1) {
+      append_utf8(result, c);
+    } else if (byte >= 0xA0) {
+      append_utf8(result, byte);
+    } else {
+      result += text("\\x%02X", byte);
+    }
+  }
+  return result;
+}
+
 std::string clean_lines(std::string_view text, std::size_t most_characters) {
   std::string result;
   std::size_t characters = 0;
@@ -64,9 +83,19 @@ std::string csv_cell(std::string_view text) {
     if (at_start && begins_formula(c)) cell += '\'';
     append_utf8(cell, c);
     if (c == '"') cell += '"';
-    at_start = c == ';' || c == ',' || c == '|' || (at_start && (is_blank(c) || c == '"'));
+    at_start = at_start && (is_blank(c) || c == '"');
   }
   return cell + '"';
+}
+
+std::string first_word(std::string_view note) {
+  return std::string(note.substr(0, std::min(note.find(": "), note.find("; "))));
+}
+
+std::string with_word(const std::string& word, const std::string& note) {
+  if (note.empty() || word.empty()) return word + note;
+  const bool again = note == word || note.starts_with(word + ":") || note.starts_with(word + ";");
+  return again ? note : word + ": " + note;
 }
 
 std::string file_name_of(std::string_view name) {

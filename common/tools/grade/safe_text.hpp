@@ -9,13 +9,23 @@ namespace texmap::grade {
 /// the direction of writing. Every other character stays as it is.
 [[nodiscard]] std::string clean(std::string_view text);
 
-/// The same, with line ends and at most so many characters; longer texts end in "...".
+/// A file's name to be shown: a byte that is not UTF-8 as its Latin-1 letter, as in archives from
+/// older Windows systems, or as \xNN. A name in UTF-8 stays as it is.
+[[nodiscard]] std::string shown_name(std::string_view name);
+
+/// As clean(), but with line ends and at most so many characters; longer texts end in "...".
 [[nodiscard]] std::string clean_lines(std::string_view text, std::size_t most_characters);
 
-/// A cell of a table as RFC 4180 has it, always quoted. What a spreadsheet could take for a formula
-/// gets an apostrophe in front: after leading blanks, and after each separator that some
-/// spreadsheets split cells at.
+/// A cell of a table as RFC 4180 has it, always quoted. If a spreadsheet could take it for a
+/// formula, an apostrophe stands in front of that, after leading blanks.
 [[nodiscard]] std::string csv_cell(std::string_view text);
+
+/// The word that a note begins with: "stripes" of "stripes: no squares; tried on +z". A name such
+/// as std::fmod stays whole.
+[[nodiscard]] std::string first_word(std::string_view note);
+
+/// "word: note", where the note does not begin with the word.
+[[nodiscard]] std::string with_word(const std::string& word, const std::string& note);
 
 /// The name as a file name on any system: all but letters, digits, - and _ becomes _; never empty.
 [[nodiscard]] std::string file_name_of(std::string_view name);

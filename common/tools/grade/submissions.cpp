@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/measure/utf8.hpp"
 #include "engine/system/file_error.hpp"
 #include "safe_text.hpp"
 
@@ -64,7 +65,38 @@ bool has_chapters(const fs::path& folder) {
   });
 }
 
-/// How well a file's name says that it is an item's picture: 0 best, 1, 2; 3 not at all.
+bool is_code(const fs::path& file) {
+  const std::string ending = lower(name_of(file.extension()));
+  return ending == ".hpp" || ending == ".cpp";
+}
+
+/// A chapter that is asked for, with code in it; its name alone may be a student's, or a picture's.
+bool is_chapter(const std::vector<Item>& items, const fs::directory_entry& folder) {
+  const std::string name = name_of(folder.path().filename());
+  const auto asked = std::find_if(items.begin(), items.end(), [&name](const Item& item) {
+    return name == item.name ||
+           (!item.exercise.empty() && item.exercise.find('/' + name + '/') != std::string::npos);
+  });
+  if (asked == items.end()) return false;
+  const auto entries = entries_of(folder);
+  return std::any_of(entries.begin(), entries.end(), [](const fs::directory_entry& entry) {
+    return is_code(entry.path()) ||
+           (is_real_folder(entry) && entry.path().filename() == "exercises");
+  });
+}
+
+/// The only number in a name; empty if there is none, or a second one.
+std::string only_number(const std::string& name) {
+  constexpr const char* digits = "0123456789";
+  const std::size_t begin = std::min(name.find_first_of(digits), name.size());
+  const std::size_t end = std::min(name.find_first_not_of(digits, begin), name.size());
+  const bool another = name.find_first_of(digits, end) != std::string::npos;
+  return another ? "" : name.substr(begin, end - begin);
+}
+
+constexpr int no_fit = 4;
+
+/// How well a file's name says that it is an item's picture: 0 best, then 1, 2, 3.
 int misfit(const std::string& stem, const Item& item) {
   std::string name = lower(stem);
   if (name == lower(item.name)) return 0;
@@ -80,7 +112,9 @@ int misfit(const std::string& stem, const Item& item) {
                        !is_digit(name[number.size()]) &&
                        (name[number.size()] != '.' || name.size() == number.size() + 1 ||
                         !is_digit(name[number.size() + 1]));
-  return goes_on ? 2 : 3;
+  if (goes_on) return 2;
+  const std::string only = only_number(name);
+  return only == number || only == shorter ? 3 : no_fit;
 }
 
 /// What one folder holds.
@@ -89,17 +123,20 @@ struct Search {
   fs::path checkout;
   struct Candidate {
     fs::path path;
-    int misfit = 3;
+    int misfit = no_fit;
     int level = 0;
     bool is_link = false;
   };
   std::map<std::string, std::vector<Candidate>> candidates = {};
   std::size_t entries = 0;
   bool cut = false;
+  std::vector<std::string> seen = {};  ///< names of pictures that fit nothing
+  std::string code = {};               ///< the first file of code outside a chapter
 
   /// Searches a folder and those in it, down to so many levels.
   void look_into(const fs::path& folder, int level, int levels) {
     std::vector<fs::path> below;
+    bool holds_chapters = false;
     for (const fs::directory_entry& entry : entries_of(folder)) {
       if (++entries > most_entries) {
         cut = true;
@@ -108,13 +145,18 @@ struct Search {
       const std::string name = name_of(entry.path().filename());
       if (is_real_folder(entry)) {
         if (lower(name) == "chapters" && has_chapters(entry.path())) {
-          if (checkout.empty()) checkout = folder;
+          // The builder knows chapters/ in small letters; else it gets the folder itself.
+          if (checkout.empty()) checkout = name == "chapters" ? folder : entry.path();
+        } else if (is_chapter(items, entry)) {
+          holds_chapters = true;
         } else if (!is_passed_over(name)) {
           below.push_back(entry.path());
         }
       }
       take_picture(entry, level);
+      if (code.empty() && is_code(entry.path())) code = name_of(entry.path().filename());
     }
+    if (checkout.empty() && holds_chapters) checkout = folder;
     if (level == levels || !checkout.empty()) return;
     for (const fs::path& next : below) look_into(next, level + 1, levels);
   }
@@ -124,14 +166,34 @@ struct Search {
     std::error_code error;
     const bool is_link = entry.symlink_status(error).type() == fs::file_type::symlink;
     const std::string stem = name_of(entry.path().stem());
+    bool fits = false;
     for (const Item& item : items) {
       if (!item.exercise.empty()) continue;
       const int fit = misfit(stem, item);
-      if (fit < 3) candidates[item.name].push_back({entry.path(), fit, level, is_link});
+      if (fit == no_fit) continue;
+      candidates[item.name].push_back({entry.path(), fit, level, is_link});
+      fits = true;
     }
+    if (!fits) seen.push_back(name_of(entry.path().filename()));
   }
 
-  [[nodiscard]] bool found() const { return !checkout.empty() || !candidates.empty(); }
+  [[nodiscard]] bool has_work() const {
+    return !checkout.empty() || !candidates.empty() || !seen.empty() || !code.empty();
+  }
+
+  /// What lies there under other names, at most so many pictures.
+  [[nodiscard]] std::string what_else(std::size_t most) const {
+    std::string words;
+    for (std::size_t i = 0; i < seen.size() && i < most; ++i)
+      words.append(i == 0 ? "" : ", ").append(clean(shown_name(seen[i])));
+    if (seen.size() > most)
+      words.append(" and ").append(counted(seen.size() - most, "picture")) += " more";
+    if (!code.empty()) {
+      words.append(words.empty() ? "" : "; ").append(clean(shown_name(code)));
+      words += ", but not in a chapter's folder";
+    }
+    return words;
+  }
 
   /// Of the candidates the one whose name fits best, then the one nearest to the top.
   [[nodiscard]] std::map<std::string, FoundPicture> pictures() const {
@@ -142,7 +204,7 @@ struct Search {
             return std::pair(a.misfit, a.level) < std::pair(b.misfit, b.level);
           });
       const auto rival = std::find_if(all.begin(), all.end(), [&best](const Candidate& other) {
-        return other.path != best->path && other.misfit == best->misfit && best->misfit == 2 &&
+        return other.path != best->path && other.misfit == best->misfit && best->misfit >= 2 &&
                other.level == best->level;
       });
       FoundPicture& found = result[item];
@@ -165,15 +227,21 @@ Search searched(const std::vector<Item>& items, const fs::path& folder, int leve
   return search;
 }
 
-bool has_own_work(const std::vector<Item>& items, const fs::path& folder) {
-  if (searched(items, folder, 0).found()) return true;
-  const fs::path out = folder / "out";
-  return fs::is_directory(out) && searched(items, out, 0).found();
+/// Has a tab, or what Python takes for the end of a line.
+bool breaks_line(std::string_view name) {
+  while (!name.empty()) {
+    const char32_t c = take_character(name);
+    if ((c >= 0x09 && c <= 0x0D) || (c >= 0x1C && c <= 0x1E) || c == 0x85 || c == 0x2028 ||
+        c == 0x2029) {
+      return true;
+    }
+  }
+  return false;
 }
 
 Submission submission_of(const std::vector<Item>& items, const fs::path& path,
                          const std::string& folder) {
-  Submission result{folder, name_of(path.filename()), path, {}, {}, ""};
+  Submission result{shown_name(folder), shown_name(name_of(path.filename())), path, {}, {}, ""};
   std::error_code error;
   if (fs::directory_iterator(path, error); error) {
     result.note = "the folder cannot be read: " + error.message();
@@ -181,11 +249,14 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
   }
   const Search search = searched(items, path, most_levels);
   result.checkout = search.checkout;
-  if (search.checkout.empty()) result.pictures = search.pictures();
-  if (name_of(result.checkout) != clean(name_of(result.checkout))) {
+  if (search.checkout.empty()) {
+    result.pictures = search.pictures();
+    result.seen = search.what_else(4);
+  }
+  if (breaks_line(name_of(result.checkout))) {
     // The plan of tasks is a table of lines.
     result.checkout.clear();
-    result.note = "the folder's name has control characters; rename it";
+    result.note = "the folder's name has a tab or a line end; rename it";
   }
   if (search.cut) {
     result.note = "the folder has more than " + std::to_string(most_entries) +
@@ -194,38 +265,103 @@ Submission submission_of(const std::vector<Item>& items, const fs::path& path,
   return result;
 }
 
-/// The folders in a class, if it is one.
-std::vector<fs::directory_entry> folders_of_class(const std::vector<Item>& items,
-                                                  const fs::path& folder) {
-  if (has_own_work(items, folder)) return {};
-  std::vector<fs::directory_entry> all;
-  int with_work = 0;
-  for (const fs::directory_entry& entry : entries_of(folder)) {
-    if (!entry.is_directory() || is_passed_over(name_of(entry.path().filename()))) continue;
-    all.push_back(entry);
-    const bool found =
-        is_real_folder(entry) && searched(items, entry.path(), most_levels - 1).found();
-    with_work += found ? 1 : 0;
+/// A folder in a student's own tree, not a student.
+bool is_part_of_one(const std::vector<Item>& items, const fs::directory_entry& folder) {
+  const std::string name = lower(name_of(folder.path().filename()));
+  if (name == "out" || name == "chapters" || is_passed_over(name) || is_chapter(items, folder))
+    return true;
+  return std::any_of(items.begin(), items.end(),
+                     [&name](const Item& item) { return name == lower(item.name); });
+}
+
+/// The one folder that a site, or a student, packs all in.
+bool is_packing(const std::string& folder) {
+  static const std::set<std::string> words = {"bilder",   "homework", "hw",         "images",
+                                              "pictures", "png",      "screenshots"};
+  const std::string name = lower(folder);
+  return words.contains(name) || name.ends_with("-main") || name.ends_with("-master") ||
+         name.find("texmap") != std::string::npos || name.find("texture") != std::string::npos;
+}
+
+/// A folder that was named: the folders in it that may be students', and what speaks against that.
+struct Structure {
+  std::vector<fs::directory_entry> folders = {};
+  std::size_t with_work = 0;  ///< of these folders
+  std::string own_picture = {};
+  bool has_chapters = false;
+
+  Structure(const std::vector<Item>& items, const fs::path& folder) {
+    for (const fs::directory_entry& entry : entries_of(folder)) {
+      if (!entry.is_directory() || is_part_of_one(items, entry)) continue;
+      folders.push_back(entry);
+      if (is_real_folder(entry) && searched(items, entry.path(), most_levels - 1).has_work())
+        ++with_work;
+    }
+    for (const fs::path& place : {folder, folder / "out"}) {
+      if (!fs::is_directory(place)) continue;
+      const Search search = searched(items, place, 0);
+      has_chapters = has_chapters || !search.checkout.empty();
+      if (!search.candidates.empty() && own_picture.empty())
+        own_picture = name_of(search.candidates.begin()->second[0].path.filename());
+    }
   }
-  return with_work > 1 ? all : std::vector<fs::directory_entry>();
+
+  [[nodiscard]] bool is_packed() const {
+    return folders.size() == 1 && is_packing(name_of(folders[0].path().filename()));
+  }
+
+  /// @param alone  no other folder was named
+  [[nodiscard]] bool is_class(bool alone) const {
+    if (folders.empty() || has_chapters) return false;
+    if (!alone) return with_work > 1 && own_picture.empty();
+    if (with_work > 1) return true;  // a stray picture changes nothing
+    return own_picture.empty() ? !is_packed() : folders.size() > 1 && with_work > 0;
+  }
+
+  /// Both readings are possible.
+  [[nodiscard]] bool is_unclear(bool as_class, bool alone) const {
+    if (as_class) return with_work < 2 || !own_picture.empty();
+    return with_work > (alone && !is_packed() && !has_chapters ? 0U : 1U);
+  }
+};
+
+std::string remark_on(const std::string& folder, const Structure& structure, bool as_class) {
+  std::string remark = clean(shown_name(folder));
+  if (!as_class) {
+    return remark +
+           " is graded as one student's folder; --class grades each folder in it as a student's";
+  }
+  remark.append(" is graded as a class of ").append(counted(structure.folders.size(), "student"));
+  if (!structure.own_picture.empty())
+    remark.append("; ").append(clean(shown_name(structure.own_picture))).append(" is nobody's");
+  return remark.append("; --one grades it as one student's folder");
 }
 
 }  // namespace
 
-std::vector<Submission> find_submissions(const std::vector<fs::path>& folders,
-                                         const std::vector<Item>& items) {
-  std::vector<Submission> all;
+Found find_submissions(const std::vector<fs::path>& folders, const std::vector<Item>& items,
+                       Reading reading) {
+  Found found;
+  std::vector<Submission>& all = found.submissions;
   for (const fs::path& folder : folders) {
     const fs::path path = fs::canonical(folder);
-    const std::vector<fs::directory_entry> in_class = folders_of_class(items, path);
-    if (in_class.empty()) all.push_back(submission_of(items, path, name_of(folder)));
-    for (const fs::directory_entry& entry : in_class) {
+    const Structure structure(items, path);
+    const bool alone = folders.size() == 1;
+    const bool as_class =
+        reading == Reading::by_structure ? structure.is_class(alone) : reading == Reading::students;
+    if (reading == Reading::by_structure && structure.is_unclear(as_class, alone))
+      found.remarks.push_back(remark_on(name_of(folder), structure, as_class));
+    if (!as_class) {
+      all.push_back(submission_of(items, path, name_of(folder)));
+      continue;
+    }
+    for (const fs::directory_entry& entry : structure.folders) {
       const std::string name = name_of(folder / entry.path().filename());
       if (is_real_folder(entry)) {
         all.push_back(submission_of(items, entry.path(), name));
       } else {
-        all.push_back({name,
-                       name_of(entry.path().filename()),
+        all.push_back({shown_name(name),
+                       shown_name(name_of(entry.path().filename())),
                        entry.path(),
                        {},
                        {},
@@ -233,7 +369,7 @@ std::vector<Submission> find_submissions(const std::vector<fs::path>& folders,
       }
     }
   }
-  return all;
+  return found;
 }
 
 std::vector<std::string> page_names(const std::vector<Submission>& submissions) {

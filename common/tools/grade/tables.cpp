@@ -60,10 +60,11 @@ std::string grades_csv(const Class& all) {
 std::string points_csv(const Class& all) {
   std::string table = byte_order_mark;
   if (!all.contained()) table += line({not_contained});
-  table += line({"folder", "name", "points", "of", "chapters"});
+  table += line({"folder", "name", "points", "of", "chapters", "page", "note"});
   for (const Student& student : all.students) {
     table += line({student.folder, student.name, std::to_string(student.points()),
-                   std::to_string(student.of()), std::to_string(student.rows.size())});
+                   std::to_string(student.of()), std::to_string(student.rows.size()), student.page,
+                   student.note.empty() ? all.unfinished(student) : student.note});
   }
   return table;
 }
