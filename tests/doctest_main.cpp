@@ -8,9 +8,9 @@ namespace {
 
 constexpr int most_failures = 10;  // more of them say no more
 
-/// Says at the end that the suite stopped, and how to see the rest.
-struct StopNotice : doctest::IReporter {
-  explicit StopNotice(const doctest::ContextOptions& /*options*/) {}
+/// Says which tests were skipped and why, and at the end that the suite stopped.
+struct Notices : doctest::IReporter {
+  explicit Notices(const doctest::ContextOptions& /*options*/) {}
   void report_query(const doctest::QueryData&) override {}
   void test_run_start() override {}
   void test_run_end(const doctest::TestRunStats& stats) override {
@@ -27,9 +27,14 @@ struct StopNotice : doctest::IReporter {
   void subcase_end() override {}
   void log_assert(const doctest::AssertData&) override {}
   void log_message(const doctest::MessageData&) override {}
-  void test_case_skipped(const doctest::TestCaseData&) override {}
+  /// Not of those that the command line leaves out.
+  void test_case_skipped(const doctest::TestCaseData& test) override {
+    if (!test.m_skip) return;
+    const char* why = test.m_description != nullptr ? test.m_description : "";
+    std::printf("Skipped: %s: %s\n", test.m_name, why);
+  }
 };
-REGISTER_LISTENER("stop_notice", 1, StopNotice);
+REGISTER_LISTENER("notices", 1, Notices);
 
 }  // namespace
 

@@ -20,6 +20,12 @@ if(SH AND UNIX AND NOT TEXMAP_INSTRUMENT)
   set_tests_properties(grade_checkouts PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1800 RESOURCE_LOCK grade_build)
 endif()
 
+if(UNIX AND PYTHON3)
+  add_test(NAME hidden_options COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_hidden_options.py" "${CMAKE_SOURCE_DIR}"
+    "$<TARGET_FILE:04_uv_conventions>")
+  set_tests_properties(hidden_options PROPERTIES LABELS grading)
+endif()
+
 # What build_and_run.py contains, limits and keeps: attacks, loops and cheats by students' programs.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
   set(learn_build "${CMAKE_BINARY_DIR}/grade/learn")

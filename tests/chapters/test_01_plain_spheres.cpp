@@ -36,6 +36,7 @@ TEST_CASE("known pixels have the colors that paper and pencil give") {
   CHECK(drawn.at(0, 0) == Rgb8{176, 208, 255});
 }
 
-TEST_CASE("all numbers draw the same picture, but for 0.03 percent of the pixels in float") {
+TEST_CASE("all numbers draw the same picture, but for 0.03 percent of the pixels in float" *
+          NeedsFloat<chapter_01::Lesson>{}) {
   check_all_numbers(chapter_01::Lesson{}, 144);
 }

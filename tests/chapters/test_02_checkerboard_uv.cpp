@@ -17,13 +17,11 @@ using chapter_02::Lesson;
 
 TEST_CASE("the picture is the daily exercise's published picture, pixel for pixel") {
   const Image drawn = picture(Lesson{});
+#ifdef TEXMAP_REFERENCE_PLATFORM
   static_assert(sizeof(Rgb8) == 3);
   const std::span<const std::uint8_t> bytes(&drawn.pixels[0].r, 3 * drawn.pixels.size());
-#ifdef TEXMAP_REFERENCE_PLATFORM
   // The hash of the 1,440,000 red, green and blue bytes that its texture_output.png holds.
   CHECK(sha256(bytes) == "9f0d68575b344f9a050be7e15b22f487245c3fece0ea1fef1c5f6d8c6df150e3");
-#else
-  MESSAGE("not the platform of the published hash: " << sha256(bytes));
 #endif
   expect_same_picture(drawn, daily::draw(800, 600, true));
 }
@@ -64,6 +62,7 @@ TEST_CASE("only the three checkered objects change from chapter 01") {
   CHECK(check_step(chapter_01::Lesson{}, Lesson{}, chapter_02::left) > 5000);
 }
 
-TEST_CASE("all numbers draw the same picture, but for 0.05 percent of the pixels in float") {
+TEST_CASE("all numbers draw the same picture, but for 0.05 percent of the pixels in float" *
+          NeedsFloat<Lesson>{}) {
   check_all_numbers(Lesson{}, 240);
 }

@@ -61,6 +61,7 @@ TEST_CASE("a missing texture is an error that names it, never a color") {
                        doctest::Contains("cannot load texture 'no_such_picture.png'"), FileError);
 }
 
-TEST_CASE("all numbers draw the same Earth, but for 0.1 percent of the pixels in float") {
+TEST_CASE("all numbers draw the same Earth, but for 0.1 percent of the pixels in float" *
+          NeedsFloat<Lesson>{}) {
   check_all_numbers(prepared<Lesson>(), 480);
 }

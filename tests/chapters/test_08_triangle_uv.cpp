@@ -9,9 +9,9 @@
 #include "number/kinds/pack2.hpp"
 #include "scene/floor.hpp"
 #include "support/image_errors.hpp"
+#include "support/lesson_laws.hpp"
 #include "support/made_meshes.hpp"
 #include "support/mesh_rays.hpp"
-#include "support/pictures.hpp"
 #include "support/running.hpp"
 #include "support/same_picture.hpp"
 #include "support/shown_values.hpp"
@@ -55,7 +55,8 @@ Lesson plane_lesson() {
 
 }  // namespace
 
-TEST_CASE("all numbers draw one picture; float differs at edges of texels and of the crate") {
+TEST_CASE("all numbers draw one picture; float differs at edges of texels and of the crate" *
+          NeedsPacks<Lesson>{}) {
   const Lesson lesson = prepared<Lesson>();
   const auto in = [&]<class Real>(Real) { return picture<Real>(lesson, 482, 361); };
   const Image reference = in(1.0);
@@ -126,8 +127,7 @@ TEST_CASE("Heron's weights draw the crate, but for texels at the edge of a pixel
     return picture<float>(prepared<Lesson>({"--weights", weights}), width, height);
   };
   const long lost = count_different(in_float("heron"), in_float("signed"));
-  MESSAGE("float: " << lost << " of " << width * height << " pixels");
-  CHECK(lost > 0);
+  if (draws_in<Lesson, float>) CHECK(lost > 0);
 }
 
 TEST_CASE("with u = x and v = z in its corners a triangle draws the plane map, pixel for pixel") {

@@ -29,7 +29,8 @@ double brightness(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("all numbers draw one picture, but where a texel or a byte is on its edge") {
+TEST_CASE("all numbers draw one picture, but where a texel or a byte is on its edge" *
+          NeedsPacks<Lesson>{}) {
   for (const char* filter : {"nearest", "trilinear", "anisotropic"}) {
     CAPTURE(filter);
     const Lesson lesson = filtered(filter, "8");
@@ -46,7 +47,7 @@ TEST_CASE("all numbers draw one picture, but where a texel or a byte is on its e
   }
 }
 
-TEST_CASE("packs and double draw the same bytes by each filter") {
+TEST_CASE("packs and double draw the same bytes by each filter" * NeedsPacks<Lesson>{}) {
   for (const char* filter : {"bilinear", "ewa", "stochastic"}) {
     CAPTURE(filter);
     const Lesson lesson = filtered(filter);

@@ -68,7 +68,7 @@ TEST_CASE("in every layout of the whole sphere the globe looks the same, but for
   }
 }
 
-TEST_CASE("all numbers draw the globe in every layout") {
+TEST_CASE("all numbers draw the globe in every layout" * NeedsFloat<Lesson>{}) {
   for (const ProjectionFacts& facts : projections) {
     CAPTURE(std::string(facts.word));
     check_all_numbers(in_layout(facts.word), 400);

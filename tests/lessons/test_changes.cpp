@@ -185,6 +185,7 @@ TEST_CASE("a texture of one's own is what --texture draws, and is on the middle 
 }
 
 TEST_CASE("(u, v) in float changes pixels at edges of squares alone") {
+  CHECK(change_float_mapping::Lesson::about.numbers == Numbers::single);
   const chapter_02::Lesson before;
   const change_float_mapping::Lesson after;
   const Image first = picture(before);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plants twelve mistakes of students in a copy, one at a time, and sees the chapter's symptoms name each.
+"""Plants mistakes of students in a copy, one at a time, and sees the chapter's symptoms name each.
 
 Reads tests/mutation/symptoms.txt. Compiles tests/chapters/symptoms_NN.cpp alone, which takes a second or two: its headers are those of
 the copy, the libraries those of a build. The first failure must have the mistake's word and no other's, within two seconds of processor

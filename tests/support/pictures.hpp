@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/app/prepared.hpp"
@@ -11,9 +12,23 @@
 
 namespace texmap::test {
 
+/// Whether a lesson's code can be run with a number: its `about` says so, and a build for learning
+/// has double alone.
+template <class Lesson, class Real>
+constexpr bool draws_in = std::is_same_v<Real, double> ||
+                          (all_numbers && (Lesson::about.numbers == Numbers::all ||
+                                           (Lesson::about.numbers == Numbers::single &&
+                                            std::is_floating_point_v<Real>)));
+
+/// A lesson's picture in a number; in double where the lesson cannot be run with that number.
 template <class Real = double, class Lesson>
 [[nodiscard]] Image picture(const Lesson& lesson, int width = 800, int height = 600) {
-  return render<Real>(lesson, view_of(lesson.stage.camera, width, height));
+  const View<> view = view_of(lesson.stage.camera, width, height);
+  if constexpr (std::is_same_v<Real, double>) {  // lessons of tests have no `about`
+    return render<double>(lesson, view);
+  } else {
+    return render<std::conditional_t<draws_in<Lesson, Real>, Real, double>>(lesson, view);
+  }
 }
 
 /// The largest difference of a channel between two pixels.

@@ -74,6 +74,22 @@ Image with_red_and_blue_exchanged(const Image& image) {
   return changed_pixels(image, [](Rgb8 p) { return Rgb8{p.b, p.g, p.r}; });
 }
 
+/// The picture moved to the right and down; columns and rows come in again at the other side.
+Image rolled(const Image& image, int right, int down) {
+  return moved_pixels(image, [&](int x, int y) {
+    return Place((x - right + image.width) % image.width, (y - down + image.height) % image.height);
+  });
+}
+/// The same; what comes in is black.
+Image moved_over_black(const Image& image, int right, int down) {
+  Image result(image.width, image.height);
+  for (int row = std::max(down, 0); row < image.height + std::min(down, 0); ++row) {
+    for (int column = std::max(right, 0); column < image.width + std::min(right, 0); ++column)
+      result.at(column, row) = image.at(column - right, row - down);
+  }
+  return result;
+}
+
 /// The picture moved to the right and down; columns come in again at the other side, rows do not.
 ///
 /// @param right, down  at most the width or the height
@@ -82,6 +98,15 @@ Image moved_by(const Image& image, int right, int down) {
     return Place((x - right + image.width) % image.width,
                  std::clamp(y - down, 0, image.height - 1));
   });
+}
+
+/// Pictures that are right but for their place, which is a pixel off; whatever fills the edge.
+void add_shifted(std::vector<WrongPicture>& wrong, const std::string& name,
+                 const std::string& words, const Image& right, const Place& by) {
+  const auto [columns, rows] = by;
+  wrong.push_back({name, words, moved_by(right, columns, rows)});
+  wrong.push_back({name + "_black", words, moved_over_black(right, columns, rows)});
+  if (rows != 0) wrong.push_back({name + "_rolled", words, rolled(right, columns, rows)});
 }
 
 /// Weights of red, green and blue whose sum is 1.
@@ -198,7 +223,8 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
   const std::string gray = "gray: the picture's three channels are equal";
   const std::string dark = "too dark: light was written without the curve of image files";
   const std::string pale = "too pale: the curve of image files was applied once too often";
-  return {
+  const std::string order = "the channels of the whole picture are in the wrong order";
+  std::vector<WrongPicture> wrong{
       {"picture_mirrored", "the whole picture is mirrored: columns run the other way",
        with_columns_reversed(right)},
       {"picture_upside_down", "the whole picture is upside down: rows run the other way",
@@ -215,14 +241,48 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
       {"picture_dark_squared", dark, through_curve(right, squared)},
       {"picture_pale", pale, through_curve(right, srgb_encode<double>)},
       {"picture_pale_root", pale, through_curve(right, square_root)},
-      {"picture_left", "the whole picture is one pixel too far to the left",
-       moved_by(right, -1, 0)},
-      {"picture_right", "the whole picture is one pixel too far to the right",
-       moved_by(right, 1, 0)},
-      {"picture_up", "the whole picture is one pixel too high", moved_by(right, 0, -1)},
-      {"picture_down", "the whole picture is one pixel too low", moved_by(right, 0, 1)},
+      {"picture_gbr", order + ": green, blue, red",
+       changed_pixels(right,
+                      [](Rgb8 p) {
+                        return Rgb8{p.g, p.b, p.r};
+                      })},
+      {"picture_brg", order + ": blue, red, green",
+       changed_pixels(right,
+                      [](Rgb8 p) {
+                        return Rgb8{p.b, p.r, p.g};
+                      })},
+      {"picture_mirrored_bgr", "the whole picture is mirrored, and red and blue are exchanged",
+       with_red_and_blue_exchanged(with_columns_reversed(right))},
+      {"picture_upside_down_bgr",
+       "the whole picture is upside down, and red and blue are exchanged",
+       with_red_and_blue_exchanged(with_rows_reversed(right))},
+      {"picture_inverted", "inverted: each channel is 255 minus what it should be",
+       changed_pixels(right,
+                      [](Rgb8 p) {
+                        const auto inverted = [](std::uint8_t level) {
+                          return static_cast<std::uint8_t>(255 - level);
+                        };
+                        return Rgb8{inverted(p.r), inverted(p.g), inverted(p.b)};
+                      })},
       {"picture_black", "black: nothing was drawn", Image(right.width, right.height)},
+      {"picture_white", "white: every channel of every pixel is 255",
+       Image(right.width, right.height, {255, 255, 255})},
   };
+  add_shifted(wrong, "picture_left", "the whole picture is one pixel too far to the left", right,
+              {-1, 0});
+  add_shifted(wrong, "picture_right", "the whole picture is one pixel too far to the right", right,
+              {1, 0});
+  add_shifted(wrong, "picture_up", "the whole picture is one pixel too high", right, {0, -1});
+  add_shifted(wrong, "picture_down", "the whole picture is one pixel too low", right, {0, 1});
+  const std::string both = "the whole picture is one pixel off, in columns and in rows";
+  for (const int columns : {-1, 1}) {
+    for (const int rows : {-1, 1}) {
+      const std::string name =
+          std::string("picture_") + (rows < 0 ? "up" : "down") + (columns < 0 ? "_left" : "_right");
+      add_shifted(wrong, name, both, right, {columns, rows});
+    }
+  }
+  return wrong;
 }
 
 std::vector<WrongPicture> mistaken_maps(const Image& map) {

@@ -29,8 +29,8 @@ struct WrongPicture {
 [[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,
                                        std::span<const WrongPicture> wrong);
 
-/// What mistakes in the camera and in the file make of a whole picture: mirrored, upside down, red
-/// and blue exchanged, gray, one pixel off, the curve of image files missing or applied twice.
+/// What mistakes in the camera and in the file make of a whole picture: mirrored, upside down,
+/// channels exchanged, gray, inverted, one color, one pixel off, the curve of image files missing.
 [[nodiscard]] std::vector<WrongPicture> mistakes_of_the_whole(const Image& right);
 
 /// Maps on which a right program draws what a wrong look-up of (u, v) or of the texel draws on

@@ -33,6 +33,7 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/render/render.hpp"
 #include "engine/system/system.hpp"
+#include "wrong_highlight.hpp"
 #include "wrong_light.hpp"
 
 namespace {
@@ -82,6 +83,7 @@ struct ByOptions {
 };
 
 std::vector<ByOptions> mistakes_by_options() {
+  const char* too_wide = "the highlight is too wide: its exponent is too small";
   return {
       {"05 06 07",
        "last_column",
@@ -101,7 +103,13 @@ std::vector<ByOptions> mistakes_by_options() {
        "wide_highlight",
        "the highlight is too wide: its exponent is missing",
        {"--shininess", "1"}},
-      {"06", "no_highlight", "without a highlight", {"--shininess", "1e30"}},
+      {"06",
+       "no_highlight",
+       "without a highlight, or the direction to the eye has the wrong sign",
+       {"--shininess", "1e30"}},
+      {"06", "exponent_10", too_wide, {"--shininess", "10"}},
+      {"06", "exponent_12", too_wide, {"--shininess", "12.5"}},  // where the half vector is near
+      {"06", "exponent_20", too_wide, {"--shininess", "20"}},
       {"08", "wrap_repeat", "the texture is repeated and not mirrored", {"--wrap", "repeat"}},
       {"08",
        "wrap_clamp",
@@ -110,6 +118,25 @@ std::vector<ByOptions> mistakes_by_options() {
       {"08", "other_way", "turned the other way: the sign of the sine", {"--degrees", "25"}},
   };
 }
+
+/// Lessons whose light is that of the stage, on spheres.
+template <class Lesson>
+concept DrawsStage = !shows_itself<Lesson> && requires(const Lesson& lesson) {
+  lesson.objects.front().shape.center;
+  requires mistakes::HasHighlight<Lesson> || requires { lesson.surface; };
+};
+
+/// The paint of a chapter's turned globe.
+template <class Lesson>
+struct Globe;
+template <>
+struct Globe<chapter_05::Lesson> {
+  using Paint = chapter_05::Textured;
+};
+template <>
+struct Globe<chapter_06::Lesson> {
+  using Paint = chapter_06::Textured;
+};
 
 /// Draws a chapter with every mistake that it can show.
 template <class Lesson>
@@ -148,17 +175,85 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     }
     add_own(one.name, one.words, drawn<Lesson>(request, one.options, draft));
   }
-  if constexpr (requires(const Lesson& lesson) {
-                  lesson.surface;
-                  lesson.objects.front().shape.center;
-                } &&
-                !shows_itself<Lesson>) {
+  std::filesystem::remove(draft);
+  if constexpr (DrawsStage<Lesson>) {
     Lesson lesson;
     const Settings settings = make_ready(lesson, request.options);
+    if constexpr (mistakes::HasHighlight<Lesson>) {
+      if (lesson.phong.blends) return wrong;
+    }
     const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
+    using Object = typename decltype(lesson.objects)::value_type;
+    // The picture with another color at each hit: shade(object, hit, ray).
+    const auto shaded = [&](const auto& shade) {
+      return render<double>(
+          mistakes::WithShade<Lesson, std::remove_cvref_t<decltype(shade)>>{lesson, shade}, view);
+    };
     for (const auto& [mistake, name, words] : mistakes::light_mistakes) {
-      add_own(name, words,
-              render<double>(mistakes::WithLightMistake<Lesson>{lesson, mistake}, view));
+      add_own(name, words, shaded([&](const Object& object, const auto& hit, const auto& ray) {
+                return mistakes::wrongly_lit(lesson, mistake, object, object.paint(hit), hit, ray);
+              }));
+    }
+    if constexpr (mistakes::HasHighlight<Lesson>) {
+      for (const auto& [mistake, name, words] : mistakes::highlight_mistakes) {
+        add_own(name, words, shaded([&](const Object& object, const auto& hit, const auto& ray) {
+                  return mistakes::wrongly_shining(lesson, mistake, object, object.paint(hit), hit,
+                                                   ray);
+                }));
+      }
+    }
+    if constexpr (requires { lesson.turn; }) {
+      // The globe turned by a function of its normal, and its light by another.
+      const auto turned = [&](const auto& of_texture, const auto& of_light) {
+        return shaded([&](const Object& object, Hit<double> hit, const auto& ray) {
+          Rgb color = object.paint(hit);
+          if (&object == &lesson.objects.front()) {
+            auto globe = std::get<typename Globe<Lesson>::Paint>(object.paint);
+            globe.mapping.rotation = {};
+            Hit<double> from = hit;
+            from.normal = of_texture(hit.normal);
+            color = globe(from);
+            hit.normal = of_light(hit.normal);
+          }
+          return mistakes::lit(lesson, object, color, mistakes::light_at(lesson, hit), hit.normal,
+                               ray);
+        });
+      };
+      const RotationY turn = lesson.turn.rotation();
+      const auto alone = [](const Vec3d& normal) { return normal; };
+      add_own("light_turned",
+              "light and shade turned with the globe: the normal was rotated for the light, too",
+              turned(turn, turn));
+      const std::string about = "turned about a horizontal axis: y must stay as it is";
+      for (const bool back : {false, true}) {
+        const double s = back ? -turn.sine : turn.sine;
+        const double c = turn.cosine;
+        const std::string way = back ? "_back" : "";
+        add_own("about_x" + way, about,
+                turned(
+                    [&](const Vec3d& p) {
+                      return Vec3d{p.x, p.y * c - p.z * s, p.y * s + p.z * c};
+                    },
+                    alone));
+        add_own("about_z" + way, about,
+                turned(
+                    [&](const Vec3d& p) {
+                      return Vec3d{p.x * c - p.y * s, p.x * s + p.y * c, p.z};
+                    },
+                    alone));
+      }
+    }
+    if constexpr (std::is_same_v<Lesson, chapter_02::Lesson>) {
+      Lesson other = lesson;
+      std::swap(other.checkered.texture.even, other.checkered.texture.odd);
+      for (auto& object : other.objects) {
+        if (std::holds_alternative<chapter_02::Checkered>(object.paint))
+          object.paint = other.checkered;
+      }
+      add_own("other_squares",
+              "every square has the other color: a sign of u or v, a missing 1/2, or the two "
+              "colors",
+              render<double>(other, view));
     }
     Lesson at_corners = lesson;
     at_corners.stage.camera.anchor = PixelAnchor::corner;
@@ -171,7 +266,6 @@ std::vector<WrongPicture> draw_all(const Request& request) {
               render<double>(lesson, view));
     }
   }
-  std::filesystem::remove(draft);
   return wrong;
 }
 

@@ -43,52 +43,99 @@ inline constexpr NamedLightMistake light_mistakes[] = {
      "missing"},
 };
 
-/// How bright a point is with a mistake.
+/// Lessons whose objects have a highlight.
 template <class Lesson>
-[[nodiscard]] double brightness(const Lesson& lesson, LightMistake mistake, Hit<double> hit,
-                                const Ray<double>& ray) {
-  const PointLight& lamp = lesson.stage.light;
-  const auto by = [&](double cosine) {
-    return lesson.surface.ambient + lesson.surface.diffuse * cosine;
-  };
-  const Vec3d path = lamp.position - hit.point;
-  switch (mistake) {
-    case LightMistake::not_normalized:
-      return by(sample_light(lamp, lesson.objects, hit).cosine * length(path));
-    case LightMistake::inward:
-      hit.normal = -hit.normal;
-      break;
-    case LightMistake::no_shadows:
-      return by(max(dot(hit.normal, normalize(path)), 0.0));
-    case LightMistake::no_limit: {
-      const double cosine = dot(hit.normal, normalize(path));
-      return by(cosine < 0 ? cosine : sample_light(lamp, lesson.objects, hit).cosine);
-    }
-    case LightMistake::no_ambient:
-      return lesson.surface.diffuse * sample_light(lamp, lesson.objects, hit).cosine;
-    case LightMistake::no_light:
-      return 1;
-    case LightMistake::by_the_ray:
-      return by(abs(dot(hit.normal, ray.direction)));
-    case LightMistake::lamp_not_the_ray: {
-      const bool hidden = sample_light(lamp, lesson.objects, hit).cosine == 0;
-      return by(hidden ? 0 : max(dot(hit.normal, normalize(lamp.position)), 0.0));
-    }
+concept HasHighlight = requires(const Lesson& lesson) {
+  lesson.phong;
+  lesson.objects.front().material.lambertian;
+};
+
+/// The light that arrives, with the shadows that the lesson has.
+template <class Lesson>
+[[nodiscard]] LightSample<double> light_at(const Lesson& lesson, const Hit<double>& hit) {
+  if constexpr (HasHighlight<Lesson>) {
+    return sample_light(lesson.stage.light, lesson.phong.casters(lesson.objects), hit);
+  } else {
+    return sample_light(lesson.stage.light, lesson.objects, hit);
   }
-  return by(sample_light(lamp, lesson.objects, hit).cosine);
 }
 
-/// A lesson of the stage whose light has a mistake.
-template <class Lesson>
-struct WithLightMistake {
+template <class Lesson, class Object>
+[[nodiscard]] const Lambertian& lambertian_of(const Lesson& lesson, const Object& object) {
+  if constexpr (HasHighlight<Lesson>) {
+    return object.material.lambertian;
+  } else {
+    return lesson.surface;
+  }
+}
+
+/// The brightness of the highlight; 0 in a lesson without one.
+template <class Lesson, class Object>
+[[nodiscard]] double highlight_of(const Lesson& lesson, const Object& object,
+                                  const LightSample<double>& light, const Vec3d& normal,
+                                  const Ray<double>& ray) {
+  if constexpr (HasHighlight<Lesson>) {
+    return lesson.phong.highlight(object.material, light, normal, -ray.direction);
+  } else {
+    return 0;
+  }
+}
+
+/// A color in a light, as the lesson computes it.
+template <class Lesson, class Object>
+[[nodiscard]] Rgb lit(const Lesson& lesson, const Object& object, const Rgb& color,
+                      const LightSample<double>& light, const Vec3d& normal,
+                      const Ray<double>& ray) {
+  return color * lambert(lambertian_of(lesson, object), light) +
+         gray(highlight_of(lesson, object, light, normal, ray));
+}
+
+/// A color in the light that a mistake makes.
+template <class Lesson, class Object>
+[[nodiscard]] Rgb wrongly_lit(const Lesson& lesson, LightMistake mistake, const Object& object,
+                              const Rgb& color, Hit<double> hit, const Ray<double>& ray) {
+  const PointLight& lamp = lesson.stage.light;
+  const Vec3d path = lamp.position - hit.point;
+  const double cosine = dot(hit.normal, normalize(path));  // with any sign, without shadows
+  if (mistake == LightMistake::inward) hit.normal = -hit.normal;
+  LightSample<double> light = light_at(lesson, hit);
+  switch (mistake) {
+    case LightMistake::inward:
+      break;
+    case LightMistake::not_normalized:
+      light.cosine *= length(path);
+      break;
+    case LightMistake::no_shadows:
+      light.cosine = max(cosine, 0.0);
+      break;
+    case LightMistake::no_limit:
+      if (cosine < 0) light.cosine = cosine;
+      break;
+    case LightMistake::no_ambient:
+      return lit(lesson, object, color, light, hit.normal, ray) +
+             color * -lambertian_of(lesson, object).ambient;
+    case LightMistake::no_light:
+      return color;
+    case LightMistake::by_the_ray:
+      light.cosine = abs(dot(hit.normal, ray.direction));
+      break;
+    case LightMistake::lamp_not_the_ray:
+      if (light.cosine > 0) light.cosine = max(dot(hit.normal, normalize(lamp.position)), 0.0);
+      break;
+  }
+  return lit(lesson, object, color, light, hit.normal, ray);
+}
+
+/// A lesson of the stage that gives a hit another color: `shade(object, hit, ray)`.
+template <class Lesson, class Shade>
+struct WithShade {
   const Lesson& lesson;
-  LightMistake mistake;
+  Shade shade;
 
   [[nodiscard]] Rgb operator()(const Ray<double>& ray) const {
-    return color_along(lesson.objects, ray, lesson.stage.sky,
-                       [&](const auto& object, const Hit<double>& hit) {
-                         return object.paint(hit) * brightness(lesson, mistake, hit, ray);
-                       });
+    return color_along(
+        lesson.objects, ray, lesson.stage.sky,
+        [&](const auto& object, const Hit<double>& hit) { return shade(object, hit, ray); });
   }
 };
 

@@ -213,7 +213,8 @@ def hidden_options(item, offered, texture, rng):
     """Options for a picture that no student has seen: another size, texture, angle."""
     width = rng.randrange(240, 360)
     options = ['--width', str(width), '--height', str(width * 3 // 4 + rng.randrange(-20, 20))]
-    options += {'09': ['--filter', rng.choice(['trilinear', 'anisotropic', 'ewa'])],
+    options += {'04': ['--rounding', rng.choice(['floor', 'lecture'])],  # the stage in the lesson's own convention
+                '09': ['--filter', rng.choice(['trilinear', 'anisotropic', 'ewa'])],
                 '10': ['--projection', rng.choice(['cube', 'octahedral', 'equal-area'])],
                 '13': ['--seconds', '1', '--rounds', '1'],
                 '14': ['--exhibit', rng.choice(['pole', 'seam', 'turns', 'units'])]}.get(item[:2], [])

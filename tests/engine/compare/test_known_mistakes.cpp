@@ -168,6 +168,64 @@ TEST_CASE("each known mistake of a student is named, in two sizes") {
   }
 }
 
+TEST_CASE("a whole picture with its channels, its colors or its place wrong is named") {
+  const Key& key = usual_key();
+  const auto each = [](Image image, const auto& change) {
+    for (Rgb8& p : image.pixels) change(p.r, p.g, p.b);
+    return image;
+  };
+  using Byte = std::uint8_t;
+  const auto exchange = [](Byte& r, Byte&, Byte& b) { std::swap(r, b); };
+  const auto order = [](Byte& r, Byte& g, Byte& b) {
+    std::swap(r, g);
+    std::swap(g, b);
+  };
+  const std::string wrong_order = "the channels of the whole picture are in the wrong order";
+  CHECK(key.name_of(each(key.right, order)) == wrong_order + ": green, blue, red");
+  CHECK(key.name_of(each(each(key.right, order), order)) == wrong_order + ": blue, red, green");
+  CHECK(key.name_of(each(mirrored(key.right), exchange)) ==
+        "the whole picture is mirrored, and red and blue are exchanged");
+  CHECK(key.name_of(each(upside_down(key.right), exchange)) ==
+        "the whole picture is upside down, and red and blue are exchanged");
+  CHECK(key.name_of(each(key.right,
+                         [](Byte& r, Byte& g, Byte& b) {
+                           r = static_cast<Byte>(~r);
+                           g = static_cast<Byte>(~g);
+                           b = static_cast<Byte>(~b);
+                         }))
+            .starts_with("inverted"));
+  CHECK(key.name_of(Image(400, 300, {255, 255, 255})).starts_with("white"));
+  CHECK(key.name_of(Image(400, 300)).starts_with("black"));
+  // Two channels exchanged that no library exchanges, and a gray page, are nothing of these.
+  CHECK(key.name_of(each(key.right, [](Byte& r, Byte& g, Byte&) { std::swap(r, g); })).empty());
+  CHECK(key.name_of(Image(400, 300, {200, 200, 200})).empty());
+}
+
+TEST_CASE("a picture one pixel off is named, whatever fills its edge") {
+  const Key& key = usual_key();
+  for (const bool around : {true, false}) {
+    const auto moved = [&](int right, int down) {
+      Image image(400, 300);
+      for (int row = 0; row < 300; ++row) {
+        for (int column = 0; column < 400; ++column) {
+          const int x = column - right, y = row - down;
+          const bool inside = x >= 0 && x < 400 && y >= 0 && y < 300;
+          if (inside || around)
+            image.at(column, row) = key.right.at((x + 400) % 400, (y + 300) % 300);
+        }
+      }
+      return image;
+    };
+    CHECK(key.name_of(moved(1, 0)).ends_with("too far to the right"));
+    CHECK(key.name_of(moved(-1, 0)).ends_with("too far to the left"));
+    CHECK(key.name_of(moved(0, 1)).ends_with("one pixel too low"));
+    CHECK(key.name_of(moved(0, -1)).ends_with("one pixel too high"));
+    CHECK(key.name_of(moved(1, -1)).ends_with("in columns and in rows"));
+    CHECK(key.name_of(moved(2, 0)).empty());
+    CHECK(key.name_of(moved(0, 3)).empty());
+  }
+}
+
 TEST_CASE("a right picture, a noisy one and an unrelated one get no name") {
   const Key& key = usual_key();
   CHECK(key.name_of(key.right).empty());
