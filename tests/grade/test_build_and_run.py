@@ -359,6 +359,14 @@ class Notes(unittest.TestCase):
             self.assertEqual(first_failure(log), words)
         self.assertEqual(first_failure('[doctest] test cases: 1 | 1 passed\n'), '')
 
+    def test_a_test_that_only_prints_a_message_has_not_failed(self):
+        from build_and_run import failures, first_failure
+        line = '=' * 79
+        log = (f'{line}\na.cpp:1:\nTEST CASE:  noise\n\na.cpp:2: MESSAGE: 64 samples\n\n{line}\na.cpp:5:\nTEST CASE:  a law\n\n'
+               f'a.cpp:6: ERROR: CHECK( a ) is NOT correct!\n  values: CHECK( false )\n\n{line}\n[doctest] test cases: 2 | 1 passed\n')
+        self.assertEqual([block.split('\n')[0].strip() for block in failures(log)], ['a law'])
+        self.assertEqual(first_failure(log), 'a law')
+
 
 class Causes(Case):
     """What is wrong with a checkout that the compiler does not say."""

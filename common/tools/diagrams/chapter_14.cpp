@@ -91,8 +91,7 @@ Drawing far_sphere() {
   d.text(on_line(bb) + Spot{0, -16}, "b² = 999,999.36", Anchor::middle, "red small");
   d.text(on_line(ac + 2.9 * step) + Spot{0, 32}, "the floats there are 1/16 apart", Anchor::middle,
          "small");
-  d.text({320, 318}, "the first six digits cancel; 0.36 remains",
-         Anchor::middle, "small");
+  d.text({320, 318}, "the first six digits cancel; 0.36 remains", Anchor::middle, "small");
   return d;
 }
 

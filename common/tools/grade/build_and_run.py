@@ -236,9 +236,15 @@ def first_error(log):
     return 'the compiler said nothing'
 
 
+def failures(log):
+    """What doctest prints of each test that failed, from its name on. Of a test that only prints a message there is a block, too."""
+    blocks = [block.partition('TEST CASE:')[2] for block in re.split(r'^=+$|^\[doctest]', log, flags=re.MULTILINE)]
+    return [block for block in blocks if re.search(r'^\S+:\d+: (?:FATAL )?ERROR: ', block, re.MULTILINE)]
+
+
 def first_failure(log):
     """The first test that failed, in words: its name, and what it says or what is and should be; empty if none says so."""
-    first = re.split(r'^=+$|^\[doctest]', log.partition('TEST CASE:')[2], maxsplit=1, flags=re.MULTILINE)[0]
+    first = next(iter(failures(log)), '')
     name, said, *_ = [*re.split(r'^\S+:\d+: (?:FATAL )?ERROR: ', first, flags=re.MULTILINE), '', '']
     asserted = re.match(r'[A-Z_]+\( .*(?:is NOT correct!|did NOT throw|threw a DIFFERENT|THREW )', said)
     if asserted:
@@ -522,7 +528,8 @@ class Grader:
         result['cpu'] |= {'build tests': built.cpu, 'tests': ended.cpu}
         counts = re.search(r'test cases: +(\d+) \| +(\d+) passed', ended.log) if built.product else None
         if not course:  # what fails here is no student's fault
-            result['left_out'] = ','.join(sorted({name.strip().replace(',', '?') for name in re.findall('TEST CASE:(.*)', ended.log)}))
+            names = {block.partition('\n')[0].strip().replace(',', '?') for block in failures(ended.log)}
+            result['left_out'] = ','.join(sorted(names))
         run = int(course['tests_run']) if course else int(counts[2]) if counts else 0
         passed = min(int(counts[2]), run) if counts else 0
         result |= {'tests_passed': str(passed), 'tests_run': str(run)} if run else {}
