@@ -244,7 +244,7 @@ struct Filtered {
     PyramidLevel<Real> level;
     Real a, b, c;
   };
-  /// The ellipse with the footprint's axes, in the level where its shorter side is 1 to 2 texels;
+  /// The ellipse with the footprint's axes, in the level where its shorter axis is 1 to 2 texels;
   /// at least one texel across.
   template <class Real>
   [[nodiscard]] Ellipse<Real> ellipse_of(const Footprint<Real>& footprint) const {
