@@ -6,9 +6,11 @@ add_suite(engine/compare/test_figures_json ON compare LABELS compare)
 add_suite(support/test_same_picture ON compare test_support LABELS compare)
 add_suite(engine/compare/test_wrong_chapter ON compare app LABELS compare)
 add_suite(engine/compare/test_known_mistakes ON compare app LABELS compare)
-add_suite(engine/compare/test_draw_mistakes ON compare app LABELS compare)
-target_compile_definitions(test_draw_mistakes PRIVATE TEXMAP_DRAW_MISTAKES="$<TARGET_FILE:draw_mistakes>")
-add_dependencies(test_draw_mistakes draw_mistakes)
+if(NOT TEXMAP_INSTRUMENT)  # 32 s of processor time, ten times as many with instruments
+  add_suite(engine/compare/test_draw_mistakes ON compare app LABELS compare)
+  target_compile_definitions(test_draw_mistakes PRIVATE TEXMAP_DRAW_MISTAKES="$<TARGET_FILE:draw_mistakes>")
+  add_dependencies(test_draw_mistakes draw_mistakes)
+endif()
 
 # These write lines for the shell. Where the other tools are not installed, the tests say so and count as skipped.
 foreach(suite compare_program against_imagemagick against_scikit_image)
