@@ -93,34 +93,35 @@ TEST_CASE("the exponent narrows the highlight, and shadow has none") {
 
 TEST_CASE("the lesson's light is ambient + diffuse, and its globe is not blended unless asked") {
   const Vec3d no_highlight{0, 0.6, 0.8};  // more than 90 degrees from the reflected light
-  const double red = globe_color.r, bright = 0.2 + 0.8 * top.cosine;
+  const double own_red = globe_color.r, bright = 0.2 + 0.8 * top.cosine;
   expect_number(
       "red of a lit point of the globe", seen_from(plain_globe(), top, no_highlight).r,
-      red * bright,
-      {{red * (bright - 0.2), "the ambient light is missing where the lamp shines"},
-       {0.7 * bright + 0.3 * red, "texture and light are always blended: only if phong.blends"},
-       {red, "the light is missing"}},
+      own_red * bright,
+      {{own_red * (bright - 0.2), "the ambient light is missing where the lamp shines"},
+       {0.7 * bright + 0.3 * own_red, "texture and light are always blended: only if phong.blends"},
+       {own_red, "the light is missing"}},
       "not color times (ambient + diffuse)");
   const GlobePoint dark({-0.6, 0, -0.8});  // the lamp is below its horizon
   expect_number("red of a point on the dark side", seen_from(plain_globe(), dark, dark.normal).r,
-                red * 0.2,
+                own_red * 0.2,
                 {{0, "the ambient light is missing"},
-                 {red * (0.2 + 0.8 * dark.cosine), "a cosine below 0 takes light away"}},
+                 {own_red * (0.2 + 0.8 * dark.cosine), "a cosine below 0 takes light away"}},
                 "it has color times ambient, and nothing else");
 }
 
 TEST_CASE("the lesson's highlight is white, toward the eye, and added to the color") {
   const double bright = 0.2 + 0.8 * top.cosine;
   const Rgb seen = seen_from(plain_globe(), top, top.reflected);
-  const double blue = globe_color.b;
-  expect_number("blue in the middle of the highlight", seen.b, blue * bright + strength,
-                {{blue * bright, "no highlight, or the direction to the eye has the wrong sign"},
-                 {blue * (bright + strength),
-                  "the highlight has the texture's color: add it after "
-                  "the multiplication"},
-                 {blue * bright + 1, "the strength of the highlight is missing"},
-                 {blue * (bright - 0.2) + strength, "the ambient light is missing"}},
-                "not color times light, and the highlight added");
+  const double own_blue = globe_color.b;
+  expect_number(
+      "blue in the middle of the highlight", seen.b, own_blue * bright + strength,
+      {{own_blue * bright, "no highlight, or the direction to the eye has the wrong sign"},
+       {own_blue * (bright + strength),
+        "the highlight has the texture's color: add it after "
+        "the multiplication"},
+       {own_blue * bright + 1, "the strength of the highlight is missing"},
+       {own_blue * (bright - 0.2) + strength, "the ambient light is missing"}},
+      "not color times light, and the highlight added");
 }
 
 TEST_CASE("the lesson's highlight has the exponent 50, about the reflected light") {
@@ -143,19 +144,20 @@ TEST_CASE("half a blend is the mean of the texture and of its light, which ends 
   chapter_06::Lesson lesson = plain_globe();
   lesson.phong.blends = true;
   lesson.phong.blend = 0.5;
-  const double red = globe_color.r, bright = 0.2 + 0.8 * top.cosine;
-  expect_number("red of a lit point at half a blend", seen_from(lesson, top, {0, 0.6, 0.8}).r,
-                (bright + red) / 2,
-                {{red * bright, "the texture is not blended"},
-                 {(red * bright + red) / 2, "the light to be blended is gray, without the color"},
-                 {(bright - 0.2 + red) / 2, "the ambient light is missing"}});
+  const double own_red = globe_color.r, bright = 0.2 + 0.8 * top.cosine;
+  expect_number(
+      "red of a lit point at half a blend", seen_from(lesson, top, {0, 0.6, 0.8}).r,
+      (bright + own_red) / 2,
+      {{own_red * bright, "the texture is not blended"},
+       {(own_red * bright + own_red) / 2, "the light to be blended is gray, without the color"},
+       {(bright - 0.2 + own_red) / 2, "the ambient light is missing"}});
   // Near the lamp's foot the light is almost 1; with the highlight it is more.
   const double third = 1 / std::sqrt(3.0);
   const GlobePoint foot({third, third, third});
   expect_number("red in the highlight under the lamp, at half a blend",
-                seen_from(lesson, foot, foot.normal).r, (1 + red) / 2,
-                {{(1 + strength + red) / 2, "light above 1 was not limited to 1"},
-                 {red + strength, "the texture is not blended"}});
+                seen_from(lesson, foot, foot.normal).r, (1 + own_red) / 2,
+                {{(1 + strength + own_red) / 2, "light above 1 was not limited to 1"},
+                 {own_red + strength, "the texture is not blended"}});
 }
 
 TEST_CASE("the blend weighs the texture, and the rest is light") {

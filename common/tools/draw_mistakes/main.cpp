@@ -189,16 +189,19 @@ std::vector<WrongPicture> draw_all(const Request& request) {
       return render<double>(
           mistakes::WithShade<Lesson, std::remove_cvref_t<decltype(shade)>>{lesson, shade}, view);
     };
-    for (const auto& [mistake, name, words] : mistakes::light_mistakes) {
-      add_own(name, words, shaded([&](const Object& object, const auto& hit, const auto& ray) {
-                return mistakes::wrongly_lit(lesson, mistake, object, object.paint(hit), hit, ray);
+    for (const auto& named : mistakes::light_mistakes) {
+      add_own(named.name, named.words,
+              shaded([&](const Object& object, const auto& hit, const auto& ray) {
+                return mistakes::wrongly_lit(lesson, named.mistake, object, object.paint(hit), hit,
+                                             ray);
               }));
     }
     if constexpr (mistakes::HasHighlight<Lesson>) {
-      for (const auto& [mistake, name, words] : mistakes::highlight_mistakes) {
-        add_own(name, words, shaded([&](const Object& object, const auto& hit, const auto& ray) {
-                  return mistakes::wrongly_shining(lesson, mistake, object, object.paint(hit), hit,
-                                                   ray);
+      for (const auto& named : mistakes::highlight_mistakes) {
+        add_own(named.name, named.words,
+                shaded([&](const Object& object, const auto& hit, const auto& ray) {
+                  return mistakes::wrongly_shining(lesson, named.mistake, object, object.paint(hit),
+                                                   hit, ray);
                 }));
       }
     }
