@@ -384,8 +384,8 @@ class Causes(Case):
         (self.student('none') / 'lesson.hpp').unlink()
         color = 'template <class Real>\n  Color<Real> operator()(const Ray<Real>& ray) const {\n'
         self.assertIn(color, lesson)
-        for name, other in {'double': 'using Real = double;\n  Color<Real> operator()(const Ray<Real>& ray) const {\n',
-                            'crash': color + 'volatile int* nothing = nullptr;\n    *nothing = 1;\n',
+        (self.student('named') / 'lesson.hpp').write_text(lesson + '\nnamespace texmap {\ninline int picture = 0;\n}\n')  # as in the tests
+        for name, other in {'crash': color + 'volatile int* nothing = nullptr;\n    *nothing = 1;\n',
                             'end': color + 'std::exit(0);\n',
                             'dark': color + 'if (objects.size() > 2) return {};\n'}.items():
             self.student(name).joinpath('lesson.hpp').write_text('#include <cstdlib>\n' + lesson.replace(color, other))
@@ -397,7 +397,7 @@ class Causes(Case):
         self.assertIn('is a symbolic link', notes['linked'])
         self.assertEqual(notes['none'], f'there is no chapters/{ITEM}/lesson.hpp')
         every = 'tests: every pixel has the color that an independent program computes for the ray through its center'
-        self.assertRegex(notes['double'], '^the tests do not build with this lesson: .*error: ')
+        self.assertRegex(notes['named'], '^the tests do not build with this lesson: .*error: ')
         self.assertRegex(notes['crash'], f'; {every}: it crashed: SIGSEGV')
         self.assertRegex(notes['end'], '; tests: their program ended before all were run$')
         self.assertRegex(notes['dark'], f'^{every}: ')
