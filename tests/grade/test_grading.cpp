@@ -452,7 +452,7 @@ TEST_CASE("the class's page has the worst first, a row of sums, and links where 
   all.students[190].rows[0] = wrong_row("03_image_texture", "differs 3 %", "");
   const std::string page = class_page(all);
   CHECK(page.find("<td>162 right<br>37 mirrored<br>1 differ</td>") != std::string::npos);
-  CHECK(page.find("Tests") == std::string::npos);             // nobody has any
+  CHECK(page.find("Tests") == std::string::npos);             // no student has tests
   CHECK(page.find("class=\"scroll\"") == std::string::npos);  // it would be cut on paper
   CHECK(student_page(all.students[150]).find("pre { white-space: pre-wrap") != std::string::npos);
   all.students[0].rows[0].tests_run = 5;

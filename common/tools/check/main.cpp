@@ -79,7 +79,7 @@ std::string in_words(const Exercise& exercise, const std::string& title, const V
   } else {
     words += "  tried:     " + verdict.law + "\n  expected:  " + verdict.expected +
              "\n  yours:     " + verdict.got + "\n";
-    words += "  " + wrong_values(verdict) + ".\n";
+    words.append("  ").append(wrong_values(verdict)).append(".\n");
     if (!verdict.mistake.empty()) words += "  This is a known mistake: " + verdict.mistake + ".\n";
   }
   if (!is_right({}, different, pixels)) {
@@ -197,7 +197,7 @@ int check_answer(const Question& question, double predicted) {
     words += check::in_words(off) + (predicted > answer ? " too large" : " too small");
     if (answer != std::round(answer) && off < std::abs(answer))
       words += text(" (%.3g %%)", 100 * off / std::abs(answer));
-    words += "." + wrong_unit(question, answer, predicted) + "\n";
+    words.append(".").append(wrong_unit(question, answer, predicted)).append("\n");
   }
   print(words);
   return right ? 0 : 1;

@@ -70,7 +70,8 @@ bool is_code(const fs::path& file) {
   return ending == ".hpp" || ending == ".cpp";
 }
 
-/// A chapter that is asked for, with code in it; its name alone may be a student's, or a picture's.
+/// Whether this is the folder of a chapter that is graded. The name alone does not say so: a
+/// student's folder, or one of pictures, can have it. So there must be code in it.
 bool is_chapter(const std::vector<Item>& items, const fs::directory_entry& folder) {
   const std::string name = name_of(folder.path().filename());
   const auto asked = std::find_if(items.begin(), items.end(), [&name](const Item& item) {
