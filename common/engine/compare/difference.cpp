@@ -196,14 +196,12 @@ Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail
 
   figures.peak_signal_to_noise = 20 * std::log10(255 / figures.root_mean_square_error);
   figures.box = {all.left, all.top, all.right - all.left + 1, all.bottom - all.top + 1};
-  if (detail == Detail::pixels) {
-    figures.structural_similarity = std::numeric_limits<double>::quiet_NaN();
-    figures.flip = figures.structural_similarity;
-    return figures;
-  }
+  figures.structural_similarity = std::numeric_limits<double>::quiet_NaN();
+  figures.flip = std::numeric_limits<double>::quiet_NaN();
+  if (detail == Detail::pixels) return figures;
   const Image second = with_left_out_equal(a, b, mask);
   figures.structural_similarity = mean_ssim(a, second, mask);
-  figures.flip = mean_flip(a, second, mask);
+  if (detail == Detail::all) figures.flip = mean_flip(a, second, mask);
   return figures;
 }
 

@@ -59,9 +59,11 @@ struct Figures {
 /// Errors: DifferenceError with the sizes.
 void check_sizes(const Image& a, const Image& b, const Image& mask = {});
 
-/// What to compute: SSIM and FLIP look around each pixel and take a hundred times as long.
+/// What to compute: SSIM and FLIP look around each pixel and take a hundred times as long. What is
+/// left out is NaN, unless the pictures are equal.
 enum class Detail {
-  pixels,  ///< all but SSIM and FLIP, which are NaN unless the pictures are equal
+  pixels,      ///< all but SSIM and FLIP
+  similarity,  ///< all but FLIP
   all
 };
 

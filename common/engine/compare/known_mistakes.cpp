@@ -15,6 +15,7 @@
 #include "engine/compare/difference.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/render/threads.hpp"
 #include "engine/system/system.hpp"
 #include "math/srgb.hpp"
 
@@ -29,18 +30,24 @@ constexpr bool same_size(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height;
 }
 
-/// The sum of the differences of all channels, each less one level, which rounding can make;
-/// infinity for other sizes.
-double distance_between(const Image& a, const Image& b) {
-  if (!same_size(a, b)) return std::numeric_limits<double>::infinity();
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb8 p = a.pixels[i], q = b.pixels[i];
-    const auto above_one = [](int apart) { return std::max(std::abs(apart) - 1, 0); };
-    sum += static_cast<std::uint64_t>(above_one(p.r - q.r) + above_one(p.g - q.g) +
-                                      above_one(p.b - q.b));
+constexpr double far_away = std::numeric_limits<double>::infinity();
+
+/// The sum of the differences of all channels, each less one level, which rounding can make.
+/// Pictures of different sizes, and those with a sum above `limit`, are far away.
+double distance_between(const Image& a, const Image& b, double limit = far_away) {
+  if (!same_size(a, b)) return far_away;
+  double sum = 0;
+  for (int row = 0; row < a.height; ++row) {
+    int of_row = 0;
+    for (int column = 0; column < a.width; ++column) {
+      const Rgb8 p = a.at(column, row), q = b.at(column, row);
+      const auto above_one = [](int apart) { return std::max(std::abs(apart) - 1, 0); };
+      of_row += above_one(p.r - q.r) + above_one(p.g - q.g) + above_one(p.b - q.b);
+    }
+    sum += of_row;
+    if (sum > limit) return far_away;
   }
-  return static_cast<double>(sum);
+  return sum;
 }
 
 /// The image whose pixel in a column and a row is that of `image` at the place that `from` says.
@@ -184,39 +191,39 @@ constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
 bool is_same_picture(const Image& a, const Image& b) {
   if (!same_size(a, b)) return false;
   std::size_t off = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
-  return off * 5000 <= a.pixels.size();
+    if (off * 5000 > a.pixels.size()) return false;
+  }
+  return true;
 }
 
 std::string name_mistake(const Image& drawn, const Image& right,
                          std::span<const WrongPicture> wrong) {
   if (!same_size(drawn, right) || is_same_picture(drawn, right)) return "";
   const double from_right = distance_between(drawn, right);
-  const WrongPicture* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<double> distances;
-  distances.reserve(wrong.size());
-  for (const WrongPicture& one : wrong) {
+  // A picture farther than this is not named, and keeps no other from being named.
+  const double limit = from_right * times_nearer_than_another / times_nearer_than_the_right;
+  std::vector<double> distances(wrong.size(), far_away);
+  for_each_row(static_cast<int>(wrong.size()), 0, {}, [&](int i) {
+    const Image& picture = wrong[static_cast<std::size_t>(i)].picture;
     // A mistake that does not change this picture must not keep another one from being named.
-    const bool shows = same_size(one.picture, right) && !is_same_picture(one.picture, right);
-    distances.push_back(shows ? distance_between(drawn, one.picture)
-                              : std::numeric_limits<double>::infinity());
-    if (distances.back() < least) {
-      least = distances.back();
-      nearest = &one;
-    }
-  }
-  if (nearest == nullptr) return "";
+    if (!same_size(picture, right) || is_same_picture(picture, right)) return;
+    distances[static_cast<std::size_t>(i)] = distance_between(drawn, picture, limit);
+  });
+  const auto least_of_all = std::min_element(distances.begin(), distances.end());
+  if (least_of_all == distances.end()) return "";
+  const double least = *least_of_all;
+  const WrongPicture& nearest = wrong[static_cast<std::size_t>(least_of_all - distances.begin())];
   if (times_nearer_than_the_right * least > from_right ||
-      times_nearer_than_the_right * least > distance_between(right, nearest->picture)) {
+      times_nearer_than_the_right * least > distance_between(right, nearest.picture)) {
     return "";
   }
   for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (wrong[i].words == nearest->words) continue;
+    if (wrong[i].words == nearest.words) continue;
     if (distances[i] <= times_nearer_than_another * least) return "";
   }
-  return nearest->words;
+  return nearest.words;
 }
 
 std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {

@@ -1,6 +1,7 @@
 // The word for a wrong picture, by the pictures that known mistakes draw.
 #include "known_words.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <system_error>
@@ -25,9 +26,9 @@ bool is_current(const fs::path& list, const fs::path& golden) {
 }  // namespace
 
 std::string KnownWords::words_for(const Item& item, const Image& is, const Image& should) {
-  // Mistakes in the whole picture need no drawing.
-  const std::string words = name_mistake(is, should, mistakes_of_the_whole(should));
-  return words.empty() ? name_mistake(is, should, drawn_for(item)) : words;
+  const Known& known = known_for(item, should);
+  const std::string words = name_mistake(is, should, known.of_the_whole);
+  return words.empty() ? name_mistake(is, should, known.drawn) : words;
 }
 
 void KnownWords::draw(const Item& item, const fs::path& folder) const {
@@ -37,24 +38,30 @@ void KnownWords::draw(const Item& item, const fs::path& folder) const {
   while (process.runs() && !stopped_()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
-const std::vector<WrongPicture>& KnownWords::drawn_for(const Item& item) {
-  for (auto one = loaded_.begin(); one != loaded_.end(); ++one) {
-    if (one->item != item.name) continue;
-    loaded_.splice(loaded_.begin(), loaded_, one);
-    return one->wrong;
+const KnownWords::Known& KnownWords::known_for(const Item& item, const Image& should) {
+  const auto known = std::find_if(loaded_.begin(), loaded_.end(),
+                                  [&](const Known& one) { return one.item == item.name; });
+  if (known != loaded_.end()) {
+    loaded_.splice(loaded_.begin(), loaded_, known);
+  } else {
+    if (loaded_.size() == most_loaded) loaded_.pop_back();
+    loaded_.push_front({item.name, mistakes_of_the_whole(should), drawn_for(item)});
   }
-  loaded_.push_front({item.name, {}});
-  if (loaded_.size() > most_loaded) loaded_.pop_back();
+  return loaded_.front();
+}
+
+std::vector<WrongPicture> KnownWords::drawn_for(const Item& item) const {
   // Without these pictures the grades are the same, and less is said about them.
   try {
     const fs::path folder = folder_ / path_of(item.name);
     const fs::path list = folder / "mistakes.txt";
     if (!is_current(list, item.golden) && fs::exists(program_)) draw(item, folder);
-    if (fs::exists(list)) loaded_.front().wrong = load_wrong_pictures(folder);
+    if (fs::exists(list)) return load_wrong_pictures(folder);
   } catch (const FileError&) {
-    loaded_.front().wrong.clear();
+    std::fprintf(stderr, "the known mistakes of chapter %s cannot be loaded: they are not named\n",
+                 item.number.c_str());
   }
-  return loaded_.front().wrong;
+  return {};
 }
 
 }  // namespace texmap::grade

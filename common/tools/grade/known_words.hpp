@@ -27,16 +27,17 @@ class KnownWords {
   [[nodiscard]] std::string words_for(const Item& item, const Image& is, const Image& should);
 
  private:
-  struct Drawn {
+  struct Known {
     std::string item;
-    std::vector<WrongPicture> wrong;
+    std::vector<WrongPicture> of_the_whole, drawn;
   };
-  [[nodiscard]] const std::vector<WrongPicture>& drawn_for(const Item& item);
+  [[nodiscard]] const Known& known_for(const Item& item, const Image& should);
+  [[nodiscard]] std::vector<WrongPicture> drawn_for(const Item& item) const;
   void draw(const Item& item, const std::filesystem::path& folder) const;
 
   std::filesystem::path program_, folder_;
   std::function<bool()> stopped_;
-  std::list<Drawn> loaded_;  // the last few chapters asked for: each has 70 MB
+  std::list<Known> loaded_;  // the last few chapters asked for: each has 120 MB
 };
 
 }  // namespace texmap::grade

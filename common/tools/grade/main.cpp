@@ -155,7 +155,10 @@ std::vector<Item> chosen_items(const std::string& chapters) {
   return items;
 }
 
-/// One run: grades students one after the other and writes what is known as soon as it is.
+/// Students with pictures only, of whom all pictures of a chapter are compared in a row.
+constexpr std::size_t students_at_once = 16;
+
+/// One run: grades students a few at a time and writes what is known as soon as it is.
 class Grading {
  public:
   explicit Grading(const Request& request)
@@ -170,10 +173,8 @@ class Grading {
     table_.open(out_ / "grades.csv", std::ios::binary | std::ios::trunc);
     append(grades_csv_head());
 
-    for (std::size_t i = 0; i < submissions_.size() && !is_stopped(); ++i) {
-      if (!submissions_[i].checkout.empty()) continue;
-      for (std::size_t k = 0; k < items_.size(); ++k) put(i, k, row_of_picture(i, k));
-    }
+    for (std::size_t i = 0; i < submissions_.size(); i += students_at_once)
+      compare_pictures_of(i, std::min(i + students_at_once, submissions_.size()));
     try {
       run_checkouts();
     } catch (const FileError&) {
@@ -221,6 +222,15 @@ class Grading {
     compare_with_golden(picture, goldens_[k], row, [&](const Image& is) {
       return words_.words_for(items_[k], is, goldens_[k].picture);
     });
+  }
+
+  /// Chapter by chapter, as a chapter's known mistakes take a while to load.
+  void compare_pictures_of(std::size_t begin, std::size_t end) {
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (submissions_[i].checkout.empty() && !is_stopped()) put(i, k, row_of_picture(i, k));
+      }
+    }
   }
 
   Row row_of_picture(std::size_t i, std::size_t k) {

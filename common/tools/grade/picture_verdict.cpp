@@ -116,7 +116,7 @@ void compare(const std::vector<std::uint8_t>& file, const Golden& golden, Row& r
   }
   const Image is = decode_image(file);
   if (has_wrong_size(is.width, is.height)) return;
-  const Figures figures = measure(should, is);
+  const Figures figures = measure(should, is, {}, Detail::similarity);
   const std::size_t off = pixels_off_by_more_than(figures, 1);
   row.figures = {off, static_cast<double>(off) / static_cast<double>(figures.pixels_compared),
                  figures.root_mean_square_error, figures.structural_similarity};

@@ -469,4 +469,7 @@ TEST_CASE(
   CHECK(pixels.root_mean_square_error == all.root_mean_square_error);
   CHECK(pixels.mean_b == all.mean_b);
   CHECK(measure(a, a, {}, Detail::pixels).structural_similarity == 1);
+  const Figures similarity = measure(a, b, {}, Detail::similarity);
+  CHECK(similarity.structural_similarity == all.structural_similarity);
+  CHECK(std::isnan(similarity.flip));
 }
