@@ -84,13 +84,14 @@ class Place:
         return "" if said.returncode == 0 else f"{chapter} {words} at {drawn[0]} x {drawn[1]}: {said.stdout.strip()}"
 
 
-def png(columns, rows, rgb):
-    """A PNG file, as small as it takes no time to make."""
+def png(columns, rows, data, alpha=False):
+    """A PNG file of RGB or RGBA bytes, as small as it takes no time to make."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
-    lines = b"".join(b"\0" + rgb[3 * columns * row:3 * columns * (row + 1)] for row in range(rows))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0)) +
+    line = len(data) // rows
+    lines = b"".join(b"\0" + data[line * row:line * (row + 1)] for row in range(rows))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 6 if alpha else 2, 0, 0, 0)) +
             chunk(b"IDAT", zlib.compress(lines, 1)) + chunk(b"IEND", b""))
 
 
@@ -238,6 +239,7 @@ def check_files(place, spoiled):
         return os.path.join(place.folder, name)
 
     good = path("my map.png", png(4, 2, bytes([*range(0, 240, 20), *range(240, 0, -20)])))
+    glass = path("glass.png", png(4, 2, bytes([*range(0, 256, 16), *range(240, -16, -16)]), alpha=True))
     header = struct.pack(">4sIIBBBBB", b"IHDR", 2000000000, 2000000000, 8, 2, 0, 0, 0)
     huge = png(1, 1, bytes(3))
     huge = huge[:12] + header + struct.pack(">I", zlib.crc32(header)) + huge[33:]
@@ -271,21 +273,26 @@ def check_files(place, spoiled):
                     faults.append("after a bad file the picture cannot be drawn again")
                 if own:
                     break
+                chosen = good if chapter == "06" else glass
                 if chapter == "06":
-                    browser.choose_file(".live input[type=file]", good)
+                    browser.choose_file(".live input[type=file]", chosen)
                 else:  # dropped on the picture
-                    with open(good, "rb") as file:
+                    with open(chosen, "rb") as file:
                         text = base64.b64encode(file.read()).decode("ascii")
                     browser.run(f"""(() => {{
                       const dataTransfer = new DataTransfer();
-                      dataTransfer.items.add(new File([Uint8Array.from(atob("{text}"), (c) => c.charCodeAt(0))], "my map.png"));
+                      dataTransfer.items.add(new File([Uint8Array.from(atob("{text}"), (c) => c.charCodeAt(0))], "glass.png"));
                       {CANVAS}.dispatchEvent(new DragEvent("drop", {{dataTransfer, bubbles: true, cancelable: true}}));
                     }})()""")
                 settle(browser)
-                browser.wait(f"{STATE} === 'done' && document.querySelector('.live-command code').textContent.includes('my map')")
+                name = os.path.basename(chosen)
+                browser.wait(f"{STATE} === 'done' && document.querySelector('.live-command code').textContent.includes('{name}')")
+                opened = browser.run("document.querySelector('.live-open > span').textContent")
+                if not opened.startswith(name) or ("opaque" in opened) != (chosen == glass):
+                    faults.append(f"the page says of {name}: {opened!r}")
                 drawn = pixels(browser)
                 words = shlex.split(browser.run("document.querySelector('.live-command code').textContent"))[3:]
-                words = [good if word == "my map.png" else word for word in words]
+                words = [chosen if word == name else word for word in words]
                 faults.append(place.unlike(drawn, chapter, words, *drawn[:2]))
                 if drawn == before:
                     faults.append(f"{chapter}: the picture stays as it was")

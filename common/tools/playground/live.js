@@ -174,6 +174,10 @@ const lacks = {"01": ["uv", "--errors"]};  // nothing there has (u, v)
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
 // ---- Small tools.
+/// True for a PNG that says so at its beginning: alpha in each pixel, or a table of transparent colors.
+function isTransparent(bytes) {
+  return /^.PNG[^]{21}[\x04\x06]|^.PNG[^]*tRNS/.test(new TextDecoder("latin1").decode(bytes.subarray(0, 4096)));
+}
 function element(name, properties = {}, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(properties)) key in made ? made[key] = value : made.setAttribute(key, value);
@@ -459,7 +463,9 @@ function live(main, modules) {
     const typed = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))];
     command.replaceChildren(...typed.flatMap((word, i) => [i ? " " : "", element("span", {textContent: word})]));
     copy.textContent = "Copy";
-    opened.textContent = values[fileOption] === presets[fileOption] ? "a PNG or JPEG; or drop it on the picture" : files.get(values[fileOption]).shown;
+    const own = values[fileOption] !== presets[fileOption] && files.get(values[fileOption]);
+    opened.textContent = own ? own.shown + (isTransparent(own.bytes) ? ", as if it were opaque: a surface here has no transparency" : "")
+      : "a PNG or JPEG; or drop it on the picture";
     hereOnly.textContent = all.some((one) => one.here)
       ? `The command draws the picture without what only this page can do: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.`
       : main.dataset.note || "";
