@@ -21,6 +21,10 @@ add_executable(page_figures EXCLUDE_FROM_ALL
 target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
 target_link_libraries(page_figures PRIVATE project_options app chapters_code compare 13_speed_for_accuracy_code)
 set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
+if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
+  target_compile_options(page_figures PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_definitions(page_figures PRIVATE TEXMAP_NO_FLATTEN)
+endif()
 # What an exercise of chapter 00 asks a student to change, so that its answer is a measured one.
 file(READ "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp" one_file)
 string(REPLACE "0.001" "0" without_offset "${one_file}")

@@ -3,7 +3,7 @@
 // Places. The ray through a pixel has 6 unit roundoffs u of its direction (docs/numbers.md), which
 // are 6 u distance / radius at the globe, and the eye's own rounding is 1 of these; the robust form
 // misjudges a ray as if it passed 3 u distance / radius elsewhere: 10 u distance / radius together.
-// A ray that passes `a` radii elsewhere meets the globe a / cosine radians elsewhere, and 4 u are
+// A ray that passes `a` radii elsewhere meets the globe a / cosine radians elsewhere, and 4.5 u are
 // the normal's own.
 #include "bounds.hpp"
 
@@ -34,7 +34,7 @@ double ray_bound(const Globe& globe, NumberKind number) {
 
 /// How far a normal can be off, in half turns.
 double normal_bound(const Globe& globe, NumberKind number, double cosine) {
-  return (ray_bound(globe, number) / cosine + 4 * roundoff_of(number)) / std::numbers::pi;
+  return (ray_bound(globe, number) / cosine + 4.5 * roundoff_of(number)) / std::numbers::pi;
 }
 
 /// How far a place on the texture can be off, in texels along u and along v.

@@ -53,7 +53,7 @@ template <class Real>
 
 /// cos(2 pi x) and sin(2 pi x); exact at quarter turns.
 ///
-/// @param x  in turns, any number up to 1 / unit roundoff; NaN gives NaN
+/// @param x  in turns, |x| up to 1 / (8 unit roundoffs); NaN gives NaN
 /// Bound: 2 unit roundoffs of 1.
 template <class Real>
 [[nodiscard]] inline OnCircle<Real> on_circle(const Real& x) {

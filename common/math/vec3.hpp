@@ -67,7 +67,7 @@ template <class Real>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The length of `a`. Domain: its square is in range. Bound: 2 unit roundoffs of itself.
+/// The length of `a`. Domain: its square is in range. Bound: 2.5 unit roundoffs of itself.
 template <class Real>
 [[nodiscard]] Real length(const Vec3<Real>& a) {
   return sqrt(dot(a, a));
@@ -79,13 +79,13 @@ template <class Real>
   return max(abs(a.x), max(abs(a.y), abs(a.z)));
 }
 
-/// `a` with length 1; NaN for zero. Domain: as length. Bound: 4 unit roundoffs.
+/// `a` with length 1; NaN for zero. Domain: as length. Bound: 4.5 unit roundoffs.
 template <class Real>
 [[nodiscard]] Vec3<Real> normalize(const Vec3<Real>& a) {
   return a * (Real(1) / length(a));
 }
 
-/// dot(a, b) + rest with exact products. Bound: 2 unit roundoffs, if above 16 of |a| |b|.
+/// dot(a, b) + rest with exact products. Bound: 2 u of itself, where above 16 u of |a| |b|.
 template <class Real>
 [[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b,
                                const Real& rest = Real(0)) {

@@ -56,7 +56,8 @@ template <class Real>
   return difference.high + (difference.low + (ab.low - cd.low));
 }
 
-/// A sum with the error of one rounding, unless more than half the digits cancel twice.
+/// A sum with the error of one rounding, unless more than half of the digits cancel.
+/// Source: Ogita, Rump and Oishi, "Accurate Sum and Dot Product" (2005).
 template <class Real>
 class CompensatedSum {
  public:

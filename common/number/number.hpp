@@ -1,6 +1,5 @@
 // What the course asks of a number: float, double, long double, and packs of them.
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -78,6 +77,12 @@ template <class Real>
 
 /// True when any lane of the mask is.
 [[nodiscard]] inline bool any(bool mask) { return mask; }
+
+/// A mask with the same value in all lanes.
+template <class Real>
+[[nodiscard]] inline Mask<Real> mask_of(bool value) {
+  return Real(value ? 1 : 0) > Real(0);
+}
 
 /// The number in lane `i` of `x`.
 template <class Real>

@@ -32,7 +32,7 @@ template <class Real>
   const Real whole = heron_area(length(b - a), bc, ca);
   const Real at_a = heron_area(pb, bc, pc);
   const Real at_b = heron_area(pc, ca, pa);
-  const Mask<Real> never = Real(1) < Real(0);
+  const Mask<Real> never = mask_of<Real>(false);
   return {at_a / whole, at_b / whole, (whole - at_a - at_b) / whole, never};
 }
 /// The same for a triangle of a scene.

@@ -17,8 +17,8 @@ struct Camera {
   PixelAnchor anchor = PixelAnchor::center;
 };
 
-/// A point of a picture, in pixels from its left and its upper edge. Whole numbers are the
-/// centers or the corners of pixels, as Camera::anchor says.
+/// A place in a picture, in pixels: (0, 0) is the center or the upper left corner of the upper left
+/// pixel, as Camera::anchor says. Columns grow to the right, rows downward.
 template <class Real>
 struct PixelPlace {
   Real column, row;

@@ -37,7 +37,7 @@ template <class Real>
 
 /// A point as a ray sees it. (x, y) is its place in a picture with the ray at (0, 0), and z is its
 /// depth: the point itself decides, so that all triangles at a corner see it at the same place.
-/// A point on the ray, origin + direction as rounded, is at (0, 0) without an error.
+/// If the ray's direction is point - origin as rounded, the point is at (0, 0) without an error.
 /// Bound: x, y within 6 unit roundoffs of |direction| (|point| + |origin|), in largest parts.
 /// Source: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013).
 template <class Real>

@@ -12,7 +12,8 @@ struct PointLight {
 /// A Lambertian material: equally bright from every side.
 struct Lambertian {
   double ambient = 0.2;  ///< brightness in shadow, 0 to 1
-  double diffuse = 0.8;  ///< brightness that the light adds where it shines straight down, 0 to 1
+  double diffuse =
+      0.8;  ///< brightness that the light adds where it shines along the normal, 0 to 1
 };
 
 /// Where the light is, and how much of it arrives, at a hit point.
@@ -23,7 +24,7 @@ struct LightSample {
 };
 
 /// The LightSample of a hit point, with the shadows of all objects.
-/// Domain: distances with squares in range. Bound: 4 unit roundoffs of `to_light`.
+/// Domain: distances with squares in range. Bound: 5.5 unit roundoffs of `to_light`.
 template <class Real, class Objects>
 [[nodiscard]] LightSample<Real> sample_light(const PointLight& light, const Objects& objects,
                                              const Hit<Real>& hit) {
@@ -38,7 +39,7 @@ template <class Real, class Objects>
 }
 
 /// The brightness of a Lambertian surface, ambient + diffuse cos: a factor on its color.
-/// Bound: 2.5 unit roundoffs of itself.
+/// Bound: 3 unit roundoffs of itself.
 template <class Real>
 [[nodiscard]] Real lambert(const Lambertian& lambertian, const LightSample<Real>& light) {
   return Real(lambertian.ambient) + Real(lambertian.diffuse) * light.cosine;

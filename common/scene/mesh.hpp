@@ -38,10 +38,10 @@ struct Mesh {
 /// Where a ray meets a mesh first. Its normal faces the ray, also on the inner side.
 template <class Real>
 struct MeshHit : Hit<Real> {
-  Mask<Real> met = Real(1) < Real(0);  ///< false: the ray meets no triangle
-  Real distance = Real(1);             ///< in lengths of the ray's direction
-  Real triangle = Real(0);             ///< its number in Mesh::triangles
-  Real a = Real(1), b{}, c{};          ///< the weights of its corners, 0 to 1
+  Mask<Real> met = mask_of<Real>(false);  ///< false: the ray meets no triangle
+  Real distance = Real(1);                ///< in lengths of the ray's direction
+  Real triangle = Real(0);                ///< its number in Mesh::triangles
+  Real a = Real(1), b{}, c{};             ///< the weights of its corners, 0 to 1
 };
 
 /// True where a ray may meet a triangle in a box before `limit`. Rounding never makes it false:
@@ -163,7 +163,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Mask<Real> is_occluded(const OtherTriangles<Real>& others, const Ray<Real>& ray,
                                      const Real& distance, const void* /*leaving*/ = nullptr) {
-  Mask<Real> hidden = Real(1) < Real(0);
+  Mask<Real> hidden = mask_of<Real>(false);
   for_each_crossing(others.mesh, ray, distance, [&](int number, const Crossing<Real>& found) {
     hidden = hidden || (found.met && !(others.own == Real(number)) && found.distance > Real(0) &&
                         found.distance < distance);

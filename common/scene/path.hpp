@@ -41,7 +41,7 @@ template <class Real, class Objects, class Sky, class Random>
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
   Color<Real> light = gray(Real(0));
-  Mask<Real> under_way = Real(0) < Real(1);
+  Mask<Real> under_way = mask_of<Real>(true);
   for (int bounce = 0;; ++bounce) {
     const Nearest<Real> nearest = find_nearest(objects, ray);
     const Mask<Real> met = under_way && nearest.distance < infinity<Real>();

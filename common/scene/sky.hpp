@@ -6,10 +6,9 @@
 namespace texmap {
 
 /// A sky with a color that changes with the height of the ray's direction.
-template <class Real = double>
 struct GradientSky {
-  Color<Real> below;  ///< seen straight down
-  Color<Real> above;  ///< seen straight up
+  Rgb below;  ///< seen straight down
+  Rgb above;  ///< seen straight up
 
   /// True if the sky is uniform: then a ray's direction does not matter.
   [[nodiscard]] bool is_constant() const {
@@ -17,11 +16,11 @@ struct GradientSky {
   }
 
   /// The light along a ray of unit length. Bound: 2 unit roundoffs of 1, for colors of 0 to 1.
-  template <class Other>
-  [[nodiscard]] Color<Other> operator()(const Ray<Other>& ray) const {
-    if (is_constant()) return number_cast<Other>(below);
-    const Other height = (ray.direction.y + Other(1)) * Other(0.5);
-    return mix(number_cast<Other>(below), number_cast<Other>(above), height);
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    if (is_constant()) return number_cast<Real>(below);
+    const Real height = (ray.direction.y + Real(1)) * Real(0.5);
+    return mix(number_cast<Real>(below), number_cast<Real>(above), height);
   }
 };
 

@@ -90,7 +90,7 @@ template <class Real, class Objects, class Sky, class Random>
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
   Color<Real> light = gray(Real(0));
-  Mask<Real> under_way = Real(0) < Real(1);
+  Mask<Real> under_way = mask_of<Real>(true);
   Mask<Real> sharp = under_way;  // mirrors are mirrors
   for (int bounce = 0;; ++bounce) {
     const Nearest<Real> nearest = find_nearest(objects, ray);
@@ -105,7 +105,7 @@ template <class Real, class Objects, class Sky, class Random>
     if (matte.way == SkyLighting::importance || matte.way == SkyLighting::mis)
       choice = random.next_2d();
     Ray<Real> next = ray;
-    Mask<Real> dull = Real(1) < Real(0);
+    Mask<Real> dull = mask_of<Real>(false);
     double index = 0;
     for (const auto& object : objects) {
       const Mask<Real> here = under_way && nearest.index == Real(index);

@@ -16,7 +16,7 @@ namespace texmap {
          sphere.radius > 1 / longest;
 }
 
-/// Gives hybrid, which holds everywhere, to the spheres for which robust does not hold.
+/// Gives hybrid to the spheres for which robust does not hold.
 ///
 /// @param objects  each with a `shape`; rays start at the eye and on all of them
 template <class Objects>

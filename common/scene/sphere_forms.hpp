@@ -10,7 +10,7 @@ namespace texmap {
 enum class SphereForm {
   plain,   ///< the textbooks' b^2 - a c: good to 30 radii away in float, 1e5 in double
   robust,  ///< the line's distance from the center: to 1e4 radii in float, 1e7 in double
-  hybrid,  ///< compensated and scaled: any distance, size and length of direction
+  hybrid,  ///< compensated and scaled: any size and length, tested to 1e7 radii in each number
 };
 
 /// The first distance ahead: the smaller positive root of a t^2 - 2 b t + c = 0; +infinity: a miss.

@@ -11,10 +11,10 @@ inline constexpr Rgb white{0.9, 0.9, 0.9};
 inline constexpr Rgb blue{0.2, 0.2, 0.8};
 inline constexpr Rgb red{1.0, 0.3, 0.3};
 
-/// The daily exercise's light, sky and camera, in a right-handed world; chapters 01 to 06 use it.
+/// The daily exercise's light, sky and camera, in a right-handed world.
 struct Stage {
   PointLight light{.position = {5, 5, 5}};
-  GradientSky<> sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
+  GradientSky sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   Camera camera{.eye = {0, 2, 8}, .target = {0, 0, 0}, .fov_y_degrees = 60};
 };
 

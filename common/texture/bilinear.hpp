@@ -1,12 +1,12 @@
 // An image as a texture with the bilinear filter.
 #pragma once
 #include "texture/image_texture.hpp"
+#include "texture/wrap.hpp"
 
 namespace texmap {
 
 /// The color at (u, v), mixed from the four nearest texel centers, u = (column + 1/2) / width.
 /// u wraps around, so a globe has no seam; v is clamped to the first and the last row.
-/// To add a filter, write a struct like this one, called with a Uv.
 struct BilinearTexture {
   Image image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
@@ -19,24 +19,16 @@ struct BilinearTexture {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     if (image.pixels.empty()) return gray(Real(0));
-    const Real columns = Real(image.width);
-    const Real last_row = Real(image.height - 1);
-    const Real u = clamp(uv.u - floor(uv.u), Real(0), below_one<Real>());
-
-    const Real x = u * columns - Real(0.5);
-    const Real left = floor(x);  // -1 to the last column
-    const Real right = left + Real(1);
-    const Real first = select(left < Real(0), left + columns, left);
-    const Real second = select(right < columns, right, right - columns);
-
-    const Real y = clamp(uv.v * Real(image.height) - Real(0.5), Real(0), last_row);
-    const Real low = floor(y);
-    const Real high = min(low + Real(1), last_row);
-
-    const Real across = x - left;
-    const Color<Real> lower = mix(texel(first, low), texel(second, low), across);
-    const Color<Real> upper = mix(texel(first, high), texel(second, high), across);
-    return mix(lower, upper, y - low);
+    const Real width = Real(image.width), height = Real(image.height);
+    const Real x = wrapped_coordinate(Wrap::repeat, uv.u) * width - Real(0.5);
+    const Real y = wrapped_coordinate(Wrap::clamp, uv.v) * height - Real(0.5);
+    const Real left = floor(x), low = floor(y);
+    const Neighbors<Real> columns = wrapped_neighbors(Wrap::repeat, left, width);
+    const Neighbors<Real> rows = wrapped_neighbors(Wrap::clamp, low, height);
+    const auto row_of = [&](const Real& row) {
+      return mix(texel(columns.first, row), texel(columns.second, row), x - left);
+    };
+    return mix(row_of(rows.first), row_of(rows.second), y - low);
   }
 
  private:

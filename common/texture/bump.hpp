@@ -20,7 +20,7 @@ enum class SlopeFrom {
 /// Which normal the slopes give.
 enum class BumpForm {
   flat,   ///< the surface's own: no bumps
-  blinn,  ///< Blinn 1978, who drops the term h dn: slopes too large by 1 + h / radius
+  blinn,  ///< Blinn 1978, who drops the term h dn: slopes too large by the factor 1 + h / radius
   exact,  ///< that of the raised surface
 };
 

@@ -17,8 +17,8 @@ enum class Convention {
   return convention == Convention::daily ? VAxis::down : VAxis::up;
 }
 
-/// Converts coordinates from Next Week's convention, exactly: u_daily = 1 - u, v_daily = 1 - v,
-/// u_lecture = frac(u - 1/4); docs/conventions.md derives them.
+/// Converts coordinates from Next Week's convention: u_daily = 1 - u, v_daily = 1 - v,
+/// u_lecture = frac(u - 1/4), each rounded once; docs/conventions.md derives them.
 template <class Real>
 [[nodiscard]] Uv<Real> in_convention(Convention convention, const Uv<Real>& uv) {
   switch (convention) {

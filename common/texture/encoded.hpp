@@ -8,7 +8,7 @@ namespace texmap {
 ///
 /// @param light  0 to 1; below 0 and NaN give 0, above 1 the curve goes on
 /// Textbook: 1.055 x^(1/2.4) - 0.055. Here 1 - 1.055 (1 - x^(1/2.4)): 1 keeps its byte.
-/// Bound: 8 unit roundoffs. Source: IEC 61966-2-1:1999, section 5.2.
+/// Bound: 8 unit roundoffs of 1. Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real encoded(const Real& light) {
   const auto constant = [](long double value) { return Real(static_cast<Scalar<Real>>(value)); };

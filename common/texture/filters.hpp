@@ -49,10 +49,10 @@ template <class Real>
 /// To read texels in another way, derive from Pyramid and overload texel_light.
 template <class Texels>
 struct Filtered {
-  Texels pyramid;  ///< of nothing: black
+  Texels pyramid;  ///< an empty one is black
   Filter filter = Filter::anisotropic;
   Wrap wrap = Wrap::repeat;
-  int taps = 16;  ///< the most reads along a footprint; it then counts as wider
+  int taps = 16;  ///< the most reads along a footprint; along a longer one each is wider
   VAxis v_axis = VAxis::up;
   Rgb border{};  ///< seen beyond the edges with Wrap::border
 
@@ -166,14 +166,15 @@ struct Filtered {
       return {first.u + step.u * i, first.v + step.v * i};
     }
   };
-  /// Reads as wide as the picture all see its mean: one is enough, unless they see the border.
+  /// The reads along a footprint, at most `taps`. Those as wide as the picture all see its mean:
+  /// then one is enough, unless they see the border.
   template <class Real>
   [[nodiscard]] Taps<Real> taps_of(const Uv<Real>& at, const Footprint<Real>& footprint) const {
     const PyramidLevel<int>& whole = pyramid.levels.front();
     const Real least = max(footprint.shorter, Real(1));
     const Real most = clamp(-floor(-footprint.longer / least), Real(1), Real(taps));
     const Real width = max(least, footprint.longer / most);
-    const Mask<Real> all_alike = width >= Real(widest()) && Real(wrap != Wrap::border) > Real(0);
+    const Mask<Real> all_alike = width >= Real(widest()) && mask_of<Real>(wrap != Wrap::border);
     const Real count = select(all_alike, Real(1), most);
     const Uv<Real> step{footprint.along_u / (count * Real(whole.width)),
                         footprint.along_v / (count * Real(whole.height))};
@@ -244,8 +245,8 @@ struct Filtered {
     PyramidLevel<Real> level;
     Real a, b, c;
   };
-  /// The ellipse with the footprint's axes, in the level where its shorter axis is 1 to 2 texels;
-  /// at least one texel across.
+  /// The ellipse with the footprint's axes, in the level where the footprint's shorter side is 1 to
+  /// 2 texels; its semi-axes are at least 1 texel.
   template <class Real>
   [[nodiscard]] Ellipse<Real> ellipse_of(const Footprint<Real>& footprint) const {
     const Real longest = max(footprint.longer, Real(1));
@@ -262,9 +263,9 @@ struct Filtered {
     const Real v = clamp(footprint.along_v * scale_v, -most_v, most_v);
     const Real round_u = square(min(width * scale_u, most_u));
     const Real round_v = square(min(width * scale_v, most_v));
-    return {level, Real(ellipse_size) * (u * u * rest + round_u) + Real(1),
-            Real(ellipse_size) * (u * v * rest),
-            Real(ellipse_size) * (v * v * rest + round_v) + Real(1)};
+    const Real spread = Real(squared_axis_per_side);
+    return {level, spread * (u * u * rest + round_u) + Real(1), spread * (u * v * rest),
+            spread * (v * v * rest + round_v) + Real(1)};
   }
 
   /// The texels in the footprint's ellipse, with the weight (1 - r^2)^2, r = 1 on its edge.
@@ -292,7 +293,9 @@ struct Filtered {
     }
     return sum * (Real(1) / weights);
   }
-  static constexpr double ellipse_size = 2.0 / 3;
+  /// A semi-axis A for a side L, A^2 = 2/3 L^2, so that both have the same variance: that of the
+  /// side is L^2 / 12, and that of the weight (1 - r^2)^2 is A^2 / 8.
+  static constexpr double squared_axis_per_side = 2.0 / 3;
 
  private:
   /// (u, v) with v counted from the top row.

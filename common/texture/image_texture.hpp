@@ -48,7 +48,7 @@ struct TexelPlace {
 };
 
 /// The texel that holds (u, v), in an image of 1 to 2^24 texels each way.
-/// The row is found from v = 0 and then counted from the top: a texel holds its lower edge.
+/// The row is found from v = 0 and then counted from the top: a texel holds its edge toward v = 0.
 template <class Real>
 [[nodiscard]] TexelPlace<Real> texel_place(const Uv<Real>& uv, int width, int height, VAxis v_axis,
                                            TexelRounding rounding) {

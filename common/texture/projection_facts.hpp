@@ -15,8 +15,8 @@ struct ProjectionFacts {
   double mean_texel;  ///< steradians of a mean texel, times the number of texels
 };
 
-/// All projections, in the order of `Projection`.
 inline constexpr double four_pi = 4 * static_cast<double>(pi_digits);
+/// All projections, in the order of `Projection`.
 inline constexpr std::array<ProjectionFacts, 7> projections = {{
     {Projection::equirect, "equirect", 2, four_pi},
     {Projection::plane, "plane", 1, 8},  // half the sphere on pi / 4 of the square

@@ -99,12 +99,4 @@ struct ProjectionMapping {
   }
 };
 
-/// The plane's map of a point in space: u is its x, v its z, without limits.
-struct PlaneMapping {
-  template <template <class> class AnyHit, class Real>
-  [[nodiscard]] Uv<Real> operator()(const AnyHit<Real>& hit) const {
-    return {hit.point.x, hit.point.z};
-  }
-};
-
 }  // namespace texmap

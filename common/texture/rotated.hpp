@@ -1,11 +1,12 @@
-// A mapping that rotates with its object.
+// A mapping of a rotated point.
 #pragma once
 #include "math/rotation.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap {
 
-/// A mapping after a rotation: the point is rotated, then mapped.
+/// A mapping after a rotation: the point is rotated, then mapped. The texture on the object turns
+/// the other way.
 template <class Mapping>
 struct Rotated {
   RotationY rotation;

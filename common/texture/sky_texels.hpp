@@ -9,7 +9,7 @@ namespace texmap {
 
 /// One row of an equirectangular map as a band of the unit sphere.
 struct SkyBand {
-  double from = 0, to = 0;  ///< 1 - |y| of its edges, from the map's upper edge to its lower one
+  double from = 0, to = 0;  ///< 1 - y_sign y of its edges, from the map's upper edge down
   double y_sign = 1;        ///< +1 for bands measured from +y, -1 for those from -y
   double solid_angle = 0;   ///< of each texel in it, in steradians
 

@@ -4,7 +4,7 @@
 
 namespace texmap {
 
-/// A place on a texture: u from left to right, v between bottom and top, both 0 to 1.
+/// A place on a texture: u from left to right, v between bottom and top; the image covers 0 to 1.
 template <class Real>
 struct Uv {
   Real u{}, v{};
@@ -34,10 +34,10 @@ template <class Real>
   const Real u = Real(0.5) - turn / (Real(2) * pi<Real>());
 
   const Real ratio = min(abs(x), abs(z)) / select(off_axis, wide, Real(1));
-  const Real sine = select(off_axis, sqrt(Real(1) + square(ratio)), Real(0));
-  const Real cosine = p.y / select(off_axis, wide, Real(1));
-  const Mask<Real> zero = !off_axis && cosine == Real(0);
-  const Real v = atan2(select(zero, Real(1), sine), -cosine) / pi<Real>();
+  const Real from_axis = select(off_axis, sqrt(Real(1) + square(ratio)), Real(0));
+  const Real height = p.y / select(off_axis, wide, Real(1));
+  const Mask<Real> zero = !off_axis && height == Real(0);
+  const Real v = atan2(select(zero, Real(1), from_axis), -height) / pi<Real>();
   return {clamp_u(u), clamp(v, Real(0), Real(1))};
 }
 

@@ -21,7 +21,8 @@ template <class Real>
   return select(rest < Real(0), rest + n, select(rest >= n, rest - n, rest));
 }
 
-/// `x` mirrored at the edges of [0, n - 1]: n is n - 1, and -1 is 0. Domain: as remainder_of.
+/// `x` mirrored at the edges of [0, n - 1]: n gives n - 1, and -1 gives 0.
+/// Domain: as remainder_of.
 template <class Real>
 [[nodiscard]] Real mirrored(const Real& x, const Real& n) {
   const Real rest = remainder_of(x, Real(2) * n);
@@ -31,7 +32,7 @@ template <class Real>
 /// A coordinate moved into [0, 1] as `wrap` says: the image again, mirrored, or its edge.
 ///
 /// @param x  any number; NaN gives 0
-/// Bound: one rounding of x. Domain of `wrap`: repeat, mirror and clamp.
+/// Bound: 1 unit roundoff of 1, or of x where |x| > 1. Domain of `wrap`: repeat, mirror and clamp.
 template <class Real>
 [[nodiscard]] Real wrapped_coordinate(Wrap wrap, const Real& x) {
   if (wrap == Wrap::repeat) return clamp(x - floor(x), Real(0), below_one<Real>());
@@ -78,7 +79,7 @@ template <class Real>
                                                const Real& columns, const Real& rows) {
   const Real nearest_column = clamp(column, Real(0), columns - Real(1));
   const Real nearest_row = clamp(row, Real(0), rows - Real(1));
-  const Mask<Real> anywhere = Real(0) < Real(1);
+  const Mask<Real> anywhere = mask_of<Real>(true);
   switch (wrap) {
     case Wrap::repeat:
       return {remainder_of(column, columns), remainder_of(row, rows), anywhere};

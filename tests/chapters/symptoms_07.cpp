@@ -61,7 +61,7 @@ TEST_CASE("a white sphere under a white sky is white: no light is lost and none 
     Rgb paint(const Hit<double>&) const { return {1, 1, 1}; }
   };
   const std::vector<White> objects(1);
-  const GradientSky<> sky{{1, 1, 1}, {1, 1, 1}};
+  const GradientSky sky{{1, 1, 1}, {1, 1, 1}};
   GridOfSamples random{8};
   const Ray<double> ray{{0, 0, 5}, {0, 0, -1}};
   expect_number("the light of a white sphere under a white sky",

@@ -36,15 +36,16 @@ struct Drawn {
   std::uint32_t seed = 0;
 };
 
-/// The film of a lesson: `samples` of a kind for each pixel.
+/// The film of a lesson: `samples` of a kind for each pixel. In double where the lesson has no
+/// other number.
 template <class Real>
 Film film_of(const Lesson& lesson, SamplerKind kind, int samples, const Drawn& drawn = {},
              const KernelPlan& plan = {}) {
   const View<> view = view_of(lesson.stage.camera, drawn.size.width, drawn.size.height);
   const auto objects = planned_objects(plan, lesson.objects);
-  return gather<Real>(lesson, objects, view, {Sampler(kind, samples, drawn.seed)},
-                      bounds_of_view(lesson, objects, view, plan.smoothing, samples),
-                      {.threads = drawn.threads});
+  return gather<number_in<Lesson, Real>>(
+      lesson, objects, view, {Sampler(kind, samples, drawn.seed)},
+      bounds_of_view(lesson, objects, view, plan.smoothing, samples), {.threads = drawn.threads});
 }
 
 /// A film keeps light within 2^-32 of itself.
@@ -60,7 +61,7 @@ struct Stated {
 };
 Stated stated_by_program(const std::string& options) {
   const TemporaryFolder folder;
-  const Outcome outcome = run(std::string(TEXMAP_CHAPTER) + " --width 64 --height 36 --out \"" +
+  const Outcome outcome = run("\"" TEXMAP_CHAPTER "\" --width 64 --height 36 --out \"" +
                               (folder / "x.png") + "\" " + options);
   REQUIRE(outcome.status == 0);
   const std::size_t error = outcome.out.find("about ");
@@ -385,9 +386,10 @@ TEST_CASE(
 
 TEST_CASE("the rays a second that the program states are columns times rows times samples") {
   const TemporaryFolder folder;
-  const Outcome outcome = run(std::string(TEXMAP_CHAPTER) +
-                              " --width 96 --height 27 --samples 1000 --number double --threads 1" +
-                              " --out \"" + (folder / "x.png") + "\"");
+  const Outcome outcome = run("\"" TEXMAP_CHAPTER
+                              "\" --width 96 --height 27 --samples 1000 --number double --threads 1"
+                              " --out \"" +
+                              (folder / "x.png") + "\"");
   REQUIRE(outcome.status == 0);
   const std::regex form("render (\\d+\\.\\d), .*, (\\d+\\.\\d) million rays/s\n$");
   std::smatch part;

@@ -232,7 +232,7 @@ TEST_CASE(
   for (const BadMesh& bad : bad_meshes()) {
     CAPTURE(bad.name);
     put(file, {bad.text.begin(), bad.text.end()});
-    const Outcome outcome = run(std::string(TEXMAP_CHAPTER) + " --mesh \"" + file +
+    const Outcome outcome = run("\"" TEXMAP_CHAPTER "\" --mesh \"" + file +
                                 "\" --width 8 --height 6 --out \"" + picture_file + "\"");
     CHECK(outcome.status == 1);
     CHECK(outcome.out.empty());
@@ -243,8 +243,8 @@ TEST_CASE(
   // The same run with a good file draws.
   const std::string good = good_meshes().front().text;
   put(file, {good.begin(), good.end()});
-  CHECK(run(std::string(TEXMAP_CHAPTER) + " --quiet --mesh \"" + file +
-            "\" --width 8 --height 6 --out \"" + picture_file + "\"")
+  CHECK(run("\"" TEXMAP_CHAPTER "\" --quiet --mesh \"" + file + "\" --width 8 --height 6 --out \"" +
+            picture_file + "\"")
             .status == 0);
   CHECK(bytes_of(picture_file) != old);
 }

@@ -34,9 +34,9 @@ struct Drawn {
 template <class Real = double, class AnyLesson>
 Film film_of(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {
   const View<> view = view_of(lesson.stage.camera, drawn.size.width, drawn.size.height);
-  return gather<Real>(lesson, lesson.objects, view, {Sampler(drawn.kind, samples, drawn.seed)},
-                      bounds_of_view(lesson, lesson.objects, view, {}, samples),
-                      {.threads = drawn.threads});
+  return gather<number_in<AnyLesson, Real>>(
+      lesson, lesson.objects, view, {Sampler(drawn.kind, samples, drawn.seed)},
+      bounds_of_view(lesson, lesson.objects, view, {}, samples), {.threads = drawn.threads});
 }
 template <class Real = double, class AnyLesson>
 Image developed(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {
@@ -239,8 +239,8 @@ TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 
 
 TEST_CASE("the program refuses every damaged sky with its name, status 1 and no picture") {
   const TemporaryFolder folder;
-  const std::string program = std::string(TEXMAP_CHAPTER) +
-                              " --width 16 --height 9 --samples 1 --quiet --out \"" +
+  const std::string program = "\"" TEXMAP_CHAPTER
+                              "\" --width 16 --height 9 --samples 1 --quiet --out \"" +
                               (folder / "x.png") + "\" --sky \"" + (folder / "sky.hdr") + "\"";
   for (const HdrCase& item : hdr_corpus()) {
     CAPTURE(item.name);
@@ -270,9 +270,8 @@ TEST_CASE("the program refuses every damaged sky with its name, status 1 and no 
 
 TEST_CASE("the program's options: wrong words are status 2, and auto says what it took") {
   const TemporaryFolder folder;
-  const std::string program = std::string(TEXMAP_CHAPTER) +
-                              " --width 16 --height 9 --samples 2 --out \"" + (folder / "x.png") +
-                              "\" ";
+  const std::string program = "\"" TEXMAP_CHAPTER "\" --width 16 --height 9 --samples 2 --out \"" +
+                              (folder / "x.png") + "\" ";
   CHECK(run(program + "--light best").status == 2);
   CHECK(run(program + "--exposure nan").status == 2);
   CHECK(run(program + "--sky \"\"").status == 2);

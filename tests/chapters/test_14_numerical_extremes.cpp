@@ -192,7 +192,7 @@ TEST_CASE("a wrong name is told the right ones, and so is who asks for help") {
   } catch (const UsageError& error) {
     told = error.what();
   }
-  const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
+  const std::string help = test::run("\"" TEXMAP_CHAPTER "\" --help").out;
   for (const std::string& name : names()) {
     CHECK(told.find(name) != std::string::npos);
     CHECK(help.find(name) != std::string::npos);
@@ -223,13 +223,13 @@ TEST_CASE(
 }
 
 TEST_CASE("what only one exhibit has a use for is refused for the sheet, and its help says so") {
-  const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
+  const std::string help = test::run("\"" TEXMAP_CHAPTER "\" --help").out;
   for (const std::string option : {"--number float", "--samples 2", "--formulas published"}) {
     CAPTURE(option);
     const test::TemporaryFolder folder;
     const test::Outcome outcome =
-        test::run(std::string(TEXMAP_CHAPTER) + " --quiet --width 20 --height 20 " + option +
-                  " --out \"" + (folder / "x.png") + "\"");
+        test::run("\"" TEXMAP_CHAPTER "\" --quiet --width 20 --height 20 " + option + " --out \"" +
+                  (folder / "x.png") + "\"");
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("need --exhibit NAME") != std::string::npos);
     const auto at = help.find("  " + option.substr(0, option.find(' ') + 1));
@@ -241,7 +241,7 @@ TEST_CASE("what only one exhibit has a use for is refused for the sheet, and its
 
 TEST_CASE("the chapter offers the numbers that its formulas run with, and nothing for packs") {
   const std::string program =
-      std::string(TEXMAP_CHAPTER) + " --quiet --exhibit pole --width 80 --height 60 ";
+      "\"" TEXMAP_CHAPTER "\" --quiet --exhibit pole --width 80 --height 60 ";
   const test::TemporaryFolder folder;
   const auto picture = [&](const std::string& options) {
     CAPTURE(options);
@@ -263,7 +263,7 @@ TEST_CASE("the chapter offers the numbers that its formulas run with, and nothin
     CHECK(outcome.err.find("float|double|extended,") != std::string::npos);
   }
   CHECK(test::run(program + "--instructions baseline").status == 2);
-  const std::string help = test::run(std::string(TEXMAP_CHAPTER) + " --help").out;
+  const std::string help = test::run("\"" TEXMAP_CHAPTER "\" --help").out;
   CHECK(help.find("--instructions") == std::string::npos);
   CHECK(help.find("pack") == std::string::npos);
 }

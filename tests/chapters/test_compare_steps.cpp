@@ -173,7 +173,7 @@ TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {
 
 TEST_CASE("of chapters without pixels to compare the page shows the code and says why") {
   const TemporaryFolder folder;
-  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --drawn '" + folder.path() +
+  const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --drawn '" + folder.path() +
                               "' --out '" + folder.path() + "' --from ";
   struct Pair {
     const char* numbers;
@@ -217,8 +217,8 @@ TEST_CASE("pages of neighbours share the chapters' pictures, where those are wha
   DrawnStep other = second();
   other.picture.at(0, 0).r ^= 1;  // as a picture drawn with other options
   save(other);
-  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --shared --drawn '" +
-                              folder.path() + "' --out '" + folder.path() +
+  const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --shared --drawn '" + folder.path() +
+                              "' --out '" + folder.path() +
                               "/diff' --width 200 --height 150 --from 1 --to 2";
   CHECK(run(program).status == 0);
   const std::filesystem::path place = folder / "diff/01-02";
@@ -236,8 +236,8 @@ TEST_CASE("a step that draws what an earlier chapter drew shows that chapter's p
   save_png(first().picture, folder / "00_same.png");
   save_png(second().picture, folder / "02_checkerboard_uv_000.png");  // of a turntable
   save_png(second().picture, folder / "03_later.png");
-  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --shared --drawn '" +
-                              folder.path() + "' --out '" + folder.path() +
+  const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --shared --drawn '" + folder.path() +
+                              "' --out '" + folder.path() +
                               "/diff' --width 200 --height 150 --from 1 --to 2";
   CHECK(run(program).status == 0);
   const std::string page = text_in(std::filesystem::path(folder / "diff/01-02") / "index.html");
@@ -283,8 +283,8 @@ TEST_CASE("two pictures are compared on a page of the same kind, and the status 
 
 TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the page names it") {
   const TemporaryFolder folder;
-  const std::string program = std::string(TEXMAP_COMPARE_STEPS) +
-                              " --width 200 --height 150 --out '" + folder.path() + "' --from ";
+  const std::string program =
+      "\"" TEXMAP_COMPARE_STEPS "\" --width 200 --height 150 --out '" + folder.path() + "' --from ";
   const auto compared = [&](const char* numbers, const char* place) {
     CHECK(run(program + numbers).status == 0);
     const std::filesystem::path pages = folder / place;
@@ -302,7 +302,7 @@ TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the 
 }
 
 TEST_CASE("a chapter that cannot be compared is named, and those that can be") {
-  const std::string program = std::string(TEXMAP_COMPARE_STEPS) + " --from ";
+  const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --from ";
   for (const char* const numbers :
        {"06 --to 99", "99 --to 06", "07 --to x", "06 --to 007", "a.png --to 06"}) {
     CAPTURE(numbers);

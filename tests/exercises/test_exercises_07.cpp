@@ -371,8 +371,9 @@ TEST_CASE("07.1: more means that students compute") {
       "07.1",
       +[](const std::vector<int>& bytes) {
         double sum = 0;
-        for (const int byte : bytes) sum += byte * byte;
-        return static_cast<int>(std::lround(srgb_encode(sum / static_cast<double>(bytes.size()))));
+        for (const int byte : bytes) sum += srgb_decode(byte);
+        const double mean = sum / static_cast<double>(bytes.size());
+        return static_cast<int>(std::lround(255 * srgb_encode(mean)));
       },
       "from 0 to 1: give");
   check_mistake(

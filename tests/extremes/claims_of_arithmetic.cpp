@@ -144,10 +144,10 @@ void add_vectors(Family& family) {
                                    (sizes(p) * roundoff<T>()));
       });
   add(
-      "length", domain, {2, "u"}, [](const auto& a, const auto&) { return length(a); },
+      "length", domain, {2.5, "u"}, [](const auto& a, const auto&) { return length(a); },
       [](T got, const ExactPair& p) { return relative_off(got, length(p[0])); });
   add(
-      "normalize", domain, {4, "u"}, [](const auto& a, const auto&) { return normalize(a); },
+      "normalize", domain, {4.5, "u"}, [](const auto& a, const auto&) { return normalize(a); },
       [](const V& got, const ExactPair& p) { return length_off(got, normalize(p[0])); });
   add(
       "precise_dot", domain + "; a cosine above 16 u", {2, "u"},

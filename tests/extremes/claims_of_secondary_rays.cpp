@@ -145,8 +145,8 @@ auto worst_to_light() {
 
 template <class T>
 void add_light(Family& family) {
-  family.add<T>("sample_light, direction", "points and lamps 1e-6 to 1e6 from the origin", {4, "u"},
-                worst_to_light<T>());
+  family.add<T>("sample_light, direction", "points and lamps 1e-6 to 1e6 from the origin",
+                {5.5, "u"}, worst_to_light<T>());
 }
 
 template <class T>

@@ -206,7 +206,7 @@ auto worst_view() {
 template <class Real>
 auto worst_sky() {
   using T = Scalar<Real>;
-  const GradientSky<> sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
+  const GradientSky sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   return worst_lanes<Real>(
       [](Dice& dice) { return rounded<T>(dice.direction()); },
       [sky](const Vec3<Real>& direction) {

@@ -20,6 +20,13 @@ TEST_CASE_TEMPLATE("cosine and sine of turns are the library's, and exact at qua
     CHECK(at.cosine == (wrapped == 0 ? 1 : wrapped == 2 ? -1 : 0));
     CHECK(at.sine == (wrapped == 1 ? 1 : wrapped == 3 ? -1 : 0));
   }
+  // As far as 1 / (8 unit roundoffs), and a quarter turn beyond each whole number.
+  for (T turns = 1; turns < 1 / (8 * unit_roundoff<T>()); turns *= 2) {
+    CAPTURE(turns);
+    CHECK(on_circle(turns + T(0.25)).sine == 1);
+    CHECK(on_circle(turns + T(0.25)).cosine == 0);
+    CHECK(on_circle(-turns - T(0.25)).sine == -1);
+  }
   Dice dice(3);
   const Exact of_reference = 4 * std::numeric_limits<Exact>::epsilon();  // its angle is rounded
   const Exact bound = widened(std::numeric_limits<T>::epsilon()) + of_reference;

@@ -67,6 +67,14 @@ TEST_CASE_TEMPLATE("lengths of whole boxes are whole", Real, float, double, long
   CHECK(length(Vec3<Real>{0, 0, 0}) == Real(0));
 }
 
+TEST_CASE("a length is within 2.5 unit roundoffs, and hardly less") {
+  // Both squares and both sums are rounded down, and so is the root.
+  const Vec3<float> a{0x1.6a8106p-1F, 0x1.6a21ep-1F, 0x1p-12F};
+  const double off = 1 - length(a) / length(number_cast<double>(a));
+  CHECK(off < 2.5 * 0x1p-24);
+  CHECK(off > 2.49 * 0x1p-24);
+}
+
 TEST_CASE("a length is exact over the range its comment promises") {
   CHECK(length(Point{3e150, 0, 4e150}) == doctest::Approx(5e150).epsilon(1e-15));
   CHECK(length(Point{3e-150, 4e-150, 0}) == doctest::Approx(5e-150).epsilon(1e-15));

@@ -35,8 +35,8 @@ const Point2<Real> aside{Real(1) - Real(0x1p-24), Real(0.5) - Real(0x1p-25)};
 /// normals goes to and fro forever. Albedos are powers of two, so that nothing rounds.
 const std::vector<Object> two_mirrors = {{{{0, 0, -5}, 1}, {{0.5, 0.25, 1}}},
                                          {{{0, 0, 5}, 1}, {{0.25, 1, 0.5}}}};
-const GradientSky<> plain_sky{.below = {1, 0.5, 0.25}, .above = {1, 0.5, 0.25}};
-const GradientSky<> fading_sky{.below = {1, 1, 1}, .above = {0.5, 0.75, 1}};
+const GradientSky plain_sky{.below = {1, 0.5, 0.25}, .above = {1, 0.5, 0.25}};
+const GradientSky fading_sky{.below = {1, 1, 1}, .above = {0.5, 0.75, 1}};
 
 template <class Real>
 bool is(const Color<Real>& color, double r, double g, double b) {
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("one sphere alone is lit as it is next to one that nobody see
     const Ray<Real> ray{{0, 0, 0},
                         {Real(dice.between(-1, 1)), Real(dice.between(-1, 1)), Real(-2)}};
     const Point2<Real> sample{Real(dice.between(0, 1)), Real(dice.between(0, 1))};
-    for (const GradientSky<>& sky : {plain_sky, fading_sky}) {
+    for (const GradientSky& sky : {plain_sky, fading_sky}) {
       Planned<Real> alone{{sample}};
       Planned<Real> beside{{sample}};
       const Color<Real> a = light_along(one, ray, sky, 1, alone);
@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("each lane of a pack follows its own path", T, float, double)
   scene.push_back({{{3, 0, 0}, 2}, {{0.75, 0.5, 0.25}}});
   Dice dice;
   for (std::uint32_t i = 0; i < 500; ++i) {
-    for (const GradientSky<>& sky : {plain_sky, fading_sky}) {
+    for (const GradientSky& sky : {plain_sky, fading_sky}) {
       for (const std::size_t objects : {1U, 3U}) {
         const std::vector<Object> some(scene.begin(),
                                        scene.begin() + static_cast<std::ptrdiff_t>(objects));

@@ -7,7 +7,7 @@
 namespace texmap::test {
 namespace {
 
-const GradientSky<> sky{.below = {1, 0.5, 0}, .above = {0.5, 0.25, 1}};
+const GradientSky sky{.below = {1, 0.5, 0}, .above = {0.5, 0.25, 1}};
 
 TEST_CASE_TEMPLATE("the sky has its colors straight down, straight up and half way between", Real,
                    float, double, long double) {
@@ -39,7 +39,7 @@ TEST_CASE_TEMPLATE("only the height of the line of sight matters", Real, float, 
 
 TEST_CASE_TEMPLATE("a sky of one color stays within an ulp of it", Real, float, double,
                    long double) {
-  const GradientSky<> plain{.below = {0.3, 0.6, 0.9}, .above = {0.3, 0.6, 0.9}};
+  const GradientSky plain{.below = {0.3, 0.6, 0.9}, .above = {0.3, 0.6, 0.9}};
   for (int i = -1000; i <= 1000; ++i) {
     const Color<Real> color =
         plain(Ray<Real>{{0, 0, 0}, {0, static_cast<Real>(i) / Real(1000), 0}});

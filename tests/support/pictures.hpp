@@ -15,20 +15,24 @@ namespace texmap::test {
 /// Whether a lesson's code can be run with a number: its `about` says so, and a build for learning
 /// has double alone.
 template <class Lesson, class Real>
-constexpr bool draws_in = std::is_same_v<Real, double> ||
-                          (all_numbers && (Lesson::about.numbers == Numbers::all ||
-                                           (Lesson::about.numbers == Numbers::single &&
-                                            std::is_floating_point_v<Real>)));
+constexpr bool draws_in = [] {
+  if constexpr (std::is_same_v<Real, double>) {  // lessons of tests have no `about`
+    return true;
+  } else {
+    constexpr Numbers numbers = Lesson::about.numbers;
+    return all_numbers && (numbers == Numbers::all ||
+                           (numbers == Numbers::single && std::is_floating_point_v<Real>));
+  }
+}();
 
-/// A lesson's picture in a number; in double where the lesson cannot be run with that number.
+/// A number, or double where a lesson cannot be run with that number.
+template <class Lesson, class Real>
+using number_in = std::conditional_t<draws_in<Lesson, Real>, Real, double>;
+
+/// A lesson's picture in a number, or in double.
 template <class Real = double, class Lesson>
 [[nodiscard]] Image picture(const Lesson& lesson, int width = 800, int height = 600) {
-  const View<> view = view_of(lesson.stage.camera, width, height);
-  if constexpr (std::is_same_v<Real, double>) {  // lessons of tests have no `about`
-    return render<double>(lesson, view);
-  } else {
-    return render<std::conditional_t<draws_in<Lesson, Real>, Real, double>>(lesson, view);
-  }
+  return render<number_in<Lesson, Real>>(lesson, view_of(lesson.stage.camera, width, height));
 }
 
 /// The largest difference of a channel between two pixels.

@@ -27,7 +27,7 @@ struct SamplingOptions {
   /// The options that are not about a texture or its sky: samples, limits, lens.
   void declare_gathering(CommandLine& line);
   /// Sets the meaning of the texture's bytes, and the sky.
-  void apply_to(ImageTexture& texture, GradientSky<>& sky) const;
+  void apply_to(ImageTexture& texture, GradientSky& sky) const;
 };
 
 }  // namespace texmap

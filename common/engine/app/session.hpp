@@ -27,7 +27,7 @@ struct Settings {
   std::string budget = "exact";                       ///< how far off the picture may be
   bool quiet = false;                                 ///< no progress, no line on success
   Shown show = Shown::color;                          ///< of the surfaces that the camera sees
-  double zoom = 1;                                    ///< how much larger than they would be
+  double zoom = 1;                                    ///< 1: the lesson's view
   std::string at;  ///< COLUMN,ROW of the pixel that stays in its place; empty: the middle
 };
 

@@ -8,7 +8,7 @@ namespace texmap {
 
 class CommandLine;
 
-/// How far the globe is turned: once, or in several pictures of a full turn.
+/// By which angle the look-up on the globe is turned, once or in several pictures of a full turn.
 struct Turntable {
   double degrees = 90;
   int frames = 0;  ///< of a full turn; 0 for a single picture

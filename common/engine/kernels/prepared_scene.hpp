@@ -38,7 +38,7 @@ struct PreparedSky {
   }
 };
 template <class Real>
-[[nodiscard]] PreparedSky<Real> prepare(const GradientSky<>& sky) {
+[[nodiscard]] PreparedSky<Real> prepare(const GradientSky& sky) {
   return {number_cast<Real>(sky.below), number_cast<Real>(sky.above), sky.is_constant()};
 }
 
@@ -51,7 +51,7 @@ struct PreparedObject {
 
 /// A sky as it is drawn: a GradientSky converted, any other as it is.
 template <class Real>
-[[nodiscard]] PreparedSky<Real> prepare_sky(const GradientSky<>& sky) {
+[[nodiscard]] PreparedSky<Real> prepare_sky(const GradientSky& sky) {
   return prepare<Real>(sky);
 }
 template <class Real, class Sky>

@@ -134,7 +134,7 @@ template <class Lesson, class Paint>
   if constexpr (requires { lesson.environment; }) {
     return {};
   } else {
-    const GradientSky<>& sky = lesson.stage.sky;
+    const GradientSky& sky = lesson.stage.sky;
     return ViewBounds{screen_bounds(view, objects.front().shape),
                       sky.is_constant() ? std::optional(sky.below) : std::nullopt,
                       samples < least_samples_of_patch ? Smoothing{} : smoothing};

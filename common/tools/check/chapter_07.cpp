@@ -60,7 +60,7 @@ constexpr int all_samples = cells * cells;
 struct Scene {
   View<> view;
   const std::vector<chapter_07::Object>& objects;
-  const GradientSky<>& sky;
+  const GradientSky& sky;
 };
 
 /// The numbers of one sample; the student says the first two, its place in the pixel.
@@ -189,11 +189,8 @@ std::vector<Mistake<MeanByte>> wrong_means() {
         [](double sum, double n) { return 255 * srgb_encode(sum) / n; });
   const char* undivided = "srgb_decode takes a number from 0 to 1: give it byte / 255.0";
   const auto decode_number = [](int byte) { return srgb_decode(double(byte)); };
-  const auto decode_int = [](int byte) { return byte * byte; };  // what the power is with int
   wrong(undivided, decode_number, encode);
   wrong(undivided, decode_number, number);
-  wrong(undivided, decode_int, encode);
-  wrong(undivided, decode_int, number);
   const char* white = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
   wrong(white, decode, [](double sum, double n) { return 256 * srgb_encode(sum / n); });
   wrong(

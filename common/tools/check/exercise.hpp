@@ -29,5 +29,7 @@ using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
 inline Vec3 operator*(double factor, const Vec3& v) { return v * factor; }
 inline Vec3 operator/(const Vec3& v, double divisor) { return v * (1 / divisor); }
 inline Color operator*(double factor, const Color& c) { return c * factor; }
-using texmap::srgb_decode;  // from an encoded number to light, both 0 to 1
-using texmap::srgb_encode;  // and back
+
+// From an encoded number to light, both 0 to 1; and back.
+inline double srgb_decode(double encoded) { return texmap::srgb_decode(encoded); }
+inline double srgb_encode(double light) { return texmap::srgb_encode(light); }

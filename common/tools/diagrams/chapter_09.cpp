@@ -116,8 +116,8 @@ Drawing pixel_footprint() {
   const std::vector<Spot> box = rectangle_of(footprint, center, size);
   std::vector<Spot> ellipse;
   const Spot half_long =
-      (box[0] + box[1] - center * 2.0) * std::sqrt(FilteredTexture::ellipse_size);
-  const Spot half_short = (box[0] - box[1]) * std::sqrt(FilteredTexture::ellipse_size);
+      (box[0] + box[1] - center * 2.0) * std::sqrt(FilteredTexture::squared_axis_per_side);
+  const Spot half_short = (box[0] - box[1]) * std::sqrt(FilteredTexture::squared_axis_per_side);
   for (int i = 0; i <= 96; ++i) {
     const double angle = 2 * std::numbers::pi * i / 96;
     ellipse.push_back(center + half_long * std::cos(angle) + half_short * std::sin(angle));

@@ -44,8 +44,9 @@ std::vector<Line> lines_of(const std::string& text) {
 
 TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, encoding and writing") {
   const TemporaryFolder folder;
-  const std::string command = TEXMAP_CHAPTER
-      " --width 40 --height 30 --samples 256 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
+  const std::string command =
+      "\"" TEXMAP_CHAPTER "\" --width 40 --height 30 --samples 256 --texture \"" TEXMAP_ASSETS_DIR
+      "/earth.png\" --out ";
   const Outcome outcome = run(command + "\"" + (folder / "picture.png") + "\"");
   REQUIRE(outcome.status == 0);
   const std::vector<Line> lines = lines_of(outcome.out);
@@ -63,8 +64,9 @@ TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, enco
 
 TEST_CASE("loading counts for the first of several pictures only") {
   const TemporaryFolder folder;
-  const std::string command = TEXMAP_CHAPTER
-      " --width 40 --height 30 --turntable 3 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
+  const std::string command =
+      "\"" TEXMAP_CHAPTER "\" --width 40 --height 30 --turntable 3 --texture \"" TEXMAP_ASSETS_DIR
+      "/earth.png\" --out ";
   const std::vector<Line> lines = lines_of(run(command + "\"" + (folder / "turn.png") + "\"").out);
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].load > 1);
@@ -74,17 +76,18 @@ TEST_CASE("loading counts for the first of several pictures only") {
 
 TEST_CASE("a quiet chapter prints no line") {
   const TemporaryFolder folder;
-  const std::string command = TEXMAP_CHAPTER
-      " --quiet --width 40 --height 30 --texture " TEXMAP_ASSETS_DIR "/earth.png --out ";
+  const std::string command =
+      "\"" TEXMAP_CHAPTER "\" --quiet --width 40 --height 30 --texture \"" TEXMAP_ASSETS_DIR
+      "/earth.png\" --out ";
   CHECK(run(command + "\"" + (folder / "picture.png") + "\"").out == "");
 }
 
 TEST_CASE("what a chapter prints is its text to the byte, and ends with one end of a line") {
-  const Outcome version = run(TEXMAP_CHAPTER " --version");
+  const Outcome version = run("\"" TEXMAP_CHAPTER "\" --version");
   CHECK(version.status == 0);
   CHECK(version.out == "05_y_rotation " TEXMAP_VERSION " (Texture Mapping, Step by Step)\n");
   CHECK(version.err == "");
-  const Outcome help = run(TEXMAP_CHAPTER " --help");
+  const Outcome help = run("\"" TEXMAP_CHAPTER "\" --help");
   const std::string end =
       "\nexit status: 0 the picture is written; 1 an error, no picture; 2 the command line is "
       "wrong\n";
@@ -96,13 +99,13 @@ TEST_CASE("what a chapter prints is its text to the byte, and ends with one end 
 }
 
 TEST_CASE("what a chapter says of an error is its text to the byte, on stderr alone") {
-  const Outcome wrong = run(TEXMAP_CHAPTER " --nonsense");
+  const Outcome wrong = run("\"" TEXMAP_CHAPTER "\" --nonsense");
   CHECK(wrong.status == 2);
   CHECK(wrong.out == "");
   CHECK(wrong.err ==
         "error: there is no option --nonsense\nusage: 05_y_rotation [options]     (05_y_rotation "
         "--help lists them)\n");
-  const Outcome missing = run(TEXMAP_CHAPTER " --texture no/such/file.png --out x.png");
+  const Outcome missing = run("\"" TEXMAP_CHAPTER "\" --texture no/such/file.png --out x.png");
   CHECK(missing.status == 1);
   CHECK(missing.out == "");
   CHECK(missing.err == "error: cannot load texture 'no/such/file.png': there is no such file\n");

@@ -29,7 +29,7 @@ using Paint = Mapped<RtiowMapping, PlaceTexture>;
 /// Places in a pixel, along either side.
 constexpr std::array in_pixel{-0.5, -0.375, -0.25, -0.125, 0.0, 0.125, 0.25, 0.375, 0.5};
 
-const GradientSky<> fading{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
+const GradientSky fading{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
 
 /// A sphere and a pixel that sees it, from middle to limb, from equator to poles, near and far,
 /// small and large, in any corner of a view.
@@ -161,7 +161,7 @@ TEST_CASE("a sample is the light at its own place in the pixel, along its own di
   const auto same = [](const Rgb& a, const Rgb& b) {
     return a.r == b.r && a.g == b.g && a.b == b.b;
   };
-  const GradientSky<> constant{.below = {0.7, 0.8, 0.9}, .above = {0.7, 0.8, 0.9}};
+  const GradientSky constant{.below = {0.7, 0.8, 0.9}, .above = {0.7, 0.8, 0.9}};
   Dice dice(11);
   for (int i = 0; i < 1000; ++i) {
     const Sight sight = any_sight(dice);
@@ -170,7 +170,7 @@ TEST_CASE("a sample is the light at its own place in the pixel, along its own di
     const Point2<double> sample{dice.between(0, 1), dice.between(0, 1)};
     const double x = place.u - 0.5;
     const double y = place.v - 0.5;
-    for (const GradientSky<>& any_sky : {constant, fading}) {
+    for (const GradientSky& any_sky : {constant, fading}) {
       const PreparedSky<double> sky = prepare<double>(any_sky);
       const Paint paint{};
       const PixelPatch<double, Paint> patch(sight.view, sphere, paint, sky, sight.column,

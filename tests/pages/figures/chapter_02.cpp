@@ -100,6 +100,7 @@ void figures_of_02(Figures& figures) {
   figures.emplace_back("02.uv_minus_z", uv_at({0, 0, -1}));
   figures.emplace_back("02.uv_plus_y", uv_at({0, 1, 0}));
   figures.emplace_back("02.uv_minus_y", uv_at({0, -1, 0}));
+  figures.emplace_back("02.uv_p", uv_at({0.64, 0.48, 0.6}));
 
   const PoleErrors errors = errors_at_the_pole();
   figures.emplace_back("02.directions_at_the_pole", whole(errors.directions));
