@@ -3,7 +3,7 @@
 // A texel of a .hdr file has a byte for red, green and blue, and a byte for their common exponent.
 // The light of a channel with the byte m and the exponent k is
 //     (m + 1/2) 2^(k - 136),   but 0 for m = 0
-// Return the light of the texel. It can be far above 1: the sun.
+// Return the light of the texel; k is at least 1. It can be far above 1: the sun.
 //
 // Check it:  ./course check 12.1
 #include "exercise.hpp"
