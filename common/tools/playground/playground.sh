@@ -40,10 +40,11 @@ done
   exit 1
 }
 
-# stb_image's checks hold the path of its file: without -fmacro-prefix-map the modules would differ from folder to folder.
+# stb_image's checks hold the path of its file: without -fmacro-prefix-map the modules would differ from folder to folder, and with a
+# compiler cache, which may write that path in another way.
 cmake -S "$tree" -B "$build" -D CMAKE_TOOLCHAIN_FILE="$toolchain" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-Oz \
-  -D TEXMAP_LEARN=ON -D stb_image_INCLUDE_DIR="$build/headers" \
-  -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti -fmacro-prefix-map=$tree/= -include $tree/common/tools/playground/libcxx_13.hpp"
+  -D TEXMAP_LEARN=ON -D CMAKE_CXX_COMPILER_LAUNCHER= -D stb_image_INCLUDE_DIR="$build/headers" \
+  -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti \"-fmacro-prefix-map=$tree/=\" -include \"$tree/common/tools/playground/libcxx_13.hpp\""
 cmake --build "$build" --target playground --parallel 2
 python3 "$tree/common/tools/playground/make_playground.py" "$build/bin" "$tree/assets" "$place"
 [ "$place" != "$build/live" ] || {
