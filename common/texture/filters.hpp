@@ -245,8 +245,8 @@ struct Filtered {
     PyramidLevel<Real> level;
     Real a, b, c;
   };
-  /// The ellipse with the footprint's axes, in the level where the footprint's shorter side is 1 to
-  /// 2 texels; its semi-axes are at least 1 texel.
+  /// The ellipse with the footprint's axes, in the level where a read of `taps_of` is 1 to 2 texels
+  /// wide; its semi-axes are at least 1 texel.
   template <class Real>
   [[nodiscard]] Ellipse<Real> ellipse_of(const Footprint<Real>& footprint) const {
     const Real longest = max(footprint.longer, Real(1));
