@@ -71,24 +71,36 @@ function(add_wide_packs name)
   target_compile_definitions(${name} PRIVATE TEXMAP_WIDE_PACKS)
 endfunction()
 
-# Programs for learning have one number, double, and read the common headers precompiled: a lesson then compiles in about a
-# second. They draw the same pictures.
+# Programs for learning have one number, double, read the common headers precompiled and are optimised a little: a lesson then
+# compiles in about a second. They draw the same pictures. What they are linked with, and what measures times, is compiled as for
+# release: the user's times are those of fast programs.
+set(learn_options $<$<AND:$<BOOL:${TAKES_GNU_OPTIONS}>,$<CONFIG:Release>>:-O1>)
 if(TEXMAP_LEARN)
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
   add_library(learn_headers OBJECT "${CMAKE_BINARY_DIR}/learn_headers.cpp")
   target_link_libraries(learn_headers PRIVATE project_options app)
   target_compile_definitions(learn_headers PUBLIC TEXMAP_LEARN TEXMAP_NO_FLATTEN)
+  target_compile_options(learn_headers PRIVATE ${learn_options})
   target_precompile_headers(learn_headers PRIVATE "${CMAKE_SOURCE_DIR}/common/engine/app/precompiled.hpp")
 endif()
 
+# learn_quickly(TARGET): what learners compile again and again, in the build for learning.
+function(learn_quickly target)
+  if(TEXMAP_LEARN)
+    target_compile_definitions(${target} PRIVATE TEXMAP_LEARN TEXMAP_NO_FLATTEN)
+    target_compile_options(${target} PRIVATE ${learn_options})
+    target_precompile_headers(${target} REUSE_FROM learn_headers)
+  endif()
+endfunction()
+
 # draw_picture(NN_name [option ...]): the target draw_NN_name draws the chapter's picture into the gallery, again only when the program
-# or an asset has changed.
+# or an asset has changed. A program that cannot draw says why, and the others go on.
 function(draw_picture name)
   file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
   set(picture "${GALLERY}/${name}.png")
   add_custom_command(OUTPUT "${picture}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"
-    COMMAND ${name} --out "${picture}" ${ARGN}
+    COMMAND "${CMAKE_COMMAND}" -P "${CMAKE_SOURCE_DIR}/common/tools/draw.cmake" "$<TARGET_FILE:${name}>" --out "${picture}" ${ARGN}
     DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
   add_custom_target(draw_${name} DEPENDS "${picture}")
 endfunction()
@@ -134,6 +146,9 @@ function(add_chapter name)
     endforeach()
     add_library(${name}_code OBJECT ${sources})
     target_link_libraries(${name}_code PUBLIC app ${ARG_ON} PRIVATE project_options)
+    if(TEXMAP_LEARN AND NOT ARG_ALL_NUMBERS)
+      target_compile_options(${name}_code PRIVATE ${learn_options})
+    endif()
     target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_code>)
     foreach(other IN LISTS ARG_CODE_OF)
       target_sources(${name} PRIVATE $<TARGET_OBJECTS:${other}_code>)
@@ -145,8 +160,7 @@ function(add_chapter name)
   endif()
   target_link_options(${name} PRIVATE ${with_own_library})
   if(TEXMAP_LEARN AND NOT ARG_ALL_NUMBERS)
-    target_compile_definitions(${name} PRIVATE TEXMAP_LEARN TEXMAP_NO_FLATTEN)
-    target_precompile_headers(${name} REUSE_FROM learn_headers)
+    learn_quickly(${name})
   elseif(ARG_PACKS)
     add_wide_packs(${name} DRAWS ${ARG_PACKS})
   elseif(NOT ARG_SINGLE_NUMBERS)

@@ -5,7 +5,7 @@ if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   get_property(chapters GLOBAL PROPERTY CHAPTERS)
   list(FILTER chapters EXCLUDE REGEX "^13_")  # it has all numbers there, too
   add_test(NAME learn_configure COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_SOURCE_DIR}" -B "${learn}" -G "${CMAKE_GENERATOR}"
-    "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DTEXMAP_LEARN=ON)
+    "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" -DCMAKE_BUILD_TYPE=Release -DTEXMAP_LEARN=ON)
   add_test(NAME learn_build COMMAND "${CMAKE_COMMAND}" --build "${learn}" --parallel 2 --target ${chapters} compare_program draw_mistakes)
   add_test(NAME learn_pictures COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/golden/programs.sh" "${learn}/bin" ${chapters})
   add_test(NAME learn_has_one_number COMMAND "${learn}/bin/02_checkerboard_uv" --number float --out /dev/null)

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "engine/app/filter_options.hpp"
-#include "engine/measure/interleaved.hpp"
 #include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/threads.hpp"
@@ -97,9 +96,11 @@ Texture texture_for(const FilterFigures& figures, const Pyramid& pyramid) {
 
 }  // namespace
 
-void FilterComparison::note_times(const std::vector<double>& milliseconds) {
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    figures[i].nanoseconds = milliseconds[i] * 1e6 / static_cast<double>(look_ups);
+void FilterComparison::note_times(const std::vector<WorkTime>& times) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    figures[i].nanoseconds = times[i].processor * 1e6 / static_cast<double>(look_ups);
+    figures[i].spread = times[i].spread;
+  }
 }
 
 FilterComparison filter_comparison(const FloorView& scene, int threads) {
@@ -145,7 +146,7 @@ FilterComparison filter_comparison(const FloorView& scene, int threads) {
 
 std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
   FilterComparison all = filter_comparison(scene, threads);
-  if (timed) all.note_times(shortest_times(all.works, 3));
+  if (timed) all.note_times(work_times(all.works, 3));
   return all.figures;
 }
 

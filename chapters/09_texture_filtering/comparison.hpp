@@ -1,10 +1,10 @@
 // What the filters cost and how far off they are, on checkers to the horizon.
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "engine/measure/interleaved.hpp"
 #include "scene/camera.hpp"
 #include "scene/floor.hpp"
 #include "texture/filters.hpp"
@@ -34,18 +34,19 @@ struct FilterFigures {
   double own_error = 0;    ///< the same against ideal_light: what the pyramid costs, or noise
   double reads = 0;        ///< texels read a pixel
   double nanoseconds = 0;  ///< a look-up in double on one thread; 0: not timed
+  double spread = 1;       ///< of that time: WorkTime
 };
 
 /// Filters with their figures, and what there is to time.
 struct FilterComparison {
   std::vector<FilterFigures> figures;
   /// To be timed, of each of the figures: `look_ups` look-ups on one thread.
-  std::vector<std::function<void()>> works;
+  std::vector<Work> works;
   std::size_t look_ups = 0;  ///< one for each pixel of the floor
   double rays = 0;           ///< that were followed for the errors
 
-  /// Notes the times that the works took, in milliseconds.
-  void note_times(const std::vector<double>& milliseconds);
+  /// Notes what the works took.
+  void note_times(const std::vector<WorkTime>& times);
 };
 
 /// How many filters are compared, and the size of the picture.

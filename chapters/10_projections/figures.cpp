@@ -100,10 +100,12 @@ std::array<RelativeTimes, projections.size()> measure_times() {
       for (const Uv<double>& uv : places) kept += unproject(projection, uv).y;
     });
   }
-  const std::vector<double> times = shortest_times(works, 30);
+  const std::vector<WorkTime> times = work_times(works, 30);
   std::array<RelativeTimes, projections.size()> result{};
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = {times[2 * i] / times[0], times[2 * i + 1] / times[1]};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = {times[2 * i].processor / times[0].processor,
+                 times[2 * i + 1].processor / times[1].processor};
+  }
   volatile double sink = kept;
   static_cast<void>(sink);
   return result;

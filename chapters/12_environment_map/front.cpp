@@ -64,9 +64,11 @@ double apart(const Image& a, const Image& b) {
 
 }  // namespace
 
-void SkyComparison::note_times(const std::vector<double>& milliseconds) {
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    figures[i].microseconds = 1000 * milliseconds[i] / (timed_width * timed_height);
+void SkyComparison::note_times(const std::vector<WorkTime>& times) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    figures[i].microseconds = 1000 * times[i].processor / (timed_width * timed_height);
+    figures[i].spread = times[i].spread;
+  }
 }
 
 SkyComparison compare_skies(int threads, const std::function<void()>& tick) {

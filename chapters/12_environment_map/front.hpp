@@ -16,6 +16,7 @@ struct SkyFigures {
   double error = 0;         ///< root mean square, in levels of 255
   double microseconds = 0;  ///< for a pixel, on one thread; 0: not timed
   bool chosen = false;      ///< the way that `--light auto` takes under this sky
+  double spread = 1;        ///< of the time: WorkTime
 };
 
 /// What compare_skies found, and what there is to time.
@@ -25,8 +26,8 @@ struct SkyComparison {
   std::string choice;               ///< how far one direction is off under each sky
   double paths = 0;                 ///< that were followed for the errors
 
-  /// Notes the times that the works took, in milliseconds.
-  void note_times(const std::vector<double>& milliseconds);
+  /// Notes what the works took.
+  void note_times(const std::vector<WorkTime>& times);
 };
 
 /// How many skies, and how many figures for each.

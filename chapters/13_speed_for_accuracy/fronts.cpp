@@ -26,8 +26,8 @@ Fronts measure_fronts(int threads, Timing& timing) {
   timing.tick();
   filters.note_times(timed_alternately(filters.works, timing.rounds, filters.works.size(), timing));
   for (const chapter_09::FilterFigures& one : filters.figures) {
-    all.filters.push_back(
-        {one.name, options_of(one.name), one.error, one.reads, one.nanoseconds, one.own_error});
+    all.filters.push_back({one.name, options_of(one.name), one.error, one.reads, one.nanoseconds,
+                           one.own_error, one.spread});
   }
 
   chapter_12::SkyComparison skies = chapter_12::compare_skies(threads, timing.tick);

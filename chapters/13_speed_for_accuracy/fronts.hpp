@@ -17,6 +17,7 @@ struct FilterCost {
   double reads = 0;        ///< texels read a pixel
   double nanoseconds = 0;  ///< a look-up in double, on one thread: the shortest of all rounds
   double own_error = 0;    ///< as `error`, but against the filter's own ideal
+  double spread = 1;       ///< of the time: WorkTime
 
   /// The error in levels of light, of which white has 255.
   [[nodiscard]] double levels() const { return 255 * error; }

@@ -41,14 +41,16 @@ struct Lesson : LessonHooks {
   /// then the samples.
   [[nodiscard]] Measurements measure(const Globe& globe, const View<>& view, int threads,
                                      const Tick& tick) const {
-    Measurements all{view.width, view.height, all_places(widest), all_curves(widest)};
+    Measurements all{measuring_machine(), widest, view.width, view.height, all_places(widest),
+                     all_curves(widest)};
+    const WorkTime alone = time_alone(globe, view);  // no wide instructions have run yet
 
-    // Errors: compared with the same picture in Judge. Times: on one thread, all
-    // alternately, the shortest.
+    // Errors: compared with the same picture in Judge. Times: on one thread, all alternately, the
+    // shortest; plain double must take as long as it took alone.
     find_errors_of_places(all.places, globe, view, tick);
     find_errors_of_curves(all.curves, globe, view, tick);
     Timing timing{rounds, TimeLimit(1000.0 * seconds, 5), tick};
-    time_trials(all.places, globe, view, timing);
+    time_trials_beside(alone, all.places, globe, view, timing);
     time_trials(all.curves, globe, view, timing);
 
     // Many samples: texel formats, then samplers, drawn by the fastest variant that changes

@@ -15,11 +15,11 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The shortest times of pictures of the first view, taken alternately on one thread.
+/// The times of pictures of the first view, taken alternately on one thread.
 ///
 /// @param add  called with a function that takes a variant and a sampler of one more picture
 template <class Add>
-std::vector<double> time_pictures(const Globe& globe, Timing& timing, const Add& add) {
+std::vector<WorkTime> time_pictures(const Globe& globe, Timing& timing, const Add& add) {
   const View<> view = noise_view(globe, 0);
   std::vector<Work> works;
   add([&](const Variant& variant, const Sampler& sampler) {
@@ -73,10 +73,10 @@ std::vector<Noise> measure_noise(const Globe& globe, const Variant& variant, int
 
 void time_noise(std::vector<Noise>& all, const Globe& globe, const Variant& variant,
                 Timing& timing) {
-  const auto shortest = time_pictures(globe, timing, [&](const auto& add) {
+  const auto times = time_pictures(globe, timing, [&](const auto& add) {
     for (const Noise& noise : all) add(variant, Sampler(noise.kind, noise.samples));
   });
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].milliseconds = shortest[i];
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].took = times[i];
 }
 
 std::vector<Trial> measure_texel_formats(const Globe& globe, Instructions widest, int threads,
@@ -91,13 +91,13 @@ std::vector<Trial> measure_texel_formats(const Globe& globe, Instructions widest
 }
 
 void time_texel_formats(std::vector<Trial>& trials, const Globe& globe, Timing& timing) {
-  const auto shortest = time_pictures(globe, timing, [&](const auto& add) {
+  const auto times = time_pictures(globe, timing, [&](const auto& add) {
     for (const Trial& trial : trials)
       add(trial.variant, Sampler(SamplerKind::sobol, texel_format_samples));
   });
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    trials[i].milliseconds = shortest[i];
-    trials[i].time = shortest[i] / shortest[0];
+    trials[i].took = times[i];
+    trials[i].time = times[i].processor / times[0].processor;
   }
 }
 

@@ -12,9 +12,9 @@ namespace texmap::chapter_13 {
 struct Noise {
   SamplerKind kind = SamplerKind::random;
   int samples = 1;
-  double rmse = 0;          ///< the mean of all views
-  double rmse_bound = 0;    ///< not exceeded by another seed and another view; see noise_bound
-  double milliseconds = 0;  ///< for one picture, on one thread: the shortest of all rounds
+  double rmse = 0;            ///< the mean of all views
+  double rmse_bound = 0;      ///< not exceeded by another seed and another view; see noise_bound
+  WorkTime took = {0, 0, 1};  ///< for one picture, on one thread
 };
 
 inline constexpr std::array sampler_kinds = {SamplerKind::random, SamplerKind::stratified,

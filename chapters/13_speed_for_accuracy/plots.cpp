@@ -41,16 +41,20 @@ void add_point(Plot& plot, const Variant& variant, const PlotPoint& point) {
 /// front of all.
 ///
 /// @param shows  whether a trial is in the plot
+/// @param name   of a variant, besides its number
 /// @param label  of a trial on its own, and what is written on the front
-template <class Shows, class Bound, class Label, class FrontLabel>
+template <class Shows, class Bound, class Name, class Label, class FrontLabel>
 void add_trials(Plot& plot, const std::vector<Trial>& trials, const Shows& shows,
-                const Bound& bound, const Label& label, const FrontLabel& front_label) {
+                const Bound& bound, const Name& name, const Label& label,
+                const FrontLabel& front_label) {
   std::vector<Tradeoff> tradeoffs;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const Trial& trial = trials[i];
     if (!shows(trial)) continue;
     tradeoffs.push_back({trial.time, bound(trial), i});
-    add_point(plot, trial.variant, {trial.time, bound(trial), label(trial)});
+    add_point(plot, trial.variant,
+              {trial.time, bound(trial), label(trial), trial.time * trial.took.spread,
+               described_number(trial.variant) + ", " + name(trial.variant)});
   }
   plot.front =
       labelled_front(tradeoffs, [&](std::size_t i) { return front_label(trials[i].variant); });
@@ -90,14 +94,27 @@ std::vector<PlotPoint> labelled_front(const std::vector<Tradeoff>& tradeoffs,
 }
 
 Plot plot_speed_error(const Measurements& all) {
-  Plot plot{.title = "Speed against error: places on the texture, one ray a pixel",
-            .x_title = "time, plain double with the reference formula = 1",
-            .y_title = "a place is off by at most, in texels"};
+  Plot plot{.title = "The trade: each way to draw the globe, its time and how far off it can be",
+            .x_title = text("time of a picture, plain double with atan2 = 1 (%.1f ms); bars end at "
+                            "the median",
+                            all.places.front().took.processor),
+            .y_title = "texels off at most; a number is a polynomial's degree"};
+  // Of the polynomials some: what lies between them has a time between theirs.
+  const auto shown = [](const Trial& trial) {
+    constexpr std::array degrees = {0, 5, 9, 17, 23, 35};
+    return trial.variant.filter == Filter::nearest &&
+           std::find(degrees.begin(), degrees.end(), trial.variant.degree) != degrees.end();
+  };
+  const auto name = [](const Variant& variant) {
+    return variant.degree == 0 ? std::string("atan2") : name_of_kernel(variant.degree);
+  };
   add_trials(
-      plot, all.places, [](const Trial& trial) { return trial.variant.filter == Filter::nearest; },
-      [](const Trial& trial) { return trial.errors.texels_bound; },
-      [&](const Trial& trial) { return &trial == &all.places.front() ? "plain double" : ""; },
-      [](const Variant& variant) { return name_of_kernel(variant.degree); });
+      plot, all.places, shown, [](const Trial& trial) { return trial.errors.texels_bound; }, name,
+      [&](const Trial& trial) {
+        return trial.variant.degree == 0 ? std::string("atan2")
+                                         : std::to_string(trial.variant.degree);
+      },
+      [](const Variant&) { return std::string(); });
   return plot;
 }
 
@@ -107,7 +124,7 @@ Plot plot_speed_levels(const Measurements& all) {
             .y_title = "a channel is off by at most, in levels of 255, rounding included"};
   add_trials(
       plot, all.curves, [](const Trial&) { return true; },
-      [](const Trial& trial) { return 0.5 + trial.errors.unrounded_bound; },
+      [](const Trial& trial) { return 0.5 + trial.errors.unrounded_bound; }, described_light,
       [](const Trial& trial) {
         return trial.variant.number == NumberKind::double_ ? described_light(trial.variant) : "";
       },
@@ -137,7 +154,7 @@ Plot plot_error_seconds(const Measurements& all) {
             .x_title = text("seconds for %d x %d pixels, %s, one thread", noise_width, noise_height,
                             described(all.exact).c_str()),
             .y_title = "root mean square error at most, levels of 255"};
-  const auto seconds = [](const Noise& noise) { return noise.milliseconds / 1000; };
+  const auto seconds = [](const Noise& noise) { return noise.took.processor / 1000; };
   for (std::size_t kind = 0; kind < sampler_kinds.size(); ++kind)
     plot.series.push_back(series_of(all, kind, seconds, &Noise::rmse_bound));
   std::vector<Tradeoff> tradeoffs;

@@ -25,8 +25,8 @@ struct Tradeoff {
 [[nodiscard]] std::vector<PlotPoint> labelled_front(
     const std::vector<Tradeoff>& tradeoffs, const std::function<std::string(std::size_t)>& label);
 
-/// Every number and kernel with the nearest texel: its time, and how far off a place can be at
-/// most.
+/// The trade: every number with some kernels and the nearest texel, its time with its spread, and
+/// how far off a place can be at most.
 [[nodiscard]] Plot plot_speed_error(const Measurements& all);
 /// Every curve and both texel formats: the time, and how far off a channel can be at most, of which
 /// the rounding to bytes is half a level.

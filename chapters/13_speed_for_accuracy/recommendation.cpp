@@ -12,23 +12,40 @@
 namespace texmap::chapter_13 {
 namespace {
 
-/// Of the items that may be taken the fastest; of those that are as fast, the one with the least
-/// error.
+WorkTime time_of(const Trial& trial) { return trial.took; }
+WorkTime time_of(const Noise& noise) { return noise.took; }
+WorkTime time_of(const FilterCost& filter) {
+  return {filter.nanoseconds, filter.nanoseconds, filter.spread};
+}
+WorkTime time_of(const SkyCost& cost) {
+  return {cost.microseconds, cost.microseconds, cost.spread};
+}
+
+/// Of the items that may be taken the fastest; of those that could be as fast, as far as the spread
+/// of the times tells, the one with the least error.
 ///
-/// @param time, error, may_be  of an item: called with one, or its members
-template <class Item, class Time, class Error, class MayBe>
-const Item* fastest_of(const std::vector<Item>& items, const Time& time, const Error& error,
-                       const MayBe& may_be) {
-  auto shortest = infinity<double>();
+/// @param error, may_be  of an item: called with one, or its member
+template <class Item, class Error, class MayBe>
+const Item* fastest_of(const std::vector<Item>& items, const Error& error, const MayBe& may_be) {
+  WorkTime shortest;
   for (const Item& item : items) {
-    if (may_be(item)) shortest = std::min<double>(shortest, std::invoke(time, item));
+    if (may_be(item) && time_of(item).processor < shortest.processor) shortest = time_of(item);
   }
   const Item* best = nullptr;
   for (const Item& item : items) {
-    if (!may_be(item) || std::invoke(time, item) > same_time * shortest) continue;
+    const WorkTime time = time_of(item);
+    const double same = std::max({same_time, time.spread, shortest.spread});
+    if (!may_be(item) || time.processor > same * shortest.processor) continue;
     if (best == nullptr || std::invoke(error, item) < std::invoke(error, *best)) best = &item;
   }
   return best;
+}
+
+/// How many times as fast: "4.7", or "3.9 to 5.2" where the times spread as on a busy machine.
+std::string times_as_fast(const WorkTime& plain, const WorkTime& time) {
+  const double ratio = plain.processor / time.processor;
+  if (std::max(plain.spread, time.spread) <= quiet_spread) return text("%.1f", ratio);
+  return text("%.1f to %.1f", ratio / time.spread, ratio * plain.spread);
 }
 
 /// The command that draws chapter 07 with a variant's number and for a budget.
@@ -46,13 +63,22 @@ std::string recommended_place(const Measurements& all, Filter filter, const Budg
   if (trial == nullptr) return text("  %-9s nothing that was tried keeps to it\n", name_of(filter));
   const Trial* plain = find_trial(all.places, {.filter = filter});
   std::string lines = text(
-      "  %-9s %s: %.1f times faster than plain double\n            at most %.1e texels off; "
+      "  %-9s %s: %s times as fast as plain double\n            at most %.1e texels off; "
       "pixels that may change: %ld, levels: %d\n",
-      name_of(filter), described(trial->variant).c_str(), plain->milliseconds / trial->milliseconds,
-      trial->errors.texels_bound, trial->errors.may_change, trial->errors.levels_bound);
-  if (filter == Filter::nearest) {
-    lines += "            " +
-             command_of(trial->variant, budget_for(trial->variant.degree, texture)) + "\n";
+      name_of(filter), described(trial->variant).c_str(),
+      times_as_fast(plain->took, trial->took).c_str(), trial->errors.texels_bound,
+      trial->errors.may_change, trial->errors.levels_bound);
+  if (filter != Filter::nearest) return lines;
+  const int degree = trial->variant.degree;
+  lines += "            " + command_of(trial->variant, budget_for(degree, texture)) + "\n";
+  // Chapter 07 chooses a polynomial by its own error; the bound here has the rounding, too.
+  if (degree > 0) {
+    lines += budget.unit == Budget::Unit::texels
+                 ? text(
+                       "            (its --budget is the polynomial's share of the %g texels; "
+                       "rounding has the rest)\n",
+                       budget.limit)
+                 : "            (its --budget is how far off the polynomial is)\n";
   }
   return lines;
 }
@@ -61,11 +87,12 @@ std::string recommended_light(const Measurements& all, const Budget& budget) {
   const Trial* trial = fastest_light(all, budget);
   if (trial == nullptr) return "  light     nothing that was tried keeps to it\n";
   return text(
-      "  light     %s, texels as %s: %.1f times faster than plain double\n            at most %.2f "
+      "  light     %s, texels as %s: %s times as fast as plain double\n            at most %.2f "
       "levels off, not rounded; pixels that may change: %ld, levels: %d\n            %s\n",
       described_number(trial->variant).c_str(), described_light(trial->variant).c_str(),
-      1 / trial->time, trial->errors.unrounded_bound, trial->errors.may_change,
-      trial->errors.levels_bound, command_of(trial->variant, to_text(budget)).c_str());
+      times_as_fast(all.curves.front().took, trial->took).c_str(), trial->errors.unrounded_bound,
+      trial->errors.may_change, trial->errors.levels_bound,
+      command_of(trial->variant, to_text(budget)).c_str());
 }
 
 std::string recommended_samples(const Measurements& all, double levels) {
@@ -117,7 +144,7 @@ bool keeps_to(const Budget& budget, const Trial& trial) {
 
 const Trial* fastest(const std::vector<Trial>& places, Filter filter, const Budget& budget) {
   return fastest_of(
-      places, &Trial::milliseconds, [](const Trial& trial) { return trial.errors.texels_bound; },
+      places, [](const Trial& trial) { return trial.errors.texels_bound; },
       [&](const Trial& trial) {
         return trial.variant.filter == filter && keeps_to(budget, trial);
       });
@@ -125,8 +152,7 @@ const Trial* fastest(const std::vector<Trial>& places, Filter filter, const Budg
 
 const Trial* fastest_light(const Measurements& all, const Budget& budget) {
   return fastest_of(
-      all.curves, &Trial::milliseconds,
-      [](const Trial& trial) { return trial.errors.unrounded_bound; },
+      all.curves, [](const Trial& trial) { return trial.errors.unrounded_bound; },
       [&](const Trial& trial) {
         const Trial* place = find_trial(all.places, {.number = trial.variant.number,
                                                      .instructions = trial.variant.instructions});
@@ -135,21 +161,17 @@ const Trial* fastest_light(const Measurements& all, const Budget& budget) {
 }
 
 const Noise* fastest(const std::vector<Noise>& all, double levels) {
-  const Noise* best = nullptr;
-  for (const Noise& noise : all) {
-    if (noise.rmse_bound > levels) continue;
-    if (best == nullptr || noise.milliseconds < best->milliseconds) best = &noise;
-  }
-  return best;
+  return fastest_of(all, &Noise::rmse_bound,
+                    [levels](const Noise& noise) { return noise.rmse_bound <= levels; });
 }
 
 const FilterCost* cheapest(const std::vector<FilterCost>& all, double levels) {
-  return fastest_of(all, &FilterCost::nanoseconds, &FilterCost::error,
+  return fastest_of(all, &FilterCost::error,
                     [levels](const FilterCost& filter) { return filter.levels() <= levels; });
 }
 
 const SkyCost* cheapest(const std::vector<SkyCost>& all, const std::string& sky, double levels) {
-  return fastest_of(all, &SkyCost::microseconds, &SkyCost::error,
+  return fastest_of(all, &SkyCost::error,
                     [&](const SkyCost& cost) { return cost.sky == sky && cost.error <= levels; });
 }
 

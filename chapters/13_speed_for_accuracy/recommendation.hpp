@@ -13,8 +13,8 @@ namespace texmap::chapter_13 {
 /// can change, outline and edges of texels included.
 [[nodiscard]] bool keeps_to(const Budget& budget, const Trial& trial);
 
-/// Of the places with a filter that keep to the budget the fastest, and of those as fast the most
-/// exact; nullptr if none does.
+/// Of the places with a filter that keep to the budget the fastest, and of those that could be as
+/// fast, as far as the times' spread tells, the most exact; nullptr if none does.
 [[nodiscard]] const Trial* fastest(const std::vector<Trial>& places, Filter filter,
                                    const Budget& budget);
 /// The same of the variants from texels to bytes, for a budget in levels: only of numbers that find

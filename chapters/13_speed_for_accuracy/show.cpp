@@ -30,12 +30,18 @@ void Lesson::show(Session& session) {
                       [&] { ticks(render); });
   });
 
+  write_report(path_of(settings.out), all);
   if (!settings.quiet) {
-    std::string lines = table_of(all) + "\n";
+    std::string lines;
+    const auto report = names_of_report(path_of(settings.out));
+    if (!report.empty())
+      lines =
+          "Look first at the trade, time across and error up: " + texmap::name_of(report.front()) +
+          "\n\n";
+    lines += table_of(all) + "\n";
     for (const Budget& each : budgets) lines += recommendation(all, each, globe.nearest.image);
     print(lines);
   }
-  write_report(path_of(settings.out), all);
   session.save(sheet);
 }
 

@@ -27,7 +27,7 @@ std::string table_of_places(const Measurements& all, Filter filter) {
       "%s, %d x %d pixels, one ray per pixel; time 1 is plain double's %.1f ms with the nearest "
       "texel\n",
       filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
-      all.places.front().milliseconds);
+      all.places.front().took.processor);
   table += text("%-23s%27s %26s %14s %12s\n", "", "time by instructions", "place off by, texels",
                 "pixels off", "levels off");
   table +=
@@ -70,7 +70,7 @@ std::string table_of_noise(const Measurements& all) {
     table += text("%7d ", samples);
     for (const Noise& noise : all.noise) {
       if (noise.samples == samples)
-        table += text(" %7.2f %7.2f %8.2f", noise.rmse, noise.rmse_bound, noise.milliseconds);
+        table += text(" %7.2f %7.2f %8.2f", noise.rmse, noise.rmse_bound, noise.took.processor);
     }
     table += "\n";
   }
@@ -135,7 +135,9 @@ Json json_of(const Trial& trial) {
        {"filter", name_of(v.filter)},
        {"curve", name_of(v.curve)},
        {"texels", name_of(v.format)},
-       {"milliseconds", trial.milliseconds},
+       {"milliseconds", trial.took.processor},
+       {"wall_milliseconds", trial.took.wall},
+       {"spread", trial.took.spread},
        {"time", trial.time},
        {places ? "worst_texels" : "worst_unrounded", places ? e.worst_texels : e.worst_unrounded},
        {places ? "mean_texels" : "mean_unrounded", places ? e.mean_texels : e.mean_unrounded},
@@ -151,7 +153,9 @@ Json json_of(const Noise& noise) {
                        {"samples", noise.samples},
                        {"rmse", noise.rmse},
                        {"rmse_bound", noise.rmse_bound},
-                       {"milliseconds", noise.milliseconds}});
+                       {"milliseconds", noise.took.processor},
+                       {"wall_milliseconds", noise.took.wall},
+                       {"spread", noise.took.spread}});
 }
 
 Json json_of(const FilterCost& filter) {
@@ -161,7 +165,8 @@ Json json_of(const FilterCost& filter) {
                        {"own_error", filter.own_error},
                        {"levels", filter.levels()},
                        {"reads", filter.reads},
-                       {"nanoseconds", filter.nanoseconds}});
+                       {"nanoseconds", filter.nanoseconds},
+                       {"spread", filter.spread}});
 }
 
 Json json_of(const SkyCost& cost) {
@@ -170,10 +175,13 @@ Json json_of(const SkyCost& cost) {
                        {"auto", cost.chosen},
                        {"samples", cost.samples},
                        {"levels", cost.error},
-                       {"microseconds", cost.microseconds}});
+                       {"microseconds", cost.microseconds},
+                       {"spread", cost.spread}});
 }
 
 }  // namespace
+
+Machine measuring_machine() { return this_machine(TEXMAP_FLAGS); }
 
 std::string errors_text(const Trial& trial) {
   const Errors& e = trial.errors;
@@ -217,8 +225,28 @@ std::string skipped_text(const Measurements& all) {
          counts + ".\nFewer rounds make times less sure; errors have no part in it.\n";
 }
 
+std::string busy_text(const Measurements& all) {
+  std::vector<double> spreads;
+  for (const auto* trials : {&all.places, &all.curves, &all.texel_formats}) {
+    for (const Trial& trial : *trials) spreads.push_back(trial.took.spread);
+  }
+  for (const Noise& noise : all.noise) spreads.push_back(noise.took.spread);
+  for (const FilterCost& filter : all.fronts.filters) spreads.push_back(filter.spread);
+  for (const SkyCost& cost : all.fronts.skies) spreads.push_back(cost.spread);
+  const auto busy = std::count_if(spreads.begin(), spreads.end(),
+                                  [](double spread) { return spread > quiet_spread; });
+  if (busy == 0) return "";
+  return text(
+      "\nThis machine was busy: %ld of %zu times spread by more than 10 %% (median over shortest), "
+      "the widest by\n%.0f %%. Ways whose times could be equal count as equally fast; of these the "
+      "most exact is recommended.\n",
+      static_cast<long>(busy), spreads.size(),
+      100 * (*std::max_element(spreads.begin(), spreads.end()) - 1));
+}
+
 std::string table_of(const Measurements& all) {
-  return table_of_places(all, Filter::nearest) + table_of_places(all, Filter::bilinear) +
+  return all.machine.text() + ", packs up to " + name_of(all.widest) + "\n\n" +
+         table_of_places(all, Filter::nearest) + table_of_places(all, Filter::bilinear) +
          table_of_light(all.curves,
                         "From texels through light to sRGB bytes; time 1 is that of plain double "
                         "with the power") +
@@ -227,12 +255,14 @@ std::string table_of(const Measurements& all) {
                              "plain double with bytes",
                              texel_format_samples, noise_width, noise_height)) +
          table_of_noise(all) + "\n" + table_of_filters(all.fronts) + "\n" +
-         table_of_skies(all.fronts) + judge_line() + skipped_text(all);
+         table_of_skies(all.fronts) + judge_line() + skipped_text(all) + busy_text(all);
 }
 
 std::string json_of(const Measurements& all) {
   const auto item = [](const auto& element) { return json_of(element); };
-  return Json::object({{"width", all.width},
+  return Json::object({{"machine", all.machine.json()},
+                       {"instructions", name_of(all.widest)},
+                       {"width", all.width},
                        {"height", all.height},
                        {"places", Json::list_of(all.places, item)},
                        {"curves", Json::list_of(all.curves, item)},

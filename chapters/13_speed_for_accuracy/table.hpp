@@ -1,5 +1,6 @@
 // The table: all that was tried, as text to read and as JSON for other programs.
 #pragma once
+#include "engine/measure/machine.hpp"
 #include "fronts.hpp"
 #include "noise.hpp"
 
@@ -7,9 +8,13 @@ namespace texmap::chapter_13 {
 
 /// Times with a smaller ratio are treated as equal.
 inline constexpr double same_time = 1.05;
+/// A time with a larger spread was taken on a busy machine.
+inline constexpr double quiet_spread = 1.1;
 
 /// All that was measured in one run.
 struct Measurements {
+  Machine machine;
+  Instructions widest;                    ///< of the packs
   int width = 0, height = 0;              ///< of the pictures of places and curves, pixels
   std::vector<Trial> places;              ///< the first is plain double
   std::vector<Trial> curves;              ///< the first is plain double
@@ -19,6 +24,9 @@ struct Measurements {
   Fronts fronts = {};
   std::vector<Rounds> rounds = {};  ///< of the six timings, in the order above
 };
+
+/// The machine as it is now, and how this chapter was compiled.
+[[nodiscard]] Machine measuring_machine();
 
 /// The right half of a row: what does not depend on the clock.
 [[nodiscard]] std::string errors_text(const Trial& trial);
@@ -31,6 +39,8 @@ struct Measurements {
 [[nodiscard]] std::string columns_of_light(const Variant& variant);
 /// What to know of the times if rounds were skipped; empty if none were.
 [[nodiscard]] std::string skipped_text(const Measurements& all);
+/// The same if times spread by more than on a quiet machine.
+[[nodiscard]] std::string busy_text(const Measurements& all);
 
 [[nodiscard]] std::string table_of(const Measurements& all);
 /// The same as JSON: an object with a list for each part of the table.

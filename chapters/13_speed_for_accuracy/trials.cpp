@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "engine/compare/difference.hpp"
+#include "engine/measure/text.hpp"
 #include "math/srgb.hpp"
 
 namespace texmap::chapter_13 {
@@ -54,10 +56,10 @@ std::vector<double> levels_of(const Film& film) {
   return levels;
 }
 
-std::vector<double> timed_alternately(const std::vector<Work>& works, int rounds, std::size_t ticks,
-                                      Timing& timing) {
+std::vector<WorkTime> timed_alternately(const std::vector<Work>& works, int rounds,
+                                        std::size_t ticks, Timing& timing) {
   Rounds& noted = timing.done.emplace_back(Rounds{rounds});
-  auto shortest = shortest_times(
+  auto times = work_times(
       works, rounds,
       [&](int done, int) {
         if (static_cast<std::size_t>(done - 1) % works.size() < ticks) timing.tick();
@@ -68,7 +70,7 @@ std::vector<double> timed_alternately(const std::vector<Work>& works, int rounds
       });
   for (std::size_t i = 0; i < ticks * static_cast<std::size_t>(rounds - noted.timed); ++i)
     timing.tick();
-  return shortest;
+  return times;
 }
 
 void time_trials(std::vector<Trial>& trials, const Globe& globe, const View<>& view,
@@ -93,13 +95,42 @@ void time_trials(std::vector<Trial>& trials, const Globe& globe, const View<>& v
         add(k);
     }
   }
-  const auto shortest = timed_alternately(works, timing.rounds, trials.size(), timing);
-  for (Trial& trial : trials) trial.milliseconds = infinity<double>();
+  const auto times = timed_alternately(works, timing.rounds, trials.size(), timing);
+  for (Trial& trial : trials) trial.took = {};
   for (std::size_t k = 0; k < works.size(); ++k) {
-    Trial& trial = trials[trial_of_run[k]];
-    trial.milliseconds = std::min(trial.milliseconds, shortest[k]);
+    WorkTime& took = trials[trial_of_run[k]].took;
+    if (times[k].processor < took.processor) took = times[k];
   }
-  for (Trial& trial : trials) trial.time = trial.milliseconds / trials[0].milliseconds;
+  for (Trial& trial : trials) trial.time = trial.took.processor / trials[0].took.processor;
+}
+
+WorkTime time_alone(const Globe& globe, const View<>& view) {
+  const std::vector<Work> work = {[&] { (void)picture_of(globe, view, {}); }};
+  return work_times(work, rounds_within(200, work, 7, 100)).front();
+}
+
+bool agree(const WorkTime& a, const WorkTime& b) {
+  return std::max(a.processor, b.processor) <= 1.25 * std::min(a.processor, b.processor);
+}
+
+void time_trials_beside(const WorkTime& alone, std::vector<Trial>& trials, const Globe& globe,
+                        const View<>& view, Timing& timing) {
+  WorkTime base = alone;
+  const auto first = timing.done.size();
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    timing.done.resize(first);
+    time_trials(trials, globe, view, timing);
+    if (agree(base, trials[0].took)) return;
+    // The machine may have been slow at the start. What wide code does to plain numbers lasts.
+    base.processor = std::min(base.processor, time_alone(globe, view).processor);
+    if (agree(base, trials[0].took)) return;
+  }
+  throw std::runtime_error(text(
+      "plain double took %.1f ms for a picture before packs were timed, and %.1f ms among them. "
+      "Every ratio would be wrong, so none is shown. Either this machine changed its speed "
+      "meanwhile: run again when nothing else runs. Or packs leave the processor in a state that "
+      "slows plain numbers: with --instructions baseline both times are then equal",
+      base.processor, trials[0].took.processor));
 }
 
 }  // namespace texmap::chapter_13

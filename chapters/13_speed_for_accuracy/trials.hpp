@@ -72,14 +72,26 @@ struct Timing {
   std::vector<Rounds> done = {};  ///< of the timings so far
 };
 
-/// The shortest times of works, noted in `timing`, which ticks for the first `ticks` works of every
-/// round, and for skipped rounds all at once.
-[[nodiscard]] std::vector<double> timed_alternately(const std::vector<Work>& works, int rounds,
-                                                    std::size_t ticks, Timing& timing);
+/// The times of works, noted in `timing`, which ticks for the first `ticks` works of every round,
+/// and for skipped rounds all at once.
+[[nodiscard]] std::vector<WorkTime> timed_alternately(const std::vector<Work>& works, int rounds,
+                                                      std::size_t ticks, Timing& timing);
 
 /// Fills in the times of all trials, taken alternately on one thread; `time` is a part of the first
 /// one's.
 void time_trials(std::vector<Trial>& trials, const Globe& globe, const View<>& view,
                  Timing& timing);
+
+/// What plain double takes when nothing else is timed.
+[[nodiscard]] WorkTime time_alone(const Globe& globe, const View<>& view);
+
+/// True if two times of one work could be the same on a busy machine: within a quarter.
+[[nodiscard]] bool agree(const WorkTime& a, const WorkTime& b);
+
+/// The same as time_trials, and a check of it: the first trial, plain double, must take as long
+/// among the others as it took `alone` before any wide instructions ran in this process.
+/// Errors: std::runtime_error if it still does not after three timings: every ratio would be wrong.
+void time_trials_beside(const WorkTime& alone, std::vector<Trial>& trials, const Globe& globe,
+                        const View<>& view, Timing& timing);
 
 }  // namespace texmap::chapter_13

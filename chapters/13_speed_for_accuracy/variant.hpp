@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/measure/interleaved.hpp"
 #include "globe.hpp"
 #include "sampling/sampler_kind.hpp"
 
@@ -34,8 +35,8 @@ struct Errors {
 struct Trial {
   Variant variant;
   Errors errors = {};
-  double milliseconds = 0;  ///< for one picture, on one thread: the shortest of all rounds
-  double time = 0;          ///< as a part of plain double's time
+  WorkTime took = {0, 0, 1};  ///< for one picture, on one thread
+  double time = 0;            ///< as a part of plain double's time
 };
 
 [[nodiscard]] bool is_pack(NumberKind number);

@@ -27,13 +27,13 @@ std::vector<Timing> measure(const Group& group, const Effort& effort,
   }
 
   const int rounds = rounds_within(1000 * group.seconds * effort.part, works, effort.least, 2000);
-  const std::vector<double> shortest = shortest_times(works, rounds, [&](int done, int runs) {
+  const std::vector<WorkTime> times = work_times(works, rounds, [&](int done, int runs) {
     if (report) report(static_cast<double>(done) / runs);
   });
 
   std::vector<Timing> timings(group.rows.size());
   for (std::size_t i = 0; i < timed.size(); ++i) {
-    const double milliseconds = shortest[i] / group.rows[timed[i]].items;
+    const double milliseconds = times[i].wall / group.rows[timed[i]].items;
     timings[timed[i]].time = group.unit == "ns" ? milliseconds * 1e6 : milliseconds;
   }
   for (std::size_t i = 0; i < timings.size(); ++i) {

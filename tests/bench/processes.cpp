@@ -87,7 +87,7 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
         [&, i] { processor[i] = std::min(processor[i], processor_milliseconds(lines[i])); });
   }
   const int rounds = rounds_within(20e3 * effort.part, works, effort.least, 200);
-  const std::vector<double> wall = shortest_times(works, rounds, [&](int done, int runs) {
+  const std::vector<WorkTime> wall = work_times(works, rounds, [&](int done, int runs) {
     if (report) report(static_cast<double>(done) / runs);
   });
 
@@ -101,13 +101,14 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
                      .rows = {}},
                     {}};
   for (const bool by_wall : {false, true}) {
-    const std::vector<double>& times = by_wall ? wall : processor;
+    const auto time_of = [&](std::size_t i) { return by_wall ? wall[i].wall : processor[i]; };
     const std::size_t base = measured.timings.size();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const std::string column = by_wall ? "wall clock" : "user and system";
       measured.group.rows.push_back(
           {.line = names[i], .column = column, .set = column, .prepare = {}});
-      measured.timings.push_back({.time = times[i], .ratio = times[0] / times[i], .base = base});
+      measured.timings.push_back(
+          {.time = time_of(i), .ratio = time_of(0) / time_of(i), .base = base});
     }
   }
   return measured;

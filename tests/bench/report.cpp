@@ -44,26 +44,6 @@ std::string ratio_text(Ratio kind, double ratio) {
   return kind == Ratio::cost ? text("%.2f", ratio) : short_number(ratio);
 }
 
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) != 0) continue;
-    const auto colon = line.find(": ");
-    if (colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "unknown";
-}
-
-std::string compiler_name() {
-#if defined(__clang__)
-  return "clang++ " __clang_version__;
-#elif defined(__GNUC__)
-  return "g++ " __VERSION__;
-#else
-  return "unknown";
-#endif
-}
-
 std::string today() {
   const std::chrono::year_month_day date =
       std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
@@ -146,7 +126,7 @@ std::string markdown_of(const Measured& measured) {
 }  // namespace
 
 Circumstances circumstances(const Effort& effort) {
-  Circumstances result{processor_name(), compiler_name(), {}, today(), effort};
+  Circumstances result{this_machine(""), {}, today(), effort};
   for (const Variant& variant : in_double_packs) {
     if (is_here(variant))
       result.instructions.emplace_back(variant.name.substr(variant.name.find(' ') + 1));
@@ -194,12 +174,10 @@ std::string json_of(const Circumstances& circumstances, const std::vector<Measur
                          {"ratio", group.ratio == Ratio::speed ? "times as fast" : "times as long"},
                          {"rows", Json::list(rows, true)}});
   };
-  const Json machine = Json::object(
-      {{"processor", circumstances.processor},
-       {"compiler", circumstances.compiler},
-       {"instructions",
-        Json::list({circumstances.instructions.begin(), circumstances.instructions.end()})}});
-  return Json::object({{"machine", machine},
+  const std::vector<Json> instructions(circumstances.instructions.begin(),
+                                       circumstances.instructions.end());
+  return Json::object({{"machine", circumstances.machine.json()},
+                       {"instructions", Json::list(instructions)},
                        {"date", circumstances.date},
                        {"least_rounds", circumstances.effort.least},
                        {"groups", Json::list_of(all, group_json)}},
@@ -218,8 +196,10 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
                          "(`./course bench --list`). "
                          "`./course bench` alone shows the same tables and changes nothing here.") +
                      "\n| | |\n|---|---|\n";
-  page += "| processor | " + circumstances.processor + " |\n";
-  page += "| compiler | " + circumstances.compiler + ", `cmake --preset release` |\n";
+  const Machine& machine = circumstances.machine;
+  page += text("| processor | %s, %d of them; load before: %.1f |\n", machine.processor.c_str(),
+               machine.processors, machine.load);
+  page += "| compiler | " + machine.compiler + ", `cmake --preset release` |\n";
   page += "| instructions of packs | " + joined(circumstances.instructions) + " |\n";
   page += "| date | " + circumstances.date + " |\n";
   page += "| rounds | at least " + std::to_string(circumstances.effort.least) + " |\n";

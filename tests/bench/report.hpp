@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "engine/measure/machine.hpp"
 #include "measure.hpp"
 
 namespace texmap::bench {
@@ -18,8 +19,7 @@ struct Measured {
 
 /// On what, and when, and how.
 struct Circumstances {
-  std::string processor;                  ///< its name, as the system has it
-  std::string compiler;                   ///< its name and version
+  Machine machine;
   std::vector<std::string> instructions;  ///< that packs can be made of here
   std::string date;                       ///< year-month-day, UTC
   Effort effort;

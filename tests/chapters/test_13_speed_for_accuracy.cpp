@@ -90,24 +90,29 @@ Vec3<T> direction(std::uint32_t i) {
 
 /// Measurements with made-up times.
 Measurements made_up() {
-  Measurements all{64, 48, all_places(Instructions::baseline), all_curves(Instructions::baseline)};
+  Measurements all{{},
+                   Instructions::baseline,
+                   64,
+                   48,
+                   all_places(Instructions::baseline),
+                   all_curves(Instructions::baseline)};
   const View<> view = earth().view(all.width, all.height);
   find_errors_of_places(all.places, earth(), view, [] {});
   for (std::size_t i = 0; i < all.places.size(); ++i) {
     Trial& trial = all.places[i];
-    trial.milliseconds = 100 - (is_pack(trial.variant.number) ? 50 : 0) -
-                         (trial.variant.number == NumberKind::float_ ||
-                                  trial.variant.number == NumberKind::float_pack
-                              ? 20
-                              : 0) +
-                         trial.variant.degree * 0.1 + (trial.variant.degree == 0 ? 10 : 0);
-    trial.time = trial.milliseconds / all.places[0].milliseconds;
+    trial.took.processor = 100 - (is_pack(trial.variant.number) ? 50 : 0) -
+                           (trial.variant.number == NumberKind::float_ ||
+                                    trial.variant.number == NumberKind::float_pack
+                                ? 20
+                                : 0) +
+                           trial.variant.degree * 0.1 + (trial.variant.degree == 0 ? 10 : 0);
+    trial.time = trial.took.processor / all.places[0].took.processor;
   }
   for (const SamplerKind kind : sampler_kinds) {
     for (const int samples : sample_counts) {
       const double rmse = 10 / std::pow(samples, kind == SamplerKind::random ? 0.5 : 0.75);
       all.noise.push_back(
-          {kind, samples, rmse, 1.5 * rmse, samples * (kind == SamplerKind::sobol ? 1.1 : 1.2)});
+          {kind, samples, rmse, 1.5 * rmse, {samples * (kind == SamplerKind::sobol ? 1.1 : 1.2)}});
     }
   }
   find_errors_of_curves(all.curves, earth(), view, [] {});
@@ -117,7 +122,7 @@ Measurements made_up() {
     trial.time = (is_pack(trial.variant.number) ? 0.5 : 1) - (is_float ? 0.1 : 0) -
                  (trial.variant.curve == Curve::four ? 0.2 : 0) -
                  (trial.variant.format == TexelFormat::roots ? 0.1 : 0);
-    trial.milliseconds = 100 * trial.time;
+    trial.took.processor = 100 * trial.time;
   }
   all.texel_formats = all_texel_formats(Instructions::baseline);
   all.fronts.filters = {{"nearest", "--filter nearest", 0.4, 1, 10},
@@ -393,8 +398,8 @@ TEST_CASE(
       CHECK(keeps_to(budget, *best));
       for (const Trial& trial : all.places) {
         if (trial.variant.filter != filter || !keeps_to(budget, trial)) continue;
-        CHECK(best->milliseconds <= same_time * trial.milliseconds);
-        if (trial.milliseconds <= best->milliseconds)
+        CHECK(best->took.processor <= same_time * trial.took.processor);
+        if (trial.took.processor <= best->took.processor)
           CHECK(trial.errors.texels_bound >= best->errors.texels_bound);
       }
     }
@@ -543,7 +548,7 @@ TEST_CASE(
         std::string::npos);
 
   // What is as fast and more exact is taken.
-  for (Trial& trial : all.curves) trial.milliseconds = 100;
+  for (Trial& trial : all.curves) trial.took.processor = 100;
   CHECK(described_light(fastest_light(all, parse_budget("levels=1"))->variant) == "bytes, exact");
 }
 
@@ -611,6 +616,10 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
   CHECK(count("\"number\"") == all.places.size() + all.curves.size() + all.texel_formats.size());
   CHECK(count("\"sampler\"") == all.noise.size());
   CHECK(count("{") == count("}"));
+  CHECK(count("\"spread\"") ==
+        count("\"number\"") + all.noise.size() + count("\"reads\"") + all.fronts.skies.size());
+  for (const char* fact : {"processor", "load", "compiler", "flags", "instructions"})
+    CHECK(json.find(text("\"%s\": ", fact)) != std::string::npos);
   CHECK(count("\"reads\"") == all.fronts.filters.size());
   CHECK(count("\"sky\"") == all.fronts.skies.size());
   CHECK(count("[") == 6);
@@ -723,6 +732,56 @@ TEST_CASE(
   all.rounds[1].timed = 4;
   CHECK(rays - rays_of(all) ==
         doctest::Approx(1.0 * all.width * all.height * static_cast<double>(all.curves.size())));
+}
+
+TEST_CASE("plain double must take as long among packs as it took before any, within a quarter") {
+  CHECK(agree({4, 4}, {5, 5}));
+  CHECK(agree({5, 5}, {4, 4}));
+  CHECK_FALSE(agree({4, 4}, {5.01, 9}));
+  CHECK_FALSE(agree({5.01, 9}, {4, 4}));
+
+  const View<> view = earth().view(8, 6);
+  std::vector<Trial> trials = all_places(Instructions::baseline);
+  Timing timing{1, TimeLimit(0, 1), [] {}};
+  // Nothing is as short as that, however often it is timed: no ratio is right.
+  CHECK_THROWS_WITH_AS(time_trials_beside({1e-9, 1e-9}, trials, earth(), view, timing),
+                       doctest::Contains("Every ratio would be wrong, so none is shown"),
+                       std::runtime_error);
+}
+
+TEST_CASE("on a busy machine what the spread of times could overturn is not recommended") {
+  Measurements all = made_up();
+  CHECK(busy_text(all).empty());
+  const Budget budget = parse_budget("texels=0.01");
+  const Image& texture = earth().nearest.image;
+  const Trial* fast = fastest(all.places, Filter::nearest, budget);
+  REQUIRE(is_pack(fast->variant.number));
+  CHECK(recommendation(all, budget, texture).find(" to ") == std::string::npos);
+
+  // Packs could be as slow as single numbers in truth: of these one is more exact.
+  long packs = 0;
+  for (Trial& trial : all.places) {
+    if (!is_pack(trial.variant.number)) continue;
+    trial.took.spread = 4;
+    ++packs;
+  }
+  const Trial* sure = fastest(all.places, Filter::nearest, budget);
+  CHECK(sure != fast);
+  CHECK(sure->errors.texels_bound < fast->errors.texels_bound);
+  CHECK(busy_text(all).find(text("busy: %ld of ", packs)) != std::string::npos);
+  CHECK(table_of(all).find(busy_text(all)) != std::string::npos);
+
+  // What is surely fast but spreads says how fast it is at least and at most.
+  for (Trial& trial : all.places) trial.took.spread = 1.2;
+  CHECK(recommendation(all, budget, texture).find(" to ") != std::string::npos);
+}
+
+TEST_CASE("the command's budget is explained where it is not the one that was typed") {
+  const Measurements all = made_up();
+  const Image& texture = earth().nearest.image;
+  CHECK(recommendation(all, parse_budget("texels=0.01"), texture)
+            .find("share of the 0.01 texels; rounding has the rest") != std::string::npos);
+  CHECK(recommendation(all, {}, texture).find("its --budget") == std::string::npos);
 }
 
 TEST_CASE("the progress names what comes next, and ends with the run") {

@@ -1,6 +1,7 @@
 // Which of several works is faster, on a machine that is never quiet.
 #pragma once
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "engine/measure/stopwatch.hpp"
@@ -30,15 +31,22 @@ class TimeLimit {
   std::function<double()> elapsed_;
 };
 
-/// The shortest time that each of several works took, all timed alternately.
+/// How long a work took, over all rounds; milliseconds.
+struct WorkTime {
+  double processor = std::numeric_limits<double>::infinity();  ///< this thread's: the shortest
+  double wall = std::numeric_limits<double>::infinity();       ///< by the clock: the shortest
+  double spread = 1;  ///< median / shortest of the processor's times: near 1 on a quiet machine
+};
+
+/// What several works took, all timed alternately.
 ///
 /// @param rounds  how often each is timed, after one run that fills the caches; 1 or more
 /// @param report  called with (runs done, runs in all) after each run; may be empty
 /// @param enough  asked with the rounds timed so far after each; true skips the rest; may be empty
-/// @return  milliseconds, one for each work, in their order
-[[nodiscard]] std::vector<double> shortest_times(const std::vector<Work>& works, int rounds,
-                                                 const std::function<void(int, int)>& report = {},
-                                                 const std::function<bool(int)>& enough = {});
+/// @return  one for each work, in their order
+[[nodiscard]] std::vector<WorkTime> work_times(const std::vector<Work>& works, int rounds,
+                                               const std::function<void(int, int)>& report = {},
+                                               const std::function<bool(int)>& enough = {});
 
 /// How many rounds of these works fit into a time, found by timing one; `least` or more, `most` or
 /// fewer.

@@ -96,7 +96,7 @@ std::string svg_of(const Plot& plot) {
   for (const PlotSeries& series : plot.series) {
     for (const PlotPoint& point : series.points) {
       least_x = std::min(least_x, point.x);
-      most_x = std::max(most_x, point.x);
+      most_x = std::max({most_x, point.x, point.x_to});
       least_y = std::min(least_y, point.y);
       most_y = std::max(most_y, point.y);
     }
@@ -171,8 +171,15 @@ std::string svg_of(const Plot& plot) {
     for (const PlotPoint& point : series.points) {
       const double x = across.place(point.x);
       const double y = up.place(point.y);
+      const double to = point.x_to > 0 ? across.place(point.x_to) : x;
+      if (to > x) {
+        svg += text("<path d=\"M%.1f %.1fH%.1fm0 -3v6\" stroke=\"%s\" fill=\"none\"/>\n", x, y, to,
+                    colors[static_cast<std::size_t>(series.style)]);
+      }
+      if (!point.name.empty()) svg += "<g><title>" + escaped_markup(point.name) + "</title>\n";
       svg += marker(series.style, x, y);
-      taken.push_back({x - 5, y - 5, x + 5, y + 5});
+      if (!point.name.empty()) svg += "</g>\n";
+      taken.push_back({x - 5, y - 5, to + 5, y + 5});
     }
   }
   const auto label = [&](const PlotPoint& point) {

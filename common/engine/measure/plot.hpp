@@ -11,6 +11,8 @@ namespace texmap {
 struct PlotPoint {
   double x, y;
   std::string label;
+  double x_to = 0;        ///< a bar goes from x to here; 0: none
+  std::string name = {};  ///< shown where the mouse rests on the point
 };
 
 /// Points that belong together.

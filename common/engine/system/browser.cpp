@@ -3,6 +3,7 @@
 #include "engine/system/browser.hpp"
 
 #include <cstdlib>
+#include <ctime>
 #include <map>
 
 #include "engine/system/system.hpp"
@@ -38,6 +39,9 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 
 std::filesystem::path program_folder() { return {}; }
 std::filesystem::path folder_in_environment(const char*) { return {}; }
+double thread_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+std::string processor_name() { return "unknown"; }
+double system_load() { return -1; }
 bool stderr_is_watched() { return false; }
 std::vector<std::string> typed_words(int, const char* const*) { return {}; }
 void secure_standard_streams() {}

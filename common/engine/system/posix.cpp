@@ -2,9 +2,11 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
+#include <sys/sysctl.h>
 #endif
 
 #include <algorithm>
@@ -13,6 +15,7 @@
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
 
 #include "engine/system/shared.hpp"
@@ -304,6 +307,32 @@ std::filesystem::path program_folder() {
 std::filesystem::path folder_in_environment(const char* variable) {
   const char* const folder = std::getenv(variable);
   return folder == nullptr ? "" : folder;
+}
+
+double thread_milliseconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
+}
+
+std::string processor_name() {
+#ifdef __APPLE__
+  std::array<char, 256> name{};
+  std::size_t size = name.size() - 1;
+  if (sysctlbyname("machdep.cpu.brand_string", name.data(), &size, nullptr, 0) == 0)
+    return name.data();
+#endif
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+double system_load() {
+  double load = -1;
+  return getloadavg(&load, 1) == 1 ? load : -1;
 }
 
 bool stderr_is_watched() { return isatty(STDERR_FILENO) == 1; }

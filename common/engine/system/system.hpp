@@ -37,6 +37,17 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
 /// The folder that a variable of the environment names; empty if it is not set.
 [[nodiscard]] std::filesystem::path folder_in_environment(const char* variable);
 
+/// The processor's time that this thread has used, milliseconds; where the system counts it too
+/// coarsely, the clock's.
+[[nodiscard]] double thread_milliseconds();
+
+/// The processor's name; "unknown" where the system does not tell.
+[[nodiscard]] std::string processor_name();
+
+/// How many programs wanted a processor, on average over the last minute; below 0 where the system
+/// does not tell.
+[[nodiscard]] double system_load();
+
 /// Somebody watches standard error: it is a terminal.
 [[nodiscard]] bool stderr_is_watched();
 

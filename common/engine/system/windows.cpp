@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -239,6 +240,18 @@ std::filesystem::path folder_in_environment(const char* variable) {
   const wchar_t* const folder = _wgetenv(path_of(variable).c_str());
   return folder == nullptr ? L"" : folder;
 }
+
+double thread_milliseconds() {  // GetThreadTimes counts in steps of 16 ms
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(now).count();
+}
+
+std::string processor_name() {
+  const char* const name = std::getenv("PROCESSOR_IDENTIFIER");
+  return name == nullptr ? "unknown" : name;
+}
+
+double system_load() { return -1; }
 
 bool stderr_is_watched() {
   DWORD mode = 0;

@@ -320,6 +320,14 @@ class Book {
     const Page& page = pages_[i];
     std::string body = page.converted.html;
     if (!page.chapter.empty()) body += made_for(page.chapter);
+    const std::string trade = page.chapter + "_speed_error.svg";
+    const std::size_t first_picture = body.find("<p><img");
+    if (fs::exists(out_ / trade) && first_picture != std::string::npos) {
+      body.insert(first_picture, "<figure><img src=\"" + trade +
+                                     "\" alt=\"Time across, error up: each way to draw, and the "
+                                     "front of those that nothing beats\"><figcaption>Measured on "
+                                     "this machine</figcaption></figure>\n");
+    }
     body += "<nav class=\"turn\" aria-label=\"Next and previous page\">";
     if (i > 0) {
       body += "<a rel=\"prev\" href=\"" + pages_[i - 1].file + "\">← " +

@@ -4,15 +4,22 @@
 
 #include <doctest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
+
+#include "engine/system/system.hpp"
 
 TEST_CASE("works alternate, and each is run once more than it is timed") {
   std::string order;
-  const auto times = texmap::shortest_times({[&] { order += 'a'; }, [&] { order += 'b'; }}, 3);
+  const auto times = texmap::work_times({[&] { order += 'a'; }, [&] { order += 'b'; }}, 3);
   CHECK(order == "abababab");
   REQUIRE(times.size() == 2);
-  for (const double time : times)
-    CHECK((time >= 0 && time < 1e9));  // a clock that goes forward, and no infinity left
+  for (const texmap::WorkTime& time : times) {  // clocks that go forward, and no infinity left
+    CHECK((time.wall >= 0 && time.wall < 1e9));
+    CHECK((time.processor >= 0 && time.processor < 1e9));
+    CHECK(time.spread >= 1);
+  }
 }
 
 TEST_CASE("the run before the first round is not timed, and the shortest time stays") {
@@ -26,22 +33,42 @@ TEST_CASE("the run before the first round is not timed, and the shortest time st
     }
   };
   double first = 0, second = 0;
-  const auto times = texmap::shortest_times({[&] {
-                                              const texmap::Stopwatch watch;
-                                              wait_until(run == 0 ? 20 : 2);
-                                              (run == 0 ? first : second) = watch.milliseconds();
-                                              ++run;
-                                            }},
-                                            1);
+  const auto times = texmap::work_times({[&] {
+                                          const texmap::Stopwatch watch;
+                                          wait_until(run == 0 ? 20 : 2);
+                                          (run == 0 ? first : second) = watch.milliseconds();
+                                          ++run;
+                                        }},
+                                        1);
   CHECK(run == 2);
-  CHECK(times[0] >= second);  // at least what the work itself took the second time,
-  CHECK(times[0] <= all.milliseconds() - first);  // at most what was left after the first
+  CHECK(times[0].wall >= second);  // at least what the work itself took the second time,
+  CHECK(times[0].wall <= all.milliseconds() - first);  // at most what was left after the first
+}
+
+TEST_CASE(
+    "the processor's time leaves out what the thread slept, and the spread is median over "
+    "shortest") {
+  int run = 0;
+  const auto times = texmap::work_times(
+      {[] { std::this_thread::sleep_for(std::chrono::milliseconds(30)); },
+       [&] {  // after the run that does not count: 2, 20 and 20 ms
+         const double until = texmap::thread_milliseconds() + (++run == 2 ? 2 : 20);
+         while (texmap::thread_milliseconds() < until) {
+         }
+       }},
+      3);
+  CHECK(times[0].wall >= 30);
+#ifndef _WIN32  // which counts in steps of 16 ms
+  CHECK(times[0].processor < 15);
+#endif
+  CHECK(times[1].processor >= 2);
+  CHECK(times[1].spread >= doctest::Approx(20 / times[1].processor));
 }
 
 TEST_CASE("progress is told after every run, up to the whole") {
   std::vector<std::pair<int, int>> told;
-  (void)texmap::shortest_times({[] {}, [] {}}, 1,
-                               [&](int done, int total) { told.emplace_back(done, total); });
+  (void)texmap::work_times({[] {}, [] {}}, 1,
+                           [&](int done, int total) { told.emplace_back(done, total); });
   CHECK(told == std::vector<std::pair<int, int>>{{1, 4}, {2, 4}, {3, 4}, {4, 4}});
 }
 
@@ -49,14 +76,13 @@ TEST_CASE(
     "after each timed round it is asked whether that is enough, and then the rest is skipped") {
   std::vector<int> asked;
   int runs = 0;
-  const auto times =
-      texmap::shortest_times({[&] { ++runs; }, [&] { ++runs; }}, 9, {}, [&](int rounds) {
-        asked.push_back(rounds);
-        return rounds == 3;
-      });
+  const auto times = texmap::work_times({[&] { ++runs; }, [&] { ++runs; }}, 9, {}, [&](int rounds) {
+    asked.push_back(rounds);
+    return rounds == 3;
+  });
   CHECK(asked == std::vector<int>{1, 2, 3});
   CHECK(runs == 2 * (1 + 3));
-  for (const double time : times) CHECK(time < 1e9);
+  for (const texmap::WorkTime& time : times) CHECK(time.wall < 1e9);
 }
 
 TEST_CASE(
@@ -74,7 +100,7 @@ TEST_CASE(
   CHECK(texmap::TimeLimit(0)(1));
 }
 
-TEST_CASE("nothing to time takes no time") { CHECK(texmap::shortest_times({}, 5).empty()); }
+TEST_CASE("nothing to time takes no time") { CHECK(texmap::work_times({}, 5).empty()); }
 
 TEST_CASE("as many rounds as fit into the time, within their limits") {
   CHECK(texmap::rounds_within(0, {[] {}}, 7, 100) == 7);

@@ -1,0 +1,12 @@
+# Runs a chapter's program for the gallery. One that fails has said why; the gallery goes on without its picture.
+# usage: cmake -P draw.cmake PROGRAM [option ...]
+set(words "")
+math(EXPR last "${CMAKE_ARGC} - 1")
+foreach(i RANGE 3 ${last})
+  list(APPEND words "${CMAKE_ARGV${i}}")
+endforeach()
+execute_process(COMMAND ${words} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  cmake_path(GET CMAKE_ARGV3 STEM name)
+  message("${name} has no picture in this gallery: ./course run ${name} tries again")
+endif()
