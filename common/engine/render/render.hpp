@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/render/inline_whole.hpp"
 #include "engine/render/settings.hpp"
 #include "engine/render/threads.hpp"
 #include "math/color.hpp"
-#include "number/compiler.hpp"
 #include "number/dual.hpp"
 #include "number/uint.hpp"
 #include "scene/camera.hpp"
@@ -97,7 +97,7 @@ template <class Real, class Lesson>
                            const RenderSettings& settings = {}) {
   constexpr int step = static_cast<int>(lanes<Real>);
   Image image(view.width, view.height);
-  for_each_row(view.height, settings.threads, settings.progress, [&](int row) TEXMAP_FLATTEN {
+  const auto draw_row = [&](int row) {
     for (int column = 0; column < view.width; column += step) {
       const auto first = static_cast<Scalar<Real>>(column);
       const Real columns =
@@ -115,7 +115,9 @@ template <class Real, class Lesson>
                                      static_cast<std::uint8_t>(pixel >> 16)};
       }
     }
-  });
+  };
+  for_each_row(view.height, settings.threads, settings.progress,
+               [&](int row) { inline_whole<Real>([&] { draw_row(row); }); });
   return image;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "number/compiler.hpp"
+#include "engine/render/inline_whole.hpp"
 #include "sampling/samplers.hpp"
 
 namespace texmap {
@@ -71,8 +71,13 @@ class SampleSums {
   /// @param work        called with SampleRandom; may be called again for the same sample
   /// @param sum         what the results are added to
   template <class Work, class Sum>
-  TEXMAP_FLATTEN void add(const UInt<Real>& pixels, int first, int end, const Work& work,
-                          Sum& sum) {
+  void add(const UInt<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
+    inline_whole<Real>([&] { add_samples(pixels, first, end, work, sum); });
+  }
+
+ private:
+  template <class Work, class Sum>
+  void add_samples(const UInt<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
     block_.pixels = pixels;
     int sample = first;
     while (sample < end) {
@@ -95,7 +100,6 @@ class SampleSums {
     }
   }
 
- private:
   /// Makes the dimensions that are needed and missing.
   TEXMAP_NOINLINE void make(int count) {
     block_.sampler->visit([&](const auto& pattern) {
