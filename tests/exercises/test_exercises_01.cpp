@@ -26,473 +26,219 @@ namespace solution_3 {
 
 using namespace texmap::test;
 
+using D = double;
+using V = Vec3;
+using std::max;
+using std::sqrt;
+
 TEST_CASE("01.1: where the ray meets the sphere") {
   check_start("01.1", start_1::distance_to_sphere);
   check_solution("01.1", solution_1::distance_to_sphere);
 
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = 2 * dot(f, direction);
-        const double discriminant = b * b - 4 * a * (dot(f, f) - radius * radius);
-        if (discriminant < 0) return infinity;
-        const double t = (-b + std::sqrt(discriminant)) / (2 * a);
-        return t > 0 ? t : infinity;
-      },
-      "leaves the sphere: the smaller");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = 2 * dot(f, direction);
-        const double discriminant = b * b - 4 * a * (dot(f, f) - radius * radius);
-        return discriminant < 0 ? infinity : (-b + std::sqrt(discriminant)) / (2 * a);
-      },
-      "may be behind the origin");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = center - origin;
-        const double a = dot(direction, direction);
-        const double b = dot(f, direction);
-        const double discriminant = b * b - a * (dot(f, f) - radius * radius);
-        return discriminant < 0 ? infinity : (b - std::sqrt(discriminant)) / a;
-      },
-      "only t > 0 counts");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = center - origin;
-        const double a = dot(direction, direction);
-        const double b = dot(f, direction);
-        const double discriminant = b * b - a * (dot(f, f) - radius * radius);
-        if (discriminant < 0) return infinity;
-        const double t = (b - std::sqrt(discriminant)) / a;
-        return t > 0 ? t : infinity;
-      },
-      "starts inside");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = center - origin;
-        const double a = dot(direction, direction);
-        const double b = dot(f, direction);
-        const double root = std::sqrt(b * b - a * (dot(f, f) - radius * radius));
-        if (b + root < 0) return infinity;
-        return b - root < 0 ? (b + root) / a : (b - root) / a;
-      },
-      "is NaN");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = dot(f, direction);
-        const double discriminant = b * b - a * (dot(f, f) - radius * radius);
-        if (discriminant < 0) return infinity;
-        const double root = std::sqrt(discriminant);
-        if (b - root > 0) return (b - root) / a;
-        return b + root > 0 ? (b + root) / a : infinity;
-      },
-      "backward");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = center - origin;
-        const double b = dot(f, direction);
-        const double discriminant =
-            b * b - dot(direction, direction) * (dot(f, f) - radius * radius);
-        if (discriminant < 0) return infinity;
-        const double root = std::sqrt(discriminant);
-        if (b - root > 0) return b - root;
-        return b + root > 0 ? b + root : infinity;
-      },
-      "divide by a");
-  check_mistake(
-      "01.1",
-      +[](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        return solution_1::distance_to_sphere(origin, direction / length(direction), center,
-                                              radius);
-      },
-      "length 1 alone");
+  // o and d are the ray, s is the sphere's center and r its radius.
+  const auto whole = [](D (*mistaken)(V o, V d, V s, D r), const char* text) {
+    check_mistake("01.1", mistaken, text);
+  };
+  static constexpr auto right = solution_1::distance_to_sphere;
+  whole([](V o, V d, V s, D r) { return right(o, d / length(d), s, r); }, "length 1 alone");
+  whole([](V o, V d, V s, D r) { return right(o, d, s, r) == infinity ? -1 : right(o, d, s, r); },
+        "infinity for a miss");
   check_unknown(
-      "01.1", +[](Vec3 origin, Vec3, Vec3, double) { return origin.z; });
-}
+      "01.1", +[](V o, V, V, D) { return o.z; });
 
-TEST_CASE("01.1: mistakes in the formula") {
-  const auto mistake = [](double (*function)(Vec3, Vec3, Vec3, double), const char* text) {
-    check_mistake("01.1", function, text);
+  // A student makes a distance from a, b and the root q, which is NaN if there is none.
+  struct Formula {
+    D a, b, under_root;
   };
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double b = -dot(f, direction);
-        const double c = dot(f, f) - radius * radius;
-        if (b * b < c) return infinity;
-        const double root = std::sqrt(b * b - c);
-        if (b - root > 0.001) return b - root;
-        return b + root > 0.001 ? b + root : infinity;
-      },
-      "chapter 00's formula");
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = -dot(f, direction);
-        const double c = dot(f, f) - radius * radius;
-        return b * b < c ? infinity : (b - std::sqrt(b * b - c)) / a;
-      },
-      "you have no a there");
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = 2 * dot(f, direction);
-        const double discriminant = b * b - 4 * a * (dot(f, f) - radius * radius);
-        if (discriminant < 0) return infinity;
-        const double t = (-b - std::sqrt(discriminant)) / 2 * a;
-        return t > 0 ? t : infinity;
-      },
-      "(2 * a)");
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = 2 * dot(f, direction);
-        const double discriminant = b * b - 4 * a * (dot(f, f) - radius * radius);
-        return discriminant < 0 ? infinity : -b - std::sqrt(discriminant) / (2 * a);
-      },
-      "parentheses");
-  // The rest is right, up to one number.
-  struct Wrong {
-    double a, b, c;
-  };
-  static double (*root_of)(double) = nullptr;
-  static Wrong (*formula)(Vec3, Vec3, Vec3, double) = nullptr;
-  const auto numbers = [&](
-                           Wrong (*wrong)(Vec3, Vec3, Vec3, double), const char* text,
-                           double (*root)(double) = [](double x) { return std::sqrt(x); }) {
-    formula = wrong;
-    root_of = root;
-    mistake(
-        [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-          const auto [a, b, c] = formula(origin, direction, center, radius);
-          const double part = root_of(b * b - a * c);
-          if (!(part >= 0)) return infinity;
-          if ((b - part) / a > 0) return (b - part) / a;
-          return (b + part) / a > 0 ? (b + part) / a : infinity;
+  using FormulaOf = Formula (*)(V o, V d, V s, D r);
+  const auto named = [&](D (*distance)(D a, D b, D q), const char* text, FormulaOf formula) {
+    static D (*distance_of)(D, D, D);
+    static FormulaOf formula_of;
+    distance_of = distance;
+    formula_of = formula;
+    whole(
+        [](V o, V d, V s, D r) {
+          const auto [a, b, under_root] = formula_of(o, d, s, r);
+          return distance_of(a, b, sqrt(under_root));
         },
         text);
   };
-  numbers(
-      [](Vec3 o, Vec3 d, Vec3 center, double r) {
-        const Vec3 f = o - center;
-        return Wrong{dot(d, d), -2 * dot(f, d), dot(f, f) - r * r};
-      },
-      "2s and the 4");
-  numbers(
-      [](Vec3 o, Vec3 d, Vec3 center, double r) {
-        const Vec3 f = o - center;
-        return Wrong{length(d), -dot(f, d), dot(f, f) - r * r};
-      },
-      "a is the square");
-  numbers(
-      [](Vec3 o, Vec3 d, Vec3 center, double r) {
-        const Vec3 f = o - center;
-        return Wrong{dot(d, d), -dot(f, d), dot(f, f) - r};
-      },
-      "radius is not squared");
-  numbers(
-      [](Vec3 o, Vec3 d, Vec3 center, double r) {
-        const Vec3 f = o - center;
-        return Wrong{dot(d, d), -dot(f, d), dot(f, f) - 2 * r};
-      },
-      "yours is another one");
-  numbers(
-      [](Vec3 o, Vec3 d, Vec3, double r) {
-        return Wrong{dot(d, d), -dot(o, d), dot(o, o) - r * r};
-      },
-      "center is not subtracted");
-  numbers(
-      [](Vec3 o, Vec3 d, Vec3 center, double r) {
-        const Vec3 f = o - center;
-        return Wrong{dot(d, d), -dot(f, d), dot(f, f) + r * r};
-      },
-      "infinity for every ray");
-  const auto right = [](Vec3 o, Vec3 d, Vec3 center, double r) {
-    const Vec3 f = o - center;
-    return Wrong{dot(d, d), -dot(f, d), dot(f, f) - r * r};
+  static constexpr auto above_0 = [](D t) { return t > 0 ? t : infinity; };
+  static constexpr auto first_above = [](D least, D near, D far) {
+    return near > least ? near : far > least ? far : infinity;
   };
-  numbers(right, "std::sqrt", [](double x) { return x; });
-  numbers(right, "no point", [](double x) { return std::sqrt(std::fabs(x)); });
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const Vec3 f = origin - center;
-        const double a = dot(direction, direction);
-        const double b = -dot(f, direction);
-        const double discriminant = b * b + a * (dot(f, f) - radius * radius);
-        if (discriminant < 0) return infinity;
-        return (b - std::sqrt(discriminant)) / a;
-      },
-      "yours has a plus");
-}
+  static constexpr auto c_of = [](V f, D r) { return dot(f, f) - r * r; };
 
-TEST_CASE("01.1: mistakes with the two roots") {
-  const auto mistake = [](double (*function)(Vec3, Vec3, Vec3, double), const char* text) {
-    check_mistake("01.1", function, text);
+  const auto twice = [](V o, V d, V s, D r) {
+    const D a = dot(d, d);
+    const D b = 2 * dot(o - s, d);
+    return Formula{a, b, b * b - 4 * a * c_of(o - s, r)};
   };
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const double t = solution_1::distance_to_sphere(origin, direction, center, radius);
-        return t == infinity ? -1 : t;
-      },
-      "infinity for a miss");
-  static const auto roots = [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-    const Vec3 f = origin - center;
-    const double a = dot(direction, direction);
-    const double b = -dot(f, direction);
-    const double root = std::sqrt(b * b - a * (dot(f, f) - radius * radius));
-    return std::pair{(b - root) / a, (b + root) / a};
+  named([](D a, D b, D q) { return above_0((-b + q) / (2 * a)); }, "leaves the sphere: the smaller",
+        twice);
+  named([](D a, D b, D q) { return q >= 0 ? (-b + q) / (2 * a) : infinity; },
+        "may be behind the origin", twice);
+  named([](D a, D b, D q) { return above_0((-b - q) / 2 * a); }, "(2 * a)", twice);
+  named([](D a, D b, D q) { return q >= 0 ? -b - q / (2 * a) : infinity; }, "parentheses", twice);
+
+  // The other formula, without 2 and 4.
+  static constexpr auto once = [](D a, D b, D c) { return Formula{a, b, b * b - a * c}; };
+  const auto toward = [](V o, V d, V s, D r) {
+    return once(dot(d, d), dot(s - o, d), c_of(s - o, r));
   };
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const auto [near, far] = roots(origin, direction, center, radius);
-        if (std::isnan(near)) return infinity;
-        return near < 0 ? far : near;
+  static constexpr auto nearest = [](D a, D b, D q) { return q >= 0 ? (b - q) / a : infinity; };
+  named(nearest, "only t > 0 counts", toward);
+  named([](D a, D b, D q) { return above_0((b - q) / a); }, "starts inside", toward);
+  named([](D a, D b, D q) { return b + q < 0   ? infinity
+                                   : b - q < 0 ? (b + q) / a
+                                               : (b - q) / a; },
+        "is NaN", toward);
+  named([](D, D b, D q) { return first_above(0, b - q, b + q); }, "divide by a", toward);
+  named([](D a, D b, D q) { return b - q > 0   ? (b - q) / a
+                                   : b + q > 0 ? (b + q) / a
+                                               : infinity; },
+        "backward",
+        [](V o, V d, V s, D r) { return once(dot(d, d), dot(o - s, d), c_of(o - s, r)); });
+
+  const auto chapter_00 = [](V o, V d, V s, D r) {
+    const D b = -dot(o - s, d);
+    return Formula{dot(d, d), b, b * b - c_of(o - s, r)};
+  };
+  named([](D, D b, D q) { return first_above(0.001, b - q, b + q); }, "chapter 00's formula",
+        chapter_00);
+  named(nearest, "you have no a there", chapter_00);
+
+  static constexpr auto minus = [](V o, V d, V s, D r) {
+    return once(dot(d, d), -dot(o - s, d), c_of(o - s, r));
+  };
+  named(
+      [](D a, D b, D q) {
+        const D t = (b - q) / a;
+        return std::isnan(t) ? infinity : t < 0 ? (b + q) / a : t;
       },
-      "only if it is above 0");
-  mistake(
-      [](Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-        const auto [near, far] = roots(origin, direction, center, radius);
-        return std::isnan(near) ? infinity : std::fabs(near);
+      "only if it is above 0", minus);
+  named([](D a, D b, D q) { return q >= 0 ? std::fabs((b - q) / a) : infinity; }, "std::abs",
+        minus);
+  named(nearest, "yours has a plus", [](V o, V d, V s, D r) {
+    const auto [a, b, under_root] = minus(o, d, s, r);
+    return Formula{a, b, b * b + a * c_of(o - s, r)};
+  });
+  whole(
+      [](V o, V d, V s, D r) {
+        const auto [a, b, q] = minus(o, d, s, r);
+        return q >= 0 ? first_above(0, (b - q) / a, (b + q) / a) : infinity;
       },
-      "std::abs");
+      "std::sqrt");
+
+  // The rest is right, up to one number.
+  const auto number = [&](const char* text, FormulaOf formula) {
+    named([](D a, D b, D q) { return first_above(0, (b - q) / a, (b + q) / a); }, text, formula);
+  };
+  number("no point", [](V o, V d, V s, D r) {
+    const auto [a, b, under_root] = minus(o, d, s, r);
+    return Formula{a, b, std::fabs(under_root)};
+  });
+  number("2s and the 4",
+         [](V o, V d, V s, D r) { return once(dot(d, d), -2 * dot(o - s, d), c_of(o - s, r)); });
+  number("a is the square",
+         [](V o, V d, V s, D r) { return once(length(d), -dot(o - s, d), c_of(o - s, r)); });
+  number("radius is not squared",
+         [](V o, V d, V s, D r) { return once(dot(d, d), -dot(o - s, d), dot(o - s, o - s) - r); });
+  number("yours is another one", [](V o, V d, V s, D r) {
+    return once(dot(d, d), -dot(o - s, d), dot(o - s, o - s) - 2 * r);
+  });
+  number("center is not subtracted",
+         [](V o, V d, V, D r) { return once(dot(d, d), -dot(o, d), c_of(o, r)); });
+  number("infinity for every ray", [](V o, V d, V s, D r) {
+    return once(dot(d, d), -dot(o - s, d), dot(o - s, o - s) + r * r);
+  });
 }
 
 TEST_CASE("01.2: how straight the light falls") {
   check_start("01.2", start_2::cosine_of);
   check_solution("01.2", solution_2::cosine_of);
 
-  check_mistake(
-      "01.2",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const double c = dot(normal, lamp - point);
-        return c > 0 ? c : 0;
-      },
-      "does not have length 1: normalize it");
-  check_mistake(
-      "01.2",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const Vec3 l = (point - lamp) / length(point - lamp);
-        return std::max(0.0, dot(normal, l));
-      },
-      "inward");
-  check_mistake(
-      "01.2",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const Vec3 l = lamp - point;
-        return dot(normal, l) / std::sqrt(dot(l, l));
-      },
-      "negative light");
-  check_mistake(
-      "01.2", +[](Vec3 point, Vec3 normal, Vec3 lamp) { return dot(normal, lamp - point); },
-      "length 1, and nothing is cut off");
-  check_mistake(
-      "01.2",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const Vec3 l = point - lamp;
-        return dot(normal, l) / length(l);
-      },
-      "signs are wrong, and nothing");
-  check_mistake(
-      "01.2",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const Vec3 l = lamp - point;
-        return std::abs(dot(normal, l)) / length(l);
-      },
-      "absolute value");
-  check_mistake(
-      "01.2",
-      +[](Vec3, Vec3 normal, Vec3 lamp) {
-        const double c = dot(normal, lamp) / length(lamp);
-        return c < 0 ? 0.0 : c;
-      },
-      "subtract the point");
-  check_mistake(
-      "01.2",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const Vec3 l = lamp - point;
-        return std::acos(dot(normal, l) / length(l));
-      },
-      "the angle");
-}
-
-TEST_CASE("01.2: other vectors, other functions") {
-  const auto mistake = [](double (*function)(Vec3, Vec3, Vec3), const char* text) {
-    check_mistake("01.2", function, text);
+  // p is the point, n its normal and l the lamp.
+  const auto named = [](D (*mistaken)(V p, V n, V l), const char* text) {
+    check_mistake("01.2", mistaken, text);
   };
-  mistake([](Vec3 point, Vec3 normal,
-             Vec3 lamp) { return std::min(dot(normal, normalize(lamp - point)), 0.0); },
-          "std::min");
-  mistake([](Vec3 point, Vec3,
-             Vec3 lamp) { return std::max(dot(point, normalize(lamp - point)), 0.0); },
-          "point is a position");
-  mistake([](Vec3, Vec3 normal, Vec3 lamp) { return std::max(dot(normal, lamp), 0.0); },
-          "lamp is a position");
-  mistake([](Vec3 point, Vec3 normal,
-             Vec3 lamp) { return std::max(dot(normal, normalize(point + lamp)), 0.0); },
-          "not their sum");
-  mistake([](Vec3, Vec3 normal,
-             Vec3 lamp) { return std::max(dot(normal, normalize(lamp - normal)), 0.0); },
-          "subtract point");
-  mistake([](Vec3 point, Vec3 normal,
-             Vec3 lamp) { return std::max(dot(normal, normalize(lamp) - point), 0.0); },
-          "as a whole");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const Vec3 l = lamp - point;
-        return std::max(dot(normal, l) / dot(l, l), 0.0);
-      },
-      "not by its square");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp) {
-        const double far = length(lamp - point);
-        return std::max(dot(normal, normalize(lamp - point)) / (far * far), 0.0);
-      },
-      "does not matter");
-  mistake([](Vec3 point, Vec3 normal,
-             Vec3 lamp) { return std::cos(dot(normal, normalize(lamp - point))); },
-          "no std::cos");
-  mistake([](Vec3 point, Vec3 normal,
-             Vec3 lamp) { return length(cross(normalize(lamp - point), normal)); },
-          "cross product");
-  mistake([](Vec3 point, Vec3 normal,
-             Vec3 lamp) { return 0.2 + 0.8 * std::max(dot(normal, normalize(lamp - point)), 0.0); },
-          "0.2 and 0.8");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp) { return dot(normal, lamp - point) > 0 ? 1.0 : 0.0; },
-      "only whether");
+  named([](V p, V n, V l) { return max(0.0, dot(n, l - p)); },
+        "does not have length 1: normalize it");
+  named([](V p, V n, V l) { return max(0.0, dot(n, (p - l) / length(p - l))); }, "inward");
+  named([](V p, V n, V l) { return dot(n, l - p) / sqrt(dot(l - p, l - p)); }, "negative light");
+  named([](V p, V n, V l) { return dot(n, l - p); }, "length 1, and nothing is cut off");
+  named([](V p, V n, V l) { return dot(n, p - l) / length(p - l); },
+        "signs are wrong, and nothing");
+  named([](V p, V n, V l) { return std::abs(dot(n, l - p)) / length(l - p); }, "absolute value");
+  named([](V, V n, V l) { return max(dot(n, l) / length(l), 0.0); }, "subtract the point");
+  named([](V p, V n, V l) { return std::acos(dot(n, l - p) / length(l - p)); }, "the angle");
+  named([](V p, V n, V l) { return std::min(dot(n, normalize(l - p)), 0.0); }, "std::min");
+  named([](V p, V, V l) { return max(dot(p, normalize(l - p)), 0.0); }, "point is a position");
+  named([](V, V n, V l) { return max(dot(n, l), 0.0); }, "lamp is a position");
+  named([](V p, V n, V l) { return max(dot(n, normalize(p + l)), 0.0); }, "not their sum");
+  named([](V, V n, V l) { return max(dot(n, normalize(l - n)), 0.0); }, "subtract point");
+  named([](V p, V n, V l) { return max(dot(n, normalize(l) - p), 0.0); }, "as a whole");
+  named([](V p, V n, V l) { return max(dot(n, l - p) / dot(l - p, l - p), 0.0); },
+        "not by its square");
+  named([](V p, V n,
+           V l) { return max(dot(n, normalize(l - p)) / (length(l - p) * length(l - p)), 0.0); },
+        "does not matter");
+  named([](V p, V n, V l) { return std::cos(dot(n, normalize(l - p))); }, "no std::cos");
+  named([](V p, V n, V l) { return length(cross(normalize(l - p), n)); }, "cross product");
+  named([](V p, V n, V l) { return 0.2 + 0.8 * max(dot(n, normalize(l - p)), 0.0); },
+        "0.2 and 0.8");
+  named([](V p, V n, V l) { return dot(n, l - p) > 0 ? 1.0 : 0.0; }, "only whether");
   check_unknown(
-      "01.2", +[](Vec3, Vec3, Vec3) { return 0.5; });
+      "01.2", +[](V, V, V) { return 0.5; });
 }
 
 TEST_CASE("01.3: is the lamp hidden") {
   check_start("01.3", start_3::in_shadow);
   check_solution("01.3", solution_3::in_shadow);
 
-  check_mistake(
-      "01.3",
-      +[](Vec3 point, Vec3, Vec3 lamp, const FirstHit& first_hit) {
-        const double distance = length(lamp - point);
-        return first_hit(point, (lamp - point) / distance) < distance;
-      },
-      "start 0.001 above");
-  check_mistake(
-      "01.3",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const double distance = length(lamp - point);
-        return first_hit(point - 0.001 * normal, (lamp - point) / distance) < distance;
-      },
-      "below the surface");
-  check_mistake(
-      "01.3",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        return first_hit(point + 0.001 * normal, normalize(lamp - point)) != infinity;
-      },
-      "behind the lamp");
-  check_mistake(
-      "01.3",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        const Vec3 path = lamp - start;
-        return first_hit(start, path) < std::sqrt(dot(path, path));
-      },
-      "lengths of the direction");
-  check_mistake(
-      "01.3",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        const double distance = length(lamp - start);
-        return first_hit(start, (start - lamp) / distance) < distance;
-      },
-      "away from the lamp");
-  check_mistake(
-      "01.3",
-      +[](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        const double distance = length(lamp - start);
-        return first_hit(start, (lamp - start) / distance) >= distance;
-      },
-      "exchanged");
-}
-
-TEST_CASE("01.3: other rays, other distances") {
-  const auto mistake = [](bool (*function)(Vec3, Vec3, Vec3, const FirstHit&), const char* text) {
-    check_mistake("01.3", function, text);
+  using Hit = const FirstHit&;
+  const auto named = [](bool (*mistaken)(V p, V n, V l, Hit hit), const char* text) {
+    check_mistake("01.3", mistaken, text);
   };
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        return first_hit(start, lamp) < length(lamp - start);
-      },
-      "lamp is a position");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        return first_hit(start, normalize(lamp)) < length(lamp);
-      },
-      "lamp is a position");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        return first_hit(start, normalize(lamp - start)) < 1;
-      },
-      "not with 1");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        return first_hit(start, normalize(lamp - start)) < length(lamp);
-      },
-      "from (0, 0, 0)");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        const Vec3 start = point + 0.001 * normal;
-        return first_hit(start, normalize(start + lamp)) < length(lamp - start);
-      },
-      "not their sum");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        return first_hit(point + 0.001 * normal, normal) < length(lamp - point);
-      },
-      "along the normal");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        return first_hit(normalize(lamp - point), point + 0.001 * normal) < length(lamp - point);
-      },
-      "start first");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        return first_hit(point + normal, normalize(lamp - point - normal)) <
-               length(lamp - point - normal);
-      },
-      "too far above");
-  mistake(
-      [](Vec3 point, Vec3, Vec3 lamp, const FirstHit& first_hit) {
-        return first_hit(lamp, normalize(point - lamp)) < length(lamp - point);
-      },
-      "a ray from the lamp");
-  mistake(
-      [](Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {
-        return first_hit(point + 0.001 * normal, normalize(lamp - point)) > 0;
-      },
-      "true everywhere");
-  mistake([](Vec3 point, Vec3 normal, Vec3 lamp,
-             const FirstHit&) { return dot(normal, normalize(lamp - point)) <= 0; },
-          "behind the surface");
-  mistake(start_3::in_shadow, "never true");
+  named([](V p, V, V l, Hit hit) { return hit(p, (l - p) / length(l - p)) < length(l - p); },
+        "start 0.001 above");
+  named([](V p, V n, V l,
+           Hit hit) { return hit(p - 0.001 * n, (l - p) / length(l - p)) < length(l - p); },
+        "below the surface");
+  named([](V p, V n, V l, Hit hit) { return hit(p + 0.001 * n, normalize(l - p)) != infinity; },
+        "behind the lamp");
+  named([](V p, V n, V l, Hit hit) { return hit(p + 0.001 * n, n) < length(l - p); },
+        "along the normal");
+  named([](V p, V n, V l, Hit hit) { return hit(normalize(l - p), p + 0.001 * n) < length(l - p); },
+        "start first");
+  named([](V p, V n, V l, Hit hit) { return hit(p + n, normalize(l - p - n)) < length(l - p - n); },
+        "too far above");
+  named([](V p, V, V l, Hit hit) { return hit(l, normalize(p - l)) < length(l - p); },
+        "a ray from the lamp");
+  named([](V p, V n, V l, Hit hit) { return hit(p + 0.001 * n, normalize(l - p)) > 0; },
+        "true everywhere");
+  named([](V p, V n, V l, Hit) { return dot(n, normalize(l - p)) <= 0; }, "behind the surface");
+  named(start_3::in_shadow, "never true");
+
+  // The ray starts at s, where it has to.
+  const auto started = [](bool (*mistaken)(V s, V l, Hit hit), const char* text) {
+    static bool (*from)(V, V, Hit);
+    from = mistaken;
+    check_mistake(
+        "01.3", +[](V p, V n, V l, Hit hit) { return from(p + 0.001 * n, l, hit); }, text);
+  };
+  started([](V s, V l, Hit hit) { return hit(s, l - s) < sqrt(dot(l - s, l - s)); },
+          "lengths of the direction");
+  started([](V s, V l, Hit hit) { return hit(s, (s - l) / length(l - s)) < length(l - s); },
+          "away from the lamp");
+  started([](V s, V l, Hit hit) { return hit(s, (l - s) / length(l - s)) >= length(l - s); },
+          "exchanged");
+  started([](V s, V l, Hit hit) { return hit(s, l) < length(l - s); }, "lamp is a position");
+  started([](V s, V l, Hit hit) { return hit(s, normalize(l)) < length(l); }, "lamp is a position");
+  started([](V s, V l, Hit hit) { return hit(s, normalize(l - s)) < 1; }, "not with 1");
+  started([](V s, V l, Hit hit) { return hit(s, normalize(l - s)) < length(l); }, "from (0, 0, 0)");
+  started([](V s, V l, Hit hit) { return hit(s, normalize(s + l)) < length(l - s); },
+          "not their sum");
 }
 
 TEST_CASE("the questions of chapter 01 have the answers of its page") {

@@ -26,61 +26,101 @@ namespace solution_3 {
 
 using namespace texmap::test;
 
+using V = Vec3;
+using D = double;
+using std::cos, std::floor, std::fmod, std::sin;
+
+namespace {
+
+double radians(D degrees) { return degrees * pi / 180; }
+double radians_too(D degrees) { return degrees / 180 * pi; }  // rounds in another way
+
+// What is left without full turns.
+double rest(D x) { return x - floor(x); }
+
+// Turned about the y axis and about the z axis, by an angle with this sine and cosine.
+V about_y(V p, D s, D c) { return {p.x * c + p.z * s, p.y, p.z * c - p.x * s}; }
+V about_z(V p, D s, D c) { return {p.x * c - p.y * s, p.x * s + p.y * c, p.z}; }
+
+// A point after the turn by b, and after the lean by a.
+V spun(V p, D b) { return about_y(p, sin(b), cos(b)); }
+V tilted(V p, D a) { return about_z(p, sin(a), cos(a)); }
+
+}  // namespace
+
 TEST_CASE("05.1: turn a direction") {
   check_start("05.1", start_1::turned);
   check_solution("05.1", solution_1::turned);
 
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        return Vec3{std::cos(degrees) * p.x + std::sin(degrees) * p.z, p.y,
-                    std::cos(degrees) * p.z - std::sin(degrees) * p.x};
+  const auto named = [](V (*turned)(V p, D s, D c), const char* text, D (*angle)(D) = radians) {
+    static V (*by_sine)(V, D, D);
+    static D (*angle_of)(D);
+    by_sine = turned;
+    angle_of = angle;
+    check_mistake(
+        "05.1",
+        +[](V p, D degrees) { return by_sine(p, sin(angle_of(degrees)), cos(angle_of(degrees))); },
+        text);
+  };
+  named(about_y, "radians", [](D degrees) { return degrees; });
+  named(about_y, "exchanged", [](D degrees) { return pi / 2 - degrees / 180 * pi; });
+  named(about_y, "half of the angle", [](D degrees) { return degrees / 360 * pi; });
+  named(about_y, "pi and 180", [](D degrees) { return degrees * 180 / pi; });
+  named(about_y, "twice the angle", [](D degrees) { return degrees / 180 * 2 * pi; });
+  named(about_y, "digits", [](D degrees) { return degrees * 3.14159 / 180; });
+  named(about_y, "digits", [](D degrees) { return degrees * 3.14 / 180; });
+  named([](V p, D s, D c) { return about_y(p, -s, c); }, "other way around", radians_too);
+  named(
+      [](V p, D s, D c) {
+        return V{p.x * c + p.z * s, p.y, p.z * c - (p.x * c + p.z * s) * s};
       },
-      "radians");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees / 180 * pi;
-        return Vec3{std::cos(a) * p.x - std::sin(a) * p.z, p.y,
-                    std::sin(a) * p.x + std::cos(a) * p.z};
+      "new z", radians_too);
+  named(
+      [](V p, D s, D c) {
+        return V{p.x * c + p.y * s, p.y * c - p.x * s, p.z};
       },
-      "other way around");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees / 180 * pi;
-        p.x = std::cos(a) * p.x + std::sin(a) * p.z;
-        p.z = std::cos(a) * p.z - std::sin(a) * p.x;
-        return p;
+      "z axis", radians_too);
+  named([](V p, D s, D c) { return V{p.x * c + p.z * s, p.y, p.z * c + p.x * s}; }, "one sine");
+  named([](V p, D s, D c) { return V{p.x * c - p.z * s, p.y, p.z * c - p.x * s}; }, "one sine");
+  named(
+      [](V p, D s, D c) {
+        return V{p.x * c + (p.z * c - p.x * s) * s, p.y, p.z * c - p.x * s};
       },
-      "new z");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = pi / 2 - degrees / 180 * pi;
-        return Vec3{std::cos(a) * p.x + std::sin(a) * p.z, p.y,
-                    std::cos(a) * p.z - std::sin(a) * p.x};
+      "new x is computed");
+  named(
+      [](V p, D s, D c) {
+        return V{p.x * c - p.z * s, p.y, p.z * c + (p.x * c - p.z * s) * s};
       },
-      "exchanged");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees / 360 * pi;
-        return Vec3{std::cos(a) * p.x + std::sin(a) * p.z, p.y,
-                    std::cos(a) * p.z - std::sin(a) * p.x};
+      "new z is computed");
+  named(about_z, "z axis");
+  named(
+      [](V p, D s, D c) {
+        return V{p.x, p.y * c - p.z * s, p.y * s + p.z * c};
       },
-      "half of the angle");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees / 180 * pi;
-        return Vec3{std::cos(a) * p.x + std::sin(a) * p.y, std::cos(a) * p.y - std::sin(a) * p.x,
-                    p.z};
+      "about the x axis");
+  named([](V p, D s, D c) { return V{p.x * c + p.z * s, p.y, p.z}; }, "z is not turned");
+  named([](V p, D s, D c) { return V{p.x, p.y, p.z * c - p.x * s}; }, "x is not turned");
+  named([](V p, D s, D) { return V{p.x + p.z * s, p.y, p.z - p.x * s}; }, "cosines are missing");
+  named([](V p, D, D c) { return V{p.x * c, p.y, p.z * c}; }, "sines are missing");
+  named([](V p, D s, D c) { return V{s, p.y, c}; }, "+z alone");
+  named([](V p, D s, D c) { return V{p.z * s, 0, p.z * c}; }, "+z alone");
+  named([](V p, D s, D c) { return V{p.x * c + p.z * s, 0, p.z * c - p.x * s}; }, "y is missing");
+  named(
+      [](V p, D s, D c) {
+        return V{p.z * c - p.x * s, p.y, p.x * c + p.z * s};
       },
-      "z axis");
+      "in what you return");
+  named([](V p, D s, D c) { return V{p.x * c + p.z * s, p.y, p.x * c - p.z * s}; }, "in the new z");
+  named([](V p, D s, D c) { return V{p.x * s + p.z * c, p.y, p.z * c - p.x * s}; }, "in the new x");
+  named(
+      [](V p, D s, D c) {
+        return V{p.z * c + p.x * s, p.y, p.x * c - p.z * s};
+      },
+      "keeps its cosine");
+
   check_unknown(
-      "05.1", +[](Vec3 p, double degrees) {
-        return Vec3{p.z, p.y, p.x * degrees};
+      "05.1", +[](V p, D degrees) {
+        return V{p.z, p.y, p.x * degrees};
       });
 }
 
@@ -88,667 +128,134 @@ TEST_CASE("05.2: u after a turn") {
   check_start("05.2", start_2::u_after);
   check_solution("05.2", solution_2::u_after);
 
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return u + degrees / 360; }, "leaves 0 to 1");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees / 360;
-        return x - static_cast<int>(x);
-      },
-      "std::floor");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        double x = u + degrees / 360;
-        if (x >= 1) x -= 1;
-        if (x < 0) x += 1;
+  using After = D (*)(D u, D g);  // g is the degrees
+  const auto named = [](After after, const char* text) { check_mistake("05.2", after, text); };
+  named([](D u, D g) { return std::max(0., std::min(1., u + g / 360)); }, "limit");
+  named([](D u, D g) { return rest(u - g / 360); }, "wrong sign");
+  named([](D u, D g) { return rest(u + g / 180); }, "not by 180");
+  named([](D u, D g) { return rest(u + g * pi / 180); }, "not radians");
+  named([](D u, D g) { return u + g / 360 - floor(g / 360); }, "add first");
+  named([](D u, D g) { return u + g / 360 - static_cast<int>(g / 360); }, "add first");
+  named([](D u, D g) { return rest(u + static_cast<int>(g) / 360.0); }, "whole degrees");
+  named([](D u, D g) { return u + static_cast<int>(g) % 360 / 360; }, "no effect");
+  named([](D u, D g) { return u - g / 360; }, "wrong sign");
+  named([](D u, D g) { return fmod(u - g / 360, 1); }, "wrong sign");
+  named([](D u, D g) { return fmod(u + g / 180, 1); }, "not by 180");
+  named([](D u, D g) { return u + g / 180 * pi; }, "not radians");
+  named([](D u, D g) { return rest(u + g / (2 * pi)); }, "full turn in radians");
+  named([](D u, D g) { return rest(u + g); }, "not degrees");
+  named([](D u, D g) { return (u + g) / 360; }, "same unit");
+  named([](D u, D g) { return rest((u + g) / 360); }, "same unit");
+  named([](D u, D g) { return fmod(u + g, 360) / 360; }, "same unit");
+  named([](D u, D g) { return rest(u * g / 360); }, "not multiplied");
+  named([](D, D g) { return rest(g / 360); }, "old u is missing");
+  named([](D u, D g) { return u * 360 + g - 360 * floor((u * 360 + g) / 360); },
+        "divide it by 360");
+  named([](D u, D g) { return fmod(u * 360 + g, 360); }, "divide it by 360");
+
+  // These begin with the right sum.
+  const auto wraps = [](D (*wrap)(D x), const char* text) {
+    static D (*wrapped)(D);
+    wrapped = wrap;
+    check_mistake(
+        "05.2", +[](D u, D degrees) { return wrapped(u + degrees / 360); }, text);
+  };
+  wraps([](D x) { return x; }, "leaves 0 to 1");
+  wraps([](D x) { return x - static_cast<int>(x); }, "std::floor");
+  wraps([](D x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }, "several");
+  wraps([](D x) { return x > 1 ? x - 1 : x < 0 ? x + 1 : x; }, "several full turns");
+  wraps([](D x) { return std::abs(x - static_cast<int>(x)); }, "without its sign");
+  wraps([](D x) { return std::remainder(x, 1); }, "nearest whole");
+  wraps([](D x) { return x - std::ceil(x); }, "std::ceil");
+  wraps([](D x) { return floor(x); }, "number of full turns");
+  wraps(
+      [](D x) {
+        while (x > 1) x -= 1;
+        while (x < 0) x += 1;
         return x;
       },
-      "several");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) { return std::max(0., std::min(1., u + degrees / 360)); },
-      "limit");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u - degrees / 360;
-        return x - std::floor(x);
-      },
-      "wrong sign");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees / 180;
-        return x - std::floor(x);
-      },
-      "not by 180");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees * pi / 180;
-        return x - std::floor(x);
-      },
-      "not radians");
+      "seam again");
+
   check_unknown(
-      "05.2", +[](double u, double degrees) { return u * u + degrees; });
+      "05.2", +[](D u, D degrees) { return u * u + degrees; });
 }
 
 TEST_CASE("05.3: a leaning axis") {
   check_start("05.3", start_3::looked_up);
   check_solution("05.3", solution_3::looked_up);
 
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(b) + p.z * std::sin(b), p.y,
-                     p.z * std::cos(b) - p.x * std::sin(b)};
-        return Vec3{q.x * std::cos(a) - q.y * std::sin(a), q.x * std::sin(a) + q.y * std::cos(a),
-                    q.z};
-      },
-      "turn comes first");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const double x = p.x * std::cos(a) + p.y * std::sin(a);
-        return Vec3{x * std::cos(b) + p.z * std::sin(b), p.y * std::cos(a) - p.x * std::sin(a),
-                    p.z * std::cos(b) - x * std::sin(b)};
-      },
-      "to the left");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const double x = p.x * std::cos(a) - p.y * std::sin(a);
-        return Vec3{x * std::cos(b) - p.z * std::sin(b), p.y * std::cos(a) + p.x * std::sin(a),
-                    p.z * std::cos(b) + x * std::sin(b)};
-      },
-      "wrong sign");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double x = p.x * std::cos(lean) - p.y * std::sin(lean);
-        return Vec3{x * std::cos(turn) + p.z * std::sin(turn),
-                    p.y * std::cos(lean) + p.x * std::sin(lean),
-                    p.z * std::cos(turn) - x * std::sin(turn)};
-      },
-      "radians");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double, double turn) {
-        const double b = turn * pi / 180;
-        return Vec3{p.x * std::cos(b) + p.z * std::sin(b), p.y,
-                    p.z * std::cos(b) - p.x * std::sin(b)};
-      },
-      "does not lean");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double) {
-        const double a = lean * pi / 180;
-        return Vec3{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                    p.z};
-      },
-      "does not turn");
-}
+  const auto degrees = [](V (*up)(V p, D lean, D turn), const char* text) {
+    check_mistake("05.3", up, text);
+  };
+  degrees([](V p, D lean, D turn) { return spun(tilted(p, lean), turn); }, "radians");
+  degrees([](V p, D lean, D turn) { return spun(tilted(p, radians(lean)), turn); }, "radians");
+  degrees([](V p, D lean, D turn) { return spun(tilted(p, lean), radians(turn)); }, "radians");
+  degrees([](V p, D lean, D turn) { return spun(p, radians(lean + turn)); }, "turn of x and y");
+  degrees([](V p, D lean, D turn) { return spun(tilted(p, lean * pi / 360), turn * pi / 360); },
+          "half of the angles");
 
-TEST_CASE("05.1: more turns that students write") {
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * 180 / pi;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, p.y, p.z * c - p.x * s};
-      },
-      "pi and 180");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees / 180 * 2 * pi;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, p.y, p.z * c - p.x * s};
-      },
-      "twice the angle");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * 3.14159 / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, p.y, p.z * c - p.x * s};
-      },
-      "digits");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * 3.14 / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, p.y, p.z * c - p.x * s};
-      },
-      "digits");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, p.y, p.z * c + p.x * s};
-      },
-      "one sine");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c - p.z * s, p.y, p.z * c - p.x * s};
-      },
-      "one sine");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        p.z = p.z * c - p.x * s;
-        p.x = p.x * c + p.z * s;
-        return p;
-      },
-      "new x is computed");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        p.x = p.x * c - p.z * s;
-        p.z = p.z * c + p.x * s;
-        return p;
-      },
-      "new z is computed");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c - p.y * s, p.x * s + p.y * c, p.z};
-      },
-      "z axis");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x, p.y * c - p.z * s, p.y * s + p.z * c};
-      },
-      "about the x axis");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        p.x = p.x * c + p.z * s;
-        return p;
-      },
-      "z is not turned");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        p.z = p.z * c - p.x * s;
-        return p;
-      },
-      "x is not turned");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        return Vec3{p.x + p.z * std::sin(a), p.y, p.z - p.x * std::sin(a)};
-      },
-      "cosines are missing");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        return Vec3{p.x * std::cos(a), p.y, p.z * std::cos(a)};
-      },
-      "sines are missing");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{s, p.y, c};
-      },
-      "+z alone");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.z * s, 0, p.z * c};
-      },
-      "+z alone");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, 0, p.z * c - p.x * s};
-      },
-      "y is missing");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.z * c - p.x * s, p.y, p.x * c + p.z * s};
-      },
-      "in what you return");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * c + p.z * s, p.y, p.x * c - p.z * s};
-      },
-      "in the new z");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.x * s + p.z * c, p.y, p.z * c - p.x * s};
-      },
-      "in the new x");
-  check_mistake(
-      "05.1",
-      +[](Vec3 p, double degrees) {
-        const double a = degrees * pi / 180;
-        const double s = std::sin(a);
-        const double c = std::cos(a);
-        return Vec3{p.z * c + p.x * s, p.y, p.x * c - p.z * s};
-      },
-      "keeps its cosine");
-}
-
-TEST_CASE("05.2: more u that students compute") {
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        double x = u + degrees / 360;
-        while (x > 1) x -= 1;
-        while (x < 0) x += 1;
-        return x;
-      },
-      "seam again");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        double x = u + degrees / 360;
-        if (x > 1) x -= 1;
-        if (x < 0) x += 1;
-        return x;
-      },
-      "several full turns");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees / 360;
-        return std::abs(x - static_cast<int>(x));
-      },
-      "without its sign");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return std::remainder(u + degrees / 360, 1); },
-      "nearest whole");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees / 360;
-        return x - std::ceil(x);
-      },
-      "std::ceil");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return std::floor(u + degrees / 360); },
-      "number of full turns");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = degrees / 360;
-        return u + x - std::floor(x);
-      },
-      "add first");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = degrees / 360;
-        return u + x - static_cast<int>(x);
-      },
-      "add first");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + static_cast<int>(degrees) / 360.0;
-        return x - std::floor(x);
-      },
-      "whole degrees");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const int whole = static_cast<int>(degrees);
-        const int turns = whole % 360 / 360;
-        return u + turns;
-      },
-      "no effect");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return u - degrees / 360; }, "wrong sign");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return std::fmod(u - degrees / 360, 1); },
-      "wrong sign");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return std::fmod(u + degrees / 180, 1); },
-      "not by 180");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return u + degrees / 180 * pi; }, "not radians");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees / (2 * pi);
-        return x - std::floor(x);
-      },
-      "full turn in radians");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u + degrees;
-        return x - std::floor(x);
-      },
-      "not degrees");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return (u + degrees) / 360; }, "same unit");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = (u + degrees) / 360;
-        return x - std::floor(x);
-      },
-      "same unit");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double x = u * degrees / 360;
-        return x - std::floor(x);
-      },
-      "not multiplied");
-  check_mistake(
-      "05.2",
-      +[](double, double degrees) {
-        const double x = degrees / 360;
-        return x - std::floor(x);
-      },
-      "old u is missing");
-  check_mistake(
-      "05.2",
-      +[](double u, double degrees) {
-        const double a = u * 360 + degrees;
-        return a - 360 * std::floor(a / 360);
-      },
-      "divide it by 360");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return std::fmod(u * 360 + degrees, 360); },
-      "divide it by 360");
-  check_mistake(
-      "05.2", +[](double u, double degrees) { return std::fmod(u + degrees, 360) / 360; },
-      "same unit");
-}
-
-TEST_CASE("05.3: more looks at a leaning globe") {
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(b) + p.z * std::sin(b), p.y,
-                     p.z * std::cos(b) - p.x * std::sin(b)};
-        return Vec3{q.x * std::cos(a) + q.y * std::sin(a), q.y * std::cos(a) - q.x * std::sin(a),
-                    q.z};
-      },
-      "and the axis leans");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) + p.y * std::sin(a), p.y * std::cos(a) - p.x * std::sin(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) - q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) + q.x * std::sin(b)};
-      },
-      "both turns");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        const Vec3 r{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                     q.z * std::cos(b) - q.x * std::sin(b)};
-        return Vec3{r.x * std::cos(a) + r.y * std::sin(a), r.y * std::cos(a) - r.x * std::sin(a),
-                    r.z};
-      },
-      "comes back");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "radians");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "radians");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = turn * pi / 180;
-        const double b = lean * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "two angles are exchanged");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = (lean + turn) * pi / 180;
-        return Vec3{p.x * std::cos(a) + p.z * std::sin(a), p.y,
-                    p.z * std::cos(a) - p.x * std::sin(a)};
-      },
-      "turn of x and y");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double, double turn) {
-        const double a = 23.4 * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "always leans");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 360;
-        const double b = turn * pi / 360;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "half of the angles");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x, p.y * std::cos(a) - p.z * std::sin(a),
-                     p.y * std::sin(a) + p.z * std::cos(a)};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
+  // These begin with the right angles: a is the lean, b is the turn.
+  const auto named = [](V (*up)(V p, D a, D b), const char* text) {
+    static V (*looked_up)(V, D, D);
+    looked_up = up;
+    check_mistake(
+        "05.3", +[](V p, D lean, D turn) { return looked_up(p, radians(lean), radians(turn)); },
+        text);
+  };
+  named([](V p, D a, D b) { return tilted(spun(p, b), a); }, "turn comes first");
+  named([](V p, D a, D b) { return spun(tilted(p, -a), b); }, "to the left");
+  named([](V p, D a, D b) { return spun(tilted(p, a), -b); }, "wrong sign");
+  named([](V p, D, D b) { return spun(p, b); }, "does not lean");
+  named([](V p, D a, D) { return tilted(p, a); }, "does not turn");
+  named([](V p, D a, D) { return tilted(p, -a); }, "does not turn");
+  named([](V p, D a, D b) { return tilted(spun(p, b), -a); }, "and the axis leans");
+  named([](V p, D a, D b) { return spun(tilted(p, -a), -b); }, "both turns");
+  named([](V p, D a, D b) { return tilted(spun(tilted(p, a), b), -a); }, "comes back");
+  named([](V p, D a, D b) { return spun(tilted(p, b), a); }, "two angles are exchanged");
+  named([](V p, D, D b) { return spun(tilted(p, radians(23.4)), b); }, "always leans");
+  named(
+      [](V p, D a, D b) {
+        return spun(V{p.x, p.y * cos(a) - p.z * sin(a), p.y * sin(a) + p.z * cos(a)}, b);
       },
       "to the eye");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{p.x * std::cos(b) + p.z * std::sin(b), q.y,
-                    p.z * std::cos(b) - p.x * std::sin(b)};
-      },
-      "you turn p");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - p.x * std::sin(b)};
-      },
-      "you turn p");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), p.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "y comes from p");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        p.x = p.x * std::cos(a) - p.y * std::sin(a);
-        p.y = p.x * std::sin(a) + p.y * std::cos(a);
-        return Vec3{p.x * std::cos(b) + p.z * std::sin(b), p.y,
-                    p.z * std::cos(b) - p.x * std::sin(b)};
+  named(
+      [](V p, D a, D b) {
+        return spun(V{tilted(p, a).x, tilted(p, a).x * sin(a) + p.y * cos(a), p.z}, b);
       },
       "new y is computed");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a), p.z};
-        q.x = q.x * std::cos(b) + q.z * std::sin(b);
-        q.z = q.z * std::cos(b) - q.x * std::sin(b);
-        return q;
+  named(
+      [](V p, D a, D b) {
+        return spun(V{tilted(p, a).x, tilted(p, -a).y, p.z}, b);
+      },
+      "sine of the lean");
+  named(
+      [](V p, D a, D b) {
+        return spun(V{tilted(p, -a).x, tilted(p, a).y, p.z}, b);
+      },
+      "sine of the lean");
+  named([](V p, D a, D b) { return spun(about_z(p, cos(a), sin(a)), b); },
+        "of the lean are exchanged");
+  named([](V p, D a, D b) { return about_y(about_z(p, cos(a), sin(a)), cos(b), sin(b)); },
+        "both angles are exchanged");
+
+  // These begin with the right angles and with q, the point after the lean.
+  const auto turns = [](V (*up)(V p, V q, D b), const char* text) {
+    static V (*looked_up)(V, V, D);
+    looked_up = up;
+    check_mistake(
+        "05.3",
+        +[](V p, D lean, D turn) { return looked_up(p, tilted(p, radians(lean)), radians(turn)); },
+        text);
+  };
+  turns([](V p, V q, D b) { return V{spun(p, b).x, q.y, spun(p, b).z}; }, "you turn p");
+  turns([](V p, V q, D b) { return V{spun(q, b).x, q.y, spun(p, b).z}; }, "you turn p");
+  turns([](V p, V q, D b) { return V{spun(q, b).x, p.y, spun(q, b).z}; }, "y comes from p");
+  turns(
+      [](V, V q, D b) {
+        return V{spun(q, b).x, q.y, q.z * cos(b) - spun(q, b).x * sin(b)};
       },
       "new z is computed");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double) {
-        const double a = lean * pi / 180;
-        return Vec3{p.x * std::cos(a) + p.y * std::sin(a), p.y * std::cos(a) - p.x * std::sin(a),
-                    p.z};
-      },
-      "does not turn");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.y * std::cos(a) - p.x * std::sin(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "sine of the lean");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) + p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "sine of the lean");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) + q.x * std::sin(b)};
-      },
-      "sine of the turn");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::sin(a) - p.y * std::cos(a), p.x * std::cos(a) + p.y * std::sin(a),
-                     p.z};
-        return Vec3{q.x * std::cos(b) + q.z * std::sin(b), q.y,
-                    q.z * std::cos(b) - q.x * std::sin(b)};
-      },
-      "of the lean are exchanged");
-  check_mistake(
-      "05.3",
-      +[](Vec3 p, double lean, double turn) {
-        const double a = lean * pi / 180;
-        const double b = turn * pi / 180;
-        const Vec3 q{p.x * std::sin(a) - p.y * std::cos(a), p.x * std::cos(a) + p.y * std::sin(a),
-                     p.z};
-        return Vec3{q.x * std::sin(b) + q.z * std::cos(b), q.y,
-                    q.z * std::sin(b) - q.x * std::cos(b)};
-      },
-      "both angles are exchanged");
+  turns([](V, V q, D b) { return V{spun(q, b).x, q.y, spun(q, -b).z}; }, "sine of the turn");
 }
 
 TEST_CASE("the questions of chapter 05 have the answers of its page") {

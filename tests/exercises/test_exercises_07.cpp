@@ -26,62 +26,88 @@ namespace solution_3 {
 
 using namespace texmap::test;
 
+using D = double;
+using V = Vec3;
+using std::cos;
+using std::round;
+using std::sin;
+using std::sqrt;
+
 TEST_CASE("07.1: average light, not bytes") {
   check_start("07.1", start_1::mean_byte);
   check_solution("07.1", solution_1::mean_byte);
 
+  // A student adds a number for each byte, and makes a byte from the sum and the count.
+  const auto named = [](D (*mean_byte)(D sum, D n), const char* text, D (*number)(int byte)) {
+    static D (*added)(int);
+    static D (*byte_of)(D, D);
+    added = number;
+    byte_of = mean_byte;
+    check_mistake(
+        "07.1",
+        +[](const std::vector<int>& bytes) {
+          D sum = 0;
+          for (const int byte : bytes) sum += added(byte);
+          return static_cast<int>(byte_of(sum, static_cast<D>(bytes.size())));
+        },
+        text);
+  };
+  const auto as_is = [](int byte) { return 1.0 * byte; };
+  named([](D sum, D n) { return sum / n + 0.5; }, "mean of the bytes", as_is);
+  named([](D sum, D n) { return 255 * srgb_encode(sum / 255 / n) + 0.5; }, "not decoded", as_is);
+  named([](D sum, D) { return sum; }, "no mean", as_is);
+  named([](D sum, D n) { return round(255 * srgb_decode(sum / 255 / n)); },
+        "mean of the bytes is decoded", as_is);
+  named([](D sum, D n) { return round(255 * srgb_encode(srgb_decode(sum / 255 / n))); },
+        "mean of the bytes, not", as_is);
+
+  const auto light = [](int byte) { return srgb_decode(byte / 255.0); };
+  named([](D sum, D n) { return 255 * sum / n + 0.5; }, "encode it", light);
+  named([](D sum, D n) { return sum / n * 255; }, "encode it", light);
+  named([](D sum, D n) { return 255 * srgb_encode(sum / n); }, "cut off", light);
+  named([](D sum, D n) { return 255.999 * srgb_encode(sum / n); }, "cut off", light);
+  named([](D sum, D n) { return 256 * srgb_encode(sum / n); }, "cut off", light);
+  named([](D sum, D n) { return round(256 * srgb_encode(sum / n)); }, "not 256", light);
+  named([](D sum, D n) { return round(srgb_encode(sum / n)); }, "multiply it by 255", light);
+  named([](D sum, D n) { return srgb_encode(sum / n); }, "multiply it by 255", light);
+  named([](D sum, D n) { return round(sum / n); }, "multiply it by 255", light);
+  named([](D sum, D) { return round(255 * srgb_encode(sum)); }, "no mean", light);
+  named([](D sum, D n) { return round(255 * srgb_encode(sum) / n); }, "before it is divided",
+        light);
+  named([](D sum, D n) { return round(255 * srgb_decode(sum / n)); }, "mean again", light);
+
+  const auto half_up = [](D sum, D n) { return 255 * srgb_encode(sum / n) + 0.5; };
+  const auto rounded = [](D sum, D n) { return round(255 * srgb_encode(sum / n)); };
+  named(half_up, "255.0", [](int byte) { return srgb_decode(1.0 * (byte / 255)); });
+  named(rounded, "not 256", [](int byte) { return srgb_decode(byte / 256.0); });
+  named(rounded, "from 0 to 1: give", [](int byte) { return srgb_decode(1.0 * byte); });
+  named(rounded, "from 0 to 1: give", [](int byte) { return srgb_decode(byte); });
+  named([](D sum, D n) { return round(srgb_encode(sum / n)); }, "from 0 to 1: give",
+        [](int byte) { return srgb_decode(1.0 * byte); });
+  named([](D sum, D n) { return 255 * srgb_decode(sum / n) + 0.5; }, "exchanged",
+        [](int byte) { return srgb_encode(byte / 255.0); });
+  named([](D sum, D n) { return round(255 * std::pow(sum / n, 1 / 2.2)); }, "power",
+        [](int byte) { return std::pow(byte / 255.0, 2.2); });
+  named([](D sum, D n) { return round(sqrt(sum / n)); }, "power",
+        [](int byte) { return 1.0 * (byte * byte); });
+
   check_mistake(
       "07.1",
       +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += byte;
-        return static_cast<int>(sum / static_cast<double>(bytes.size()) + 0.5);
+        int sum = 0;
+        for (const int byte : bytes) sum = static_cast<int>(sum + srgb_decode(byte / 255.0));
+        const D mean = 1.0 * sum / static_cast<D>(bytes.size());
+        return static_cast<int>(std::lround(255 * srgb_encode(mean)));
       },
-      "mean of the bytes");
+      "add in a double");
   check_mistake(
       "07.1",
       +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) {
-          const int cut = byte / 255;
-          sum += srgb_decode(1.0 * cut);
-        }
-        return static_cast<int>(255 * srgb_encode(sum / static_cast<double>(bytes.size())) + 0.5);
+        D sum = 0;
+        for (std::size_t i = 1; i < bytes.size(); i++) sum += srgb_decode(bytes[i] / 255.0);
+        return static_cast<int>(std::lround(255 * srgb_encode(sum / static_cast<D>(bytes.size()))));
       },
-      "255.0");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        return static_cast<int>(255 * sum / static_cast<double>(bytes.size()) + 0.5);
-      },
-      "encode it");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_encode(byte / 255.0);
-        return static_cast<int>(255 * srgb_decode(sum / static_cast<double>(bytes.size())) + 0.5);
-      },
-      "exchanged");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += byte;
-        return static_cast<int>(255 * srgb_encode(sum / 255 / static_cast<double>(bytes.size())) +
-                                0.5);
-      },
-      "not decoded");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        return static_cast<int>(255 * srgb_encode(sum / static_cast<double>(bytes.size())));
-      },
-      "cut off");
+      "missing in the sum");
   check_unknown(
       "07.1", +[](const std::vector<int>& bytes) { return 255 - bytes.back(); });
 }
@@ -90,685 +116,126 @@ TEST_CASE("07.2: more light from above") {
   check_start("07.2", start_2::scattered);
   check_solution("07.2", solution_2::scattered);
 
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{a * std::cos(2 * pi * b), a * std::sin(2 * pi * b), std::sqrt(1 - a * a)};
-      },
-      "radius is a");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{std::sqrt(a) * std::cos(pi * b), std::sqrt(a) * std::sin(pi * b),
-                    std::sqrt(1 - a)};
-      },
-      "half of the disk");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{std::sqrt(a) * std::cos(b), std::sqrt(a) * std::sin(b), std::sqrt(1 - a)};
-      },
-      "radians");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{std::sqrt(a) * std::cos(360 * b), std::sqrt(a) * std::sin(360 * b),
-                    std::sqrt(1 - a)};
-      },
-      "degrees");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{std::sqrt(a) * std::cos(2 * pi * b), std::sqrt(a) * std::sin(2 * pi * b),
-                    1 - a};
-      },
-      "needs a root");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{std::sqrt(a) * std::cos(2 * pi * b), std::sqrt(a) * std::sin(2 * pi * b),
-                    1 - std::sqrt(a)};
-      },
-      "below the hemisphere");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        return Vec3{std::sqrt(a) * std::cos(2 * pi * b), std::sqrt(a) * std::sin(2 * pi * b), 0};
-      },
-      "on the disk");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double z = 1 - a;
-        return Vec3{std::sqrt(1 - z * z) * std::cos(2 * pi * b),
-                    std::sqrt(1 - z * z) * std::sin(2 * pi * b), z};
-      },
-      "equally likely");
+  const auto named = [](V (*mistaken)(D a, D b), const char* text) {
+    check_mistake("07.2", mistaken, text);
+  };
+  // A place on the disk and a height above it; the height of a hemisphere if there is no other.
+  static constexpr auto v = [](D x, D y, D z) { return V{x, y, z}; };
+  static constexpr auto above = [](D r, D w, D z) { return v(r * cos(w), r * sin(w), z); };
+  static constexpr auto lifted = [](D r, D w) { return above(r, w, sqrt(1 - r * r)); };
+  named([](D a, D b) { return lifted(a, 2 * pi * b); }, "radius is a");
+  named([](D a, D b) { return above(a, 2 * pi * b, 1 - a); }, "radius is a:");
+  named([](D a, D b) { return lifted(a * a, 2 * pi * b); }, "radius is a a");
+  named([](D a, D b) { return lifted(sqrt(1 - a), 2 * pi * b); }, "radius is sqrt(1 - a)");
+  named([](D a, D b) { return above(sqrt(a), pi * b, sqrt(1 - a)); }, "half of the disk");
+  named([](D a, D b) { return above(sqrt(a), pi * b, 1 - sqrt(a) * sqrt(a)); }, "half of the disk");
+  named([](D a, D b) { return above(sqrt(a), b, sqrt(1 - a)); }, "radians");
+  named([](D a, D b) { return above(sqrt(a), 360 * b, sqrt(1 - a)); }, "degrees");
+  named([](D a, D b) { return lifted(sqrt(a), 2 * pi * b * 180 / pi); }, "into degrees");
+  named([](D a, D b) { return lifted(sqrt(a), 2 * pi * b * pi / 180); }, "in radians already");
+  named([](D a, D b) { return lifted(sqrt(a), -2 * pi * b); }, "other way");
+  named([](D a, D b) { return above(sqrt(a), 2 * pi * b, 1 - a); }, "needs a root");
+  named([](D a, D b) { return above(sqrt(a), 2 * pi * b, sqrt(1 - a * a)); }, "length is not 1");
+  named([](D a, D b) { return above(sqrt(1 - (1 - a) * (1 - a)), 2 * pi * b, 1 - a); },
+        "equally likely");
+  named([](D a, D b) { return above(sqrt(1 - (1 - 2 * a) * (1 - 2 * a)), 2 * pi * b, 1 - 2 * a); },
+        "all sides");
+  named([](D a, D b) { return lifted(sqrt(b), 2 * pi * a); }, "a and b are exchanged");
+  named([](D a, D) { return lifted(sqrt(a), 2 * pi * a); }, "a makes the radius and the angle");
+  named([](D, D b) { return lifted(sqrt(b), 2 * pi * b); }, "b makes the radius and the angle");
+  named(
+      [](D a, D b) { return v(sqrt(a) * cos(2 * pi * b), sqrt(1 - a), sqrt(a) * sin(2 * pi * b)); },
+      "not y");
+
+  // The radius and the angle are right.
+  const auto placed = [](V (*mistaken)(D r, D w), const char* text) {
+    static V (*direction)(D, D);
+    direction = mistaken;
+    check_mistake(
+        "07.2", +[](D a, D b) { return direction(sqrt(a), 2 * pi * b); }, text);
+  };
+  placed([](D r, D w) { return above(r, w, 1 - r); }, "below the hemisphere");
+  placed([](D r, D w) { return above(r, w, 0); }, "on the disk");
+  placed([](D r, D w) { return v(r * cos(w), -r * sin(w), sqrt(1 - r * r)); }, "other way");
+  placed([](D r, D w) { return v(cos(w), sin(w), sqrt(1 - r * r)); }, "edge of the disk");
+  placed([](D r, D w) { return above(r, w, sqrt(1 - r)); }, "length is not 1");
+  placed([](D r, D w) { return above(r, w, 1); }, "length is not 1");
+  placed([](D r, D w) { return above(r, w, r); }, "length is not 1");
+  placed([](D r, D w) { return above(r, w, sqrt(1 - r * cos(w) * (r * cos(w)))); },
+         "length is not 1");
+  placed([](D r, D w) { return normalize(above(r, w, 1)); }, "move x and y");
+  placed([](D r, D w) { return above(r, w, -sqrt(1 - r * r)); }, "not negative");
+  placed([](D r, D w) { return v(r * sin(w), r * cos(w), sqrt(1 - r * r)); },
+         "cos and sin are exchanged");
   check_unknown(
-      "07.2", +[](double a, double b) {
-        return Vec3{b, 0, a};
-      });
+      "07.2", +[](D a, D b) { return v(b, 0, a); });
 }
 
 TEST_CASE("07.3: one sample in each cell") {
   check_start("07.3", start_3::place_of_sample);
   check_solution("07.3", solution_3::place_of_sample);
 
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double, double) {
-        const int row = i / n;
-        return Uv{(i % n) * 1.0 / n, row * 1.0 / n};
-      },
-      "at its corner");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double, double) {
-        const int row = i / n;
-        return Uv{(i % n) * 1.0 / n + 0.5 / n, row * 1.0 / n + 0.5 / n};
-      },
-      "stripes");
-  check_mistake(
-      "07.3",
-      +[](int, int, double a, double b) {
-        return Uv{a, b};
-      },
-      "without cells");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int row = i / n;
-        return Uv{(row + a) / n, (i % n + b) / n};
-      },
-      "rows are exchanged");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int row = i / n;
-        return Uv{(i % n + a) / n / n, (row + b) / n / n};
-      },
-      "n x n");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const double row = 1.0 * i / n;
-        return Uv{(i % n + a) / n, (row + b) / n};
-      },
-      "no whole number");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int row = i / n;
-        return Uv{(i + a) / n, (row + b) / n};
-      },
-      "remainder");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int row = i / n;
-        return Uv{1.0 * (i % n) / n + a, 1.0 * row / n + b};
-      },
-      "leave their cells");
+  // A student writes the same line for u, with the column and a, and for v, with the row and b.
+  const auto same = [](D (*line)(int k, int n, D c), const char* text) {
+    static D (*both)(int, int, D);
+    both = line;
+    check_mistake(
+        "07.3",
+        +[](int i, int n, D a, D b) {
+          return Uv{both(i % n, n, a), both(i / n, n, b)};
+        },
+        text);
+  };
+  same([](int k, int n, D) { return k * 1.0 / n; }, "at its corner");
+  same([](int k, int n, D) { return 1.0 * k / n; }, "at its corner");
+  same([](int k, int n, D) { return k * 1.0 / n + 0.5 / n; }, "stripes");
+  same([](int, int, D c) { return c; }, "without cells");
+  same([](int k, int n, D c) { return (k + c) / n / n; }, "n x n");
+  same([](int k, int n, D c) { return 1.0 * k / n + c; }, "leave their cells");
+  same([](int, int n, D c) { return c / n; }, "first cell");
+  same([](int k, int n, D) { return 1.0 * (k / n); }, "then divide");
+  same([](int k, int n, D c) { return (k + c) / (n - 1); }, "not by n - 1");
+  same([](int k, int n, D c) { return (k + c) / (n + 1); }, "not by n + 1");
+  same([](int k, int, D c) { return k + c; }, "these are cells");
+  same([](int k, int n, D c) { return k + c / n; }, "before the sum");
+  same([](int k, int n, D c) { return k * c / n; }, "are factors");
+  same([](int k, int n, D c) { return (k + c - 0.5) / n; }, "1/2");
+  same([](int k, int n, D c) { return (k + 0.5 + c) / n; }, "1/2");
+  same([](int k, int n, D c) { return (k - 1 + c) / n; }, "without 1");
+
+  static constexpr auto uv = [](D u, D v) { return Uv{u, v}; };
+  const auto named = [](Uv (*mistaken)(int i, int n, D a, D b), const char* text) {
+    check_mistake("07.3", mistaken, text);
+  };
+  named([](int i, int n, D a, D b) { return uv((i / n + a) / n, (i % n + b) / n); },
+        "rows are exchanged");
+  named([](int i, int n, D a, D b) { return uv((i % n + a) / n, (1.0 * i / n + b) / n); },
+        "no whole number");
+  named([](int i, int n, D a, D b) { return uv((i + a) / n, (i / n + b) / n); }, "remainder");
+  named([](int i, int n, D a, D b) { return uv(i % n / n + a, i % n / n + b); }, "column / n is 0");
+  named([](int i, int n, D a, D b) { return uv(i % n / n + a / n, i % n / n + b / n); },
+        "first cell");
+  named([](int i, int n, D a, D b) { return uv((i % n + b) / n, (i / n + a) / n); }, "a is across");
+  named([](int i, int n, D a, D) { return uv((i % n + a) / n, (i / n + a) / n); }, "across and up");
+  named([](int i, int n, D a, D b) { return uv((i / n + b) / n, (i % n + a) / n); },
+        "u and v are exchanged");
+  named([](int i, int n, D a, D b) { return uv((i % n + a) / n, 1 - (i / n + b) / n); },
+        "upside down");
+  named([](int i, int n, D a, D b) { return uv((i % n + a) / n, (n - 1 - i / n + b) / n); },
+        "upside down");
+  named([](int i, int n, D a, D b) { return uv(((i + 1) % n + a) / n, ((i + 1) / n + b) / n); },
+        "without 1");
+  named([](int i, int n, D a, D b) { return uv((i % n + a) / n, (i % n + b) / n); },
+        "without the rest");
+  named([](int i, int n, D a, D b) { return uv((i / n + a) / n, (i / n + b) / n); },
+        "i / n is the row");
+  named([](int i, int n, D a, D b) { return uv((i % n + a) / n, (i + b) / n); }, "not rows");
+  named([](int i, int n, D a, D b) { return uv((i + a) / n, (i + b) / n); },
+        "i counts samples: the column");
+  named([](int i, int n, D a, D b) { return uv((i % n + a) / n, b); }, "v is random");
+  named([](int i, int n, D a, D b) { return uv(a, (i / n + b) / n); }, "u is random");
   check_unknown(
-      "07.3", +[](int i, int n, double a, double b) {
-        return Uv{b * n, a * i};
-      });
-}
-
-TEST_CASE("07.1: more means that students compute") {
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        int sum = 0;
-        for (const int byte : bytes) sum = static_cast<int>(sum + srgb_decode(byte / 255.0));
-        const double mean = 1.0 * sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(255 * srgb_encode(mean)));
-      },
-      "add in a double");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(255.999 * srgb_encode(mean));
-      },
-      "cut off");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(256 * srgb_encode(mean));
-      },
-      "cut off");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(256 * srgb_encode(mean)));
-      },
-      "not 256");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 256.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(255 * srgb_encode(mean)));
-      },
-      "not 256");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(srgb_encode(mean)));
-      },
-      "multiply it by 255");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(srgb_encode(mean));
-      },
-      "multiply it by 255");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(mean));
-      },
-      "multiply it by 255");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        return static_cast<int>(std::lround(255 * srgb_encode(sum)));
-      },
-      "no mean");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        return static_cast<int>(
-            std::lround(255 * srgb_encode(sum) / static_cast<double>(bytes.size())));
-      },
-      "before it is divided");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(255 * srgb_decode(mean)));
-      },
-      "mean again");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte / 255.0);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(mean * 255);
-      },
-      "encode it");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        int sum = 0;
-        for (const int byte : bytes) sum += byte;
-        return sum;
-      },
-      "no mean");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += byte;
-        return static_cast<int>(
-            std::lround(255 * srgb_decode(sum / 255 / static_cast<double>(bytes.size()))));
-      },
-      "mean of the bytes is decoded");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += byte;
-        return static_cast<int>(std::lround(
-            255 * srgb_encode(srgb_decode(sum / 255 / static_cast<double>(bytes.size())))));
-      },
-      "mean of the bytes, not");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(1.0 * byte);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(255 * srgb_encode(mean)));
-      },
-      "from 0 to 1: give");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(1.0 * byte);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(srgb_encode(mean)));
-      },
-      "from 0 to 1: give");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += srgb_decode(byte);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(255 * srgb_encode(mean)));
-      },
-      "from 0 to 1: give");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += std::pow(byte / 255.0, 2.2);
-        const double mean = sum / static_cast<double>(bytes.size());
-        return static_cast<int>(std::lround(255 * std::pow(mean, 1 / 2.2)));
-      },
-      "power");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (const int byte : bytes) sum += byte * byte;
-        return static_cast<int>(std::lround(std::sqrt(sum / static_cast<double>(bytes.size()))));
-      },
-      "power");
-  check_mistake(
-      "07.1",
-      +[](const std::vector<int>& bytes) {
-        double sum = 0;
-        for (std::size_t i = 1; i < bytes.size(); i++) sum += srgb_decode(bytes[i] / 255.0);
-        return static_cast<int>(
-            std::lround(255 * srgb_encode(sum / static_cast<double>(bytes.size()))));
-      },
-      "missing in the sum");
-}
-
-TEST_CASE("07.2: more directions that students make") {
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = a;
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), 1 - r};
-      },
-      "radius is a:");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = a * a;
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "radius is a a");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(1 - a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "radius is sqrt(1 - a)");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), 1 - r * r};
-      },
-      "half of the disk");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b * 180 / pi;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "into degrees");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b * pi / 180;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "in radians already");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = -2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "other way");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), -r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "other way");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{std::cos(w), std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "edge of the disk");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r)};
-      },
-      "length is not 1");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - a * a)};
-      },
-      "length is not 1");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), 1};
-      },
-      "length is not 1");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), r};
-      },
-      "length is not 1");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double x = std::sqrt(a) * std::cos(2 * pi * b);
-        return Vec3{x, std::sqrt(a) * std::sin(2 * pi * b), std::sqrt(1 - x * x)};
-      },
-      "length is not 1");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return normalize(Vec3{r * std::cos(w), r * std::sin(w), 1});
-      },
-      "move x and y");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), -std::sqrt(1 - r * r)};
-      },
-      "not negative");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double z = 1 - 2 * a;
-        const double r = std::sqrt(1 - z * z);
-        return Vec3{r * std::cos(2 * pi * b), r * std::sin(2 * pi * b), z};
-      },
-      "all sides");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(b);
-        const double w = 2 * pi * a;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "a and b are exchanged");
-  check_mistake(
-      "07.2",
-      +[](double a, double) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * a;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "a makes the radius and the angle");
-  check_mistake(
-      "07.2",
-      +[](double, double b) {
-        const double r = std::sqrt(b);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), r * std::sin(w), std::sqrt(1 - r * r)};
-      },
-      "b makes the radius and the angle");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::sin(w), r * std::cos(w), std::sqrt(1 - r * r)};
-      },
-      "cos and sin are exchanged");
-  check_mistake(
-      "07.2",
-      +[](double a, double b) {
-        const double r = std::sqrt(a);
-        const double w = 2 * pi * b;
-        return Vec3{r * std::cos(w), std::sqrt(1 - a), r * std::sin(w)};
-      },
-      "not y");
-}
-
-TEST_CASE("07.3: more places that students compute") {
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double, double) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{1.0 * column / n, 1.0 * row / n};
-      },
-      "at its corner");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int cell = i % n / n;
-        return Uv{cell + a, cell + b};
-      },
-      "column / n is 0");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int cell = i % n / n;
-        return Uv{cell + a / n, cell + b / n};
-      },
-      "first cell");
-  check_mistake(
-      "07.3",
-      +[](int, int n, double a, double b) {
-        return Uv{a / n, b / n};
-      },
-      "first cell");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double, double) {
-        const int column = i % n / n;
-        const int row = i / n / n;
-        return Uv{1.0 * column, 1.0 * row};
-      },
-      "then divide");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + b) / n, (row + a) / n};
-      },
-      "a is across");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + a) / n, (row + a) / n};
-      },
-      "across and up");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(row + b) / n, (column + a) / n};
-      },
-      "u and v are exchanged");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + a) / (n - 1), (row + b) / (n - 1)};
-      },
-      "not by n - 1");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + a) / (n + 1), (row + b) / (n + 1)};
-      },
-      "not by n + 1");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{column + a, row + b};
-      },
-      "these are cells");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{column + a / n, row + b / n};
-      },
-      "before the sum");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{column * a / n, row * b / n};
-      },
-      "are factors");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + a - 0.5) / n, (row + b - 0.5) / n};
-      },
-      "1/2");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + 0.5 + a) / n, (row + 0.5 + b) / n};
-      },
-      "1/2");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + a) / n, 1 - (row + b) / n};
-      },
-      "upside down");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column + a) / n, (n - 1 - row + b) / n};
-      },
-      "upside down");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = i % n;
-        const int row = i / n;
-        return Uv{(column - 1 + a) / n, (row - 1 + b) / n};
-      },
-      "without 1");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int column = (i + 1) % n;
-        const int row = (i + 1) / n;
-        return Uv{(column + a) / n, (row + b) / n};
-      },
-      "without 1");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        return Uv{(i % n + a) / n, (i % n + b) / n};
-      },
-      "without the rest");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int row = i / n;
-        return Uv{(row + a) / n, (row + b) / n};
-      },
-      "i / n is the row");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        return Uv{(i % n + a) / n, (i + b) / n};
-      },
-      "not rows");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        return Uv{(i + a) / n, (i + b) / n};
-      },
-      "i counts samples: the column");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        return Uv{(i % n + a) / n, b};
-      },
-      "v is random");
-  check_mistake(
-      "07.3",
-      +[](int i, int n, double a, double b) {
-        const int row = i / n;
-        return Uv{a, (row + b) / n};
-      },
-      "u is random");
+      "07.3", +[](int i, int n, D a, D b) { return uv(b * n, a * i); });
 }
 
 TEST_CASE("the questions of chapter 07 have the answers of its page") {

@@ -26,54 +26,69 @@ namespace solution_3 {
 
 using namespace texmap::test;
 
+using V = Vec3;
+using D = double;
+using std::abs, std::acos, std::atan2, std::copysign, std::cos, std::sin, std::sqrt;
+
+namespace {
+
+// 10.1: the angle around the axis, and the right u
+double angle(V p) { return atan2(p.z, p.x); }
+double right_u(V p) { return 0.5 - angle(p) / (2 * pi); }
+
+// 10.2: places from -1 to 1, folded out or not, and moved to 0 to 1
+double sum(V p) { return abs(p.x) + abs(p.y) + abs(p.z); }
+Uv folded(D a, D b) { return {copysign(1 - abs(b), a), copysign(1 - abs(a), b)}; }
+Uv place(V p, D s, bool fold) { return fold ? folded(p.x / s, -p.z / s) : Uv{p.x / s, -p.z / s}; }
+Uv moved(Uv p) { return {(1 + p.u) / 2, (1 + p.v) / 2}; }
+
+// 10.3: points at the angle w and at the height y
+V on_circle(D w, D y, D radius) { return {radius * cos(w), y, radius * sin(w)}; }
+V on_sphere(D w, D y) { return on_circle(w, y, sqrt(1 - y * y)); }
+
+}  // namespace
+
 TEST_CASE("10.1: onto a cylinder") {
   check_start("10.1", start_1::on_cylinder);
   check_solution("10.1", solution_1::on_cylinder);
 
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{std::atan2(-p.z, p.x) / (2 * pi) + 0.5, 1 - std::acos(p.y) / pi};
+  const auto named = [](Uv (*on)(V p), const char* text) { check_mistake("10.1", on, text); };
+  named(
+      [](V p) {
+        return Uv{atan2(-p.z, p.x) / (2 * pi) + 0.5, 1 - acos(p.y) / pi};
       },
       "equirectangular");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{std::atan2(p.z, p.x) / (2 * pi) + 0.5, 0.5 * p.y + 0.5};
+  named([](V p) { return Uv{right_u(p), acos(p.y) / pi}; }, "equirectangular");
+  named([](V p) { return Uv{angle(p) / (2 * pi) + 0.5, 0.5 * p.y + 0.5}; }, "mirrored");
+  named([](V p) { return Uv{0.5 + atan2(-p.z, p.x) / (2 * pi), 0.5 - 0.5 * p.y}; }, "upside down");
+  named([](V p) { return Uv{0.5 + atan2(-p.z, p.x) / (2 * pi), p.y}; }, "lower half");
+  named([](V p) { return Uv{right_u(p), abs(p.y)}; }, "lower half");
+  named([](V p) { return Uv{right_u(p), 1 + p.y}; }, "halve 1 + y");
+  named([](V p) { return Uv{right_u(p), 1 + p.y / 2}; }, "write (1 + y) / 2");
+  named([](V p) { return Uv{right_u(p), p.y / 2}; }, "-1/2 to 1/2");
+  named([](V p) { return Uv{right_u(p), p.y + 0.5}; }, "halve it");
+  named([](V p) { return Uv{right_u(p), 2 * p.y - 1}; }, "goes back");
+  named([](V p) { return Uv{(180 - angle(p)) / 360, (p.y + 1) / 2}; }, "radians");
+  named([](V p) { return Uv{-angle(p) / 2 / pi, (p.y + 1) / 2}; }, "half is missing");
+  named([](V p) { return Uv{-angle(p) / (2 * pi), p.y}; }, "int is 0");
+  named([](V p) { return Uv{angle(p) / (2 * pi), (p.y + 1) / 2}; }, "and begins at -1/2");
+  named([](V p) { return Uv{0.5 - angle(p) / pi, (p.y + 1) / 2}; }, "not pi: u");
+  named([](V p) { return Uv{0.5 - angle(p) / 2 * pi, (p.y + 1) / 2}; }, "multiplies by pi");
+  named([](V p) { return Uv{0.5 - angle(p), (p.y + 1) / 2}; }, "no share");
+  named([](V p) { return Uv{(0.5 - angle(p)) / (2 * pi), (p.y + 1) / 2}; }, "the angle alone");
+  named([](V p) { return Uv{1 - angle(p) / (2 * pi), (p.y + 1) / 2}; }, "off by 1/2");
+  named([](V p) { return Uv{(pi - atan2(p.x, p.z)) / (2 * pi), (p.y + 1) / 2}; }, "z first");
+  named([](V p) { return Uv{0.5 + atan2(p.x, p.z) / (2 * pi), (p.y + 1) / 2}; }, "z first");
+  named(
+      [](V p) {
+        return Uv{0.5 - std::atan(p.z / p.x) / (2 * pi), (p.y + 1) / 2};
       },
-      "mirrored");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 + std::atan2(-p.z, p.x) / (2 * pi), 0.5 - 0.5 * p.y};
-      },
-      "upside down");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 + std::atan2(-p.z, p.x) / (2 * pi), p.y};
-      },
-      "lower half");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{(180 - std::atan2(p.z, p.x)) / 360, (p.y + 1) / 2};
-      },
-      "radians");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{-std::atan2(p.z, p.x) / 2 / pi, (p.y + 1) / 2};
-      },
-      "half is missing");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{(pi - std::atan2(p.x, p.z)) / (2 * pi), (p.y + 1) / 2};
-      },
-      "z first");
+      "from the back");
+  named([](V p) { return Uv{0.5 - atan2(p.y, p.x) / (2 * pi), (p.y + 1) / 2}; }, "y is the axis");
+  named([](V p) { return Uv{(p.y + 1) / 2, right_u(p)}; }, "u and v are exchanged");
+
   check_unknown(
-      "10.1", +[](Vec3 p) {
+      "10.1", +[](V p) {
         return Uv{p.z, p.y};
       });
 }
@@ -82,75 +97,94 @@ TEST_CASE("10.2: fold an octahedron out") {
   check_start("10.2", start_2::on_octahedron);
   check_solution("10.2", solution_2::on_octahedron);
 
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        return Uv{0.5 + p.x / s / 2, 0.5 - p.z / s / 2};
-      },
-      "nothing is folded");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        const double a = std::abs(p.x) / s, b = std::abs(p.z) / s;
-        if (p.y < 0) return Uv{1 - b / 2, 1 - a / 2};
-        return Uv{(1 + p.x / s) / 2, (1 - p.z / s) / 2};
-      },
-      "signs are missing");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s, b = -p.z / s;
-        if (p.y < 0) {
-          a = a < 0 ? -1 - a : 1 - a;
-          b = b < 0 ? -1 - b : 1 - b;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
+  const auto folds = [](Uv (*fold)(D a, D b), const char* text) {
+    static Uv (*fold_out)(D, D);
+    fold_out = fold;
+    check_mistake(
+        "10.2",
+        +[](V p) {
+          const Uv flat = place(p, sum(p), false);
+          return moved(p.y < 0 ? fold_out(flat.u, flat.v) : flat);
+        },
+        text);
+  };
+  folds([](D a, D b) { return Uv{a, b}; }, "nothing is folded");
+  folds(
+      [](D a, D b) {
+        return Uv{a < 0 ? -1 - a : 1 - a, b < 0 ? -1 - b : 1 - b};
       },
       "exchanges them");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s, b = -p.z / s;
-        if (p.y < 0) {
-          a = (a < 0 ? -1 : 1) * (1 - std::abs(b));
-          b = (b < 0 ? -1 : 1) * (1 - std::abs(a));
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
+  folds(
+      [](D a, D b) {
+        return Uv{copysign(1 - abs(b), a), copysign(1 - abs(1 - abs(b)), b)};
       },
       "old a");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const Uv uv = solution_2::on_octahedron(p);
-        return Uv{uv.u, 1 - uv.v};
+  folds(
+      [](D a, D b) {
+        return Uv{copysign(1 - abs(b), b), copysign(1 - abs(a), a)};
       },
-      "edges are exchanged");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        const double a = p.x / s, b = -p.z / s;
-        if (p.y <= 0) return Uv{(1 + a) / 2, (1 + b) / 2};
-        return Uv{(1 + std::copysign(1 - std::abs(b), a)) / 2,
-                  (1 + std::copysign(1 - std::abs(a), b)) / 2};
+      "signs are exchanged");
+  folds([](D a, D b) { return folded(-a, -b); }, "turned around");
+  folds(
+      [](D a, D b) {
+        return Uv{(a < 0 ? -1 : 1) * (1 - b), (b < 0 ? -1 : 1) * (1 - a)};
       },
-      "only the lower half");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-        const double a = p.x / s, b = -p.z / s;
-        if (p.y >= 0) return Uv{(1 + a) / 2, (1 + b) / 2};
-        return Uv{(1 + std::copysign(1 - std::abs(b), a)) / 2,
-                  (1 + std::copysign(1 - std::abs(a), b)) / 2};
+      "bars are missing: it is");
+  folds([](D a, D b) { return Uv{1 - b, 1 - a}; }, "bars and the signs");
+  folds([](D a, D b) { return Uv{a * (1 - abs(b)), b * (1 - abs(a))}; }, "counts twice");
+  folds(
+      [](D a, D b) {
+        return Uv{copysign(1 + abs(b), a), copysign(1 + abs(a), b)};
       },
-      "not by the length");
+      "leaves the square");
+  folds([](D a, D b) { return Uv{copysign(1 - abs(b), a), b}; }, "b is not folded");
+  folds([](D a, D b) { return Uv{a, copysign(1 - abs(a), b)}; }, "a is not folded");
+
+  // These begin with the right place (a, b).
+  const auto moves = [](Uv (*move)(D a, D b), const char* text) {
+    static Uv (*to_uv)(D, D);
+    to_uv = move;
+    check_mistake(
+        "10.2",
+        +[](V p) {
+          const Uv right = place(p, sum(p), p.y < 0);
+          return to_uv(right.u, right.v);
+        },
+        text);
+  };
+  moves([](D a, D b) { return Uv{(1 + a) / 2, 1 - (1 + b) / 2}; }, "edges are exchanged");
+  moves([](D a, D b) { return Uv{a, b}; }, "from -1 to 1");
+  moves([](D a, D b) { return Uv{a / 2, b / 2}; }, "from -1 to 1");
+  moves([](D a, D b) { return Uv{1 + a, 1 + b}; }, "from -1 to 1");
+  moves([](D a, D b) { return Uv{1 + a / 2, 1 + b / 2}; }, "comes before");
+  moves([](D a, D b) { return Uv{(1 + b) / 2, (1 + a) / 2}; }, "u and v are exchanged");
+
+  const auto named = [](Uv (*on)(V p), const char* text) { check_mistake("10.2", on, text); };
+  named([](V p) { return moved(place(p, sum(p), p.y > 0)); }, "only the lower half");
+  named([](V p) { return moved(place(p, sum(p), true)); }, "everywhere");
+  named([](V p) { return moved(place(p, sum(p), p.z < 0)); }, "where z is below");
+  named([](V p) { return moved(place(p, sqrt(p.x * p.x + p.y * p.y + p.z * p.z), p.y < 0)); },
+        "not by the length");
+  named([](V p) { return moved(place(p, 1, p.y < 0)); }, "any length");
+  named([](V p) { return moved(place(p, p.x + p.y + p.z, p.y < 0)); },
+        "missing in the sum: divide by |x|");
+  named([](V p) { return moved(place(p, abs(p.x) + abs(p.z), p.y < 0)); }, "y is missing");
+  named(
+      [](V p) {
+        return moved(place(p, std::max({abs(p.x), abs(p.y), abs(p.z)}), p.y < 0));
+      },
+      "cube");
+  named([](V p) { return moved(place(V{-p.x, p.y, p.z}, sum(p), p.y < 0)); }, "west and east");
+  named([](V p) { return moved(place(V{p.x, p.y, -p.y}, sum(p), p.y < 0)); }, "from the front");
+  named(
+      [](V p) {
+        const double a = abs(p.x) / sum(p), b = abs(p.z) / sum(p);
+        return p.y < 0 ? Uv{1 - b / 2, 1 - a / 2} : moved(place(p, sum(p), false));
+      },
+      "signs are missing");
+
   check_unknown(
-      "10.2", +[](Vec3) {
+      "10.2", +[](V) {
         return Uv{0.5, 0.5};
       });
 }
@@ -159,668 +193,67 @@ TEST_CASE("10.3: back from the cylinder") {
   check_start("10.3", start_3::direction_of);
   check_solution("10.3", solution_3::direction_of);
 
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = pi - uv.u * 2 * pi;
-        return Vec3{std::cos(angle), uv.v * 2 - 1, std::sin(angle)};
-      },
-      "not on the sphere");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = pi - uv.u * 2 * pi;
-        const double radius = uv.v < 0.5 ? 2 * uv.v : 2 - 2 * uv.v;
-        return Vec3{radius * std::cos(angle), uv.v * 2 - 1, radius * std::sin(angle)};
-      },
-      "Pythagoras");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = 180 - uv.u * 360;
-        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
-        return Vec3{radius * std::cos(angle), uv.v * 2 - 1, radius * std::sin(angle)};
-      },
-      "degrees");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = uv.u * 2 * pi - pi;
-        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
-        return Vec3{radius * std::cos(angle), uv.v * 2 - 1, radius * std::sin(angle)};
-      },
-      "mirrored");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = pi - uv.u * 2 * pi;
-        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
-        return Vec3{radius * std::cos(angle), 1 - uv.v * 2, radius * std::sin(angle)};
-      },
-      "upside down");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double longitude = pi - uv.u * 2 * pi, latitude = (uv.v - 0.5) * pi;
-        return Vec3{std::cos(latitude) * std::cos(longitude), std::sin(latitude),
-                    std::cos(latitude) * std::sin(longitude)};
-      },
+  const auto named = [](V (*back)(D u, D v), const char* text) {
+    static V (*direction)(D, D);
+    direction = back;
+    check_mistake(
+        "10.3", +[](Uv uv) { return direction(uv.u, uv.v); }, text);
+  };
+  named([](D u, D v) { return on_circle(pi - u * 2 * pi, v * 2 - 1, 1); }, "not on the sphere");
+  named([](D u, D v) { return on_circle(pi - u * 2 * pi, v * 2 - 1, v < 0.5 ? 2 * v : 2 - 2 * v); },
+        "Pythagoras");
+  named([](D u, D v) { return on_circle(180 - u * 360, v * 2 - 1, 2 * sqrt(v - v * v)); },
+        "degrees");
+  named([](D u, D v) { return on_circle(u * 2 * pi - pi, v * 2 - 1, 2 * sqrt(v - v * v)); },
+        "mirrored");
+  named([](D u, D v) { return on_circle(pi - u * 2 * pi, 1 - v * 2, 2 * sqrt(v - v * v)); },
+        "upside down");
+  named(
+      [](D u, D v) { return on_circle(pi - u * 2 * pi, sin((v - 0.5) * pi), cos((v - 0.5) * pi)); },
       "no latitude");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = pi - uv.u * 2 * pi;
-        const double radius = 2 * std::sqrt(uv.v - uv.v * uv.v);
-        return Vec3{radius * std::sin(angle), uv.v * 2 - 1, radius * std::cos(angle)};
+  named(
+      [](D u, D v) {
+        const V right = on_circle(pi - u * 2 * pi, v * 2 - 1, 2 * sqrt(v - v * v));
+        return V{right.z, right.y, right.x};
       },
       "exchanged");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double angle = pi - uv.u * 2 * pi;
-        const double radius = std::sqrt(1 - uv.v * uv.v);
-        return Vec3{radius * std::cos(angle), uv.v, radius * std::sin(angle)};
-      },
-      "southern half");
-  check_unknown(
-      "10.3", +[](Uv) {
-        return Vec3{0, 0, 1};
-      });
-}
+  named([](D u, D v) { return on_sphere(pi - u * 2 * pi, v); }, "southern half");
+  named([](D u, D v) { return on_sphere(-u * 2 * pi, 2 * v - 1); }, "half is missing");
+  named([](D u, D v) { return on_sphere(u * 2 * pi, 2 * v - 1); }, "falls with u");
+  named([](D u, D v) { return on_sphere((0.5 - u) * pi, 2 * v - 1); }, "half of the globe");
+  named([](D u, D v) { return on_sphere((0.5 - u) / (2 * pi), 2 * v - 1); }, "do not divide");
+  named([](D u, D v) { return on_sphere(0.5 - u, 2 * v - 1); }, "share of a turn");
+  named([](D u, D v) { return on_sphere(0.5 - u * 2 * pi, 2 * v - 1); }, "comes before");
+  named([](D u, D v) { return on_sphere((0.5 - u) * 2 * pi, v - 0.5); }, "from -1/2 to 1/2");
+  named([](D u, D v) { return on_sphere((0.5 - u) * 2 * pi, v - 1); }, "then subtract 1");
+  named([](D u, D v) { return on_sphere((0.5 - u) * 2 * pi, 2 * (v - 1)); }, "double v alone");
+  named([](D u, D v) { return on_sphere((0.5 - u) * 2 * pi, 2 * v); }, "from 0 to 2");
+  named([](D u, D v) { return on_sphere((0.5 - u) * 2 * pi, (1 + v) / 2); }, "goes forward");
+  named([](D u, D v) { return on_sphere((0.5 - v) * 2 * pi, 2 * u - 1); }, "u makes the angle");
 
-TEST_CASE("10.1: more places that students compute") {
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), std::acos(p.y) / pi};
-      },
-      "equirectangular");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), std::abs(p.y)};
-      },
-      "lower half");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), 1 + p.y};
-      },
-      "halve 1 + y");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), 1 + p.y / 2};
-      },
-      "write (1 + y) / 2");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), p.y / 2};
-      },
-      "-1/2 to 1/2");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), p.y + 0.5};
-      },
-      "halve it");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / (2 * pi), 2 * p.y - 1};
-      },
-      "goes back");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{-std::atan2(p.z, p.x) / (2 * pi), p.y};
-      },
-      "int is 0");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{std::atan2(p.z, p.x) / (2 * pi), (p.y + 1) / 2};
-      },
-      "and begins at -1/2");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / pi, (p.y + 1) / 2};
-      },
-      "not pi: u");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x) / 2 * pi, (p.y + 1) / 2};
-      },
-      "multiplies by pi");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.z, p.x), (p.y + 1) / 2};
-      },
-      "no share");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{(0.5 - std::atan2(p.z, p.x)) / (2 * pi), (p.y + 1) / 2};
-      },
-      "the angle alone");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{1 - std::atan2(p.z, p.x) / (2 * pi), (p.y + 1) / 2};
-      },
-      "off by 1/2");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 + std::atan2(p.x, p.z) / (2 * pi), (p.y + 1) / 2};
-      },
-      "z first");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan(p.z / p.x) / (2 * pi), (p.y + 1) / 2};
-      },
-      "from the back");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{0.5 - std::atan2(p.y, p.x) / (2 * pi), (p.y + 1) / 2};
-      },
-      "y is the axis");
-  check_mistake(
-      "10.1",
-      +[](Vec3 p) {
-        return Uv{(p.y + 1) / 2, 0.5 - std::atan2(p.z, p.x) / (2 * pi)};
-      },
-      "u and v are exchanged");
-}
-
-TEST_CASE("10.2: more folds that students write") {
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), b);
-          const double d = std::copysign(1 - std::abs(a), a);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "signs are exchanged");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), -a);
-          const double d = std::copysign(1 - std::abs(a), -b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "turned around");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = (a < 0 ? -1.0 : 1.0) * (1 - b);
-          const double d = (b < 0 ? -1.0 : 1.0) * (1 - a);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "bars are missing: it is");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = 1 - b;
-          const double d = 1 - a;
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "bars and the signs");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = a * (1 - std::abs(b));
-          const double d = b * (1 - std::abs(a));
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "counts twice");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 + std::abs(b), a);
-          const double d = std::copysign(1 + std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "leaves the square");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = b;
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "b is not folded");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = a;
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "a is not folded");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = -p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "west and east");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        const double c = std::copysign(1 - std::abs(b), a);
-        return Uv{(1 + c) / 2, (1 + std::copysign(1 - std::abs(a), b)) / 2};
-      },
-      "everywhere");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.z < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "where z is below");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        double a = p.x;
-        double b = -p.z;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "any length");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = p.x + p.y + p.z;
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "missing in the sum: divide by |x|");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "y is missing");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::max(std::abs(p.x), std::max(std::abs(p.y), std::abs(p.z)));
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "cube");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = p.y / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + a) / 2, (1 + b) / 2};
-      },
-      "from the front");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{a, b};
-      },
-      "from -1 to 1");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{a / 2, b / 2};
-      },
-      "from -1 to 1");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{1 + a, 1 + b};
-      },
-      "from -1 to 1");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{1 + a / 2, 1 + b / 2};
-      },
-      "comes before");
-  check_mistake(
-      "10.2",
-      +[](Vec3 p) {
-        const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-        double a = p.x / s;
-        double b = -p.z / s;
-        if (p.y < 0) {
-          const double c = std::copysign(1 - std::abs(b), a);
-          const double d = std::copysign(1 - std::abs(a), b);
-          a = c;
-          b = d;
-        }
-        return Uv{(1 + b) / 2, (1 + a) / 2};
-      },
-      "u and v are exchanged");
-}
-
-TEST_CASE("10.3: more directions that students compute") {
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = 1 - y * y;
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "length of the result");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "length of the result");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = y;
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "length of the result");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, std::sin(w)};
-      },
-      "multiply both");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{std::cos(w), y, r * std::sin(w)};
-      },
-      "multiply both");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        return normalize(Vec3{std::cos(w), 2 * uv.v - 1, std::sin(w)});
-      },
-      "do not normalize");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = -uv.u * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "half is missing");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = uv.u * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "falls with u");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "half of the globe");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) / (2 * pi);
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "do not divide");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = 0.5 - uv.u;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "share of a turn");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = 0.5 - uv.u * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "comes before");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = uv.v - 0.5;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "from -1/2 to 1/2");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "then subtract 1");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * (uv.v - 1);
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "double v alone");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "from 0 to 2");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = (1 + uv.v) / 2;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "goes forward");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.u) * 2 * pi;
-        const double y = 2 * uv.v - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), r * std::sin(w), y};
+  // These begin with the right angle and the right height.
+  const auto circles = [](V (*back)(D w, D y), const char* text) {
+    static V (*direction)(D, D);
+    direction = back;
+    check_mistake(
+        "10.3", +[](Uv uv) { return direction((0.5 - uv.u) * 2 * pi, 2 * uv.v - 1); }, text);
+  };
+  circles([](D w, D y) { return on_circle(w, y, 1 - y * y); }, "length of the result");
+  circles([](D w, D y) { return on_circle(w, y, sqrt(1 - y)); }, "length of the result");
+  circles([](D w, D y) { return on_circle(w, y, y); }, "length of the result");
+  circles([](D w, D y) { return V{sqrt(1 - y * y) * cos(w), y, sin(w)}; }, "multiply both");
+  circles([](D w, D y) { return V{cos(w), y, sqrt(1 - y * y) * sin(w)}; }, "multiply both");
+  circles([](D w, D y) { return normalize(V{cos(w), y, sin(w)}); }, "do not normalize");
+  circles(
+      [](D w, D y) {
+        return V{on_sphere(w, y).x, on_sphere(w, y).z, y};
       },
       "y is the height here");
-  check_mistake(
-      "10.3",
-      +[](Uv uv) {
-        const double w = (0.5 - uv.v) * 2 * pi;
-        const double y = 2 * uv.u - 1;
-        const double r = std::sqrt(1 - y * y);
-        return Vec3{r * std::cos(w), y, r * std::sin(w)};
-      },
-      "u makes the angle");
+
+  check_unknown(
+      "10.3", +[](Uv) {
+        return V{0, 0, 1};
+      });
 }
 
 TEST_CASE("the questions of chapter 10 have the answers of its page") {

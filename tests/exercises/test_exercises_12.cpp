@@ -26,674 +26,354 @@ namespace solution_3 {
 
 using namespace texmap::test;
 
+using D = double;
+using std::cos;
+using std::exp2;
+using std::pow;
+using std::sin;
+
 TEST_CASE("12.1: light from four bytes") {
   check_start("12.1", start_1::light_of_texel);
   check_solution("12.1", solution_1::light_of_texel);
 
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int exponent) {
-        return solution_1::light_of_texel(red, green, blue, exponent + 8);
-      },
-      "256 times");
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int exponent) {
-        return Color{red / 256., green / 256., blue / 256.} * std::pow(2, exponent - 128);
-      },
-      "half is missing");
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int exponent) {
-        return Color{red + 0.5, green + 0.5, blue + 0.5} * std::pow(2, exponent - 136);
-      },
+  const auto named = [](Color (*mistaken)(int r, int g, int b, int k), const char* text) {
+    check_mistake("12.1", mistaken, text);
+  };
+  static constexpr auto right = solution_1::light_of_texel;
+  static constexpr auto color = [](D r, D g, D b) { return Color{r, g, b}; };
+  static constexpr auto half = [](int r, int g, int b) { return Color{r + 0.5, g + 0.5, b + 0.5}; };
+  named([](int r, int g, int b, int k) { return right(r, g, b, k + 8); }, "256 times");
+  named([](int r, int g, int b, int k) { return color(r, g, b) * exp2(k - 128); }, "256 times");
+  named([](int r, int g, int b,
+           int k) { return color(r / 256., g / 256., b / 256.) * pow(2, k - 128); },
+        "half is missing");
+  named([](int r, int g, int b,
+           int k) { return color(1 / 2 + 1. * r, 1 / 2 + 1. * g, 1 / 2 + 1. * b) * exp2(k - 136); },
+        "half is missing");
+  named([](int r, int g, int b, int k) { return half(r, g, b) * pow(2, k - 136); },
+        "must not be added");
+  named(
+      [](int r, int g, int b, int k) { return (k == 0 ? Color{} : half(r, g, b)) * exp2(k - 136); },
       "must not be added");
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int exponent) {
-        const Color light = solution_1::light_of_texel(red, green, blue, exponent);
-        return Color{light.b, light.g, light.r};
-      },
-      "BGR");
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int) {
-        return Color{1. * red, 1. * green, 1. * blue} * (1 / 255.);
-      },
-      "PNG");
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int exponent) {
-        const int k = 2 ^ (exponent - 136);
-        return Color{red == 0 ? 0 : (red + 0.5) * k, green == 0 ? 0 : (green + 0.5) * k,
-                     blue == 0 ? 0 : (blue + 0.5) * k};
-      },
-      "no power");
-  check_mistake(
-      "12.1",
-      +[](int red, int green, int blue, int exponent) {
-        const int k = exponent - 136;
-        return Color{red == 0 ? 0 : (red + 0.5) * k, green == 0 ? 0 : (green + 0.5) * k,
-                     blue == 0 ? 0 : (blue + 0.5) * k};
-      },
-      "multiply by it");
+  static constexpr auto no_0 = [](int m, int k) { return (m + 0.5) * exp2(k - 136); };
+  static constexpr auto with_0 = [](int m, int k) { return m == 0 ? 0 : no_0(m, k); };
+  named([](int r, int g, int b, int k) { return color(with_0(r, k), no_0(g, k), no_0(b, k)); },
+        "must not be added");
+  named([](int r, int g, int b, int k) { return color(no_0(r, k), with_0(g, k), with_0(b, k)); },
+        "must not be added");
+  static constexpr auto unless = [](bool black, Color light) { return black ? Color{} : light; };
+  named([](int r, int g, int b,
+           int k) { return unless(r == 0 && g == 0 && b == 0, half(r, g, b) * exp2(k - 136)); },
+        "must not be added");
+  named([](int r, int g, int b,
+           int k) { return unless(r * g * b == 0, half(r, g, b) * exp2(k - 136)); },
+        "its own byte");
+  named([](int r, int g, int b, int k) { return unless(r == 0, half(r, g, b) * exp2(k - 136)); },
+        "its own byte");
+  named([](int r, int g, int b, int k) { return unless(r == 0, right(r, g, b, k)); },
+        "its own byte");
+  named([](int r, int g, int b, int k) { return right(b, g, r, k); }, "BGR");
+  named([](int r, int g, int, int k) { return right(r, g, g, k); }, "line that was copied");
+  named([](int r, int, int b, int k) { return right(r, r, b, k); }, "line that was copied");
+  named([](int r, int g, int, int k) { return right(r, g, r, k); }, "line that was copied");
+  named([](int r, int, int, int k) { return right(r, r, r, k); }, "the texel is gray");
+  named([](int r, int g, int b, int) { return color(r, g, b) * (1 / 255.); }, "PNG");
+  named([](int r, int g, int b, int) { return color(r / 255., g / 255., b / 255.); }, "PNG");
   check_unknown(
-      "12.1", +[](int, int, int, int) {
-        return Color{1, 1, 1};
-      });
+      "12.1", +[](int, int, int, int) { return color(1, 1, 1); });
+
+  // A student writes the same line three times.
+  const auto same = [&](D (*channel)(int m, int k), const char* text) {
+    static D (*line)(int, int);
+    line = channel;
+    named([](int r, int g, int b, int k) { return color(line(r, k), line(g, k), line(b, k)); },
+          text);
+  };
+  same([](int m, int) { return srgb_decode(m / 255.); }, "and the bytes of this file are light");
+  same([](int m, int k) { return m == 0 ? 0 : (m + 0.5) * (2 ^ (k - 136)); }, "no power");
+  same([](int m, int k) { return m == 0 ? 0 : (m + 0.5) * (k - 136); }, "multiply by it");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) / 255 * pow(2., k - 128) : 0; }, "not 1 / 255");
+  same([](int m, int k) { return m / 255. * pow(2., k - 128); }, "not 1 / 255");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) / 256 * exp2(k - 127) : 0; }, "twice as bright");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * exp2(k - 137) : 0; }, "half as bright");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * exp2(136 - k) : 0; }, "wrong sign");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) / exp2(k - 136) : 0; }, "wrong sign");
+  same([](int m, int k) { return m * exp2(136 - k); }, "wrong sign");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * std::exp(k - 136) : 0; }, "power of e");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * pow(10., k - 136) : 0; }, "power of 10");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * pow(k - 136., 2.) : 0; }, "base first");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * 2 * (k - 136) : 0; }, "2 * x is no power");
+  same([](int m, int k) { return (m + 0.5) * (2 ^ (k - 136)); }, "compares bits");
+  same([](int m, int k) { return (m + 0.5) * (1 << ((k - 136) & 31)); }, "1 << x");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * (exp2(k) - 136) : 0; }, "before the power");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * exp2(k) - 136 : 0; }, "before the power");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) * static_cast<int>(exp2(k - 136)) : 0; },
+       "0 as an int");
+  same([](int m, int k) { return m > 0 ? (m + 0.5) / 256 * exp2(k - 136) : 0; },
+       "8 bits of m in it already");
+  same([](int m, int k) { return m / 255. * exp2(k - 136); }, "8 bits of m in it already");
+  same([](int m, int k) { return m > 0 ? pow(m + 0.5, k - 136) : 0; }, "base of the power");
+  same([](int m, int k) { return pow(m + 0.5, k - 136); }, "base of the power");
+  same([](int m, int) { return m > 0 ? m + 0.5 : 0; }, "2 to the power");
+  same([](int m, int) { return m > 0 ? (m + 0.5) / 256 : 0; }, "PNG");
+  same([](int m, int k) { return m > 0 ? m * exp2(k - 136) + 0.5 : 0; }, "comes before +");
+  same([](int m, int k) { return m + 0.5 * exp2(k - 136); }, "comes before +");
+  same([](int m, int k) { return m > 0 ? m + 0.5 * exp2(k - 136) : 0; }, "comes before +");
+  same([](int m, int k) { return m > 0 ? (m - 0.5) * exp2(k - 136) : 0; }, "it is m + 1/2");
+  same([](int m, int k) { return m > 0 ? (m + 1) * exp2(k - 136) : 0; }, "it is m + 1/2");
+  same([](int m, int k) { return std::fmin(1, m > 0 ? (m + 0.5) * exp2(k - 136) : 0); },
+       "do not limit");
+  same([](int m, int k) { return std::clamp(m * exp2(k - 136), 0., 1.); }, "do not limit");
+  same([](int m, int k) { return 1. * static_cast<int>((m > 0 ? m + 0.5 : 0) * exp2(k - 136)); },
+       "no whole number");
+  same([](int m, int k) { return srgb_decode(m > 0 ? (m + 0.5) * exp2(k - 136) : 0); },
+       "leave srgb_decode out");
+  same([](int m, int k) { return srgb_encode(m > 0 ? (m + 0.5) * exp2(k - 136) : 0); },
+       "leave srgb_encode out");
 }
 
 TEST_CASE("12.2: how much of the sphere is a texel") {
   check_start("12.2", start_2::solid_angle);
   check_solution("12.2", solution_2::solid_angle);
 
-  check_mistake(
-      "12.2", +[](int, int width, int height) { return (2 * pi / width) * (pi / height); },
-      "sine is missing");
-  check_mistake(
-      "12.2", +[](int, int width, int height) { return 4 * pi / (width * height); },
-      "not on the sphere");
-  check_mistake(
-      "12.2",
-      +[](int row, int width, int height) {
-        const double middle = (2 * row + 1) * pi / (2 * height);
-        return std::sin(middle) * (2 * pi / width) * (pi / height);
-      },
+  // i is the row, w the width and h the height.
+  const auto named = [](D (*mistaken)(int i, int w, int h), const char* text) {
+    check_mistake("12.2", mistaken, text);
+  };
+  named([](int, int w, int h) { return (2 * pi / w) * (pi / h); }, "sine is missing");
+  named([](int, int w, int h) { return 4 * pi / (w * h); }, "not on the sphere");
+  named(
+      [](int i, int w, int h) { return sin((2 * i + 1) * pi / (2 * h)) * (2 * pi / w) * (pi / h); },
       "in the middle");
-  check_mistake(
-      "12.2",
-      +[](int row, int width, int height) {
-        return std::sin(row * pi / height) * (2 * pi / width) * (pi / height);
-      },
-      "upper edge");
-  check_mistake(
-      "12.2",
-      +[](int row, int width, int height) {
-        return (std::cos(pi * (row + 1) / height) - std::cos(pi * row / height)) * 2 * pi / width;
-      },
-      "above 0");
-  check_mistake(
-      "12.2",
-      +[](int row, int, int height) {
-        return (std::cos(pi * row / height) - std::cos(pi * (row + 1) / height)) * 2 * pi;
-      },
-      "whole row");
-  check_mistake(
-      "12.2",
-      +[](int row, int width, int height) {
-        return (std::cos(row * 180. / height) - std::cos((row + 1) * 180. / height)) * 2 * pi /
-               width;
-      },
-      "radians");
-  check_mistake(
-      "12.2",
-      +[](int row, int width, int height) {
-        const double turn = 2 * pi;
-        return turn / width * (std::cos(turn * row / height) - std::cos(turn * (row + 1) / height));
-      },
-      "2 pi for both");
+  named([](int i, int w, int h) { return sin(pi * (i + 0.5) / h) * 4 * pi / (w * h); },
+        "in the middle");
+  named([](int i, int w, int h) { return sin(i * pi / h) * (2 * pi / w) * (pi / h); },
+        "upper edge");
+  named([](int i, int w, int h) { return sin(pi * (i + 1 / 2) / h) * 2 * pi / w * pi / h; },
+        "upper edge");
+  named([](int i, int w, int h) { return sin(pi * (i + 1) / h) * 2 * pi / w * pi / h; },
+        "the row's lower edge");
+  named([](int i, int w,
+           int h) { return (cos(i * 180. / h) - cos((i + 1) * 180. / h)) * 2 * pi / w; },
+        "radians");
   check_unknown(
       "12.2", +[](int, int, int) { return 1.0; });
+
+  // The right integral between other edges: of this row and of the next one.
+  static constexpr auto between = [](D a, D b, int w) { return 2 * pi / w * (cos(a) - cos(b)); };
+  const auto edges = [&](D (*edge)(int i, int h), const char* text) {
+    static D (*edge_of)(int, int);
+    edge_of = edge;
+    named([](int i, int w, int h) { return between(edge_of(i, h), edge_of(i + 1, h), w); }, text);
+  };
+  edges([](int i, int h) { return 1. * (180 * i / h); }, "radians");
+  edges([](int i, int h) { return 2 * pi * i / h; }, "2 pi for both");
+  edges([](int i, int h) { return pi / 2 * i / h; }, "ends at the equator");
+  edges([](int i, int h) { return i / h * pi; }, "whole numbers");
+  edges([](int i, int h) { return 1. * (i / h); }, "whole numbers");
+  edges([](int i, int h) { return 1. * i / h; }, "pi is missing");
+  edges([](int i, int) { return 1. * i; }, "not row alone");
+  edges([](int i, int h) { return pi * (i + 1) / h; }, "too far down");
+  edges([](int i, int h) { return pi * (i - 1) / h; }, "too far up");
+  edges([](int i, int h) { return pi * (i - 0.5) / h; }, "leave the half out");
+  edges([](int i, int h) { return pi * (i + 0.5) / h; }, "leave the half out");
+  edges([](int i, int h) { return pi * i / (h - 1); }, "not by height - 1");
+
+  // The upper edge is right.
+  const auto lower = [&](D (*edge)(int row, int height), const char* text) {
+    static D (*lower_of)(int, int);
+    lower_of = edge;
+    named([](int i, int w, int h) { return between(pi * i / h, lower_of(i, h), w); }, text);
+  };
+  lower([](int row, int height) { return pi * row / height; }, "both edges are the same");
+  lower([](int row, int height) { return pi * (row - 1) / height; }, "that of row - 1");
+  lower([](int row, int height) { return pi * row + 1 / height; }, "brackets");
+  lower([](int row, int height) { return pi * row + 1. / height; }, "brackets");
+  lower([](int row, int) { return pi * row + 1; }, "brackets");
+  lower([](int row, int height) { return (pi * row + 1) / height; }, "brackets");
+  lower([](int row, int height) { return pi * row / height + 1; }, "brackets");
+  lower([](int row, int height) { return (1. * row / height + 1) * pi; }, "brackets");
+  lower([](int row, int height) { return pi * (row + 1. / height); }, "brackets");
+  lower([](int row, int height) { return row + 1 * pi / height; }, "brackets");
+
+  // Both edges are right: a and b.
+  const auto of_edges = [&](D (*angle)(D a, D b, int w, int h), const char* text) {
+    static D (*angle_of)(D, D, int, int);
+    angle_of = angle;
+    named([](int i, int w, int h) { return angle_of(pi * i / h, pi * (i + 1) / h, w, h); }, text);
+  };
+  of_edges([](D a, D b, int w, int) { return (cos(b) - cos(a)) * 2 * pi / w; }, "above 0");
+  of_edges([](D a, D b, int, int) { return (cos(a) - cos(b)) * 2 * pi; }, "whole row");
+  of_edges([](D a, D b, int w, int h) { return 2 * pi / w * pi / h * 0.5 * (sin(a) + sin(b)); },
+           "mean of two sines");
+  of_edges([](D a, D, int w, int) { return 2 * pi / w * (cos(a) + 1); }, "south pole");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * (cos(a) + cos(b)); }, "not added");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * cos(a) * cos(b); }, "not multiplied");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * cos(b - a); }, "cosine of a - b");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * (1 - cos(b - a)); }, "cosine of a - b");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * (sin(a) - sin(b)); }, "yours are sines");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * (sin(b) - sin(a)); }, "yours are sines");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * (cos(pi / 2 - a) - cos(pi / 2 - b)); },
+           "yours are sines");
+  of_edges([](D, D b, int w, int) { return 2 * pi / w * (1 - cos(b)); }, "down to b");
+  of_edges([](D a, D, int w, int) { return 2 * pi / w * (1 - cos(a)); }, "down to a");
+  of_edges([](D a, D, int w, int) { return 2 * pi / w * cos(a); }, "cos b is missing");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * cos(a) - cos(b); }, "comes before -");
+  of_edges([](D a, D b, int w, int) { return 2 * pi / w * (b - a); }, "sine is missing");
+  of_edges([](D a, D b, int, int) { return 2 * pi * (cos(b) - cos(a)); }, "whole row");
+  of_edges([](D a, D b, int w, int) { return pi / w * (cos(a) - cos(b)); }, "not pi:");
+  of_edges([](D a, D b, int w, int) { return 4 * pi / w * (cos(a) - cos(b)); }, "not 4 pi");
+  of_edges([](D a, D b, int w, int) { return (cos(a) - cos(b)) / w; }, "2 pi is missing");
+  of_edges([](D a, D b, int, int) { return cos(a) - cos(b); }, "multiply by 2 pi / width");
+  of_edges([](D a, D b, int w, int) { return 360. / w * (cos(a) - cos(b)); }, "not 360");
+  of_edges([](D a, D b, int w, int h) { return 2 * pi / w * pi / h * (cos(a) - cos(b)); },
+           "the other height");
+  of_edges([](D a, D b, int w, int h) { return 2 * pi / (w * h) * (cos(a) - cos(b)); },
+           "the other height");
+  of_edges([](D a, D b, int w, int h) { return 4 * pi / (w * h) * (cos(a) - cos(b)); },
+           "the other height");
+  of_edges([](D a, D b, int w, int) { return 2 * pi * w * (cos(a) - cos(b)); }, "you multiply");
+  of_edges([](D a, D b, int, int h) { return 2 * pi / h * (cos(a) - cos(b)); },
+           "divide by the height here");
+  of_edges([](D a, D b, int w, int h) { return 2 * pi / h * (cos(a * h / w) - cos(b * h / w)); },
+           "width and height are exchanged");
+  of_edges([](D a, D b, int w, int h) { return 2 * pi / w * (cos(a * h / w) - cos(b * h / w)); },
+           "you divide it by the width");
 }
 
 TEST_CASE("12.3: draw one of many") {
   check_start("12.3", start_3::drawn_thing);
   check_solution("12.3", solution_3::drawn_thing);
 
-  using Sums = std::vector<double>;
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        return static_cast<int>(std::floor(r * static_cast<double>(sums.size())));
-      },
-      "not used");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        int i = 0;
-        for (const double sum : sums)
-          if (r >= sum) ++i;
-        return i;
-      },
-      "limit the index");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        return std::min(solution_3::drawn_thing(sums, r) + 1, static_cast<int>(sums.size()) - 1);
-      },
-      "too large");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        int i = 1;
-        for (const double sum : sums)
-          if (r >= sum) ++i;
-        return i;
-      },
-      "too large");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) { return std::max(0, solution_3::drawn_thing(sums, r) - 1); },
-      "too small");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        int i = -1;
-        for (const double sum : sums)
-          if (r >= sum) ++i;
-        return i;
-      },
-      "too small");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        int i = 0;
-        for (const double sum : sums)
-          if (r > sum && i + 1 < static_cast<int>(sums.size())) ++i;
-        return i;
-      },
-      "probability 0 is drawn");
-  check_mistake(
-      "12.3",
-      +[](const Sums& sums, double r) {
-        int i = 0;
-        for (const double sum : sums)
-          if (r > sum) ++i;
-        return i;
-      },
-      "and limit");
+  using Sums = const std::vector<D>&;
+  const auto named = [](const char* text, int (*mistaken)(Sums sums, D r)) {
+    check_mistake("12.3", mistaken, text);
+  };
+  static constexpr auto right = solution_3::drawn_thing;
+  static constexpr auto size_of = [](Sums sums) { return static_cast<int>(sums.size()); };
+  named("not used", [](Sums sums, D r) { return static_cast<int>(std::floor(r * size_of(sums))); });
+  named("not used", [](Sums sums, D r) { return static_cast<int>(r * (size_of(sums) - 1)); });
+  named("not used",
+        [](Sums sums, D r) { return static_cast<int>(std::round(r * (size_of(sums) - 1))); });
+  named("too large",
+        [](Sums sums, D r) { return std::min(right(sums, r) + 1, size_of(sums) - 1); });
+  named("too large", [](Sums sums, D r) { return right(sums, r) + 1; });
+  named("too small", [](Sums sums, D r) { return std::max(0, right(sums, r) - 1); });
+  named("too small", [](Sums sums, D r) { return right(sums, r) - 1; });
+  named("always draw the first", [](Sums, D r) { return static_cast<int>(r); });
+  named("limit the index", [](Sums sums, D r) {
+    return static_cast<int>(std::upper_bound(sums.begin(), sums.end(), r) - sums.begin());
+  });
+  named("probability 0 is drawn", [](Sums sums, D r) {
+    int i = 0;
+    for (const D sum : sums)
+      if (r > sum && i + 1 < size_of(sums)) ++i;
+    return i;
+  });
+  named("too small", [](Sums sums, D r) {
+    int i = size_of(sums) - 1;
+    while (i > 0 && r < sums[i]) --i;
+    return i;
+  });
+  named("the last thing is never drawn", [](Sums sums, D r) {
+    int i = 0;
+    while (i < size_of(sums) - 2 && r >= sums[i]) ++i;
+    return i;
+  });
+  named("thing 0 is never drawn", [](Sums sums, D r) {
+    int i = 1;
+    while (i < size_of(sums) - 1 && r >= sums[i]) ++i;
+    return i;
+  });
+  named("a sum already", [](Sums sums, D r) {
+    D sum = 0;
+    for (int i = 0; i < size_of(sums); ++i) {
+      sum += sums[i];
+      if (r < sum) return i;
+    }
+    return size_of(sums) - 1;
+  });
+  named("a sum already", [](Sums sums, D r) {
+    for (int i = 0; i < size_of(sums); ++i) {
+      if (r < sums[i]) return i;
+      r -= sums[i];
+    }
+    return size_of(sums) - 1;
+  });
+  named("always draw the last", [](Sums sums, D r) {
+    for (int i = size_of(sums) - 1; i >= 0; --i)
+      if (r < sums[i]) return i;
+    return size_of(sums) - 1;
+  });
+  named("your search goes on", [](Sums sums, D r) {
+    for (int i = size_of(sums) - 1; i >= 0; --i)
+      if (r < sums[i]) return i;
+    return -1;
+  });
+  named("your search goes on", [](Sums sums, D r) {
+    int found = 0;
+    for (int i = 0; i < size_of(sums); ++i)
+      if (r < sums[i]) found = i;
+    return found;
+  });
+  named("nearest to r", [](Sums sums, D r) {
+    int best = 0;
+    for (int i = 1; i < size_of(sums); ++i)
+      if (std::fabs(sums[i] - r) < std::fabs(sums[best] - r)) best = i;
+    return best;
+  });
   check_unknown(
-      "12.3", +[](const Sums&, double) { return 1; });
-}
+      "12.3", +[](Sums, D) { return 1; });
 
-TEST_CASE("12.1: more lights that students compute") {
-  const auto named = [](Color (*mistaken)(int, int, int, int), const char* text) {
-    check_mistake("12.1", mistaken, text);
+  // A student counts sums, from this number on.
+  const auto counted = [&](int from, bool (*counts)(D sum, D r), const char* text) {
+    static int from_number;
+    static bool (*counts_here)(D, D);
+    from_number = from;
+    counts_here = counts;
+    named(text, [](Sums sums, D r) {
+      int i = from_number;
+      for (const D sum : sums)
+        if (counts_here(sum, r)) ++i;
+      return i;
+    });
   };
-  named(
-      [](int red, int green, int blue, int exponent) {
-        return Color{1. * red, 1. * green, 1. * blue} * std::exp2(exponent - 128);
-      },
-      "256 times");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        return Color{1 / 2 + 1. * red, 1 / 2 + 1. * green, 1 / 2 + 1. * blue} *
-               std::exp2(exponent - 136);
-      },
-      "half is missing");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        const auto light = [&](int m) { return exponent == 0 ? 0 : m + 0.5; };
-        return Color{light(red), light(green), light(blue)} * std::exp2(exponent - 136);
-      },
-      "must not be added");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        const double step = std::exp2(exponent - 136);
-        return Color{red == 0 ? 0 : (red + 0.5) * step, (green + 0.5) * step, (blue + 0.5) * step};
-      },
-      "must not be added");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        const double step = std::exp2(exponent - 136);
-        return Color{(red + 0.5) * step, green > 0 ? (green + 0.5) * step : 0,
-                     blue > 0 ? (blue + 0.5) * step : 0};
-      },
-      "must not be added");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        if (red == 0 && green == 0 && blue == 0) return Color{0, 0, 0};
-        return Color{red + 0.5, green + 0.5, blue + 0.5} * std::exp2(exponent - 136);
-      },
-      "must not be added");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        if (red * green * blue == 0) return Color{0, 0, 0};
-        return Color{red + 0.5, green + 0.5, blue + 0.5} * std::exp2(exponent - 136);
-      },
-      "its own byte");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        if (red == 0) return Color{0, 0, 0};
-        return Color{red + 0.5, green + 0.5, blue + 0.5} * std::exp2(exponent - 136);
-      },
-      "its own byte");
-  named(
-      [](int red, int green, int blue, int exponent) {
-        if (red == 0) return Color{0, 0, 0};
-        return solution_1::light_of_texel(red, green, blue, exponent);
-      },
-      "its own byte");
-  named([](int red, int green, int,
-           int exponent) { return solution_1::light_of_texel(red, green, green, exponent); },
-        "line that was copied");
-  named([](int red, int, int blue,
-           int exponent) { return solution_1::light_of_texel(red, red, blue, exponent); },
-        "line that was copied");
-  named([](int red, int green, int,
-           int exponent) { return solution_1::light_of_texel(red, green, red, exponent); },
-        "line that was copied");
-  named([](int red, int, int,
-           int exponent) { return solution_1::light_of_texel(red, red, red, exponent); },
-        "the texel is gray");
-  named(
-      [](int red, int green, int blue, int) {
-        return Color{red / 255., green / 255., blue / 255.};
-      },
-      "PNG");
-  named(
-      [](int red, int green, int blue, int) {
-        return Color{srgb_decode(red / 255.), srgb_decode(green / 255.), srgb_decode(blue / 255.)};
-      },
-      "and the bytes of this file are light");
-}
+  const auto reached = [](D sum, D r) { return r >= sum; };
+  counted(0, reached, "limit the index");
+  counted(1, reached, "too large");
+  counted(-1, reached, "too small");
+  const auto passed = [](D sum, D r) { return r > sum; };
+  counted(0, passed, "and limit");
+  const auto above = [](D sum, D r) { return sum > r; };
+  counted(0, above, "you count the sums");
 
-TEST_CASE("12.1: more channels that students compute") {
-  // A student writes the same line three times.
-  const auto named = [](double (*channel)(int m, int k), const char* text) {
-    static double (*same)(int, int);
-    same = channel;
-    check_mistake(
-        "12.1",
-        +[](int red, int green, int blue, int exponent) {
-          return Color{same(red, exponent), same(green, exponent), same(blue, exponent)};
-        },
-        text);
+  // A student looks for the first thing like this; if there is none, it is the last or another one.
+  constexpr int last = std::numeric_limits<int>::max();
+  const auto found = [&](bool (*like)(Sums s, int i, D r), const char* text, int other) {
+    static bool (*like_this)(Sums, int, D);
+    static int else_this;
+    like_this = like;
+    else_this = other;
+    named(text, [](Sums sums, D r) {
+      for (int i = 0; i < size_of(sums); ++i)
+        if (like_this(sums, i, r)) return i;
+      return std::min(else_this, size_of(sums) - 1);
+    });
   };
-  named([](int m, int k) { return m > 0 ? (m + 0.5) / 255 * std::pow(2., k - 128) : 0; },
-        "not 1 / 255");
-  named([](int m, int k) { return m / 255. * std::pow(2., k - 128); }, "not 1 / 255");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) / 256 * std::exp2(k - 127) : 0; },
-        "twice as bright");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * std::exp2(k - 137) : 0; }, "half as bright");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * std::exp2(136 - k) : 0; }, "wrong sign");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) / std::exp2(k - 136) : 0; }, "wrong sign");
-  named([](int m, int k) { return m * std::exp2(136 - k); }, "wrong sign");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * std::exp(k - 136) : 0; }, "power of e");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * std::pow(10., k - 136) : 0; }, "power of 10");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * std::pow(k - 136., 2.) : 0; }, "base first");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * 2 * (k - 136) : 0; }, "2 * x is no power");
-  named([](int m, int k) { return (m + 0.5) * (2 ^ (k - 136)); }, "compares bits");
-  named([](int m, int k) { return (m + 0.5) * (1 << ((k - 136) & 31)); }, "1 << x");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * (std::exp2(k) - 136) : 0; },
-        "before the power");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) * std::exp2(k) - 136 : 0; },
-        "before the power");
-  named(
-      [](int m, int k) {
-        const int step = static_cast<int>(std::exp2(k - 136));
-        return m > 0 ? (m + 0.5) * step : 0;
-      },
-      "0 as an int");
-  named([](int m, int k) { return m > 0 ? (m + 0.5) / 256 * std::exp2(k - 136) : 0; },
-        "8 bits of m in it already");
-  named([](int m, int k) { return m / 255. * std::exp2(k - 136); }, "8 bits of m in it already");
-  named([](int m, int k) { return m > 0 ? std::pow(m + 0.5, k - 136) : 0; }, "base of the power");
-  named([](int m, int k) { return std::pow(m + 0.5, k - 136); }, "base of the power");
-  named([](int m, int) { return m > 0 ? m + 0.5 : 0; }, "2 to the power");
-  named([](int m, int) { return m > 0 ? (m + 0.5) / 256 : 0; }, "PNG");
-  named([](int m, int k) { return m > 0 ? m * std::exp2(k - 136) + 0.5 : 0; }, "comes before +");
-  named([](int m, int k) { return m + 0.5 * std::exp2(k - 136); }, "comes before +");
-  named([](int m, int k) { return m > 0 ? m + 0.5 * std::exp2(k - 136) : 0; }, "comes before +");
-  named([](int m, int k) { return m > 0 ? (m - 0.5) * std::exp2(k - 136) : 0; }, "it is m + 1/2");
-  named([](int m, int k) { return m > 0 ? (m + 1) * std::exp2(k - 136) : 0; }, "it is m + 1/2");
-  named([](int m, int k) { return std::fmin(1, m > 0 ? (m + 0.5) * std::exp2(k - 136) : 0); },
-        "do not limit");
-  named([](int m, int k) { return std::clamp(m * std::exp2(k - 136), 0., 1.); }, "do not limit");
-  named([](int m,
-           int k) { return 1. * static_cast<int>((m > 0 ? m + 0.5 : 0) * std::exp2(k - 136)); },
-        "no whole number");
-  named([](int m, int k) { return srgb_decode(m > 0 ? (m + 0.5) * std::exp2(k - 136) : 0); },
-        "leave srgb_decode out");
-  named([](int m, int k) { return srgb_encode(m > 0 ? (m + 0.5) * std::exp2(k - 136) : 0); },
-        "leave srgb_encode out");
-}
-
-TEST_CASE("12.2: more angles that students compute") {
-  const auto named = [](double (*mistaken)(int, int, int), const char* text) {
-    check_mistake("12.2", mistaken, text);
-  };
-  using std::cos;
-  using std::sin;
-  named([](int row, int width,
-           int height) { return sin(pi * (row + 0.5) / height) * 4 * pi / (width * height); },
-        "in the middle");
-  named([](int row, int width,
-           int height) { return sin(pi * (row + 1 / 2) / height) * 2 * pi / width * pi / height; },
-        "upper edge");
-  named([](int row, int width,
-           int height) { return sin(pi * (row + 1) / height) * 2 * pi / width * pi / height; },
-        "the row's lower edge");
-  named(
-      [](int row, int width, int height) {
-        const double a = sin(pi * row / height);
-        const double b = sin(pi * (row + 1) / height);
-        return 2 * pi / width * pi / height * 0.5 * (a + b);
-      },
-      "mean of two sines");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(180 * row / height) - cos(180 * (row + 1) / height));
-      },
-      "radians");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi / 2 * row / height) - cos(pi / 2 * (row + 1) / height));
-      },
-      "ends at the equator");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(row / height * pi) - cos((row + 1) / height * pi));
-      },
-      "whole numbers");
-  named([](int row, int width,
-           int height) { return 2 * pi / width * (cos(row / height) - cos((row + 1) / height)); },
-        "whole numbers");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(1.0 * row / height) - cos(1.0 * (row + 1) / height));
-      },
-      "pi is missing");
-  named([](int row, int width, int) { return 2 * pi / width * (cos(row) - cos(row + 1)); },
-        "not row alone");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * (row + 1) / height) - cos(pi * (row + 2) / height));
-      },
-      "too far down");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * (row - 1) / height) - cos(pi * row / height));
-      },
-      "too far up");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * (row - 0.5) / height) - cos(pi * (row + 0.5) / height));
-      },
-      "leave the half out");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * (row + 0.5) / height) - cos(pi * (row + 1.5) / height));
-      },
-      "leave the half out");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * row / (height - 1)) - cos(pi * (row + 1) / (height - 1)));
-      },
-      "not by height - 1");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * row / height) - cos(pi * row / height));
-      },
-      "both edges are the same");
-  named(
-      [](int row, int width, int height) {
-        return 2 * pi / width * (cos(pi * row / height) - cos(pi * (row - 1) / height));
-      },
-      "that of row - 1");
-  named(
-      [](int row, int width, int height) { return 2 * pi / width * (cos(pi * row / height) + 1); },
-      "south pole");
-}
-
-TEST_CASE("12.2: brackets that students forget") {
-  const auto named = [](double (*lower)(int, int), const char* text) {
-    static double (*edge)(int, int);
-    edge = lower;
-    check_mistake(
-        "12.2",
-        +[](int row, int width, int height) {
-          return 2 * pi / width * (std::cos(pi * row / height) - std::cos(edge(row, height)));
-        },
-        text);
-  };
-  named([](int row, int height) { return pi * row + 1 / height; }, "brackets");
-  named([](int row, int height) { return pi * row + 1. / height; }, "brackets");
-  named([](int row, int) { return pi * row + 1; }, "brackets");
-  named([](int row, int height) { return (pi * row + 1) / height; }, "brackets");
-  named([](int row, int height) { return pi * row / height + 1; }, "brackets");
-  named([](int row, int height) { return (1. * row / height + 1) * pi; }, "brackets");
-  named([](int row, int height) { return pi * (row + 1. / height); }, "brackets");
-  named([](int row, int height) { return row + 1 * pi / height; }, "brackets");
-}
-
-TEST_CASE("12.2: more integrals and factors that students compute") {
-  const auto named = [](double (*angle)(double a, double b, int width, int height),
-                        const char* text) {
-    static double (*of_edges)(double, double, int, int);
-    of_edges = angle;
-    check_mistake(
-        "12.2",
-        +[](int row, int width, int height) {
-          return of_edges(pi * row / height, pi * (row + 1) / height, width, height);
-        },
-        text);
-  };
-  using std::cos;
-  using std::sin;
-  using D = double;
-  named([](D a, D b, int w, int) { return 2 * pi / w * (cos(a) + cos(b)); }, "not added");
-  named([](D a, D b, int w, int) { return 2 * pi / w * cos(a) * cos(b); }, "not multiplied");
-  named([](D a, D b, int w, int) { return 2 * pi / w * cos(b - a); }, "cosine of a - b");
-  named([](D a, D b, int w, int) { return 2 * pi / w * (1 - cos(b - a)); }, "cosine of a - b");
-  named([](D a, D b, int w, int) { return 2 * pi / w * (sin(a) - sin(b)); }, "yours are sines");
-  named([](D a, D b, int w, int) { return 2 * pi / w * (sin(b) - sin(a)); }, "yours are sines");
-  named([](D a, D b, int w, int) { return 2 * pi / w * (cos(pi / 2 - a) - cos(pi / 2 - b)); },
-        "yours are sines");
-  named([](D, D b, int w, int) { return 2 * pi / w * (1 - cos(b)); }, "down to b");
-  named([](D a, D, int w, int) { return 2 * pi / w * (1 - cos(a)); }, "down to a");
-  named([](D a, D, int w, int) { return 2 * pi / w * cos(a); }, "cos b is missing");
-  named([](D a, D b, int w, int) { return 2 * pi / w * cos(a) - cos(b); }, "comes before -");
-  named([](D a, D b, int w, int) { return 2 * pi / w * (b - a); }, "sine is missing");
-  named([](D a, D b, int, int) { return 2 * pi * (cos(b) - cos(a)); }, "whole row");
-  named([](D a, D b, int w, int) { return pi / w * (cos(a) - cos(b)); }, "not pi:");
-  named([](D a, D b, int w, int) { return 4 * pi / w * (cos(a) - cos(b)); }, "not 4 pi");
-  named([](D a, D b, int w, int) { return (cos(a) - cos(b)) / w; }, "2 pi is missing");
-  named([](D a, D b, int, int) { return cos(a) - cos(b); }, "multiply by 2 pi / width");
-  named([](D a, D b, int w, int) { return 360. / w * (cos(a) - cos(b)); }, "not 360");
-  named([](D a, D b, int w, int h) { return 2 * pi / w * pi / h * (cos(a) - cos(b)); },
-        "the other height");
-  named([](D a, D b, int w, int h) { return 2 * pi / (w * h) * (cos(a) - cos(b)); },
-        "the other height");
-  named([](D a, D b, int w, int h) { return 4 * pi / (w * h) * (cos(a) - cos(b)); },
-        "the other height");
-  named([](D a, D b, int w, int) { return 2 * pi * w * (cos(a) - cos(b)); }, "you multiply");
-  named([](D a, D b, int, int h) { return 2 * pi / h * (cos(a) - cos(b)); },
-        "divide by the height here");
-  named([](D a, D b, int w, int h) { return 2 * pi / h * (cos(a * h / w) - cos(b * h / w)); },
-        "width and height are exchanged");
-  named([](D a, D b, int w, int h) { return 2 * pi / w * (cos(a * h / w) - cos(b * h / w)); },
-        "you divide it by the width");
-}
-
-TEST_CASE("12.3: more things that students draw") {
-  using Sums = std::vector<double>;
-  const auto named = [](int (*mistaken)(const Sums&, double), const char* text) {
-    check_mistake("12.3", mistaken, text);
-  };
-  static constexpr auto size_of = [](const Sums& sums) { return static_cast<int>(sums.size()); };
-  named([](const Sums& sums, double r) { return static_cast<int>(r * (size_of(sums) - 1)); },
-        "not used");
-  named([](const Sums& sums,
-           double r) { return static_cast<int>(std::lround(r * (size_of(sums) - 1))); },
-        "not used");
-  named(
-      [](const Sums& sums, double r) {
-        return static_cast<int>(std::upper_bound(sums.begin(), sums.end(), r) - sums.begin());
-      },
-      "limit the index");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (r < sums[i]) return i;
-        return -1;
-      },
-      "not -1");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (r < sums[i]) return i;
-        return 0;
-      },
-      "not the first");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (sums[i] >= r) return i;
-        return -1;
-      },
-      "and return the last");
-  named(
-      [](const Sums& sums, double r) {
-        int i = 0;
-        while (i < size_of(sums) - 1 && r < sums[i]) ++i;
-        return i;
-      },
-      "turned around");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (r > sums[i]) return i;
-        return -1;
-      },
-      "turned around");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (r == sums[i]) return i;
-        return size_of(sums) - 1;
-      },
-      "hardly ever");
-  named(
-      [](const Sums& sums, double r) {
-        int i = 1;
-        while (i < size_of(sums) - 1 && r >= sums[i]) ++i;
-        return i;
-      },
-      "thing 0 is never drawn");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 1; i < size_of(sums); ++i)
-          if (sums[i - 1] <= r && r < sums[i]) return i;
-        return size_of(sums) - 1;
-      },
-      "thing 0 is left out");
-  named(
-      [](const Sums& sums, double r) {
-        if (r > 0 && r < sums[0]) return 0;
-        for (int i = 1; i < size_of(sums); ++i)
-          if (sums[i - 1] < r && r < sums[i]) return i;
-        return size_of(sums) - 1;
-      },
-      "write >= there");
-  named(
-      [](const Sums& sums, double r) {
-        double before = 0;
-        for (int i = 0; i < size_of(sums); ++i) {
-          if (r < sums[i] - before) return i;
-          before = sums[i];
-        }
-        return size_of(sums) - 1;
-      },
-      "the probability of thing i alone");
-  named(
-      [](const Sums& sums, double r) {
-        double sum = 0;
-        for (int i = 0; i < size_of(sums); ++i) {
-          sum += sums[i];
-          if (r < sum) return i;
-        }
-        return size_of(sums) - 1;
-      },
-      "a sum already");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i) {
-          if (r < sums[i]) return i;
-          r -= sums[i];
-        }
-        return size_of(sums) - 1;
-      },
-      "a sum already");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (1 - r < sums[i]) return i;
-        return size_of(sums) - 1;
-      },
-      "1 - r");
-}
-
-TEST_CASE("12.3: searches that end elsewhere") {
-  using Sums = std::vector<double>;
-  const auto named = [](int (*mistaken)(const Sums&, double), const char* text) {
-    check_mistake("12.3", mistaken, text);
-  };
-  static constexpr auto size_of = [](const Sums& sums) { return static_cast<int>(sums.size()); };
-  named([](const Sums& sums, double r) { return solution_3::drawn_thing(sums, r) + 1; },
-        "too large");
-  named([](const Sums& sums, double r) { return solution_3::drawn_thing(sums, r) - 1; },
-        "too small");
-  named(
-      [](const Sums& sums, double r) {
-        int i = size_of(sums) - 1;
-        while (i > 0 && r < sums[i]) --i;
-        return i;
-      },
-      "too small");
-  named(
-      [](const Sums& sums, double r) {
-        int i = 0;
-        while (i < size_of(sums) - 2 && r >= sums[i]) ++i;
-        return i;
-      },
-      "the last thing is never drawn");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = size_of(sums) - 1; i >= 0; --i)
-          if (r < sums[i]) return i;
-        return size_of(sums) - 1;
-      },
-      "always draw the last");
-  named([](const Sums&, double r) { return static_cast<int>(r); }, "always draw the first");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = 0; i < size_of(sums); ++i)
-          if (r >= sums[i]) return i;
-        return 0;
-      },
-      "always draw the first");
-  named(
-      [](const Sums& sums, double r) {
-        int found = 0;
-        for (int i = 0; i < size_of(sums); ++i)
-          if (r < sums[i]) found = i;
-        return found;
-      },
-      "your search goes on");
-  named(
-      [](const Sums& sums, double r) {
-        for (int i = size_of(sums) - 1; i >= 0; --i)
-          if (r < sums[i]) return i;
-        return -1;
-      },
-      "your search goes on");
-  named(
-      [](const Sums& sums, double r) {
-        int count = 0;
-        for (const double sum : sums)
-          if (sum > r) ++count;
-        return count;
-      },
-      "you count the sums");
-  named(
-      [](const Sums& sums, double r) {
-        int best = 0;
-        for (int i = 1; i < size_of(sums); ++i)
-          if (std::fabs(sums[i] - r) < std::fabs(sums[best] - r)) best = i;
-        return best;
-      },
-      "nearest to r");
+  found([](Sums s, int i, D r) { return r < s[i]; }, "not -1", -1);
+  found([](Sums s, int i, D r) { return r < s[i]; }, "not the first", 0);
+  found([](Sums s, int i, D r) { return s[i] >= r; }, "and return the last", -1);
+  found([](Sums s, int i, D r) { return !(r < s[i]); }, "turned around", last);
+  found([](Sums s, int i, D r) { return r > s[i]; }, "turned around", -1);
+  found([](Sums s, int i, D r) { return r >= s[i]; }, "always draw the first", 0);
+  found([](Sums s, int i, D r) { return r == s[i]; }, "hardly ever", last);
+  found([](Sums s, int i, D r) { return i > 0 && s[i - 1] <= r && r < s[i]; },
+        "thing 0 is left out", last);
+  found([](Sums s, int i, D r) { return (i > 0 ? s[i - 1] : 0) < r && r < s[i]; }, "write >= there",
+        last);
+  found([](Sums s, int i, D r) { return r < s[i] - (i > 0 ? s[i - 1] : 0); },
+        "the probability of thing i alone", last);
+  found([](Sums s, int i, D r) { return 1 - r < s[i]; }, "1 - r", last);
 }
 
 TEST_CASE("the questions of chapter 12 have the answers of its page") {
