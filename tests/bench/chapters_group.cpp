@@ -14,8 +14,10 @@
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
 #include "engine/compare/difference.hpp"
+#include "engine/mesh/box_tree.hpp"
 #include "lesson_work.hpp"
 #include "make_rows.hpp"
+#include "support/mesh_rays.hpp"
 
 namespace texmap::bench {
 namespace {
@@ -79,6 +81,65 @@ void add_budget(Group& group, const std::string& sky, const std::string& budget)
 }
 
 }  // namespace
+
+Group threads_group() {
+  Group group{
+      .name = "threads",
+      .title = "One thread and two",
+      .text =
+          "Drawing alone, at 800 × 600 pixels, chapter 07 with 8 samples per pixel. The base of "
+          "each line is one thread with the same number; two are of use where there are two "
+          "processors.",
+      .unit = "ms",
+      .seconds = 12,
+  };
+  const auto add = [&group]<class Lesson>(const std::string& line, std::type_identity<Lesson>) {
+    for (const Variant& variant : {in_double, widest_double_pack()}) {
+      const std::string number(variant.name);
+      for (const int threads : {1, 2}) {
+        group.rows.push_back(row_of(line, line + number, variant, 1, [threads] {
+          const auto work = std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600);
+          work->use_threads(threads);
+          return work;
+        }));
+        group.rows.back().column = number + (threads == 1 ? ", 1 thread" : ", 2 threads");
+      }
+    }
+  };
+  add("03", std::type_identity<chapter_03::Lesson>());
+  add("07", std::type_identity<chapter_07::Lesson>());
+  add("08", std::type_identity<chapter_08::Lesson>());
+  return group;
+}
+
+Group meshes_group() {
+  Group group{
+      .name = "meshes",
+      .title = "A tree of boxes, and every triangle for every ray",
+      .text =
+          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread. The "
+          "base of each line tries every triangle with the same number.",
+      .unit = "ms",
+      .seconds = 20,
+  };
+  for (const int sides : {6, 12, 40}) {
+    const std::string line = std::to_string(2 * sides * sides) + " triangles";
+    for (const Variant& variant : {in_double, widest_double_pack()}) {
+      const std::string number(variant.name);
+      for (const bool tree : {false, true}) {
+        group.rows.push_back(row_of(line, line + number, variant, 1, [sides, tree] {
+          auto lesson = prepared<chapter_08::Lesson>({});
+          lesson.scene = test::torus(sides, sides);
+          lesson.paint.mapping = lesson.scene.mapping;
+          if (tree) build_box_tree(lesson.scene.mesh);
+          return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
+        }));
+        group.rows.back().column = number + (tree ? ", tree of boxes" : ", every triangle");
+      }
+    }
+  }
+  return group;
+}
 
 Group budgets_group() {
   Group group{

@@ -1,4 +1,4 @@
-// A chapter's lesson as something to be timed: its picture, on one thread.
+// A chapter's lesson as something to be timed: its picture, on one thread or on more.
 #pragma once
 #include <optional>
 #include <type_traits>
@@ -27,6 +27,7 @@ class LessonWork {
   LessonWork(const LessonWork&) = delete;  // planned objects point into the lesson
   LessonWork& operator=(const LessonWork&) = delete;
 
+  void use_threads(int threads) { settings_.threads = threads; }
   void run(const Variant& variant) {
     settings_.instructions = variant.instructions;
     if constexpr (GathersLight<Lesson>) {

@@ -211,7 +211,7 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
               "(`common/engine/measure/interleaved.cpp`). So the ratios, in brackets, hold better "
               "than the times, and they too "
               "change from run to run by some hundredths, on a busy machine by a tenth. All "
-              "on one thread. \"–\": not on "
+              "on one thread, unless a table says otherwise. \"–\": not on "
               "this machine.");
   for (const Measured& measured : all) {
     const Group& group = measured.group;

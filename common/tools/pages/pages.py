@@ -11,9 +11,11 @@ In a page, a mark comes before a block of code, and the block is what the source
 
 The path is that of a file next to the page, or in common/, or in the whole tree. The name is that of a function, a structure, an
 enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the next that
-holds the other; if both texts are the same, one line. A figure is between two marks inside a line, and is the value of its name in docs/figures.txt:
+holds the other; if both texts are the same, one line. A figure is between two marks inside a line, and is the value of its name in docs/figures.txt,
+or a ratio in a table of docs/measurements.md, named by its group, line and column:
 
     a pixel covers <!-- figure: 03.texels_a_pixel -->71<!-- end --> texels
+    <!-- figure: measured.chapters.07.float-pack_avx2 -->5.1<!-- end --> times as fast
 """
 import pathlib
 import re
@@ -23,9 +25,10 @@ import tempfile
 
 CODE = re.compile(r'^<!-- code: (?P<file>\S+) (?P<name>[\w:~()]+)'
                   r'(?: from "(?P<first>[^"]*)" to "(?P<last>[^"]*)")? -->$')
-FIGURE = re.compile(r'<!-- figure: (?P<name>[\w.]+) -->(?P<value>.*?)<!-- end -->')
+FIGURE = re.compile(r'<!-- figure: (?P<name>[\w.-]+) -->(?P<value>.*?)<!-- end -->')
 MARK_OF_EXERCISE = re.compile(r'^ *// (solution$|start: )')  # tests/exercises/: the page shows the solution
 FIGURES = 'docs/figures.txt'  # lines of a name, a blank and the value
+MEASURED = 'docs/measurements.md'
 
 
 class Fault(Exception):
@@ -142,8 +145,32 @@ def renewed(root, page, figures, used):
     return '\n'.join(out)
 
 
+def measured(text):
+    """The ratios in the tables of docs/measurements.md, by group, line and column, in two or three digits."""
+    def word(cell):
+        return re.sub(r'[^\w.-]+', '_', cell).strip('_')
+    ratios = {}
+    group = columns = ''
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip('|').split('|')]
+        if line.startswith('## '):
+            group, columns = line[3:].split(':')[0], ''
+        elif group and line.startswith('| ') and not columns:
+            columns = cells
+        elif group and line.startswith('| '):
+            for column, cell in zip(columns, cells):
+                ratio = re.search(r'\(([\d.]+)×\)$', cell)
+                if ratio:
+                    digits = 0 if float(ratio[1]) >= 20 else 1 if float(ratio[1]) >= 1 else 2
+                    ratios[f'measured.{group}.{word(cells[0])}.{word(column)}'] = f'{float(ratio[1]):.{digits}f}'
+    return ratios
+
+
 def run(root, write):
     figures = dict(line.split(' ', 1) for line in (root / FIGURES).read_text(encoding='utf-8').splitlines())
+    counted = list(figures)
+    if (root / MEASURED).is_file():
+        figures |= measured((root / MEASURED).read_text(encoding='utf-8'))
     used = set()
     faults = []
     changed = 0
@@ -160,7 +187,7 @@ def run(root, write):
             else:
                 faults.append(f'{page.relative_to(root)} shows other code or figures than there are: run ./course pages --write')
     if not write:
-        faults += [f'{FIGURES}: no page shows {name}' for name in figures if name not in used]
+        faults += [f'{FIGURES}: no page shows {name}' for name in counted if name not in used]
     for fault in faults:
         print(f'FAIL: {fault}', file=sys.stderr)
     print(f'{len(pages_of(root))} pages, {len(used)} figures, {changed} {"renewed" if write else "stale"}')
@@ -215,6 +242,8 @@ def self_test():
         refused('<!-- code: texture/uv.hpp half -->\n```cpp\n', 'does not end')
         refused('a <!-- figure: 02.m -->1<!-- end -->', 'has no figure 02.m')
         refused('a <!-- figure: 02.n -->1', 'lacks its')
+        assert measured('## a b: c\n\n| ms | x | y z |\n|---|---|---|\n| 0,1 = 2 | 3.2 (base) | 1.5 (2.13×) |\n| w | – | 9 (0.51×) |\n') == {
+            'measured.a b.0_1_2.y_z': '2.1', 'measured.a b.w.y_z': '0.51'}
         renew(block('half', 'old\n'))
         assert run(work, False) == 1
         renew('a <!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
