@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/app/filter_options.hpp"
+#include "engine/measure/interleaved.hpp"
 #include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/threads.hpp"

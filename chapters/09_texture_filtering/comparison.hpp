@@ -1,10 +1,10 @@
 // What the filters cost and how far off they are, on checkers to the horizon.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "engine/measure/interleaved.hpp"
 #include "scene/camera.hpp"
 #include "scene/floor.hpp"
 #include "texture/filters.hpp"
@@ -13,7 +13,8 @@
 
 namespace texmap {
 struct Plot;
-}
+struct WorkTime;
+}  // namespace texmap
 
 namespace texmap::chapter_09 {
 
@@ -41,7 +42,7 @@ struct FilterFigures {
 struct FilterComparison {
   std::vector<FilterFigures> figures;
   /// To be timed, of each of the figures: `look_ups` look-ups on one thread.
-  std::vector<Work> works;
+  std::vector<std::function<void()>> works;
   std::size_t look_ups = 0;  ///< one for each pixel of the floor
   double rays = 0;           ///< that were followed for the errors
 

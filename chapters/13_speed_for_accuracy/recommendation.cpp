@@ -63,7 +63,8 @@ std::string recommended_place(const Measurements& all, Filter filter, const Budg
   if (trial == nullptr) return text("  %-9s nothing that was tried keeps to it\n", name_of(filter));
   const Trial* plain = find_trial(all.places, {.filter = filter});
   std::string lines = text(
-      "  %-9s %s: %s times as fast as plain double\n            at most %.1e texels off; "
+      "  %-9s %s: %s times as fast as plain double with this filter\n            at most %.1e "
+      "texels off; "
       "pixels that may change: %ld, levels: %d\n",
       name_of(filter), described(trial->variant).c_str(),
       times_as_fast(plain->took, trial->took).c_str(), trial->errors.texels_bound,
@@ -71,14 +72,10 @@ std::string recommended_place(const Measurements& all, Filter filter, const Budg
   if (filter != Filter::nearest) return lines;
   const int degree = trial->variant.degree;
   lines += "            " + command_of(trial->variant, budget_for(degree, texture)) + "\n";
-  // Chapter 07 chooses a polynomial by its own error; the bound here has the rounding, too.
   if (degree > 0) {
-    lines += budget.unit == Budget::Unit::texels
-                 ? text(
-                       "            (its --budget is the polynomial's share of the %g texels; "
-                       "rounding has the rest)\n",
-                       budget.limit)
-                 : "            (its --budget is how far off the polynomial is)\n";
+    lines +=
+        "            (chapter 07's --budget is the polynomial's share alone; rounding adds the "
+        "rest of the bound)\n";
   }
   return lines;
 }
@@ -88,7 +85,8 @@ std::string recommended_light(const Measurements& all, const Budget& budget) {
   if (trial == nullptr) return "  light     nothing that was tried keeps to it\n";
   return text(
       "  light     %s, texels as %s: %s times as fast as plain double\n            at most %.2f "
-      "levels off, not rounded; pixels that may change: %ld, levels: %d\n            %s\n",
+      "levels off, not rounded; pixels that may change: %ld, levels: %d\n            %s\n"
+      "            (float is left out where its places may take the neighboring texel)\n",
       described_number(trial->variant).c_str(), described_light(trial->variant).c_str(),
       times_as_fast(all.curves.front().took, trial->took).c_str(), trial->errors.unrounded_bound,
       trial->errors.may_change, trial->errors.levels_bound,

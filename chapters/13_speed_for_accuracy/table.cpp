@@ -10,16 +10,19 @@
 namespace texmap::chapter_13 {
 namespace {
 
-/// The times of a number and a kernel with each set of instructions, as parts of plain double's.
+/// The times of a number and a kernel with each set of instructions, as parts of plain double's,
+/// and their widest spread.
 std::string times_of(const std::vector<Trial>& trials, Variant variant) {
   std::string times;
+  double spread = 1;
   for (const Instructions instructions :
        {Instructions::baseline, Instructions::avx2, Instructions::avx512}) {
     variant.instructions = instructions;
     const Trial* trial = find_trial(trials, variant);
     times += trial == nullptr ? "        -" : text("%9.3f", trial->time);
+    if (trial != nullptr) spread = std::max(spread, trial->took.spread);
   }
-  return times;
+  return times + text("%5.2f", spread);
 }
 
 std::string table_of_places(const Measurements& all, Filter filter) {
@@ -28,11 +31,11 @@ std::string table_of_places(const Measurements& all, Filter filter) {
       "texel\n",
       filter == Filter::nearest ? "Nearest texel" : "Bilinear filter", all.width, all.height,
       all.places.front().took.processor);
-  table += text("%-23s%27s %26s %14s %12s\n", "", "time by instructions", "place off by, texels",
-                "pixels off", "levels off");
+  table += text("%-23s%25s%7s %26s %14s %12s\n", "", "time by instructions", "spread",
+                "place off by, texels", "pixels off", "levels off");
   table +=
-      text("%-12s %-10s%9s%9s%9s %8s %8s %8s %6s %7s %4s %7s\n", "number", "kernel", "baseline",
-           "avx2", "avx512", "worst", "mean", "at most", "seen", "at most", "seen", "at most");
+      text("%-12s %-10s%9s%9s%9s%5s %8s %8s %8s %6s %7s %4s %7s\n", "number", "kernel", "baseline",
+           "avx2", "avx512", "", "worst", "mean", "at most", "seen", "at most", "seen", "at most");
   for (const Trial& trial : all.places) {
     const Variant& variant = trial.variant;
     if (variant.filter != filter || variant.instructions != Instructions::baseline) continue;
@@ -44,14 +47,15 @@ std::string table_of_places(const Measurements& all, Filter filter) {
 
 std::string table_of_light(const std::vector<Trial>& trials, const std::string& title) {
   std::string table = title + "\n";
-  table += text("%-51s%26s %14s %12s\n", "", "levels off, not rounded", "pixels off", "levels off");
-  table += text("%-12s %-13s %-6s %-8s %8s %8s %8s %8s %6s %7s %4s %7s\n", "number", "instructions",
-                "texels", "curve", "time", "worst", "mean", "at most", "seen", "at most", "seen",
-                "at most");
+  table += text("%-48s%7s %26s %14s %12s\n", "", "spread", "levels off, not rounded", "pixels off",
+                "levels off");
+  table += text("%-12s %-12s %-6s %-8s %8s%5s %8s %8s %8s %6s %7s %4s %7s\n", "number",
+                "instructions", "texels", "curve", "time", "", "worst", "mean", "at most", "seen",
+                "at most", "seen", "at most");
   for (const Trial& trial : trials) {
-    table += text("%-12s %-13s %s %8.3f", name_of(trial.variant.number),
+    table += text("%-12s %-12s %s %8.3f%5.2f", name_of(trial.variant.number),
                   name_of(trial.variant.instructions), columns_of_light(trial.variant).c_str(),
-                  trial.time) +
+                  trial.time, trial.took.spread) +
              errors_text(trial) + "\n";
   }
   return table + "\n";

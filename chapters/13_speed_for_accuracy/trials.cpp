@@ -110,7 +110,18 @@ WorkTime time_alone(const Globe& globe, const View<>& view) {
 }
 
 bool agree(const WorkTime& a, const WorkTime& b) {
-  return std::max(a.processor, b.processor) <= 1.25 * std::min(a.processor, b.processor);
+  const double longer = std::max(a.processor, b.processor);
+  return longer < 1 || longer <= 1.25 * std::min(a.processor, b.processor);
+}
+
+void require_agreement(const WorkTime& alone, const WorkTime& among) {
+  if (agree(alone, among)) return;
+  throw std::runtime_error(
+      text("plain double took %.1f ms for a picture before packs were timed, and %.1f ms among "
+           "them. Every ratio would be wrong, so none is shown. Either this machine changed its "
+           "speed meanwhile: run again when nothing else runs. Or packs leave the processor in a "
+           "state that slows plain numbers: with --instructions baseline both times are then equal",
+           alone.processor, among.processor));
 }
 
 void time_trials_beside(const WorkTime& alone, std::vector<Trial>& trials, const Globe& globe,
@@ -125,12 +136,7 @@ void time_trials_beside(const WorkTime& alone, std::vector<Trial>& trials, const
     base.processor = std::min(base.processor, time_alone(globe, view).processor);
     if (agree(base, trials[0].took)) return;
   }
-  throw std::runtime_error(text(
-      "plain double took %.1f ms for a picture before packs were timed, and %.1f ms among them. "
-      "Every ratio would be wrong, so none is shown. Either this machine changed its speed "
-      "meanwhile: run again when nothing else runs. Or packs leave the processor in a state that "
-      "slows plain numbers: with --instructions baseline both times are then equal",
-      base.processor, trials[0].took.processor));
+  require_agreement(base, trials[0].took);
 }
 
 }  // namespace texmap::chapter_13

@@ -85,12 +85,16 @@ void time_trials(std::vector<Trial>& trials, const Globe& globe, const View<>& v
 /// What plain double takes when nothing else is timed.
 [[nodiscard]] WorkTime time_alone(const Globe& globe, const View<>& view);
 
-/// True if two times of one work could be the same on a busy machine: within a quarter.
+/// True if two times of one work could be the same on a busy machine: within a quarter. Those below
+/// a millisecond depend on what the caches hold, and say nothing.
 [[nodiscard]] bool agree(const WorkTime& a, const WorkTime& b);
+/// Errors: std::runtime_error if plain double alone and among others do not: every ratio would be
+/// wrong.
+void require_agreement(const WorkTime& alone, const WorkTime& among);
 
 /// The same as time_trials, and a check of it: the first trial, plain double, must take as long
 /// among the others as it took `alone` before any wide instructions ran in this process.
-/// Errors: std::runtime_error if it still does not after three timings: every ratio would be wrong.
+/// Errors: those of require_agreement, after three timings.
 void time_trials_beside(const WorkTime& alone, std::vector<Trial>& trials, const Globe& globe,
                         const View<>& view, Timing& timing);
 

@@ -162,8 +162,14 @@ std::string svg_of(const Plot& plot) {
                                     colors[static_cast<std::size_t>(series.style)],
                                     series.dashed ? " stroke-dasharray=\"4 4\"" : ""));
   }
-  if (!plot.front.empty())
-    svg += line(plot.front, "stroke=\"#c00\" stroke-width=\"5\" stroke-opacity=\"0.3\"");
+  if (!plot.front.empty()) {  // stairs: between two points there is nothing
+    std::vector<PlotPoint> stairs = {plot.front.front()};
+    for (std::size_t i = 1; i < plot.front.size(); ++i) {
+      stairs.push_back({plot.front[i].x, stairs.back().y, ""});
+      stairs.push_back(plot.front[i]);
+    }
+    svg += line(stairs, "stroke=\"#c00\" stroke-width=\"5\" stroke-opacity=\"0.3\"");
+  }
 
   // Points, and then the labels that find room between them.
   for (const PlotSeries& series : plot.series) {
