@@ -74,7 +74,10 @@ endfunction()
 # Programs for learning have one number, double, read the common headers precompiled and are optimised a little: a lesson then
 # compiles in about a second. They draw the same pictures. What they are linked with, and what measures times, is compiled as for
 # release: the user's times are those of fast programs.
-set(learn_options $<$<AND:$<BOOL:${TAKES_GNU_OPTIONS}>,$<CONFIG:Release>>:-O1>)
+set(learn_options "")
+if(TAKES_GNU_OPTIONS AND NOT EMSCRIPTEN)
+  set(learn_options $<$<CONFIG:Release>:-O1>)
+endif()
 if(TEXMAP_LEARN)
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
   add_library(learn_headers OBJECT "${CMAKE_BINARY_DIR}/learn_headers.cpp")

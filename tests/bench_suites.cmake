@@ -85,3 +85,7 @@ if(SH AND wide_sets)
   add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/bench/wide.sh" "$<TARGET_FILE:bench_ratios>")
   set_tests_properties(bench_wide_functions PROPERTIES LABELS bench SKIP_RETURN_CODE 77)
 endif()
+if(PYTHON3 AND wide_sets AND NOT TEXMAP_BENCH_UNTIMED)  # what is timed next to packs
+  add_test(NAME bench_upper_halves COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/upper_halves.py" "$<TARGET_FILE:bench_ratios>")
+  set_tests_properties(bench_upper_halves PROPERTIES LABELS bench SKIP_RETURN_CODE 77)
+endif()

@@ -10,7 +10,7 @@ function(add_closure name lesson)
   add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${lesson}"
     "-DHEADERS=${ARG_HEADERS}" "-DLINES=${ARG_LINES}" "-DFORBIDDEN=${ARG_FORBIDS}" ${symbols}
     -P "${CMAKE_CURRENT_SOURCE_DIR}/closure/closure.cmake")
-  set_tests_properties(${name} PROPERTIES LABELS closure)
+  set_tests_properties(${name} PROPERTIES LABELS "closure;reader")
 endfunction()
 
 set(by_07 path.hpp lens.hpp sampling_options.hpp)
@@ -58,7 +58,7 @@ set_tests_properties(layers_refuse_a_climber PROPERTIES
   PASS_REGULAR_EXPRESSION "common/math/climber.hpp includes .scene/ray.hpp.: math may not include.scene")
 add_test(NAME architecture_page COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" -P
   "${CMAKE_CURRENT_SOURCE_DIR}/closure/architecture.cmake")
-set_tests_properties(layers layers_refuse_a_climber architecture_page PROPERTIES LABELS closure)
+set_tests_properties(layers layers_refuse_a_climber architecture_page PROPERTIES LABELS "closure;reader")
 
 # No work before main, in the libraries and in the chapters.
 if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
@@ -72,8 +72,9 @@ if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
   add_test(NAME no_work_before_main COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=${files}" -P
     "${CMAKE_CURRENT_SOURCE_DIR}/closure/before_main.cmake")
   add_library(work_before_main STATIC closure/work_before_main.cpp)
+  set_property(DIRECTORY APPEND PROPERTY READER_SUITES work_before_main)
   add_test(NAME work_before_main_is_noticed COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=$<TARGET_FILE:work_before_main>" -P
     "${CMAKE_CURRENT_SOURCE_DIR}/closure/before_main.cmake")
   set_tests_properties(work_before_main_is_noticed PROPERTIES PASS_REGULAR_EXPRESSION "works before main")
-  set_tests_properties(no_work_before_main work_before_main_is_noticed PROPERTIES LABELS closure)
+  set_tests_properties(no_work_before_main work_before_main_is_noticed PROPERTIES LABELS "closure;reader")
 endif()

@@ -1,7 +1,5 @@
 # The exercises: each fails as shipped, its solution passes, each known mistake gets its word. Included by CMakeLists.txt here.
 
-find_program(SH sh)
-mark_as_advanced(SH)
 # What students get is made from the whole exercise, as `./course check reset` does; a student's own files are not on trial.
 if(SH AND NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and convert NaN, and nothing else of the project is in them
   set(check_script "${CMAKE_SOURCE_DIR}/common/tools/check/check.sh")
@@ -23,24 +21,4 @@ if(SH AND NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and conver
         COMPILE_OPTIONS "-Wno-missing-declarations;-Wno-unused-parameter;-Wno-sign-conversion")
     endif()
   endforeach()
-  # What the program says of a mistake that its picture does not show, and of an answer in another unit.
-  set(id 01.1)
-  set(function distance_to_sphere)
-  set(file "${CMAKE_CURRENT_SOURCE_DIR}/exercises/almost_01_1.hpp")
-  configure_file("${CMAKE_SOURCE_DIR}/common/tools/check/attempt.cpp.in" almost_01_1.cpp @ONLY)
-  add_executable(almost_01_1 "${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp")
-  target_link_libraries(almost_01_1 PRIVATE check_main exercises_01 project_options)
-  set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp" PROPERTIES COMPILE_OPTIONS "-Wno-missing-declarations")
-  add_dependencies(almost_01_1 check_01 check_03)
-  add_test(NAME check_of_almost COMMAND almost_01_1 --title "is it met?" --out "${CMAKE_CURRENT_BINARY_DIR}/almost")
-  set_tests_properties(check_of_almost PROPERTIES PASS_REGULAR_EXPRESSION
-    "01.1  is it met[?] not yet\n.*1 of 7 values is wrong.*The exercise's picture does not show this mistake")
-  add_test(NAME check_of_radians COMMAND check_01 --question 01.b --answer 1.19)
-  set_tests_properties(check_of_radians PROPERTIES PASS_REGULAR_EXPRESSION "66[.]7857 too small \\(98[.]2 %\\)[.] Yours is in radians")
-  add_test(NAME check_of_fraction COMMAND check_03 --question 03.b --answer 0.006)
-  set_tests_properties(check_of_fraction PROPERTIES PASS_REGULAR_EXPRESSION "Yours is a fraction: multiply by 100")
-  set_tests_properties(check_of_almost check_of_radians check_of_fraction PROPERTIES LABELS exercises)
-  add_test(NAME check_script COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
-  add_test(NAME watch_script COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
-  set_tests_properties(check_script watch_script PROPERTIES LABELS "exercises;posix")
 endif()

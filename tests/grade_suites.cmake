@@ -28,14 +28,7 @@ endif()
 
 # What build_and_run.py contains, limits and keeps: attacks, loops and cheats by students' programs.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
-  set(learn_build "${CMAKE_BINARY_DIR}/grade/learn")
-  if(TEST learn_build AND CMAKE_GENERATOR STREQUAL "Unix Makefiles")
-    set(learn_build "${CMAKE_BINARY_DIR}/learn")
-  endif()
   add_test(NAME build_and_run COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_build_and_run.py" "${CMAKE_SOURCE_DIR}"
-    "${learn_build}" "${CMAKE_BINARY_DIR}/grade/boxes")
-  set_tests_properties(build_and_run PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1200 ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
-  if(TEST learn_build AND CMAKE_GENERATOR STREQUAL "Unix Makefiles")
-    set_tests_properties(build_and_run PROPERTIES FIXTURES_REQUIRED learn_built)
-  endif()
+    "${CMAKE_BINARY_DIR}/grade/build" "${CMAKE_BINARY_DIR}/grade/boxes")
+  set_tests_properties(build_and_run PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1200 RESOURCE_LOCK grade_build ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()

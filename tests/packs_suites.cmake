@@ -10,24 +10,6 @@ if(UNIX AND SH AND xsimd_INCLUDE_DIR AND NOT TEXMAP_INSTRUMENT)  # instrumented 
   set_tests_properties(packs packs_can_differ PROPERTIES LABELS laws)
 endif()
 
-# Plain code that runs after wide code must not pay for it: what is timed beside it would be timed wrong.
-if(PYTHON3 AND WIDE_PACKS)
-  set(upper_halves "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/upper_halves.py")
-  set(programs 13_speed_for_accuracy)  # in every build
-  if(NOT TEXMAP_LEARN)
-    get_property(programs GLOBAL PROPERTY CHAPTERS)
-    list(FILTER programs EXCLUDE REGEX "^(00|14)_")
-  endif()
-  list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
-  add_test(NAME upper_halves COMMAND ${upper_halves} ${programs})
-  # A file of packs without the compiler's pass, as -O1 leaves it out.
-  add_executable(dirty_halves packs/dirty_halves.cpp)
-  target_compile_options(dirty_halves PRIVATE -O2 -mavx2 -mno-vzeroupper)
-  add_test(NAME upper_halves_can_fail COMMAND ${upper_halves} "$<TARGET_FILE:dirty_halves>")
-  set_tests_properties(upper_halves upper_halves_can_fail PROPERTIES LABELS laws SKIP_RETURN_CODE 77)
-  set_tests_properties(upper_halves_can_fail PROPERTIES PASS_REGULAR_EXPRESSION "sum_of_products.*: returns to plain code;.*calls plain code")
-endif()
-
 # The order in which the files of wide instructions are linked: a program with files that share a function of plain numbers must keep
 # the one that every machine can run, and the same program linked the other way round must be noticed.
 function(add_link_order_tests)  # a function, because the folder of its chapter is its own

@@ -8,7 +8,9 @@
 #include "14_numerical_extremes/lesson.hpp"
 #include "engine/picture/load_image.hpp"
 #include "support/pictures.hpp"
+#include "support/running.hpp"
 #include "support/shown_values.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace texmap;
 using namespace texmap::chapter_14;
@@ -62,3 +64,34 @@ TEST_CASE("every exhibit has the figures of the chapter's page, judged there by 
   CHECK(page.str().find(sheet().table.substr(0, figures)) != std::string::npos);
 #endif
 }
+
+#ifndef TEXMAP_ONE_NUMBER  // the programs of the build for learning have one
+TEST_CASE("the chapter offers the numbers that its formulas run with, and nothing for packs") {
+  const std::string program =
+      "\"" TEXMAP_CHAPTER "\" --quiet --exhibit pole --width 80 --height 60 ";
+  const test::TemporaryFolder folder;
+  const auto picture = [&](const std::string& options) {
+    CAPTURE(options);
+    CHECK(test::run(program + options + " --out \"" + (folder / "x.png") + "\"").status == 0);
+    return test::bytes_of(folder / "x.png");
+  };
+  const auto in_float = picture("--formulas published --number float");
+  const auto in_double = picture("--formulas published --number double");
+  CHECK(in_float != in_double);
+  CHECK(picture("--formulas published") == in_double);
+  CHECK(picture("--formulas seeds --number float") == in_float);  // an older word
+  CHECK(picture("--number float") == picture("--formulas robust --number float"));
+  CHECK(picture("--number float") != in_float);
+  CHECK(picture("--number extended").size() > 100);
+  for (const char* const number : {"float-pack", "double-pack", "interval"}) {
+    CAPTURE(number);
+    const test::Outcome outcome = test::run(program + "--number " + number);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("float|double|extended,") != std::string::npos);
+  }
+  CHECK(test::run(program + "--instructions baseline").status == 2);
+  const std::string help = test::run("\"" TEXMAP_CHAPTER "\" --help").out;
+  CHECK(help.find("--instructions") == std::string::npos);
+  CHECK(help.find("pack") == std::string::npos);
+}
+#endif

@@ -238,32 +238,3 @@ TEST_CASE("what only one exhibit has a use for is refused for the sheet, and its
     CHECK(help.substr(at, next - at).find("with --exhibit: ") != std::string::npos);
   }
 }
-
-TEST_CASE("the chapter offers the numbers that its formulas run with, and nothing for packs") {
-  const std::string program =
-      "\"" TEXMAP_CHAPTER "\" --quiet --exhibit pole --width 80 --height 60 ";
-  const test::TemporaryFolder folder;
-  const auto picture = [&](const std::string& options) {
-    CAPTURE(options);
-    CHECK(test::run(program + options + " --out \"" + (folder / "x.png") + "\"").status == 0);
-    return test::bytes_of(folder / "x.png");
-  };
-  const auto in_float = picture("--formulas published --number float");
-  const auto in_double = picture("--formulas published --number double");
-  CHECK(in_float != in_double);
-  CHECK(picture("--formulas published") == in_double);
-  CHECK(picture("--formulas seeds --number float") == in_float);  // an older word
-  CHECK(picture("--number float") == picture("--formulas robust --number float"));
-  CHECK(picture("--number float") != in_float);
-  CHECK(picture("--number extended").size() > 100);
-  for (const char* const number : {"float-pack", "double-pack", "interval"}) {
-    CAPTURE(number);
-    const test::Outcome outcome = test::run(program + "--number " + number);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.err.find("float|double|extended,") != std::string::npos);
-  }
-  CHECK(test::run(program + "--instructions baseline").status == 2);
-  const std::string help = test::run("\"" TEXMAP_CHAPTER "\" --help").out;
-  CHECK(help.find("--instructions") == std::string::npos);
-  CHECK(help.find("pack") == std::string::npos);
-}

@@ -115,7 +115,7 @@ class Course:
             raise CourseError('the course itself cannot be built: there is no cmake on your PATH')
         with open(log, 'wb') as out:
             for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
-                             '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1', '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
+                             '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
                             ['cmake', '--build', self.build, '--parallel', str(os.cpu_count() or 1), '--target', 'compare', *targets]):
                 if subprocess.run(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out, check=False).returncode:
                     raise CourseError(f'the course itself cannot be built: see {log}')

@@ -22,8 +22,8 @@ using namespace texmap::test;
 namespace {
 
 template <class Lesson>
-Image shown(const Lesson& lesson, Shown what, NumberKind number = NumberKind::double_pack) {
-  return draw_surfaces(lesson, view_of(lesson.stage.camera, 203, 151), what, number,
+Image shown(const Lesson& lesson, Shown what) {
+  return draw_surfaces(lesson, view_of(lesson.stage.camera, 203, 151), what, NumberKind::double_,
                        {.samples = 16});
 }
 
@@ -189,18 +189,6 @@ TEST_CASE("normals lean with the bumps, and not without them") {
   chapter_11::Lesson plain;
   plain.bumps.form = BumpForm::flat;
   CHECK(shown(plain, Shown::normal) == flat);
-}
-
-TEST_CASE("any single number shows the same surfaces; float moves few pixels by a level") {
-  const auto lesson = prepared<chapter_05::Lesson>();
-  for (const Shown what : {Shown::normal, Shown::uv, Shown::object}) {
-    const Image in_packs = shown(lesson, what);
-    CHECK(shown(lesson, what, NumberKind::double_) == in_packs);
-    CHECK(shown(lesson, what, NumberKind::extended) == in_packs);
-    const Image in_float = shown(lesson, what, NumberKind::float_);
-    CHECK(shown(lesson, what, NumberKind::float_pack) == in_float);
-    CHECK(count_different(in_float, in_packs) < 40);
-  }
 }
 
 TEST_CASE("what --show cannot draw is refused, and no file is written") {

@@ -8,6 +8,7 @@
 #include "03_image_texture/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "engine/render/surfaces.hpp"
 #include "support/pictures.hpp"
 #include "support/shown_values.hpp"
 
@@ -170,4 +171,20 @@ TEST_CASE("the map is gray where a pixel is certain, and colored where it is not
   CHECK(shade_of_uncertainty(sure, 255).b > shade_of_uncertainty(sure, 255).g);
   CHECK(uncertain_levels({Interval(0.0), Interval(1.0), hull(Interval(0.0), Interval(1.0))}) ==
         255);
+}
+
+// Of --show, but with every number: test_surfaces has one.
+TEST_CASE("any single number shows the same surfaces; float moves few pixels by a level") {
+  const auto lesson = prepared<chapter_05::Lesson>();
+  const auto shown = [&lesson](Shown what, NumberKind number) {
+    return draw_surfaces(lesson, view_of(lesson.stage.camera, 203, 151), what, number, {});
+  };
+  for (const Shown what : {Shown::normal, Shown::uv, Shown::object}) {
+    const Image in_packs = shown(what, NumberKind::double_pack);
+    CHECK(shown(what, NumberKind::double_) == in_packs);
+    CHECK(shown(what, NumberKind::extended) == in_packs);
+    const Image in_float = shown(what, NumberKind::float_);
+    CHECK(shown(what, NumberKind::float_pack) == in_float);
+    CHECK(count_different(in_float, in_packs) < 40);
+  }
 }

@@ -1,11 +1,38 @@
 // Measures the figures that the pages show and prints them: a name, a blank and the value a line.
-// With the name of a file, says where that file has another value.
+// With the name of a file, says where that file has another value, and makes sure that it would.
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "figures.hpp"
+
+namespace {
+
+using texmap::test::Figures;
+using InFile = std::map<std::string, std::string>;
+
+/// Says where a file has other figures than were measured. @return  how many faults there are
+int count_faults(const Figures& figures, const InFile& in_file, const std::string& file,
+                 std::ostream& out) {
+  int faults = 0;
+  for (const auto& [name, value] : figures) {
+    const auto found = in_file.find(name);
+    const std::string there = found == in_file.end() ? "nothing" : found->second;
+    if (there == value) continue;
+    ++faults;
+    out << "FAIL: " << name << " is " << value << ", and " << file << " has " << there << '\n';
+  }
+  if (in_file.size() > figures.size()) {
+    ++faults;
+    out << "FAIL: " << file << " has " << in_file.size() - figures.size()
+        << " figures that are not measured\n";
+  }
+  return faults;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace texmap::test;
@@ -24,24 +51,22 @@ int main(int argc, char** argv) {
     return 0;
   }
 
-  std::map<std::string, std::string> in_file;
+  InFile in_file;
   std::ifstream file(argv[1]);
   for (std::string name, value; file >> name && std::getline(file >> std::ws, value);)
     in_file[name] = value;
-  int faults = 0;
-  for (const auto& [name, value] : figures) {
-    const auto found = in_file.find(name);
-    const std::string there = found == in_file.end() ? "nothing" : found->second;
-    if (there == value) continue;
-    ++faults;
-    std::cerr << "FAIL: " << name << " is " << value << ", and " << argv[1] << " has " << there
-              << '\n';
-  }
-  if (in_file.size() > figures.size()) {
-    ++faults;
-    std::cerr << "FAIL: " << argv[1] << " has " << in_file.size() - figures.size()
-              << " figures that are not measured\n";
-  }
+  const int faults = count_faults(figures, in_file, argv[1], std::cerr);
   std::cout << figures.size() << " figures, " << faults << " faults\n";
-  return faults == 0 ? 0 : 1;
+  if (faults > 0 || in_file.empty()) return 1;
+
+  // A figure that is another one, and one too many, would be noticed.
+  std::ostringstream unread;
+  InFile other = in_file;
+  other.begin()->second += "1";
+  const bool notices_another = count_faults(figures, other, "", unread) == 1;
+  other = in_file;
+  other["none"] = "1";
+  if (notices_another && count_faults(figures, other, "", unread) == 1) return 0;
+  std::cerr << "FAIL: a wrong figure is not noticed\n";
+  return 1;
 }

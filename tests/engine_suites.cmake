@@ -1,86 +1,28 @@
-# The suites that prove the common code: one file a header, in folders as common/ has them. Included by CMakeLists.txt here.
+# The suites of what makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/. Included by CMakeLists.txt here.
 
 foreach(suite
     number/test_double_pair
     number/test_dual
     number/test_interval
-    number/test_number
     number/test_pack
     number/test_pack_fallback
     number/test_pack2
     number/test_pack2_fallback
     number/test_pack_u32
     number/test_pack_u32_fallback
-    math/test_circle
-    math/test_srgb
-    math/test_vec3
-    sampling/test_alias_table
-    sampling/test_directions
-    sampling/test_hash
-    sampling/test_samplers
-    scene/test_camera
-    scene/test_floor
-    scene/test_lens
-    scene/test_light
-    scene/test_nearest
-    scene/test_paint
-    scene/test_path
-    scene/test_phong
-    scene/test_shading_normal
-    scene/test_sky
-    scene/test_sky_path
-    scene/test_sphere
-    scene/test_edge_function
-    scene/test_mesh
-    scene/test_steps
-    scene/test_triangle
-    published/test_published_sphere
-    support/test_dice)
-  add_suite(${suite} ON texture LABELS common)
-endforeach()
-foreach(suite
-    math/test_color
-    math/test_rotation
-    texture/test_bilinear
-    texture/test_bump
-    texture/test_checkerboard
-    texture/test_conventions
-    texture/test_environment
-    texture/test_image_texture
-    texture/test_light_tables
-    texture/test_normal_map
-    texture/test_smooth_texture
-    texture/test_sky_moments
-    texture/test_sky_sampler
-    texture/test_solid_checkerboard
-    texture/test_texel
-    texture/test_mesh_mapping
-    texture/test_wrapped
-    texture/test_uv
-    texture/test_encoded
-    texture/test_filters
-    texture/test_floor_mapping
-    texture/test_footprint
-    texture/test_pyramid
-    texture/test_wrap
-    published/test_brick_normals
-    published/test_mip_map
-    published/test_published_uv
     engine/kernels/test_budget
     engine/kernels/test_kernel_plan
     engine/kernels/test_power_kernel
     engine/kernels/test_root_texture
     engine/kernels/test_srgb_kernel
     engine/kernels/test_turns
+    engine/render/test_convert_projection
     engine/render/test_develop
     engine/render/test_film
     engine/render/test_pixel_patch
     engine/render/test_render
     engine/render/test_screen_bounds
     engine/render/test_threads)
-  add_suite(${suite} ON render LABELS common)
-endforeach()
-foreach(suite texture/test_projection_facts texture/test_projections engine/render/test_convert_projection)
   add_suite(${suite} ON render LABELS common)
 endforeach()
 foreach(suite interleaved json plot text)
@@ -108,6 +50,15 @@ add_suite(engine/app/test_lesson ON app LABELS common)
 add_suite(engine/app/test_sampling_options ON app LABELS common)
 add_suite(engine/app/test_close_up ON app chapters_code LABELS common)
 add_suite(engine/app/test_surfaces ON app chapters_code LABELS common)
+# Lessons with one number: the number is not their subject, and all of them would take four times as long to compile.
+foreach(suite test_close_up test_surfaces)
+  target_compile_definitions(${suite} PRIVATE TEXMAP_LEARN)
+  set_target_properties(${suite} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+endforeach()
+if(NOT TEXMAP_LEARN)  # a budget needs all numbers
+  add_test(NAME zoom_without_budget COMMAND 09_texture_filtering --zoom 2 --budget levels=4 --out /dev/null)
+  set_tests_properties(zoom_without_budget PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "leave --zoom out")
+endif()
 add_suite(engine/app/test_session_line ON picture LABELS common)
 target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
   TEXMAP_VERSION="${PROJECT_VERSION}")
@@ -115,14 +66,7 @@ add_dependencies(test_session_line 05_y_rotation)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 
 # The kernels against more digits, and their coefficients against the program that fits them.
-find_path(boost_multiprecision_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
-mark_as_advanced(boost_multiprecision_INCLUDE_DIR)
-if(boost_multiprecision_INCLUDE_DIR)
-  foreach(suite bump double_pair edge_function environment filters footprint interval kernel_plan light_tables
-      mesh_mapping power_kernel sky_sampler srgb_kernel triangle turns)
-    target_include_directories(test_${suite} SYSTEM PRIVATE "${boost_multiprecision_INCLUDE_DIR}")
-  endforeach()
-endif()
+judge_by_more_digits(double_pair interval kernel_plan power_kernel srgb_kernel turns)
 if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
   target_link_libraries(check_kernels PRIVATE project_options)

@@ -1,0 +1,21 @@
+# Plain code that runs after wide code must not pay for it: what is timed beside it would be timed wrong.
+if(PYTHON3 AND WIDE_PACKS)
+  set(upper_halves "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/upper_halves.py")
+  set(programs 13_speed_for_accuracy)
+  set(labels laws reader)
+  if(NOT TEXMAP_LEARN)
+    set(labels laws)
+    get_property(programs GLOBAL PROPERTY CHAPTERS)
+    list(FILTER programs EXCLUDE REGEX "^(00|14)_")
+  endif()
+  list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+  add_test(NAME upper_halves COMMAND ${upper_halves} ${programs})
+  # A file of packs without the compiler's pass, as -O1 leaves it out.
+  add_executable(dirty_halves packs/dirty_halves.cpp)
+  target_compile_options(dirty_halves PRIVATE -O2 -mavx2 -mno-vzeroupper)
+  add_dependencies(reader_suites dirty_halves 13_speed_for_accuracy)
+  add_test(NAME upper_halves_can_fail COMMAND ${upper_halves} "$<TARGET_FILE:dirty_halves>")
+  set_tests_properties(upper_halves upper_halves_can_fail PROPERTIES LABELS "${labels}" SKIP_RETURN_CODE 77)
+  set_tests_properties(upper_halves_can_fail PROPERTIES PASS_REGULAR_EXPRESSION "sum_of_products.*: returns to plain code;.*calls plain code")
+endif()
+
