@@ -41,7 +41,7 @@ struct Lesson : LessonHooks {
   /// then the samples.
   [[nodiscard]] Measurements measure(const Globe& globe, const View<>& view, int threads,
                                      const Tick& tick) const {
-    Measurements all{measuring_machine(), widest, view.width, view.height, all_places(widest),
+    Measurements all{measuring_machine(widest), view.width, view.height, all_places(widest),
                      all_curves(widest)};
     const WorkTime alone = time_alone(globe, view);  // no wide instructions have run yet
 

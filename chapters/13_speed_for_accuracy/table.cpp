@@ -185,7 +185,11 @@ Json json_of(const SkyCost& cost) {
 
 }  // namespace
 
-Machine measuring_machine() { return this_machine(TEXMAP_FLAGS); }
+Machine measuring_machine(Instructions widest) {
+  std::vector<std::string> names;
+  for (const Instructions each : usable_instructions(widest)) names.emplace_back(name_of(each));
+  return this_machine(TEXMAP_FLAGS, names);
+}
 
 std::string errors_text(const Trial& trial) {
   const Errors& e = trial.errors;
@@ -249,8 +253,8 @@ std::string busy_text(const Measurements& all) {
 }
 
 std::string table_of(const Measurements& all) {
-  return all.machine.text() + ", packs up to " + name_of(all.widest) + "\n\n" +
-         table_of_places(all, Filter::nearest) + table_of_places(all, Filter::bilinear) +
+  return all.machine.text() + "\n\n" + table_of_places(all, Filter::nearest) +
+         table_of_places(all, Filter::bilinear) +
          table_of_light(all.curves,
                         "From texels through light to sRGB bytes; time 1 is that of plain double "
                         "with the power") +
@@ -265,7 +269,6 @@ std::string table_of(const Measurements& all) {
 std::string json_of(const Measurements& all) {
   const auto item = [](const auto& element) { return json_of(element); };
   return Json::object({{"machine", all.machine.json()},
-                       {"instructions", name_of(all.widest)},
                        {"width", all.width},
                        {"height", all.height},
                        {"places", Json::list_of(all.places, item)},

@@ -14,7 +14,6 @@ inline constexpr double quiet_spread = 1.1;
 /// All that was measured in one run.
 struct Measurements {
   Machine machine;
-  Instructions widest;                    ///< of the packs
   int width = 0, height = 0;              ///< of the pictures of places and curves, pixels
   std::vector<Trial> places;              ///< the first is plain double
   std::vector<Trial> curves;              ///< the first is plain double
@@ -25,8 +24,8 @@ struct Measurements {
   std::vector<Rounds> rounds = {};  ///< of the six timings, in the order above
 };
 
-/// The machine as it is now, and how this chapter was compiled.
-[[nodiscard]] Machine measuring_machine();
+/// The machine as it is now, how this chapter was compiled, and the packs up to `widest`.
+[[nodiscard]] Machine measuring_machine(Instructions widest);
 
 /// The right half of a row: what does not depend on the clock.
 [[nodiscard]] std::string errors_text(const Trial& trial);

@@ -126,12 +126,12 @@ std::string markdown_of(const Measured& measured) {
 }  // namespace
 
 Circumstances circumstances(const Effort& effort) {
-  Circumstances result{this_machine(""), {}, today(), effort};
+  std::vector<std::string> instructions;
   for (const Variant& variant : in_double_packs) {
     if (is_here(variant))
-      result.instructions.emplace_back(variant.name.substr(variant.name.find(' ') + 1));
+      instructions.emplace_back(variant.name.substr(variant.name.find(' ') + 1));
   }
-  return result;
+  return {this_machine("", instructions), today(), effort};
 }
 
 std::string table_of(const Measured& measured) {
@@ -174,10 +174,7 @@ std::string json_of(const Circumstances& circumstances, const std::vector<Measur
                          {"ratio", group.ratio == Ratio::speed ? "times as fast" : "times as long"},
                          {"rows", Json::list(rows, true)}});
   };
-  const std::vector<Json> instructions(circumstances.instructions.begin(),
-                                       circumstances.instructions.end());
   return Json::object({{"machine", circumstances.machine.json()},
-                       {"instructions", Json::list(instructions)},
                        {"date", circumstances.date},
                        {"least_rounds", circumstances.effort.least},
                        {"groups", Json::list_of(all, group_json)}},
@@ -200,7 +197,7 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
   page += text("| processor | %s, %d of them; load before: %.1f |\n", machine.processor.c_str(),
                machine.processors, machine.load);
   page += "| compiler | " + machine.compiler + ", `cmake --preset release` |\n";
-  page += "| instructions of packs | " + joined(circumstances.instructions) + " |\n";
+  page += "| instructions of packs | " + joined(machine.instructions) + " |\n";
   page += "| date | " + circumstances.date + " |\n";
   page += "| rounds | at least " + std::to_string(circumstances.effort.least) + " |\n";
   page += "\n" +

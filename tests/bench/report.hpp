@@ -20,8 +20,7 @@ struct Measured {
 /// On what, and when, and how.
 struct Circumstances {
   Machine machine;
-  std::vector<std::string> instructions;  ///< that packs can be made of here
-  std::string date;                       ///< year-month-day, UTC
+  std::string date;  ///< year-month-day, UTC
   Effort effort;
 };
 

@@ -92,12 +92,8 @@ Vec3<T> direction(std::uint32_t i) {
 
 /// Measurements with made-up times.
 Measurements made_up() {
-  Measurements all{{},
-                   Instructions::baseline,
-                   64,
-                   48,
-                   all_places(Instructions::baseline),
-                   all_curves(Instructions::baseline)};
+  Measurements all{
+      {}, 64, 48, all_places(Instructions::baseline), all_curves(Instructions::baseline)};
   const View<> view = earth().view(all.width, all.height);
   find_errors_of_places(all.places, earth(), view, [] {});
   for (std::size_t i = 0; i < all.places.size(); ++i) {
@@ -624,7 +620,7 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
     CHECK(json.find(text("\"%s\": ", fact)) != std::string::npos);
   CHECK(count("\"reads\"") == all.fronts.filters.size());
   CHECK(count("\"sky\"") == all.fronts.skies.size());
-  CHECK(count("[") == 6);
+  CHECK(count("[") == 7);
   for (const FilterCost& filter : all.fronts.filters)
     CHECK(table.find("\n" + errors_text(filter) + " ") != std::string::npos);
   for (const SkyCost& cost : all.fronts.skies)

@@ -27,7 +27,10 @@ std::string Machine::text() const {
   std::string line =
       processor + texmap::text(", %d processor%s", processors, processors == 1 ? "" : "s");
   if (load >= 0) line += texmap::text(", load %.1f", load);
-  return line + "; " + compiler + (flags.empty() ? "" : " " + flags);
+  line += "; " + compiler + (flags.empty() ? "" : " " + flags);
+  for (const std::string& each : instructions)
+    line += (&each == instructions.data() ? "; packs of " : ", ") + each;
+  return line;
 }
 
 Json Machine::json() const {
@@ -35,12 +38,17 @@ Json Machine::json() const {
                        {"processors", processors},
                        {"load", load >= 0 ? Json(load) : Json(nullptr)},
                        {"compiler", compiler},
-                       {"flags", flags}});
+                       {"flags", flags},
+                       {"instructions", Json::list({instructions.begin(), instructions.end()})}});
 }
 
-Machine this_machine(const std::string& flags) {
-  return {processor_name(), compiler_name(), flags,
-          static_cast<int>(std::thread::hardware_concurrency()), system_load()};
+Machine this_machine(const std::string& flags, const std::vector<std::string>& instructions) {
+  return {processor_name(),
+          compiler_name(),
+          flags,
+          instructions,
+          static_cast<int>(std::thread::hardware_concurrency()),
+          system_load()};
 }
 
 }  // namespace texmap
