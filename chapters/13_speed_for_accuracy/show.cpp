@@ -34,10 +34,11 @@ void Lesson::show(Session& session) {
   if (!settings.quiet) {
     std::string lines;
     const auto report = names_of_report(path_of(settings.out));
-    if (!report.empty())
+    if (!report.empty()) {
       lines =
           "Look first at the trade, time across and error up: " + texmap::name_of(report.front()) +
           "\n\n";
+    }
     lines += table_of(all) + "\n";
     for (const Budget& each : budgets) lines += recommendation(all, each, globe.nearest.image);
     print(lines);
