@@ -12,6 +12,7 @@ if(PYTHON3 AND WIDE_PACKS)
   add_test(NAME upper_halves COMMAND ${upper_halves} ${programs})
   # A file of packs without the compiler's pass, as -O1 leaves it out.
   add_executable(dirty_halves packs/dirty_halves.cpp)
+  target_link_libraries(dirty_halves PRIVATE project_options)
   target_compile_options(dirty_halves PRIVATE -O2 -mavx2 -mno-vzeroupper)
   add_dependencies(reader_suites dirty_halves 13_speed_for_accuracy)
   add_test(NAME upper_halves_can_fail COMMAND ${upper_halves} "$<TARGET_FILE:dirty_halves>")
