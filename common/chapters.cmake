@@ -96,14 +96,19 @@ function(learn_quickly target)
   endif()
 endfunction()
 
-# draw_picture(NN_name [option ...]): the target draw_NN_name draws the chapter's picture into the gallery, again only when the program
-# or an asset has changed. A program that cannot draw says why, and the others go on.
+# draw_picture(NN_name [MAY_FAIL] [option ...]): the target draw_NN_name draws the chapter's picture into the gallery, again only when the
+# program or an asset has changed. MAY_FAIL: where the program fails, the gallery goes on without its picture.
 function(draw_picture name)
+  cmake_parse_arguments(ARG "MAY_FAIL" "" "" ${ARGN})
+  set(program ${name})
+  if(ARG_MAY_FAIL)
+    set(program "${CMAKE_COMMAND}" -P "${CMAKE_SOURCE_DIR}/common/tools/draw.cmake" "$<TARGET_FILE:${name}>")
+  endif()
   file(GLOB assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*.png" "${CMAKE_SOURCE_DIR}/assets/*.hdr")
   set(picture "${GALLERY}/${name}.png")
   add_custom_command(OUTPUT "${picture}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${GALLERY}"
-    COMMAND "${CMAKE_COMMAND}" -P "${CMAKE_SOURCE_DIR}/common/tools/draw.cmake" "$<TARGET_FILE:${name}>" --out "${picture}" ${ARGN}
+    COMMAND ${program} --out "${picture}" ${ARG_UNPARSED_ARGUMENTS}
     DEPENDS ${name} ${assets} COMMENT "" VERBATIM)
   add_custom_target(draw_${name} DEPENDS "${picture}")
 endfunction()

@@ -1,4 +1,4 @@
-# Runs a chapter's program for the gallery. One that fails has said why; the gallery goes on without its picture.
+# Runs a chapter's program that may fail. The program has then said why, and the gallery goes on without its picture.
 # usage: cmake -P draw.cmake PROGRAM [option ...]
 set(words "")
 math(EXPR last "${CMAKE_ARGC} - 1")
