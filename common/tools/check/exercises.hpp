@@ -24,12 +24,19 @@ struct Hook {
   explicit operator bool() const { return yours != nullptr; }
 };
 
+/// A row of an exercise's mistakes: its word, and the verdict on it as an attempt.
+struct KnownMistake {
+  std::string word;
+  Verdict verdict;
+};
+
 /// An exercise: a function to write, its laws, and the chapter's lesson that calls it.
 struct Exercise {
   std::string id;         ///< "02.1"
   std::string signature;  ///< "Uv uv_of(Vec3 p)"
   std::function<Verdict(const std::any& yours)> verdict;
   std::function<Image(const std::any& yours)> draw;  ///< an empty any: with the right function
+  std::function<std::vector<KnownMistake>()> mistakes;
 };
 
 /// A question to predict: the student types a number, the program knows it.
@@ -90,14 +97,18 @@ template <class Function>
     throw WrongSignature("the function must be: " + signature);
   };
   return {std::move(id), signature,
-          [law = std::move(law), function_in](const std::any& yours) {
-            return judge(law, function_in(yours));
-          },
+          [law, function_in](const std::any& yours) { return judge(law, function_in(yours)); },
           [&hook, draw = std::move(draw), function_in](const std::any& yours) {
             hook.yours = function_in(yours);
             Image image = draw();
             hook.yours = nullptr;
             return image;
+          },
+          [law = std::move(law)] {
+            std::vector<KnownMistake> known;
+            for (const auto& mistake : law.mistakes)
+              known.push_back({mistake.word, judge(law, mistake.function)});
+            return known;
           }};
 }
 
