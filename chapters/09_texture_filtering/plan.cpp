@@ -114,6 +114,8 @@ std::optional<FilterPlan> plan_by_budget(const std::function<PlannedScene()>& sc
   if (budget.unit == Budget::Unit::texels) {
     throw UsageError("--budget: a filter's error is an amount of light: give exact or levels=N");
   }
+  if (session.settings.zoom != 1)
+    throw UsageError("--budget chooses a filter for the whole picture: leave --zoom out");
   session.default_size(800, 600);
   FilterPlan plan =
       plan_filter(scene(), budget.limit, session.settings.width, session.settings.height);

@@ -146,10 +146,6 @@ Image published_bricks(int width, int height) {
   return image;
 }
 
-void check_frames(const Session& session, int frames) {
-  for (int frame = 0; frame < frames; ++frame) check_output(session.file_name(frame_suffix(frame)));
-}
-
 Image side_by_side(const Image& left, const char* left_caption, const Image& right,
                    const char* right_caption) {
   const int scale = std::max(1, left.width / 400);

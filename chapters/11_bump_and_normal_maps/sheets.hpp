@@ -5,7 +5,6 @@
 
 #include "engine/app/bump_options.hpp"
 #include "engine/app/session.hpp"
-#include "engine/app/turntable.hpp"
 #include "engine/render/settings.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
@@ -46,26 +45,9 @@ template <class Lesson>
                       from_above(HeightKind::space), "waves in space: no pole, no seam");
 }
 
-/// Errors: FileError, before anything is drawn, if a frame of a turntable could not be written.
-void check_frames(const Session& session, int frames);
-
-/// Draws and saves the globe, or all frames of its turntable. The lamp does not turn.
-template <class Lesson>
-void show_globe(const Lesson& lesson, Session& session) {
-  const int frames = lesson.turn.frames;
-  if (frames == 0) return session.save(session.draw(lesson));
-  check_frames(session, frames);
-  for (int frame = 0; frame < frames; ++frame) {
-    Lesson turned = lesson;
-    turned.turn.degrees += 360.0 * frame / frames;
-    turned.prepare(session);
-    session.save(session.draw(turned), frame_suffix(frame));
-  }
-}
-
 /// Draws and saves what the user asked for.
 template <class Lesson>
-void show_bumps(const Lesson& lesson, Session& session) {
+void show_bumps(Lesson& lesson, Session& session) {
   const auto size = [&](int width, int height) {
     session.default_size(session.was_given("--width") ? session.settings.width : width, height);
   };
@@ -77,7 +59,7 @@ void show_bumps(const Lesson& lesson, Session& session) {
   };
   switch (lesson.bump.picture) {
     case BumpPicture::globe:
-      return show_globe(lesson, session);
+      return session.show(lesson);
     case BumpPicture::sheet:
       size(1600, 868);
       return drawn(sheet_of_readings);

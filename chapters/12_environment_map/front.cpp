@@ -83,12 +83,12 @@ SkyComparison compare_skies(int threads, const std::function<void()>& tick) {
   };
   for (auto& [name, light] : skies) {
     const auto lesson = std::make_shared<Lesson>();
-    lesson->environment = std::move(light);
-    const SkyNoise noise = noise_of(lesson->environment);
+    lesson->stage.sky = std::move(light);
+    const SkyNoise noise = noise_of(lesson->stage.sky);
     const SkyLighting best = best_lighting(noise);
     all.choice.append(all.choice.empty() ? "" : "; ").append(name);
     all.choice.append(": cosine ").append(shown(noise.cosine, 3));
-    if (!lesson->environment.is_constant()) all.choice.append(", mis ").append(shown(noise.mis, 3));
+    if (!lesson->stage.sky.is_constant()) all.choice.append(", mis ").append(shown(noise.mis, 3));
     // Its own noise is larger than what float rounds.
     const Image reference =
         drawn<float>(*lesson, best, Sampler(SamplerKind::sobol, front_reference_samples, 99),

@@ -21,7 +21,7 @@ struct Lesson : LessonHooks {
       .size = {400, 225},
   };
 
-  Stage stage{.camera = {.eye = {0, 1.2, 9}, .target = {0, 0.35, 0}, .fov_y_degrees = 32}};
+  SkyStage stage{.camera = {.eye = {0, 1.2, 9}, .target = {0, 0.35, 0}, .fov_y_degrees = 32}};
   std::vector<Object> objects = {
       Object{.shape = {.center = {-1.5, 0.0, 0.0}, .radius = 1.0}, .paint = {.color = white}},
       Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0},
@@ -30,14 +30,13 @@ struct Lesson : LessonHooks {
       Object{.shape = {.center = {0, -151, 0}, .radius = 150}, .paint = {{0.5, 0.48, 0.42}}},
   };
   SkyOptions sky;
-  SkyLight environment;
   SamplingOptions sampling;
 
   void options(CommandLine& line) override {
     offer(line, sky);
     sampling.declare_gathering(line);
   }
-  void prepare(Session& session) override { environment = sky.load(session); }
+  void prepare(Session& session) override { stage.sky = sky.load(session); }
 
   /// The light of one sample.
   template <class Real>

@@ -133,8 +133,7 @@ Image picture_of(const Globe& globe, const View<>& view, const Variant& variant,
 Film sampled(const Globe& globe, const View<>& view, const Variant& variant, const Sampler& sampler,
              int threads) {
   const ManyRayScene scene{{{globe.sphere, {{variant.degree}, {&globe, variant.format}}}},
-                           {.sky = {.below = globe.sky, .above = globe.sky}},
-                           sampler};
+                           {.sky = {.below = globe.sky, .above = globe.sky}}};
   return gather(scene, scene.objects, view, {sampler}, {}, variant.number,
                 {.threads = threads, .instructions = variant.instructions});
 }

@@ -12,7 +12,7 @@ struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "what each saving of time costs in accuracy, measured on this machine",
       .size = {1312, 1090},
-      .without = {"--number", "--samples"},
+      .without = {"--number", "--samples", "--zoom"},
   };
 
   TextureFile texture{"earth.png"};

@@ -108,12 +108,14 @@ struct ManyRayScene {
 
   std::vector<Painted<Surface>> objects;
   Stage stage;
-  Sampler sampling;
+  struct {
+    Lens lens;
+  } sampling{};
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at,
                                        auto& random) const {
-    return light_along(scene.objects, Lens{}.ray(scene.view, at, random), scene.sky, 1, random);
+    return light_along(scene.objects, sampling.lens.ray(scene.view, at, random), scene.sky, 1, random);
   }
 };
 

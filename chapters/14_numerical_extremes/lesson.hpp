@@ -12,8 +12,8 @@ struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "what breaks at the limits of a number, and the formulas that hold",
       .size = {1680, 1900},
-      .numbers = Numbers::single,            // the published formulas branch, and packs cannot
-      .without = {"--number", "--samples"},  // the exhibit's options have them
+      .numbers = Numbers::single,  // the published formulas branch, and packs cannot
+      .without = {"--number", "--samples", "--zoom"},  // the exhibit's options have them
   };
 
   TextureFile texture{"earth.png"};

@@ -365,6 +365,7 @@ TEST_CASE("a plot of errors needs the floor that they are measured on") {
 TEST_CASE("--help says why there are no intervals") {
   Lesson lesson;
   CommandLine line("09", "");
+  lesson.options(line);
   const Session session("09", line, Lesson::about, offers_for(lesson));
   CHECK(line.help().find("not interval: where rounding") != std::string::npos);
 }

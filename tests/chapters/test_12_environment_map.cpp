@@ -46,7 +46,7 @@ Image developed(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {
 /// The lesson under another sky, its light gathered in that way.
 Lesson under(LightImage map, SkyLighting way = SkyLighting::cosine, double degrees = 0) {
   Lesson lesson;
-  lesson.environment = SkyLight(Environment(std::move(map), TexelFilter::bilinear, degrees));
+  lesson.stage.sky = SkyLight(Environment(std::move(map), TexelFilter::bilinear, degrees));
   lesson.sky.matte.way = way;
   return lesson;
 }
@@ -67,7 +67,7 @@ TEST_CASE(
   const Rgb8 paint = {188, 128, 64};
   before.objects[0].paint.texture.image = Image(1, 1, paint);
   Lesson after = under(LightImage(8, 4, {0.7F, 0.8F, 1.0F}));
-  after.stage = before.stage;
+  after.stage.camera = before.stage.camera;
   const auto& levels = light_of_bytes<double>(TexelLight::linear);
   after.objects = {{.shape = before.objects[0].shape,
                     .paint = {{levels[paint.r], levels[paint.g], levels[paint.b]}}}};
@@ -75,7 +75,7 @@ TEST_CASE(
   expect_same_picture(developed(after, 16), expected);
   after.objects[0].paint.mirrors = true;  // a mirror of that color sees the same light everywhere
   expect_same_picture(developed(after, 16), expected);
-  after.environment = SkyLight(Environment(LightImage(8, 4, {0.7F, 0.82F, 1.0F})));
+  after.stage.sky = SkyLight(Environment(LightImage(8, 4, {0.7F, 0.82F, 1.0F})));
   CHECK(count_different(developed(after, 16), expected) > 1000);
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("white furnace: under a sky of ones the white chapter cannot be told f
       REQUIRE(film.light(column, row).b == 1);
     }
   }
-  lesson.environment = SkyLight(Environment(LightImage(8, 4, gray(0.5F))));
+  lesson.stage.sky = SkyLight(Environment(LightImage(8, 4, gray(0.5F))));
   CHECK(film_of(lesson, 1).light(32, 20).g == 0.5);
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 
   save_png(png, folder / "sky.png");
   CHECK(energy_of(load_light(folder / "sky.png")).r == doctest::Approx(left.r).epsilon(1e-3));
   Lesson by_png = prepared<Lesson>({"--sky", folder / "sky.png", "--light", "mis"});
-  CHECK(best_lighting(noise_of(by_png.environment)) == SkyLighting::cosine);  // no sun is left
+  CHECK(best_lighting(noise_of(by_png.stage.sky)) == SkyLighting::cosine);  // no sun is left
 }
 
 TEST_CASE("the program refuses every damaged sky with its name, status 1 and no picture") {

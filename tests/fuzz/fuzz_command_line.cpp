@@ -161,7 +161,7 @@ void check(const Typed& typed, const LayoutOptions& layout) {
 void check(const Typed& typed, const Turntable& turn) {
   typed.number("--degrees", turn.degrees, -1e300, 1e300);
   typed.number("--turntable", turn.frames, 0, 9999);
-  check_rotation(turn.rotation(std::max(0, turn.frames - 1)));
+  check_rotation(turn.rotation());
 }
 
 void check(const Typed& typed, const PhongOptions& phong) {

@@ -41,6 +41,11 @@ void FilterOptions::declare(CommandLine& line) {
             "the picture on the floor: a PNG or JPEG file, or the word checkers");
   line.text("--plot", "FILE.svg", plot,
             "also plot the filters' errors against the number of texels they read");
+  line.wishes.budget =
+      "the allowed error of textured pixels: exact or levels=4; prints which filter it chooses";
+  line.wishes.no_intervals =
+      "where rounding leaves open which level a filter reads, the bound would be too wide to be "
+      "of use";
 }
 
 Image checkers_image(int size, int squares) {

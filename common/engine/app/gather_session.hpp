@@ -46,13 +46,13 @@ template <class Lesson>
   }
 }
 
-/// The kernels that a budget allows for a lesson; the reference formulas without a texture.
+/// The kernels that a budget allows for a paint; the reference formulas without a texture.
 ///
 /// @param reads  how many texels the picture reads
-template <class Lesson>
-[[nodiscard]] KernelPlan plan_for(const Lesson& lesson, const std::string& budget, double reads) {
-  if constexpr (requires { lesson.objects.front().paint.texture.image; }) {
-    return plan_surface(read_budget(budget), lesson.objects.front().paint.texture.image, reads);
+template <class Paint>
+[[nodiscard]] KernelPlan plan_for(const Paint& paint, const std::string& budget, double reads) {
+  if constexpr (requires { paint.texture.image; }) {
+    return plan_surface(read_budget(budget), paint.texture.image, reads);
   } else {
     return {};
   }
@@ -66,7 +66,7 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   const bool limited = options.time_limit > 0 || options.target_error > 0;
   const int most = limited && !session.was_given("--samples") ? 1 << 20 : settings.samples;
   const double reads = double{1} * settings.width * settings.height * most;
-  const KernelPlan plan = plan_for(lesson, settings.budget, reads);
+  const KernelPlan plan = plan_for(lesson.objects.front().paint, settings.budget, reads);
   if (!settings.quiet && session.was_given("--budget")) print(plan.text);
   const bool float_packs = plan.floats_are_enough && !session.was_given("--number");
   const NumberKind number = float_packs ? NumberKind::float_pack : settings.number;

@@ -1,6 +1,7 @@
 // The options of chapters with a highlight.
 #include "engine/app/phong_options.hpp"
 
+#include "engine/app/budget_options.hpp"
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
 #include "engine/kernels/kernel_plan.hpp"
@@ -21,6 +22,10 @@ void PhongOptions::declare(CommandLine& line) {
       "--highlight", formula,
       {{"phong", HighlightFormula::phong}, {"lecture", HighlightFormula::lecture}},
       "Phong's highlight, or the lecture's, which has a wrong sign");
+  line.wishes.budget =
+      "the allowed error of Phong's highlight: exact or levels=1; prints which fast formula it "
+      "chooses";
+  line.wishes.plans.emplace_back([this](const Session& session) { plan(session); });
 }
 
 PhongScene PhongOptions::resolve(const Session& session) {
@@ -30,8 +35,8 @@ PhongScene PhongOptions::resolve(const Session& session) {
   return scene;
 }
 
-void PhongOptions::plan(const Session& session, const Budget& budget) {
-  const KernelPlan plan = plan_highlight(budget);
+void PhongOptions::plan(const Session& session) {
+  const KernelPlan plan = plan_highlight(read_budget(session.settings.budget));
   if (!session.settings.quiet && session.was_given("--budget")) print(plan.text);
   power_terms = plan.power_terms;
 }

@@ -17,8 +17,8 @@ Settings make_ready(Lesson& lesson, const std::vector<std::string>& words = {}) 
   lesson.options(line);
   Session session("test", line, Lesson::about, offers_for(lesson));
   if (!line.parse(words)) throw std::runtime_error("no picture was asked for");
-  lesson.prepare(session);
-  choose_formulas(session, lesson);
+  prepare(session, lesson);
+  session.plan();
   static_cast<void>(read_budget(session.settings.budget));  // a program refuses it when it draws
   return session.settings;
 }

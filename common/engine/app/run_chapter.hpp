@@ -1,9 +1,9 @@
 // Runs a chapter: reads its command line, draws its lesson, saves the picture.
 #pragma once
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <variant>
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/gather_session.hpp"
@@ -14,7 +14,6 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/render/draw.hpp"
 #include "engine/render/surfaces.hpp"
-#include "math/rotation.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap {
@@ -59,17 +58,6 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
                });
 }
 
-/// Sets the rotation of a paint if its mapping has one.
-template <class Paint>
-void turn_paint(Paint& paint, const RotationY& rotation) {
-  if constexpr (requires { paint.mapping.rotation; }) paint.mapping.rotation = rotation;
-}
-template <class... Paints>
-void turn_paint(AnyOf<Paints...>& paint, const RotationY& rotation) {
-  std::visit([&rotation](auto& one) { turn_paint(one, rotation); },
-             static_cast<std::variant<Paints...>&>(paint));
-}
-
 /// Draws and saves one picture of a lesson.
 template <class Lesson>
 void show_picture(Session& session, const Lesson& lesson, const std::string& suffix = "") {
@@ -78,24 +66,6 @@ void show_picture(Session& session, const Lesson& lesson, const std::string& suf
   }
   session.save(session.draw(lesson), suffix);
 }
-
-/// Draws and saves all frames of a lesson's turntable, one numbered picture after another.
-template <class Lesson>
-void show_turntable(Session& session, Lesson& lesson) {
-  const int frames = lesson.turn.frames;
-  for (int frame = 0; frame < frames; ++frame) {
-    check_output(session.file_name(frame_suffix(frame)));
-  }
-  for (int frame = 0; frame < frames; ++frame) {
-    for (auto& object : lesson.objects) turn_paint(object.paint, lesson.turn.rotation(frame));
-    show_picture(session, lesson, frame_suffix(frame));
-  }
-}
-
-/// True for a lesson that overrides `show`.
-template <class Lesson>
-inline constexpr bool shows_itself =
-    !std::is_same_v<decltype(&Lesson::show), void (LessonHooks::*)(Session&)>;
 
 /// The digits of a number in base 2; those of double for all that have more.
 [[nodiscard]] constexpr int digits(NumberKind number) {
@@ -109,75 +79,56 @@ concept HasSpheres = requires(const Lesson& lesson) {
   lesson.objects.front().shape.form;
 };
 
-/// What a session offers for a lesson.
+/// Gives a lesson's spheres the formula that the user chose, or that they need.
 template <class Lesson>
-[[nodiscard]] Offers offers_for(const Lesson& lesson) {
-  Offers offers;
-  offers.spheres = HasSpheres<Lesson>;
-  offers.surfaces = HasSurfaces<Lesson>;
-  offers.camera = requires { lesson.stage.camera; };
-  offers.one_number = !all_numbers;
-  if constexpr (GathersLight<Lesson>) {
-    if constexpr (requires { lesson.texture; }) {
-      offers.budget =
-          "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of "
-          "the picture); prints which fast formulas it chooses";
-    }
-    offers.no_intervals = "it bounds the error of one ray, not the noise of random samples";
-    offers.samples = lesson.sampling.samples;
-    offers.most_samples = most_samples;
-  } else if constexpr (requires { lesson.phong; }) {
-    offers.budget =
-        "the allowed error of Phong's highlight: exact or levels=1; prints which fast formula it "
-        "chooses";
-  } else if constexpr (requires { lesson.filtering; }) {
-    offers.budget =
-        "the allowed error of textured pixels: exact or levels=4; prints which filter it chooses";
-    offers.no_intervals =
-        "where rounding leaves open which level a filter reads, the bound would be too wide to be "
-        "of use";
-  }
-  return offers;
-}
-
-inline constexpr const char* unused_texture =
-    "the lesson offers --texture and never loads it: is its hook spelt `prepare`? Write `override` "
-    "after it, and the compiler checks the name";
-
-/// Chooses the formulas of a lesson's spheres and of its highlight, after `prepare`.
-template <class Lesson>
-void choose_formulas(Session& session, Lesson& lesson) {
+void choose_spheres(const Session& session, Lesson& lesson) {
   if constexpr (HasSpheres<Lesson>) {
     if (session.was_given("--spheres"))
       for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
     keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
   }
-  if constexpr (requires { lesson.phong; }) {
-    lesson.phong.plan(session, read_budget(session.settings.budget));
+}
+
+template <class Lesson>
+void prepare(Session& session, Lesson& lesson) {
+  lesson.prepare(session);
+  choose_spheres(session, lesson);
+}
+
+template <class Lesson>
+void Session::show(Lesson& lesson) {
+  Turntable* turn = line_.wishes.turntable;
+  if (turn == nullptr || turn->frames == 0) return show_picture(*this, lesson);
+  for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
+  for (turn->frame = 0; turn->frame < turn->frames; ++turn->frame) {
+    prepare(*this, lesson);
+    show_picture(*this, lesson, frame_suffix(turn->frame));
   }
 }
+
+/// What a session offers for a lesson.
+template <class Lesson>
+[[nodiscard]] constexpr Offers offers_for(const Lesson& /*lesson*/) {
+  return {
+      .spheres = HasSpheres<Lesson>, .surfaces = HasSurfaces<Lesson>, .one_number = !all_numbers};
+}
+
+/// True for a lesson that overrides `show`.
+template <class Lesson>
+inline constexpr bool shows_itself =
+    !std::is_same_v<decltype(&Lesson::show), void (LessonHooks::*)(Session&)>;
 
 /// Draws and saves what a lesson shows with the options that were read.
 template <class Lesson>
 void draw_and_save(Session& session, Lesson& lesson) {
-  lesson.prepare(session);
+  prepare(session, lesson);
   session.check();
-  if constexpr (requires { lesson.texture.loaded; } && !shows_itself<Lesson>) {
-    if (!lesson.texture.loaded) throw std::logic_error(unused_texture);
-  }
-  if constexpr (requires { lesson.filtering; }) {
-    if (session.settings.zoom != 1 && session.was_given("--budget"))
-      throw UsageError("--budget chooses a filter for the whole picture: leave --zoom out");
-  }
-  choose_formulas(session, lesson);
+  session.plan();
   if constexpr (shows_itself<Lesson>) {
     lesson.show(session);
-    return;
   } else {
-    if constexpr (requires { lesson.turn.frames; }) {
-      if (lesson.turn.frames > 0) return show_turntable(session, lesson);
-    }
-    show_picture(session, lesson);
+    session.check_uses();
+    session.show(lesson);
   }
 }
 

@@ -6,6 +6,9 @@
 namespace texmap {
 
 void SamplingOptions::declare_gathering(CommandLine& line) {
+  line.wishes.samples = samples;
+  line.wishes.most_samples = most_samples;
+  line.wishes.no_intervals = "it bounds the error of one ray, not the noise of random samples";
   line.choice<SamplerKind>("--sampler", sampler,
                            {{"random", SamplerKind::random},
                             {"stratified", SamplerKind::stratified},
@@ -34,6 +37,9 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
 
 void SamplingOptions::declare(CommandLine& line) {
   declare_gathering(line);
+  line.wishes.budget =
+      "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of the "
+      "picture); prints which fast formulas it chooses";
   line.choice<TexelLight>(
       "--decode", decoding,
       {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},

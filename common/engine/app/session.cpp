@@ -49,7 +49,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   default_out_ = settings.out;
   settings.width = about.size.width;
   settings.height = about.size.height;
-  settings.samples = offers.samples;
+  settings.samples = line.wishes.samples;
   if (about.numbers != Numbers::all || one_number_) settings.number = NumberKind::double_;
   const auto offered = [&about](std::string_view option) {
     return std::none_of(about.without.begin(), about.without.end(), [option](const char* without) {
@@ -61,13 +61,14 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   line.whole("--width", settings.width, 1, longest_side, "columns of pixels" + note);
   line.whole("--height", settings.height, 1, longest_side, "rows of pixels" + note);
   if (offered("--samples")) {
-    line.whole("--samples", settings.samples, 1, offers.most_samples,
+    line.whole("--samples", settings.samples, 1, line.wishes.most_samples,
                "rays per pixel: 1 goes through the pixel's center, more make edges smooth");
   }
   line.whole("--threads", settings.threads, 0, 1024,
              "number of threads, 0 for one per core; the picture does not depend on it");
-  if (offered("--number")) offer_numbers(about.numbers, offers.no_intervals);
-  if (!offers.budget.empty()) line.text("--budget", "BUDGET", settings.budget, offers.budget);
+  if (offered("--number")) offer_numbers(about.numbers, line.wishes.no_intervals);
+  if (!line.wishes.budget.empty())
+    line.text("--budget", "BUDGET", settings.budget, line.wishes.budget);
   if (offers.spheres) {
     line.choice<SphereForm>(
         "--spheres", settings.spheres,
@@ -80,7 +81,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
         "by itself. plain is the textbook's formula, to see where it fails");
   }
   if (offers.surfaces) offer_show();
-  if (offers.camera) {
+  if (offered("--zoom")) {
     line.decimal("--zoom", settings.zoom, 0.01, 1e6,
                  "magnification: 2 shows half of the width and half of the height");
     line.text("--at", "COLUMN,ROW", settings.at,
@@ -192,6 +193,14 @@ void Session::check() const {
     std::filesystem::create_directories("out", error);  // check_output reports an error
   }
   check_output(path_of(settings.out));
+}
+
+void Session::plan() const {
+  for (const auto& plan : line_.wishes.plans) plan(*this);
+}
+
+void Session::check_uses() const {
+  for (const auto& use : line_.wishes.uses) use();
 }
 
 View<> Session::view(const Camera& camera, int width, int height) {

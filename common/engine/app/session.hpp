@@ -33,14 +33,9 @@ struct Settings {
 
 /// The options that depend on the lesson.
 struct Offers {
-  std::string_view budget = "";        ///< the help of --budget; empty: not offered
-  bool spheres = false;                ///< --spheres
-  bool surfaces = false;               ///< --show
-  bool camera = false;                 ///< --zoom and --at
-  std::string_view no_intervals = "";  ///< why --number interval is refused; empty: offered
-  bool one_number = false;             ///< the program was built for learning, with double alone
-  int samples = 1;                     ///< rays per pixel
-  int most_samples = 65536;            ///< that --samples takes
+  bool spheres = false;     ///< --spheres
+  bool surfaces = false;    ///< --show
+  bool one_number = false;  ///< the program was built for learning, with double alone
 };
 
 /// One run of a chapter's program: the user's choices, drawing, saving.
@@ -61,6 +56,10 @@ class Session {
   void default_size(int width, int height);
   /// After parsing: refuses pictures that are too large and files that cannot be written.
   void check() const;
+  /// After a lesson's `prepare`: its groups of options make their plans.
+  void plan() const;
+  /// The same: refuses groups of options that `prepare` did not use. Errors: std::logic_error.
+  void check_uses() const;
 
   /// The lesson's picture.
   template <class Lesson>
@@ -70,6 +69,10 @@ class Session {
   /// The lesson's picture in another size. Defined in run_chapter.hpp.
   template <class Lesson>
   [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
+  /// Draws and saves the lesson's picture, or all those of its turntable. Defined in
+  /// run_chapter.hpp.
+  template <class Lesson>
+  void show(Lesson& lesson);
   /// The view of a lesson's camera for a picture of this size, or the user's close-up of it.
   /// Errors: UsageError if there is no such pixel.
   [[nodiscard]] View<> view(const Camera& camera, int width, int height);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/camera.hpp"
 #include "scene/sky_path.hpp"
 #include "texture/sky_light.hpp"
 
@@ -10,6 +11,12 @@ namespace texmap {
 
 class CommandLine;
 class Session;
+
+/// A stage whose light comes from a picture of the sky alone.
+struct SkyStage {
+  Camera camera{};
+  SkyLight sky{};
+};
 
 /// The user's choices of a sky and of how its light is gathered.
 struct SkyOptions {

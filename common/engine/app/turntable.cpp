@@ -11,9 +11,10 @@ void Turntable::declare(CommandLine& line) {
                "rotates the globe about its axis by this angle");
   line.whole("--turntable", frames, 0, 9999,
              "draw N pictures of a full turn instead of one, named _000, _001, ...");
+  line.wishes.turntable = this;
 }
 
-RotationY Turntable::rotation(int frame) const {
+RotationY Turntable::rotation() const {
   return rotation_y(frame == 0 ? degrees : degrees + 360.0 * frame / frames);
 }
 

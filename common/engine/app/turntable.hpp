@@ -12,10 +12,11 @@ class CommandLine;
 struct Turntable {
   double degrees = 90;
   int frames = 0;  ///< of a full turn; 0 for a single picture
+  int frame = 0;   ///< the one that is drawn
 
   void declare(CommandLine& line);
-  /// The rotation of a frame, computed from the first angle, so that errors do not add up.
-  [[nodiscard]] RotationY rotation(int frame = 0) const;
+  /// The rotation of the frame, computed from the first angle, so that errors do not add up.
+  [[nodiscard]] RotationY rotation() const;
 };
 
 /// The ending of a frame's name: _007 for 7.

@@ -111,30 +111,17 @@ void gather_pixels(const SampleRange& range, const std::vector<Pixel>& pixels,
   }
 }
 
-/// The sky of a lesson: its own if it has a picture of one, else the stage's.
-template <class Lesson>
-[[nodiscard]] const auto& sky_of(const Lesson& lesson) {
-  if constexpr (requires { lesson.environment; }) {
-    return lesson.environment;
-  } else {
-    return lesson.stage.sky;
-  }
-}
-
 /// What is known of a picture before a ray is traced: something for one sphere and a pinhole.
 template <class Lesson, class Paint>
 [[nodiscard]] std::optional<ViewBounds> bounds_of_view(const Lesson& lesson,
                                                        const std::vector<Painted<Paint>>& objects,
                                                        const View<>& view,
                                                        const Smoothing& smoothing, int samples) {
-  if (objects.size() != 1) return {};
-  if constexpr (requires { lesson.sampling.lens; }) {
-    if (lesson.sampling.lens.blurs()) return {};
-  }
-  if constexpr (requires { lesson.environment; }) {
+  if (objects.size() != 1 || lesson.sampling.lens.blurs()) return {};
+  const auto& sky = lesson.stage.sky;
+  if constexpr (!std::is_same_v<decltype(sky), const GradientSky&>) {
     return {};
   } else {
-    const GradientSky& sky = lesson.stage.sky;
     return ViewBounds{screen_bounds(view, objects.front().shape),
                       sky.is_constant() ? std::optional(sky.below) : std::nullopt,
                       samples < least_samples_of_patch ? Smoothing{} : smoothing};
@@ -152,7 +139,7 @@ template <class Real, class Lesson, class Paint>
                           const View<>& view, const SampleRange& range,
                           const std::optional<ViewBounds>& bounds, const RenderSettings& settings) {
   constexpr int rows_at_a_time = 4;  // lists so long fill their packs
-  const auto scene = prepare_scene<Real>(view, objects, sky_of(lesson));
+  const auto scene = prepare_scene<Real>(view, objects, lesson.stage.sky);
   const auto sky_alone = scene.without_objects();
   GrowingFilm film(view.width, view.height, range, settings.error_so_far);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <variant>
+#include <vector>
 
 #include "engine/render/settings.hpp"
 #include "scene/floor.hpp"
@@ -47,51 +48,51 @@ concept HasObjects = requires(const Lesson& lesson) {
   lesson.objects.front().shape;
   lesson.objects.front().paint;
 };
-/// Lessons with a mesh and its `paint`.
-template <class Lesson>
-concept HasMesh = requires(const Lesson& lesson) {
-  lesson.scene.mesh;
-  lesson.paint;
-};
-/// Lessons with surfaces that --show can draw.
-template <class Lesson>
-concept HasSurfaces = HasObjects<Lesson> || HasMesh<Lesson>;
-
-/// The surface of a mesh along a ray, with the corners' weights of the formula that was chosen.
-template <class Real, HasMesh Lesson>
-[[nodiscard]] Surface<Real> surface_along(const Lesson& lesson, const Ray<Real>& ray) {
-  MeshHit<Real> hit = first_hit(lesson.scene.mesh, ray);
-  if constexpr (requires { lesson.choice.weighted(lesson.scene.mesh, hit); }) {
-    hit = lesson.choice.weighted(lesson.scene.mesh, hit);
-  }
+/// The surface of a mesh at a hit.
+template <class Real, class Paint>
+[[nodiscard]] Surface<Real> surface_at(const MeshHit<Real>& hit, const Paint& paint) {
   if (!hit.met) return {};
-  return {static_cast<int>(hit.triangle), hit.normal, uv_of_paint(lesson.paint, hit)};
+  return {static_cast<int>(hit.triangle), hit.normal, uv_of_paint(paint, hit)};
 }
 
-/// The surface of an object along a ray, or of the floor behind all objects if there is one.
+/// The surface of the object that a ray meets first.
+///
+/// @param normal_of  called with the object and its hit
+template <class Real, class Object, class NormalOf>
+[[nodiscard]] Surface<Real> surface_of(const std::vector<Object>& objects, const Ray<Real>& ray,
+                                       const NormalOf& normal_of) {
+  const Nearest<Real> nearest = find_nearest(objects, ray);
+  if (!(nearest.index >= Real(0))) return {};
+  const Object& object = objects[static_cast<std::size_t>(nearest.index)];
+  const Hit<Real> hit = hit_at(object.shape, ray, nearest.distance);
+  return {static_cast<int>(nearest.index), normal_of(object, hit), uv_of_paint(object.paint, hit)};
+}
+template <class Real, class Object>
+[[nodiscard]] Surface<Real> surface_of(const std::vector<Object>& objects, const Ray<Real>& ray) {
+  return surface_of(objects, ray, [](const Object&, const Hit<Real>& hit) { return hit.normal; });
+}
+
+/// The surface of the floor along a ray, as the object with this number.
+template <class Real, class Mapping>
+[[nodiscard]] Surface<Real> surface_of(const Floor& floor, const Mapping& mapping, int number,
+                                       const Ray<Real>& ray) {
+  const Real distance = distance_to(floor, ray);
+  if (!(distance < infinity<Real>())) return {};
+  return {number, {Real(0), Real(1), Real(0)}, mapping(point_on(floor, ray, distance))};
+}
+
+/// The surface that a lesson's ray meets first. A lesson with more than objects has an overload in
+/// its chapter's surface.hpp, which its main.cpp includes.
 template <class Real, HasObjects Lesson>
 [[nodiscard]] Surface<Real> surface_along(const Lesson& lesson, const Ray<Real>& ray) {
-  const Nearest<Real> nearest = find_nearest(lesson.objects, ray);
-  if (nearest.index >= Real(0)) {
-    const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
-    const Hit<Real> hit = hit_at(object.shape, ray, nearest.distance);
-    Surface<Real> surface{static_cast<int>(nearest.index), hit.normal,
-                          uv_of_paint(object.paint, hit)};
-    if constexpr (requires { lesson.bumps; }) {
-      surface.normal = lesson.bumps(hit, inverse_radius<Real>(object.shape));
-    }
-    return surface;
-  }
-  if constexpr (requires { lesson.ground.mapping(point_on(lesson.floor, ray, Real(1))); }) {
-    const Real distance = distance_to(lesson.floor, ray);
-    if (distance < infinity<Real>()) {
-      return {static_cast<int>(lesson.objects.size()),
-              {Real(0), Real(1), Real(0)},
-              lesson.ground.mapping(point_on(lesson.floor, ray, distance))};
-    }
-  }
-  return {};
+  return surface_of(lesson.objects, ray);
 }
+
+/// Lessons with surfaces that --show can draw.
+template <class Lesson>
+concept HasSurfaces = requires(const Lesson& lesson, const Ray<double>& ray) {
+  surface_along(lesson, ray);
+};
 
 /// The colors of objects, in their order; after the last the first comes again.
 inline constexpr std::array<Rgb, 16> object_colors = {{{0.9, 0.1, 0.1},
@@ -143,7 +144,7 @@ struct SurfaceColors {
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return color_of_surface(surface_along<Real>(lesson, ray), shown);
+    return color_of_surface(surface_along(lesson, ray), shown);
   }
 };
 

@@ -459,7 +459,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                      "globe turned in picture 21, if the first is picture 0?",
                      [] {
                        const auto turn =
-                           texmap::Turntable{.degrees = 90, .frames = 24}.rotation(21);
+                           texmap::Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
                        const double angle = std::atan2(turn.sine, turn.cosine) / radian;
                        return angle < 0 ? angle + 360 : angle;
                      },

@@ -71,7 +71,7 @@ struct BumpOptions : texmap::BumpOptions {
 
 struct Lesson;
 /// The program's sheets and turntable are not drawn here.
-inline void show_bumps(const Lesson&, Session&) {}
+inline void show_bumps(Lesson&, Session&) {}
 
 }  // namespace texmap::chapter_11
 

@@ -101,6 +101,11 @@ struct SkyLight : texmap::SkyLight {
   }
 };
 
+struct SkyStage {
+  Camera camera{};
+  SkyLight sky{};
+};
+
 struct SkyOptions : texmap::SkyOptions {
   [[nodiscard]] SkyLight load(const Session& session) {
     return SkyLight(texmap::SkyOptions::load(session));
@@ -638,7 +643,7 @@ double directions_to_the_sun() {
 
 double equator_to_pole() {
   const auto lesson = prepared<Lesson>({"--light", "cosine"});
-  const LightImage& map = lesson.environment.picture.map();
+  const LightImage& map = lesson.stage.sky.picture.map();
   return SkyBand(map.height / 2, map.width, map.height).solid_angle /
          SkyBand(0, map.width, map.height).solid_angle;
 }

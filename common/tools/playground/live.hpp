@@ -162,7 +162,8 @@ class Live final : public LiveLesson {
       settings.threads = 1;
       lesson.prepare(session);
       knobs.apply(lesson);
-      choose_formulas(session, lesson);
+      choose_spheres(session, lesson);
+      session.plan();
       if (settings.width > widest) {
         settings.height =
             std::max(1, (settings.height * widest + settings.width / 2) / settings.width);

@@ -23,8 +23,12 @@ struct Started {
   CommandLine line{"lesson", ""};
   Session session;
 
-  explicit Started(const About& about, const Offers& offers = {})
-      : session("99_lesson", line, about, offers) {}
+  explicit Started(const About& about, const Offers& offers = {}, const GroupWishes& wishes = {})
+      : session("99_lesson", wished(line, wishes), about, offers) {}
+  static CommandLine& wished(CommandLine& line, const GroupWishes& wishes) {
+    line.wishes = wishes;
+    return line;
+  }
   [[nodiscard]] bool offers(const std::string& words) const {
     return line.help().find(words) != std::string::npos;
   }
@@ -37,7 +41,7 @@ TEST_CASE("a session begins with the lesson's size and samples, and the help sho
   CHECK(usual.session.settings.samples == 1);
   CHECK(usual.session.settings.number == default_number);
   CHECK(usual.session.settings.out == "out/99_lesson.png");
-  const Started own({.idea = "an idea", .size = {400, 225}}, {.samples = 100});
+  const Started own({.idea = "an idea", .size = {400, 225}}, {}, {.samples = 100});
   CHECK(own.session.settings.width == 400);
   CHECK(own.session.settings.height == 225);
   CHECK(own.session.settings.samples == 100);
@@ -52,11 +56,11 @@ TEST_CASE("options that a lesson goes without are not offered") {
   CHECK_FALSE(Started(about).offers("--number"));
   CHECK(Started(about).offers("--threads"));
   CHECK_FALSE(Started(about).offers("--budget"));
-  CHECK(Started(about, {.budget = "how far off"}).offers("--budget"));
+  CHECK(Started(about, {}, {.budget = "how far off"}).offers("--budget"));
   CHECK_FALSE(Started(about).offers("--show"));
   CHECK(Started(about, {.surfaces = true}).offers("--show color|normal|uv|object"));
-  CHECK_FALSE(Started(about).offers("--zoom"));
-  CHECK(Started(about, {.camera = true}).offers("--at COLUMN,ROW"));
+  CHECK_FALSE(Started({.idea = "an idea", .without = {"--zoom"}}).offers("--at"));
+  CHECK(Started(about).offers("--at COLUMN,ROW"));
 }
 
 TEST_CASE("numbers are offered as far as the lesson's code runs with them") {

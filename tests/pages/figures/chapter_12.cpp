@@ -40,8 +40,8 @@ double apart(const Image& a, const Image& b) {
 /// The errors of the five ways, with 16 and with 64 samples.
 void add_errors(Figures& figures, const std::string& sky, SkyLight light) {
   Lesson lesson;
-  lesson.environment = std::move(light);
-  const SkyNoise noise = noise_of(lesson.environment);
+  lesson.stage.sky = std::move(light);
+  const SkyNoise noise = noise_of(lesson.stage.sky);
   const Image reference = lit(lesson, best_lighting(noise), 1024);
   const std::array<std::pair<SkyLighting, const char*>, 5> ways{
       {{SkyLighting::uniform, "uniform"},
