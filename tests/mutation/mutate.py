@@ -12,21 +12,20 @@ import os
 import re
 import resource
 import shutil
-import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
-SKIPPED_FILES = {"common/tools/fit_kernels.cpp"}
+WORK = PROJECT / 'build/mutation'
+TREE, BUILD, CLEAN = WORK / 'tree', WORK / 'build', WORK / 'clean'
+SKIPPED_FILES = {'common/tools/fit_kernels.cpp'}
 # What judges the text of the project, or builds it once more, and what measures time.
-SKIPPED_LABELS = {"bench", "closure", "grade", "learn", "mutation", "pages", "steps"}
-HEAVY_LIBRARY = "claims"  # what links it takes Boost's numbers and minutes to compile: --extremes
-
+SKIPPED_LABELS = '^(bench|closure|grade|learn|mutation|pages|steps|exhaustive|extremes)$'
+FAILED = r'Test +#\d+: (\S+) \.*\** *(?:Failed|Not Run|Exception|Subprocess|Timeout)'  # in ctest's report
 NOBODY = 65533  # not the 65534 that tests become themselves
 MOST_MEMORY = 6 << 30
-TOO_LONG = ' (too long)'
 
 # --- Tokens -----------------------------------------------------------------------------------
 
@@ -295,341 +294,138 @@ def run(command, **options):
                           stderr=subprocess.STDOUT, **options)
 
 
-def limit_memory():
-    """A mutant that never stops to ask for memory must not take all of it."""
-    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-
-
-class Build:
-    """A copy of the project, its build, and what depends on which file."""
-
-    def __init__(self, work, jobs, extremes, quick):
-        self.tree, self.folder, self.store = work / 'tree', work / 'build', work / 'clean'
-        self.jobs, self.extremes, self.quick = jobs, extremes, quick
-
-    def copy_project(self):
-        listed = run(['git', '-C', PROJECT, 'ls-files', '-co', '--exclude-standard', '-z'])
-        wanted = {name for name in listed.stdout.split('\0') if name and (PROJECT / name).is_file()}
-        for name in wanted:
-            source, copy = PROJECT / name, self.tree / name
-            if not copy.is_file() or copy.read_bytes() != source.read_bytes():
-                copy.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(source, copy)
-                os.utime(copy)
-        for folder, _, names in os.walk(self.tree):
-            for name in names:
-                path = Path(folder) / name
-                if str(path.relative_to(self.tree)) not in wanted:
-                    path.unlink()
-
-    def configure(self):
-        query = self.folder / '.cmake/api/v1/query/codemodel-v2'
-        query.parent.mkdir(parents=True, exist_ok=True)
-        query.touch()
-        done = run(['cmake', '-S', self.tree, '-B', self.folder, '-G', 'Ninja', '-D', 'CMAKE_BUILD_TYPE=Release',
-                    '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1'])
-        if done.returncode != 0:
-            sys.exit(done.stdout + 'error: cmake failed (mutation testing needs CMake and Ninja)')
-        self.read_targets()
-
-    def read_targets(self):
-        reply = self.folder / '.cmake/api/v1/reply'
-        index = json.loads(max(reply.glob('index-*.json')).read_text())
-        name = next(o['jsonFile'] for o in index['objects'] if o['kind'] == 'codemodel')
-        model = json.loads((reply / name).read_text())['configurations'][0]
-        read = {t['id']: json.loads((reply / t['jsonFile']).read_text()) for t in model['targets']}
-        self.needs = {t['name']: {read[d['id']]['name'] for d in t.get('dependencies', []) if d['id'] in read}
-                      for t in read.values()}
-        self.artifact = {t['name']: self.folder / t['artifacts'][0]['path'] for t in read.values()
-                         if t['type'] == 'EXECUTABLE'}
-        self.all_needs = {}
-        for target in self.needs:
-            self.all_needs[target] = self.closure(target)
-        self.heavy = {t for t in self.needs if HEAVY_LIBRARY in self.all_needs[t]}
-        # What a build of everything leaves out.
-        self.left_out = {t for t in self.artifact if t.startswith('bench_') or t == 'test_bench_pages'}
-
-    def closure(self, target):
-        seen, open_ = {target}, [target]
-        while open_:
-            for other in self.needs[open_.pop()] - seen:
-                seen.add(other)
-                open_.append(other)
-        return seen
-
-    def read_tests(self):
-        shown = run(['ctest', '--test-dir', self.folder, '--show-only=json-v1'])
-        tests = json.loads(shown.stdout)['tests']
-        target_of = {str(path): target for target, path in self.artifact.items()}
-        self.target_of_test, self.scripts = {}, []
-        for test in tests:
-            command = test.get('command', [''])
-            labels = set()
-            for item in test.get('properties', []):
-                if item['name'] == 'LABELS':
-                    labels.update(item['value'])
-            if labels & SKIPPED_LABELS:
-                continue
-            target = target_of.get(command[0])
-            if target is None:
-                if any('common' in word or self.folder.name in word for word in command) or 'golden' in labels:
-                    self.scripts.append(test['name'])
-            elif target not in self.left_out and (self.extremes or target not in self.heavy):
-                self.target_of_test[test['name']] = target
-        self.scripts.sort(key=lambda name: (not name.startswith('golden'), name == 'faults', name))
-
-    def targets(self):
-        """What is built before the first mutant."""
-        return sorted(t for t, path in self.artifact.items()
-                      if t not in self.left_out and (self.extremes or t not in self.heavy)
-                      and (not self.quick or path.parent.name == 'tests'))
-
-    def make(self, targets, quiet=True):
-        command = ['ninja', '-C', self.folder, '-j', self.jobs, *targets]
-        if not quiet:
-            return subprocess.run([str(word) for word in command], check=False).returncode == 0
-        return run(command).returncode == 0
-
-    def read_dependencies(self):
-        """For each file of the project the targets that compile it, and what that takes."""
-        self.objects_of = {}
-        current = ''
-        for line in run(['ninja', '-C', self.folder, '-t', 'deps']).stdout.splitlines():
-            if line.startswith(' '):
-                path = os.path.normpath(os.path.join(self.folder, line.strip()))
-                if path.startswith(str(self.tree) + os.sep):
-                    self.objects_of.setdefault(os.path.relpath(path, self.tree), set()).add(current)
-            elif ':' in line:
-                current = line.split(':')[0]
-        self.seconds_to_make = {}
-        for line in (self.folder / '.ninja_log').read_text().splitlines()[1:]:
-            start, end, _, output, _ = line.split('\t')
-            self.seconds_to_make[output] = (int(end) - int(start)) / 1000
-
-    @staticmethod
-    def target_of_object(name):
-        found = re.search(r'CMakeFiles/([^/]+)\.dir/', name)
-        return found[1] if found else ''
-
-    # Files of the clean build are kept, and put back with their times: no mutant is compiled twice.
-
-    def state(self):
-        seen = {}
-        for folder, folders, names in os.walk(self.folder):
-            if folder == str(self.folder) and 'Testing' in folders:
-                folders.remove('Testing')
-            for name in names:
-                path = os.path.join(folder, name)
-                status = os.lstat(path)
-                seen[path] = (status.st_mtime_ns, status.st_size)
-        return seen
-
-    def keep(self):
-        if self.store.exists():
-            shutil.rmtree(self.store)
-        shutil.copytree(self.folder, self.store, symlinks=True, ignore=shutil.ignore_patterns('Testing'))
-        self.clean_state = self.state()
-        self.clean_bytes = {t: digest(path) for t, path in self.artifact.items() if path.is_file()}
-
-    def put_back(self):
-        now = self.state()
-        for path, seen in now.items():
-            if path not in self.clean_state:
-                os.unlink(path)
-        for path, seen in self.clean_state.items():
-            if now.get(path) != seen:
-                os.makedirs(os.path.dirname(path), exist_ok=True)
-                shutil.copy2(os.path.join(self.store, os.path.relpath(path, self.folder)), path,
-                             follow_symlinks=False)
-
-    def changed(self, target):
-        """False where the program is the same to the byte as without the mutant."""
-        path = self.artifact[target]
-        return not path.is_file() or digest(path) != self.clean_bytes.get(target)
-
-    def ctest(self, names, *more):
-        """Runs tests, never as root: a mutant could replace /dev/null by a file."""
-        pattern = '^(' + '|'.join(re.escape(name) for name in names) + ')$'
-        user = {}
-        if os.geteuid() == 0:
-            user = {'user': NOBODY, 'group': NOBODY, 'extra_groups': []}
-            logs = self.folder / 'Testing'
-            logs.mkdir(exist_ok=True)
-            for path in [logs, *logs.rglob('*'), self.folder / 'tests', self.folder / 'bin']:
-                os.chown(path, NOBODY, NOBODY)
-        return run(['ctest', '--test-dir', self.folder, '-R', pattern, '-j', self.jobs, *more],
-                   preexec_fn=limit_memory, **user)
-
-    def run_tests(self, names, limit):
-        """The first test that fails; None if all pass."""
-        done = self.ctest(names, '--timeout', limit, '--stop-on-failure')
-        failed = re.findall(r'Test +#\d+: (\S+) \.*\** *(?:Failed|Not Run|Exception|Subprocess)', done.stdout)
-        late = re.findall(r'Test +#\d+: (\S+) \.*\** *\**Timeout', done.stdout)
-        if done.returncode == 0:
-            return None
-        return failed[0] if failed else late[0] + TOO_LONG if late else names[0]
-
-    def times_of_tests(self, names):
-        """How long each test takes; those that fail without a mutant are left out, with a warning."""
-        done = self.ctest(names)
-        times = {}
-        for name, verdict, seconds in re.findall(
-                r'Test +#\d+: (\S+) \.*\** *(\S.*?) +([\d.]+) sec', done.stdout):
-            if verdict.startswith('Passed') or 'Skipped' in verdict:
-                times[name] = float(seconds)
-            else:
-                print(f'{name} fails without a change, and is left out')
-        return times
+def copy_project():
+    listed = run(['git', '-C', PROJECT, 'ls-files', '-co', '--exclude-standard', '-z'])
+    wanted = {name for name in listed.stdout.split('\0') if name and (PROJECT / name).is_file()}
+    for name in wanted:
+        source, copy = PROJECT / name, TREE / name
+        if not copy.is_file() or copy.read_bytes() != source.read_bytes():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(source, copy)
+    for path in TREE.rglob('*'):
+        if path.is_file() and str(path.relative_to(TREE)) not in wanted:
+            path.unlink()
 
 
 def digest(path):
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+    return hashlib.sha256(path.read_bytes()).digest() if path.is_file() else b''
 
 
-# --- One mutant -----------------------------------------------------------------------------------
+def ctest(*options):
+    """Runs tests, never as root: a mutant could replace /dev/null by a file."""
+    user = {}
+    if os.geteuid() == 0:
+        user = {'user': NOBODY, 'group': NOBODY, 'extra_groups': []}
+        for path in [BUILD / 'Testing', *(BUILD / 'Testing').rglob('*'), BUILD / 'tests', BUILD / 'bin']:
+            path.mkdir(exist_ok=True) if path == BUILD / 'Testing' else None
+            os.chown(path, NOBODY, NOBODY)
+    return run(['ctest', '--test-dir', BUILD, '-LE', SKIPPED_LABELS, *options], **user,
+               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY)))
 
-class Judge:
-    def __init__(self, build, times):
-        self.build, self.times, self.quick = build, times, build.quick
-        self.objects = set().union(*build.objects_of.values())
 
-    def stages(self, path):
-        """Groups of tests, the likeliest and cheapest first: [(tests, targets to build)]."""
-        build = self.build
-        header = path[:-4] + '.hpp' if path.endswith('.cpp') else path
-        touched = {build.target_of_object(name) for name in build.objects_of.get(path, ())}
-        near = touched | {build.target_of_object(name) for name in build.objects_of.get(header, ())}
+class Build:
+    """The clean build: which test runs which program, and how long each takes to compile and to run."""
 
-        def cost(test):
-            target = build.target_of_test[test]
-            compiling = sum(build.seconds_to_make.get(name, 0) for name in build.objects_of.get(path, ())
-                            if build.target_of_object(name) in build.all_needs[target])
-            return compiling + self.times[test]
+    def __init__(self, jobs):
+        self.ninja = ['ninja', '-C', BUILD, '-j', jobs]
+        self.jobs = jobs
+        copy_project()
+        configured = run(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-D', 'CMAKE_BUILD_TYPE=Release',
+                          '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1'])
+        if configured.returncode != 0:
+            sys.exit(configured.stdout + 'error: cmake failed (mutation testing needs CMake and Ninja)')
+        print('Building and testing without a change; the first time takes minutes', flush=True)
+        if subprocess.run([str(word) for word in self.ninja], check=False).returncode != 0:
+            sys.exit('error: the project does not build')
+        # Some scripts need more than this build, or a user with rights: what fails now tells nothing.
+        self.left_out = re.findall(FAILED, ctest('-j', jobs).stdout)
+        print('Left out, since they fail without a change:', *self.left_out or ['none'], flush=True)
+        self.program_of = {}  # test -> path in the build
+        for test in json.loads(ctest('--show-only=json-v1').stdout)['tests']:
+            program = Path(test.get('command', ['/'])[0])
+            if program.is_relative_to(BUILD) and test['name'] not in self.left_out:
+                self.program_of[test['name']] = str(program.relative_to(BUILD))
+        self.seconds = dict.fromkeys(self.program_of, 0.0)
+        for line in (BUILD / 'Testing/Temporary/CTestCostData.txt').read_text().splitlines():
+            name, *cost = line.split()
+            if name in self.seconds and len(cost) == 2:
+                self.seconds[name] = float(cost[1])
+        for line in (BUILD / '.ninja_log').read_text().splitlines()[1:]:
+            start, end, _, output, _ = line.split('\t')
+            name = re.search(r'tests/CMakeFiles/(\w+)\.dir/', output)
+            if name and name[1] in self.seconds:
+                self.seconds[name[1]] += (int(end) - int(start)) / 1000
 
-        depending = [test for test, target in build.target_of_test.items()
-                     if test in self.times and build.all_needs[target] & touched]
-        stem = Path(path).stem
-        room = Path(path).parts[1:-1]
-
-        def rooms_apart(target):
-            """How many folders of the file's room a suite's own folder does not share."""
-            shared = 0
-            for name in self.own_objects(target):
-                folder = Path(name.split('.dir/')[-1]).parts[:-1]
-                shared = max(shared, len(os.path.commonprefix([room, folder])))
-            return len(room) - shared
-
-        def rank(test):
-            target = build.target_of_test[test]
-            words = set(stem.split('_')) & set(test.split('_'))  # read_jpeg and test_check_jpeg
-            return (test != 'test_' + stem, target not in near, rooms_apart(target), not words,
-                    cost(test))
-
-        ordered = sorted(depending, key=rank)
-        groups = [[test] for test in ordered if test == 'test_' + stem]
-        others = [test for test in ordered if test != 'test_' + stem]
-        size = self.build.jobs
-        close = [test for test in others if build.target_of_test[test] in near]
-        far = [test for test in others if build.target_of_test[test] not in near]
-        if self.quick:
-            far = [test for test in far if cost(test) < 60 or test == 'test_golden']
-        for some in (close, far):
-            groups += [some[i:i + size] for i in range(0, len(some), size)]
-        stages = [(group, sorted({build.target_of_test[test] for test in group})) for group in groups]
-        scripts = [] if self.quick else [name for name in build.scripts if name in self.times]
-        for name in scripts:
-            stages.append(([name], build.targets() if name == scripts[0] else []))
-        return stages
-
-    def own_objects(self, target):
-        return [name for name in self.objects if f'/{target}.dir/' in name]
+    def stale(self):
+        """What a build would make again, as Ninja says."""
+        planned = run([*self.ninja, '-n']).stdout
+        return re.findall(r'(?:object|library|executable) (\S+)$', planned, re.M)
 
     def verdict(self, mutant):
         """'killed by NAME', 'SURVIVED', 'did not compile' or 'the same program'."""
-        any_changed = False
-        for tests, targets in self.stages(mutant.path):
-            if targets and not self.build.make(targets):
+        copy = TREE / mutant.path
+        text, times = copy.read_text(), copy.stat()
+        copy.write_text(text[:mutant.start] + mutant.new + text[mutant.end:])
+        kept = [*self.stale(), '.ninja_log', '.ninja_deps']
+        for name in kept:
+            (CLEAN / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(BUILD / name, CLEAN / name)
+        try:
+            return self.judged(mutant, kept)
+        finally:
+            copy.write_text(text)
+            os.utime(copy, ns=(times.st_atime_ns, times.st_mtime_ns))
+            for name in kept:
+                shutil.copy2(CLEAN / name, BUILD / name)
+
+    def judged(self, mutant, stale):
+        """Builds and runs suite by suite, the file's own first, then the cheapest; then everything."""
+        own = 'test_' + Path(mutant.path).stem
+        suites = [test for test, program in self.program_of.items() if program in stale]
+        for test in sorted(suites, key=lambda name: (name != own, self.seconds[name])):
+            program = self.program_of[test]
+            if run([*self.ninja, program]).returncode != 0:
                 return 'did not compile'
-            any_changed = any_changed or any(
-                self.needs_running(test) for test in tests if test in self.build.target_of_test)
-            if targets and not any_changed:  # before the scripts: a program alone may have changed
-                any_changed = any(self.build.changed(t) for t in targets)
-            wanted = [test for test in tests
-                      if test not in self.build.target_of_test or self.needs_running(test)]
-            if not wanted or not any_changed:
-                continue
-            limit = 30 + 10 * max(self.times[test] for test in wanted)
-            failed = self.build.run_tests(wanted, limit)
-            if failed is not None and not failed.endswith(TOO_LONG):
-                failed = self.build.run_tests([failed], limit)  # by chance alone it does not count
-            if failed is not None:
-                return 'killed by ' + failed
-        return 'SURVIVED' if any_changed or self.quick else 'the same program'
+            if digest(BUILD / program) != digest(CLEAN / program) and self.fails('-R', f'^{re.escape(test)}$'):
+                return 'killed by ' + test
+        if run(self.ninja).returncode != 0:
+            return 'did not compile'
+        if all(digest(BUILD / name) == digest(CLEAN / name) for name in stale if '.dir/' not in name):
+            return 'the same program'
+        done = '|'.join(map(re.escape, [*self.program_of, *self.left_out]))
+        scripts = self.fails('-E', f'^({done})$', '-j', self.jobs)
+        return 'killed by ' + scripts if scripts else 'SURVIVED'
 
-    def needs_running(self, test):
-        """A suite with the same programs has the same result."""
-        target = self.build.target_of_test[test]
-        return any(self.build.changed(t) for t in self.build.all_needs[target] if t in self.build.artifact)
+    def fails(self, *which):
+        """The first test that fails twice, by chance alone it does not count; None if all pass."""
+        done = ctest(*which, '--timeout', 120, '--stop-on-failure')
+        for name in re.findall(FAILED, done.stdout):
+            if ctest('-R', f'^{re.escape(name)}$', '--timeout', 120).returncode != 0:
+                return name
+        return None
 
 
-# --- Lists of changes, in the form of survivors.txt ---------------------------------------------
+# --- The program ----------------------------------------------------------------------------------
 
-def read_changes(path):
-    """[(difference, reason)] of a file with blocks: a path, lines with - and +, then words."""
-    changes = []
-    if not path.is_file():
-        return changes
-    for block in re.split(r'\n\s*\n', path.read_text()):
+def read_equivalent():
+    """{difference: reason}: blocks of a path, lines with - and +, then words."""
+    changes = {}
+    for block in re.split(r'\n\s*\n', (PROJECT / 'tests/mutation/equivalent.txt').read_text()):
         lines = [line for line in block.strip().split('\n') if line and not line.startswith('#')]
         if lines:
             marked = [line for line in lines[1:] if line.startswith(('- ', '+ '))]
-            words = [line for line in lines[1:] if not line.startswith(('- ', '+ '))]
-            changes.append(('\n'.join([lines[0], *marked]), ' '.join(words)))
+            changes['\n'.join([lines[0], *marked])] = ' '.join(lines[1 + len(marked):])
     return changes
 
 
-# --- The program ------------------------------------------------------------------------------------
-
-def wanted_files(globs):
+def all_mutants(globs):
     names = sorted(str(path.relative_to(PROJECT)) for ending in ('hpp', 'cpp')
                    for path in (PROJECT / 'common').rglob('*.' + ending))
-    names = [name for name in names if name not in SKIPPED_FILES]
-    if globs:
-        names = [name for name in names if any(
-            fnmatch.fnmatch(name, glob) or fnmatch.fnmatch(name, '*/' + glob) for glob in globs)]
+    names = [name for name in names if name not in SKIPPED_FILES and (not globs or any(
+        fnmatch.fnmatch(name, '*' + glob) for glob in globs))]
     if not names:
         sys.exit('error: no such file in common/')
-    return names
-
-
-def chosen(options):
-    mutants = [m for name in wanted_files(options.files) for m in mutants_of(name, (PROJECT / name).read_text())]
-    if options.survivors:
-        again = {difference for difference, _ in read_changes(options.work / 'survivors.txt')}
-        return [m for m in mutants if m.difference() in again]
-    if options.only:
-        places = {tuple(place.rsplit(':', 1)) for place in options.only}
-        return [m for m in mutants if any(m.path.endswith(name) and str(m.line) == line for name, line in places)]
-    return sample(mutants, options.seed)
-
-
-def summary(results):
-    counted = {'killed': 0, 'SURVIVED': 0, 'the same program': 0, 'did not compile': 0, 'equivalent': 0}
-    for _, verdict in results:
-        for word in counted:
-            if verdict.startswith(word):
-                counted[word] += 1
-    same = counted['the same program'] + counted['equivalent']
-    judged = counted['killed'] + counted['SURVIVED']
-    score = f"{100 * counted['killed'] / judged:.1f} %" if judged else 'none'
-    return (f"{judged + same} mutants: {counted['killed']} killed, {counted['SURVIVED']} survived, {same} equivalent "
-            f"({counted['the same program']} of them the same program); {counted['did not compile']} more did not "
-            f"compile\nscore: {score} of those that are not equivalent")
-
-
-def left(started, done, count):
-    seconds = (time.monotonic() - started) / max(done, 1) * (count - done)
-    return f'{seconds / 60:.0f} min left' if seconds >= 90 else f'{seconds:.0f} s left'
+    return [m for name in names for m in mutants_of(name, (PROJECT / name).read_text())]
 
 
 def arguments():
@@ -638,14 +434,8 @@ def arguments():
     parser.add_argument('--count', type=int, default=64, help='how many that compile')
     parser.add_argument('--files', nargs='+', metavar='GLOB', help='only in these, such as scene/*.hpp')
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
-    parser.add_argument('--survivors', action='store_true', help='those of survivors.txt once more')
-    parser.add_argument('--resume', action='store_true', help='take what was found before from results.json')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
-    parser.add_argument('--quick', action='store_true', help='only tests that include the file or are cheap')
-    parser.add_argument('--extremes', action='store_true', help='also the tests with Boost, which compile for minutes')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
-    parser.add_argument('--minutes', type=float, default=1e9, help='begin no mutant later than that')
-    parser.add_argument('--work', type=Path, default=PROJECT / 'build/mutation', metavar='DIR')
     parser.add_argument('--self-test', action='store_true', help='try the changes on a text that is known')
     return parser.parse_args()
 
@@ -654,92 +444,34 @@ def main():
     options = arguments()
     if options.self_test:
         return self_test()
-    mutants = chosen(options)
+    mutants = all_mutants(options.files)
+    if options.only:
+        mutants = [m for m in mutants if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
+    else:
+        mutants = sample(mutants, options.seed)
     if options.list:
-        for mutant in mutants if options.only or options.survivors else mutants[:options.count]:
-            print(mutant)
+        print('\n'.join(map(str, mutants if options.only else mutants[:options.count])))
         return 0
-    options.work = options.work.resolve()
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-
-    build = Build(options.work, options.jobs, options.extremes, options.quick)
-    build.copy_project()
-    build.configure()
-    print('Building without a change; the first time takes minutes', flush=True)
-    if not build.make(build.targets(), quiet=False):
-        sys.exit('error: the project does not build')
-    build.read_tests()
-    build.read_dependencies()
-    build.keep()
-    times = known_times(build, options.work / 'times.json')
-    build.put_back()
-    judge = Judge(build, times)
-    equivalent = dict(read_changes(PROJECT / 'tests/mutation/equivalent.txt'))
-
-    results = []
-    found = options.work / 'results.json'
-    known = json.loads(found.read_text()) if options.resume and found.is_file() else {}
-    started, fresh = time.monotonic(), 0
-    count = len(mutants) if options.only or options.survivors else options.count
+    build, equivalent = Build(options.jobs), read_equivalent()
+    counts = {'killed': 0, 'SURVIVED': 0, 'the same program': 0, 'equivalent': 0, 'did not compile': 0}
+    survivors = WORK / 'survivors.txt'
+    survivors.write_text('')
     try:
         for mutant in mutants:
-            compiled = sum(verdict != 'did not compile' for _, verdict in results)
-            if compiled >= count or time.monotonic() - started > 60 * options.minutes:
+            tried = sum(counts.values()) - counts['did not compile']
+            if tried >= options.count and not options.only:
                 break
-            if mutant.path not in build.objects_of:
-                continue  # a file for another system
-            if mutant.key in known:
-                results.append((mutant, known[mutant.key]))
-                continue
-            remaining = left(started, fresh, fresh + count - compiled) if fresh else '...'
-            print(f'[{compiled}/{count}, {remaining}]', end=' ', file=sys.stderr, flush=True)
-            fresh += 1
-            verdict = judged(build, judge, mutant, equivalent)
-            results.append((mutant, verdict))
-            print(f'{mutant}  {verdict}', flush=True)
-            write_survivors(options.work / 'survivors.txt', results)
-            found.write_text(json.dumps({m.key: verdict for m, verdict in results}, indent=1))
+            began = time.monotonic()
+            verdict = 'equivalent' if mutant.difference() in equivalent else build.verdict(mutant)
+            counts[next(word for word in counts if verdict.startswith(word))] += 1
+            print(f'[{tried + 1}/{options.count}] {mutant}  {verdict} ({time.monotonic() - began:.0f} s)', flush=True)
+            if verdict == 'SURVIVED':
+                with survivors.open('a') as file:
+                    file.write(f'# {mutant}\n{mutant.difference()}\n\n')
     except KeyboardInterrupt:
         print('\nstopped; what was done counts')
-    print(summary(results))
+    print(', '.join(f'{count} {word}' for word, count in counts.items()))
     return 0
-
-
-def judged(build, judge, mutant, equivalent):
-    if mutant.difference() in equivalent:
-        return 'equivalent: ' + equivalent[mutant.difference()]
-    copy = build.tree / mutant.path
-    text, status = copy.read_text(), copy.stat()
-    try:
-        copy.write_text(text[:mutant.start] + mutant.new + text[mutant.end:])
-        began = time.monotonic()
-        verdict = judge.verdict(mutant)
-        return f'{verdict} ({time.monotonic() - began:.0f} s)' if verdict != 'did not compile' else verdict
-    finally:
-        copy.write_text(text)
-        os.utime(copy, ns=(status.st_atime_ns, status.st_mtime_ns))
-        build.put_back()
-
-
-def write_survivors(path, results):
-    blocks = [f'# {mutant}\n{mutant.difference()}\n' for mutant, verdict in results if verdict.startswith('SURVIVED')]
-    path.write_text('\n'.join(blocks))
-
-
-def known_times(build, path):
-    """The seconds of each test without a mutant, measured again where a program has changed."""
-    names = [*build.target_of_test, *([] if build.quick else build.scripts)]
-    known = json.loads(path.read_text()) if path.is_file() else {}
-    stamp = {name: digest(build.artifact[build.target_of_test[name]]) if name in build.target_of_test
-             else hashlib.sha256(''.join(sorted(build.clean_bytes.values())).encode()).hexdigest()
-             for name in names}
-    missing = [name for name in names if known.get(name, [''])[0] != stamp[name]]
-    if missing:
-        print(f'Timing {len(missing)} tests without a change', flush=True)
-        for name, seconds in build.times_of_tests(missing).items():
-            known[name] = [stamp[name], seconds]
-        path.write_text(json.dumps(known, indent=1))
-    return {name: known[name][1] for name in names if known.get(name, [''])[0] == stamp[name]}
 
 
 # --- Does it change what it should? ----------------------------------------------------------------
@@ -796,17 +528,13 @@ def self_test():
     if found != EXPECTED:
         print('FAILED: expected\n' + EXPECTED + 'found\n' + found)
         return 1
-    names = wanted_files(None)
-    mutants = [m for name in names for m in mutants_of(name, (PROJECT / name).read_text())]
+    mutants = all_mutants(None)
     again = {m.difference() for m in mutants}
-    listed = read_changes(PROJECT / 'tests/mutation/equivalent.txt')
-    for difference, reason in listed:
-        if not reason:
-            print('FAILED: equivalent.txt gives no reason for\n' + difference)
+    for difference, reason in read_equivalent().items():
+        if not reason or difference not in again:
+            print('FAILED: equivalent.txt gives no reason for this, or it is no longer there:\n' + difference)
             return 1
-        if difference not in again:
-            print('equivalent.txt names what is no longer there:\n' + difference)
-    print(f'{len(mutants)} mutants in {len(names)} files, {len(listed)} known to change nothing')
+    print(f'{len(mutants)} mutants')
     return 0
 
 
