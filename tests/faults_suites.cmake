@@ -1,12 +1,9 @@
 # The faults every chapter program survives, tried from outside. Included by CMakeLists.txt here.
 
-find_program(TEXMAP_SH sh)
-find_program(TEXMAP_TIMEOUT timeout)  # from coreutils, like most of what the script calls
-mark_as_advanced(TEXMAP_SH TEXMAP_TIMEOUT)
-if(UNIX AND TEXMAP_SH AND TEXMAP_TIMEOUT)
-  add_test(NAME faults COMMAND "${TEXMAP_SH}" "${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.sh"
-    "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_CURRENT_SOURCE_DIR}/corpus")
-  add_test(NAME faults_can_fail COMMAND "${TEXMAP_SH}" "${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.sh" --self-test)
+if(UNIX AND PYTHON3)
+  set(faults "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py")
+  add_test(NAME faults COMMAND ${faults} "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_CURRENT_SOURCE_DIR}/corpus")
+  add_test(NAME faults_can_fail COMMAND ${faults} --self-test)
   # Alone on the machine: it measures time, and starts many programs at once.
   set_tests_properties(faults PROPERTIES LABELS faults RUN_SERIAL ON TIMEOUT 240)
   set_tests_properties(faults_can_fail PROPERTIES LABELS faults TIMEOUT 60)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Faults of the Windows programs, run by wine: what tests/faults tries on every system, and names, NUL and a full disk as Windows has
-# them. Left out are faults.sh's parts that need signals, links, limits of memory or closed streams as POSIX has them.
+# them. Left out are faults.py's parts that need signals, links, limits of memory or closed streams as POSIX has them.
 # usage: windows_faults.sh BIN      BIN holds a command for each chapter
 set -u
 bin=${1:?usage: windows_faults.sh BIN}
@@ -55,6 +55,6 @@ else
 fi
 echo "$tried faults as Windows has them, $failed not as they should be"
 
-TEXMAP_SANITIZED=1 FAULTS_ONLY="numbers words corpus surroundings crowd" sh "$tests/faults/faults.sh" "$bin" "$tests/corpus" ||
+TEXMAP_SANITIZED=1 python3 "$tests/faults/faults.py" "$bin" "$tests/corpus" numbers words corpus surroundings crowd ||
   failed=$((failed + 1))
 [ "$failed" -eq 0 ]

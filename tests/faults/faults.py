@@ -1,0 +1,809 @@
+#!/usr/bin/env python3
+"""Tries every fault that a chapter's program must survive, on the programs themselves, outside of the tree.
+
+usage: faults.py BIN CORPUS [PART...]   the programs; the textures, good and bad, with their manifest.tsv
+       faults.py --self-test            tries the checks on programs that are wrong on purpose
+
+With TEXMAP_SANITIZED=1 the programs were built with sanitizers: no limits on memory, more time. Prints a line for each failed and
+each skipped check. Status 0: at least 100 checks ran and all passed; 1: not so.
+"""
+import fnmatch
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+SANITIZED = os.environ.get('TEXMAP_SANITIZED') == '1'
+PATIENCE = 60 if SANITIZED else 5  # seconds for what should take one
+MOST_MEMORY = 512 << 20
+NOBODY = 65534
+NAMES = {1: '01_plain_spheres', 2: '02_checkerboard_uv', 3: '03_image_texture', 4: '04_uv_conventions', 5: '05_y_rotation',
+         6: '06_phong_texture_blend', 8: '08_triangle_uv', 12: '12_environment_map'}
+CHAPTERS = (1, 2, 3, 4, 5, 6)
+SMALL = ['--width', '8', '--height', '6']
+REFERENCE = ['--width', '60', '--height', '40']
+LONG_NAME = '0' * 300 + '.png'
+CANNOT_WRITE = "error: cannot write '*': ?*"
+
+# A sanitizer's report must never look like a clean refusal.
+os.environ.update(LC_ALL='C', ASAN_OPTIONS='exitcode=99', TSAN_OPTIONS='exitcode=99',
+                  UBSAN_OPTIONS='exitcode=99:halt_on_error=1:print_stacktrace=1')
+for variable in ('TEXMAP_ASSETS', 'LANGUAGE'):
+    os.environ.pop(variable, None)
+
+# --- Wrong command lines: the options, the values that each refuses, and the chapters to try ---------------------------------------
+
+NOT_WHOLE = ['nan', '4.5', '1e3', '', ' 4', '4x', '0x10', '9' * 20]
+NOT_DECIMAL = ['nan', '-nan', 'inf', '-inf', 'infinity', '1e400', '-1e400', 'abc', '', ' 90', '90 ', '90x', '0x10', '1,5', '1e', '.',
+               '-', '1.2.3', '1 2']
+NUMBERS = [  # chapters, option, values: the message says the range
+    (CHAPTERS, '--samples', ['0', '-1', *NOT_WHOLE]),
+    (CHAPTERS, '--width', ['0', '-5', '2147483648', '16385']),
+    (CHAPTERS, '--height', ['0', '-5', '2147483648', '16385']),
+    (CHAPTERS, '--threads', ['-1', '1025', 'nan', '2.5', '']),
+    ((1,), '--width', [*NOT_WHOLE, '4 ', '+4', '-']),
+    ((1,), '--height', [*NOT_WHOLE, '4 ', '+4', '-']),
+    ((5, 6), '--degrees', NOT_DECIMAL),
+    ((6,), '--blend', ['-0.1', '1.1', 'nan', '', '0,5', '1.0000001', '-1e-9', 'inf']),
+    ((6,), '--shininess', ['-1', 'nan', 'inf', '', '1e31', '5O']),
+    ((5,), '--turntable', ['-1', '10000', '1.5', '']),
+]
+WORDS = [  # chapters, what is typed: the message names the option
+    *[(CHAPTERS, typed) for typed in (
+        ['--nonsense'], ['--nonsense=3'], ['-x'], ['stray'], ['--sampl', '4'], ['--samples=0'], ['--out', ''], ['--out='],
+        ['--number', 'single'], ['--quiet=yes'], ['--out'], ['--width'], ['--height'], ['--samples'], ['--threads'], ['--number'],
+        ['--height', '16384', '--width', '16384'])],
+    ((3, 4, 5, 6), ['--texture', '']), ((3, 4, 5, 6), ['--texture']),
+    ((4, 5, 6), ['--convention', 'upside-down']), ((4, 5, 6), ['--rounding', '']),
+    ((6,), ['--scene', 'moon']), ((6,), ['--degrees']),
+    # A chapter takes the options that it has a use for, and no others.
+    ((1, 2), ['--texture', 'x.png']), ((1, 2, 3), ['--convention', 'daily']), ((1, 2, 3), ['--rounding', 'floor']),
+    ((1, 2, 3, 4), ['--degrees', '1']), ((1, 2, 3, 4, 5), ['--blend', '0.5']), ((1, 2, 3, 4, 5), ['--shininess', '5']),
+    ((1, 2, 3, 4, 5), ['--scene', 'stage']),
+]
+
+# --- Bad files: what is wrong, and the bytes ----------------------------------------------------------------------------------------
+
+START = b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n'
+TEXELS = bytes.fromhex('80402081 90482480 a050287f b0582c82')
+GOOD_SKY = START + b'-Y 2 +X 4\n' + 2 * TEXELS
+BAD_SKIES = [
+    ('a mesh', b'v 0 0 0\n'), ('another kind of picture', b'P6 4 2 255\n'),
+    ('no format', b'#?RADIANCE\n\n-Y 2 +X 4\n' + 2 * TEXELS),
+    ('another format', b'#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 2 +X 4\n' + 2 * TEXELS),
+    ('an odd width', START + b'-Y 2 +X 3\n' + 2 * TEXELS), ('rows from below', START + b'+Y 2 +X 4\n' + 2 * TEXELS),
+    ('no rows', START + b'-Y 0 +X 4\n'), ('a height of eleven digits', START + b'-Y 99999999999 +X 4\n' + TEXELS),
+    ('the largest sides', START + b'-Y 16384 +X 16384\n' + TEXELS),
+    ('twice as many texels as a sky may have', START + b'-Y 4096 +X 4096\n' + TEXELS),
+    ('a texel brighter than any sun', START + b'-Y 2 +X 4\n' + TEXELS + b'\xff' * 4 + TEXELS),
+    ('a run longer than its row', START + b'-Y 2 +X 8\n\x02\x02\x00\x08\x89\x01'),
+]
+CORNERS = b'v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n'
+GOOD_MESH = CORNERS + b'f 1/1 2/2 3/3\n'
+BAD_MESHES = [
+    ('no face', CORNERS), ('a point that does not exist', CORNERS + b'f 1/1 2/2 4/3\n'),
+    ('texture coordinates before the first', CORNERS + b'f 1/1 2/2 3/-4\n'), ('no texture coordinates', CORNERS + b'f 1 2 3\n'),
+    ('a face of two corners', CORNERS + b'f 1/1 2/2\n'), ('a coordinate that is no number', CORNERS + b'v 1 nan 0\nf 1/1 2/2 3/3\n'),
+    ('a coordinate that is too large', CORNERS + b'v 1e31 0 0\nf 1/1 2/2 3/3\n'),
+    ('an index of twenty digits', CORNERS + b'f 1/1 2/2 ' + b'9' * 20 + b'/3\n'),
+    ('a word that is not known', GOOD_MESH + b'from here on a text\n'),
+    ('a line of 70,000 bytes', CORNERS + b'f' + 17500 * b' 1/1' + b'\n'),
+    ('132 fans of 15,998 triangles, more than 2^21', CORNERS + 132 * (b'f' + 16000 * b' 1/1' + b'\n')),
+]
+KINDS = {  # of files: the chapter that reads them, the option, the noun in messages, the ending
+    'texture': (3, '--texture', 'texture', 'png'), 'sky': (12, '--sky', 'texture', 'hdr'), 'mesh': (8, '--mesh', 'mesh', 'obj')}
+ODD_NAMES = ['Erde-äöü', '地球', 'with space', 'it\'s "quoted"', '-dash', '*']
+
+
+class Tries:
+    """All tries of a run, in a folder that is removed."""
+
+    def __init__(self, bin_folder, corpus):
+        self.bin, self.corpus = Path(bin_folder).resolve(), Path(corpus).resolve()
+        self.passed = self.failed = self.skipped = 0
+        self.problems = []
+        self.T = Path(tempfile.mkdtemp(prefix='texmap-faults.'))
+        self.T.chmod(0o755)  # another user has to find the way
+        self.cwd = self.T / 'cwd'
+        self.cwd.mkdir()
+        self.texture = self.corpus / 'png_rgb8_33x31_allfilters.png'
+        self.user = {}
+        self.memory = 0 if SANITIZED else MOST_MEMORY
+
+    # Counting
+
+    def wrong(self, condition, problem):
+        if condition:
+            self.problems.append(problem)
+
+    def conclude(self, check):
+        """Counts the check under way."""
+        if self.problems:
+            self.failed += 1
+            print(f'FAILED {check}: ' + '; '.join(self.problems)[:500])
+        else:
+            self.passed += 1
+        self.problems = []
+
+    def skip(self, check, why):
+        self.skipped += 1
+        print(f'skipped {check}: {why}')
+
+    # Running
+
+    def program(self, chapter):
+        return str(self.bin / NAMES[chapter])
+
+    def needs(self, chapter):
+        """What a chapter needs to draw one picture without the course's assets."""
+        return [] if chapter < 3 else ['--texture', str(self.texture), *(['--convention', 'rtiow'] if chapter == 4 else [])]
+
+    def run(self, command, memory=0, files=None, **options):
+        """Sets status, out and err; `memory` and `files` limit what the program may use, in bytes."""
+        def limit():
+            if memory:
+                resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+            if files:
+                resource.setrlimit(resource.RLIMIT_FSIZE, (files, files))
+        options = {'cwd': self.cwd, 'stdin': subprocess.DEVNULL, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **options}
+        timeout = options.pop('timeout', PATIENCE)
+        self.out = self.err = ''
+        try:
+            done = subprocess.run([os.fsencode(str(word)) for word in command], timeout=timeout, preexec_fn=limit, **options)
+        except subprocess.TimeoutExpired:
+            self.status = 'none in time'
+            return
+        self.status = done.returncode
+        self.out, self.err = ((text or b'').decode(errors='replace') for text in (done.stdout, done.stderr))
+
+    def chapter(self, chapter, *words, **options):
+        self.run([self.program(chapter), *self.needs(chapter), *words], **options)
+
+    # Expecting
+
+    def expect(self, status, pattern='', lines=1, out=False):
+        """The status, stderr as so many lines whose first is like the pattern, and stdout empty unless `out`."""
+        first, *more = self.err.splitlines() or ['']
+        self.wrong(self.status != status, f'status {status} expected, got {self.status} ({first})')
+        self.wrong(not fnmatch.fnmatchcase(first, pattern), f"a message like '{pattern}' expected, got '{first}'")
+        self.wrong(len(more) >= max(lines, 1), f"{lines} lines on stderr expected, then came '{more[-1:]}'")
+        self.wrong(not out and self.out != '', f"nothing on stdout expected, got '{self.out[:60]}'")
+        self.nothing_written()
+
+    def nothing_written(self):
+        """The current folder is empty unless a check put something there."""
+        found = os.listdir(self.cwd)
+        self.wrong(found, f'nothing written expected, got {found}')
+        for name in found:
+            path = self.cwd / name
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+
+    def same(self, file, other, what='the picture is another one'):
+        self.wrong(not file.is_file() or file.read_bytes() != other.read_bytes(), what)
+
+    def only(self, folder, *names):
+        """No temporary file is left."""
+        found = sorted(os.listdir(folder))
+        self.wrong(found != sorted(names), f'only {names} expected in its folder, got {found}')
+
+    def keeps_old(self, folder, file='out.png'):
+        self.same(folder / file, self.old, 'the old picture is not as it was')
+        self.only(folder, file)
+
+    def is_whole(self, file):
+        """It is a picture that chapter 03 loads."""
+        command = [self.program(3), '--quiet', '--texture', file, '--width', '1', '--height', '1', '--out', self.T / 'judge.png']
+        return subprocess.run([str(word) for word in command], timeout=PATIENCE, capture_output=True).returncode == 0
+
+    def folder(self, name, *files):
+        """A new folder with the old picture under these names."""
+        (self.T / name).mkdir()
+        for file in files:
+            shutil.copy(self.old, self.T / name / file)
+        return self.T / name
+
+    # The command line
+
+    def refuses(self, chapter, typed, pattern):
+        self.chapter(chapter, *typed)
+        self.expect(2, f'error: *{pattern}', lines=2)
+        usage = (self.err.splitlines() + ['', ''])[1]
+        self.wrong(not usage.startswith(f'usage: {NAMES[chapter]} '), f"then the usage line expected, got '{usage}'")
+        self.conclude(f'{NAMES[chapter]} {typed}')
+
+    def check_numbers(self):
+        for chapters, option, values in NUMBERS:
+            for chapter in chapters:
+                for value in values:
+                    self.refuses(chapter, [option, value], f'{option}*from [-0-9]*to [-0-9]*')
+        for value in ('-1e300', '1e-400', '+90', '.5', '90.', '1E2'):  # what is right is not refused
+            self.chapter(5, '--degrees', value, '--width', '4', '--height', '3', '--out', self.T / 'right.png')
+            self.expect(0, out=True)
+            self.conclude(f'05 --degrees {value}')
+
+    def check_words(self):
+        for chapters, typed in WORDS:
+            for chapter in chapters:
+                self.refuses(chapter, typed, typed[0].split('=')[0] + '*')
+        for chapter in CHAPTERS:
+            for word in ('--help', '--version'):
+                self.run([self.program(chapter), word])
+                self.expect(0, out=True)
+                self.wrong(NAMES[chapter] not in self.out, "the program's name expected on stdout")
+                self.conclude(f'{NAMES[chapter]} {word}')
+                with open('/dev/full', 'wb') as full:
+                    self.run([self.program(chapter), word], stdout=full)
+                self.expect(1, 'error: ?*')
+                self.conclude(f'{NAMES[chapter]} {word} on a full device')
+
+    # Files that are read
+
+    def reads(self, kind, file, out='never.png', **options):
+        chapter, option, _, _ = KINDS[kind]
+        needs = ['--texture', self.texture] if kind == 'mesh' else ['--samples', '1'] if kind == 'sky' else []
+        self.run([self.program(chapter), *needs, option, file, *SMALL, '--out', out], memory=self.memory, **options)
+
+    def refuses_file(self, kind, file, what, **options):
+        self.reads(kind, file, **options)
+        self.expect(1, f"error: cannot load {KINDS[kind][2]} '*': ?*")
+        self.conclude(f'{kind}: {what}')
+
+    def loads_file(self, kind, file, what, or_not=False):
+        out = self.T / 'loaded.png'
+        self.reads(kind, file, out)
+        self.wrong(self.status != 0 and not (or_not and self.status == 1), f'status 0 expected, got {self.status} ({self.err})')
+        self.wrong(self.status == 0 and not out.is_file(), 'a picture expected, got none')
+        out.unlink(missing_ok=True)
+        self.conclude(f'{kind}: {what}')
+
+    def files_of(self, kind, good_bytes, bad_files):
+        """Files of a kind that are missing, or no files, or cut, or wrong inside."""
+        ending = KINDS[kind][3]
+        if not Path(self.program(KINDS[kind][0])).exists():
+            return self.skip(kind, 'there is no program that reads it')
+        T = self.T / kind
+        T.mkdir()
+        good = T / f'good.{ending}'
+        good.write_bytes(good_bytes)
+        self.loads_file(kind, good, 'a good file')
+        (T / 'dangling').symlink_to(T / 'nowhere')
+        for file, what in [
+                (T / f'missing.{ending}', 'missing'), (T / 'dangling', 'dangling link'), (self.T / 'loop-a', 'link loop'),
+                (T / LONG_NAME, 'name of 300 characters'), (LONG_NAME, 'name of 300 characters, looked for in the assets'),
+                (str(T) + '/' + 14 * LONG_NAME, 'path of 4200 characters'), (T / 'no-\udcc3(-\udcff.png', 'missing, its name is not UTF-8'),
+                (T, 'a folder'), (f'{good}/', 'a file with a slash behind it'), (good / 'inside', 'a path through a file')]:
+            self.refuses_file(kind, file, what)
+        for name in [*ODD_NAMES, 'no-\udcc3(-\udcff']:
+            file = os.fsencode(f'{T}/{name}.{ending}')
+            try:
+                shutil.copy(good, file)
+            except OSError:
+                self.skip(f'{kind}: {name!r}', 'the disk takes no such name')
+            else:
+                self.loads_file(kind, os.fsdecode(file), f'{name!r}')
+        os.mkfifo(T / 'pipe')
+        self.refuses_file(kind, T / 'pipe', 'a pipe')
+        for device in ('zero', 'urandom', 'null', 'full', 'tty'):
+            self.refuses_file(kind, f'/dev/{device}', device)
+        for file in ('/proc/cpuinfo', '/proc/self/mem', '/proc/self/fd'):
+            self.refuses_file(kind, file, file) if os.path.exists(file) else self.skip(file, 'not on this system')
+        for size, what in ((0, 'an empty file'), (10 << 30, 'a sparse file of 10 GiB')):
+            sparse = T / 'sparse'
+            with open(sparse, 'wb') as file:
+                file.truncate(size)
+            self.refuses_file(kind, sparse, what)
+            sparse.unlink()
+        with open(shutil.copy(good, T / 'tail'), 'r+b') as file:  # as long as may be, and nothing behind a good beginning
+            file.truncate(64 << 20)
+        self.loads_file(kind, T / 'tail', '64 MiB, zeros behind a good file', or_not=True)
+        (T / 'tail').unlink()
+        secret = Path(shutil.copy(good, T / 'secret'))
+        secret.chmod(0)
+        if self.user is not None:
+            self.refuses_file(kind, secret, 'unreadable', **self.user)
+        # Cut anywhere, it is no good file any more; and the picture that was there stays.
+        size = len(good_bytes)
+        cuts = [(f'the first {length} bytes of a good file', good_bytes[:length])
+                for length in (1, 7, 8, 9, 20, 33, 34, size // 2, size - 13, size - 12, size - 8, size - 1)]
+        bad = T / f'bad.{ending}'
+        for what, content in [*bad_files, *cuts]:
+            bad.write_bytes(content)
+            self.refuses_file(kind, bad, what)
+        kept = self.folder(f'kept-{kind}', 'out.png')
+        self.reads(kind, bad, kept / 'out.png')
+        self.wrong(self.status != 1, f'status 1 expected, got {self.status}')
+        self.keeps_old(kept)
+        self.conclude(f'{kind}: a bad file, and the old picture')
+
+    def check_textures(self):
+        self.files_of('texture', self.texture.read_bytes(), [])
+        for missing in ('missing.png', 'folder/missing.png'):
+            for chapter in (3, 4, 5, 6):
+                self.run([self.program(chapter), '--texture', missing, *SMALL, '--out', 'never.png'])
+                self.expect(1, "error: cannot load texture '*': ?*")
+                self.conclude(f'{NAMES[chapter]} {missing}')
+
+    def check_skies(self):
+        self.files_of('sky', GOOD_SKY, BAD_SKIES)
+
+    def check_meshes(self):
+        self.files_of('mesh', GOOD_MESH, [('a picture', self.texture.read_bytes()), *BAD_MESHES])
+
+    def check_corpus(self):
+        rows = [line.split('\t') for line in (self.corpus / 'manifest.tsv').read_text().splitlines()[1:]]
+        for row in rows:
+            file, expected, level = row[0], row[2], row[8]
+            if level == 'may' or expected == 'load':
+                self.loads_file('texture', self.corpus / file, f'corpus/{file}', or_not=level == 'may')
+            else:
+                self.refuses_file('texture', self.corpus / file, f'corpus/{file}')
+        self.wrong(len(rows) < 50, f'at least 50 files expected in the corpus, got {len(rows)}')
+        self.conclude('the corpus')
+
+    # Output
+
+    def cannot_write(self, file, what, chapters=(1,), keeps=None, size=SMALL, **options):
+        """Each of the chapters gives up with status 1 and a line about it; `keeps`: a folder with the old picture alone."""
+        for chapter in chapters:
+            self.chapter(chapter, *size, '--out', file, **options)
+            self.expect(1, CANNOT_WRITE)
+            if keeps:
+                self.keeps_old(keeps)
+            self.conclude(f'output, {NAMES[chapter]}: {what}')
+
+    def draws(self, file, what, chapter=1, out=None, **options):
+        """The chapter's reference picture, and a line about it."""
+        self.chapter(chapter, *REFERENCE, '--out', file, **options)
+        self.expect(0, out=True)
+        line = f'{file}: 60 x 40 pixels'
+        self.wrong(not self.out.startswith(line) or self.out.count('\n') != 1, f"a line '{line}' expected, got '{self.out}'")
+        self.same(Path(out or file), self.reference[chapter])
+        self.conclude(f'output: {what}')
+
+    def check_output(self):
+        T, full_size = self.T, ['--width', '320', '--height', '240']
+        empty = self.folder('empty')
+        for chapters, file, what in [
+                (CHAPTERS, T / 'no/such/folder/out.png', 'folder missing'), (CHAPTERS, self.texture / 'out.png', 'the folder is a file'),
+                (CHAPTERS, empty, 'it is a folder'), ((1,), f'{empty}/', 'a slash at the end'), ((1,), f'{T}/new/', 'nothing there'),
+                ((1,), f'{empty}/.', 'a folder with a dot'), ((1,), empty / LONG_NAME, 'name of 300 characters'),
+                ((1,), LONG_NAME, 'name of 300 characters, relative'), ((1,), T / 'loop-a', 'link loop')]:
+            self.cannot_write(file, what, chapters)
+        self.only(empty)
+        (T / 'to-nowhere.png').symlink_to(T / 'no/such/file.png')
+        self.cannot_write(T / 'to-nowhere.png', 'link into a folder that does not exist')
+
+        # A picture that fails to be written in the end, not in the beginning.
+        small = self.folder('small', 'out.png')
+        self.cannot_write(small / 'out.png', 'no file may grow so large', keeps=small, size=full_size, files=512)
+        disk = self.folder('disk')
+        if subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=16k', 'none', disk], capture_output=True).returncode == 0:
+            try:
+                shutil.copy(self.old, disk / 'out.png')
+                with open(disk / 'fill', 'wb') as file:
+                    file.write(bytes((16 << 10) - 2 * 4096))
+                for name in ('out.png', 'new.png'):
+                    self.chapter(1, *full_size, '--out', disk / name)
+                    self.expect(1, CANNOT_WRITE)
+                    self.same(disk / 'out.png', self.old, 'the old picture is not as it was')
+                    self.only(disk, 'out.png', 'fill')
+                    self.conclude(f'output: disk full, {name}')
+            finally:
+                subprocess.run(['umount', disk], check=True)
+        else:
+            self.skip('output: disk full', 'a small disk cannot be mounted')
+        read_only, folder = self.folder('read-only', 'out.png'), self.folder('writable', 'out.png')
+        (folder / 'out.png').chmod(0o444)
+        read_only.chmod(0o555)
+        folder.chmod(0o777)
+        if self.user is not None:
+            for keeps, name in ((read_only, 'out.png'), (read_only, 'new.png'), (folder, 'out.png')):
+                self.cannot_write(keeps / name, f'read-only {keeps.name}/{name}', keeps=keeps, **self.user)
+        self.devices()
+
+        # Links, names, permissions.
+        links = self.folder('links')
+        (links / 'far').mkdir()
+        for link, target in (('link.png', 'far/target.png'), ('to-link.png', 'link.png'), ('fresh.png', 'far/fresh.png')):
+            shutil.copy(self.old, links / 'far/target.png')
+            (links / link).symlink_to(target)
+            self.draws(links / link, link)
+            self.wrong(not (links / link).is_symlink(), 'the link is gone')
+        odd = 'it\'s a "folder" $HOME * äöü'
+        (T / odd).mkdir()
+        for name in (f'{odd}/pic ture.png', '日本.png', 'no-ending', '-dash.png', '.png'):
+            self.draws(T / name, name)
+        self.chapter(1, '--quiet', *REFERENCE, '--out', T / 'quiet.png')
+        self.expect(0)
+        self.conclude('output: --quiet')
+        masked = T / 'masked.png'
+        for mask, mode, what in ((0o027, 0o640, 'a new file, umask 027'), (0o022, 0o604, 'a replaced file keeps its permissions')):
+            if masked.exists():
+                masked.chmod(mode)
+            self.chapter(1, *SMALL, '--out', masked, umask=mask)
+            self.wrong(masked.stat().st_mode & 0o777 != mode, f'{mode:o} expected, got {masked.stat().st_mode:o}')
+            self.conclude(f'output: {what}')
+        shutil.copy(self.texture, T / 'both.png')  # a picture may be written over its own texture
+        self.run([self.program(3), '--texture', T / 'both.png', *REFERENCE, '--out', T / 'both.png'])
+        self.same(T / 'both.png', self.reference[3])
+        self.conclude('output: over the texture')
+        # Of several pictures, one that cannot be written is found before the first is drawn.
+        (T / 'turn/t_002.png').mkdir(parents=True)
+        self.cannot_write(T / 'turn/t.png', 'the last of three pictures', (5,), size=[*SMALL, '--turntable', '3'])
+        self.only(T / 'turn', 't_002.png')
+        # The default place, made if missing.
+        home = self.folder('home')
+        for chapter in CHAPTERS:
+            self.chapter(chapter, *REFERENCE, cwd=home)
+            self.same(home / f'out/{NAMES[chapter]}.png', self.reference[chapter])
+            self.only(home / 'out', f'{NAMES[chapter]}.png')
+            shutil.rmtree(home / 'out')
+            (home / 'out').write_text('')
+            self.chapter(chapter, *REFERENCE, cwd=home)
+            self.expect(1, f"error: cannot write 'out/{NAMES[chapter]}.png': ?*")
+            (home / 'out').unlink()
+            self.conclude(f'output: the default place of {NAMES[chapter]}')
+
+    def devices(self):
+        """Never the real ones as root, who could rename a picture over them."""
+        full, null = Path('/dev/full'), Path('/dev/null')
+        if os.getuid() == 0:
+            full, null = self.T / 'full', self.T / 'null'
+            try:
+                os.mknod(full, 0o20666, os.makedev(1, 7))
+                os.mknod(null, 0o20666, os.makedev(1, 3))
+                null.write_text('x')
+            except OSError:
+                return self.skip('output: devices', 'there are none that could not come to harm')
+        self.cannot_write(full, 'a full device')
+        self.chapter(1, *SMALL, '--out', null)
+        self.expect(0, out=True)
+        self.wrong(not full.is_char_device() or not null.is_char_device(), 'the device is gone')
+        self.conclude('output: the null device')
+        pipe = self.T / 'out-pipe'
+        os.mkfifo(pipe)
+        self.cannot_write(pipe, 'a pipe that nobody reads')
+        through = self.T / 'through-pipe.png'
+        reader = threading.Thread(target=lambda: through.write_bytes(pipe.read_bytes()))
+        reader.start()
+        time.sleep(0.2)
+        self.chapter(1, *REFERENCE, '--out', pipe)
+        reader.join(PATIENCE)
+        self.same(through, self.reference[1], 'another picture came through the pipe')
+        self.wrong(not pipe.is_fifo(), 'the pipe is gone')
+        self.conclude('output: a pipe with a reader')
+
+    # Signals
+
+    def check_signals(self):
+        folder = self.folder('signals')
+        picture, new = folder / 'out.png', self.T / 'new.png'
+        size = ['--width', '320', '--height', '240']
+        self.chapter(1, *size, '--out', new)
+        for sent in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL):
+            for moment in (0.02, 0.15, 0.4):  # a picture that takes minutes cannot be there
+                self.wrong(self.killed(sent, moment, folder, [*size, '--samples', '65536'], new), 'a picture that takes minutes is there')
+            self.conclude(f'{sent.name} ends a long render')
+            dice = random.Random(sent)
+            finished = [self.killed(sent, moment, folder, size, new)
+                        for moment in [0.001 * k for k in range(1, 61, 3)] + [0.06 * dice.random() for _ in range(12)]]
+            self.conclude(f'{sent.name}, a small picture ({sum(finished)} of {len(finished)} were finished)')
+        self.wrong(not self.is_whole(picture), 'the last picture is not whole')
+        self.conclude('the picture after all signals')
+
+    def killed(self, sent, moment, folder, words, new):
+        """Sends the signal after so many seconds: out.png is the old picture or the new one, and alone. True: the new one."""
+        picture = folder / 'out.png'
+        shutil.copy(self.old, picture)
+        drawing = subprocess.Popen([self.program(1), *words, '--out', str(picture)], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(moment)
+        drawing.send_signal(sent)
+        said = drawing.communicate(timeout=PATIENCE)[1]
+        self.wrong(drawing.returncode not in (0, -sent), f'status {drawing.returncode} after {moment} s')
+        self.wrong(said, f"nothing on stderr expected, got '{said[:60]}'")
+        is_new = picture.is_file() and picture.read_bytes() == new.read_bytes()
+        if not is_new:
+            self.same(picture, self.old, 'neither the old picture nor the new one is there')
+        if sent != signal.SIGKILL:  # after which nobody can clean up
+            self.only(folder, 'out.png')
+        for left in folder.glob('.*'):
+            left.unlink()
+        return is_new
+
+    # Many at once
+
+    def check_crowd(self):
+        picture = self.folder('crowd') / 'out.png'
+        self.chapter(1, '--quiet', '--width', '20', '--height', '15', '--out', picture)
+        failures = []
+
+        def write(writer):
+            size = ['--width', str(20 * writer), '--height', str(15 * writer), '--threads', '1', '--out', str(picture)]
+            for _ in range(12):
+                done = subprocess.run([self.program(1), '--quiet', *size], capture_output=True, timeout=10 * PATIENCE)
+                if done.returncode != 0:
+                    failures.append(f'writer {writer}: status {done.returncode}')
+        writers = [threading.Thread(target=write, args=(writer,)) for writer in range(1, 17)]
+        for writer in writers:
+            writer.start()
+        reads = torn = 0
+        while any(writer.is_alive() for writer in writers):
+            torn += not self.is_whole(picture)
+            reads += 1
+        self.wrong(reads <= 3, f'only {reads} reads')
+        self.wrong(torn, f'{torn} of {reads} reads found no whole picture')
+        self.wrong(failures, f'{failures[:1]}')
+        self.wrong(not self.is_whole(picture), 'what is left is not whole')
+        self.only(picture.parent, 'out.png')
+        self.conclude(f'16 writers of one file, {reads} reads')
+
+    # Standard streams
+
+    def check_streams(self):
+        picture = self.T / 'stream.png'
+        for chapter in CHAPTERS:
+            command = [self.program(chapter), *self.needs(chapter), *REFERENCE, '--out', str(picture)]
+            gone, end = os.pipe()
+            os.close(gone)  # a pipe with a reader that has gone for certain
+            with open('/dev/full', 'wb') as full, open(end, 'wb', buffering=0) as broken:
+                for what, status, closed, stdout in [
+                        ('stdout closed', 0, [1], None), ('descriptors 0, 1 and 2 closed', 0, [0, 1, 2], None),
+                        ('descriptors 0 and 2 closed', 0, [0, 2], None), ('stdout on a full device', 1, [], full),
+                        ('stdout is a pipe that nobody reads', 1, [], broken)]:
+                    self.run_closed(command, closed, stdout)
+                    self.expect(status, 'error: ?*' if status else '', out=True)
+                    self.same(picture, self.reference[chapter])
+                    picture.unlink(missing_ok=True)
+                    self.conclude(f'{NAMES[chapter]}: {what}')
+        # Messages must not end up in a texture or a picture that took a stream's number.
+        for command, closed, status in [
+                ([self.program(1), '--samples', 'nan'], [2], 2), ([self.program(1), '--out', str(self.T / 'no/x.png')], [1, 2], 1),
+                ([self.program(3), '--texture', str(self.corpus / 'bad_one_byte.png'), '--out', str(picture)], [0, 1, 2], 1)]:
+            self.run_closed(command, closed, None)
+            self.wrong(self.status != status, f'status {status} expected, got {self.status}')
+            self.wrong(picture.exists(), 'a picture was written')
+            self.conclude(f'{command[1:]}, closed: {closed}')
+
+    def run_closed(self, command, closed, stdout):
+        words = ''.join(f' {number}>&-' for number in closed)
+        options = {} if stdout is None else {'stdout': stdout}
+        self.run(['sh', '-c', f'exec "$@"{words}', 'sh', *command], **options)
+
+    # Memory
+
+    def check_memory(self):
+        if not self.memory:
+            return self.skip('memory', 'it cannot be limited here')
+        folder = self.folder('starved')
+        picture, fed = folder / 'out.png', self.T / 'fed.png'
+
+        def starved(limit, command):
+            """Whole picture or a line about memory. True: the picture."""
+            shutil.copy(self.old, picture)
+            self.run([*command, '--out', picture], memory=limit << 10)
+            if self.status == 0:
+                self.same(picture, fed, f'at {limit} KiB: status 0, and another picture')
+            else:
+                self.expect(1, 'error: not enough memory')
+                self.same(picture, self.old, f'at {limit} KiB: the old picture is not as it was')
+            self.only(folder, 'out.png')
+            return self.status == 0
+        for chapter in (1, 6):
+            command = [self.program(chapter), *self.needs(chapter), '--width', '400', '--height', '300']
+            low, start = 0, 131072  # the least that the program is loaded with: below, the system says 127
+            while start - low > 4:
+                middle = (low + start) // 2
+                self.run([self.program(chapter), '--help'], memory=middle << 10)
+                low, start = (middle, start) if self.status in (127, -signal.SIGSEGV, -signal.SIGABRT) else (low, middle)
+            self.run([*command, '--out', fed])
+            for threads, more, what in [
+                    ('1', range(12, 480, 12), 'hardly enough memory to start'),
+                    ('1', [*range(500, 1700, 100), 1800, 2000, 2300, 2600, 3000, 4000, 8000], 'memory a little short'),
+                    ('64', [1000, 4000, 9000, 9500, 10000, 17500, 18000, 26000, 27000, 40000, 80000, 150000], 'short for 64 threads')]:
+                enough = [starved(start + extra, [*command, '--threads', threads]) for extra in more]
+                self.wrong(what == 'memory a little short' and len(set(enough)) != 2, 'memory was always or never short')
+                self.conclude(f'{NAMES[chapter]}: {what} ({sum(enough)} of {len(enough)} times enough)')
+        huge = [self.program(1), '--width', '8192', '--height', '8192', '--threads', '1']
+        self.wrong(starved(150000, huge), 'memory was enough')
+        self.conclude('a picture of 2^26 pixels in 150 MB')
+
+    # Surroundings
+
+    def check_surroundings(self):
+        comma = self.comma_locale()
+        there = self.T / 'there.png'
+        environments = [('no TERM, C locale', {'TERM': None, 'LANG': None}), ('TERM is nonsense', {'TERM': 'nonsense', 'COLUMNS': '0'}),
+                        ('a locale that does not exist', {'LC_ALL': 'xx_YY.UTF-8'}), *([('a decimal comma', comma)] if comma else [])]
+        if not SANITIZED:
+            environments.append(('no environment', dict.fromkeys(os.environ)))
+        tries = [(f'--threads {n}', ['--threads', str(n)], {}) for n in (1, 2, 4, 16, 1024)]
+        tries += [(what, [], {'env': merged(changes)}) for what, changes in environments]
+        tries.append(('no terminal', [], {'start_new_session': True}))
+        for chapter in CHAPTERS:
+            for what, words, options in tries:
+                there.unlink(missing_ok=True)
+                self.chapter(chapter, *REFERENCE, *words, '--out', there, **options)
+                self.expect(0, out=True)
+                self.same(there, self.reference[chapter])
+                self.conclude(f'{NAMES[chapter]}: {what}')
+        if comma:
+            point = ['--blend', '0.25', '--degrees', '12.5', *REFERENCE, '--out']
+            self.chapter(6, *point, self.T / 'point.png')
+            self.chapter(6, *point, there, env=merged(comma))
+            self.same(there, self.T / 'point.png')
+            self.chapter(6, '--blend', '0,25', env=merged(comma))
+            self.expect(2, 'error: *--blend*', lines=2)
+            self.conclude('a number with a point, and one with a comma, where a comma is usual')
+        else:
+            self.skip('a locale with a decimal comma', 'none is installed')
+        self.progress()
+
+    def comma_locale(self):
+        """The variables of a locale that writes 0,5: one that is made for this."""
+        folder = self.T / 'locales'
+        folder.mkdir()
+        made = shutil.which('localedef') and subprocess.run(
+            ['localedef', '-i', 'de_DE', '-f', 'UTF-8', folder / 'de_DE.UTF-8'], capture_output=True).returncode == 0
+        return {'LOCPATH': str(folder), 'LC_ALL': 'de_DE.UTF-8'} if made else None
+
+    def progress(self):
+        """For terminals only: a slow machine has half a minute to show it; the others then run for twice what it took."""
+        folder = self.folder('progress')
+        long = [self.program(1), '--width', '40', '--height', '9000', '--samples', '16000', '--out', str(folder / 'out.png')]
+        master, terminal = os.openpty()
+        drawing = subprocess.Popen(long, stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal)
+        began = time.monotonic()
+        os.set_blocking(master, False)
+        shown = b''
+        while b'%' not in shown and time.monotonic() - began < 30:
+            time.sleep(0.1)
+            try:
+                shown += os.read(master, 65536)
+            except BlockingIOError:
+                pass
+        drawing.terminate()
+        drawing.wait()
+        self.wrong(b'%' not in shown, 'none came')
+        self.conclude('progress on a terminal')
+        enough = 2 * (time.monotonic() - began) + 1
+        for words, streams, what in ((['--quiet'], terminal, 'on a terminal with --quiet'), ([], None, 'in a pipe')):
+            kept = {} if streams is None else {'stdout': streams, 'stderr': streams}
+            drawing = subprocess.Popen([*long, *words], stdin=subprocess.DEVNULL,
+                                       **{'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **kept})
+            time.sleep(enough)
+            drawing.terminate()
+            said = b''.join(text or b'' for text in drawing.communicate())
+            try:
+                said += os.read(master, 65536) if streams is not None else b''
+            except BlockingIOError:
+                pass
+            self.wrong(b'%' in said, f'got {said[:60]}')
+            self.conclude(f'no progress {what}')
+        self.only(folder)
+        self.conclude('renders cut short leave nothing')
+
+    # All of it
+
+    def get_ready(self):
+        for chapter in CHAPTERS:
+            if not Path(self.program(chapter)).exists():
+                sys.exit(f'faults.py: there is no program {self.program(chapter)}')
+        (self.T / 'loop-a').symlink_to(self.T / 'loop-b')
+        (self.T / 'loop-b').symlink_to(self.T / 'loop-a')
+        if os.getuid() == 0:  # somebody whom permissions bind
+            self.user = {'user': NOBODY, 'group': NOBODY, 'extra_groups': []}
+            self.run([self.program(1), '--version'], **self.user)
+            if self.status != 0:
+                self.user = None
+                self.skip('permissions', 'root may do everything, and no other user can run the programs')
+        self.reference = {chapter: self.T / f'reference-{chapter}.png' for chapter in CHAPTERS}
+        for chapter, file in self.reference.items():
+            self.chapter(chapter, *REFERENCE, '--out', file)
+            self.expect(0, out=True)
+            self.wrong(not self.is_whole(file), 'it is not whole')
+            self.conclude(f'{NAMES[chapter]} draws a picture')
+        self.old = self.T / 'old.png'
+        self.chapter(2, '--width', '40', '--height', '30', '--out', self.old)
+        half = self.T / 'half.png'
+        half.write_bytes(self.old.read_bytes()[:200])
+        self.wrong(self.is_whole(half), 'half a picture counts as whole')
+        self.conclude('chapter 03 refuses half a picture')
+
+    def all(self, parts):
+        self.get_ready()
+        for part in parts or PARTS:
+            getattr(self, 'check_' + part)()
+            self.nothing_written()
+            self.conclude(f'{part}: nothing in the current folder')
+        print(f'{self.passed} passed, {self.failed} failed, {self.skipped} skipped')
+        if self.passed + self.failed < 100:
+            print('fewer than 100 checks ran: something is missing')
+        return 0 if self.failed == 0 and self.passed >= 100 else 1
+
+
+PARTS = ('numbers', 'words', 'textures', 'corpus', 'skies', 'meshes', 'output', 'signals', 'crowd', 'streams', 'memory', 'surroundings')
+
+
+def merged(changes):
+    """The environment with these changes; None removes a variable."""
+    return {name: value for name, value in {**os.environ, **changes}.items() if value is not None}
+
+
+# --- Does it find anything? ---------------------------------------------------------------------------------------------------------
+
+USAGE = 'echo "usage: ${0##*/} [options]" >&2; exit 2'
+FAKES = [  # a program, what is asked of it, how many checks fail
+    (f"echo \"error: --samples takes a number from 1 to 9, not 'x'\" >&2; {USAGE}", 'number', 0),
+    ("echo \"error: cannot load texture 'x': it is bad\" >&2; exit 1", 'file', 0),
+    ("echo \"error: cannot write 'x': the disk is full\" >&2; exit 1", 'write', 0),
+    ('exit 0', 'number file write load', 4), ('exit 2', 'number', 1),
+    (f"echo 'error: something is wrong' >&2; {USAGE}", 'number', 1),
+    (f'echo "error: --samples takes something else" >&2; {USAGE}', 'number', 1),
+    ('echo "error: --samples from 1 to 9" >&2; exit 2', 'number', 1),
+    (f"echo chatter; echo 'error: --samples from 1 to 9' >&2; {USAGE}", 'number', 1),
+    (f"mkdir -p out; echo half >out/x.png; echo 'error: --samples from 1 to 9' >&2; {USAGE}", 'number', 1),
+    ("echo 'ERROR: AddressSanitizer: heap-buffer-overflow' >&2; exit 99", 'file', 1),
+    ("echo \"error: cannot load texture 'x': bad\" >&2; echo 'and more' >&2; exit 1", 'file', 1),
+    ("echo half >never.png; echo \"error: cannot load texture 'x': bad\" >&2; exit 1", 'file', 1),
+    ('sleep 20', 'file', 1), ('kill -s SEGV $$', 'file', 1),
+    ('for word; do :; done; printf wh >"$word"; sleep 1; echo ole >>"$word"', 'killed', 1),
+    ('for word; do :; done; : >"${word%/*}/.draft"; sleep 1; mv "${word%/*}/.draft" "$word"', 'killed', 1),
+    ('exec sleep 1', 'killed', 0),
+]
+
+
+def self_test():
+    global PATIENCE
+    PATIENCE = 2
+    found = []
+    with tempfile.TemporaryDirectory() as folder:
+        tries = Tries(folder, folder)
+        tries.memory = 0
+        tries.old = tries.texture = Path(folder) / 'old.png'
+        new = Path(folder) / 'new.png'
+        tries.old.write_text('old')
+        new.write_text('whole')
+        signals = tries.folder('signals')
+
+        def killed():
+            tries.killed(signal.SIGTERM, 0.3, signals, [], new)
+            tries.conclude('killed')
+        asked = {'number': lambda: tries.refuses(1, ['--samples', 'x'], '--samples*from [-0-9]*to [-0-9]*'),
+                 'file': lambda: tries.refuses_file('texture', tries.texture, 'bad'), 'killed': killed,
+                 'write': lambda: tries.cannot_write(new, 'disk full'), 'load': lambda: tries.loads_file('texture', new, 'good')}
+        for script, what, failures in FAKES:
+            for name in NAMES.values():
+                (Path(folder) / name).write_text(f'#!/bin/sh\n{script}\n')
+                (Path(folder) / name).chmod(0o755)
+            tries.failed = 0
+            for one in what.split():
+                asked[one]()
+            found += [] if tries.failed == failures else [f'FAILED self-test, {script}: {failures} expected, got {tries.failed}']
+        shutil.rmtree(tries.T)
+    print('\n'.join(found) or f'self-test: {len(FAKES)} programs judged as they deserve')
+    return 1 if found else 0
+
+
+def main():
+    if sys.argv[1:] == ['--self-test']:
+        return self_test()
+    if len(sys.argv) < 3 or not all(os.path.isdir(folder) for folder in sys.argv[1:3]) or not set(sys.argv[3:]) <= set(PARTS):
+        sys.exit(__doc__)
+    tries = Tries(*sys.argv[1:3])
+    try:
+        return tries.all(sys.argv[3:])
+    finally:
+        subprocess.run(['chmod', '-R', 'u+rwx', tries.T], check=False)
+        shutil.rmtree(tries.T, ignore_errors=True)
+
+
+if __name__ == '__main__':
+    sys.exit(main())
