@@ -7,10 +7,9 @@ namespace texmap::diagrams {
 
 std::vector<Drawing> all_diagrams() {
   std::vector<Drawing> all;
-  for (auto* chapter : {&diagrams_of_01, &diagrams_of_02, &diagrams_of_03, &diagrams_of_04,
-                        &diagrams_of_05, &diagrams_of_06, &diagrams_of_07, &diagrams_of_08,
-                        &diagrams_of_09, &diagrams_of_10, &diagrams_of_11, &diagrams_of_12,
-                        &diagrams_of_13, &diagrams_of_14, &diagrams_of_how_to_change_things}) {
+  for (auto* chapter :
+       {&diagrams_of_02, &diagrams_of_04, &diagrams_of_06, &diagrams_of_07, &diagrams_of_10,
+        &diagrams_of_11, &diagrams_of_12, &diagrams_of_13, &diagrams_of_14}) {
     std::vector<Drawing> drawn = chapter();
     all.insert(all.end(), std::make_move_iterator(drawn.begin()),
                std::make_move_iterator(drawn.end()));

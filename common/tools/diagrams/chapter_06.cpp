@@ -1,10 +1,9 @@
-// The diagrams of chapter 06: the mirrored direction, and powers of the cosine.
+// The diagrams of chapter 06: powers of the cosine.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "diagrams.hpp"
@@ -12,67 +11,6 @@
 
 namespace texmap::diagrams {
 namespace {
-
-/// Unit vector in the plane of the drawing, y up; degrees from the normal, to the right.
-Vec3d from_normal(double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
-  return {std::sin(angle), std::cos(angle), 0};
-}
-
-/// Left: the two components of l, and r made from them. Right: n, l, r, e and the angle.
-Drawing mirror_vector() {
-  Drawing d("mirror_vector", 680, 230, "The mirrored direction",
-            "Left: the direction l to the lamp is the sum of a part along the normal n and a part "
-            "along the surface. The mirrored direction r has the same part along n and the "
-            "opposite part along the surface. Right: l and r make the same angle theta with "
-            "n, and the direction e to the eye makes an angle alpha with r.");
-  const double size = 150;
-  const Vec3d n{0, 1, 0};
-  const Vec3d l = from_normal(50);
-  const Vec3d r = mirror(l, n);
-  const auto place = [&](Spot foot, const Vec3d& p) { return foot + Spot{p.x, -p.y} * size; };
-
-  const Spot a{180, 180};
-  const Vec3d along = n * dot(n, l);
-  d.line(a + Spot{-150, 0}, a + Spot{150, 0}, "ink");
-  d.line(place(a, along), place(a, l), "green thick");
-  d.line(place(a, along), place(a, r), "green thick dashed");
-  d.arrow(a, place(a, n), "ink");
-  d.line(a, place(a, along), "blue thick");
-  d.arrow(a, place(a, l), "red");
-  d.arrow(a, place(a, r), "red");
-  d.text(place(a, n) + Spot{10, 8}, "n", Anchor::start);
-  d.text(place(a, l) + Spot{8, 2}, "l", Anchor::start, "red strong");
-  d.text(place(a, r) + Spot{-8, 2}, "r", Anchor::end, "red strong");
-  d.text(place(a, along * 0.7) + Spot{-8, 0}, "(n·l) n", Anchor::end, "blue small");
-  d.text(place(a, (along + l) * 0.5) + Spot{4, -10}, "l - (n·l) n", Anchor::middle, "green small");
-  d.text(place(a, (along + r) * 0.5) + Spot{-4, -10}, "the opposite", Anchor::middle,
-         "green small");
-  d.text(a + Spot{0, 26}, "r = (n·l) n - (l - (n·l) n)", Anchor::middle);
-
-  const Spot b{510, 180};
-  const Vec3d e = from_normal(-24);
-  d.line(b + Spot{-150, 0}, b + Spot{150, 0}, "ink");
-  d.arrow(b, place(b, n), "ink");
-  d.arrow(b, place(b, l), "red");
-  d.arrow(b, place(b, r), "red");
-  d.arrow(b, place(b, e), "blue");
-  d.arc(b, 66, 40, 140, "soft");
-  d.arc(b, 112, 114, 140, "green thick");
-  d.text(place(b, n) + Spot{10, 8}, "n", Anchor::start);
-  d.text(place(b, l) + Spot{0, -10}, "l, to the lamp", Anchor::middle, "red");
-  d.text(place(b, r) + Spot{-8, 2}, "r", Anchor::end, "red strong");
-  d.text(place(b, e) + Spot{-2, -8}, "e, to the eye", Anchor::end, "blue");
-  for (const double degrees : {65.0, 127.0})
-    d.text(place(b, from_normal(90 - degrees) * 0.32) + Spot{0, 5}, "θ", Anchor::middle, "small");
-  d.text(b + Spot{-62, -72}, "α", Anchor::middle, "green strong");
-  d.text(b + Spot{0, 26}, "cos α = r·e", Anchor::middle);
-  for (const auto& [name, p] : {std::pair{"n", n}, {"l", l}, {"r", r}, {"e", e}}) {
-    d.mark(name, place(b, p));
-  }
-  d.mark("foot", b);
-  return d;
-}
 
 /// cos^s over the angle, for four exponents.
 Drawing phong_power() {
@@ -126,6 +64,6 @@ Drawing phong_power() {
 
 }  // namespace
 
-std::vector<Drawing> diagrams_of_06() { return {mirror_vector(), phong_power()}; }
+std::vector<Drawing> diagrams_of_06() { return {phong_power()}; }
 
 }  // namespace texmap::diagrams

@@ -1,5 +1,4 @@
 // The diagrams of chapter 07: sampling patterns, cosine and chance, the sRGB curve.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -1,11 +1,9 @@
-// The diagrams of chapter 11: a frame and a raised normal, bump or dent, two facets.
+// The computed diagram of chapter 11: a frame and a raised normal.
 #include <cmath>
 #include <numbers>
 
 #include "diagrams.hpp"
-#include "scene/two_facets.hpp"
 #include "texture/bump.hpp"
-#include "texture/normal_map.hpp"
 
 namespace texmap::diagrams {
 namespace {
@@ -96,106 +94,8 @@ Drawing raised_normal_diagram() {
   return d;
 }
 
-/// One file under one lamp, its green read as it was meant and inverted.
-Drawing green_up_or_down() {
-  Drawing d("green_up_or_down", 680, 300, "A bump read as a dent",
-            "Two cuts along the direction of v under the same lamp. Left: the normals of a bump; "
-            "the flank towards the lamp is lit. Right: the same colors with green inverted; the "
-            "normals lean the other way, the flank towards the lamp is dark, and the surface that "
-            "has such normals is a dent.");
-  const double lean = 45 * radians;
-  const Vec3d facing_v{0, std::sin(lean), std::cos(lean)};
-  const Rgb8 bright = color_of_normal(facing_v);
-  const Rgb8 dark = color_of_normal({0, -facing_v.y, facing_v.z});
-  const auto words = [](const Rgb8& c) {
-    return std::to_string(c.r) + ", " + std::to_string(c.g) + ", " + std::to_string(c.b);
-  };
-  const Vec3d lamp = normalize(Vec3d{0, 0.8, 0.6});  // in (red, green, blue)'s directions
-  const auto panel = [&](double x, Green green) {
-    const double sign = green == Green::up ? 1 : -1;
-    const Spot left{x, 190}, right{x + 260, 190};
-    // v grows to the left, n is up. A trapezoid of flanks of 45 degrees, up or down.
-    const double size = 52;
-    const Spot a{x + 60, 190}, b{x + 60 + size, 190 - sign * size};
-    const Spot c{x + 200 - size, 190 - sign * size}, e{x + 200, 190};
-    d.line(left, a, "ink");
-    d.line(e, right, "ink");
-    d.line(b, c, "ink");
-    for (const double facing : {1.0, -1.0}) {
-      const Spot from = facing > 0 ? a : c, to = facing > 0 ? b : e;
-      const double part = sign * facing * facing_v.y;  // the normal's part along v
-      const double light = part * lamp.y + facing_v.z * lamp.z;
-      const bool lit = light > 0.1;
-      d.line(from, to, lit ? "red thick" : "ink thick");
-      const Spot middle = (from + to) * 0.5;
-      d.arrow(middle, middle + Spot{-part, -facing_v.z} * 62, "blue");
-      const Spot label = green == Green::up ? Spot{0, 50} : Spot{facing * -42, 16};
-      d.text(middle + label, lit ? "lit" : "dark", Anchor::middle, lit ? "red small" : "small");
-      const std::string name = green == Green::up ? "up" : "down";
-      d.mark(name + (facing > 0 ? " near" : " far"), middle);
-      d.mark(name + (facing > 0 ? " near tip" : " far tip"),
-             middle + Spot{-part, -facing_v.z} * 62);
-      d.text({facing > 0 ? x + 66 : x + 194, 278}, words(facing > 0 ? bright : dark),
-             Anchor::middle, "small");
-    }
-    d.arrow({x + 34, 60}, Spot{x + 34, 60} + Spot{lamp.y, lamp.z} * 46, "red");
-    d.text({x + 8, 50}, "lamp", Anchor::start, "red small");
-  };
-  panel(40, Green::up);
-  panel(380, Green::down);
-  d.text({170, 24}, "green read as meant: a bump", Anchor::middle, "strong");
-  d.text({510, 24}, "green inverted: a dent", Anchor::middle, "strong");
-  d.arrow({352, 216}, {324, 216}, "ink");
-  d.text({338, 206}, "v", Anchor::middle, "small");
-  d.text({338, 278}, "in the file", Anchor::middle, "small");
-  return d;
-}
-
-/// A surface of two kinds of facets: one has the shading normal, one completes the surface.
-Drawing two_facets_diagram() {
-  const double lean = 35 * radians;
-  Drawing d("two_facets", 680, 250, "Two facets",
-            "A saw-tooth line on a flat surface. Its long facets have the shading normal, which "
-            "leans to the left. Its short facets stand upright and face right. The mean of all "
-            "facets' normals, weighted by their areas, is the true normal.");
-  const double wide = 110;
-  const Vec3d normal{0, 1, 0}, bent{-std::sin(lean), std::cos(lean), 0};
-  const TwoFacets<double> facets = two_facets(normal, bent);
-  const Spot start{90, 190};
-  // A tooth rises to the right along the bent facet, and falls along the upright one.
-  const Spot rise{wide, -wide * facets.upright_area};
-  const auto to_spot = [](const Vec3d& v) { return Spot{v.x, -v.y}; };
-  for (int i = 0; i < 4; ++i) {
-    const Spot foot = start + Spot{i * wide, 0};
-    d.line(foot, foot + rise, "blue thick");
-    d.line(foot + rise, foot + Spot{wide, 0}, "red thick");
-  }
-  d.line(start + Spot{-40, 0}, start + Spot{4 * wide + 40, 0}, "soft");
-  const Spot on_bent = start + Spot{wide, 0} + rise * 0.5;
-  const Spot on_upright = start + Spot{4 * wide, 0} + Spot{0, rise.y * 0.5};
-  const double size = 78;
-  d.arrow(on_bent, on_bent + to_spot(facets.bent) * size, "blue");
-  d.arrow(on_upright, on_upright + to_spot(facets.upright) * size, "red");
-  const Spot between = start + Spot{2.35 * wide, 0} + Spot{0, -wide * 0.9};
-  d.arrow(between + Spot{0, 10}, between + Spot{0, 10 - size}, "ink");
-  d.text(between + Spot{10, 16 - size}, "n, the mean", Anchor::start);
-  d.text(on_bent + to_spot(facets.bent) * size + Spot{-8, 0}, "shading normal n'", Anchor::end,
-         "blue small");
-  d.text(on_upright + to_spot(facets.upright) * size + Spot{0, -12}, "upright facet",
-         Anchor::middle, "red small");
-  d.text(start + Spot{wide / 2, 22}, "1", Anchor::middle, "small");
-  d.text({340, 236}, "areas for a width of 1: long facet 1 / cos a, upright facet tan a",
-         Anchor::middle, "small");
-  d.mark("foot", start);
-  d.mark("tip", start + rise);
-  d.mark("next", start + Spot{wide, 0});
-  return d;
-}
-
 }  // namespace
 
-std::vector<Drawing> diagrams_of_11() {
-  return {raised_normal_diagram(), green_up_or_down(), two_facets_diagram()};
-}
+std::vector<Drawing> diagrams_of_11() { return {raised_normal_diagram()}; }
 
 }  // namespace texmap::diagrams

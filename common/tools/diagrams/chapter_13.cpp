@@ -1,5 +1,4 @@
-// The diagrams of chapter 13: the arc tangent by polynomials, and numbers in packs.
-#include <array>
+// The computed diagrams of chapter 13: the arc tangent by polynomials.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -189,52 +188,10 @@ Drawing arc_tangent_degrees() {
   return d;
 }
 
-/// One operation on a pack is an operation on each of its lanes.
-Drawing lanes() {
-  Drawing d("lanes", 640, 250, "Single numbers and a pack",
-            "Left: four additions of single numbers, one after the other. Right: a pack of four "
-            "lanes is added to another in one step; lane by lane the sums are the same.");
-  const double size = 38;
-  const auto box = [&](Spot corner, const std::string& label, const std::string& style) {
-    d.rectangle(corner, size, size, "fill-" + style);
-    d.rectangle(corner, size, size, style);
-    d.text(corner + Spot{size / 2, size / 2 + 5}, label);
-  };
-  const std::array<const char*, 4> below{"₁", "₂", "₃", "₄"};
-  const auto name = [&](const char* letter, std::size_t i) {
-    return std::string(letter) + below.at(i);
-  };
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double y = 42 + 45 * static_cast<double>(i);
-    d.text({26, y + 24}, "step " + std::to_string(i + 1) + ":", Anchor::start, "small");
-    box({84, y}, name("a", i), "blue");
-    d.text({136, y + 24}, "+");
-    box({150, y}, name("b", i), "blue");
-    d.text({202, y + 24}, "=");
-    box({216, y}, name("c", i), "green");
-  }
-  d.text({150, 24}, "single numbers", Anchor::middle, "strong");
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double x = 400 + 45 * static_cast<double>(i);
-    box({x, 55}, name("a", i), "blue");
-    box({x, 115}, name("b", i), "blue");
-    box({x, 175}, name("c", i), "green");
-    d.mark(name("lane ", i), {x, 55});
-  }
-  d.rectangle({394, 49}, 185, 50, "ink");
-  d.rectangle({394, 109}, 185, 50, "ink");
-  d.rectangle({394, 169}, 185, 50, "ink");
-  d.text({318, 139}, "step 1:", Anchor::start, "small");
-  d.text({384, 139}, "+", Anchor::end);
-  d.text({384, 199}, "=", Anchor::end);
-  d.text({486, 24}, "packs of four lanes", Anchor::middle, "strong");
-  return d;
-}
-
 }  // namespace
 
 std::vector<Drawing> diagrams_of_13() {
-  return {arc_tangent_series(), arc_tangent_error(), arc_tangent_degrees(), lanes()};
+  return {arc_tangent_series(), arc_tangent_error(), arc_tangent_degrees()};
 }
 
 }  // namespace texmap::diagrams

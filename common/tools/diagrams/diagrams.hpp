@@ -6,20 +6,14 @@
 
 namespace texmap::diagrams {
 
-[[nodiscard]] std::vector<Drawing> diagrams_of_01();
 [[nodiscard]] std::vector<Drawing> diagrams_of_02();
-[[nodiscard]] std::vector<Drawing> diagrams_of_03();
 [[nodiscard]] std::vector<Drawing> diagrams_of_04();
-[[nodiscard]] std::vector<Drawing> diagrams_of_05();
 [[nodiscard]] std::vector<Drawing> diagrams_of_06();
 [[nodiscard]] std::vector<Drawing> diagrams_of_07();
-[[nodiscard]] std::vector<Drawing> diagrams_of_08();
-[[nodiscard]] std::vector<Drawing> diagrams_of_09();
 [[nodiscard]] std::vector<Drawing> diagrams_of_10();
 [[nodiscard]] std::vector<Drawing> diagrams_of_11();
 [[nodiscard]] std::vector<Drawing> diagrams_of_12();
 [[nodiscard]] std::vector<Drawing> diagrams_of_13();
-[[nodiscard]] std::vector<Drawing> diagrams_of_how_to_change_things();
 [[nodiscard]] std::vector<Drawing> diagrams_of_14();
 
 /// All of them.

@@ -85,6 +85,8 @@ std::string path_through(const std::vector<Spot>& spots) {
 
 }  // namespace
 
+const char* style() { return style_sheet; }
+
 Drawing::Drawing(std::string name, int width, int height, std::string title,
                  std::string description)
     : name_(std::move(name)),

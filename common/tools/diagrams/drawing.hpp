@@ -17,6 +17,9 @@ struct Spot {
   friend Spot operator*(Spot a, double s) { return {a.x * s, a.y * s}; }
 };
 
+/// The style sheet of all diagrams.
+[[nodiscard]] const char* style();
+
 /// Where a label begins, is centered, or ends.
 enum class Anchor { start, middle, end };
 

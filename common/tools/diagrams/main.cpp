@@ -1,4 +1,5 @@
-// Writes all diagrams into a folder, or checks that they are there as they are drawn.
+// Writes the diagrams that are computed into a folder, or checks that they are there as they are
+// drawn. The other diagrams of the folder are sources themselves: they must have the same style.
 // usage: draw_diagrams FOLDER [--check]
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,15 @@
 #include <string>
 
 #include "diagrams.hpp"
+
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   namespace fs = std::filesystem;
@@ -26,10 +36,8 @@ int main(int argc, char** argv) {
       ++faults;
     }
     if (check) {
-      std::ifstream file(path, std::ios::binary);
-      const std::string there((std::istreambuf_iterator<char>(file)), {});
-      if (there != drawing.svg()) {
-        std::cerr << "FAIL: " << path << " is another one: run ./course diagrams\n";
+      if (text_of(path) != drawing.svg()) {
+        std::cerr << "FAIL: " << path << " is another one: run ./course pages --write\n";
         ++faults;
       }
     } else {
@@ -41,12 +49,14 @@ int main(int argc, char** argv) {
       }
     }
   }
+  int others = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".svg" && !drawn.contains(entry.path().filename())) {
-      std::cerr << "FAIL: nothing draws " << entry.path() << '\n';
-      ++faults;
-    }
+    if (entry.path().extension() != ".svg" || drawn.contains(entry.path().filename())) continue;
+    ++others;
+    if (text_of(entry.path()).find(texmap::diagrams::style()) != std::string::npos) continue;
+    std::cerr << "FAIL: " << entry.path() << " has another style than those that are computed\n";
+    ++faults;
   }
-  std::cout << drawn.size() << " diagrams\n";
+  std::cout << drawn.size() << " diagrams computed, " << others << " drawn by hand\n";
   return faults == 0 ? 0 : 1;
 }

@@ -5,17 +5,6 @@
 
 using namespace texmap::diagrams;
 
-TEST_CASE("r is as far from the normal as l, on the other side, and as long") {
-  const Drawing d = named("mirror_vector");
-  const Spot foot = d.marked("foot"), n = d.marked("n"), l = d.marked("l"), r = d.marked("r");
-  CHECK(distance(foot, l) == doctest::Approx(distance(foot, r)));
-  CHECK(distance(n, l) == doctest::Approx(distance(n, r)));
-  CHECK(r.x < n.x);
-  CHECK(l.x > n.x);
-  CHECK(distance(foot, d.marked("e")) == doctest::Approx(distance(foot, r)));
-}
-
-// cos^s is one half at 60, 29.48, 9.52 and 3.02 degrees, since log cos is -log 2 / s there.
 TEST_CASE("the powers fall to one half where their roots say") {
   const Drawing d = named("phong_power");
   const double zero = d.marked("0 degrees").x;

@@ -36,9 +36,3 @@ TEST_CASE("at degree 17 the series is about nine texels off, and the fit 2e-6") 
         doctest::Approx(orders).epsilon(0.01));
   CHECK(d.marked("fit 17").x == d.marked("series 17").x);
 }
-
-TEST_CASE("the lanes of a pack lie side by side") {
-  const Drawing d = named("lanes");
-  CHECK(d.marked("lane ₁").y == d.marked("lane ₄").y);
-  CHECK(d.marked("lane ₄").x > d.marked("lane ₁").x);
-}
