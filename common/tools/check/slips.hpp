@@ -1,0 +1,57 @@
+// Tables of mistakes: what comes out, at one place, where a function is written as many write it.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace texmap::check {
+
+/// The word of a mistake, and the value or the values of those who make it.
+template <class Out>
+struct Slip {
+  const char* word;  ///< "u runs the other way: your map is mirrored"
+  std::vector<Out> values;
+
+  Slip(const char* word, const Out& value) : word(word), values{value} {}
+  Slip(const char* word, std::vector<Out> values) : word(word), values(std::move(values)) {}
+};
+
+/// The mistakes with a function, at one place. To add one, add a row {word, value} or
+/// {word, {value, value}} to the exercise's table.
+template <class Out>
+using Slips = std::vector<Slip<Out>>;
+
+template <class Out>
+Slips<Out>& operator+=(Slips<Out>& table, const std::type_identity_t<Slips<Out>>& more) {
+  table.insert(table.end(), more.begin(), more.end());
+  return table;
+}
+
+/// A mistake that many make: its word, and the function as those write it.
+template <class Function>
+struct Mistake {
+  std::string word;
+  std::function<Function> function;
+};
+
+/// The functions whose values a table has at any place.
+template <class Out, class... Args>
+[[nodiscard]] std::vector<Mistake<Out(Args...)>> functions_of(
+    const std::function<Slips<Out>(Args...)>& table, const std::tuple<std::decay_t<Args>...>& at) {
+  std::vector<Mistake<Out(Args...)>> functions;
+  std::size_t row = 0;
+  for (const Slip<Out>& slip : std::apply(table, at)) {
+    for (std::size_t i = 0; i < slip.values.size(); ++i) {
+      functions.push_back({slip.word, [=](const std::decay_t<Args>&... arguments) -> Out {
+                             return table(arguments...)[row].values[i];
+                           }});
+    }
+    ++row;
+  }
+  return functions;
+}
+
+}  // namespace texmap::check
