@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace texmap::check {
@@ -15,8 +16,8 @@ struct Slip {
   const char* word;  ///< "u runs the other way: your map is mirrored"
   std::vector<Out> values;
 
-  Slip(const char* word, const Out& value) : word(word), values{value} {}
-  Slip(const char* word, std::vector<Out> values) : word(word), values(std::move(values)) {}
+  Slip(const char* its_word, const Out& value) : word(its_word), values{value} {}
+  Slip(const char* its_word, std::vector<Out> all) : word(its_word), values(std::move(all)) {}
 };
 
 /// The mistakes with a function, at one place. To add one, add a row {word, value} or
