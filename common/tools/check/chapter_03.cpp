@@ -76,16 +76,12 @@ constexpr const char* nearest =
 /// those who make another mistake often forget the ends, too.
 Slips<int> limited(const Slips<int>& table, int n) {
   Slips<int> wrong;
-  for (const auto limit :
-       {+[](int x, int n) { return std::clamp(x, 0, n - 1); }, +[](int x, int) { return x; },
-        +[](int x, int n) { return std::clamp(x, 0, n); },
-        +[](int x, int n) { return std::min(x, n - 1); },
-        +[](int x, int) { return std::max(x, 0); }}) {
-    for (auto [word, values] : table) {
-      for (int& value : values) value = limit(value, n);
-      wrong.push_back({word, values});
-    }
-  }
+  const int last = n - 1;
+  wrong += changed(table, [&](int x) { return std::clamp(x, 0, last); });
+  wrong += table;
+  wrong += changed(table, [&](int x) { return std::clamp(x, 0, n); });
+  wrong += changed(table, [&](int x) { return std::min(x, last); });
+  wrong += changed(table, [&](int x) { return std::max(x, 0); });
   return wrong;
 }
 

@@ -75,10 +75,8 @@ inline Slips<Uv<double>> map_slips(const Vec3<double>& p) {
         {degrees, {0.5 + longitude / 360, south / 180}},
         {no_half, {longitude / turn, north / pi}},
     };
-    for (const auto& [word, values] : us)
-      for (const double wrong : values) table.push_back({word, {wrong, v}});
-    for (const auto& [word, values] : vs)
-      for (const double wrong : values) table.push_back({word, {u, wrong}});
+    table += changed(us, [&](double wrong) { return Uv<double>{wrong, v}; });
+    table += changed(vs, [&](double wrong) { return Uv<double>{u, wrong}; });
   };
   for (const double y : {p.y, -p.y}) {
     for (const double z : {p.z, -p.z}) {

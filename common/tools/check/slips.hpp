@@ -31,6 +31,20 @@ Slips<Out>& operator+=(Slips<Out>& table, const std::type_identity_t<Slips<Out>>
   return table;
 }
 
+/// The table with each value changed: for those who make a second mistake, too, or as a part of
+/// another value.
+template <class Out, class Change>
+[[nodiscard]] auto changed(const Slips<Out>& table, const Change& change) {
+  using To = std::invoke_result_t<Change, Out>;
+  Slips<To> all;
+  for (const Slip<Out>& slip : table) {
+    std::vector<To> values;
+    for (const Out value : slip.values) values.push_back(change(value));
+    all.push_back({slip.word, std::move(values)});
+  }
+  return all;
+}
+
 /// A mistake that many make: its word, and the function as those write it.
 template <class Function>
 struct Mistake {
