@@ -80,7 +80,7 @@ struct Roots {
   double entry, exit;
 };
 
-Roots roots_of(double a, double b, double c) {
+Roots roots(double a, double b, double c) {
   const double root = std::sqrt(b * b - a * c);
   return {(b - root) / a, (b + root) / a};
 }
@@ -91,64 +91,57 @@ double first_ahead(const Roots& t) { return t.entry > 0 ? t.entry : t.exit > 0 ?
 double entry_alone(const Roots& t) { return std::isnan(t.entry) ? never : t.entry; }
 double entry_ahead(const Roots& t) { return t.entry > 0 ? t.entry : never; }
 
-Slips<Roots> wrong_roots(Vector o, Vector d, Vector center, double radius) {
+Slips<double> wrong_distances(Vector o, Vector d, Vector center, double r) {
   const Vector f = o - center;
   const Vector sum = o + center;
-  const double squared = radius * radius;
+  const double ff = dot(f, f);
   const double a = dot(d, d);
   const double b = -dot(f, d);
-  const double c = dot(f, f) - squared;
+  const double c = ff - r * r;
   const double inside = b * b - a * c;
-  const auto by = [&](double root) { return Roots{(b - root) / a, (b + root) / a}; };
-  const auto apart = [&](double middle, double half) {
-    return Roots{middle - half, middle + half};
-  };
+  const double root = std::sqrt(inside);
+  const auto by = [&](double other) { return Roots{(b - other) / a, (b + other) / a}; };
   // 2s and 4 that do not fit: school's formula and the page's, mixed.
   const auto mixed = [&](double of_b, double of_ac, double of_a) {
-    const double root = std::sqrt(of_b * of_b * b * b - of_ac * a * c);
-    return apart(of_b * b / (of_a * a), root / (of_a * a));
+    const Roots t = roots(1, of_b * b, of_ac * a * c);
+    return Roots{t.entry / (of_a * a), t.exit / (of_a * a)};
   };
-  return {
-      {"the ray runs backward: f is origin - center, and b is -dot(f, direction)",
-       roots_of(a, -b, c)},
+  constexpr const char* no_fit =
+      "the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a";
+  const Slips<Roots> wrong_roots = {
+      {"the ray runs backward: f is origin - center, and b is -dot(f, direction)", roots(a, -b, c)},
       {"the direction may have any length: divide by a = dot(direction, direction)",
-       roots_of(1, b, a * c)},
+       roots(1, b, a * c)},
       {"this is right for directions of length 1 alone: t counts in lengths of the direction",
-       roots_of(1, b / std::sqrt(a), c)},
+       roots(1, b / std::sqrt(a), c)},
       {"this is chapter 00's formula, for directions of length 1: here a = dot(d, d) is missing",
-       roots_of(1, b, c)},
+       roots(1, b, c)},
       {"the discriminant is b * b - a * c: you have no a there", by(std::sqrt(b * b - c))},
       {"a is the square of the direction's length: dot(direction, direction)",
-       roots_of(std::sqrt(a), b, c)},
+       roots(std::sqrt(a), b, c)},
       {"divide by a, do not multiply: C++ reads x / 2 * a as (x / 2) * a; write x / (2 * a)",
-       apart(b * a, std::sqrt(inside) * a)},
+       {(b - root) * a, (b + root) * a}},
       {"only the root is divided by a: write parentheses, (b - root) / a",
-       {apart(b, std::sqrt(inside) / a), apart(2 * b, std::sqrt(inside) / a)}},
-      {"the radius is not squared: c is dot(f, f) - radius * radius",
-       roots_of(a, b, dot(f, f) - radius)},
+       {{b - root / a, b + root / a}, {2 * b - root / a, 2 * b + root / a}}},
+      {"the radius is not squared: c is dot(f, f) - radius * radius", roots(a, b, ff - r)},
       {"c is dot(f, f) - radius * radius, and yours is another one",
-       {roots_of(a, b, dot(f, f)), roots_of(a, b, dot(f, f) + squared),
-        roots_of(a, b, dot(f, f) - 2 * radius), roots_of(a, b, length(f) - squared),
-        roots_of(a, b, (length(f) - radius) * (length(f) - radius))}},
+       {roots(a, b, ff), roots(a, b, ff - 2 * r), roots(a, b, length(f) - r * r),
+        roots(a, b, (length(f) - r) * (length(f) - r))}},
       {"the center is not subtracted everywhere: f is origin - center",
-       {roots_of(a, -dot(o, d), dot(o, o) - squared), roots_of(a, -dot(o, d), c),
-        roots_of(a, -dot(sum, d), dot(sum, sum) - squared)}},
-      {"the discriminant is b * b - a * c: yours has a plus", roots_of(a, b, -c)},
-      {"the square root of the discriminant is missing: std::sqrt",
-       by(inside < 0 ? std::nan("") : inside)},
-      {"the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a",
-       {mixed(2, 1, 1), mixed(2, 1, 2), mixed(1, 4, 2), mixed(2, 4, 1), mixed(1, 4, 1),
-        mixed(1, 1, 2)}},
+       {roots(a, -dot(o, d), dot(o, o) - r * r), roots(a, -dot(o, d), c),
+        roots(a, -dot(sum, d), dot(sum, sum) - r * r)}},
+      {"the square root of the discriminant is missing: std::sqrt", by(inside < 0 ? root : inside)},
+      {no_fit, {mixed(2, 1, 1), mixed(2, 1, 2), mixed(2, 4, 1), mixed(1, 1, 2)}},
       {"a discriminant below 0 means that there is no point: return infinity",
        {by(std::sqrt(std::abs(inside))), by(std::sqrt(std::max(inside, 0.0)))}},
   };
-}
-
-Slips<double> wrong_distances(Vector o, Vector d, Vector center, double radius) {
-  const Vector f = o - center;
-  const Roots t = roots_of(dot(d, d), -dot(f, d), dot(f, f) - radius * radius);
+  const Slips<Roots> never_ahead = {
+      {"the discriminant is b * b - a * c: yours has a plus", roots(a, b, -c)},
+      {no_fit, {mixed(1, 4, 2), mixed(1, 4, 1)}},
+  };
+  const Roots t = roots(a, b, c);
   const auto [entry, exit] = t;
-  const bool missed = std::isnan(entry);
+  const bool missed = std::isnan(root);
   const double exit_alone = missed ? never : exit;
   Slips<double> wrong = {
       {"this is infinity for every ray: look at the signs in b * b - a * c, and at what you "
@@ -174,8 +167,9 @@ Slips<double> wrong_distances(Vector o, Vector d, Vector center, double radius) 
                 missed ? miss : entry, entry > 0 ? entry : miss}}};
   }
   // Those who make another mistake often take the first root alone, too.
-  for (double (*const pick)(const Roots&) : {first_ahead, entry_alone, entry_ahead})
-    wrong += changed(wrong_roots(o, d, center, radius), pick);
+  for (const auto pick : {first_ahead, entry_alone}) wrong += changed(never_ahead, pick);
+  for (const auto pick : {first_ahead, entry_alone, entry_ahead})
+    wrong += changed(wrong_roots, pick);
   return wrong;
 }
 
@@ -208,56 +202,57 @@ Exercise where_the_ray_meets_the_sphere() {
 }
 
 Slips<double> wrong_cosines(Vector p, Vector n, Vector lamp) {
+  constexpr const char* inward =
+      "the signs are wrong: the direction or the normal points inward, so the dark side is lit";
   constexpr const char* color = "0.2 and 0.8 come later, with the color: return the cosine alone";
   constexpr const char* angle = "this is the angle; the dot product already is its cosine";
   constexpr const char* cosine = "the dot product already is the cosine: take no std::cos of it";
-  const Vector path = lamp - p;
+  const Vector to = normalize(lamp - p);
   const Vector outward = normalize(p);
-  const double c = dot(n, normalize(path));
+  const double c = dot(n, to);
+  const double away = length(lamp - p);
+  const double long_c = c * away;
   const Slips<double> not_cut = {
-      {"the direction to the lamp does not have length 1: normalize it", dot(n, path)},
-      {"the signs are wrong: the direction or the normal points inward, so the dark side is lit",
-       {-c, -dot(n, path)}},
+      {inward, -long_c},
       {"lamp is a position: subtract the point to get the direction from there to the lamp",
        {dot(n, normalize(lamp)), dot(n, lamp)}},
       {"between point and lamp is lamp - point, not their sum", dot(n, normalize(lamp + p))},
       {"the direction to the lamp begins at the point: subtract point, not normal",
        dot(n, normalize(lamp - n))},
       {"subtract first: it is lamp - point as a whole that gets the length 1",
-       {dot(n, normalize(lamp) - p), dot(n, normalize(lamp) - outward),
-        dot(n, path) / length(lamp)}},
+       {dot(n, normalize(lamp) - p), dot(n, normalize(lamp) - outward), long_c / length(lamp)}},
       {"point is a position, no direction: the surface faces along normal",
-       {dot(p, normalize(path)), dot(p, path), dot(outward, normalize(path)), dot(p, lamp),
+       {dot(p, to), dot(p, lamp - p), dot(outward, to), dot(p, lamp),
         dot(outward, normalize(lamp))}},
-      {"divide by the length of lamp - point, not by its square", dot(n, path) / dot(path, path)},
-      {"the distance of the lamp does not matter here: return the cosine alone",
-       c / dot(path, path)},
+      {"divide by the length of lamp - point, not by its square", c / away},
+      {"the distance of the lamp does not matter here: return the cosine alone", c / (away * away)},
       {angle, std::acos(c)},
       {cosine, std::cos(c)},
       {"the cross product has the length of the sine: the cosine is the dot product",
-       length(cross(n, normalize(path)))},
+       length(cross(n, to))},
       {color, {0.2 + 0.8 * c, 0.8 * c}},
   };
   Slips<double> wrong = {
-      {"the direction to the lamp does not have length 1, and nothing is cut off at 0",
-       dot(n, path)},
+      {"the direction to the lamp does not have length 1: normalize it", std::max(long_c, 0.0)},
+      {inward, std::max(-c, 0.0)},
+      {"the direction to the lamp does not have length 1, and nothing is cut off at 0", long_c},
       {"the signs are wrong, and nothing is cut off at 0", -c},
   };
   wrong += changed(not_cut, [](double value) { return std::max(value, 0.0); });
   wrong += not_cut;
-  return wrong += {
-             {"a lamp behind the surface gives negative light: nothing is cut off at 0", c},
-             {"the side away from the lamp is lit, too: use std::max(c, 0.0), not the absolute "
-              "value",
-              {std::abs(c), std::abs(dot(n, path))}},
-             {color, 0.2 + 0.8 * std::max(c, 0.0)},
-             {angle, std::acos(std::max(c, 0.0))},
-             {cosine, std::cos(std::max(c, 0.0))},
-             {"this says only whether the lamp is in front: return the cosine itself",
-              c > 0 ? 1. : 0.},
-             {"std::min keeps the smaller number: std::max(c, 0.0) cuts off below 0",
-              {std::min(c, 0.0), std::min(-c, 0.0), std::min(dot(n, path), 0.0)}},
-         };
+  const double cut = std::max(c, 0.0);
+  wrong += {
+      {"a lamp behind the surface gives negative light: nothing is cut off at 0", c},
+      {"the side away from the lamp is lit, too: use std::max(c, 0.0), not the absolute value",
+       {std::abs(c), std::abs(long_c)}},
+      {color, 0.2 + 0.8 * cut},
+      {angle, std::acos(cut)},
+      {cosine, std::cos(cut)},
+      {"this says only whether the lamp is in front: return the cosine itself", c > 0 ? 1. : 0.},
+      {"std::min keeps the smaller number: std::max(c, 0.0) cuts off below 0",
+       {std::min(c, 0.0), std::min(-c, 0.0), std::min(long_c, 0.0)}},
+  };
+  return wrong;
 }
 
 Exercise how_straight_the_light_falls() {
@@ -299,18 +294,23 @@ bool is_hidden(Vector p, Vector n, Vector lamp, const FirstHit& first_hit, doubl
 }
 
 Slips<bool> wrong_shadows(Vector p, Vector n, Vector lamp, const FirstHit& first_hit) {
+  constexpr const char* backward = "the ray runs away from the lamp: its direction is lamp - point";
+  constexpr const char* position = "lamp is a position: the direction is lamp - start";
+  const auto with_lift = [&](double lift) { return is_hidden(p, n, lamp, first_hit, lift); };
   Slips<bool> wrong = {
       {"the ray starts on the sphere, and rounding lets it meet that sphere: start 0.001 above",
-       is_hidden(p, n, lamp, first_hit, 0)},
+       with_lift(0)},
       {"the ray starts below the surface: add normal * 0.001, do not subtract it",
-       is_hidden(p, n, lamp, first_hit, -0.001)},
+       with_lift(-0.001)},
       {"the ray starts too far above the surface and misses what is nearer: add normal * 0.001",
-       is_hidden(p, n, lamp, first_hit, 1)},
+       with_lift(1)},
       {"this is never true: compare what first_hit returns with the distance of the lamp", false},
       {"this is true everywhere: compare what first_hit returns with the distance of the lamp",
        true},
       {"this says whether the lamp is behind the surface: ask first_hit what is in between",
        dot(n, lamp - p) < 0},
+      {"a ray from the lamp meets the sphere of the point, too: start at the point",
+       first_hit(lamp, normalize(p - lamp)) < length(lamp - p)},
   };
   // Those who make another mistake often forget the 0.001, too.
   for (const double lift : {0.001, 0.0}) {
@@ -318,40 +318,34 @@ Slips<bool> wrong_shadows(Vector p, Vector n, Vector lamp, const FirstHit& first
     const Vector path = lamp - start;
     const Vector to = normalize(path);
     const double away = length(path);
-    const auto meets = [&](const Vector& direction, double limit) {
-      return first_hit(start, direction) < limit;
+    const auto hit = [&](Vector along, double limit) { return first_hit(start, along) < limit; };
+    const auto hits = [&](Vector along, double one = 1) {
+      return std::vector<bool>{hit(along, away), hit(along, one), hit(along, never),
+                               hit(along, length(lamp))};
     };
-    const auto meets_before_any = [&](const std::vector<Vector>& directions) {
-      std::vector<bool> values;
-      for (const Vector& direction : directions)
-        for (const double limit : {away, 1.0, never, length(lamp)})
-          values.push_back(meets(direction, limit));
-      return values;
-    };
+    const double one = lift > 0 ? 1 : never;  // else another row has these values
     wrong += {
         {"a sphere behind the lamp casts no shadow: compare with the distance of the lamp",
-         {meets(to, never), meets(path, never)}},
+         {hit(to, never), hit(path, never)}},
         {"distances are in lengths of the direction: normalize it; the lamp is length(path) away",
-         meets(path, away)},
+         hit(path, away)},
         {"a normalized direction has length 1: compare with length(lamp - start), not with 1",
-         meets(to, 1)},
+         hit(to, 1)},
         {"length(lamp) is the distance from (0, 0, 0): compare with length(lamp - start)",
-         {meets(to, length(lamp)), meets(path, length(lamp))}},
-        {"the ray runs away from the lamp: its direction is lamp - point",
-         meets_before_any({-to, -path})},
-        {"lamp is a position: the direction is lamp - start",
-         meets_before_any({lamp, normalize(lamp)})},
+         {hit(to, length(lamp)), hit(path, length(lamp))}},
+        {backward, hits(-to, one)},
+        {backward, hits(-path)},
+        {position, hits(lamp)},
+        {position, hits(normalize(lamp))},
         {"the direction to the lamp is lamp - start, not their sum",
-         meets_before_any({normalize(lamp + start)})},
-        {"you look along the normal: the direction to the lamp is lamp - start",
-         meets_before_any({n})},
+         hits(normalize(lamp + start), one)},
+        {"you look along the normal: the direction to the lamp is lamp - start", hits(n)},
         {"first_hit takes the start first, then the direction", first_hit(to, start) < away},
         {"true and false are exchanged: the lamp is hidden if something is nearer than it",
-         {!meets(to, away), !meets(to, never), !meets(path, away), !meets(to, 1)}},
+         {!hit(to, away), !hit(to, never), !hit(path, away), !hit(to, 1)}},
     };
   }
-  return wrong += {{"a ray from the lamp meets the sphere of the point, too: start at the point",
-                    first_hit(lamp, normalize(p - lamp)) < length(lamp - p)}};
+  return wrong;
 }
 
 Exercise is_the_lamp_hidden() {
@@ -417,22 +411,20 @@ double half_bright_angle() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {where_the_ray_meets_the_sphere(), how_straight_the_light_falls(),
-                    is_the_lamp_hidden()},
-      .questions = {{"01.a",
-                     "The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in "
-                     "shadow. Which number, 0 to 255, does the pixel there have for blue? "
-                     "Decimals are cut off.",
-                     [] {
-                       const chapter_01::Lesson lesson;
-                       const Rgb paint = lesson.objects[chapter_01::right].paint.color;
-                       return static_cast<double>(byte_of(paint.b * lesson.surface.ambient));
-                     },
-                     "", 0},
-                    {"01.b",
-                     "At which angle of the light, in degrees from the normal, is a surface half "
-                     "as bright as where the light falls straight on it?",
-                     half_bright_angle, "degrees", 0.005}},
+      {where_the_ray_meets_the_sphere(), how_straight_the_light_falls(), is_the_lamp_hidden()},
+      {{"01.a",
+        "The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in shadow. Which "
+        "number, 0 to 255, does the pixel there have for blue? Decimals are cut off.",
+        [] {
+          const chapter_01::Lesson lesson;
+          const Rgb paint = lesson.objects[chapter_01::right].paint.color;
+          return static_cast<double>(byte_of(paint.b * lesson.surface.ambient));
+        },
+        "", 0},
+       {"01.b",
+        "At which angle of the light, in degrees from the normal, is a surface half as bright as "
+        "where the light falls straight on it?",
+        half_bright_angle, "degrees", 0.005}},
   };
   return chapter;
 }

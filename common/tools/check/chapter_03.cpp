@@ -276,14 +276,6 @@ Exercise color_of_a_texel() {
                   std::move(law), color_of, [] { return globe(512); });
 }
 
-/// The column of the map in which this longitude is, in degrees.
-double column_at(double longitude) {
-  auto lesson = prepared<Lesson>();
-  const double angle = longitude * pi<double>() / 180;
-  const Uv<double> uv = uv_rtiow(Vec3<double>{std::cos(angle), 0, -std::sin(angle)});
-  return texel_number(uv.u, map_of(lesson).width, TexelRounding::floor);
-}
-
 /// The share of the map's texels that the chapter's picture reads, in percent.
 double texels_read() {
   auto lesson = prepared<Lesson>();
@@ -308,15 +300,14 @@ double texels_read() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {which_column(), which_row(), color_of_a_texel()},
-      .questions = {{"03.a",
-                     "Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns "
-                     "is it?",
-                     [] { return column_at(13.4); }, "", 0},
-                    {"03.b",
-                     "The map has 2048 x 1024 texels. What percentage of them does the chapter's "
-                     "picture read, with one ray a pixel?",
-                     texels_read, "percent", 0.05}},
+      {which_column(), which_row(), color_of_a_texel()},
+      {{"03.a",
+        "Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns is it?",
+        [] { return double(texel_number((180 + 13.4) / 360, 2048, TexelRounding::floor)); }, "", 0},
+       {"03.b",
+        "The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "
+        "with one ray a pixel?",
+        texels_read, "percent", 0.05}},
   };
   return chapter;
 }

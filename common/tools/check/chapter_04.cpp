@@ -176,11 +176,10 @@ std::vector<bool> either_sign(std::initializer_list<double> numbers) {
 }
 
 Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
-  const auto step = [&](Place2 to, double part = 1) {
-    return Place2{to.u - part * here.u, to.v - part * here.v};
-  };
-  const auto [u_e, v_e] = step(east);
-  const auto [u_n, v_n] = step(north);
+  const double u_e = east.u - here.u;
+  const double v_e = east.v - here.v;
+  const double u_n = north.u - here.u;
+  const double v_n = north.v - here.v;
   const double product = u_e * v_n;
   Slips<bool> wrong = {
       {"this is never true: multiply the signs of east - here and north - here, or take all four",
@@ -213,18 +212,15 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
        {u_e < 0 && v_n > 0, u_e >= 0 || v_n <= 0, u_e > 0 && v_n < 0, u_e <= 0 || v_n >= 0}},
       {"the step to the east moves u if nothing is turned, and the step to the north moves v",
        either_sign({v_e, u_n})},
-      {"the signs are multiplied, not added", either_sign({u_e + v_n})},
+      {"the signs are multiplied, not added", u_e + v_n < 0},
       {"a product of 0 says that the picture is turned by a quarter: take the whole determinant",
        product <= 0},
   };
   // Those who do not subtract `here` from both do so from none or from one.
-  for (const auto& [from_east, from_north] : {std::pair{0, 0}, {1, 0}, {0, 1}}) {
-    const Place2 e = step(east, from_east);
-    const Place2 n = step(north, from_north);
-    wrong += {{"these are places, not steps: subtract here from east and from north first",
-               either_sign({e.u * n.v - n.u * e.v, e.u * n.v + n.u * e.v})}};
-  }
-  return wrong;
+  return wrong += {{"these are places, not steps: subtract here from east and from north first",
+                    either_sign({east.u * north.v - north.u * east.v, u_e * north.v - north.u * v_e,
+                                 u_e * north.v + north.u * v_e, east.u * v_n - u_n * east.v,
+                                 east.u * v_n + u_n * east.v})}};
 }
 
 Exercise is_it_mirrored() {
@@ -266,43 +262,24 @@ Exercise is_it_mirrored() {
                   is_mirrored, globe_after({"--convention", "daily", "--texture", "uv_map.png"}));
 }
 
-/// By how many columns the lecture's rounding shifts the map where u is this.
-double shift_at(double u) {
-  const auto lesson = prepared<chapter_04::Lesson>();
-  const int width = lesson.texture.load().width;
-  return u * width - u * (width - 1);
-}
-
-/// The daily exercise's u at the point of the equator that has this u in the lecture's convention.
-double daily_u_at_lecture_u(double u) {
-  constexpr int parts = 100000;
-  Vector best{};
-  auto nearest = infinity<double>();
-  for (int i = 0; i < parts; ++i) {
-    const Vector p = direction_rtiow(Place2{static_cast<double>(i) / parts, 0.5});
-    const double off = std::abs(texmap::uv_of(Convention::lecture, p).u - u);
-    if (off < nearest) {
-      nearest = off;
-      best = p;
-    }
-  }
-  return texmap::uv_of(Convention::daily, best).u;
+/// The daily exercise's u where the lecture's is 0.1.
+double daily_u() {
+  const double u = 0.1 + 0.25;  // in chapter 02's convention
+  return in_convention(Convention::daily, Place2{u, 0.5}).u;
 }
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {another_convention(), from_one_to_another(), is_it_mirrored()},
-      .questions =
-          {{"04.a",
-            "The Earth's map has 2048 columns. By how many columns does the lecture's rounding "
-            "shift it at America, where u is 1/4?",
-            [] { return shift_at(0.25); }, "columns"},
-           {"04.b",
-            "A place has u = 0.1 in the lecture's convention. What is its u in the daily "
-            "exercise's?",
-            [] { return daily_u_at_lecture_u(0.1); }, ""}},
+      {another_convention(), from_one_to_another(), is_it_mirrored()},
+      {{"04.a",
+        "The Earth's map has 2048 columns. By how many columns does the lecture's rounding shift "
+        "it at America, where u is 1/4?",
+        [] { return 0.25 * 2048 - 0.25 * 2047; }, "columns"},
+       {"04.b",
+        "A place has u = 0.1 in the lecture's convention. What is its u in the daily exercise's?",
+        daily_u, ""}},
   };
   return chapter;
 }

@@ -14,27 +14,21 @@ namespace texmap::check {
 static Hook<Vec3<double>(Vec3<double>, double)> turned;
 static Hook<double(double, double)> u_after;
 static Hook<Vec3<double>(Vec3<double>, double, double)> looked_up;
-constexpr double lean = 23.4;  // of the Earth's axis
+constexpr double lean = 23.4;                      // of the Earth's axis
+constexpr double radian = std::numbers::pi / 180;  // of a degree
 
 }  // namespace texmap::check
 
 namespace texmap::chapter_05 {
 
-struct Turn : RotationY {
-  double degrees;
-};
-
-struct Turntable : texmap::Turntable {
-  Turn rotation() const { return {texmap::Turntable::rotation(), degrees}; }
-};
-
 template <class Mapping>
 struct Rotated {
-  Turn rotation;
+  RotationY rotation;
   Mapping mapping;
 
   Uv<double> operator()(const Vec3<double>& p) const {
-    const double degrees = rotation.degrees;
+    // Whole degrees, as the pictures here have.
+    const double degrees = std::round(std::atan2(rotation.sine, rotation.cosine) / check::radian);
     if (check::turned) return mapping(check::turned.yours(p, degrees));
     if (check::looked_up) return mapping(check::looked_up.yours(p, check::lean, degrees));
     if (!check::u_after) return mapping(rotation(p));
@@ -51,7 +45,6 @@ namespace texmap::check {
 namespace {
 
 using Vector = Vec3<double>;
-constexpr double radian = std::numbers::pi / 180;  // of a degree
 
 /// The globe from near by, after these words.
 std::function<Image()> globe_after(const std::vector<std::string>& words) {
@@ -306,39 +299,31 @@ Exercise a_leaning_axis() {
                   looked_up, globe_after({"--degrees", "60"}));
 }
 
-/// The first angle, in whole degrees, at which these words draw the picture of an unturned globe.
-double degrees_like_unturned(const std::vector<std::string>& words) {
-  const Image unturned = globe_after({"--degrees", "0"})();
-  for (int degrees = 0; degrees < 360; degrees += 10) {
-    auto with_angle = words;
-    with_angle.insert(with_angle.end(), {"--degrees", std::to_string(degrees)});
-    if (globe_after(with_angle)() == unturned) return degrees;
-  }
-  return std::nan("");
+/// The angle of picture 21 of 24.
+double angle_of_frame() {
+  const auto turn = texmap::Turntable{.degrees = 90, .frames = 24}.rotation(21);
+  return std::atan2(turn.sine, turn.cosine) / radian;
+}
+
+/// What undoes the other convention's u, of any point.
+double degrees_like_unturned() {
+  const Vector p{1, 0, 0};
+  return 360 * (uv_of(Convention::rtiow, p).u - uv_of(Convention::lecture, p).u);
 }
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {turn_a_direction(), u_after_a_turn(), a_leaning_axis()},
-      .questions = {{"05.a",
-                     "--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the "
-                     "globe turned in picture 21, if the first is picture 0?",
-                     [] {
-                       const auto turn =
-                           texmap::Turntable{.degrees = 90, .frames = 24}.rotation(21);
-                       const double angle = std::atan2(turn.sine, turn.cosine) / radian;
-                       return angle < 0 ? angle + 360 : angle;
-                     },
-                     "degrees", 1e-9},
-                    {"05.b",
-                     "Which --degrees, from 0 to 350, makes --convention lecture draw the picture "
-                     "that --convention rtiow draws without a turn?",
-                     [] {
-                       return degrees_like_unturned({"--convention", "lecture"});
-                     },
-                     "degrees", 0}},
+      {turn_a_direction(), u_after_a_turn(), a_leaning_axis()},
+      {{"05.a",
+        "--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
+        "in picture 21, if the first is picture 0?",
+        angle_of_frame, "degrees", 1e-9},
+       {"05.b",
+        "Which --degrees, from 0 to 350, makes --convention lecture draw the picture that "
+        "--convention rtiow draws without a turn?",
+        degrees_like_unturned, "degrees", 0}},
   };
   return chapter;
 }

@@ -335,19 +335,18 @@ double size_of_spot(const std::string& shininess) {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {the_mirrored_direction(), the_highlight(), the_blend()},
-      .questions = {{"06.a",
-                     "The highlight changes some pixels of the picture. By what factor are there "
-                     "more of them "
-                     "with --shininess 50 than with --shininess 500?",
-                     [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
-                    {"06.b",
-                     "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the "
-                     "light is the ambient 0.2. Which byte of green does --blend 0.5 draw?",
-                     [] {
-                       return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
-                     },
-                     "", 0}},
+      {the_mirrored_direction(), the_highlight(), the_blend()},
+      {{"06.a",
+        "The highlight changes some pixels of the picture. By what factor are there more of them "
+        "with --shininess 50 than with --shininess 500?",
+        [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
+       {"06.b",
+        "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the light is the "
+        "ambient 0.2. Which byte of green does --blend 0.5 draw?",
+        [] {
+          return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
+        },
+        "", 0}},
   };
   return chapter;
 }
