@@ -87,40 +87,36 @@ Slips<int> limited(const Slips<int>& table, int n) {
 
 Slips<int> wrong_columns(double u, int n) {
   const int c = cut_off(u * n);
-  Slips<int> wrong = limited(
-      {
-          {"multiply by width, not by width - 1: now the last column is at u = 1 alone",
-           {cut_off(u * (n - 1)), rounded(u * (n - 1))}},
-          {nearest, {rounded(u * n), cut_off(u * n + 0.5)}},
-          {"the columns are numbered from 0: yours is one too far right", c + 1},
-          {"u * width without its decimals is the number: yours is one too far left", c - 1},
-          {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
-           cut_off(std::ceil(u * n))},
-          {"u runs the other way: your map is mirrored", {n - 1 - c, cut_off((1 - u) * n), n - c}},
-          {"the decimals are cut off too early: it is static_cast<int>(u * width), the product",
-           {cut_off(u) * n, cut_off(u) * (n - 1)}},
-          {"multiply u by width: a column is 1 / width wide", cut_off(u / n)},
-      },
-      n);
-  return wrong += {
-             {"nothing limits the number: at u = 1 it is width, one too many", c},
-             {"the number can be less than 0: limit it there, too", std::min(c, n - 1)},
-             {"the number can be less than 0: limit it there; std::abs makes another column of it",
-              std::min(std::abs(c), n - 1)},
-             {"at u = 1 the number is width, one too many: limit it to width - 1",
-              {std::max(c, 0), cut_off(std::clamp(u, 0.0, 1.0) * n), std::clamp(c, 0, n),
-               std::min(c, n), u > 1 ? n - 1 : std::max(c, 0), u > 1 ? n - 1 : c}},
-             {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits "
-              "all",
-              {u == 1 ? n - 1 : c, u == 1 ? n - 1 : std::max(c, 0)}},
-             {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) "
-              "stays",
-              {c % n, (c % n + n) % n, std::max(c % n, 0), std::abs(c) % n,
-               cut_off(fraction(u) * n)}},
-             {"this is the last column for every u: std::min(column, width - 1) limits it, not "
-              "std::max",
-              n - 1},
-         };
+  const Slips<int> table = {
+      {"multiply by width, not by width - 1: now the last column is at u = 1 alone",
+       {cut_off(u * (n - 1)), rounded(u * (n - 1))}},
+      {nearest, {rounded(u * n), cut_off(u * n + 0.5)}},
+      {"the columns are numbered from 0: yours is one too far right", c + 1},
+      {"u * width without its decimals is the number: yours is one too far left", c - 1},
+      {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
+       cut_off(std::ceil(u * n))},
+      {"u runs the other way: your map is mirrored", {n - 1 - c, cut_off((1 - u) * n), n - c}},
+      {"the decimals are cut off too early: it is static_cast<int>(u * width), the product",
+       {cut_off(u) * n, cut_off(u) * (n - 1)}},
+      {"multiply u by width: a column is 1 / width wide", cut_off(u / n)},
+  };
+  Slips<int> wrong = limited(table, n);
+  wrong += {
+      {"nothing limits the number: at u = 1 it is width, one too many", c},
+      {"the number can be less than 0: limit it there, too", std::min(c, n - 1)},
+      {"the number can be less than 0: limit it there; std::abs makes another column of it",
+       std::min(std::abs(c), n - 1)},
+      {"at u = 1 the number is width, one too many: limit it to width - 1",
+       {std::max(c, 0), cut_off(std::clamp(u, 0.0, 1.0) * n), std::clamp(c, 0, n), std::min(c, n),
+        u > 1 ? n - 1 : std::max(c, 0), u > 1 ? n - 1 : c}},
+      {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all",
+       {u == 1 ? n - 1 : c, u == 1 ? n - 1 : std::max(c, 0)}},
+      {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
+       {c % n, (c % n + n) % n, std::max(c % n, 0), std::abs(c) % n, cut_off(fraction(u) * n)}},
+      {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
+       n - 1},
+  };
+  return wrong;
 }
 
 Exercise which_column() {
@@ -146,39 +142,37 @@ Slips<int> wrong_rows(double v, int n) {
   const int row = n - 1 - up;
   const double inside = std::clamp(v, 0.0, 1.0);
   const auto last = [&](int x) { return std::clamp(x, 0, n - 1); };
-  Slips<int> wrong = limited(
-      {
-          {"you count from below, and the file from the top: your map is upside down",
-           {up, cut_off(v * (n - 1))}},
-          {"multiply by height, not by height - 1: now one row is at an end of v alone",
-           {n - 1 - cut_off(v * (n - 1)), cut_off((1 - v) * (n - 1)), n - 1 - rounded(v * (n - 1)),
-            rounded((1 - v) * (n - 1))}},
-          {"the last row is height - 1: you forgot the - 1, and yours is one too far down",
-           {n - up, n - last(up), n - std::clamp(up, 0, n)}},
-          {nearest, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded((1 - v) * n)}},
-          {"yours is one too far up: the row is height - 1 minus v * height without its decimals",
-           {down - 1, row - 1, cut_off(n - 1 - v * n)}},
-          {"the decimals are cut off too early: it is static_cast<int>(v * height), the product",
-           {n - 1 - cut_off(v) * n, cut_off(1 - v) * n, n - 1 - last(cut_off(v) * n)}},
-          {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height",
-           cut_off(1 - v * n)},
-      },
-      n);
-  return wrong += {
-             {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
-             {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
-             {"the number can be more than height - 1: limit it to height - 1",
-              {std::max(row, 0), std::max(down, 0), cut_off((1 - inside) * n),
-               std::clamp(row, 0, n), std::clamp(down, 0, n)}},
-             {"the number can be less than 0, at v = 1: limit it to 0 there",
-              {std::min(row, n - 1), std::min(down, n - 1), n - 1 - cut_off(inside * n),
-               n - 1 - std::clamp(up, 0, n)}},
-             {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
-              v == 1 ? 0 : row},
-             {"beyond the ends you begin again at the other end: std::clamp stays in the last row "
-              "there",
-              {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
-         };
+  const Slips<int> table = {
+      {"you count from below, and the file from the top: your map is upside down",
+       {up, cut_off(v * (n - 1))}},
+      {"multiply by height, not by height - 1: now one row is at an end of v alone",
+       {n - 1 - cut_off(v * (n - 1)), cut_off((1 - v) * (n - 1)), n - 1 - rounded(v * (n - 1)),
+        rounded((1 - v) * (n - 1))}},
+      {"the last row is height - 1: you forgot the - 1, and yours is one too far down",
+       {n - up, n - last(up), n - std::clamp(up, 0, n)}},
+      {nearest, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded((1 - v) * n)}},
+      {"yours is one too far up: the row is height - 1 minus v * height without its decimals",
+       {down - 1, row - 1, cut_off(n - 1 - v * n)}},
+      {"the decimals are cut off too early: it is static_cast<int>(v * height), the product",
+       {n - 1 - cut_off(v) * n, cut_off(1 - v) * n, n - 1 - last(cut_off(v) * n)}},
+      {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height", cut_off(1 - v * n)},
+  };
+  Slips<int> wrong = limited(table, n);
+  wrong += {
+      {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
+      {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
+      {"the number can be more than height - 1: limit it to height - 1",
+       {std::max(row, 0), std::max(down, 0), cut_off((1 - inside) * n), std::clamp(row, 0, n),
+        std::clamp(down, 0, n)}},
+      {"the number can be less than 0, at v = 1: limit it to 0 there",
+       {std::min(row, n - 1), std::min(down, n - 1), n - 1 - cut_off(inside * n),
+        n - 1 - std::clamp(up, 0, n)}},
+      {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
+       v == 1 ? 0 : row},
+      {"beyond the ends you begin again at the other end: std::clamp stays in the last row there",
+       {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
+  };
+  return wrong;
 }
 
 Exercise which_row() {
@@ -219,16 +213,15 @@ Slips<Color<double>> wrong_texels(const Bytes& b, int w, int column, int row) {
   };
   // Those who make another mistake often divide by another number, too.
   for (const double divisor : {255.0, 256.0, 1.0}) {
-    const auto order = [&](int red, int green, int blue) {
+    const auto rgb = [&](int red, int green, int blue) {
       return color_from(b, i + red, i + green, i + blue, divisor);
     };
     const auto from = [&](int k) { return color_from(b, k, k + 1, k + 2, divisor); };
     wrong += {
-        {"red and blue are exchanged: the first byte of a texel is red", order(2, 1, 0)},
-        {"green comes after red, and blue last: + 0, + 1 and + 2",
-         {order(0, 2, 1), order(1, 0, 2)}},
-        {"all three channels have the same byte: green is at + 1, blue at + 2", order(0, 0, 0)},
-        {"the three bytes of a texel follow each other: + 0, + 1 and + 2", order(0, 3, 6)},
+        {"red and blue are exchanged: the first byte of a texel is red", rgb(2, 1, 0)},
+        {"green comes after red, and blue last: + 0, + 1 and + 2", {rgb(0, 2, 1), rgb(1, 0, 2)}},
+        {"all three channels have the same byte: green is at + 1, blue at + 2", rgb(0, 0, 0)},
+        {"the three bytes of a texel follow each other: + 0, + 1 and + 2", rgb(0, 3, 6)},
         {"you count texels, and each texel has three bytes: multiply by 3", from(i / 3)},
         {"only the column is multiplied by 3: each texel of the rows above has three bytes, too",
          from(row * w + 3 * column)},

@@ -141,14 +141,14 @@ Slips<double> wrong_quarters(double u) {
                  u < quarter ? u - quarter + whole : u - quarter}};
     }
   }
-  return wrong += {
-             {"+z is at u = 1/4, so the two differ by a quarter of a turn, not by half",
-              {part(u + 0.5), u - 0.5, u + 0.5}},
-             {"u moves by a quarter of a turn: subtract it, do not multiply or divide",
-              {u * 0.25, u * 4}},
-             {"u runs the other way: both conventions run east",
-              {part(-less), -less, 1 - less, part(0.75 - u), 0.75 - u, part(1 - u), 1 - u}},
-         };
+  wrong += {
+      {"+z is at u = 1/4, so the two differ by a quarter of a turn, not by half",
+       {part(u + 0.5), u - 0.5, u + 0.5}},
+      {"u moves by a quarter of a turn: subtract it, do not multiply or divide", {u * 0.25, u * 4}},
+      {"u runs the other way: both conventions run east",
+       {part(-less), -less, 1 - less, part(0.75 - u), 0.75 - u, part(1 - u), 1 - u}},
+  };
+  return wrong;
 }
 
 Exercise from_one_to_another() {

@@ -1,5 +1,5 @@
-// The exercises of chapter 05. The lesson is the chapter's own. It uses Rotated and Turntable by
-// name; here those names, in the lesson's namespace, mean structs that call the student's function.
+// The exercises of chapter 05. The lesson is the chapter's own. It uses Rotated by name; here
+// this name, in the lesson's namespace, means a struct that calls the student's function.
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +14,7 @@ namespace texmap::check {
 static Hook<Vec3<double>(Vec3<double>, double)> turned;
 static Hook<double(double, double)> u_after;
 static Hook<Vec3<double>(Vec3<double>, double, double)> looked_up;
-constexpr double lean = 23.4;                      // of the Earth's axis
+constexpr double earths_lean = 23.4;               // of its axis
 constexpr double radian = std::numbers::pi / 180;  // of a degree
 
 }  // namespace texmap::check
@@ -30,7 +30,7 @@ struct Rotated {
     // Whole degrees, as the pictures here have.
     const double degrees = std::round(std::atan2(rotation.sine, rotation.cosine) / check::radian);
     if (check::turned) return mapping(check::turned.yours(p, degrees));
-    if (check::looked_up) return mapping(check::looked_up.yours(p, check::lean, degrees));
+    if (check::looked_up) return mapping(check::looked_up.yours(p, check::earths_lean, degrees));
     if (!check::u_after) return mapping(rotation(p));
     const Uv<double> uv = mapping(p);
     return {check::u_after.yours(uv.u, degrees), uv.v};
@@ -69,10 +69,9 @@ Slips<Vector> wrong_turns(Vector p, double degrees) {
   const auto by = [&](double factor) {  // radians of a degree
     return turned_by(p, std::sin(factor * degrees), std::cos(factor * degrees));
   };
-  const double s = std::sin(degrees * radian);
+  const double sine = std::sin(degrees * radian);
   const double c = std::cos(degrees * radian);
-  const Vector right = turned_by(p, s, c);
-  const Vector back = turned_by(p, -s, c);
+  const auto [x, y, z] = p;
   Slips<Vector> wrong = {
       {in_degrees, by(1)},
       {"pi and 180 are exchanged: radians are degrees * pi / 180", by(1 / radian)},
@@ -81,40 +80,37 @@ Slips<Vector> wrong_turns(Vector p, double degrees) {
       {"your pi has too few digits: take the constant pi",
        {by(3.14 / 180), by(3.141 / 180), by(3.142 / 180), by(3.1415 / 180), by(3.1416 / 180),
         by(3.14159 / 180)}},
-      {"the other way around, from +z to -x: exchange the signs of the sines", back},
+      {"the other way around, from +z to -x: exchange the signs of the sines", by(-radian)},
       {"sine and cosine are exchanged: at 0 degrees your globe is turned already",
-       turned_by(p, c, s)},
-      {"one sine has the wrong sign: x gets z sin, z loses x sin",
-       {{right.x, p.y, back.z}, {back.x, p.y, right.z}}},
+       turned_by(p, c, sine)},
   };
-  for (const double sine : {s, -s}) {
-    const auto [x, y, z] = turned_by(p, sine, c);
+  for (const double s : {sine, -sine}) {
+    const Vector q = turned_by(p, s, c);
     wrong += {
+        {"one sine has the wrong sign: x gets z sin, z loses x sin", {q.x, y, z * c + x * s}},
         {"the new z is computed from the new x: keep the old x in a variable",
-         {x, y, p.z * c - x * sine}},
+         {q.x, y, z * c - q.x * s}},
         {"the new x is computed from the new z: keep the old z in a variable",
-         {p.x * c + z * sine, y, z}},
-        {"x and y are turned, about the z axis: turn x and z",
-         {p.x * c + y * sine, y * c - p.x * sine, p.z}},
-        {"y and z are turned, about the x axis: turn x and z",
-         {p.x, y * c + p.z * sine, p.z * c - y * sine}},
-        {"z is not turned: it changes, too, into z cos - x sin", {x, y, p.z}},
-        {"x is not turned: it changes, too, into x cos + z sin", {p.x, y, z}},
-        {"the cosines are missing: x turns into x cos + z sin", turned_by(p, sine, 1)},
+         {x * c + q.z * s, y, q.z}},
+        {"x and y are turned, about the z axis: turn x and z", {x * c + y * s, y * c - x * s, z}},
+        {"y and z are turned, about the x axis: turn x and z", {x, y * c + z * s, z * c - y * s}},
+        {"z is not turned: it changes, too, into z cos - x sin", {q.x, y, z}},
+        {"x is not turned: it changes, too, into x cos + z sin", {x, y, q.z}},
+        {"the cosines are missing: x turns into x cos + z sin", turned_by(p, s, 1)},
     };
   }
+  const Vector right = turned_by(p, sine, c);
+  const Vector other = turned_by({z, y, x}, sine, c);
   wrong += {
       {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, c)},
       {"this is right for +z alone: add x steps along the turned x axis, (cos, -sin)",
-       {{p.z * s, 0, p.z * c}, {s, 0, c}, {p.z * s, p.y, p.z * c}, {s, p.y, c}}},
+       {{z * sine, 0, z * c}, {sine, 0, c}, {z * sine, y, z * c}, {sine, y, c}}},
       {"y is missing: it stays as it is", {right.x, 0, right.z}},
-      {"x and z are exchanged in what you return", {right.z, p.y, right.x}},
-      {"x and z are exchanged in the new z: it is z cos - x sin",
-       {right.x, p.y, p.x * c - p.z * s}},
-      {"x and z are exchanged in the new x: it is x cos + z sin",
-       {p.z * c + p.x * s, p.y, right.z}},
+      {"x and z are exchanged in what you return", {right.z, y, right.x}},
+      {"x and z are exchanged in the new z: it is z cos - x sin", {right.x, y, other.z}},
+      {"x and z are exchanged in the new x: it is x cos + z sin", {other.x, y, right.z}},
       {"x and z are exchanged: each of them keeps its cosine, and gets the sine of the other",
-       {p.z * c + p.x * s, p.y, p.x * c - p.z * s}},
+       other},
   };
   return wrong;
 }
@@ -140,8 +136,8 @@ Exercise turn_a_direction() {
 double fraction(double x) { return x - std::floor(x); }
 double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
 
-/// x in the range as many bring it there.
-std::vector<double> in_range(double x) { return {fraction(x), std::fmod(x, 1), x, moved_once(x)}; }
+/// x in the range 0 to 1 as many bring it there.
+std::vector<double> forms(double x) { return {fraction(x), std::fmod(x, 1), x, moved_once(x)}; }
 
 /// New u as many compute it.
 Slips<double> wrong_u(double u, double degrees) {
@@ -170,18 +166,17 @@ Slips<double> wrong_u(double u, double degrees) {
       {"only whole degrees count in yours: stay with double",
        fraction(u + std::trunc(degrees) / 360)},
       {"the degrees have no effect: with int, degrees / 360 is a whole number", u},
-      {"the angle has the wrong sign: a turn to the east adds to u", in_range(u - turns)},
-      {"u counts full turns: divide the degrees by 360, not by 180", in_range(u + 2 * turns)},
-      {"u counts full turns, not radians: divide the degrees by 360",
-       in_range(u + degrees * radian)},
+      {"the angle has the wrong sign: a turn to the east adds to u", forms(u - turns)},
+      {"u counts full turns: divide the degrees by 360, not by 180", forms(u + 2 * turns)},
+      {"u counts full turns, not radians: divide the degrees by 360", forms(u + degrees * radian)},
       {"degrees are divided by 360; 2 pi is a full turn in radians",
-       in_range(u + degrees / (360 * radian))},
+       forms(u + degrees / (360 * radian))},
       {"u counts full turns, not degrees: divide the degrees by 360 before you add them",
-       in_range(u + degrees)},
+       forms(u + degrees)},
       {"u and the degrees are added before they have the same unit: divide the degrees alone",
-       in_range((u + degrees) / 360)},
-      {"the turn is added to u, not multiplied by it", in_range(u * turns)},
-      {"the old u is missing: the turn is added to it", in_range(turns)},
+       forms((u + degrees) / 360)},
+      {"the turn is added to u, not multiplied by it", forms(u * turns)},
+      {"the old u is missing: the turn is added to it", forms(turns)},
       {"this is an angle in degrees: divide it by 360 to have u",
        {360 * x, 360 * std::fmod(x, 1), 360 * fraction(x)}},
   };
@@ -213,67 +208,64 @@ Vector upright(const Vector& p, double degrees) {
   return {p.x * c - p.y * s, p.x * s + p.y * c, p.z};
 }
 
-Vector right_look(Vector p, double leaning, double degrees) {
-  return turned_about_y(upright(p, leaning), degrees);
+Vector right_look(Vector p, double lean, double turn) {
+  return turned_about_y(upright(p, lean), turn);
 }
 
 /// What comes out of looks as many write them.
-Slips<Vector> wrong_looks(Vector p, double leaning, double degrees) {
-  const auto both = [&](double first, double then) { return right_look(p, first, then); };
-  const Vector moved = turned_about_y(p, degrees);
+Slips<Vector> wrong_looks(Vector p, double lean, double turn) {
+  const auto look = [&](double first, double then) { return right_look(p, first, then); };
+  const auto spun = [&](const Vector& q) { return turned_about_y(q, turn); };
   Slips<Vector> wrong = {
       {"the turn comes first: your pole runs around in a circle. Undo the lean first",
-       upright(moved, leaning)},
+       upright(spun(p), lean)},
       {"the axis leans to the left: undoing the lean turns (sin, cos, 0) to (0, 1, 0)",
-       both(-leaning, degrees)},
+       look(-lean, turn)},
       {"the turn comes first, and the axis leans to the left: undo the lean first, to (0, 1, 0)",
-       upright(moved, -leaning)},
-      {"the turn has the wrong sign: after the lean, +z must turn to +x", both(leaning, -degrees)},
+       upright(spun(p), -lean)},
+      {"the turn has the wrong sign: after the lean, +z must turn to +x", look(lean, -turn)},
       {"both turns go the wrong way: the pole must come to (0, 1, 0), and then +z to +x",
-       both(-leaning, -degrees)},
+       look(-lean, -turn)},
       {"the turn about the leaning axis is right, but the lean comes back: undo it only",
-       upright(both(leaning, degrees), -leaning)},
+       upright(look(lean, turn), -lean)},
       {in_degrees,
-       {both(leaning / radian, degrees / radian), both(leaning / radian, degrees),
-        both(leaning, degrees / radian)}},
+       {look(lean / radian, turn / radian), look(lean / radian, turn), look(lean, turn / radian)}},
       {"the two angles are exchanged: x and y turn by the lean, x and z by the turn",
-       both(degrees, leaning)},
-      {"both angles turn x and z: the lean is a turn of x and y", both(0, leaning + degrees)},
-      {"lean is an argument: your axis always leans by 23.4 degrees", both(lean, degrees)},
+       look(turn, lean)},
+      {"both angles turn x and z: the lean is a turn of x and y", look(0, lean + turn)},
+      {"lean is an argument: your axis always leans by 23.4 degrees", look(earths_lean, turn)},
       {"these are half of the angles: a full turn is 2 pi, and 360 degrees",
-       both(leaning / 2, degrees / 2)},
+       look(lean / 2, turn / 2)},
       {"sine and cosine of the lean are exchanged: without a lean x and y stay as they are",
-       both(90 - leaning, degrees)},
+       look(90 - lean, turn)},
       {"sine and cosine of both angles are exchanged: without a lean and a turn p stays as it is",
-       both(90 - leaning, 90 - degrees)},
+       look(90 - lean, 90 - turn)},
   };
+  const Vector right = upright(p, lean);
   // One part goes wrong; with `way` -1, the lean or the turn also has the wrong sign.
   for (const int way : {1, -1}) {
-    const auto straight = [&](const Vector& q) { return upright(q, way * leaning); };
-    const auto turn = [&](const Vector& q) { return turned_about_y(q, degrees); };
-    const Vector q = straight(p);
-    const Vector up = upright(p, leaning);
-    const Vector r = turn(q);
-    const Vector s = turn({p.x, q.y, q.z});
-    const Vector toward = straight({p.z, p.y, p.x});
-    const Vector other = upright(p, -way * leaning);
+    const Vector q = upright(p, way * lean);
+    const Vector back = upright(p, -way * lean);
+    const Vector deep = upright({p.z, p.y, p.x}, way * lean);
+    const Vector r = spun(q);
+    const Vector s = spun({p.x, q.y, q.z});
     wrong += {
         {"the axis leans to the eye or away from it: undo the lean with x and y",
-         turn({toward.z, toward.y, toward.x})},
+         spun({deep.z, deep.y, deep.x})},
         {"you turn p: turn the direction that you have after undoing the lean",
-         {turn({p.x, q.y, p.z}), {r.x, q.y, s.z}, {s.x, q.y, r.z}}},
+         {spun({p.x, q.y, p.z}), {r.x, q.y, s.z}, {s.x, q.y, r.z}}},
         {"y comes from p: take that of the direction after undoing the lean", {r.x, p.y, r.z}},
         {"the new y is computed from the new x: keep the old x in a variable",
-         turn({q.x, straight({q.x, p.y, p.z}).y, p.z})},
+         spun({q.x, upright({q.x, p.y, p.z}, way * lean).y, p.z})},
         {"the new z is computed from the new x: keep the old x in a variable",
-         {r.x, q.y, turn({r.x, 0, q.z}).z}},
+         {r.x, q.y, spun({r.x, 0, q.z}).z}},
         {"the globe does not turn: after the lean, turn x and z", q},
         {"the axis does not lean: turn x and y by the lean before you turn x and z",
-         both(0, way * degrees)},
+         look(0, way * turn)},
         {"one sine of the lean has the wrong sign: x and y turn, so one is added, one subtracted",
-         turn({q.x, other.y, p.z})},
+         spun({q.x, back.y, p.z})},
         {"one sine of the turn has the wrong sign: x and z turn, so one is added, one subtracted",
-         {both(leaning, way * degrees).x, up.y, both(leaning, -way * degrees).z}},
+         {look(lean, way * turn).x, right.y, look(lean, -way * turn).z}},
     };
   }
   return wrong;
@@ -300,8 +292,8 @@ Exercise a_leaning_axis() {
 }
 
 /// The angle of picture 21 of 24.
-double angle_of_frame() {
-  const auto turn = texmap::Turntable{.degrees = 90, .frames = 24}.rotation(21);
+double angle_of_picture() {
+  const RotationY turn = Turntable{.degrees = 90, .frames = 24}.rotation(21);
   return std::atan2(turn.sine, turn.cosine) / radian;
 }
 
@@ -319,7 +311,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {{"05.a",
         "--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",
-        angle_of_frame, "degrees", 1e-9},
+        angle_of_picture, "degrees", 1e-9},
        {"05.b",
         "Which --degrees, from 0 to 350, makes --convention lecture draw the picture that "
         "--convention rtiow draws without a turn?",

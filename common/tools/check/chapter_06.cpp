@@ -205,17 +205,17 @@ Slips<double> wrong_highlights(Vector n, Vector to_lamp, Vector d, double s) {
   const Vector l = normalize(to_lamp);
   const auto power = [&](const Vector& r) { return std::pow(std::max(dot(r, -d), 0.), s); };
   const double anywhere = power(mirror(l, n));
-  const double in_front = std::max(dot(n, l), 0.);
-  return wrong += {
-             {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
-              power(n * (2 * in_front) - l)},
-             {"n . d says where the eye is: test n . l, on which side the lamp is",
-              {dot(n, d) <= 0 ? 0 : anywhere, dot(n, d) >= 0 ? 0 : anywhere}},
-             {"the test is the wrong way around: return 0 where n . l is 0 or less",
-              dot(n, to_lamp) >= 0 ? 0 : anywhere},
-             {"n . l is a factor of the diffuse light: return the power alone",
-              anywhere * in_front},
-         };
+  const double front = std::max(dot(n, l), 0.);
+  wrong += {
+      {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
+       power(n * (2 * front) - l)},
+      {"n . d says where the eye is: test n . l, on which side the lamp is",
+       {dot(n, d) <= 0 ? 0 : anywhere, dot(n, d) >= 0 ? 0 : anywhere}},
+      {"the test is the wrong way around: return 0 where n . l is 0 or less",
+       dot(n, to_lamp) >= 0 ? 0 : anywhere},
+      {"n . l is a factor of the diffuse light: return the power alone", anywhere * front},
+  };
+  return wrong;
 }
 
 Exercise the_highlight() {
@@ -253,27 +253,27 @@ Exercise the_highlight() {
 /// Blends as many write them, with the light limited to 1 or not.
 Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
   const double rest = 1 - t;
+  const Rgb lit = gray(light);
   return {
       {"the shares are exchanged: the texture has the share t, the light 1 - t",
-       gray(light) * t + texture * rest},
-      {"both are added whole: multiply each by its share", gray(light) + texture},
+       lit * t + texture * rest},
+      {"both are added whole: multiply each by its share", lit + texture},
       {"you multiply texture and light, as in the chapters before: a blend is a sum",
        {texture * light, texture * (light * t), texture * (light * rest),
-        texture * (t + light * rest), texture * (light * t) + gray(light) * rest}},
-      {"the light has no share: multiply it by 1 - t", gray(light) + texture * t},
-      {"the texture has no share: multiply it by t", gray(light) * rest + texture},
+        texture * (t + light * rest), texture * (light * t) + lit * rest}},
+      {"the light has no share: multiply it by 1 - t", lit + texture * t},
+      {"the texture has no share: multiply it by t", lit * rest + texture},
       {"both have the same share: the texture has the share t, the light 1 - t",
-       {(gray(light) + texture) * t, (gray(light) + texture) * rest}},
+       {(lit + texture) * t, (lit + texture) * rest}},
       {"both have the share 1/2: the texture has the share t, the light 1 - t",
-       (gray(light) + texture) * 0.5},
+       (lit + texture) * 0.5},
       {"the light is missing: add it with the share 1 - t", texture * t},
-      {"the texture is missing: add it with the share t", gray(light) * rest},
+      {"the texture is missing: add it with the share t", lit * rest},
       {"the light has the share 1 - t, not 1 minus the light", gray(1 - light) + texture * t},
       {"the light has the share 1 - t: multiply it by this, not by 1 minus the light",
        gray(light * (1 - light)) + texture * t},
       {"the share 1 is not yet the light's: multiply the light by 1 - t", gray(rest) + texture * t},
-      {"the light has a negative share: it is 1 - t, not t - 1",
-       texture * t + gray(light) * (t - 1)},
+      {"the light has a negative share: it is 1 - t, not t - 1", texture * t + lit * (t - 1)},
       {"a gray has three equal parts: Color{x, x, x}", texture * t + Rgb{light, 0, 0} * rest},
   };
 }
