@@ -89,44 +89,46 @@ int whole(double x) { return static_cast<int>(x); }
 int nearest(double x) { return static_cast<int>(std::lround(x)); }
 bool is_even(int n) { return n % 2 == 0; }
 
-/// Wrong colors: those who make a mistake often forget v = 1, or exchange the colors, too.
-Slips<bool> wrong_squares(Place2 uv, int n, bool exchanged, bool limited) {
-  const auto in_rows = [&](int row) { return limited ? std::min(row, n - 1) : row; };
-  const auto even = [&](int column, int row) { return is_even(column + in_rows(row)); };
+Slips<bool> wrong_squares(Place2 uv, int n) {
   const int c = whole(uv.u * n);
-  const int r = in_rows(whole(uv.v * n));
+  const int any_r = whole(uv.v * n);
   Slips<bool> wrong = {
-      {"you look at u alone: these are stripes, not squares", is_even(c)},
-      {"you look at v alone: these are rings, not squares", is_even(r)},
-      {"column and row must be added; their product is even too often", is_even(c * r)},
-      {"two odd numbers make an even sum, too: column and row need not both be even",
-       is_even(c) && is_even(r)},
-      {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
-      {"there are two colors: column + row modulo 2, not modulo squares", (c + r) % n == 0},
-      {"% is the remainder, / the quotient: a number is even if number % 2 is 0", (c + r) / 2 == 0},
-      {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + r % 2 == 0},
-      {"a difference of two numbers can be -1: ask for % 2 == 0, or add them", (c - r) % 2 != 1},
-      {"`squares` says how many there are: not always 10",
-       {even(whole(uv.u * 10), whole(uv.v * 10)),
-        is_even(whole(uv.u * 10) + std::min(whole(uv.v * 10), 9))}},
-      {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
-       even(whole(uv.u * (n - 1)), whole(uv.v * (n - 1)))},
-      {"cut the numbers of column and row off, do not round them",
-       even(nearest(uv.u * n), nearest(uv.v * n))},
-      {"cut off the decimals of column and row each, then add: now these are slanted stripes",
-       even(whole((uv.u + uv.v) * n), 0)},
-      {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
-       even(whole(uv.u) * n, whole(uv.v) * n)},
-      {"std::max puts every row into the last one: std::min(row, squares - 1)",
-       is_even(c + std::max(r, n - 1))},
-  };
-  if (!limited && !exchanged)
-    wrong += {{"at v = 1 you begin a new row: put it into the last one", even(c, r)}};
-  if (exchanged) {
-    wrong += {{"the two colors are exchanged", even(c, r)}};
-    for (auto& slip : wrong) slip.values.flip();
+      {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)}};
+  // Those who make another mistake often forget v = 1, or exchange the colors, too.
+  for (const int most : {n - 1, n}) {
+    const auto even = [&](int column, int row) { return is_even(column + std::min(row, most)); };
+    const int r = std::min(any_r, most);
+    wrong += {
+        {"you look at u alone: these are stripes, not squares", is_even(c)},
+        {"you look at v alone: these are rings, not squares", is_even(r)},
+        {"column and row must be added; their product is even too often", is_even(c * r)},
+        {"two odd numbers make an even sum, too: column and row need not both be even",
+         is_even(c) && is_even(r)},
+        {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
+        {"there are two colors: column + row modulo 2, not modulo squares", (c + r) % n == 0},
+        {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
+         (c + r) / 2 == 0},
+        {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + r % 2 == 0},
+        {"a difference of two numbers can be -1: ask for % 2 == 0, or add them", (c - r) % 2 != 1},
+        {"`squares` says how many there are: not always 10",
+         {even(whole(uv.u * 10), whole(uv.v * 10)),
+          is_even(whole(uv.u * 10) + std::min(whole(uv.v * 10), 9))}},
+        {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
+         even(whole(uv.u * (n - 1)), whole(uv.v * (n - 1)))},
+        {"cut the numbers of column and row off, do not round them",
+         even(nearest(uv.u * n), nearest(uv.v * n))},
+        {"cut off the decimals of column and row each, then add: now these are slanted stripes",
+         is_even(whole((uv.u + uv.v) * n))},
+        {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
+         even(whole(uv.u) * n, whole(uv.v) * n)},
+        {"std::max puts every row into the last one: std::min(row, squares - 1)",
+         is_even(c + std::max(r, n - 1))},
+    };
   }
-  return wrong;
+  const Slips<bool> exchanged = changed(wrong, [](bool first) { return !first; });
+  wrong += {{"the two colors are exchanged",
+             {!is_even(c + std::min(any_r, n - 1)), !is_even(c + any_r)}}};
+  return wrong += exchanged;
 }
 
 Exercise which_square() {
@@ -154,14 +156,7 @@ Exercise which_square() {
             {{0.05, 1}, 10}},
            {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
             {{0.15, 1}, 10}}},
-      .slips =
-          [](Place2 uv, int squares) {
-            Slips<bool> wrong;
-            for (const bool exchanged : {false, true})
-              for (const bool limited : {true, false})
-                wrong += wrong_squares(uv, squares, exchanged, limited);
-            return wrong;
-          }};
+      .slips = wrong_squares};
   return exercise("02.2", "bool is_first_color(Uv uv, int squares)", std::move(law), is_first_color,
                   picture);
 }

@@ -64,7 +64,6 @@ Vector turned_by(const Vector& p, double s, double c) {
 }
 Vector turned_about_y(const Vector& p, double degrees) { return rotation_y(degrees)(p); }
 
-/// What comes out of a turn as many write it.
 Slips<Vector> wrong_turns(Vector p, double degrees) {
   const auto by = [&](double factor) {  // radians of a degree
     return turned_by(p, std::sin(factor * degrees), std::cos(factor * degrees));
@@ -139,7 +138,6 @@ double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
 /// x in the range 0 to 1 as many bring it there.
 std::vector<double> forms(double x) { return {fraction(x), std::fmod(x, 1), x, moved_once(x)}; }
 
-/// New u as many compute it.
 Slips<double> wrong_u(double u, double degrees) {
   const double turns = degrees / 360;
   const double x = u + turns;
@@ -212,7 +210,6 @@ Vector right_look(Vector p, double lean, double turn) {
   return turned_about_y(upright(p, lean), turn);
 }
 
-/// What comes out of looks as many write them.
 Slips<Vector> wrong_looks(Vector p, double lean, double turn) {
   const auto look = [&](double first, double then) { return right_look(p, first, then); };
   const auto spun = [&](const Vector& q) { return turned_about_y(q, turn); };

@@ -87,7 +87,6 @@ Image blended_globe() {
   return picture_of(lesson);
 }
 
-/// Mirrored directions as many write them.
 Slips<Vector> wrong_mirrors(Vector l, Vector n) {
   const double c = dot(n, l);
   const Slips<Vector> wrong = {
@@ -195,7 +194,6 @@ Slips<double> careless_highlights(Vector n, Vector to_lamp, Vector d, double s, 
   return nothing ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
 
-/// Highlights as many write them.
 Slips<double> wrong_highlights(Vector n, Vector to_lamp, Vector d, double s) {
   Slips<double> wrong;
   for (const bool normalized : {true, false})
@@ -278,7 +276,6 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
   };
 }
 
-/// Blends as many write them.
 Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
   const auto with = [&](double other) { return gray(other) * (1 - t) + texture * t; };
   const Rgb sum = with(light);
