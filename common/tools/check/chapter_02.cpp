@@ -92,8 +92,7 @@ bool is_even(int n) { return n % 2 == 0; }
 Slips<bool> wrong_squares(Place2 uv, int n) {
   const int c = whole(uv.u * n);
   const int any_r = whole(uv.v * n);
-  Slips<bool> wrong = {
-      {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)}};
+  Slips<bool> wrong;
   // Those who make another mistake often forget v = 1, or exchange the colors, too.
   for (const int most : {n - 1, n}) {
     const auto even = [&](int column, int row) { return is_even(column + std::min(row, most)); };
@@ -126,8 +125,10 @@ Slips<bool> wrong_squares(Place2 uv, int n) {
     };
   }
   const Slips<bool> exchanged = changed(wrong, [](bool first) { return !first; });
-  wrong += {{"the two colors are exchanged",
-             {!is_even(c + std::min(any_r, n - 1)), !is_even(c + any_r)}}};
+  wrong += {
+      {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)},
+      {"the two colors are exchanged", {!is_even(c + std::min(any_r, n - 1)), !is_even(c + any_r)}},
+  };
   return wrong += exchanged;
 }
 

@@ -2,7 +2,6 @@
 // which calls the student's functions.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <set>
 
 #include "bytes.hpp"
@@ -69,7 +68,7 @@ int cut_off(double x) { return static_cast<int>(x); }
 int rounded(double x) { return cut_off(std::round(x)); }
 double fraction(double x) { return x - std::floor(x); }
 
-constexpr const char* nearest =
+constexpr const char* half_a_texel =
     "the nearest whole number shifts the map by half a texel: cut off the decimals";
 
 /// The table with each number as students limit it to the n texels that there are, or do not:
@@ -90,7 +89,7 @@ Slips<int> wrong_columns(double u, int n) {
   const Slips<int> table = {
       {"multiply by width, not by width - 1: now the last column is at u = 1 alone",
        {cut_off(u * (n - 1)), rounded(u * (n - 1))}},
-      {nearest, {rounded(u * n), cut_off(u * n + 0.5)}},
+      {half_a_texel, {rounded(u * n), cut_off(u * n + 0.5)}},
       {"the columns are numbered from 0: yours is one too far right", c + 1},
       {"u * width without its decimals is the number: yours is one too far left", c - 1},
       {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
@@ -150,7 +149,7 @@ Slips<int> wrong_rows(double v, int n) {
         rounded((1 - v) * (n - 1))}},
       {"the last row is height - 1: you forgot the - 1, and yours is one too far down",
        {n - up, n - last(up), n - std::clamp(up, 0, n)}},
-      {nearest, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded((1 - v) * n)}},
+      {half_a_texel, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded((1 - v) * n)}},
       {"yours is one too far up: the row is height - 1 minus v * height without its decimals",
        {down - 1, row - 1, cut_off(n - 1 - v * n)}},
       {"the decimals are cut off too early: it is static_cast<int>(v * height), the product",

@@ -69,23 +69,17 @@ template <class Out, class... Args>
     ++verdict.wrong;
   }
   if (verdict.right) return verdict;
-  if (!law.slips) {  // they are given one by one
-    for (const auto& mistake : law.mistakes) {
-      bool same = true;
-      for (std::size_t i = 0; i < law.places.size() && same; ++i) {
-        same = apart(std::apply(mistake.function, law.places[i].at), values[i]) <= law.tolerance;
-      }
-      if (same) {
-        verdict.mistake = mistake.word;
-        break;
-      }
-    }
-    return verdict;
-  }
+  const auto slips_at = [&](const auto& at) {
+    if (law.slips) return std::apply(law.slips, at);
+    Slips<Out> slips;
+    for (const auto& mistake : law.mistakes)
+      slips.push_back({mistake.word.c_str(), std::apply(mistake.function, at)});
+    return slips;
+  };
   std::vector<const char*> words;  // of the mistakes that give the same so far, or null
   for (std::size_t i = 0; i < law.places.size(); ++i) {
     std::size_t row = 0;
-    for (const Slip<Out>& slip : std::apply(law.slips, law.places[i].at)) {
+    for (const Slip<Out>& slip : slips_at(law.places[i].at)) {
       for (const Out value : slip.values) {
         if (i == 0) words.push_back(slip.word);
         if (!(apart(value, values[i]) <= law.tolerance)) words[row] = nullptr;

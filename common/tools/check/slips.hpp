@@ -20,8 +20,8 @@ struct Slip {
   Slip(const char* its_word, std::vector<Out> all) : word(its_word), values(std::move(all)) {}
 };
 
-/// The mistakes with a function, at one place. To add one, add a row {word, value} or
-/// {word, {value, value}} to the exercise's table.
+/// The mistakes with a function, at one place; the same rows at each place. To add one, add a row
+/// {word, value} or {word, {value, value}} to the exercise's table.
 template <class Out>
 using Slips = std::vector<Slip<Out>>;
 
