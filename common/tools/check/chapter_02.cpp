@@ -165,7 +165,8 @@ Exercise which_square() {
 Slips<Place2> wrong_twice_around(Place2 uv) {
   const auto [u, v] = uv;
   const double rest = std::fmod(2 * u, 1.0);
-  const double second = u > 0.5 ? 2 * u - 1 : 2 * u;
+  const double rest_v = std::fmod(2 * v, 1.0);
+  const double less = u > 0.5 ? 2 * u - 1 : 2 * u;
   const double most = std::min(2 * u, 1.0);
   return {
       {"v must stay as it is: the squares are smaller now, and still twice as wide as they are "
@@ -190,12 +191,7 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
       {"that is four times around: u is multiplied by 2", {4 * u, v}},
       {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
       {"u may be more than 1: let it, the checkerboard goes on there",
-       {{rest, v},
-        {second, v},
-        {most, v},
-        {rest, std::fmod(2 * v, 1.0)},
-        {second, 2 * v},
-        {most, 2 * v}}},
+       {{rest, v}, {less, v}, {most, v}, {rest, rest_v}, {less, 2 * v}, {most, 2 * v}}},
       {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 1, v}, {u + 2, v}}},
       {"the second number of the result comes from v, and u is not in it",
        {{2 * u, 2 * u}, {2 * u, u}}},
@@ -205,12 +201,11 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
   };
 }
 
+Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
+
 Exercise square_squares() {
   Law<Place2(Place2)> law{
-      .right =
-          [](Place2 uv) {
-            return Place2{2 * uv.u, uv.v};
-          },
+      .right = right_twice_around,
       .places = {{"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
                  {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1",
                   {{0.5, 0.5}}},

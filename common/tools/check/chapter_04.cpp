@@ -2,6 +2,7 @@
 // here, which calls the student's functions.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "exercises.hpp"
@@ -151,11 +152,10 @@ Slips<double> wrong_quarters(double u) {
   return wrong;
 }
 
+double right_lecture_u(double u) { return in_convention(Convention::lecture, Place2{u, 0.5}).u; }
+
 Exercise from_one_to_another() {
-  Law<double(double)> law{.right =
-                              [](double u) {
-                                return in_convention(Convention::lecture, Place2{u, 0.5}).u;
-                              },
+  Law<double(double)> law{.right = right_lecture_u,
                           .places = {{"on +z, u goes from 1/4 to 0", {0.25}},
                                      {"on +x, u goes from 1/2 to 1/4", {0.5}},
                                      {"on -z, u goes from 3/4 to 1/2", {0.75}},
@@ -167,11 +167,11 @@ Exercise from_one_to_another() {
                   globe_after({"--convention", "lecture"}));
 }
 
-/// Whether each number is below 0, what means mirrored for a determinant; and above 0, as those ask
+/// Whether each number is below 0, which means mirrored for a determinant; and above 0, as those ask
 /// who have exchanged yes and no, too.
 std::vector<bool> either_sign(std::initializer_list<double> numbers) {
   std::vector<bool> mirrored;
-  for (const double number : numbers) mirrored.insert(mirrored.end(), {number<0, number> 0});
+  for (const double number : numbers) mirrored.insert(mirrored.end(), {number < 0, 0 < number});
   return mirrored;
 }
 
@@ -191,7 +191,7 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
       {"you look at the step to the north alone: the step to the east can be turned around, too",
        either_sign({v_n})},
       {"two signs that are turned around make half a turn, no mirror: multiply them",
-       {u_e < 0 || v_n<0, u_e> 0 || v_n > 0}},
+       {u_e < 0 || v_n < 0, 0 < u_e || 0 < v_n}},
       {"this is mirrored only if one of the two is turned around: multiply the signs",
        u_e > 0 && v_n > 0},
       {"this is mirrored only if one of the two is turned around, and you ask for both",
