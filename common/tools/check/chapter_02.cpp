@@ -46,315 +46,196 @@ namespace texmap::check {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double turn = 2 * pi;
 using Vector = Vec3<double>;
 using Place2 = Uv<double>;
 
 Image picture() { return drawn<chapter_02::Lesson>(); }
 
-double acos_of_v(const Vector& p) { return std::acos(-p.y) / pi; }
+Slips<Place2> wrong_places(Vector p) {
+  const auto [u, v] = uv_rtiow(p);
+  const double acos = std::acos(-p.y) / pi;  // the textbook's v
+  Slips<Place2> wrong = {
+      {"acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
+       "atan2",
+       {u, acos}},
+      {"u runs the other way: your map is mirrored", {{1 - u, v}, {1 - u, acos}}},
+      {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - acos}}},
+      {"u and v both run the other way: your map is turned by half a turn",
+       {{1 - u, 1 - v}, {1 - u, 1 - acos}}},
+  };
+  return wrong += map_slips(p);
+}
 
 Exercise where_on_the_map() {
   const double r = std::sqrt(0.5);
-  Law<Uv<double>(Vector)> law{
+  Law<Place2(Vector)> law{
       .right = uv_rtiow<double>,
-      .places = {{"on +x, u is 1/2 and v is 1/2", {Vector{1, 0, 0}}},
-                 {"on +z, u is 1/4", {Vector{0, 0, 1}}},
-                 {"on -z, u is 3/4", {Vector{0, 0, -1}}},
-                 {"halfway between +x and +z, u is 3/8", {Vector{r, 0, r}}},
-                 {"45 degrees north of +x, v is 3/4", {Vector{r, r, 0}}},
-                 {"45 degrees south of +x, v is 1/4", {Vector{r, -r, 0}}},
-                 {"in the direction (-2, 1, 2) / 3", {Vector{-2. / 3, 1. / 3, 2. / 3}}},
-                 {"in the direction (2, -1, -2) / 3", {Vector{2. / 3, -1. / 3, -2. / 3}}},
+      .places = {{"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
+                 {"on +z, u is 1/4", {{0, 0, 1}}},
+                 {"on -z, u is 3/4", {{0, 0, -1}}},
+                 {"halfway between +x and +z, u is 3/8", {{r, 0, r}}},
+                 {"45 degrees north of +x, v is 3/4", {{r, r, 0}}},
+                 {"45 degrees south of +x, v is 1/4", {{r, -r, 0}}},
+                 {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
+                 {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
                  {"at the north pole v is 1, also where rounding made y a little more than 1",
-                  {Vector{1e-12, 1 + 0x1p-52, 0}}}},
-      .mistakes = {},
+                  {{1e-12, 1 + 0x1p-52, 0}}}},
+      .slips = wrong_places,
       .tolerance = 1e-6};
-  const auto wrong = [&](const char* word, std::function<Uv<double>(Vector)> function) {
-    law.mistakes.push_back({word, std::move(function)});
-  };
-  const auto right = law.right;
-  wrong(
-      "acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
-      "atan2",
-      [=](Vector p) {
-        return Place2{right(p).u, acos_of_v(p)};
-      });
-  // Those who make another mistake often use the textbook's acos, too.
-  for (const bool textbook : {false, true}) {
-    const auto v = [=](const Vector& p) { return textbook ? acos_of_v(p) : right(p).v; };
-    wrong("u runs the other way: your map is mirrored", [=](Vector p) {
-      return Place2{1 - right(p).u, v(p)};
-    });
-    wrong("v runs the other way: your map is upside down", [=](Vector p) {
-      return Place2{right(p).u, 1 - v(p)};
-    });
-    wrong("u and v both run the other way: your map is turned by half a turn", [=](Vector p) {
-      return Place2{1 - right(p).u, 1 - v(p)};
-    });
-  }
-  add_map_mistakes(law, Vector{1, 1, 1});
   return exercise("02.1", "Uv uv_of(Vec3 p)", std::move(law), uv_of, picture);
 }
 
-using IsFirst = bool(Place2, int);
-
-int column_of(const Place2& uv, int squares) { return static_cast<int>(uv.u * squares); }
-int row_of(const Place2& uv, int squares) { return static_cast<int>(uv.v * squares); }
+int whole(double x) { return static_cast<int>(x); }
+int nearest(double x) { return static_cast<int>(std::lround(x)); }
 bool is_even(int n) { return n % 2 == 0; }
 
-/// A wrong question about the numbers of column and row, with its word.
-struct WrongQuestion {
-  const char* word;
-  bool (*function)(int column, int row, int squares);
-};
-
-constexpr const char* product = "column and row must be added; their product is even too often";
-
-constexpr WrongQuestion wrong_questions[] = {
-    {"you look at u alone: these are stripes, not squares",
-     [](int c, int, int) { return is_even(c); }},
-    {"you look at v alone: these are rings, not squares",
-     [](int, int r, int) { return is_even(r); }},
-    {product, [](int c, int r, int) { return is_even(c * r); }},
-    {product, [](int c, int r, int) { return is_even(c) || is_even(r); }},
-    {"two odd numbers make an even sum, too: column and row need not both be even",
-     [](int c, int r, int) { return is_even(c) && is_even(r); }},
-    {"equal column and row are the diagonal alone: compare whether their sum is even",
-     [](int c, int r, int) { return c == r; }},
-    {"there are two colors: column + row modulo 2, not modulo squares",
-     [](int c, int r, int n) { return (c + r) % n == 0; }},
-    {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
-     [](int c, int r, int) { return (c + r) / 2 == 0; }},
-    {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2",
-     [](int c, int r, int) { return c + r % 2 == 0; }},
-    {"a difference of two numbers can be -1: ask for % 2 == 0, or add them",
-     [](int c, int r, int) { return (c - r) % 2 != 1; }},
-};
-
-/// Wrong numbers of column and row, with their word.
-struct WrongNumbers {
-  const char* word;
-  int (*column)(const Place2& uv, int squares);
-  int (*row)(const Place2& uv, int squares);
-};
-
-constexpr WrongNumbers wrong_numbers[] = {
-    {"`squares` says how many there are: not always 10",
-     [](const Place2& uv, int) { return column_of(uv, 10); },
-     [](const Place2& uv, int) { return row_of(uv, 10); }},
-    {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
-     [](const Place2& uv, int n) { return column_of(uv, n - 1); },
-     [](const Place2& uv, int n) { return row_of(uv, n - 1); }},
-    {"cut the numbers of column and row off, do not round them",
-     [](const Place2& uv, int n) { return static_cast<int>(std::lround(uv.u * n)); },
-     [](const Place2& uv, int n) { return static_cast<int>(std::lround(uv.v * n)); }},
-    {"cut off the decimals of column and row each, then add: now these are slanted stripes",
-     [](const Place2& uv, int n) { return static_cast<int>((uv.u + uv.v) * n); },
-     [](const Place2&, int) { return 0; }},
-    {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
-     [](const Place2& uv, int n) { return static_cast<int>(uv.u) * n; },
-     [](const Place2& uv, int n) { return static_cast<int>(uv.v) * n; }},
-};
-
-void add_mistakes_with_the_square(Law<IsFirst>& law) {
+Slips<bool> wrong_squares(Place2 uv, int n) {
+  const int c = whole(uv.u * n);
+  const int any_r = whole(uv.v * n);
+  Slips<bool> wrong;
   // Those who make another mistake often forget v = 1, or exchange the colors, too.
-  for (const bool exchanged : {false, true}) {
-    for (const bool limited : {true, false}) {
-      const auto wrong = [&](const char* word, auto column, auto row, auto question) {
-        law.mistakes.push_back({word, [=](const Place2& uv, int n) {
-                                  const int r = limited ? std::min(row(uv, n), n - 1) : row(uv, n);
-                                  return question(column(uv, n), r, n) != exchanged;
-                                }});
-      };
-      const auto even_sum = [](int c, int r, int) { return is_even(c + r); };
-      if (exchanged) {
-        wrong("the two colors are exchanged", column_of, row_of, even_sum);
-      } else if (!limited) {
-        wrong("at v = 1 you begin a new row: put it into the last one", column_of, row_of,
-              even_sum);
-      }
-      for (const WrongQuestion& one : wrong_questions) {
-        wrong(one.word, column_of, row_of, one.function);
-      }
-      for (const WrongNumbers& one : wrong_numbers) {
-        wrong(one.word, one.column, one.row, even_sum);
-      }
-    }
+  for (const int most : {n - 1, n}) {
+    const auto even = [&](int column, int row) { return is_even(column + std::min(row, most)); };
+    const int r = std::min(any_r, most);
+    wrong += {
+        {"you look at u alone: these are stripes, not squares", is_even(c)},
+        {"you look at v alone: these are rings, not squares", is_even(r)},
+        {"column and row must be added; their product is even too often", is_even(c * r)},
+        {"two odd numbers make an even sum, too: column and row need not both be even",
+         is_even(c) && is_even(r)},
+        {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
+        {"there are two colors: column + row modulo 2, not modulo squares", (c + r) % n == 0},
+        {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
+         (c + r) / 2 == 0},
+        {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + r % 2 == 0},
+        {"a difference of two numbers can be -1: ask for % 2 == 0, or add them", (c - r) % 2 != 1},
+        {"`squares` says how many there are: not always 10",
+         {even(whole(uv.u * 10), whole(uv.v * 10)),
+          is_even(whole(uv.u * 10) + std::min(whole(uv.v * 10), 9))}},
+        {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
+         even(whole(uv.u * (n - 1)), whole(uv.v * (n - 1)))},
+        {"cut the numbers of column and row off, do not round them",
+         even(nearest(uv.u * n), nearest(uv.v * n))},
+        {"cut off the decimals of column and row each, then add: now these are slanted stripes",
+         is_even(whole((uv.u + uv.v) * n))},
+        {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
+         even(whole(uv.u) * n, whole(uv.v) * n)},
+        {"std::max puts every row into the last one: std::min(row, squares - 1)",
+         is_even(c + std::max(r, n - 1))},
+    };
   }
-  law.mistakes.push_back(
-      {"`squares` says how many there are: not always 10", [](const Place2& uv, int) {
-         return is_even(column_of(uv, 10) + std::min(row_of(uv, 10), 9));
-       }});
-  law.mistakes.push_back({"std::max puts every row into the last one: std::min(row, squares - 1)",
-                          [](const Place2& uv, int n) {
-                            return is_even(column_of(uv, n) + std::max(row_of(uv, n), n - 1));
-                          }});
+  const Slips<bool> exchanged = changed(wrong, [](bool first) { return !first; });
+  wrong += {
+      {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)},
+      {"the two colors are exchanged", {!is_even(c + std::min(any_r, n - 1)), !is_even(c + any_r)}},
+  };
+  return wrong += exchanged;
 }
 
 Exercise which_square() {
-  Law<IsFirst> law{
+  Law<bool(Place2, int)> law{
       .right =
           [](Place2 uv, int squares) {
             return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
           },
-      .places = {{"the square at (0, 0) is the lower left one", {Place2{0.01, 0.01}, 10}},
-                 {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color",
-                  {Place2{0.15, 0.05}, 10}},
-                 {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color",
-                  {Place2{0.05, 0.15}, 10}},
-                 {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color",
-                  {Place2{0.15, 0.15}, 10}},
-                 {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color",
-                  {Place2{0.12, 0.07}, 10}},
-                 {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color",
-                  {Place2{0.55, 0.05}, 10}},
-                 {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color",
-                  {Place2{0.37, 0.72}, 10}},
-                 {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color",
-                  {Place2{0.55, 0.3}, 4}},
-                 {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color",
-                  {Place2{0.99, 0.99}, 9}},
-                 {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color",
-                  {Place2{0.95, 0.3}, 9}},
-                 {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the "
-                  "other color",
-                  {Place2{0.05, 1}, 10}},
-                 {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
-                  {Place2{0.15, 1}, 10}}},
-      .mistakes = {}};
-  add_mistakes_with_the_square(law);
+      .places =
+          {{"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
+           {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
+           {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color", {{0.05, 0.15}, 10}},
+           {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color",
+            {{0.15, 0.15}, 10}},
+           {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color", {{0.12, 0.07}, 10}},
+           {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color", {{0.55, 0.05}, 10}},
+           {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color",
+            {{0.37, 0.72}, 10}},
+           {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
+           {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color",
+            {{0.99, 0.99}, 9}},
+           {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
+           {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other "
+            "color",
+            {{0.05, 1}, 10}},
+           {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
+            {{0.15, 1}, 10}}},
+      .slips = wrong_squares};
   return exercise("02.2", "bool is_first_color(Uv uv, int squares)", std::move(law), is_first_color,
                   picture);
 }
 
+Slips<Place2> wrong_twice_around(Place2 uv) {
+  const auto [u, v] = uv;
+  const double rest = std::fmod(2 * u, 1.0);
+  const double rest_v = std::fmod(2 * v, 1.0);
+  const double less = u > 0.5 ? 2 * u - 1 : 2 * u;
+  const double most = std::min(2 * u, 1.0);
+  return {
+      {"v must stay as it is: the squares are smaller now, and still twice as wide as they are "
+       "high",
+       {2 * u, 2 * v}},
+      {"v is doubled and u is not: now the squares are four times as wide as they are high",
+       {u, 2 * v}},
+      {"the pattern goes around once in two turns: multiply u, do not divide it", {u / 2, v}},
+      {"the pattern goes around once in two turns: multiply u, and leave v", {u / 2, v / 2}},
+      {"now the squares are eight times as wide as they are high: multiply u, and leave v",
+       {u / 2, 2 * v}},
+      {"the squares are square, but larger and not twice around: multiply u, and leave v",
+       {u, v / 2}},
+      {"v must stay as it is: now the squares are twice as high as they are wide", {2 * u, v / 2}},
+      {"u is 0 everywhere, because 1 / 2 is 0 in C++; and it has to be multiplied by 2", {0, v}},
+      {"v must stay as it is: you lose it", {{2 * u, 0}, {u, 0}}},
+      {"u and v stay as they were: the pattern goes around twice with 2 * u", uv},
+      {"that is more than twice around: the checkerboard itself multiplies by its 10 squares",
+       {10 * u, v}},
+      {"that is 20 times around: the checkerboard itself multiplies by its 10 squares",
+       {{20 * u, v}, {20 * u, 10 * v}, {20 * u, 20 * v}}},
+      {"that is four times around: u is multiplied by 2", {4 * u, v}},
+      {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
+      {"u may be more than 1: let it, the checkerboard goes on there",
+       {{rest, v}, {less, v}, {most, v}, {rest, rest_v}, {less, 2 * v}, {most, 2 * v}}},
+      {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 1, v}, {u + 2, v}}},
+      {"the second number of the result comes from v, and u is not in it",
+       {{2 * u, 2 * u}, {2 * u, u}}},
+      {"u and v are exchanged: u comes first, and it is multiplied by 2", {{v, 2 * u}, {2 * v, u}}},
+      {"twice is 2 * u, not u * u", {u * u, v}},
+      {"the decimals of u are needed: no static_cast<int> here", {std::floor(2 * u), v}},
+  };
+}
+
+Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
+
 Exercise square_squares() {
-  using Function = Place2(Place2);
-  const auto twice = [](double u, double v) {
-    return [u, v](Place2 uv) { return Place2{u * uv.u, v * uv.v}; };
-  };
-  Law<Function> law{
-      .right = twice(2, 1),
-      .places = {{"where the map begins, u stays 0, and v stays as it is", {Place2{0, 0.5}}},
+  Law<Place2(Place2)> law{
+      .right = right_twice_around,
+      .places = {{"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
                  {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1",
-                  {Place2{0.5, 0.5}}},
+                  {{0.5, 0.5}}},
                  {"after three quarters of a turn u becomes 1.5: it may be more than 1",
-                  {Place2{0.75, 0.25}}},
-                 {"u = 1/4 becomes 1/2, and v stays as it is", {Place2{0.25, 0.75}}}},
-      .mistakes = {},
+                  {{0.75, 0.25}}},
+                 {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}}},
+      .slips = wrong_twice_around,
       .tolerance = 1e-12};
-  const auto wrong = [&](const char* word, std::function<Function> function) {
-    law.mistakes.push_back({word, std::move(function)});
-  };
-  wrong(
-      "v must stay as it is: the squares are smaller now, and still twice as wide as they are high",
-      twice(2, 2));
-  wrong("v is doubled and u is not: now the squares are four times as wide as they are high",
-        twice(1, 2));
-  wrong("the pattern goes around once in two turns: multiply u, do not divide it", twice(0.5, 1));
-  wrong("the pattern goes around once in two turns: multiply u, and leave v", twice(0.5, 0.5));
-  wrong("now the squares are eight times as wide as they are high: multiply u, and leave v",
-        twice(0.5, 2));
-  wrong("the squares are square, but larger and not twice around: multiply u, and leave v",
-        twice(1, 0.5));
-  wrong("v must stay as it is: now the squares are twice as high as they are wide", twice(2, 0.5));
-  wrong("u is 0 everywhere, because 1 / 2 is 0 in C++; and it has to be multiplied by 2",
-        twice(0, 1));
-  wrong("v must stay as it is: you lose it", twice(2, 0));
-  wrong("v must stay as it is: you lose it", twice(1, 0));
-  wrong("u and v stay as they were: the pattern goes around twice with 2 * u", twice(1, 1));
-  wrong("that is more than twice around: the checkerboard itself multiplies by its 10 squares",
-        twice(10, 1));
-  for (const double v : {1.0, 10.0, 20.0}) {
-    wrong("that is 20 times around: the checkerboard itself multiplies by its 10 squares",
-          twice(20, v));
-  }
-  wrong("that is four times around: u is multiplied by 2", twice(4, 1));
-  wrong("u is a part of a turn, no angle: multiply it by 2 alone", twice(turn, 1));
-  for (const double v : {1.0, 2.0}) {
-    const char* const beyond = "u may be more than 1: let it, the checkerboard goes on there";
-    wrong(beyond, [=](Place2 uv) {
-      return Place2{std::fmod(2 * uv.u, 1.0), v == 1 ? uv.v : std::fmod(v * uv.v, 1.0)};
-    });
-    wrong(beyond, [=](Place2 uv) {
-      return Place2{uv.u > 0.5 ? 2 * uv.u - 1 : 2 * uv.u, v * uv.v};
-    });
-    wrong(beyond, [=](Place2 uv) { return Place2{std::min(2 * uv.u, 1.0), v * uv.v}; });
-  }
-  for (const double shift : {0.5, 1.0, 2.0}) {
-    wrong("adding to u only turns the pattern: multiply u", [=](Place2 uv) {
-      return Place2{uv.u + shift, uv.v};
-    });
-  }
-  wrong("the second number of the result comes from v, and u is not in it", [](Place2 uv) {
-    return Place2{2 * uv.u, 2 * uv.u};
-  });
-  wrong("the second number of the result comes from v, and u is not in it", [](Place2 uv) {
-    return Place2{2 * uv.u, uv.u};
-  });
-  wrong("u and v are exchanged: u comes first, and it is multiplied by 2", [](Place2 uv) {
-    return Place2{uv.v, 2 * uv.u};
-  });
-  wrong("u and v are exchanged: u comes first, and it is multiplied by 2", [](Place2 uv) {
-    return Place2{2 * uv.v, uv.u};
-  });
-  wrong("twice is 2 * u, not u * u", [](Place2 uv) { return Place2{uv.u * uv.u, uv.v}; });
-  wrong("the decimals of u are needed: no static_cast<int> here", [](Place2 uv) {
-    return Place2{std::floor(2 * uv.u), uv.v};
-  });
   return exercise("02.3", "Uv twice_around(Uv uv)", std::move(law), twice_around, picture);
 }
 
-/// The northern latitude, in degrees, where a square of the checkerboard is as wide as it is high.
-double latitude_of_squares() {
-  const auto uv_at = [](double east, double north) {  // in radians, from +x
-    return uv_rtiow(Vector{std::cos(north) * std::cos(east), std::sin(north),
-                           -std::cos(north) * std::sin(east)});
-  };
-  double low = 0;
-  double high = pi / 2;
-  for (int i = 0; i < 50; ++i) {
-    const double north = (low + high) / 2;
-    constexpr double step = 1e-4;  // of the same length on the sphere in both directions
-    const double u = uv_at(step / std::cos(north), north).u - uv_at(0, north).u;
-    const double v = uv_at(0, north + step).v - uv_at(0, north).v;
-    (u < v ? low : high) = north;
-  }
-  return low * 180 / pi;
-}
+/// On the equator a square is twice as wide as it is high, and the parallels shrink with the cosine.
+double latitude_of_squares() { return std::acos(0.5) * 180 / pi; }
 
-/// The longest piece of one color on the equator, in degrees, with so many squares.
-double longest_piece(double squares) {
-  chapter_02::Checkered checkered = chapter_02::Lesson{}.checkered;
-  checkered.texture.squares = squares;
-  constexpr int parts = 36000;
-  const auto is_blue = [&](int i) {
-    const double angle = 2 * pi * (i + 0.5) / parts;
-    const Place2 uv = checkered.mapping(Vector{std::cos(angle), 0, std::sin(angle)});
-    return checkered.texture(uv).r == blue.r;
-  };
-  int longest = 0;
-  int length = 0;
-  for (int i = 1; i < 2 * parts; ++i) {  // twice around: a piece may lie across the beginning
-    length = is_blue(i) == is_blue(i - 1) ? length + 1 : 1;
-    longest = std::max(longest, length);
-  }
-  return 360.0 * longest / parts;
-}
+/// 9 is odd: at the seam two squares of one color meet.
+double longest_piece_of_9() { return 2 * 360. / 9; }
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {where_on_the_map(), which_square(), square_squares()},
-      .questions = {{"02.a",
-                     "On the equator a square of the checkerboard is twice as wide as it is high. "
-                     "At which latitude, in degrees, is it as wide as it is high?",
-                     latitude_of_squares, "degrees"},
-                    {"02.b",
-                     "With 9 squares in place of 10: how long is the longest piece of one color "
-                     "on the equator, in degrees?",
-                     [] { return longest_piece(9); }, "degrees"}},
+      {where_on_the_map(), which_square(), square_squares()},
+      {{"02.a",
+        "On the equator a square of the checkerboard is twice as wide as it is high. At which "
+        "latitude, in degrees, is it as wide as it is high?",
+        latitude_of_squares, "degrees"},
+       {"02.b",
+        "With 9 squares in place of 10: how long is the longest piece of one color on the equator, "
+        "in degrees?",
+        longest_piece_of_9, "degrees"}},
   };
   return chapter;
 }

@@ -2,7 +2,6 @@
 // which calls the student's functions.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <set>
 
 #include "bytes.hpp"
@@ -65,101 +64,62 @@ Image globe(int columns) {
   return picture_of(lesson);
 }
 
-using FromCoordinate = int(double, int);
-
 int cut_off(double x) { return static_cast<int>(x); }
-
-using Number = int (*)(double, int);
-
-/// How students limit a number to the n texels that there are, or do not.
-constexpr Number limits[] = {
-    [](double x, int n) { return std::clamp(cut_off(x), 0, n - 1); },
-    [](double x, int) { return cut_off(x); },
-    [](double x, int n) { return std::clamp(cut_off(x), 0, n); },
-    [](double x, int n) { return std::min(cut_off(x), n - 1); },
-    [](double x, int) { return std::max(cut_off(x), 0); },
-};
-
-/// A wrong number, with its word.
-struct WrongNumber {
-  const char* word;
-  Number number;
-};
-
-/// Adds mistakes in the number. Those who make one often forget the ends, too.
-void add_mistakes(Law<FromCoordinate>& law, std::initializer_list<WrongNumber> table) {
-  for (const Number limit : limits) {
-    for (const WrongNumber& one : table) {
-      law.mistakes.push_back(
-          {one.word, [=](double x, int n) { return limit(one.number(x, n), n); }});
-    }
-  }
-}
-
-/// Adds mistakes at the ends alone.
-void add_mistakes_at_the_ends(Law<FromCoordinate>& law, std::initializer_list<WrongNumber> table) {
-  for (const WrongNumber& one : table) law.mistakes.push_back({one.word, one.number});
-}
-
+int rounded(double x) { return cut_off(std::round(x)); }
 double fraction(double x) { return x - std::floor(x); }
 
-void add_mistakes_with_the_column(Law<FromCoordinate>& law) {
-  const char* const narrow =
-      "multiply by width, not by width - 1: now the last column is at u = 1 alone";
-  const char* const nearest =
-      "the nearest whole number shifts the map by half a texel: cut off the decimals";
-  const char* const mirrored = "u runs the other way: your map is mirrored";
-  const char* const early =
-      "the decimals are cut off too early: it is static_cast<int>(u * width), the product";
-  add_mistakes(law, {{narrow, [](double u, int n) { return cut_off(u * (n - 1)); }},
-                     {narrow, [](double u, int n) { return cut_off(std::round(u * (n - 1))); }},
-                     {nearest, [](double u, int n) { return cut_off(std::round(u * n)); }},
-                     {nearest, [](double u, int n) { return cut_off(u * n + 0.5); }},
-                     {"the columns are numbered from 0: yours is one too far right",
-                      [](double u, int n) { return cut_off(u * n) + 1; }},
-                     {"u * width without its decimals is the number: yours is one too far left",
-                      [](double u, int n) { return cut_off(u * n) - 1; }},
-                     {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
-                      [](double u, int n) { return cut_off(std::ceil(u * n)); }},
-                     {mirrored, [](double u, int n) { return n - 1 - cut_off(u * n); }},
-                     {mirrored, [](double u, int n) { return cut_off((1 - u) * n); }},
-                     {mirrored, [](double u, int n) { return n - cut_off(u * n); }},
-                     {early, [](double u, int n) { return cut_off(u) * n; }},
-                     {early, [](double u, int n) { return cut_off(u) * (n - 1); }},
-                     {"multiply u by width: a column is 1 / width wide",
-                      [](double u, int n) { return cut_off(u / n); }}});
-  const char* const at_1 = "at u = 1 the number is width, one too many: limit it to width - 1";
-  const char* const around =
-      "beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays";
-  const char* const only_at_1 =
-      "you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all";
-  add_mistakes_at_the_ends(
-      law,
-      {{"nothing limits the number: at u = 1 it is width, one too many",
-        [](double u, int n) { return cut_off(u * n); }},
-       {"the number can be less than 0: limit it there, too",
-        [](double u, int n) { return std::min(cut_off(u * n), n - 1); }},
-       {"the number can be less than 0: limit it there; std::abs makes another column of it",
-        [](double u, int n) { return std::min(std::abs(cut_off(u * n)), n - 1); }},
-       {at_1, [](double u, int n) { return std::max(cut_off(u * n), 0); }},
-       {at_1, [](double u, int n) { return cut_off(std::clamp(u, 0.0, 1.0) * n); }},
-       {at_1, [](double u, int n) { return std::clamp(cut_off(u * n), 0, n); }},
-       {at_1, [](double u, int n) { return std::min(cut_off(u * n), n); }},
-       {at_1, [](double u, int n) { return u > 1 ? n - 1 : std::max(cut_off(u * n), 0); }},
-       {at_1, [](double u, int n) { return u > 1 ? n - 1 : cut_off(u * n); }},
-       {only_at_1, [](double u, int n) { return u == 1 ? n - 1 : cut_off(u * n); }},
-       {only_at_1, [](double u, int n) { return u == 1 ? n - 1 : std::max(cut_off(u * n), 0); }},
-       {around, [](double u, int n) { return cut_off(u * n) % n; }},
-       {around, [](double u, int n) { return (cut_off(u * n) % n + n) % n; }},
-       {around, [](double u, int n) { return std::max(cut_off(u * n) % n, 0); }},
-       {around, [](double u, int n) { return std::abs(cut_off(u * n)) % n; }},
-       {around, [](double u, int n) { return cut_off(fraction(u) * n); }},
-       {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
-        [](double, int n) { return n - 1; }}});
+constexpr const char* half_a_texel =
+    "the nearest whole number shifts the map by half a texel: cut off the decimals";
+
+/// The table with each number as students limit it to the n texels that there are, or do not:
+/// those who make another mistake often forget the ends, too.
+Slips<int> limited(const Slips<int>& table, int n) {
+  Slips<int> wrong;
+  const int last = n - 1;
+  wrong += changed(table, [&](int x) { return std::clamp(x, 0, last); });
+  wrong += table;
+  wrong += changed(table, [&](int x) { return std::clamp(x, 0, n); });
+  wrong += changed(table, [&](int x) { return std::min(x, last); });
+  wrong += changed(table, [&](int x) { return std::max(x, 0); });
+  return wrong;
+}
+
+Slips<int> wrong_columns(double u, int n) {
+  const int c = cut_off(u * n);
+  const Slips<int> table = {
+      {"multiply by width, not by width - 1: now the last column is at u = 1 alone",
+       {cut_off(u * (n - 1)), rounded(u * (n - 1))}},
+      {half_a_texel, {rounded(u * n), cut_off(u * n + 0.5)}},
+      {"the columns are numbered from 0: yours is one too far right", c + 1},
+      {"u * width without its decimals is the number: yours is one too far left", c - 1},
+      {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
+       cut_off(std::ceil(u * n))},
+      {"u runs the other way: your map is mirrored", {n - 1 - c, cut_off((1 - u) * n), n - c}},
+      {"the decimals are cut off too early: it is static_cast<int>(u * width), the product",
+       {cut_off(u) * n, cut_off(u) * (n - 1)}},
+      {"multiply u by width: a column is 1 / width wide", cut_off(u / n)},
+  };
+  Slips<int> wrong = limited(table, n);
+  wrong += {
+      {"nothing limits the number: at u = 1 it is width, one too many", c},
+      {"the number can be less than 0: limit it there, too", std::min(c, n - 1)},
+      {"the number can be less than 0: limit it there; std::abs makes another column of it",
+       std::min(std::abs(c), n - 1)},
+      {"at u = 1 the number is width, one too many: limit it to width - 1",
+       {std::max(c, 0), cut_off(std::clamp(u, 0.0, 1.0) * n), std::clamp(c, 0, n), std::min(c, n),
+        u > 1 ? n - 1 : std::max(c, 0), u > 1 ? n - 1 : c}},
+      {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all",
+       {u == 1 ? n - 1 : c, u == 1 ? n - 1 : std::max(c, 0)}},
+      {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
+       {c % n, (c % n + n) % n, std::max(c % n, 0), std::abs(c) % n, cut_off(fraction(u) * n)}},
+      {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
+       n - 1},
+  };
+  return wrong;
 }
 
 Exercise which_column() {
-  Law<FromCoordinate> law{
+  Law<int(double, int)> law{
       .right = [](double u, int n) { return texel_number(u, n, TexelRounding::floor); },
       .places = {{"of 8 columns, u = 0.4 is in number 3", {0.4, 8}},
                  {"u = 0 is in the first column, number 0", {0.0, 8}},
@@ -170,77 +130,52 @@ Exercise which_column() {
                  {"of 8 columns, u = 1 is in the last one, number 7", {1.0, 8}},
                  {"of 8 columns, a u above 1 gives the last one, number 7", {1.3, 8}},
                  {"a u below 0 gives the first column, number 0", {-0.2, 8}}},
-      .mistakes = {}};
-  add_mistakes_with_the_column(law);
+      .slips = wrong_columns};
   return exercise("03.1", "int column_of(double u, int width)", std::move(law), column_of,
                   [] { return globe(32); });
 }
 
-void add_mistakes_with_the_row(Law<FromCoordinate>& law) {
-  const char* const upside_down =
-      "you count from below, and the file from the top: your map is upside down";
-  const char* const narrow =
-      "multiply by height, not by height - 1: now one row is at an end of v alone";
-  const char* const forgotten =
-      "the last row is height - 1: you forgot the - 1, and yours is one too far down";
-  const char* const nearest =
-      "the nearest whole number shifts the map by half a texel: cut off the decimals";
-  const char* const too_far_up =
-      "yours is one too far up: the row is height - 1 minus v * height without its decimals";
-  const char* const early =
-      "the decimals are cut off too early: it is static_cast<int>(v * height), the product";
-  add_mistakes(
-      law,
-      {{upside_down, [](double v, int n) { return cut_off(v * n); }},
-       {upside_down, [](double v, int n) { return cut_off(v * (n - 1)); }},
-       {narrow, [](double v, int n) { return n - 1 - cut_off(v * (n - 1)); }},
-       {narrow, [](double v, int n) { return cut_off((1 - v) * (n - 1)); }},
-       {narrow, [](double v, int n) { return n - 1 - cut_off(std::round(v * (n - 1))); }},
-       {narrow, [](double v, int n) { return cut_off(std::round((1 - v) * (n - 1))); }},
-       {forgotten, [](double v, int n) { return n - cut_off(v * n); }},
-       {forgotten, [](double v, int n) { return n - std::clamp(cut_off(v * n), 0, n - 1); }},
-       {forgotten, [](double v, int n) { return n - std::clamp(cut_off(v * n), 0, n); }},
-       {nearest, [](double v, int n) { return n - 1 - cut_off(std::round(v * n)); }},
-       {nearest,
-        [](double v, int n) { return n - 1 - std::clamp(cut_off(std::round(v * n)), 0, n - 1); }},
-       {nearest, [](double v, int n) { return cut_off(std::round((1 - v) * n)); }},
-       {too_far_up, [](double v, int n) { return cut_off((1 - v) * n) - 1; }},
-       {too_far_up, [](double v, int n) { return n - 2 - cut_off(v * n); }},
-       {too_far_up, [](double v, int n) { return cut_off(n - 1 - v * n); }},
-       {early, [](double v, int n) { return n - 1 - cut_off(v) * n; }},
-       {early, [](double v, int n) { return cut_off(1 - v) * n; }},
-       {early, [](double v, int n) { return n - 1 - std::clamp(cut_off(v) * n, 0, n - 1); }},
-       {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height",
-        [](double v, int n) { return cut_off(1 - v * n); }}});
-  const char* const at_1 = "the number can be less than 0, at v = 1: limit it to 0 there";
-  const char* const at_0 = "the number can be more than height - 1: limit it to height - 1";
-  const char* const around =
-      "beyond the ends you begin again at the other end: std::clamp stays in the last row there";
-  add_mistakes_at_the_ends(
-      law, {{"nothing limits the number: at v = 1 it is -1, and there is no such row",
-             [](double v, int n) { return n - 1 - cut_off(v * n); }},
-            {"nothing limits the number: at v = 0 it is height, and there is no such row",
-             [](double v, int n) { return cut_off((1 - v) * n); }},
-            {at_0, [](double v, int n) { return std::max(n - 1 - cut_off(v * n), 0); }},
-            {at_0, [](double v, int n) { return std::max(cut_off((1 - v) * n), 0); }},
-            {at_0, [](double v, int n) { return cut_off((1 - std::clamp(v, 0.0, 1.0)) * n); }},
-            {at_1, [](double v, int n) { return std::min(n - 1 - cut_off(v * n), n - 1); }},
-            {at_1, [](double v, int n) { return std::min(cut_off((1 - v) * n), n - 1); }},
-            {at_1, [](double v, int n) { return n - 1 - cut_off(std::clamp(v, 0.0, 1.0) * n); }},
-            {at_0, [](double v, int n) { return std::clamp(n - 1 - cut_off(v * n), 0, n); }},
-            {at_1, [](double v, int n) { return n - 1 - std::clamp(cut_off(v * n), 0, n); }},
-            {at_0, [](double v, int n) { return std::clamp(cut_off((1 - v) * n), 0, n); }},
-            {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
-             [](double v, int n) { return v == 1 ? 0 : n - 1 - cut_off(v * n); }},
-            {around, [](double v, int n) { return n - 1 - cut_off(v * n) % n; }},
-            {around, [](double v, int n) { return (n - 1 - cut_off(v * n)) % n; }},
-            {around, [](double v, int n) { return (2 * n - 1 - cut_off(v * n)) % n; }},
-            {around, [](double v, int n) { return cut_off((1 - v) * n) % n; }},
-            {around, [](double v, int n) { return n - 1 - cut_off(fraction(v) * n); }}});
+Slips<int> wrong_rows(double v, int n) {
+  const int up = cut_off(v * n);
+  const int down = cut_off((1 - v) * n);
+  const int row = n - 1 - up;
+  const double inside = std::clamp(v, 0.0, 1.0);
+  const auto last = [&](int x) { return std::clamp(x, 0, n - 1); };
+  const Slips<int> table = {
+      {"you count from below, and the file from the top: your map is upside down",
+       {up, cut_off(v * (n - 1))}},
+      {"multiply by height, not by height - 1: now one row is at an end of v alone",
+       {n - 1 - cut_off(v * (n - 1)), cut_off((1 - v) * (n - 1)), n - 1 - rounded(v * (n - 1)),
+        rounded((1 - v) * (n - 1))}},
+      {"the last row is height - 1: you forgot the - 1, and yours is one too far down",
+       {n - up, n - last(up), n - std::clamp(up, 0, n)}},
+      {half_a_texel, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded((1 - v) * n)}},
+      {"yours is one too far up: the row is height - 1 minus v * height without its decimals",
+       {down - 1, row - 1, cut_off(n - 1 - v * n)}},
+      {"the decimals are cut off too early: it is static_cast<int>(v * height), the product",
+       {n - 1 - cut_off(v) * n, cut_off(1 - v) * n, n - 1 - last(cut_off(v) * n)}},
+      {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height", cut_off(1 - v * n)},
+  };
+  Slips<int> wrong = limited(table, n);
+  wrong += {
+      {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
+      {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
+      {"the number can be more than height - 1: limit it to height - 1",
+       {std::max(row, 0), std::max(down, 0), cut_off((1 - inside) * n), std::clamp(row, 0, n),
+        std::clamp(down, 0, n)}},
+      {"the number can be less than 0, at v = 1: limit it to 0 there",
+       {std::min(row, n - 1), std::min(down, n - 1), n - 1 - cut_off(inside * n),
+        n - 1 - std::clamp(up, 0, n)}},
+      {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
+       v == 1 ? 0 : row},
+      {"beyond the ends you begin again at the other end: std::clamp stays in the last row there",
+       {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
+  };
+  return wrong;
 }
 
 Exercise which_row() {
-  Law<FromCoordinate> law{
+  Law<int(double, int)> law{
       .right =
           [](double v, int n) {
             return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;
@@ -255,88 +190,56 @@ Exercise which_row() {
                  {"v = 1 is in the top row, number 0", {1.0, 4}},
                  {"a v above 1 gives the top row, number 0", {1.3, 4}},
                  {"of 4 rows, a v below 0 gives the bottom row, number 3", {-0.3, 4}}},
-      .mistakes = {}};
-  add_mistakes_with_the_row(law);
+      .slips = wrong_rows};
   return exercise("03.2", "int row_of(double v, int height)", std::move(law), row_of,
                   [] { return globe(32); });
 }
-
-using ColorOf = Color<double>(const Bytes&, int, int, int);
 
 /// The color whose red, green and blue have these numbers.
 Color<double> color_from(const Bytes& b, int red, int green, int blue, double divisor) {
   return {b[red] / divisor, b[green] / divisor, b[blue] / divisor};
 }
 
-void add_mistakes_with_the_texel(Law<ColorOf>& law) {
-  const auto wrong_channels = [&](const char* word, auto function) {
-    law.mistakes.push_back({word, [=](const Bytes& b, int width, int column, int row) {
-                              return function(b, 3 * (row * width + column));
-                            }});
+Slips<Color<double>> wrong_texels(const Bytes& b, int w, int column, int row) {
+  const int i = 3 * (row * w + column);
+  const auto whole = [&](int k) { return std::floor(b[k] / 255.); };
+  Slips<Color<double>> wrong = {
+      {"a channel goes from 0 to 1: divide the byte by 255.0", color_from(b, i, i + 1, i + 2, 1)},
+      {"whole numbers are divided without decimals: divide by 255.0",
+       {whole(i), whole(i + 1), whole(i + 2)}},
+      {"the largest byte is 255: divide by 255, not by 256, or white is gray",
+       color_from(b, i, i + 1, i + 2, 256)},
   };
-  wrong_channels("a channel goes from 0 to 1: divide the byte by 255.0",
-                 [](const Bytes& b, int i) { return color_from(b, i, i + 1, i + 2, 1); });
-  wrong_channels("whole numbers are divided without decimals: divide by 255.0",
-                 [](const Bytes& b, int i) {
-                   const Color<double> c = color_from(b, i, i + 1, i + 2, 255);
-                   return Color<double>{std::floor(c.r), std::floor(c.g), std::floor(c.b)};
-                 });
   // Those who make another mistake often divide by another number, too.
   for (const double divisor : {255.0, 256.0, 1.0}) {
-    if (divisor == 256) {
-      wrong_channels(
-          "the largest byte is 255: divide by 255, not by 256, or white is gray",
-          [=](const Bytes& b, int i) { return color_from(b, i, i + 1, i + 2, divisor); });
-    }
-    const auto wrong_order = [&](const char* word, int red, int green, int blue) {
-      wrong_channels(word, [=](const Bytes& b, int i) {
-        return color_from(b, i + red, i + green, i + blue, divisor);
-      });
+    const auto rgb = [&](int red, int green, int blue) {
+      return color_from(b, i + red, i + green, i + blue, divisor);
     };
-    wrong_order("red and blue are exchanged: the first byte of a texel is red", 2, 1, 0);
-    wrong_order("green comes after red, and blue last: + 0, + 1 and + 2", 0, 2, 1);
-    wrong_order("green comes after red, and blue last: + 0, + 1 and + 2", 1, 0, 2);
-    wrong_order("all three channels have the same byte: green is at + 1, blue at + 2", 0, 0, 0);
-    wrong_order("the three bytes of a texel follow each other: + 0, + 1 and + 2", 0, 3, 6);
-    const auto wrong_first = [&](const char* word, int (*first)(int w, int column, int row)) {
-      law.mistakes.push_back({word, [=](const Bytes& b, int width, int column, int row) {
-                                const int i = first(width, column, row);
-                                return color_from(b, i, i + 1, i + 2, divisor);
-                              }});
+    const auto from = [&](int k) { return color_from(b, k, k + 1, k + 2, divisor); };
+    wrong += {
+        {"red and blue are exchanged: the first byte of a texel is red", rgb(2, 1, 0)},
+        {"green comes after red, and blue last: + 0, + 1 and + 2", {rgb(0, 2, 1), rgb(1, 0, 2)}},
+        {"all three channels have the same byte: green is at + 1, blue at + 2", rgb(0, 0, 0)},
+        {"the three bytes of a texel follow each other: + 0, + 1 and + 2", rgb(0, 3, 6)},
+        {"you count texels, and each texel has three bytes: multiply by 3", from(i / 3)},
+        {"only the column is multiplied by 3: each texel of the rows above has three bytes, too",
+         from(row * w + 3 * column)},
+        {"only the row is multiplied by 3: each texel to the left has three bytes, too",
+         {from(3 * row * w + column), from(row * (3 * w + column))}},
+        {"column and row are exchanged: before the texel there are row whole rows",
+         {from(3 * (column * w + row)), from(column * w + row)}},
+        {"before the texel there are row whole rows, each of width texels: row * width + column",
+         {from(3 * (row + column)), from(3 * row + column), from(3 * row * column),
+          from(i - 3 * row), from(i + 3 * row)}},
+        {"bytes are counted from 0: yours begins one byte too late", from(i + 1)},
+        {"bytes are counted from 0: yours begins one byte too early", from(i - 1)},
+        {"columns are counted from 0: this is the texel to the right", from(i + 3)},
+        {"columns are counted from 0: this is the texel to the left", from(i - 3)},
+        {"rows are counted from 0: this is the row above", from(i - 3 * w)},
+        {"a texel has three bytes here, not four", from(4 * (row * w + column))},
     };
-    const char* const exchanged =
-        "column and row are exchanged: before the texel there are row whole rows";
-    const char* const row_alone =
-        "only the row is multiplied by 3: each texel to the left has three bytes, too";
-    const char* const rows =
-        "before the texel there are row whole rows, each of width texels: row * width + column";
-    wrong_first("you count texels, and each texel has three bytes: multiply by 3",
-                [](int w, int column, int row) { return row * w + column; });
-    wrong_first(
-        "only the column is multiplied by 3: each texel of the rows above has three bytes, too",
-        [](int w, int column, int row) { return row * w + 3 * column; });
-    wrong_first(row_alone, [](int w, int column, int row) { return 3 * row * w + column; });
-    wrong_first(row_alone, [](int w, int column, int row) { return row * (3 * w + column); });
-    wrong_first(exchanged, [](int w, int column, int row) { return 3 * (column * w + row); });
-    wrong_first(exchanged, [](int w, int column, int row) { return column * w + row; });
-    wrong_first(rows, [](int, int column, int row) { return 3 * (row + column); });
-    wrong_first(rows, [](int, int column, int row) { return 3 * row + column; });
-    wrong_first(rows, [](int, int column, int row) { return 3 * row * column; });
-    wrong_first(rows, [](int w, int column, int row) { return 3 * (row * (w - 1) + column); });
-    wrong_first(rows, [](int w, int column, int row) { return 3 * (row * (w + 1) + column); });
-    wrong_first("bytes are counted from 0: yours begins one byte too late",
-                [](int w, int column, int row) { return 3 * (row * w + column) + 1; });
-    wrong_first("bytes are counted from 0: yours begins one byte too early",
-                [](int w, int column, int row) { return 3 * (row * w + column) - 1; });
-    wrong_first("columns are counted from 0: this is the texel to the right",
-                [](int w, int column, int row) { return 3 * (row * w + column + 1); });
-    wrong_first("columns are counted from 0: this is the texel to the left",
-                [](int w, int column, int row) { return 3 * (row * w + column - 1); });
-    wrong_first("rows are counted from 0: this is the row above",
-                [](int w, int column, int row) { return 3 * ((row - 1) * w + column); });
-    wrong_first("a texel has three bytes here, not four",
-                [](int w, int column, int row) { return 4 * (row * w + column); });
   }
+  return wrong;
 }
 
 Exercise color_of_a_texel() {
@@ -349,7 +252,7 @@ Exercise color_of_a_texel() {
     return made;
   }();
   const Bytes bytes(image);
-  Law<ColorOf> law{
+  Law<Color<double>(const Bytes&, int, int, int)> law{
       .right =
           [](const Bytes& b, int width, int column, int row) {
             const int first = 3 * (row * width + column);
@@ -360,19 +263,9 @@ Exercise color_of_a_texel() {
                   {bytes, 5, 1, 0}},
                  {"the second row begins after the 5 texels of the first row", {bytes, 5, 0, 1}},
                  {"the fourth texel of the second row is 204 230 250", {bytes, 5, 3, 1}}},
-      .mistakes = {},
-      .tolerance = 1e-9};
-  add_mistakes_with_the_texel(law);
+      .slips = wrong_texels};
   return exercise("03.3", "Color color_of(const Bytes& bytes, int width, int column, int row)",
                   std::move(law), color_of, [] { return globe(512); });
-}
-
-/// The column of the map in which this longitude is, in degrees.
-double column_at(double longitude) {
-  auto lesson = prepared<Lesson>();
-  const double angle = longitude * pi<double>() / 180;
-  const Uv<double> uv = uv_rtiow(Vec3<double>{std::cos(angle), 0, -std::sin(angle)});
-  return texel_number(uv.u, map_of(lesson).width, TexelRounding::floor);
 }
 
 /// The share of the map's texels that the chapter's picture reads, in percent.
@@ -399,15 +292,14 @@ double texels_read() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {which_column(), which_row(), color_of_a_texel()},
-      .questions = {{"03.a",
-                     "Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns "
-                     "is it?",
-                     [] { return column_at(13.4); }, "", 0},
-                    {"03.b",
-                     "The map has 2048 x 1024 texels. What percentage of them does the chapter's "
-                     "picture read, with one ray a pixel?",
-                     texels_read, "percent", 0.05}},
+      {which_column(), which_row(), color_of_a_texel()},
+      {{"03.a",
+        "Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns is it?",
+        [] { return double(texel_number((180 + 13.4) / 360, 2048, TexelRounding::floor)); }, "", 0},
+       {"03.b",
+        "The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "
+        "with one ray a pixel?",
+        texels_read, "percent", 0.05}},
   };
   return chapter;
 }

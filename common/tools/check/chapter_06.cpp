@@ -76,7 +76,7 @@ using chapter_06::Lesson;
 Image lecture_scene() {
   auto lesson = prepared<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"});
   lesson.stage.camera.fov_y_degrees = 36;
-  return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
+  return picture_of(lesson);
 }
 
 /// The globe from near by, with a spot in which the light is more than 1. No blend of a byte and a
@@ -84,212 +84,142 @@ Image lecture_scene() {
 Image blended_globe() {
   auto lesson = prepared<Lesson>({"--blend", "0.3337", "--shininess", "5"});
   lesson.stage.camera.fov_y_degrees = 20;
-  return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
+  return picture_of(lesson);
 }
 
-/// Mirrored directions as many write them.
-std::vector<Mistake<Vector(Vector, Vector)>> wrong_mirrors() {
-  std::vector<Mistake<Vector(Vector, Vector)>> mistakes;
-  const auto wrong = [&](const char* word, const std::function<Vector(Vector, Vector)>& function) {
-    mistakes.push_back({word, function});
-    mistakes.push_back(
-        {word, [function](Vector l, Vector n) { return normalize(function(l, n)); }});
+Slips<Vector> wrong_mirrors(Vector l, Vector n) {
+  const double c = dot(n, l);
+  const Slips<Vector> wrong = {
+      {"all signs are exchanged: r points into the surface, as if l came from the lamp",
+       -mirror(l, n)},
+      {"the part along n counts once: the formula has 2 (n . l) n", n * c - l},
+      {"n and l are exchanged: you mirror the normal at l", mirror(n, l)},
+      {"l is added where it is subtracted: r is no mirrored direction, and longer than 1",
+       n * (2 * c) + l},
+      {"2 (n . l) n has the wrong sign: add it, and subtract l", n * (-2 * c) - l},
+      {"you return the opposite of l: that sends all light away from the lamp", -l},
+      {"you return l: a mirror changes the part of l along the surface", l},
+      {"this is no more than the part along n: r is 2 (n . l) n - l", {n * (2 * c), n * c}},
+      {"this is the part of l along the surface: r has the opposite of it, and the part along n",
+       l - n * c},
+      {"the part of l along n is shorter than n: it is n * dot(n, l)",
+       {n - l, l - n, n * 2. - l, l - n * 2.}},
+      {"2 (n . l) multiplies n alone: subtract l after that", (n - l) * (2 * c)},
+      {"2 (n . l) multiplies n alone: n * (2 * dot(n, l)), not a sum", (n + l) * (2 * c)},
+      {"this is the middle between n and l: r is on the other side of n", normalize(n + l)},
+      {"this is right for n = +y at most: the normal may have any direction",
+       {{-l.x, l.y, l.z}, {-l.x, l.y, -l.z}}},
   };
-  wrong("all signs are exchanged: r points into the surface, as if l came from the lamp",
-        [](Vector l, Vector n) { return -mirror(l, n); });
-  wrong("the part along n counts once: the formula has 2 (n . l) n",
-        [](Vector l, Vector n) { return n * dot(n, l) - l; });
-  wrong("n and l are exchanged: you mirror the normal at l",
-        [](Vector l, Vector n) { return mirror(n, l); });
-  wrong("l is added where it is subtracted: r is no mirrored direction, and longer than 1",
-        [](Vector l, Vector n) { return n * (2 * dot(n, l)) + l; });
-  wrong("2 (n . l) n has the wrong sign: add it, and subtract l",
-        [](Vector l, Vector n) { return n * (-2 * dot(n, l)) - l; });
-  wrong("you return the opposite of l: that sends all light away from the lamp",
-        [](Vector l, Vector) { return -l; });
-  wrong("you return l: a mirror changes the part of l along the surface",
-        [](Vector l, Vector) { return l; });
-  const char* along = "this is no more than the part along n: r is 2 (n . l) n - l";
-  wrong(along, [](Vector l, Vector n) { return n * (2 * dot(n, l)); });
-  wrong(along, [](Vector l, Vector n) { return n * dot(n, l); });
-  wrong("this is the part of l along the surface: r has the opposite of it, and the part along n",
-        [](Vector l, Vector n) { return l - n * dot(n, l); });
-  const char* length = "the part of l along n is shorter than n: it is n * dot(n, l)";
-  for (const double times : {1., 2.}) {
-    wrong(length, [=](Vector l, Vector n) { return n * times - l; });
-    wrong(length, [=](Vector l, Vector n) { return l - n * times; });
-  }
-  wrong("2 (n . l) multiplies n alone: subtract l after that",
-        [](Vector l, Vector n) { return (n - l) * (2 * dot(n, l)); });
-  wrong("2 (n . l) multiplies n alone: n * (2 * dot(n, l)), not a sum",
-        [](Vector l, Vector n) { return (n + l) * (2 * dot(n, l)); });
-  wrong("this is the middle between n and l: r is on the other side of n",
-        [](Vector l, Vector n) { return normalize(n + l); });
-  const char* only_up = "this is right for n = +y at most: the normal may have any direction";
-  wrong(only_up, [](Vector l, Vector) { return Vector{-l.x, l.y, l.z}; });
-  wrong(only_up, [](Vector l, Vector) { return Vector{-l.x, l.y, -l.z}; });
-  return mistakes;
+  Slips<Vector> all = wrong;
+  return all += changed(wrong, [](const Vector& r) { return normalize(r); });
 }
 
 Exercise the_mirrored_direction() {
   const double r = std::sqrt(0.5);
   Law<Vector(Vector, Vector)> law{
-      .right = [](Vector l, Vector n) { return mirror(l, n); },
-      .places = {{"a lamp straight above is mirrored to itself",
-                  {Vector{0, 1, 0}, Vector{0, 1, 0}}},
+      .right = mirror<double>,
+      .places = {{"a lamp straight above is mirrored to itself", {{0, 1, 0}, {0, 1, 0}}},
                  {"a lamp at the horizon is mirrored to the opposite horizon",
-                  {Vector{1, 0, 0}, Vector{0, 1, 0}}},
+                  {{1, 0, 0}, {0, 1, 0}}},
                  {"a lamp at 45 degrees on the right is mirrored to 45 degrees on the left",
-                  {Vector{r, r, 0}, Vector{0, 1, 0}}},
-                 {"with n = +y and l = (0.6, 0.8, 0)", {Vector{0.6, 0.8, 0}, Vector{0, 1, 0}}},
-                 {"with n = +z and l = (0.6, 0, 0.8)", {Vector{0.6, 0, 0.8}, Vector{0, 0, 1}}},
+                  {{r, r, 0}, {0, 1, 0}}},
+                 {"with n = +y and l = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, {0, 1, 0}}},
+                 {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
                  {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
-                  {Vector{2. / 3, 1. / 3, 2. / 3}, Vector{2. / 7, 3. / 7, 6. / 7}}}},
-      .mistakes = wrong_mirrors(),
+                  {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}}},
+      .slips = wrong_mirrors,
       .tolerance = 1e-6};
   return exercise("06.1", "Vec3 mirrored(Vec3 l, Vec3 n)", std::move(law), mirrored, lecture_scene);
 }
 
-/// The directions of a highlight, and what many take for its cosine.
-struct Directions {
-  Vector n, l, to_lamp, e;
-};
-using Cosine = double (*)(const Directions&);
-double right_cosine(const Directions& at) { return dot(mirror(at.l, at.n), at.e); }
-
-constexpr const char* no_cosine =
-    "the direction to the lamp does not have the length 1: normalize it first, or the cosine is "
-    "no cosine";
-
-/// Phong's power with what many do to its parts.
-struct Highlight {
-  Cosine cosine = right_cosine;
-  double (*power)(double cosine, double s) = [](double c, double s) { return std::pow(c, s); };
+/// What else is often forgotten with a highlight.
+struct Care {
   bool normalized = true;  ///< the light
   bool tests_side = true;  ///< n . l > 0
   bool limits = true;      ///< the cosine
-
-  double operator()(const Vector& n, const Vector& to_lamp, const Vector& d, double s) const {
-    const Vector l = normalized ? normalize(to_lamp) : to_lamp;
-    if (tests_side && dot(n, l) <= 0) return 0;
-    const double c = cosine({n, l, to_lamp, -d});
-    return power(limits && c < 0 ? 0 : c, s);
-  }
 };
 
-using HighlightOf = double(Vector, Vector, Vector, double);
-
-/// Highlights of one cause, each also with what else is often forgotten.
-void add_wrong_parts(std::vector<Mistake<HighlightOf>>& mistakes) {
-  const auto wrong = [&](const char* word, Highlight function) {
-    for (const bool normalized : {true, false}) {
-      for (const bool tests_side : {true, false}) {
-        for (const bool limits : {true, false}) {
-          function.normalized = normalized;
-          function.tests_side = tests_side;
-          function.limits = limits;
-          mistakes.push_back({word, function});
-        }
-      }
-    }
+/// Highlights of one cause, with this care.
+Slips<double> careless_highlights(Vector n, Vector to_lamp, Vector d, double s, const Care& care) {
+  const Vector l = care.normalized ? normalize(to_lamp) : to_lamp;
+  const Vector e = -d;
+  const double straight = dot(n, l);
+  const double right = dot(mirror(l, n), e);
+  const double c = care.limits && right < 0 ? 0 : right;
+  constexpr const char* no_cosine =
+      "the direction to the lamp does not have the length 1: normalize it first, or the cosine is "
+      "no cosine";
+  Slips<double> wrong;
+  if (!care.normalized) {
+    wrong += {{no_cosine, std::pow(c, s)}};
+  } else if (!care.limits) {
+    wrong +=
+        {{"the cosine is not limited: a negative number to an even power is positive. Raise "
+          "std::max(cosine, 0.0)",
+          {std::pow(c, s), std::max(std::pow(c, s), 0.)}}};
+  } else if (!care.tests_side) {
+    wrong += {{"there is a highlight where the lamp is behind the surface: test n . l first",
+               std::pow(c, s)}};
+  }
+  const Slips<double> cosines = {
+      {"the cosine has the wrong sign: d goes away from the eye, so take dot(r, -d), r = 2 (n . l) "
+       "n - l",
+       -right},
+      {no_cosine, {dot(n * (2 * dot(n, to_lamp)) - l, e), dot(n * (2 * straight) - to_lamp, e)}},
+      {"std::abs lights the side away from r, too: take std::max(cosine, 0.0)", std::abs(right)},
+      {"std::min keeps what is below 0: take std::max(cosine, 0.0)", std::min(right, 0.)},
+      {"this is 1 everywhere: limit the cosine to 0 or more, not to 1", 1},
+      {"n . l is the cosine of the diffuse light: take r and the direction to the eye", straight},
+      {"the light is not mirrored: take r = 2 (n . l) n - l and the direction to the eye",
+       dot(l, e)},
+      {"this is the angle between n and the eye: take r and the direction to the eye", dot(n, e)},
+      {"this takes the vector halfway to the eye, as Blinn does: take the mirrored direction r",
+       dot(n, normalize(l + e))},
+      {"the part along n counts once: r is 2 (n . l) n - l", dot(n * straight - l, e)},
+      {"n and l are exchanged in r: it is 2 (n . l) n - l", dot(mirror(n, l), e)},
+      {"l is added in r: subtract it, r is 2 (n . l) n - l", dot(n * (2 * straight) + l, e)},
+      {"l is missing in r: it is 2 (n . l) n - l", dot(n * (2 * straight), e)},
+      {"n . l is missing in r: it is 2 (n . l) n - l", dot(n * 2. - l, e)},
   };
-  wrong(
-      "the cosine has the wrong sign: d goes away from the eye, so take dot(r, -d), r = 2 (n . l) "
-      "n - l",
-      {.cosine = [](const Directions& at) { return -right_cosine(at); }});
-  wrong(no_cosine, {.cosine = [](const Directions& at) {
-          return dot(at.n * (2 * dot(at.n, at.to_lamp)) - at.l, at.e);
-        }});
-  wrong(no_cosine, {.cosine = [](const Directions& at) {
-          return dot(at.n * (2 * dot(at.n, at.l)) - at.to_lamp, at.e);
-        }});
-  wrong("std::abs lights the side away from r, too: take std::max(cosine, 0.0)",
-        {.cosine = [](const Directions& at) { return std::abs(right_cosine(at)); }});
-  wrong("std::min keeps what is below 0: take std::max(cosine, 0.0)",
-        {.cosine = [](const Directions& at) { return std::min(right_cosine(at), 0.); }});
-  wrong("this is 1 everywhere: limit the cosine to 0 or more, not to 1",
-        {.cosine = [](const Directions&) { return 1.; }});
-  wrong("n . l is the cosine of the diffuse light: take r and the direction to the eye",
-        {.cosine = [](const Directions& at) { return dot(at.n, at.l); }});
-  wrong("the light is not mirrored: take r = 2 (n . l) n - l and the direction to the eye",
-        {.cosine = [](const Directions& at) { return dot(at.l, at.e); }});
-  wrong("this is the angle between n and the eye: take r and the direction to the eye",
-        {.cosine = [](const Directions& at) { return dot(at.n, at.e); }});
-  wrong("this takes the vector halfway to the eye, as Blinn does: take the mirrored direction r",
-        {.cosine = [](const Directions& at) { return dot(at.n, normalize(at.l + at.e)); }});
-  wrong("the part along n counts once: r is 2 (n . l) n - l",
-        {.cosine = [](const Directions& at) { return dot(at.n * dot(at.n, at.l) - at.l, at.e); }});
-  wrong("n and l are exchanged in r: it is 2 (n . l) n - l",
-        {.cosine = [](const Directions& at) { return dot(mirror(at.n, at.l), at.e); }});
-  wrong("l is added in r: subtract it, r is 2 (n . l) n - l", {.cosine = [](const Directions& at) {
-          return dot(at.n * (2 * dot(at.n, at.l)) + at.l, at.e);
-        }});
-  wrong("l is missing in r: it is 2 (n . l) n - l",
-        {.cosine = [](const Directions& at) { return dot(at.n * (2 * dot(at.n, at.l)), at.e); }});
-  wrong("n . l is missing in r: it is 2 (n . l) n - l",
-        {.cosine = [](const Directions& at) { return dot(at.n * 2. - at.l, at.e); }});
-  wrong("the cosine is multiplied by the shininess: raise it to this power, with std::pow",
-        {.power = [](double c, double s) { return c * s; }});
-  wrong("base and exponent are exchanged: std::pow(cosine, shininess)",
-        {.power = [](double c, double s) { return std::pow(s, c); }});
-  wrong("this is the cosine: raise it to the power shininess",
-        {.power = [](double c, double) { return c; }});
-  wrong("you raise the angle: the dot product already is its cosine",
-        {.power = [](double c, double s) { return std::pow(std::acos(c), s); }});
-  wrong("the strength 0.3 is the lesson's: return the power alone",
-        {.power = [](double c, double s) { return 0.3 * std::pow(c, s); }});
+  wrong += changed(
+      cosines, [&](double cosine) { return std::pow(care.limits && cosine < 0 ? 0 : cosine, s); });
+  wrong += {
+      {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
+      {"base and exponent are exchanged: std::pow(cosine, shininess)", std::pow(s, c)},
+      {"this is the cosine: raise it to the power shininess", c},
+      {"you raise the angle: the dot product already is its cosine", std::pow(std::acos(c), s)},
+      {"the strength 0.3 is the lesson's: return the power alone", 0.3 * std::pow(c, s)},
+  };
+  const bool nothing = care.tests_side && straight <= 0;
+  return nothing ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
 
-/// Highlights as many write them.
-std::vector<Mistake<HighlightOf>> wrong_highlights() {
-  std::vector<Mistake<HighlightOf>> mistakes;
-  const auto wrong = [&](const char* word, std::function<HighlightOf> function) {
-    mistakes.push_back({word, std::move(function)});
+Slips<double> wrong_highlights(Vector n, Vector to_lamp, Vector d, double s) {
+  Slips<double> wrong;
+  for (const bool normalized : {true, false})
+    for (const bool tests_side : {true, false})
+      for (const bool limits : {true, false})
+        wrong += careless_highlights(n, to_lamp, d, s, {normalized, tests_side, limits});
+  const Vector l = normalize(to_lamp);
+  const auto power = [&](const Vector& r) { return std::pow(std::max(dot(r, -d), 0.), s); };
+  const double anywhere = power(mirror(l, n));
+  const double front = std::max(dot(n, l), 0.);
+  wrong += {
+      {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
+       power(n * (2 * front) - l)},
+      {"n . d says where the eye is: test n . l, on which side the lamp is",
+       {dot(n, d) <= 0 ? 0 : anywhere, dot(n, d) >= 0 ? 0 : anywhere}},
+      {"the test is the wrong way around: return 0 where n . l is 0 or less",
+       dot(n, to_lamp) >= 0 ? 0 : anywhere},
+      {"n . l is a factor of the diffuse light: return the power alone", anywhere * front},
   };
-  wrong(no_cosine, Highlight{.normalized = false});
-  wrong(no_cosine, Highlight{.normalized = false, .tests_side = false});
-  wrong(no_cosine, Highlight{.normalized = false, .limits = false});
-  wrong(no_cosine, Highlight{.normalized = false, .tests_side = false, .limits = false});
-  const char* clamp =
-      "the cosine is not limited: a negative number to an even power is positive. Raise "
-      "std::max(cosine, 0.0)";
-  const auto late = [](double c, double s) { return std::max(std::pow(c, s), 0.); };
-  for (const bool tests_side : {true, false}) {
-    wrong(clamp, Highlight{.tests_side = tests_side, .limits = false});
-    wrong(clamp, Highlight{.power = late, .tests_side = tests_side, .limits = false});
-  }
-  wrong("there is a highlight where the lamp is behind the surface: test n . l first",
-        Highlight{.tests_side = false});
-  add_wrong_parts(mistakes);
-  const Highlight anywhere{.tests_side = false};
-  wrong("it is not enough to limit n . l in r: return 0 where it is 0 or less",
-        Highlight{.cosine =
-                      [](const Directions& at) {
-                        return dot(at.n * (2 * std::max(dot(at.n, at.l), 0.)) - at.l, at.e);
-                      },
-                  .tests_side = false});
-  const char* side = "n . d says where the eye is: test n . l, on which side the lamp is";
-  wrong(side, [=](Vector n, Vector to_lamp, Vector d, double s) {
-    return dot(n, d) <= 0 ? 0 : anywhere(n, to_lamp, d, s);
-  });
-  wrong(side, [=](Vector n, Vector to_lamp, Vector d, double s) {
-    return dot(n, d) >= 0 ? 0 : anywhere(n, to_lamp, d, s);
-  });
-  wrong("the test is the wrong way around: return 0 where n . l is 0 or less",
-        [=](Vector n, Vector to_lamp, Vector d, double s) {
-          return dot(n, to_lamp) >= 0 ? 0 : anywhere(n, to_lamp, d, s);
-        });
-  wrong("n . l is a factor of the diffuse light: return the power alone",
-        [](Vector n, Vector to_lamp, Vector d, double s) {
-          return Highlight{}(n, to_lamp, d, s) * std::max(dot(n, normalize(to_lamp)), 0.);
-        });
-  return mistakes;
+  return wrong;
 }
 
 Exercise the_highlight() {
   const double r = std::sqrt(0.5);
   const Vector up{0, 1, 0};
-  Law<HighlightOf> law{
+  Law<double(Vector, Vector, Vector, double)> law{
       .right =
           [](Vector n, Vector to_lamp, Vector d, double shininess) {
             const Vector l = normalize(to_lamp);
@@ -297,114 +227,75 @@ Exercise the_highlight() {
                                      LightSample<double>{l, std::max(dot(n, l), 0.)}, n, -d);
           },
       .places = {{"with lamp and eye straight above, all of the light comes back: 1",
-                  {up, Vector{0, 1, 0}, Vector{0, -1, 0}, 3}},
-                 {"also if the lamp is 5 away", {up, Vector{0, 5, 0}, Vector{0, -1, 0}, 3}},
+                  {up, {0, 1, 0}, {0, -1, 0}, 3}},
+                 {"also if the lamp is 5 away", {up, {0, 5, 0}, {0, -1, 0}, 3}},
                  {"at 60 degrees from the mirrored direction, with shininess 1, it is 1/2",
-                  {up, Vector{0, 2, 0}, Vector{std::sqrt(0.75), -0.5, 0}, 1}},
-                 {"with shininess 5 it is 1/32",
-                  {up, Vector{0, 2, 0}, Vector{std::sqrt(0.75), -0.5, 0}, 5}},
-                 {"at 45 degrees, with shininess 2, it is 1/2",
-                  {up, Vector{0, 2, 0}, Vector{0, -r, -r}, 2}},
+                  {up, {0, 2, 0}, {std::sqrt(0.75), -0.5, 0}, 1}},
+                 {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {std::sqrt(0.75), -0.5, 0}, 5}},
+                 {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -r, -r}, 2}},
                  {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
-                  {up, Vector{3, 1, 0}, Vector{-0.8, -0.6, 0}, 3}},
-                 {"also with an even shininess", {up, Vector{3, 1, 0}, Vector{-0.8, -0.6, 0}, 4}},
-                 {"with the lamp behind the surface it is 0",
-                  {up, Vector{3, -4, 0}, Vector{0.6, 0.8, 0}, 2}},
-                 {"also if the eye is in front of it",
-                  {up, Vector{4, -3, 0}, Vector{0.8, -0.6, 0}, 2}},
+                  {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
+                 {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},
+                 {"with the lamp behind the surface it is 0", {up, {3, -4, 0}, {0.6, 0.8, 0}, 2}},
+                 {"also if the eye is in front of it", {up, {4, -3, 0}, {0.8, -0.6, 0}, 2}},
                  {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
-                  {up, Vector{3, 4, 0}, Vector{0.8, -0.6, 0}, 2}},
+                  {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
                  {"with a slanted normal and shininess 7",
-                  {Vector{2. / 7, 3. / 7, 6. / 7}, Vector{2, 1, 2}, Vector{0, 0, -1}, 7}}},
-      .mistakes = wrong_highlights(),
+                  {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}}},
+      .slips = wrong_highlights,
       .tolerance = 1e-6};
   return exercise("06.2", "double highlight(Vec3 n, Vec3 to_lamp, Vec3 d, double shininess)",
                   std::move(law), highlight, lecture_scene);
 }
 
-using Blend = Rgb(Rgb, double, double);
-
 /// Blends as many write them, with the light limited to 1 or not.
-void add_wrong_blends(std::vector<Mistake<Blend>>& mistakes, bool limits) {
-  const auto wrong = [&](const char* word, const std::function<Blend>& function) {
-    mistakes.push_back({word, [=](Rgb texture, double light, double t) {
-                          return function(texture, limits ? std::min(light, 1.) : light, t);
-                        }});
+Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
+  const double rest = 1 - t;
+  const Rgb lit = gray(light);
+  return {
+      {"the shares are exchanged: the texture has the share t, the light 1 - t",
+       lit * t + texture * rest},
+      {"both are added whole: multiply each by its share", lit + texture},
+      {"you multiply texture and light, as in the chapters before: a blend is a sum",
+       {texture * light, texture * (light * t), texture * (light * rest),
+        texture * (t + light * rest), texture * (light * t) + lit * rest}},
+      {"the light has no share: multiply it by 1 - t", lit + texture * t},
+      {"the texture has no share: multiply it by t", lit * rest + texture},
+      {"both have the same share: the texture has the share t, the light 1 - t",
+       {(lit + texture) * t, (lit + texture) * rest}},
+      {"both have the share 1/2: the texture has the share t, the light 1 - t",
+       (lit + texture) * 0.5},
+      {"the light is missing: add it with the share 1 - t", texture * t},
+      {"the texture is missing: add it with the share t", lit * rest},
+      {"the light has the share 1 - t, not 1 minus the light", gray(1 - light) + texture * t},
+      {"the light has the share 1 - t: multiply it by this, not by 1 minus the light",
+       gray(light * (1 - light)) + texture * t},
+      {"the share 1 is not yet the light's: multiply the light by 1 - t", gray(rest) + texture * t},
+      {"the light has a negative share: it is 1 - t, not t - 1", texture * t + lit * (t - 1)},
+      {"a gray has three equal parts: Color{x, x, x}", texture * t + Rgb{light, 0, 0} * rest},
   };
-  wrong("the shares are exchanged: the texture has the share t, the light 1 - t",
-        [](Rgb texture, double light, double t) { return gray(light) * t + texture * (1 - t); });
-  wrong("both are added whole: multiply each by its share",
-        [](Rgb texture, double light, double) { return gray(light) + texture; });
-  const char* product =
-      "you multiply texture and light, as in the chapters before: a blend is a sum";
-  wrong(product, [](Rgb texture, double light, double) { return texture * light; });
-  wrong(product, [](Rgb texture, double light, double t) { return texture * (light * t); });
-  wrong(product, [](Rgb texture, double light, double t) { return texture * (light * (1 - t)); });
-  wrong(product,
-        [](Rgb texture, double light, double t) { return texture * (t + light * (1 - t)); });
-  wrong(product, [](Rgb texture, double light, double t) {
-    return texture * (light * t) + gray(light) * (1 - t);
-  });
-  wrong("the light has no share: multiply it by 1 - t",
-        [](Rgb texture, double light, double t) { return gray(light) + texture * t; });
-  wrong("the texture has no share: multiply it by t",
-        [](Rgb texture, double light, double t) { return gray(light) * (1 - t) + texture; });
-  const char* twice = "both have the same share: the texture has the share t, the light 1 - t";
-  wrong(twice, [](Rgb texture, double light, double t) { return (gray(light) + texture) * t; });
-  wrong(twice,
-        [](Rgb texture, double light, double t) { return (gray(light) + texture) * (1 - t); });
-  wrong("both have the share 1/2: the texture has the share t, the light 1 - t",
-        [](Rgb texture, double light, double) { return (gray(light) + texture) * 0.5; });
-  wrong("the light is missing: add it with the share 1 - t",
-        [](Rgb texture, double, double t) { return texture * t; });
-  wrong("the texture is missing: add it with the share t",
-        [](Rgb, double light, double t) { return gray(light) * (1 - t); });
-  wrong("the light has the share 1 - t, not 1 minus the light",
-        [](Rgb texture, double light, double t) { return gray(1 - light) + texture * t; });
-  wrong(
-      "the light has the share 1 - t: multiply it by this, not by 1 minus the light",
-      [](Rgb texture, double light, double t) { return gray(light * (1 - light)) + texture * t; });
-  wrong("the share 1 is not yet the light's: multiply the light by 1 - t",
-        [](Rgb texture, double, double t) { return gray(1 - t) + texture * t; });
-  wrong("the light has a negative share: it is 1 - t, not t - 1",
-        [](Rgb texture, double light, double t) { return texture * t + gray(light) * (t - 1); });
-  wrong("a gray has three equal parts: Color{x, x, x}", [](Rgb texture, double light, double t) {
-    return texture * t + Rgb{light, 0, 0} * (1 - t);
-  });
 }
 
-/// Blends as many write them.
-std::vector<Mistake<Blend>> wrong_blends() {
-  std::vector<Mistake<Blend>> mistakes;
-  const auto wrong_light = [&](const char* word, double (*limit)(double)) {
-    mistakes.push_back({word, [=](Rgb texture, double light, double t) {
-                          return gray(limit(light)) * (1 - t) + texture * t;
-                        }});
+Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
+  const auto with = [&](double other) { return gray(other) * (1 - t) + texture * t; };
+  const Rgb sum = with(light);
+  const double most = std::min(light, 1.);
+  Slips<Rgb> wrong = {
+      {"the light is not limited to 1: take std::min(light, 1.0)", sum},
+      {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(std::max(light, 1.))},
+      {"light above 1 counts as 1: it does not begin again at 0", with(light - std::floor(light))},
+      {"light above 1 counts as 1, not as 0", with(light > 1 ? 0 : light)},
+      {"the light alone is limited to 1, before you multiply it and add",
+       {gray(std::min(light * (1 - t), 1.)) + texture * t,
+        {std::min(sum.r, 1.), std::min(sum.g, 1.), std::min(sum.b, 1.)}}},
   };
-  wrong_light("the light is not limited to 1: take std::min(light, 1.0)",
-              [](double light) { return light; });
-  wrong_light("std::max makes all light 1 or more: take std::min(light, 1.0)",
-              [](double light) { return std::max(light, 1.); });
-  wrong_light("light above 1 counts as 1: it does not begin again at 0",
-              [](double light) { return light - std::floor(light); });
-  wrong_light("light above 1 counts as 1, not as 0",
-              [](double light) { return light > 1 ? 0 : light; });
-  const char* early = "the light alone is limited to 1, before you multiply it and add";
-  mistakes.push_back({early, [](Rgb texture, double light, double t) {
-                        return gray(std::min(light * (1 - t), 1.)) + texture * t;
-                      }});
-  mistakes.push_back({early, [](Rgb texture, double light, double t) {
-                        const Rgb sum = gray(light) * (1 - t) + texture * t;
-                        return Rgb{std::min(sum.r, 1.), std::min(sum.g, 1.), std::min(sum.b, 1.)};
-                      }});
-  add_wrong_blends(mistakes, true);
-  add_wrong_blends(mistakes, false);
-  return mistakes;
+  wrong += wrong_shares(texture, most, t);
+  return wrong += wrong_shares(texture, light, t);
 }
 
 Exercise the_blend() {
   const Rgb sea{0.2, 0.4, 0.6};
-  Law<Blend> law{
+  Law<Rgb(Rgb, double, double)> law{
       .right = [](Rgb texture, double light,
                   double t) { return mix(gray(std::min(light, 1.)), texture, t); },
       .places = {{"with t = 1 the texture alone is left", {sea, 0.5, 1}},
@@ -415,7 +306,7 @@ Exercise the_blend() {
                  {"in the dark the share of the texture is left", {sea, 0, 0.3}},
                  {"a light of 1.3 counts as 1", {sea, 1.3, 0}},
                  {"also where it is blended", {sea, 1.25, 0.3}}},
-      .mistakes = wrong_blends(),
+      .slips = wrong_blends,
       .tolerance = 1e-6};
   return exercise("06.3", "Color blended(Color texture, double light, double t)", std::move(law),
                   blended, blended_globe);
@@ -441,19 +332,18 @@ double size_of_spot(const std::string& shininess) {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {the_mirrored_direction(), the_highlight(), the_blend()},
-      .questions = {{"06.a",
-                     "The highlight changes some pixels of the picture. By what factor are there "
-                     "more of them "
-                     "with --shininess 50 than with --shininess 500?",
-                     [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
-                    {"06.b",
-                     "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the "
-                     "light is the ambient 0.2. Which byte of green does --blend 0.5 draw?",
-                     [] {
-                       return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
-                     },
-                     "", 0}},
+      {the_mirrored_direction(), the_highlight(), the_blend()},
+      {{"06.a",
+        "The highlight changes some pixels of the picture. By what factor are there more of them "
+        "with --shininess 50 than with --shininess 500?",
+        [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
+       {"06.b",
+        "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the light is the "
+        "ambient 0.2. Which byte of green does --blend 0.5 draw?",
+        [] {
+          return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
+        },
+        "", 0}},
   };
   return chapter;
 }
