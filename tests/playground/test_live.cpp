@@ -11,7 +11,6 @@
 #include "03_image_texture/lesson.hpp"
 #include "04_uv_conventions/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
-#include "08_triangle_uv/lesson.hpp"
 #include "published/uv.hpp"
 #include "support/pictures.hpp"
 #include "support/same_picture.hpp"
@@ -191,20 +190,6 @@ TEST_CASE("in float, look tells what float meets and how far its place is off") 
   CHECK(pixel["float"]["apart"].get<double>() == doctest::Approx(std::hypot(across, up)));
   CHECK(std::hypot(across, up) > 0);
   CHECK(std::hypot(across, up) < 0.05);
-}
-
-TEST_CASE("look sees a crate's triangle, its weights and its corners") {
-  Live<chapter_08::Lesson> lesson;
-  lesson.set({}, 480);
-  const auto pixel = seen(lesson, 240, 180);
-  const auto& w = pixel["weights"];
-  for (const std::size_t i : {0U, 1U}) {
-    double mixed = 0;
-    for (const std::size_t corner : {0U, 1U, 2U})
-      mixed += w[corner].get<double>() * pixel["corners"][corner][i].get<double>();
-    CHECK(pixel["uv"][i].get<double>() == doctest::Approx(mixed).epsilon(1e-14));
-  }
-  CHECK(w[0].get<double>() + w[1].get<double>() + w[2].get<double>() == doctest::Approx(1));
 }
 
 TEST_CASE("the seam is no distance, and errors have the colors of the legend") {

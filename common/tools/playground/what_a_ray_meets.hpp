@@ -8,7 +8,6 @@
 #include "engine/measure/json.hpp"
 #include "engine/render/surfaces.hpp"
 #include "scene/light.hpp"
-#include "scene/mesh.hpp"
 #include "texel_error.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/image_texture.hpp"
@@ -124,43 +123,11 @@ template <HasObjects Lesson>
     members.emplace_back("center", list_of(object.shape.center));
     members.emplace_back("radius", object.shape.radius);
     members.emplace_back("normal", list_of(hit.normal));
-    if constexpr (requires { lesson.bumps; }) {
-      members.emplace_back("bumped",
-                           list_of(lesson.bumps(hit, inverse_radius<double>(object.shape))));
-    }
     add_place(object.paint, hit, members);
     if constexpr (
         requires { lesson.surface; } || requires { object.material; })
       add_shading(lesson, object, hit, ray.direction, members);
-  } else if constexpr (requires { lesson.ground; }) {
-    const double distance = distance_to(lesson.floor, ray);
-    if (distance < infinity<double>()) {
-      const Vec3d point = point_on(lesson.floor, ray, distance);
-      const Uv<double> uv = lesson.ground.mapping(point);
-      members.emplace_back("distance", distance);
-      members.emplace_back("point", list_of(point));
-      members.emplace_back("uv", Json::list({uv.u, uv.v}));
-    }
   }
-  return members;
-}
-template <HasMesh Lesson>
-[[nodiscard]] Members what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
-  Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
-  const MeshHit<double> hit =
-      lesson.choice.weighted(lesson.scene.mesh, first_hit(lesson.scene.mesh, ray));
-  if (!hit.met) return members;
-  members.emplace_back("triangle", static_cast<int>(hit.triangle));
-  members.emplace_back("distance", hit.distance);
-  members.emplace_back("point", list_of(hit.point));
-  members.emplace_back("normal", list_of(hit.normal));
-  members.emplace_back("weights", Json::list({hit.a, hit.b, hit.c}));
-  std::vector<Json> places;
-  for (const Uv<double>& uv : lesson.scene.mapping.corners[static_cast<std::size_t>(hit.triangle)])
-    places.push_back(Json::list({uv.u, uv.v}));
-  members.emplace_back("corners", Json::list(places));
-  add_place(lesson.paint, hit, members);
-  add_light(lesson.stage.light, others(lesson.scene.mesh, hit), hit, members);
   return members;
 }
 
