@@ -31,52 +31,64 @@ struct Pyramid {
   void add(const LightImage& image) {
     const int first_row = static_cast<int>(row_starts.size());
     levels.push_back({image.width, image.height, first_row});
-    for (int row = 0; row < image.height; ++row) {
-      row_starts.push_back(texels.size());
-      for (int column = 0; column < image.width; ++column) texels.push_back(image.at(column, row));
-    }
+    for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row)
+      row_starts.push_back(texels.size() + row * static_cast<std::size_t>(image.width));
+    texels.insert(texels.end(), image.texels.begin(), image.texels.end());
   }
 };
 
-/// A row of light, `count` texels, as a row of half as many (at least one), rounded down.
-/// A texel of the result is the mean of what it covers: of two texels, or of parts of three.
-///
-/// @param source  called with 0 to count - 1, returns a Color<float>
-/// @param target  called with 0 to half - 1 and a Color<float>
-template <class Source, class Target>
-void halve_row(int count, const Source& source, const Target& target) {
+/// A part of an old texel that a texel of half the size covers.
+struct Covered {
+  std::size_t to;  ///< the new texel
+  int from;        ///< the old one
+  double part;     ///< in units of 1 / (number of new texels)
+};
+
+/// What the texels of a row of half as many cover (rounded down, at least one): two old texels each,
+/// or parts of three. In the order of both.
+[[nodiscard]] inline std::vector<Covered> covered_by_half(int count) {
   const int half = std::max(count / 2, 1);
+  std::vector<Covered> all;
   for (int i = 0; i < half; ++i) {
     // In units of 1/half of an old texel, the new one covers i count to (i + 1) count.
     const long low = static_cast<long>(i) * count;
     const long high = low + count;
-    Rgb sum{};
     for (long j = low / half; j * half < high; ++j) {
-      const double covered =
-          static_cast<double>(std::min(high, (j + 1) * half) - std::max(low, j * half));
-      sum = sum + number_cast<double>(source(static_cast<int>(j))) * covered;
+      all.push_back(
+          {static_cast<std::size_t>(i), static_cast<int>(j),
+           static_cast<double>(std::min(high, (j + 1) * half) - std::max(low, j * half))});
     }
-    const double share = 1.0 / count;
-    target(i, Color<float>{static_cast<float>(sum.r * share), static_cast<float>(sum.g * share),
-                           static_cast<float>(sum.b * share)});
   }
+  return all;
 }
 
 /// An image in half the size, rounded down and at least 1 each way; its mean light is the same.
 /// Bound: 2 roundings of float.
 [[nodiscard]] inline LightImage halved(const LightImage& image) {
   LightImage narrow(std::max(image.width / 2, 1), image.height);
-  for (int row = 0; row < image.height; ++row) {
-    halve_row(
-        image.width, [&](int column) { return image.at(column, row); },
-        [&](int column, const Color<float>& light) { narrow.at(column, row) = light; });
-  }
   LightImage result(narrow.width, std::max(image.height / 2, 1));
-  for (int column = 0; column < narrow.width; ++column) {
-    halve_row(
-        image.height, [&](int row) { return narrow.at(column, row); },
-        [&](int row, const Color<float>& light) { result.at(column, row) = light; });
+  const auto width = static_cast<std::size_t>(narrow.width);
+  std::vector<Rgb> sums(result.texels.size());
+  const auto rounded = [&sums](std::size_t i, double share) {
+    const Rgb mean = sums[i] * share;
+    sums[i] = {};
+    return Color<float>{static_cast<float>(mean.r), static_cast<float>(mean.g),
+                        static_cast<float>(mean.b)};
+  };
+  const std::vector<Covered> columns = covered_by_half(image.width);
+  for (int row = 0; row < image.height; ++row) {
+    for (const auto& [to, from, part] : columns)
+      sums[to] = sums[to] + number_cast<double>(image.at(from, row)) * part;
+    for (std::size_t i = 0; i < width; ++i)
+      narrow.at(static_cast<int>(i), row) = rounded(i, 1.0 / image.width);
   }
+  for (const auto& [to, from, part] : covered_by_half(image.height)) {
+    for (std::size_t i = 0; i < width; ++i) {
+      Rgb& sum = sums[to * width + i];
+      sum = sum + number_cast<double>(narrow.at(static_cast<int>(i), from)) * part;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) result.texels[i] = rounded(i, 1.0 / image.height);
   return result;
 }
 
@@ -84,6 +96,7 @@ void halve_row(int count, const Source& source, const Target& target) {
 [[nodiscard]] inline Pyramid pyramid_of(LightImage image) {
   Pyramid pyramid;
   if (image.texels.empty()) return pyramid;
+  pyramid.texels.reserve(image.texels.size() * 4 / 3 + 2 * static_cast<std::size_t>(image.width));
   pyramid.add(image);
   while (image.width > 1 || image.height > 1) {
     image = halved(image);
