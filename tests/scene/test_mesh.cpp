@@ -4,7 +4,6 @@
 #include "number/kinds/interval.hpp"
 #include "number/kinds/pack2.hpp"
 #include "support/fragile_triangles.hpp"
-#include "support/lanes.hpp"
 #include "support/mesh_rays.hpp"
 
 namespace texmap::test {
@@ -14,7 +13,6 @@ TEST_CASE_TEMPLATE(
     "rays at edges and corners: none slips through, none is counted twice, in every number", Real,
     float, double, long double, Pack2<Pack<float>>, Pack2<Pack<double>>) {
   const Leaks leaks = count_leaks<Real>(100000, 1);
-  CHECK(leaks.rays >= 100000);
   CHECK(leaks.met > 30000);
   CHECK(leaks.cracks == 0);
   CHECK(leaks.doubles == 0);
@@ -70,19 +68,21 @@ TEST_CASE_TEMPLATE("the first hit is the nearest, its normal faces the ray, its 
     const Ray<Real> ray =
         aimed<Real>([&] { return point_within(dice, 3); }, [&] { return point_within(dice, 1); });
     Real nearest = infinity<Real>();
+    bool from_outside = false;  // a closed mesh is entered from the front and left from the back
     for_each_crossing(ring, ray, nearest, [&](int, const Crossing<Real>& found) {
-      if (found.met && found.distance > Real(0)) nearest = std::min(nearest, found.distance);
+      if (!(found.distance > Real(0) && found.distance < nearest)) return;
+      nearest = found.distance;
+      from_outside = found.front;
     });
     const MeshHit<Real> hit = first_hit(ring, ray);
     REQUIRE(hit.met == (nearest < infinity<Real>()));
     if (!hit.met) continue;
     ++met;
     REQUIRE(hit.distance == nearest);
+    if (length(ray.origin) > Real(2)) REQUIRE(from_outside);
     REQUIRE(dot(hit.normal, ray.direction) <= Real(0));
     REQUIRE(abs(length(hit.normal) - Real(1)) < Real(8) * u);
-    REQUIRE(hit.a >= Real(0));
-    REQUIRE(hit.b >= Real(0));
-    REQUIRE(hit.c >= Real(0));
+    REQUIRE(std::min({hit.a, hit.b, hit.c}) >= Real(0));
     REQUIRE(abs(hit.a + hit.b + hit.c - Real(1)) <= Real(4) * u);
     // Away from the silhouette the two ways to the point agree.
     const Real slope = abs(dot(hit.normal, normalize(ray.direction)));
@@ -148,29 +148,6 @@ TEST_CASE_TEMPLATE("a scene a million times as large or as small has the same we
   }
 }
 
-TEST_CASE_TEMPLATE("a closed mesh is entered from the front and left from the back", Real, float,
-                   double, long double) {
-  Dice dice;
-  const Mesh cube = turned_cube(dice);
-  int met = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const bool inside = i % 2 == 0;
-    const Ray<Real> ray = aimed<Real>(
-        [&] { return inside ? point_within(dice, 0.5) : dice.direction<double>() * 4.0; },
-        [&] { return point_within(dice, 1); });
-    for_each_crossing(cube, ray, infinity<Real>(), [&](int, const Crossing<Real>& found) {
-      const bool ahead = found.distance > Real(0);
-      // From inside the front is behind; from outside both are ahead, and the back is farther.
-      if (inside) REQUIRE(found.front != ahead);
-      if (!inside) REQUIRE(ahead);
-      const MeshHit<Real> first = first_hit(cube, ray);
-      if (!inside) REQUIRE(found.front == (found.distance == first.distance));
-      ++met;
-    });
-  }
-  CHECK(met > 2000);
-}
-
 TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding loses their area", Real,
                    float, double, long double) {
   Dice dice;
@@ -200,37 +177,6 @@ TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding lose
   }
   CHECK(met > 100);
   MESSAGE(met << " met, " << lost << " without an area");
-}
-
-TEST_CASE("a mesh without triangles is never met, and a point at a corner is exactly there") {
-  const MeshHit<double> none = first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}});
-  CHECK_FALSE(none.met);
-  const Mesh cube = crate().mesh;
-  const Point eye{0.25, 0.5, 4};
-  for (const Point& corner : cube.points) {
-    const MeshHit<double> hit = first_hit(cube, Ray<double>{eye, corner - eye});
-    if (!hit.met) continue;  // a silhouette may pass by
-    if (hit.distance != 1) continue;
-    CHECK(largest(hit.point - corner) == 0);
-  }
-}
-
-TEST_CASE_TEMPLATE("each lane meets what a plain ray meets", Many, Pack<float>, Pack<double>,
-                   Pack2<Pack<double>>) {
-  Dice dice;
-  const Mesh ring = torus(12, 6).mesh;
-  for (int i = 0; i < 500; ++i) {
-    const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
-                                      [&] { return point_on_edge(dice, ring); });
-    const auto found = [&](const auto& in) {
-      using Real = std::remove_cvref_t<decltype(in.origin.x)>;
-      const MeshHit<Real> hit = first_hit(ring, in);
-      return std::tuple{select(hit.met, Real(1), Real(0)), select(hit.met, hit.point, Vec3<Real>{}),
-                        select(hit.met, hit.normal, Vec3<Real>{}),
-                        select(hit.met, hit.triangle, Real(0)), select(hit.met, hit.b, Real(0))};
-    };
-    check_each_lane<Many>(found, ray);
-  }
 }
 
 TEST_CASE("intervals hold what double and long double meet") {
@@ -265,6 +211,7 @@ TEST_CASE("the other triangles of a mesh cast shadows, its own does not") {
   CHECK_FALSE(hidden({0, 1, 0}, 10.0));
   CHECK(hidden({0, -1, 0}, 10.0));  // the bottom
   CHECK_FALSE(hidden({0, -1, 0}, 1.5));
+  CHECK_FALSE(first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}}).met);
 }
 
 }  // namespace
