@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 #include "published/uv.hpp"
 #include "support/dice.hpp"
 #include "texture/bump.hpp"
