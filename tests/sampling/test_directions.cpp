@@ -71,26 +71,6 @@ TEST_CASE_TEMPLATE(
   for (std::uint32_t i = 0; i < 20000; ++i) judge(sample_number<Real>(i));
 }
 
-TEST_CASE("the disk: equal areas hold equally many points, and neighbours stay neighbours") {
-  std::array<double, 64> bins{};  // 8 rings by 8 sectors, all of the same area
-  constexpr std::uint32_t side = 512;
-  double farthest = 0;
-  for (std::uint32_t row = 0; row < side; ++row) {
-    OnDisk<double> before{};
-    for (std::uint32_t column = 0; column < side; ++column) {
-      const OnDisk<double> disk = uniform_disk<double>({(column + 0.5) / side, (row + 0.5) / side});
-      const double turns = std::atan2(disk.y, disk.x) / (2 * std::numbers::pi) + 0.5;
-      const auto sector = std::min<std::size_t>(static_cast<std::size_t>(turns * 8), 7);
-      bins[static_cast<std::size_t>(disk.radius * disk.radius * 8) * 8 + sector] += 1;
-      if (column > 0)
-        farthest = std::max(farthest, std::hypot(disk.x - before.x, disk.y - before.y));
-      before = disk;
-    }
-  }
-  for (const double count : bins) CHECK(std::abs(count / (side * side / 64.0) - 1) < 0.06);
-  CHECK(farthest * side < 3);
-}
-
 TEST_CASE_TEMPLATE(
     "at every normal the frame is right-handed and square, and directions of unit length leave the "
     "surface",

@@ -171,30 +171,7 @@ TEST_CASE("a corner that is NaN, a direction that is zero or NaN: nothing is met
   CHECK_FALSE(meets({0, 0, -1}, {nan, -1, -2}));
 }
 
-TEST_CASE("the derivatives of weights and distance are those of small steps") {
-  Dice dice;
-  int met = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3d b{2, -1, -3}, c{0.25, 2, -5}, a{-2, -1, -4};
-    const double x = dice.between(-0.2, 0.2);
-    const double y = dice.between(-0.2, 0.2);
-    const auto at = [&]<class Real>(const Real& across, const Real& up) {
-      const RaySpace<Real> space(Ray<Real>{{}, {across, up, Real(-1)}});
-      const auto seen = [&](const Vec3d& p) { return seen_along(space, number_cast<Real>(p)); };
-      return crossing(space, seen(a), seen(b), seen(c));
-    };
-    const auto dual = at(Dual<double>{x, 1, 0}, Dual<double>{y, 0, 1});
-    const long double step = 1e-6L;
-    const auto left = at(static_cast<long double>(x) - step, static_cast<long double>(y));
-    const auto right = at(static_cast<long double>(x) + step, static_cast<long double>(y));
-    if (!dual.met || !left.met || !right.met) continue;
-    ++met;
-    REQUIRE(std::abs(static_cast<double>((right.b - left.b) / (2 * step)) - dual.b.dx) < 1e-10);
-    REQUIRE(std::abs(static_cast<double>((right.distance - left.distance) / (2 * step)) -
-                     dual.distance.dx) < 1e-10);
-  }
-  CHECK(met > 300);
-  // A ray exactly through a corner: the value 0 has derivatives all the same.
+TEST_CASE("a ray exactly through a corner: the value 0 has derivatives all the same") {
   const RaySpace<Dual<double>> space(
       Ray<Dual<double>>{{}, {Dual<double>{0, 1, 0}, Dual<double>{0, 0, 1}, Dual<double>(-1)}});
   const auto seen = seen_along(space, Vec3<Dual<double>>{{}, {}, Dual<double>(-4)});

@@ -13,7 +13,7 @@ TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, 
   const Real miss = infinity<Real>();
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   struct Row {
-    const char* what;
+    std::string what;
     double height;
     Ray<Real> ray;
     Real distance;

@@ -72,7 +72,8 @@ TEST_CASE_TEMPLATE("each lane computes what a plain number computes", Many, Pack
     return aimed<Many>([&] { return point_within(dice, 3); },
                        [&] { return point_on_edge(dice, ring); });
   };
-  const auto law = [](const char* what, int times, const auto& function, const auto&... draw) {
+  const auto law = [](const std::string& what, int times, const auto& function,
+                      const auto&... draw) {
     CAPTURE(what);
     for (int i = 0; i < times; ++i) check_each_lane<Many>(function, draw()...);
   };

@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE(
     Real, float, double, long double) {
   const PointLight above{{0, 5, 0}};
   struct Row {
-    const char* where;
+    std::string where;
     Sphere<> sphere;
     bool dark;
   };

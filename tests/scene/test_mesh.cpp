@@ -129,22 +129,15 @@ TEST_CASE_TEMPLATE("a scene a million times as large or as small has the same we
   for (const int power : {-20, 20}) {
     Mesh other = ring;
     for (Point& p : other.points) p = scaled(p, power);
-    int met = 0;
     for (int i = 0; i < 2000; ++i) {
       const Ray<Real> ray =
           aimed<Real>([&] { return point_within(dice, 3); }, [&] { return point_within(dice, 1); });
       const MeshHit<Real> a = first_hit(ring, ray);
       const MeshHit<Real> b =
           first_hit(other, Ray<Real>{scaled(ray.origin, power), scaled(ray.direction, 3)});
-      REQUIRE(a.met == b.met);
-      if (!a.met) continue;
-      ++met;
-      REQUIRE(a.triangle == b.triangle);
-      REQUIRE(a.a == b.a);
-      REQUIRE(a.b == b.b);
-      REQUIRE(std::ldexp(a.distance, power - 3) == b.distance);
+      REQUIRE((a.met == b.met && a.triangle == b.triangle && a.a == b.a && a.b == b.b));
+      if (a.met) REQUIRE(std::ldexp(a.distance, power - 3) == b.distance);
     }
-    CHECK(met > 200);
   }
 }
 
@@ -176,7 +169,7 @@ TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding lose
     REQUIRE(hit.a + hit.b + hit.c > Real(0.99));
   }
   CHECK(met > 100);
-  MESSAGE(met << " met, " << lost << " without an area");
+  if (!std::is_same_v<Real, long double>) CHECK(lost > 100);
 }
 
 TEST_CASE("intervals hold what double and long double meet") {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "math/color.hpp"
-#include "number/kinds/pack.hpp"
 #include "scene/nearest.hpp"
 
 namespace texmap::test {
@@ -84,27 +83,6 @@ TEST_CASE_TEMPLATE(
   const Color<Real> away = color_of(Ray<Real>{{0, 0, 20}, {0, 0, 1}});
   CHECK((away.r == Real(1) && away.g == Real(1) && away.b == Real(1)));
   CHECK(asked == 1);
-}
-
-TEST_CASE_TEMPLATE("lanes that see different objects ask each of them once", T, float, double) {
-  using Many = Pack<T>;
-  for (const double beside : {8.0, 4.0}) {  // the sphere beside the others, or past everything
-    const auto x = from_lanes<Many>(
-        [beside](std::size_t i) { return i % 2 == 0 ? T(0) : static_cast<T>(beside); });
-    int asked = 0, backgrounds = 0;
-    (void)color_along(
-        row_of_things(), Ray<Many>{{x, Many(0), Many(20)}, {Many(0), Many(0), Many(-1)}},
-        [&](const Ray<Many>&) {
-          ++backgrounds;
-          return gray(Many(9));
-        },
-        [&](const Thing&, const Hit<Many>&) {
-          ++asked;
-          return gray(Many(1));
-        });
-    CHECK(asked == (beside == 8.0 ? 2 : 1));
-    CHECK(backgrounds == (beside == 8.0 ? 0 : 1));
-  }
 }
 
 }  // namespace

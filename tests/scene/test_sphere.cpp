@@ -20,7 +20,7 @@ TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, missing
   const Real miss = infinity<Real>();
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   struct Row {
-    const char* what;
+    std::string what;
     Sphere<> sphere;
     Ray<Real> ray;
     Real distance;
@@ -35,10 +35,6 @@ TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, missing
       {"from inside, behind the center", unit_sphere, {{0, 0, Real(-0.5)}, {0, 0, 1}}, Real(1.5)},
       {"behind the ray", unit_sphere, {{0, 0, 5}, {0, 0, 1}}, miss},
       {"beside the ray", unit_sphere, {{0, 2, 5}, {0, 0, -1}}, miss},
-      {"a hair beside it",
-       unit_sphere,
-       {{std::nextafter(Real(1), Real(2)), 0, 5}, {0, 0, -1}},
-       miss},
       {"from the surface inward", unit_sphere, {{0, 0, 1}, {0, 0, -1}}, 2},
       {"from the surface outward", unit_sphere, {{0, 0, 1}, {0, 0, 1}}, miss},
       {"from the surface along it", unit_sphere, {{1, 0, 0}, {0, 0, 1}}, miss},
@@ -47,8 +43,12 @@ TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, missing
       {"with a direction that is no number", unit_sphere, {{0, 0, 5}, {0, nan, -1}}, miss},
   };
   for (const Row& row : table) {
-    CAPTURE(row.what);
-    CHECK(distance_to(row.sphere, row.ray) == row.distance);
+    for (const SphereForm form : all_forms) {
+      CAPTURE(row.what);
+      CAPTURE(static_cast<int>(form));
+      CHECK(distance_to(Sphere<>{row.sphere.center, row.sphere.radius, form}, row.ray) ==
+            row.distance);
+    }
   }
 }
 
@@ -58,20 +58,8 @@ TEST_CASE_TEMPLATE("a tangent counts as a hit", Real, float, double, long double
   CHECK(abs(distance - Real(5)) <= Real(8) * std::numeric_limits<Real>::epsilon());
   const Vec3<Real> normal = hit_at(unit_sphere, touching, distance).normal;
   CHECK(abs(normal.x - Real(1)) <= std::numeric_limits<Real>::epsilon());
-}
-
-TEST_CASE("the length of the direction changes the distance and not the place") {
-  const Ray<double> ray{{0.5, 0.25, 5}, {-0.1, 0.05, -1}};
-  const double distance = distance_to(unit_sphere, ray);
-  const Vec3d normal = hit_at(unit_sphere, ray, distance).normal;
-  REQUIRE(distance < 10);
-  for (const double length : {1e-20, 1e-3, 1e20}) {
-    CAPTURE(length);
-    const Ray<double> other{ray.origin, ray.direction * length};
-    const double other_distance = distance_to(unit_sphere, other);
-    CHECK(other_distance * length == doctest::Approx(distance).epsilon(1e-15));
-    CHECK(largest(hit_at(unit_sphere, other, other_distance).normal - normal) <= 1e-14);
-  }
+  const Ray<Real> passing{{std::nextafter(Real(1), Real(2)), 0, -5}, {0, 0, 1}};
+  CHECK(distance_to(unit_sphere, passing) == infinity<Real>());
 }
 
 TEST_CASE_TEMPLATE("a sphere without a radius is missed by every form, and from everywhere", Real,
@@ -85,14 +73,6 @@ TEST_CASE_TEMPLATE("a sphere without a radius is missed by every form, and from 
       }
     }
   }
-}
-
-TEST_CASE_TEMPLATE("the root ahead of no number is none", Real, float, double) {
-  const Real nan = std::numeric_limits<Real>::quiet_NaN();
-  CHECK(root_ahead(Real(0), Real(0), Real(1), Real(0)) == infinity<Real>());
-  CHECK(root_ahead(Real(0), Real(0), Real(-1), Real(0)) == infinity<Real>());
-  CHECK(root_ahead(Real(1), nan, Real(1), Real(1)) == infinity<Real>());
-  CHECK(root_ahead(Real(1), Real(1), Real(1), nan) == infinity<Real>());
 }
 
 TEST_CASE("robust gives way to hybrid where it does not hold") {

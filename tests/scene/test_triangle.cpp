@@ -172,24 +172,6 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE(
-    "a triangle of size 1 is one up to 1e6 from the origin in float, 5e14 in double, and none far "
-    "beyond",
-    Real, float, double) {
-  const double near = std::is_same_v<Real, float> ? 1e6 : 5e14;
-  for (const double away : {1.0, 1e3, near}) {
-    CAPTURE(away);
-    const double at = std::round(away);
-    CHECK(is(barycentric({{at, at, at}, {at + 1, at, at}, {at, at + 1, at}},
-                         Vec3<Real>{Real(at), Real(at), Real(at)}),
-             1, 0, 0));
-  }
-  const Real far = Real(16) * Real(near);
-  CHECK(barycentric({{far, far, far}, {far + 1, far, far}, {far, far + 1, far}},
-                    Vec3<Real>{far, far, far})
-            .degenerate);
-}
-
 TEST_CASE_TEMPLATE("a point that is no number or at no place has weights that are numbers", Real,
                    float, double, long double) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -200,10 +182,6 @@ TEST_CASE_TEMPLATE("a point that is no number or at no place has weights that ar
   }
   const double infinite = infinity<double>();
   CHECK(is_degenerate(barycentric({{0, 0, 0}, {infinite, 0, 0}, {0, 1, 0}}, Vec3<Real>{0, 0, 0})));
-  CHECK(is_degenerate(
-      barycentric({{std::nan(""), 0, 0}, {1, 0, 0}, {0, 1, 0}}, Vec3<Real>{0, 0, 0})));
-  for (Real far = 1; far < Real(1e36L); far = far * Real(10))
-    CHECK_FALSE(has_nan(barycentric(right_triangle, Vec3<Real>{far, -far / Real(3), 0})));
 }
 
 TEST_CASE_TEMPLATE("the unit of length does not matter, to the bit for powers of two", Real, float,
