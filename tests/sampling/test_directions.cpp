@@ -71,6 +71,19 @@ TEST_CASE_TEMPLATE(
   for (std::uint32_t i = 0; i < 20000; ++i) judge(sample_number<Real>(i));
 }
 
+TEST_CASE("the disk: neighbours stay neighbours") {
+  constexpr std::uint32_t side = 512;
+  for (std::uint32_t row = 0; row < side; ++row) {
+    for (std::uint32_t column = 1; column < side; ++column) {
+      const auto at = [&](double u) {
+        return uniform_disk<double>({u / side, (row + 0.5) / side});
+      };
+      const OnDisk<double> here = at(column + 0.5), before = at(column - 0.5);
+      REQUIRE(std::hypot(here.x - before.x, here.y - before.y) * side < 3);
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE(
     "at every normal the frame is right-handed and square, and directions of unit length leave the "
     "surface",
