@@ -42,15 +42,15 @@ std::vector<Point2<double>> samples_of(const Sampler& sampler, std::uint32_t col
   return all;
 }
 
-/// True when each cell of a grid holds exactly one of as many samples.
-bool one_in_each(const std::vector<Point2<double>>& samples, std::uint32_t columns,
-                 std::uint32_t rows) {
+/// True when no cell of a grid holds two samples: of as many cells as samples each has one then.
+bool all_apart(const std::vector<Point2<double>>& samples, std::uint32_t columns,
+               std::uint32_t rows) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> cells;
   for (const Point2<double>& at : samples) {
     cells.emplace(static_cast<std::uint32_t>(at.u * columns),
                   static_cast<std::uint32_t>(at.v * rows));
   }
-  return cells.size() == samples.size() && samples.size() == std::size_t{columns} * rows;
+  return cells.size() == samples.size();
 }
 
 /// How far counts are from all being equal, as the sum of squares that chance makes about as large as
@@ -69,20 +69,16 @@ TEST_CASE_TEMPLATE("every number draws the same samples, one pixel at a time or 
   for_all_samplers(
       {1, 2, 3, 7, 16, 64, 97, 100, 256, 1000, most_samples}, [](SamplerKind kind, int count) {
         const Sampler sampler(kind, count, 11);
-        const int step = count < 300 ? 1 : count / 100;
-        for (std::uint32_t column = 0; column < 32; column += 16) {
-          for (int i = 0; i < count; i += step) {
-            for (const std::uint32_t dimension : {0U, 3U, 50U}) {
-              const auto sample = static_cast<std::uint32_t>(i);
-              const Point2<Real> pack =
-                  sampler.pair<Real>(test::hash_row<Real>(column, 5), sample, dimension);
-              for (std::size_t at = 0; at < lanes<Real>; ++at) {
-                const auto here = column + static_cast<std::uint32_t>(at);
-                const Point2<double> single =
-                    sampler.pair<double>(test::hash_row<double>(here, 5), sample, dimension);
-                REQUIRE(static_cast<double>(lane(pack.u, at)) == single.u);
-                REQUIRE(static_cast<double>(lane(pack.v, at)) == single.v);
-              }
+        for (int i = 0; i < count; i += count < 300 ? 1 : count / 100) {
+          for (const std::uint32_t dimension : {0U, 3U, 50U}) {
+            const auto sample = static_cast<std::uint32_t>(i);
+            const Point2<Real> pack =
+                sampler.pair<Real>(test::hash_row<Real>(16, 5), sample, dimension);
+            for (std::uint32_t at = 0; at < lanes<Real>; ++at) {
+              const Point2<double> single =
+                  sampler.pair<double>(test::hash_row<double>(16 + at, 5), sample, dimension);
+              REQUIRE(static_cast<double>(lane(pack.u, at)) == single.u);
+              REQUIRE(static_cast<double>(lane(pack.v, at)) == single.v);
             }
           }
         }
@@ -131,33 +127,26 @@ TEST_CASE("a number of samples that is not from 1 to 16384 is refused") {
   CHECK(Sampler(SamplerKind::multi_jitter, most_samples).samples() == most_samples);
 }
 
-TEST_CASE("a shuffle is a permutation, whatever its count") {
+TEST_CASE(
+    "a shuffle is a permutation, whatever its count, and takes each integer to each place equally "
+    "often") {
   for (std::uint32_t count = 1; count < 300; ++count) {
+    CAPTURE(count);
     const sampling::Shuffle shuffle(count);
-    for (std::uint32_t k = 0; k < 20; ++k) {
+    const std::uint32_t keys = count <= 16 || count == 64 || count == 100 ? 4000 : 20;
+    std::vector<double> places(std::size_t{count} * count);
+    for (std::uint32_t k = 0; k < keys; ++k) {
       std::vector<bool> taken(count);
       for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t place = shuffle(i, hash_bits(k + 1));
         REQUIRE(place < count);
         REQUIRE_FALSE(taken[place]);
         taken[place] = true;
+        places[std::size_t{i} * count + place] += 1;
       }
     }
-  }
-}
-
-TEST_CASE("a shuffle takes each integer to each place equally often") {
-  for (const std::uint32_t count : {5U, 8U, 10U, 16U, 64U, 100U}) {
-    CAPTURE(count);
-    const sampling::Shuffle shuffle(count);
-    constexpr std::uint32_t keys = 4000;
-    std::vector<double> places(std::size_t{count} * count);
-    for (std::uint32_t k = 0; k < keys; ++k) {
-      for (std::uint32_t i = 0; i < count; ++i)
-        places[std::size_t{i} * count + shuffle(i, hash_bits(k + 1))] += 1;
-    }
     const double freedom = (count - 1.0) * (count - 1.0);
-    CHECK(chi_squared(places) < freedom + 6 * std::sqrt(2 * freedom));
+    if (keys > 20) CHECK(chi_squared(places) < freedom + 6 * std::sqrt(2 * freedom) + 1e-9);
   }
 }
 
@@ -192,56 +181,32 @@ TEST_CASE("a point of a stratum stays inside it, from the first random bits to t
 }
 
 TEST_CASE(
-    "stratified: of a prime number of samples no two share a cell, and each pixel leaves out "
-    "others") {
-  const sampling::CellGrid grid(97);
-  std::set<int> left_out;
-  for (std::uint32_t column = 0; column < 64; ++column) {
-    std::vector<int> cells(grid.columns * grid.rows);
-    for (const Point2<double>& at :
-         samples_of(Sampler(SamplerKind::stratified, 97), column, 0, 0)) {
-      ++cells[static_cast<std::size_t>(at.v * grid.rows) * grid.columns +
-              static_cast<std::size_t>(at.u * grid.columns)];
-    }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      REQUIRE(cells[i] <= 1);
-      if (cells[i] == 0) left_out.insert(static_cast<int>(i));
-    }
-  }
-  CHECK(left_out.size() > 60);
-}
-
-TEST_CASE(
-    "stratified and multi-jitter: each cell holds exactly one sample; multi-jitter: also each of n "
-    "columns and of n rows") {
-  for (const int count : {1, 2, 4, 6, 12, 16, 36, 64, 72, 100, 128, 256, 400, 1024}) {
+    "stratified and multi-jitter: no cell holds two samples; multi-jitter: no column, no row") {
+  for (const int count :
+       {1, 2, 3, 4, 5, 6, 12, 13, 16, 36, 64, 72, 97, 100, 128, 251, 256, 400, 1024}) {
     const auto n = static_cast<std::uint32_t>(count);
     const sampling::CellGrid grid(n);
     CAPTURE(count);
-    for (const std::uint32_t column : {1U, 4U, 16U, 64U}) {
+    for (std::uint32_t column = 0; column < 16; ++column) {
       const auto stratified = samples_of(Sampler(SamplerKind::stratified, count), column, 9, 3);
-      CHECK(one_in_each(stratified, grid.columns, grid.rows));
+      CHECK(all_apart(stratified, grid.columns, grid.rows));
       const auto jittered = samples_of(Sampler(SamplerKind::multi_jitter, count), column, 9, 3);
-      CHECK(one_in_each(jittered, grid.columns, grid.rows));
-      CHECK(one_in_each(jittered, n, 1));
-      CHECK(one_in_each(jittered, 1, n));
+      if (grid.columns * grid.rows == n) CHECK(all_apart(jittered, grid.columns, grid.rows));
+      CHECK(all_apart(jittered, grid.columns * grid.rows, 1));
+      CHECK(all_apart(jittered, 1, n));
     }
   }
 }
 
-TEST_CASE(
-    "multi-jitter: of a prime number of samples each of n rows holds one, and no column two") {
-  for (const int count : {3, 5, 13, 97, 251}) {
-    const sampling::CellGrid grid(static_cast<std::uint32_t>(count));
-    for (std::uint32_t column = 0; column < 16; ++column) {
-      const auto samples = samples_of(Sampler(SamplerKind::multi_jitter, count), column, 2, 1);
-      CHECK(one_in_each(samples, 1, static_cast<std::uint32_t>(count)));
-      std::set<int> columns;
-      for (const Point2<double>& at : samples)
-        columns.insert(static_cast<int>(at.u * grid.columns * grid.rows));
-      CHECK(columns.size() == samples.size());
-    }
+TEST_CASE("stratified: of a prime number of samples each pixel leaves out other cells") {
+  const sampling::CellGrid grid(97);
+  std::vector<int> pixels(grid.columns * grid.rows);  // that have a sample in the cell
+  for (std::uint32_t column = 0; column < 64; ++column) {
+    for (const Point2<double>& at : samples_of(Sampler(SamplerKind::stratified, 97), column, 0, 0))
+      ++pixels[static_cast<std::size_t>(at.v * grid.rows) * grid.columns +
+               static_cast<std::size_t>(at.u * grid.columns)];
   }
+  CHECK(std::count(pixels.begin(), pixels.end(), 64) < 99 - 60);
 }
 
 TEST_CASE(
@@ -253,7 +218,7 @@ TEST_CASE(
       for (std::uint32_t j = 0; j <= k; ++j) {
         CAPTURE(k);
         CAPTURE(j);
-        CHECK(one_in_each(samples, 1U << j, 1U << (k - j)));
+        CHECK(all_apart(samples, 1U << j, 1U << (k - j)));
       }
     }
   }
@@ -264,7 +229,7 @@ TEST_CASE("Sobol': other counts are a net for each power of two in them") {
   for (const auto& [first, size] : {std::pair{0, 64}, {64, 32}, {96, 4}}) {
     const std::vector<Point2<double>> net(samples.begin() + first, samples.begin() + first + size);
     for (int j = 1; j <= size; j *= 2) {
-      CHECK(one_in_each(net, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(size / j)));
+      CHECK(all_apart(net, static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(size / j)));
     }
   }
 }
