@@ -1,4 +1,5 @@
-// Tests of scene/edge_function.hpp: whatever rounding does, no ray slips between triangles.
+// Tests of scene/edge_function.hpp: what a ray sees of corners and edges. That no ray slips between
+// triangles, scene/test_mesh.cpp tests; that sides of edges are exact, tests/extremes searches.
 #include <doctest.h>
 
 #include "number/dual.hpp"
@@ -7,90 +8,6 @@
 
 namespace texmap::test {
 namespace {
-
-template <class Real>
-Vec3<Real> flat(Real x, Real y) {
-  return {x, y, Real(1)};
-}
-
-/// 1 on the left of the edge, -1 on the right, 0 on neither or, which must not be, on both.
-struct ExactSide {
-  template <class Real>
-  int operator()(const Vec3<Real>& a, const Vec3<Real>& b) const {
-    const EdgeSide<Real> side = side_of_edge(a, b);
-    return (side.left ? 1 : 0) - (side.right ? 1 : 0);
-  }
-};
-/// The same by what rounding leaves of the area: what lies on an edge is on no side.
-struct RoundedSide {
-  template <class Real>
-  int operator()(const Vec3<Real>& a, const Vec3<Real>& b) const {
-    const Real area = a.x * b.y - a.y * b.x;
-    return area > Real(0) ? 1 : area < Real(0) ? -1 : 0;
-  }
-};
-
-/// 1 if the ray at (0, 0) is in the triangle seen counterclockwise, -1 if clockwise, 0 outside.
-template <class Side, class Real>
-int covers(const Side& side, const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {
-  const int ab = side(a, b);
-  return ab == side(b, c) && ab == side(c, a) ? ab : 0;
-}
-
-/// Of all four faces of all tetrahedra with these corners, how many do not cover (0, 0) as often
-/// to the left as to the right.
-template <class Real, class Side>
-long uncovered(const Side& side, const std::vector<Vec3<Real>>& points) {
-  long wrong = 0;
-  for (const auto& a : points) {
-    for (const auto& b : points) {
-      for (const auto& c : points) {
-        for (const auto& d : points) {
-          const int sum = covers(side, a, b, c) + covers(side, a, c, d) + covers(side, a, d, b) +
-                          covers(side, b, d, c);
-          wrong += sum != 0 ? 1 : 0;
-        }
-      }
-    }
-  }
-  return wrong;
-}
-
-TEST_CASE_TEMPLATE(
-    "the four faces of a tetrahedron cover a ray as often from the front as from the back, for "
-    "all corners on a grid",
-    Real, float, double, long double) {
-  std::vector<Vec3<Real>> points;
-  for (int x = -2; x <= 2; ++x) {
-    for (int y = -2; y <= 2; ++y) points.push_back(flat(Real(x), Real(y)));
-  }
-  CHECK(uncovered(ExactSide{}, points) == 0);
-  CHECK(uncovered(RoundedSide{}, points) > 10000);
-}
-
-TEST_CASE_TEMPLATE(
-    "the same for corners on lines through the ray, where rounding alone decides between sides",
-    Real, float, double, long double) {
-  Dice dice;
-  long wrong = 0;
-  long wrong_if_rounded = 0;
-  // With all digits of Real: the products of numbers of 53 digits have no rounding in 113.
-  const auto factor = [&] { return static_cast<Real>(dice.sign()) * dice.number<Real>(-4, 1); };
-  for (int i = 0; i < 60; ++i) {
-    const Real x = factor();
-    const Real y = factor();
-    std::vector<Vec3<Real>> points;
-    for (int k = 0; k < 9; ++k) {
-      const Real s = factor();
-      points.push_back(flat(x * s, y * s));
-    }
-    points.push_back(flat(Real(0), Real(0)));
-    wrong += uncovered(ExactSide{}, points);
-    wrong_if_rounded += uncovered(RoundedSide{}, points);
-  }
-  CHECK(wrong == 0);
-  CHECK(wrong_if_rounded > 100);
-}
 
 TEST_CASE_TEMPLATE("a ray along origin + direction sees that point at (0, 0), and all weight there",
                    Real, float, double, long double) {

@@ -90,10 +90,6 @@ TEST_CASE_TEMPLATE("each lane computes what a plain number computes", Many, Pack
       },
       unit, number(0, 1), number(0, 1));
   law(
-      "ray_through", 100,
-      [](const auto& column, const auto& row) { return ray_through(view, column, row); },
-      number(0, 31), number(0, 17));
-  law(
       "Lens", 100,
       []<class Real>(const Real& column, const Real& row) {
         const Lens lens{.defocus_degrees = 3, .focus_distance = 8, .shift = 0.5};
@@ -170,14 +166,6 @@ TEST_CASE_TEMPLATE("each lane computes what a plain number computes", Many, Pack
         return highlight_of_the_slides(PhongMaterial{{}, 1, 100}, light, normal, to_eye);
       },
       unit, unit);
-  law(
-      "GradientSky", 100, [](const auto& in) { return fading(in); }, ray(1, 1));
-  law(
-      "AnyOf, its one paint in all lanes", 10,
-      []<class Real>(const Vec3<Real>& normal) {
-        return AnyOf<Solid>{Solid{{0.5, 0.25, 1}}}(Hit<Real>{normal, {}, {}, {}});
-      },
-      unit);
   for (const GradientSky& sky : {one_color, fading}) {
     for (const auto& scene : {one_sphere, spheres}) {
       law(

@@ -100,30 +100,6 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE("a sphere does not shade the half of itself that faces the light", Real, float,
-                   double, long double) {
-  for (const double radius : {1e-3, 1.0, 1e3}) {
-    const std::vector<Thing> things = {{{{radius, -2 * radius, 3 * radius}, radius}}};
-    const Sphere<>& sphere = things[0].shape;
-    const PointLight lamp{{9 * radius, 7 * radius, 5 * radius}};
-    int lit = 0;
-    for (int i = 0; i < 2000; ++i) {
-      const double y = 1 - (2 * i + 1.0) / 2000;
-      const Point out{std::sqrt(1 - y * y) * std::cos(i * 2.4), y,
-                      std::sqrt(1 - y * y) * std::sin(i * 2.4)};
-      const Ray<Real> ray{number_cast<Real>(sphere.center + out * (3 * radius)),
-                          number_cast<Real>(-out)};
-      const Hit<Real> hit = hit_at(sphere, ray, distance_to(sphere, ray));
-      const Real cosine = sample_light(lamp, things, hit).cosine;
-      REQUIRE(cosine == sample_light(lamp, nothing, hit).cosine);
-      lit += cosine > Real(0) ? 1 : 0;
-    }
-    CAPTURE(radius);
-    CHECK(lit > 800);
-    CHECK(lit < 1000);
-  }
-}
-
 TEST_CASE_TEMPLATE(
     "the shadow ray starts at the lifted point, and the light's direction at the hit point", Real,
     float, double, long double) {

@@ -7,7 +7,6 @@
 
 #include "sampling/sampled_numbers.hpp"
 #include "scene/paint.hpp"
-#include "scene/steps.hpp"
 #include "texture/sky_light.hpp"
 #include "texture/uv_inverse.hpp"
 
@@ -209,30 +208,6 @@ TEST_CASE("mirrors throw light on matte balls only with caustics, and by chance 
     });
   };
   CHECK(light(true).variance > 2 * light(false).variance);
-}
-
-TEST_CASE(
-    "a mirror ball shows the sky smaller, by the closed form: duals after a mirror are right to "
-    "1e-12") {
-  const Sphere<> ball{.center = {0, 0, 0}, .radius = 1};
-  for (const double from_middle : {2.0, 9.0, 1000.0}) {
-    for (int k = 1; k < 100; ++k) {
-      // A ray at an angle from the line to the middle meets the ball at the angle `incident`, and
-      // leaves it at 2 incident - angle from that line: sin(incident) = from_middle sin(angle).
-      const double incident = 1.5 * k / 100;
-      const double sine = std::sin(incident) / from_middle;
-      const double cosine = std::sqrt(1 - sine * sine);
-      const double leaving = 2 * incident - std::asin(sine);
-      // Steps of the angle, and around the line.
-      const Vec3<Dual<double>> direction{{sine, cosine, 0}, {0, 0, sine}, {-cosine, sine, 0}};
-      const Ray<Dual<double>> ray{{0, 0, from_middle}, direction};
-      const Hit<Dual<double>> hit = hit_at(ball, ray, distance_to(ball, ray));
-      const Vec3<Dual<double>> mirrored = mirror(-ray.direction, hit.normal);
-      const double faster = 2 * from_middle * cosine / std::cos(incident) - 1;
-      CHECK(length(dx_of(mirrored)) == doctest::Approx(faster).epsilon(1e-12));
-      CHECK(length(dy_of(mirrored)) == doctest::Approx(std::abs(std::sin(leaving))).epsilon(1e-12));
-    }
-  }
 }
 
 }  // namespace texmap::test

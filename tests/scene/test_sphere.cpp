@@ -5,7 +5,6 @@
 #include "number/kinds/interval.hpp"
 #include "number/kinds/pack.hpp"
 #include "scene/sphere_choice.hpp"
-#include "support/dice.hpp"
 #include "support/exact.hpp"
 #include "texture/uv.hpp"
 
@@ -106,36 +105,6 @@ TEST_CASE("robust gives way to hybrid where it does not hold") {
   keep_to_domains(objects, {0, 0, 1}, 24);
   CHECK(objects[0].shape.form == hybrid);
   CHECK(objects[1].shape.form == robust);
-}
-
-TEST_CASE_TEMPLATE("all three forms meet an ordinary sphere in the same place, wherever it is",
-                   Real, double, long double) {
-  Dice dice(5);
-  int met = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Point center = dice.direction<double>() * 7.0;
-    const double radius = 1.5 + dice.between(-1, 1);
-    const Point aim = center + dice.direction<double>() * (1.5 * radius);
-    const Point eye = center + dice.direction<double>() * (radius + 3);
-    const Ray<Real> ray{number_cast<Real>(eye), number_cast<Real>((aim - eye) * 0.25)};
-    const Vec3<Real> past = ray.origin - number_cast<Real>(center);
-    const Real nearest = length(cross(past, ray.direction)) / length(ray.direction);
-    if (abs(nearest - Real(radius)) < Real(0.01)) continue;  // there rounding decides
-    const Sphere<> robust{center, radius, SphereForm::robust};
-    const Real expected = distance_to(robust, ray);
-    for (const SphereForm form : {SphereForm::plain, SphereForm::hybrid}) {
-      const Sphere<> other{center, radius, form};
-      const Real distance = distance_to(other, ray);
-      REQUIRE((distance < infinity<Real>()) == (expected < infinity<Real>()));
-      if (!(distance < infinity<Real>())) continue;
-      ++met;
-      REQUIRE(abs(distance - expected) <= Real(1e-12) * expected);
-      REQUIRE(largest(normal_at(other, ray, distance) - normal_at(robust, ray, expected)) <=
-              Real(1e-12));
-    }
-  }
-  CHECK(met > 1000);
-  CHECK(met < 3800);
 }
 
 TEST_CASE_TEMPLATE("a hit has its normal, its point and its lifted point where geometry puts them",

@@ -14,16 +14,13 @@ Point grid_point(Dice& dice, int range) {
   return {whole(), whole(), whole()};
 }
 
-/// A long thin triangle: a needle has one short side; a cap has its third corner above the middle
-/// of the longest side.
-enum class Thin { needle, cap };
-
-/// A triangle with a side of length 1 and a width of 1 / aspect, turned any way.
-Triangle thin_triangle(Dice& dice, Thin shape, double aspect) {
+/// A triangle with a side of length 1 and a width of 1 / aspect, turned any way: half of them are
+/// needles, with one short side, and half caps, with the third corner above the middle of a side.
+Triangle thin_triangle(Dice& dice, double aspect) {
   const Point along = dice.direction<double>();
   const Point across = normalize(cross(along, dice.direction<double>()));
   const Point a = dice.direction<double>();
-  const double foot = shape == Thin::cap ? 0.5 + 0.3 * dice.between(-1, 1) : 0;
+  const double foot = dice.once_in(2) ? dice.between(0.2, 0.8) : 0;
   return {a, a + along, a + along * foot + across * (1 / aspect)};
 }
 
@@ -47,11 +44,6 @@ bool is(const Barycentric<Real>& w, double a, double b, double c) {
 template <class Real>
 bool is_degenerate(const Barycentric<Real>& w) {
   return w.degenerate && w.a == Real(1) && w.b == Real(0) && w.c == Real(0);
-}
-
-template <class Real>
-bool has_nan(const Barycentric<Real>& w) {
-  return std::isnan(w.a) || std::isnan(w.b) || std::isnan(w.c);
 }
 
 const Triangle right_triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -98,7 +90,7 @@ TEST_CASE_TEMPLATE(
   Dice dice;
   for (const double aspect : {1.0, 1e2, 1e4, 1e6}) {
     for (int i = 0; i < 2000; ++i) {
-      const Triangle t = thin_triangle(dice, i % 2 == 0 ? Thin::needle : Thin::cap, aspect);
+      const Triangle t = thin_triangle(dice, aspect);
       REQUIRE(is(barycentric(t, number_cast<Real>(t.a)), 1, 0, 0));
       REQUIRE(is(barycentric(t, number_cast<Real>(t.b)), 0, 1, 0));
       REQUIRE(is(barycentric(t, number_cast<Real>(t.c)), 0, 0, 1));
@@ -189,8 +181,7 @@ TEST_CASE_TEMPLATE("the unit of length does not matter, to the bit for powers of
   Dice dice;
   const int reach = std::is_same_v<Real, float> ? 66 : 900;
   for (int i = 0; i < 300; ++i) {
-    const Triangle t =
-        thin_triangle(dice, i % 2 == 0 ? Thin::needle : Thin::cap, i % 3 == 0 ? 1e4 : 1);
+    const Triangle t = thin_triangle(dice, i % 3 == 0 ? 1e4 : 1);
     const Point p = point_inside(dice, t);
     const Barycentric<Real> expected = barycentric(t, number_cast<Real>(p));
     for (const int power : {-reach, -reach / 2, -1, 1, reach / 2, reach}) {
@@ -232,19 +223,6 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE(
-    "in float the triangle article's weights are mostly NaN in caps of 10000 to 1, ours never") {
-  Dice dice;
-  int nan = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const Triangle t = thin_triangle(dice, Thin::cap, 1e4);
-    const Vec3<float> p = number_cast<float>(point_inside(dice, t));
-    nan += has_nan(published::barycentric_heron(t, p)) ? 1 : 0;
-    REQUIRE_FALSE(has_nan(barycentric(t, p)));
-  }
-  CHECK(nan > 500);
-}
-
-TEST_CASE(
     "of a line the triangle article makes a triangle with plausible weights, and of a point NaN") {
   const Triangle line{{0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}};
   const Barycentric<float> w = published::barycentric_heron(line, Vec3<float>{0.2F, 0.4F, 0.6F});
@@ -252,18 +230,12 @@ TEST_CASE(
   CHECK(w.a + w.b + w.c == doctest::Approx(1).epsilon(1e-6));
   CHECK(std::min({w.a, w.b, w.c}) >= 0);
   CHECK(std::max({w.a, w.b, w.c}) <= 1);
-  CHECK(has_nan(
-      published::barycentric_heron({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, Vec3<float>{1, 2, 3})));
-}
-
-TEST_CASE_TEMPLATE("Heron's formula knows the triangle 3, 4, 5 in every order", Real, float, double,
-                   long double) {
-  for (const Vec3<Real>& s : {Vec3<Real>{3, 4, 5}, {4, 5, 3}, {5, 3, 4}, {5, 4, 3}, {3, 5, 4}})
-    CHECK(published::heron_area(s.x, s.y, s.z) == Real(6));
-  CHECK(published::heron_area(Real(1), Real(1), Real(0)) == Real(0));
+  const Triangle point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
+  CHECK(std::isnan(published::barycentric_heron(point, Vec3<float>{1, 2, 3}).a));
 }
 
 TEST_CASE("Kahan's needle: in float Heron's formula finds no area at all") {
+  CHECK(published::heron_area(3.0F, 4.0F, 5.0F) == 6);
   CHECK(published::heron_area(100000.0F, 99999.99979F, 0.00029F) == 0);
 }
 
