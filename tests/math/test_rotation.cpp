@@ -26,28 +26,13 @@ TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, floa
   }
 }
 
-/// A number that is whole, modulo 360, by whole numbers alone: its digits times a power of two.
-int modulo_turn(double whole) {
-  int exponent = 0;
-  const double fraction = std::frexp(whole, &exponent);
-  auto rest = static_cast<std::int64_t>(std::ldexp(fraction, 53)) % 360;
-  for (int i = 53; i < exponent; ++i) rest = rest * 2 % 360;
-  return static_cast<int>(rest);
-}
-
 TEST_CASE("any finite angle counts, up to the largest number there is") {
-  CHECK(rotation_y(1e9).sine == rotation_y(280).sine);
   CHECK(rotation_y(280).sine == doctest::Approx(-0.984807753012208059).epsilon(1e-15));
-  for (const double degrees :
-       {1e17, 1e100, 1e300, 123456789e200, std::numeric_limits<double>::max()}) {
-    CAPTURE(degrees);
-    const RotationY far = rotation_y(degrees);
-    const RotationY near = rotation_y(modulo_turn(degrees));
-    CHECK(far.sine == near.sine);
-    CHECK(far.cosine == near.cosine);
-    const RotationY back = rotation_y(-degrees);
-    CHECK(back.sine == doctest::Approx(-near.sine).epsilon(1e-15));
-    CHECK(back.cosine == doctest::Approx(near.cosine).epsilon(1e-15));
+  for (const auto& [far, near] :
+       {std::pair(1e9, 280.0), {1e300, 0.0}, {std::numeric_limits<double>::max(), 128.0}}) {
+    CHECK(rotation_y(far).sine == rotation_y(near).sine);
+    CHECK(rotation_y(far).cosine == rotation_y(near).cosine);
+    CHECK(rotation_y(-far).sine == -rotation_y(near).sine);
   }
 }
 
