@@ -53,8 +53,8 @@ bool all_apart(const std::vector<Point2<double>>& samples, std::uint32_t columns
   return cells.size() == samples.size();
 }
 
-/// How far counts are from all being equal, as the sum of squares that chance makes about as large as
-/// there are counts.
+/// How far counts are from all being equal, as a sum of squares: by chance about as many as there
+/// are counts.
 template <class Counts>
 double chi_squared(const Counts& counts) {
   double sum = 0, chi = 0;
@@ -296,7 +296,8 @@ TEST_CASE_TEMPLATE(
       int done = first, sum = 0;
       const auto one_sample = [&pixels, &sampler, &done](auto& random) {
         bool right = true;
-        // Some samples ask for nothing, the first of a block among them; some for more than is kept.
+        // Some samples ask for nothing, the first of a block among them; some for more than is
+        // kept.
         for (int dimension = 0; dimension < done * 5 % 8; ++dimension) {
           const Point2<Real>& got = random.next_2d();
           const Point2<Real> own = sampler.pair<Real>(pixels, static_cast<std::uint32_t>(done),

@@ -117,7 +117,8 @@ TEST_CASE_TEMPLATE("each lane computes what a plain number computes", Many, Pack
     law(
         "barycentric", 500,
         [&]<class Real>(const Vec3<Real>& p) {
-          const Barycentric<Real> w = barycentric(triangle, p);
+          const Vec3<Real> at{p.x, p.y, p.z / floor(abs(p.x))};  // in many lanes nowhere
+          const Barycentric<Real> w = barycentric(triangle, at);
           return std::tuple(w.a, w.b, w.c, number_of<Real>(w.degenerate));
         },
         vector(2));
@@ -174,7 +175,7 @@ TEST_CASE_TEMPLATE("each lane computes what a plain number computes", Many, Pack
             SampledNumbers<Real> random{{SamplerKind::random, 64}, 5};
             return light_along(scene, Ray<Real>{{}, {x, y, Real(-1)}}, sky, 8, random);
           },
-          number(-1, 1), number(-1, 1));
+          number(-1, 3), number(-1, 1));
     }
   }
 }

@@ -1,5 +1,5 @@
-// Tests of common/scene/phong.hpp: the highlight, and what the slides' formula makes of it. How exact
-// it is, tests/extremes searches.
+// Tests of common/scene/phong.hpp: the highlight, and what the slides' formula makes of it. How
+// exact it is, tests/extremes searches.
 #include <doctest.h>
 
 #include "scene/phong.hpp"

@@ -1,5 +1,5 @@
-// Tests of scene/triangle.hpp, and of published/triangle.hpp where it differs. How exact the weights
-// are, tests/extremes searches.
+// Tests of scene/triangle.hpp, and of published/triangle.hpp where it differs. How exact the
+// weights are, tests/extremes searches.
 #include <doctest.h>
 
 #include "published/triangle.hpp"
