@@ -1,7 +1,10 @@
 // Tests of common/sampling/directions.hpp: lengths, densities and poles.
 #include <doctest.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "sampling/directions.hpp"
 #include "sampling/hash.hpp"

@@ -2,6 +2,9 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
 
 #include "sampling/hash.hpp"
 #include "support/whole_numbers.hpp"

@@ -2,8 +2,11 @@
 // all numbers agree.
 #include <doctest.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include "engine/render/sample_random.hpp"
 #include "sampling/sampled_numbers.hpp"

@@ -1,6 +1,9 @@
 // Tests of common/scene/floor.hpp: the floor, and what its exact height is good for.
 #include <doctest.h>
 
+#include <cmath>
+#include <string>
+
 #include "scene/floor.hpp"
 #include "support/dice.hpp"
 #include "texture/solid_checkerboard.hpp"

@@ -1,6 +1,10 @@
 // Tests of common/scene/light.hpp: Lambert's law and shadows.
 #include <doctest.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "scene/light.hpp"
 
 namespace texmap::test {

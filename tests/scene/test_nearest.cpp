@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "math/color.hpp"
 #include "scene/nearest.hpp"

@@ -1,6 +1,9 @@
 // Tests of scene/path.hpp: the light of paths with known turns.
 #include <doctest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "scene/paint.hpp"
 #include "scene/path.hpp"
 #include "scene/sky.hpp"

@@ -3,6 +3,9 @@
 
 #include <doctest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "sampling/directions.hpp"
 #include "scene/paint.hpp"
 #include "scene/two_facets.hpp"

@@ -1,6 +1,10 @@
 // Tests of scene/sphere.hpp. How exact its forms are, tests/extremes searches.
 #include <doctest.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "engine/kernels/prepared_scene.hpp"
 #include "number/kinds/interval.hpp"
 #include "number/kinds/pack.hpp"

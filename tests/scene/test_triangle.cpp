@@ -2,6 +2,9 @@
 // weights are, tests/extremes searches.
 #include <doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "published/triangle.hpp"
 #include "support/dice.hpp"
 
