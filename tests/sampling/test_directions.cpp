@@ -57,23 +57,6 @@ std::vector<Point> hard_normals() {
   return all;
 }
 
-TEST_CASE_TEMPLATE(
-    "the disk: every point is inside, and its radius and height are a right triangle's", Real,
-    float, double, long double) {
-  const auto judge = [](const Point2<Real>& sample) {
-    const OnDisk<Real> disk = uniform_disk(sample);
-    const auto radius = static_cast<double>(disk.radius);
-    const auto height = static_cast<double>(disk.height);
-    REQUIRE(radius < 1);
-    REQUIRE(height > 3e-4);
-    const double from_center = static_cast<double>(length(Vec3<Real>{disk.x, disk.y, Real(0)}));
-    REQUIRE(std::abs(from_center - radius) <= 8 * roundoff<Real>);
-    REQUIRE(std::abs(radius * radius + height * height - 1) <= 8 * roundoff<Real>);
-  };
-  for (const Point2<Real>& sample : hard_samples<Real>()) judge(sample);
-  for (std::uint32_t i = 0; i < 20000; ++i) judge(sample_number<Real>(i));
-}
-
 TEST_CASE("the disk: neighbours stay neighbours") {
   constexpr std::uint32_t side = 512;
   for (std::uint32_t row = 0; row < side; ++row) {
