@@ -12,6 +12,7 @@ foreach(suite
     scene/test_camera
     scene/test_edge_function
     scene/test_floor
+    scene/test_lanes
     scene/test_lens
     scene/test_light
     scene/test_mesh
@@ -72,4 +73,4 @@ function(judge_by_more_digits)
     endforeach()
   endif()
 endfunction()
-judge_by_more_digits(bump edge_function environment filters footprint light_tables mesh_mapping sky_sampler triangle)
+judge_by_more_digits(bump environment filters footprint light_tables mesh_mapping sky_sampler)

@@ -5,8 +5,6 @@
 #include "claims.hpp"
 #include "number/dual.hpp"
 #include "references.hpp"
-#include "scene/light.hpp"
-#include "scene/phong.hpp"
 #include "scene/sphere.hpp"
 #include "texture/conventions.hpp"
 
@@ -47,48 +45,27 @@ Moving<T> any_moving(Dice& dice) {
   return {place, across, step()};
 }
 
-/// The error of two derivatives, in unit roundoffs of the gradient's bound `scale` times the steps.
-template <class T>
-double gradient_off(const Vec3<T>& got, const std::array<Digits50, 2>& exact,
-                    const std::array<Digits50, 2>& scale) {
-  double off = 0;
-  const std::array<T, 2> by = {got.y, got.z};
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (!std::isfinite(by[k])) return std::numeric_limits<double>::infinity();
-    off = std::max(
-        off, static_cast<double>(abs(Digits50(by[k]) - exact[k]) / (scale[k] * roundoff<T>())));
-  }
-  return off;
-}
-
-/// Central differences of a function of a vector, with steps so small that 50 digits see no curve.
-template <class Function>
-auto differences(const Function& function, const Vec3<Digits50>& p, const Vec3<Digits50>& step,
-                 const Digits50& small) {
-  const auto ahead = function(p + step * small);
-  const auto behind = function(p - step * small);
-  return std::array{Digits50(ahead.u - behind.u), Digits50(ahead.v - behind.v)};
-}
-
-/// The derivatives of u and v, relative to the longest that a step of that length can have.
+/// How far the derivatives of u and v are off, in unit roundoffs of the longest that a step of that
+/// length can have. Exact: central differences, with steps so small that 50 digits see no curve.
 template <class T>
 double uv_gradient_off(const std::tuple<Vec3<T>, Vec3<T>>& got, const Moving<T>& at) {
+  const auto& [u, v] = got;
   const Vec3<Digits50> p = exactly(at[0]);
   const Digits50 from_axis = sqrt(p.x * p.x + p.z * p.z);
-  const Digits50 size = length(p);
-  std::array<Digits50, 2> u, v, u_scale, v_scale;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Vec3<Digits50> step = exactly(at[k + 1]);
+  const auto one_step = [&](const Vec3<Digits50>& step, T by_u, T by_v) {
     const Digits50 small = Digits50("1e-18") * from_axis / length(step);
-    const auto [du, dv] = differences([](const auto& q) { return exact_uv(q); }, p, step, small);
-    const Digits50 whole = du > 0.5 ? Digits50(du - 1) : du < -0.5 ? Digits50(du + 1) : du;
-    u[k] = whole / (2 * small);
-    v[k] = dv / (2 * small);
-    u_scale[k] = length(step) / (2 * circle<Digits50>() * from_axis);
-    v_scale[k] = length(step) / (circle<Digits50>() * size);
-  }
-  return std::max(gradient_off(std::get<0>(got), u, u_scale),
-                  gradient_off(std::get<1>(got), v, v_scale));
+    const auto ahead = exact_uv(p + step * small);
+    const auto behind = exact_uv(p - step * small);
+    const Digits50 round = ahead.u - behind.u;  // perhaps over the seam
+    const Digits50 along_u = round > 0.5    ? Digits50(round - 1)
+                             : round < -0.5 ? Digits50(round + 1)
+                                            : round;
+    const Digits50 unit = roundoff<T>() * length(step) / (2 * circle<Digits50>());
+    return std::max(
+        units_off(by_u, along_u / (2 * small), unit / from_axis),
+        units_off(by_v, Digits50(ahead.v - behind.v) / (2 * small), 2 * unit / length(p)));
+  };
+  return std::max(one_step(exactly(at[1]), u.y, v.y), one_step(exactly(at[2]), u.z, v.z));
 }
 
 template <class Real>
@@ -121,16 +98,12 @@ auto value_differs() {
                          rounded<T>(dice.direction()), rounded<T>(dice.direction())};
       },
       [way](const Moving<Real>& p) {
-        const auto dual = way(dual_of(p));
-        const auto plain = way(p[0]);
-        const auto same = [](const Real& a, const Real& b) {
-          return select(a == b, Real(1), Real(0));
-        };
-        return Vec3<Real>{same(std::get<0>(dual).value, std::get<0>(plain)),
-                          same(std::get<1>(dual).value, std::get<1>(plain)),
-                          same(std::get<2>(dual).value, std::get<2>(plain))};
+        const auto [distance, u, v] = way(dual_of(p));
+        const auto [plain_distance, plain_u, plain_v] = way(p[0]);
+        return select(distance.value == plain_distance && u.value == plain_u && v.value == plain_v,
+                      Real(1), Real(0));
       },
-      [](const Vec3<T>& same, const Moving<T>&) { return !(same.x + same.y + same.z == T(3)); });
+      [](T same, const Moving<T>&) { return same != T(1); });
 }
 
 /// A camera's ray at a unit sphere, 1.5 to 20 radii away, within 0.9 radii of its center.
@@ -162,8 +135,7 @@ auto worst_distance_gradient() {
           return exact_meeting(exactly(look[0]), exactly(look[1]) + step * t, Digits50(1)).distance;
         };
         const Digits50 slope = (at(small) - at(-small)) / (2 * small);
-        return static_cast<double>(abs(Digits50(got.y) - slope) /
-                                   (roundoff<T>() * length(step) * length(exactly(look[0]))));
+        return units_off(got.y, slope, roundoff<T>() * length(step) * length(exactly(look[0])));
       });
 }
 
@@ -178,9 +150,9 @@ auto worst_plain_difference() {
       const Uv<T> here = uv_rtiow(p[0]);
       return std::array{(there.u - here.u) / small, (there.v - here.v) / small};
     };
-    const auto across = slope(p[1]);
-    const auto down = slope(p[2]);
-    worst.see(uv_gradient_off<T>({{T(0), across[0], down[0]}, {T(0), across[1], down[1]}}, p),
+    const auto [across_u, across_v] = slope(p[1]);
+    const auto [down_u, down_v] = slope(p[2]);
+    worst.see(uv_gradient_off<T>({{T(0), across_u, down_u}, {T(0), across_v, down_v}}, p),
               [&] { return described(p[0]); });
   });
 }

@@ -14,6 +14,10 @@ struct Scene {
   Ray<T> ray;
 };
 
+constexpr SphereForm all_forms[] = {SphereForm::plain, SphereForm::robust, SphereForm::hybrid};
+const char* const names[] = {"plain", "robust", "hybrid"};
+const char* name(SphereForm form) { return names[static_cast<std::size_t>(form)]; }
+
 /// How far from a sphere the rays start that meet it, as a power of ten of its radius: as far as
 /// the form holds, but the plain one, which fails at once.
 template <class T>
@@ -43,7 +47,7 @@ Vec3<T> outward(Dice& dice, const Vec3<T>& normal) {
   const auto n = number_cast<long double>(normal);
   Vec3<long double> direction = dice.direction();
   if (dice.once_in(3)) direction = dice.across(n) + n * dice.power_of_ten(-20, -1);
-  Vec3<T> result = rounded<T>(direction);
+  const Vec3<T> result = rounded<T>(direction);
   return dot(result, normal) < T(0) ? -result : result;
 }
 
@@ -54,47 +58,37 @@ enum class Fault { self_hit, lost };
 template <class T>
 auto count_faults(SphereForm form, long double farthest, Fault fault) {
   return worst_over(20, [=](Dice& dice, Worst& worst) {
-    const Scene<T> scene = draw_scene<T>(dice, form, farthest);
-    const T distance = distance_to(scene.sphere, scene.ray);
+    const auto [sphere, ray] = draw_scene<T>(dice, form, farthest);
+    const T distance = distance_to(sphere, ray);
     if (!(distance < infinity<T>())) return;
-    const Hit<T> hit = hit_at(scene.sphere, scene.ray, distance);
-    const Vec3<T> direction = outward(dice, hit.normal);
-    const auto where = [&] {
-      return "center " + described(scene.sphere.center) + ", radius " +
-             described(scene.sphere.radius) + ", ray " + described(scene.ray) + ", outward " +
-             described(direction);
-    };
-    if (fault == Fault::self_hit) {
-      worst.count(distance_to(scene.sphere, ray_from(hit, direction)) < infinity<T>(), where);
-    } else {
-      const Vec3<T> inward = -direction;
-      if (!(dot(hit.normal, inward) < T(0))) return;  // exactly along the surface: that is outward
-      worst.count(!(distance_to(scene.sphere, ray_from(hit, inward)) < infinity<T>()), where);
-    }
+    const Hit<T> hit = hit_at(sphere, ray, distance);
+    const Vec3<T> out = outward(dice, hit.normal);
+    const Vec3<T> onward = fault == Fault::self_hit ? out : -out;
+    // Exactly along the surface is outward.
+    if (fault == Fault::lost && !(dot(hit.normal, onward) < T(0))) return;
+    const bool met = distance_to(sphere, ray_from(hit, onward)) < infinity<T>();
+    worst.count(met == (fault == Fault::self_hit), [&, &sphere = sphere, &ray = ray] {
+      return "center " + described(sphere.center) + ", radius " + described(sphere.radius) +
+             ", ray " + described(ray) + ", onward " + described(onward);
+    });
   });
-}
-
-const char* name(SphereForm form) {
-  return form == SphereForm::plain ? "plain" : form == SphereForm::robust ? "robust" : "hybrid";
 }
 
 template <class T>
 void add_rays(Family& family, SphereForm form, long double farthest, const std::string& far) {
-  const std::string from = farthest_origin<T>(form) == 2   ? "100"
-                           : farthest_origin<T>(form) == 4 ? "1e4"
-                                                           : "1e7";
+  const auto from = static_cast<int>(farthest_origin<T>(form));
   const std::string domain = "radius 1e-6 to 1e6, center to 1e7 away, but to " + far +
-                             " radii; met from inside and from 1 to " + from +
+                             " radii; met from inside and from 1 to " +
+                             (from == 2 ? "100" : "1e" + std::to_string(from)) +
                              " radii; all directions, also along the surface";
-  const Expect expect = form == SphereForm::plain ? Expect::beyond : Expect::within;
-  family
-      .add<T>(std::string("ray_from outward, ") + name(form), domain, {0, "meet their own sphere"},
-              count_faults<T>(form, farthest, Fault::self_hit))
-      .expect = expect;
-  family
-      .add<T>(std::string("ray_from inward, ") + name(form), domain, {0, "find no far side"},
-              count_faults<T>(form, farthest, Fault::lost))
-      .expect = expect;
+  const auto add = [&](const char* way, const char* unit, Fault fault) {
+    family
+        .add<T>(std::string("ray_from ") + way + ", " + name(form), domain, {0, unit},
+                count_faults<T>(form, farthest, fault))
+        .expect = form == SphereForm::plain ? Expect::beyond : Expect::within;
+  };
+  add("outward", "meet their own sphere", Fault::self_hit);
+  add("inward", "find no far side", Fault::lost);
 }
 
 /// One object: the list that light.hpp asks for.
@@ -144,12 +138,6 @@ auto worst_to_light() {
 }
 
 template <class T>
-void add_light(Family& family) {
-  family.add<T>("sample_light, direction", "points and lamps 1e-6 to 1e6 from the origin",
-                {5.5, "u"}, worst_to_light<T>());
-}
-
-template <class T>
 Claim& add_acne(Family& family, SphereForm form, Start start) {
   const std::string lift = start == Start::lifted ? "by the lift alone, " : "without the lift, ";
   return family.add<T>(
@@ -166,16 +154,20 @@ Family claims_of_secondary_rays() {
       "A ray that leaves a surface outward must not meet it again, or the surface shadows itself; "
       "a ray inward must find the far side. The plain form cannot do it: its c is a difference of "
       "squares. The last rows start at the point itself."};
-  for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
+  for (const SphereForm form : all_forms) {
     add_rays<float>(family, form, 5, "1e5");
     add_rays<double>(family, form, 13, "1e13");
     add_rays<long double>(family, form, 13, "1e13");
     add_acne<float>(family, form, Start::lifted);
     add_acne<double>(family, form, Start::lifted);
   }
-  add_light<float>(family);
-  add_light<double>(family);
-  add_light<long double>(family);
+  const auto add_light = [&]<class T>() {
+    family.add<T>("sample_light, direction", "points and lamps 1e-6 to 1e6 from the origin",
+                  {5.5, "u"}, worst_to_light<T>());
+  };
+  add_light.template operator()<float>();
+  add_light.template operator()<double>();
+  add_light.template operator()<long double>();
   add_acne<float>(family, SphereForm::plain, Start::from_point).expect = Expect::beyond;
   add_acne<double>(family, SphereForm::robust, Start::from_point).expect = Expect::beyond;
   return family;

@@ -21,22 +21,12 @@ Gloss<T> draw_gloss(Dice& dice) {
   if (dot(normal, to_light) < 0) to_light = -to_light;
   const Vec3<long double> mirrored = normal * (2 * dot(normal, to_light)) - to_light;
   Vec3<long double> to_eye = dice.direction();
-  switch (dice.below(8)) {
-    case 0:
-      to_eye = mirrored;
-      break;
-    case 1:
-      to_eye = -mirrored;
-      break;
-    case 2:
-      to_eye = dice.across(mirrored);
-      break;
-    case 3:
-      break;
-    default: {
-      const long double angle = dice.power_of_ten(-12, 0.2L);
-      to_eye = mirrored * std::cos(angle) + dice.across(mirrored) * std::sin(angle);
-    }
+  const int which = dice.below(8);
+  if (which < 2) to_eye = which == 0 ? mirrored : -mirrored;
+  if (which == 2) to_eye = dice.across(mirrored);
+  if (which > 3) {
+    const long double angle = dice.power_of_ten(-12, 0.2L);
+    to_eye = mirrored * std::cos(angle) + dice.across(mirrored) * std::sin(angle);
   }
   return {rounded<T>(normal), rounded<T>(to_light), rounded<T>(to_eye)};
 }
@@ -129,10 +119,9 @@ auto worst_mix() {
   return worst_lanes<Real>([](Dice& dice) { return draw_mix<T>(dice, 100); },
                            [](const std::array<Real, 3>& x) { return mixed(x[0], x[1], x[2]); },
                            [](T got, const std::array<T, 3>& x) {
-                             const Digits50 a = x[0];
-                             const Digits50 b = x[1];
-                             return units_off(got, Digits50(a + Digits50(x[2]) * (b - a)),
-                                              (a > b ? a : b) * roundoff<T>());
+                             const Digits50 a = x[0], b = x[1];
+                             return units_off(got, Digits50(a + x[2] * (b - a)),
+                                              std::max(a, b) * roundoff<T>());
                            });
 }
 
@@ -259,12 +248,6 @@ void add_number(Family& family) {
   family.add<Real>("GradientSky", "unit directions, colors of 0 to 1", {2, "u"}, worst_sky<Real>());
 }
 
-template <class T>
-void add_lambert(Family& family) {
-  family.add<T>("lambert", "ambient, diffuse and cosine in [0, 1]", {3, "u of itself"},
-                worst_lambert<T>());
-}
-
 }  // namespace
 
 Family claims_of_shading() {
@@ -272,9 +255,13 @@ Family claims_of_shading() {
                 "Exact: the same geometry with exactly normalized vectors in 50 digits, the "
                 "highlight as the power of its cosine. The last rows are the lecture's forms."};
   for_each_number([&]<class Real>() { add_number<Real>(family); });
-  add_lambert<float>(family);
-  add_lambert<double>(family);
-  add_lambert<long double>(family);
+  const auto add_lambert = [&]<class T>() {
+    family.add<T>("lambert", "ambient, diffuse and cosine in [0, 1]", {3, "u of itself"},
+                  worst_lambert<T>());
+  };
+  add_lambert.operator()<float>();
+  add_lambert.operator()<double>();
+  add_lambert.operator()<long double>();
   family.add<double>("view_of, vectors", "eye and target 1e-3 to 1e3 from the origin",
                      {8, "u over the cosine of the camera's tilt"}, worst_view());
   family

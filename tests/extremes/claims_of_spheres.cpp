@@ -73,12 +73,8 @@ double normal_length_off(const Shot<T>&, const ExactMeeting<Digits50>& exact, T 
   return static_cast<double>(abs(length(exactly(normal)) - 1) / roundoff<T>());
 }
 
-/// What is made of many shots: the worst, or how many are at fault.
-enum class Report { worst, count };
-
 template <class Real>
-auto worst_shot(SphereForm form, Shots shots, Off<Scalar<Real>> off_of,
-                Report report = Report::worst) {
+auto worst_shot(SphereForm form, Shots shots, Off<Scalar<Real>> off_of) {
   using T = Scalar<Real>;
   return worst_over([=](Dice& dice, Worst& worst) {
     const Shared shared = draw_shared(dice, shots);
@@ -92,37 +88,26 @@ auto worst_shot(SphereForm form, Shots shots, Off<Scalar<Real>> off_of,
       const Shot<T>& shot = each[k];
       const ExactMeeting<Digits50> exact = shot.meeting();
       if (!is_in_range(shot, exact)) continue;
-      const double off = off_of(shot, exact, lane(distance, k), lane_of(hit.normal, k));
-      const auto where = [&] {
+      worst.see(off_of(shot, exact, lane(distance, k), lane_of(hit.normal, k)), [&] {
         return "center " + described(shot.center) + ", radius " + described(shot.radius) +
                ", ray " + described(shot.ray);
-      };
-      if (report == Report::count) {
-        worst.count(off > 0, where);
-      } else {
-        worst.see(off, where);
-      }
+      });
     }
   });
 }
 
-/// Rays of an ordinary picture: the cost of a form is that of such a ray and its hit.
+/// Casts rays of an ordinary picture: the cost of a form is that of such a ray and its hit.
 template <class Real>
-auto ordinary_rays() {
+std::function<double()> casting(SphereForm form) {
   const Shots shots{.nearest = 0.5L, .farthest = 1.0L, .around_surface = false};
-  return inputs_of_cost<Real>([&](Dice& dice) {
+  const auto rays = inputs_of_cost<Real>([&](Dice& dice) {
     return drawn_pack<Real>([&] {
       return draw_shot<Scalar<Real>>(dice, shots, {1, {}, 0, 0}).ray;
     });
   });
-}
-
-template <class Real>
-std::function<double()> casting(SphereForm form) {
-  return working_through(ordinary_rays<Real>(), [form](const Ray<Real>& ray) {
+  return working_through(rays, [form](const Ray<Real>& ray) {
     const Sphere<> sphere{{0, 0, 0}, 1, form};
-    const Real distance = distance_to(sphere, ray);
-    const Hit<Real> hit = hit_at(sphere, ray, min(distance, Real(10)));
+    const Hit<Real> hit = hit_at(sphere, ray, min(distance_to(sphere, ray), Real(10)));
     return hit.normal.x + hit.outside.y + hit.point.z;
   });
 }
@@ -159,14 +144,14 @@ template <class Real>
 void add_hybrid(Family& family, const Domain& domain, double texels) {
   using T = Scalar<Real>;
   const auto add = [&](const std::string& what, const std::string& where, const Bound& bound,
-                       const Shots& shots, Off<T> off, Report report = Report::worst) -> Claim& {
+                       const Shots& shots, Off<T> off) -> Claim& {
     return family.add<Real>("hybrid, " + what, where, bound,
-                            worst_shot<Real>(SphereForm::hybrid, shots, off, report));
+                            worst_shot<Real>(SphereForm::hybrid, shots, off));
   };
   const Shots shots = domain.shots();
   const std::string text = domain.text(", also within 1e-7 of the surface");
-  add("missed or met wrongly", text + off_grazing<T>, {0, "rays"}, shots, wrong<T>, Report::count)
-      .cost = cost_of<Real>(SphereForm::hybrid);
+  add("missed or met wrongly", text + off_grazing<T>, {0, "rays"}, shots, wrong<T>).cost =
+      cost_of<Real>(SphereForm::hybrid);
   add("how nearly a misjudged ray grazes", text, {3, "u"}, shots, grazing_off<T, 0>);
   add("distance", text + compared, {16, "ulp"}, shots, distance_off<T>);
   add("normal", text + compared, {texels, "texel"}, shots, normal_off<T, 0>);
@@ -176,7 +161,7 @@ void add_hybrid(Family& family, const Domain& domain, double texels) {
       "center 1e-3 to 1e7 radii from the world's origin, rays from 1e-6 to 1e7 radii from it; "
       "sizes of 1e-6 to 1e6";
   add("missed or met wrongly, center elsewhere", elsewhere + off_grazing<T>, {0, "rays"}, away,
-      wrong<T>, Report::count);
+      wrong<T>);
   add("normal, center elsewhere", elsewhere + compared, {texels, "texel"}, away, normal_off<T, 0>);
 }
 
@@ -217,7 +202,7 @@ void add_lost_spheres(Family& family, long double ratio, const std::string& far)
   const Shots shots{.nearest = ratio, .farthest = ratio, .around_surface = false};
   family
       .add<T>("plain, missed or met wrongly", far + " radii from the center" + off_grazing<T>,
-              {0, "rays"}, worst_shot<T>(SphereForm::plain, shots, wrong<T>, Report::count))
+              {0, "rays"}, worst_shot<T>(SphereForm::plain, shots, wrong<T>))
       .expect = Expect::beyond;
 }
 

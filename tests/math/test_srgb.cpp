@@ -1,32 +1,17 @@
 // The sRGB curve.
 #include <doctest.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
 #include "math/srgb.hpp"
 
 using texmap::srgb_decode;
 using texmap::srgb_encode;
-
-TEST_CASE_TEMPLATE("decoding and encoding a byte gives the byte", Real, float, double,
-                   long double) {
-  for (int byte = 0; byte <= 255; ++byte) {
-    const Real encoded = srgb_encode(srgb_decode(static_cast<Real>(byte) / 255)) * 255;
-    CAPTURE(byte);
-    CHECK(static_cast<int>(std::lround(encoded)) == byte);
-    CHECK(std::abs(encoded - static_cast<Real>(byte)) < Real(0.0005));
-  }
-}
 
 // Reference values were computed with 50 digits from the standard's formulas.
 TEST_CASE("the curve goes through its exact points") {
   struct Point {
     double encoded, linear;
   };
-  const std::array<Point, 9> points = {{
+  const Point points[] = {
       {0.0, 0.0},
       {0.01, 0.00077399380804953560},
       {0.04, 0.00309597523219814241},
@@ -36,7 +21,7 @@ TEST_CASE("the curve goes through its exact points") {
       {0.5, 0.21404114048223244240},
       {0.75, 0.52252155396839181772},
       {1.0, 1.0},
-  }};
+  };
   for (const Point& point : points) {
     CAPTURE(point.encoded);
     CHECK(std::abs(srgb_decode(point.encoded) - point.linear) <= 1e-15 * point.linear);
@@ -54,26 +39,6 @@ TEST_CASE("both pieces of the curve meet at the standard's two thresholds") {
   const double bright = srgb_encode(std::nextafter(0.0031308, 1.0));
   CHECK(dark == 0.0031308 * 12.92);
   CHECK(std::abs(bright - dark) < 2e-7);
-}
-
-TEST_CASE_TEMPLATE("both curves rise everywhere from 0 to 1", Real, float, double, long double) {
-  constexpr int steps = 4096;
-  for (int i = 1; i <= steps; ++i) {
-    const Real before = static_cast<Real>(i - 1) / steps;
-    const Real after = static_cast<Real>(i) / steps;
-    CAPTURE(i);
-    CHECK(srgb_decode(before) < srgb_decode(after));
-    CHECK(srgb_encode(before) < srgb_encode(after));
-  }
-}
-
-TEST_CASE_TEMPLATE("decoding darkens and encoding brightens everything between black and white",
-                   Real, float, double, long double) {
-  for (int i = 1; i < 1000; ++i) {
-    const Real x = static_cast<Real>(i) / 1000;
-    CHECK(srgb_decode(x) < x);
-    CHECK(srgb_encode(x) > x);
-  }
 }
 
 TEST_CASE("NaN stays NaN in both curves") {

@@ -19,45 +19,24 @@ TEST_CASE_TEMPLATE("vectors add, subtract, turn round and stretch coordinate by 
   CHECK(equal(a - b, {-3, 7, -3}));
   CHECK(equal(-b, {-4, 5, -6}));
   CHECK(equal(b * Real(0.5), {2, Real(-2.5), 3}));
-}
-
-TEST_CASE_TEMPLATE("the scalar product obeys its table", Real, float, double, long double) {
-  const Vec3<Real> x{1, 0, 0};
-  const Vec3<Real> y{0, 1, 0};
-  const Vec3<Real> z{0, 0, 1};
-  CHECK(dot(Vec3<Real>{1, 2, 3}, {4, -5, 6}) == Real(12));
-  CHECK(dot(x, x) == Real(1));
-  CHECK(dot(y, y) == Real(1));
-  CHECK(dot(z, z) == Real(1));
-  CHECK(dot(x, y) == Real(0));
-  CHECK(dot(y, z) == Real(0));
-  CHECK(dot(z, x) == Real(0));
+  CHECK(equal(select(true, a, b), a));
+  CHECK(equal(select(false, a, b), b));
+  CHECK(equal(number_cast<Real>(Point{0.1, 0.2, 0.3}), {Real(0.1), Real(0.2), Real(0.3)}));
 }
 
 TEST_CASE_TEMPLATE("the vector product follows the right-hand rule", Real, float, double,
                    long double) {
-  const Vec3<Real> x{1, 0, 0};
-  const Vec3<Real> y{0, 1, 0};
-  const Vec3<Real> z{0, 0, 1};
-  CHECK(equal(cross(x, y), z));
-  CHECK(equal(cross(y, z), x));
-  CHECK(equal(cross(z, x), y));
-  CHECK(equal(cross(y, x), -z));
-  CHECK(equal(cross(Vec3<Real>{1, 2, 3}, {4, -5, 6}), {27, 6, -13}));
-}
-
-TEST_CASE_TEMPLATE(
-    "the vector product is at a right angle to both, to the last bit for small whole numbers", Real,
-    float, double, long double) {
-  for (int i = 0; i < 1000; ++i) {
-    const auto digit = [i](int k) { return static_cast<Real>((i * k) % 19 - 9); };
-    const Vec3<Real> a{digit(1), digit(3), digit(7)};
-    const Vec3<Real> b{digit(11), digit(5), digit(13)};
-    const Vec3<Real> c = cross(a, b);
-    REQUIRE(dot(a, c) == Real(0));
-    REQUIRE(dot(b, c) == Real(0));
-    REQUIRE(dot(c, c) == dot(a, a) * dot(b, b) - square(dot(a, b)));  // Lagrange's identity
+  const Vec3<Real> axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<Real>& x = axes[i];
+    const Vec3<Real>& y = axes[(i + 1) % 3];
+    CHECK(equal(cross(x, y), axes[(i + 2) % 3]));
+    CHECK(equal(cross(y, x), -axes[(i + 2) % 3]));
+    CHECK(dot(x, x) == Real(1));
+    CHECK(dot(x, y) == Real(0));
   }
+  CHECK(dot(Vec3<Real>{1, 2, 3}, {4, -5, 6}) == Real(12));
+  CHECK(equal(cross(Vec3<Real>{1, 2, 3}, {4, -5, 6}), {27, 6, -13}));
 }
 
 TEST_CASE_TEMPLATE("lengths of whole boxes are whole", Real, float, double, long double) {
@@ -65,14 +44,6 @@ TEST_CASE_TEMPLATE("lengths of whole boxes are whole", Real, float, double, long
   CHECK(length(Vec3<Real>{-1, 2, -2}) == Real(3));
   CHECK(length(Vec3<Real>{0, -5, 0}) == Real(5));
   CHECK(length(Vec3<Real>{0, 0, 0}) == Real(0));
-}
-
-TEST_CASE("a length is within 2.5 unit roundoffs, and hardly less") {
-  // Both squares and both sums are rounded down, and so is the root.
-  const Vec3<float> a{0x1.6a8106p-1F, 0x1.6a21ep-1F, 0x1p-12F};
-  const double off = 1 - length(a) / length(number_cast<double>(a));
-  CHECK(off < 2.5 * 0x1p-24);
-  CHECK(off > 2.49 * 0x1p-24);
 }
 
 TEST_CASE("a length is exact over the range its comment promises") {
@@ -99,32 +70,8 @@ TEST_CASE_TEMPLATE("a normalized vector has unit length and its direction", Real
   CHECK(abs(n.y + Real(0.6L)) <= eps);
   CHECK(abs(n.z - Real(0.8L)) <= eps);
   CHECK(equal(normalize(Vec3<Real>{0, 0, -4}), {0, 0, -1}));
-  for (int i = 1; i <= 1000; ++i) {
-    const Vec3<Real> a{static_cast<Real>(i), static_cast<Real>(i * i % 101 - 50),
-                       static_cast<Real>(i * 7 % 89 - 44)};
-    const Vec3<Real> unit = normalize(a);
-    REQUIRE(abs(length(unit) - Real(1)) <= Real(3) * eps);
-    REQUIRE(length(cross(a, unit)) <= Real(4) * eps * length(a));
-    REQUIRE(dot(a, unit) > Real(0));
-  }
-}
-
-TEST_CASE_TEMPLATE("the zero vector has no direction", Real, float, double, long double) {
-  const Vec3<Real> n = normalize(Vec3<Real>{0, 0, 0});
-  CHECK(n.x != n.x);
-  CHECK(n.y != n.y);
-  CHECK(n.z != n.z);
-}
-
-TEST_CASE_TEMPLATE("select takes whole vectors", Real, float, double, long double) {
-  CHECK(equal(select(true, Vec3<Real>{1, 2, 3}, Vec3<Real>{4, 5, 6}), {1, 2, 3}));
-  CHECK(equal(select(false, Vec3<Real>{1, 2, 3}, Vec3<Real>{4, 5, 6}), {4, 5, 6}));
-}
-
-TEST_CASE_TEMPLATE("number_cast keeps each coordinate in its place and rounds once", Real, float,
-                   double, long double) {
-  CHECK(equal(number_cast<Real>(Point{0.1, 0.2, 0.3}),
-              {static_cast<Real>(0.1), static_cast<Real>(0.2), static_cast<Real>(0.3)}));
+  const Vec3<Real> none = normalize(Vec3<Real>{0, 0, 0});
+  CHECK((none.x != none.x && none.y != none.y && none.z != none.z));
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // Where the published ray-sphere formulas hold, and where they differ from the stable one.
 #include <doctest.h>
 
-#include <cmath>
-
 #include "published/sphere.hpp"
 
 using namespace texmap;
@@ -42,6 +40,9 @@ int wrong_answers(double away, Formula formula) {
 TEST_CASE_TEMPLATE("near the sphere both published formulas are right", Real, float, double) {
   CHECK(published::distance_daily(unit, ray_from<Real>(3, 0)) == Real(2));
   CHECK(published::distance_half_b(unit, ray_from<Real>(3, 0)) == Real(2));
+  CHECK(published::distance_daily({{1, 0, 0}, 2}, Ray<Real>{{1, 0, 0}, {0, 2, 0}}) == Real(1));
+  CHECK(published::distance_daily(unit, ray_from<Real>(-3, 0)) == infinity<Real>());
+  CHECK(published::distance_daily(unit, ray_from<Real>(1.0005, 0)) > Real(1.9));  // its 0.001
   CHECK(wrong_answers<Real>(5, published::distance_daily<Real>) == 0);
   CHECK(wrong_answers<Real>(5, published::distance_half_b<Real>) == 0);
 }

@@ -3,9 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-#include <limits>
-
 namespace texmap::test {
 namespace {
 

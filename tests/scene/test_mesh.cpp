@@ -4,7 +4,6 @@
 #include "number/kinds/interval.hpp"
 #include "number/kinds/pack2.hpp"
 #include "support/fragile_triangles.hpp"
-#include "support/lanes.hpp"
 #include "support/mesh_rays.hpp"
 
 namespace texmap::test {
@@ -14,41 +13,10 @@ TEST_CASE_TEMPLATE(
     "rays at edges and corners: none slips through, none is counted twice, in every number", Real,
     float, double, long double, Pack2<Pack<float>>, Pack2<Pack<double>>) {
   const Leaks leaks = count_leaks<Real>(100000, 1);
-  CHECK(leaks.rays >= 100000);
   CHECK(leaks.met > 30000);
   CHECK(leaks.cracks == 0);
   CHECK(leaks.doubles == 0);
   CHECK(leaks.unequal == 0);
-}
-
-TEST_CASE_TEMPLATE(
-    "from inside a closed mesh that is not convex, an odd number of triangles is ahead", Real,
-    float, double, long double, Pack2<Pack<double>>) {
-  Dice dice;
-  constexpr int columns = 9;
-  constexpr int rows = 5;
-  const Mesh ring = torus(columns, rows).mesh;
-  long once = 0;
-  long more = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const Ray<Real> ray = aimed<Real>(
-        [&] {  // the middle of the tube
-          const int first = rows * dice.below(columns);
-          Point middle;
-          for (int k = 0; k < rows; ++k)
-            middle = middle + ring.points[static_cast<std::size_t>(first + k)] * (1.0 / rows);
-          return middle;
-        },
-        [&] { return point_on_edge(dice, ring); });
-    const CrossingCount<Real> count = count_crossings(ring, ray);
-    for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      const auto ahead = static_cast<long>(lane(count.ahead, k));
-      REQUIRE(ahead % 2 == 1);
-      ++(ahead == 1 ? once : more);
-    }
-  }
-  CHECK(once > 1000);
-  CHECK(more > 1000);
 }
 
 TEST_CASE_TEMPLATE("the usual test lets rays slip through and counts others twice", Real, float,
@@ -70,19 +38,21 @@ TEST_CASE_TEMPLATE("the first hit is the nearest, its normal faces the ray, its 
     const Ray<Real> ray =
         aimed<Real>([&] { return point_within(dice, 3); }, [&] { return point_within(dice, 1); });
     Real nearest = infinity<Real>();
+    bool from_outside = false;  // a closed mesh is entered from the front and left from the back
     for_each_crossing(ring, ray, nearest, [&](int, const Crossing<Real>& found) {
-      if (found.met && found.distance > Real(0)) nearest = std::min(nearest, found.distance);
+      if (!(found.distance > Real(0) && found.distance < nearest)) return;
+      nearest = found.distance;
+      from_outside = found.front;
     });
     const MeshHit<Real> hit = first_hit(ring, ray);
     REQUIRE(hit.met == (nearest < infinity<Real>()));
     if (!hit.met) continue;
     ++met;
     REQUIRE(hit.distance == nearest);
+    if (length(ray.origin) > Real(2)) REQUIRE(from_outside);
     REQUIRE(dot(hit.normal, ray.direction) <= Real(0));
     REQUIRE(abs(length(hit.normal) - Real(1)) < Real(8) * u);
-    REQUIRE(hit.a >= Real(0));
-    REQUIRE(hit.b >= Real(0));
-    REQUIRE(hit.c >= Real(0));
+    REQUIRE(std::min({hit.a, hit.b, hit.c}) >= Real(0));
     REQUIRE(abs(hit.a + hit.b + hit.c - Real(1)) <= Real(4) * u);
     // Away from the silhouette the two ways to the point agree.
     const Real slope = abs(dot(hit.normal, normalize(ray.direction)));
@@ -129,46 +99,16 @@ TEST_CASE_TEMPLATE("a scene a million times as large or as small has the same we
   for (const int power : {-20, 20}) {
     Mesh other = ring;
     for (Point& p : other.points) p = scaled(p, power);
-    int met = 0;
     for (int i = 0; i < 2000; ++i) {
       const Ray<Real> ray =
           aimed<Real>([&] { return point_within(dice, 3); }, [&] { return point_within(dice, 1); });
       const MeshHit<Real> a = first_hit(ring, ray);
       const MeshHit<Real> b =
           first_hit(other, Ray<Real>{scaled(ray.origin, power), scaled(ray.direction, 3)});
-      REQUIRE(a.met == b.met);
-      if (!a.met) continue;
-      ++met;
-      REQUIRE(a.triangle == b.triangle);
-      REQUIRE(a.a == b.a);
-      REQUIRE(a.b == b.b);
-      REQUIRE(std::ldexp(a.distance, power - 3) == b.distance);
+      REQUIRE((a.met == b.met && a.triangle == b.triangle && a.a == b.a && a.b == b.b));
+      if (a.met) REQUIRE(std::ldexp(a.distance, power - 3) == b.distance);
     }
-    CHECK(met > 200);
   }
-}
-
-TEST_CASE_TEMPLATE("a closed mesh is entered from the front and left from the back", Real, float,
-                   double, long double) {
-  Dice dice;
-  const Mesh cube = turned_cube(dice);
-  int met = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const bool inside = i % 2 == 0;
-    const Ray<Real> ray = aimed<Real>(
-        [&] { return inside ? point_within(dice, 0.5) : dice.direction<double>() * 4.0; },
-        [&] { return point_within(dice, 1); });
-    for_each_crossing(cube, ray, infinity<Real>(), [&](int, const Crossing<Real>& found) {
-      const bool ahead = found.distance > Real(0);
-      // From inside the front is behind; from outside both are ahead, and the back is farther.
-      if (inside) REQUIRE(found.front != ahead);
-      if (!inside) REQUIRE(ahead);
-      const MeshHit<Real> first = first_hit(cube, ray);
-      if (!inside) REQUIRE(found.front == (found.distance == first.distance));
-      ++met;
-    });
-  }
-  CHECK(met > 2000);
 }
 
 TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding loses their area", Real,
@@ -199,38 +139,7 @@ TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding lose
     REQUIRE(hit.a + hit.b + hit.c > Real(0.99));
   }
   CHECK(met > 100);
-  MESSAGE(met << " met, " << lost << " without an area");
-}
-
-TEST_CASE("a mesh without triangles is never met, and a point at a corner is exactly there") {
-  const MeshHit<double> none = first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}});
-  CHECK_FALSE(none.met);
-  const Mesh cube = crate().mesh;
-  const Point eye{0.25, 0.5, 4};
-  for (const Point& corner : cube.points) {
-    const MeshHit<double> hit = first_hit(cube, Ray<double>{eye, corner - eye});
-    if (!hit.met) continue;  // a silhouette may pass by
-    if (hit.distance != 1) continue;
-    CHECK(largest(hit.point - corner) == 0);
-  }
-}
-
-TEST_CASE_TEMPLATE("each lane meets what a plain ray meets", Many, Pack<float>, Pack<double>,
-                   Pack2<Pack<double>>) {
-  Dice dice;
-  const Mesh ring = torus(12, 6).mesh;
-  for (int i = 0; i < 500; ++i) {
-    const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
-                                      [&] { return point_on_edge(dice, ring); });
-    const auto found = [&](const auto& in) {
-      using Real = std::remove_cvref_t<decltype(in.origin.x)>;
-      const MeshHit<Real> hit = first_hit(ring, in);
-      return std::tuple{select(hit.met, Real(1), Real(0)), select(hit.met, hit.point, Vec3<Real>{}),
-                        select(hit.met, hit.normal, Vec3<Real>{}),
-                        select(hit.met, hit.triangle, Real(0)), select(hit.met, hit.b, Real(0))};
-    };
-    check_each_lane<Many>(found, ray);
-  }
+  if (!std::is_same_v<Real, long double>) CHECK(lost > 100);
 }
 
 TEST_CASE("intervals hold what double and long double meet") {
@@ -265,6 +174,9 @@ TEST_CASE("the other triangles of a mesh cast shadows, its own does not") {
   CHECK_FALSE(hidden({0, 1, 0}, 10.0));
   CHECK(hidden({0, -1, 0}, 10.0));  // the bottom
   CHECK_FALSE(hidden({0, -1, 0}, 1.5));
+  const Ray<double> down{on_top.point + Point{0, 1, 0}, {0, -1, 0}};
+  CHECK_FALSE(is_occluded(others(cube, on_top), down, 1.5));  // its own is in between
+  CHECK_FALSE(first_hit(Mesh{}, Ray<double>{{0, 0, 0}, {0, 0, -1}}).met);
 }
 
 }  // namespace

@@ -4,13 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "sampling/sampled_numbers.hpp"
-#include "sampling/samplers.hpp"
 #include "scene/paint.hpp"
 #include "scene/path.hpp"
 #include "scene/sky.hpp"
 #include "support/dice.hpp"
-#include "support/lanes.hpp"
 
 namespace texmap::test {
 namespace {
@@ -113,40 +110,6 @@ TEST_CASE_TEMPLATE("one sphere alone is lit as it is next to one that nobody see
   }
   CHECK(met > 200);
   CHECK(met < 1800);
-}
-
-/// The numbers of one sample, the same in every lane.
-template <class Real>
-struct SampledNumbers {
-  Sampler sampler{SamplerKind::random, 64};
-  std::uint32_t sample = 0;
-  std::uint32_t dimension = 0;
-  Point2<Real> pair{};
-
-  const Point2<Real>& next_2d() {
-    return pair = sampler.pair<Real>(UInt<Real>(hash_bits(7U)), sample, dimension++);
-  }
-};
-
-TEST_CASE_TEMPLATE("each lane of a pack follows its own path", T, float, double) {
-  std::vector<Object> scene = two_mirrors;
-  scene.push_back({{{3, 0, 0}, 2}, {{0.75, 0.5, 0.25}}});
-  Dice dice;
-  for (std::uint32_t i = 0; i < 500; ++i) {
-    for (const GradientSky& sky : {plain_sky, fading_sky}) {
-      for (const std::size_t objects : {1U, 3U}) {
-        const std::vector<Object> some(scene.begin(),
-                                       scene.begin() + static_cast<std::ptrdiff_t>(objects));
-        check_each_lane<Pack<T>>(
-            [&]<class Real>(const Real& x, const Real& y) {
-              SampledNumbers<Real> random{.sample = i % 64};
-              return light_along(some, Ray<Real>{{Real(0), Real(0), Real(0)}, {x, y, Real(-1)}},
-                                 sky, 8, random);
-            },
-            any_pack<Pack<T>>(dice, -1, 1), any_pack<Pack<T>>(dice, -1, 1));
-      }
-    }
-  }
 }
 
 }  // namespace

@@ -44,35 +44,26 @@ Vec3d leaning(const Vec3d& normal, double angle, Dice& dice) {
 
 TEST_CASE_TEMPLATE("with the surface's own normal the light is the plain light, to the bit", Real,
                    float, double, long double) {
-  const std::vector<Painted<Solid>> objects = {
-      {.shape = {.center = {0, 0, 0}, .radius = 1}, .paint = {}},
-      {.shape = {.center = {2, 2, 2}, .radius = 0.5}, .paint = {}}};
+  const std::vector<Painted<Solid>> nothing;
   const PointLight light{{5, 4, 3}};
   Dice dice(1);
-  int lit = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Ray<Real> ray{
-        {Real(0), Real(0), Real(9)},
-        rounded<Real>(Vec3<long double>{dice.uniform(-0.1L, 0.1L), dice.uniform(-0.1L, 0.1L), -1})};
-    const Real distance = distance_to(objects[0].shape, ray);
-    if (!(distance < infinity<Real>())) continue;
-    const Hit<Real> hit = hit_at(objects[0].shape, ray, distance);
-    const LightSample<Real> plain = sample_light(light, objects, hit);
-    CHECK(sample_light(light, objects, hit, hit.normal).cosine == plain.cosine);
-    lit += plain.cosine > Real(0) ? 1 : 0;
+    const Vec3<Real> p = dice.direction<Real>();
+    const Hit<Real> hit{p, p, p, p};
+    REQUIRE(sample_light(light, nothing, hit, p).cosine ==
+            sample_light(light, nothing, hit).cosine);
   }
-  CHECK(lit > 400);
 }
 
 TEST_CASE("the factor at the terminator is 0 to 1, rises with the true cosine and has no edge") {
   for (const double shading : {0.1, 0.5, 1.0}) {
     for (const double between : {0.2, 0.7, 1.0}) {
       double before = 0;
-      for (double cosine = 0; cosine <= 1; cosine += 0.001) {
+      for (double cosine = 0; cosine <= 1; cosine += 0.01) {
         const double factor = terminator(cosine, shading, between);
         CHECK(factor >= before);
         CHECK(factor <= 1);
-        CHECK(factor - before < 0.001 / (shading * between) * 1.5);
+        CHECK(factor - before < 0.01 / (shading * between) * 1.5);
         before = factor;
       }
       CHECK(terminator(0.0, shading, between) == 0);

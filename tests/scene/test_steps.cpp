@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 #include "scene/sphere.hpp"
 #include "support/dice.hpp"
 

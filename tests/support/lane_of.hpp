@@ -1,4 +1,4 @@
-// One lane of packs, and of vectors, colors, places and rays of packs.
+// One lane of packs, and of vectors, colors, places, rays, arrays and tuples of packs.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,26 +12,38 @@
 
 namespace texmap::test {
 
+/// What a thing of several numbers is made of. To add one, list its members as its braces do.
+template <class Real>
+[[nodiscard]] auto parts_of(const Vec3<Real>& p) {
+  return std::tie(p.x, p.y, p.z);
+}
+template <class Real>
+[[nodiscard]] auto parts_of(const Color<Real>& c) {
+  return std::tie(c.r, c.g, c.b);
+}
+template <class Real>
+[[nodiscard]] auto parts_of(const Uv<Real>& uv) {
+  return std::tie(uv.u, uv.v);
+}
+template <class Real>
+[[nodiscard]] auto parts_of(const Ray<Real>& ray) {
+  return std::tie(ray.origin, ray.direction);
+}
+template <class Thing>
+concept HasParts = requires(const Thing& thing) {
+  parts_of(thing);
+};
+
 /// One lane of a pack, or of what is made of packs.
 template <class Real>
 [[nodiscard]] Scalar<Real> lane_of(const Real& x, std::size_t i) {
   return lane(x, i);
 }
-template <class Real>
-[[nodiscard]] Vec3<Scalar<Real>> lane_of(const Vec3<Real>& p, std::size_t i) {
-  return {lane(p.x, i), lane(p.y, i), lane(p.z, i)};
-}
-template <class Real>
-[[nodiscard]] Color<Scalar<Real>> lane_of(const Color<Real>& c, std::size_t i) {
-  return {lane(c.r, i), lane(c.g, i), lane(c.b, i)};
-}
-template <class Real>
-[[nodiscard]] Uv<Scalar<Real>> lane_of(const Uv<Real>& uv, std::size_t i) {
-  return {lane(uv.u, i), lane(uv.v, i)};
-}
-template <class Real>
-[[nodiscard]] Ray<Scalar<Real>> lane_of(const Ray<Real>& ray, std::size_t i) {
-  return {lane_of(ray.origin, i), lane_of(ray.direction, i)};
+template <template <class> class Thing, class Real>
+requires HasParts<Thing<Real>>
+[[nodiscard]] Thing<Scalar<Real>> lane_of(const Thing<Real>& thing, std::size_t i) {
+  return std::apply([i](const auto&... part) { return Thing<Scalar<Real>>{lane_of(part, i)...}; },
+                    parts_of(thing));
 }
 template <class Real, std::size_t count>
 [[nodiscard]] std::array<Scalar<Real>, count> lane_of(const std::array<Real, count>& all,

@@ -5,43 +5,30 @@
 #include <cmath>
 #include <tuple>
 
-#include "math/color.hpp"
 #include "number/kinds/pack.hpp"
-#include "scene/ray.hpp"
 #include "support/dice.hpp"
 #include "support/lane_of.hpp"
-#include "texture/uv.hpp"
 
 namespace texmap::test {
 
 /// The same numbers to the last bit, or NaN in both.
 template <class T>
-[[nodiscard]] bool alike(T a, T b) {
+[[nodiscard]] bool alike(const T& a, const T& b) {
   if (a != a || b != b) return a != a && b != b;
   return a == b && std::signbit(a) == std::signbit(b);
 }
-template <class T>
-[[nodiscard]] bool alike(const Vec3<T>& a, const Vec3<T>& b) {
-  return alike(a.x, b.x) && alike(a.y, b.y) && alike(a.z, b.z);
-}
-template <class T>
-[[nodiscard]] bool alike(const Color<T>& a, const Color<T>& b) {
-  return alike(a.r, b.r) && alike(a.g, b.g) && alike(a.b, b.b);
-}
-template <class T>
-[[nodiscard]] bool alike(const Uv<T>& a, const Uv<T>& b) {
-  return alike(a.u, b.u) && alike(a.v, b.v);
-}
-template <class T>
-[[nodiscard]] bool alike(const Ray<T>& a, const Ray<T>& b) {
-  return alike(a.origin, b.origin) && alike(a.direction, b.direction);
-}
+template <HasParts Thing>
+[[nodiscard]] bool alike(const Thing& a, const Thing& b);
 template <class... Parts>
 [[nodiscard]] bool alike(const std::tuple<Parts...>& a, const std::tuple<Parts...>& b) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
     return (alike(std::get<i>(a), std::get<i>(b)) && ...);
   }
   (std::make_index_sequence<sizeof...(Parts)>());
+}
+template <HasParts Thing>
+[[nodiscard]] bool alike(const Thing& a, const Thing& b) {
+  return alike(parts_of(a), parts_of(b));
 }
 
 /// Checks that `function` gives for packs, in each lane, what it gives for that lane's numbers.
