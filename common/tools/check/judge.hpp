@@ -1,12 +1,14 @@
 // Judges a function by its values: at named places, against the right ones and against known
 // mistakes.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "slips.hpp"
 #include "words.hpp"
 
 namespace texmap::check {
@@ -18,21 +20,15 @@ struct Place {
   std::tuple<Args...> at;
 };
 
-/// A mistake that many make: its word, and the function as those write it.
-template <class Function>
-struct Mistake {
-  std::string word;  ///< "u runs the other way: your map is mirrored"
-  std::function<Function> function;
-};
-
 /// What is known of a function: the right one, where to try it, and what often goes wrong.
 template <class Function>
 struct Law;
 template <class Out, class... Args>
 struct Law<Out(Args...)> {
   std::function<Out(Args...)> right;
-  std::vector<Place<std::decay_t<Args>...>> places;  ///< in the order of teaching
-  std::vector<Mistake<Out(Args...)>> mistakes;
+  std::vector<Place<std::decay_t<Args>...>> places;    ///< in the order of teaching
+  std::function<Slips<Out>(Args...)> slips = nullptr;  ///< what often comes out at a place
+  std::vector<Mistake<Out(Args...)>> mistakes = functions_of(slips, places[0].at);
   double tolerance = 1e-9;  ///< of each part of a value
 };
 
@@ -73,16 +69,26 @@ template <class Out, class... Args>
     ++verdict.wrong;
   }
   if (verdict.right) return verdict;
-  for (const auto& mistake : law.mistakes) {
-    bool same = true;
-    for (std::size_t i = 0; i < law.places.size() && same; ++i) {
-      same = apart(std::apply(mistake.function, law.places[i].at), values[i]) <= law.tolerance;
-    }
-    if (same) {
-      verdict.mistake = mistake.word;
-      break;
+  const auto slips_at = [&](const auto& at) {
+    if (law.slips) return std::apply(law.slips, at);
+    Slips<Out> slips;
+    for (const auto& mistake : law.mistakes)
+      slips.push_back({mistake.word.c_str(), std::apply(mistake.function, at)});
+    return slips;
+  };
+  std::vector<const char*> words;  // of the mistakes that give the same so far, or null
+  for (std::size_t i = 0; i < law.places.size(); ++i) {
+    std::size_t row = 0;
+    for (const Slip<Out>& slip : slips_at(law.places[i].at)) {
+      for (const Out value : slip.values) {
+        if (i == 0) words.push_back(slip.word);
+        if (!(apart(value, values[i]) <= law.tolerance)) words[row] = nullptr;
+        ++row;
+      }
     }
   }
+  const auto named = std::find_if(words.begin(), words.end(), [](auto* word) { return word; });
+  if (named != words.end()) verdict.mistake = *named;
   return verdict;
 }
 
