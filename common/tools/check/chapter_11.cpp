@@ -263,16 +263,11 @@ Slips<Vector> wrong_texels(int red, int green, int blue) {
         {x, y, 1}}},
       {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, std::max(z, 0.0)}},
   };
-  const Slips<double> reds = wrong_channels(red);
-  const Slips<double> greens = wrong_channels(green);
-  const Slips<double> blues = wrong_channels(blue);
-  Slips<Vector> channels;
-  for (std::size_t row = 0; row < reds.size(); ++row) {
-    std::vector<Vector> values;
-    for (std::size_t i = 0; i < reds[row].values.size(); ++i)
-      values.push_back({reds[row].values[i], greens[row].values[i], blues[row].values[i]});
-    channels.push_back({reds[row].word, std::move(values)});
-  }
+  Slips<Vector> channels = combined(
+      [](double r, double g, double b) {
+        return Vector{r, g, b};
+      },
+      wrong_channels(red), wrong_channels(green), wrong_channels(blue));
   channels += wrong;
   // Those who make another mistake often make a unit vector, too.
   const auto unit = [](const Vector& n) { return normalize(n); };
