@@ -137,8 +137,6 @@ Lesson white_globe(const std::vector<std::string>& words = {}) {
   return lesson;
 }
 
-using MeanByte = int(const Bytes&);
-
 Slips<int> wrong_means(const Bytes& bytes) {
   const auto n = static_cast<double>(bytes.size());
   const auto sum = [&](auto number_of) {
@@ -195,33 +193,30 @@ Slips<int> wrong_means(const Bytes& bytes) {
 }
 
 Exercise average_light() {
-  Law<MeanByte> law{.right = mean_of,
-                    .places = {{"the mean of one byte is this byte", {Bytes{76}}},
-                               {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
-                               {"half black and half white sends out half of the light: byte 188",
-                                {Bytes{0, 255}}},
-                               {"three quarters black", {Bytes{0, 255, 0, 0}}},
-                               {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
-                               {"a dark and a bright byte", {Bytes{40, 180}}},
-                               {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
-                               {"white stays white", {Bytes{255, 255}}}},
-                    .slips = wrong_means,
-                    .tolerance = 0};
+  Law<int(const Bytes&)> law{
+      .right = mean_of,
+      .places = {{"the mean of one byte is this byte", {Bytes{76}}},
+                 {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
+                 {"half black and half white sends out half of the light: byte 188",
+                  {Bytes{0, 255}}},
+                 {"three quarters black", {Bytes{0, 255, 0, 0}}},
+                 {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
+                 {"a dark and a bright byte", {Bytes{40, 180}}},
+                 {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
+                 {"white stays white", {Bytes{255, 255}}}},
+      .slips = wrong_means,
+      .tolerance = 0};
   return exercise("07.1", "int mean_byte(const std::vector<int>& bytes)", std::move(law), mean_byte,
                   [] {
                     return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"}));
                   });
 }
 
-using Scattered = Vector(double, double);
-
 Vector right_scatter(double a, double b) {
   const double radius = std::sqrt(a);
   return {radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b),
           std::sqrt(1 - radius * radius)};
 }
-
-constexpr const char* in_degrees = "b is turned into degrees: std::cos and std::sin take radians";
 
 Slips<Vector> wrong_scatter(double a, double b) {
   const auto point = [](double radius, double angle, double height) {
@@ -246,8 +241,9 @@ Slips<Vector> wrong_scatter(double a, double b) {
        at(std::sqrt(1 - a), turn)},
       {"the directions cover half of the disk: a whole turn is 2 pi", at(root, pi * b)},
       {"b is taken for radians: multiply it by 2 pi", at(root, b)},
-      {in_degrees, at(root, 360 * b)},
-      {in_degrees, at(root, 360 * 180 / pi * b)},
+      {"b is turned into degrees: std::cos and std::sin take radians", at(root, 360 * b)},
+      {"b is turned into degrees: std::cos and std::sin take radians",
+       at(root, 360 * 180 / pi * b)},
       {"2 pi b is in radians already: no pi / 180 is needed", at(root, pi * pi / 90 * b)},
       {"the angle runs the other way: count it from x toward y", at(root, -turn)},
       {"all points lie on the edge of the disk: multiply cos and sin by the radius", at(1, turn)},
@@ -277,7 +273,7 @@ Slips<Vector> wrong_scatter(double a, double b) {
 }
 
 Exercise more_light_from_above() {
-  Law<Scattered> law{
+  Law<Vector(double, double)> law{
       .right = right_scatter,
       .places = {{"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
                  {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
@@ -293,8 +289,6 @@ Exercise more_light_from_above() {
     return magnified(lesson);
   });
 }
-
-using PlaceOfSample = Place2(int, int, double, double);
 
 Place2 right_place(int i, int n, double a, double b) {
   const int row = i / n;
@@ -349,7 +343,7 @@ Slips<Place2> wrong_places(int i, int n, double a, double b) {
 }
 
 Exercise one_sample_in_each_cell() {
-  Law<PlaceOfSample> law{
+  Law<Place2(int, int, double, double)> law{
       .right = right_place,
       .places = {{"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
                  {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
@@ -365,25 +359,21 @@ Exercise one_sample_in_each_cell() {
 /// Pixels of a white globe's picture that differ from the sky.
 double pixels_unlike_sky(const std::vector<std::string>& words) {
   const Image image = magnified(white_globe(words));
-  double count = 0;
-  for (const Rgb8& pixel : image.pixels) {
-    if (pixel != image.at(0, 0)) count += 1;
-  }
-  return count;
+  const auto& pixels = image.pixels;
+  return double(pixels.size()) - double(std::count(pixels.begin(), pixels.end(), pixels[0]));
 }
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {average_light(), more_light_from_above(), one_sample_in_each_cell()},
-      .questions =
-          {{"07.a", "Which byte does a pixel get that is a quarter white, the rest black?",
-            [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
-           {"07.b",
-            "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
-            "differ from the sky?",
-            [] { return pixels_unlike_sky({}); }, "pixels", 0}},
+      {average_light(), more_light_from_above(), one_sample_in_each_cell()},
+      {{"07.a", "Which byte does a pixel get that is a quarter white, the rest black?",
+        [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
+       {"07.b",
+        "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
+        "differ from the sky?",
+        [] { return pixels_unlike_sky({}); }, "pixels", 0}},
   };
   return chapter;
 }

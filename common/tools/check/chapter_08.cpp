@@ -106,8 +106,6 @@ Image crate_on_its_edge() {
   return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
 }
 
-using IsHit = bool(Vector, Vector, Vector);
-
 /// Is the ray on the left of all these edges, or is it on the right?
 constexpr auto left = [](auto... sides) { return (... && (sides >= 0)); };
 constexpr auto right = [](auto... sides) { return (... && (sides <= 0)); };
@@ -191,37 +189,32 @@ Exercise hit_or_miss() {
   const Vector left{1, 0, 0};
   const Vector right{3, 0, 0};
   const Vector top{2, 2, 0};
-  Law<IsHit> law{
+  Law<bool(Vector, Vector, Vector)> law{
       .right = right_hit,
-      .places = {{"the ray is inside, the corners run counterclockwise: a hit", {a, b, c}},
-                 {"the corners run clockwise: a hit, too", {a, c, b}},
-                 moved("the ray is right of the triangle: a miss", -5, 0),
-                 moved("the ray is left of the triangle: a miss", 5, 0),
-                 moved("the ray is above the triangle: a miss", 0, -5),
-                 moved("the ray is below the triangle: a miss", 0, 5),
-                 moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
-                 {"clockwise, the ray is right of the triangle: a miss",
-                  {Vector{-6, -1, 0}, Vector{-5, 3, 0}, Vector{-3, -1, 0}}},
-                 {"clockwise, the ray is below the triangle: a miss",
-                  {Vector{-1, 4, 0}, Vector{0, 8, 0}, Vector{2, 4, 0}}},
-                 {"exactly on the edge a to b: a hit",
-                  {Vector{-1, 0, 0}, Vector{2, 0, 0}, Vector{0, 3, 0}}},
-                 {"exactly on that edge of the neighbor: a hit, too",
-                  {Vector{-1, 0, 0}, Vector{0, -3, 0}, Vector{2, 0, 0}}},
-                 {"exactly on the edge c to a of clockwise corners: a hit",
-                  {Vector{1, 1, 0}, Vector{3, -2, 0}, Vector{-1, -1, 0}}},
-                 {"on the line through a and b, but outside of the triangle: a miss",
-                  {left, right, top}},
-                 {"on the line through b and c, but outside of the triangle: a miss",
-                  {top, left, right}},
-                 {"on the line through c and a, but outside of the triangle: a miss",
-                  {right, top, left}}},
+      .places =
+          {{"the ray is inside, the corners run counterclockwise: a hit", {a, b, c}},
+           {"the corners run clockwise: a hit, too", {a, c, b}},
+           moved("the ray is right of the triangle: a miss", -5, 0),
+           moved("the ray is left of the triangle: a miss", 5, 0),
+           moved("the ray is above the triangle: a miss", 0, -5),
+           moved("the ray is below the triangle: a miss", 0, 5),
+           moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
+           {"clockwise, the ray is right of the triangle: a miss",
+            {{-6, -1, 0}, {-5, 3, 0}, {-3, -1, 0}}},
+           {"clockwise, the ray is below the triangle: a miss", {{-1, 4, 0}, {0, 8, 0}, {2, 4, 0}}},
+           {"exactly on the edge a to b: a hit", {{-1, 0, 0}, {2, 0, 0}, {0, 3, 0}}},
+           {"exactly on that edge of the neighbor: a hit, too",
+            {{-1, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
+           {"exactly on the edge c to a of clockwise corners: a hit",
+            {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
+           {"on the line through a and b, but outside of the triangle: a miss", {left, right, top}},
+           {"on the line through b and c, but outside of the triangle: a miss", {top, left, right}},
+           {"on the line through c and a, but outside of the triangle: a miss",
+            {right, top, left}}},
       .slips = wrong_hits};
   return exercise("08.1", "bool is_hit(Vec3 a, Vec3 b, Vec3 c)", std::move(law), is_hit,
                   crate_on_its_edge);
 }
-
-using WeightsOf = Weights(Vector, Vector, Vector);
 
 /// Parts of a whole.
 Weights shares(double whole, const Weights& parts) {
@@ -280,27 +273,25 @@ Exercise three_weights() {
     const Crossing<double> found = crossing(along_z, a, b, c);
     return Weights{found.a, found.b, found.c};
   };
-  Law<WeightsOf> law{
+  Law<Weights(Vector, Vector, Vector)> law{
       .right = right,
       .places = {{"in the middle of the triangle each weight is 1/3",
-                  {Vector{-1, -1, 0}, Vector{1, -1, 0}, Vector{0, 2, 0}}},
+                  {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}},
                  {"in the middle between a and b, each has 1/2",
-                  {Vector{-1, 0, 0}, Vector{1, 0, 0}, Vector{0, 2, 0}}},
+                  {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}},
                  {"close to a, a has the largest weight",
-                  {Vector{-0.1, -0.1, 0}, Vector{0.9, -0.1, 0}, Vector{-0.1, 0.9, 0}}},
+                  {{-0.1, -0.1, 0}, {0.9, -0.1, 0}, {-0.1, 0.9, 0}}},
                  {"close to c, c has the largest weight",
-                  {Vector{-0.1, -0.8, 0}, Vector{0.9, -0.8, 0}, Vector{-0.1, 0.2, 0}}},
+                  {{-0.1, -0.8, 0}, {0.9, -0.8, 0}, {-0.1, 0.2, 0}}},
                  {"with the corners (-0.6, -0.4), (0.4, -0.4) and (0.4, 0.6)",
-                  {Vector{-0.6, -0.4, 0}, Vector{0.4, -0.4, 0}, Vector{0.4, 0.6, 0}}},
+                  {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
                  {"the corners may run clockwise: the weights stay positive",
-                  {Vector{-2, -1, 0}, Vector{1, 3, 0}, Vector{4, -2, 0}}}},
+                  {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}}},
       .slips = wrong_weights,
       .tolerance = 1e-6};
   return exercise("08.2", "std::array<double, 3> weights(Vec3 a, Vec3 b, Vec3 c)", std::move(law),
                   weights, crate);
 }
-
-using Mixed = Place2(Place2, Place2, Place2, Weights);
 
 Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
   const auto mix = [&](double x, double y, double z) -> Place2 {
@@ -346,7 +337,7 @@ Exercise between_corners() {
   const Place2 a{0, 0};
   const Place2 b{1, 0};
   const Place2 c{1, 1};
-  Law<Mixed> law{
+  Law<Place2(Place2, Place2, Place2, Weights)> law{
       .right =
           [](Place2 p, Place2 q, Place2 r, Weights w) {
             const MeshMapping mapping{{{p, q, r}}};
@@ -357,16 +348,15 @@ Exercise between_corners() {
             return mapping(hit);
           },
       .places =
-          {{"at corner a it is a", {a, b, c, Weights{1, 0, 0}}},
-           {"at corner b it is b", {a, b, c, Weights{0, 1, 0}}},
-           {"at corner c it is c", {a, b, c, Weights{0, 0, 1}}},
-           {"in the middle between a and b, u is 1/2", {a, b, c, Weights{0.5, 0.5, 0}}},
-           {"with the weights 0.4, 0.2 and 0.4 it is (0.6, 0.4)",
-            {a, b, c, Weights{0.4, 0.2, 0.4}}},
+          {{"at corner a it is a", {a, b, c, {1, 0, 0}}},
+           {"at corner b it is b", {a, b, c, {0, 1, 0}}},
+           {"at corner c it is c", {a, b, c, {0, 0, 1}}},
+           {"in the middle between a and b, u is 1/2", {a, b, c, {0.5, 0.5, 0}}},
+           {"with the weights 0.4, 0.2 and 0.4 it is (0.6, 0.4)", {a, b, c, {0.4, 0.2, 0.4}}},
            {"with corners (0.1, 0.7), (0.9, 0.2), (0.4, 0.6), weights 0.5, 0.3, 0.2: (0.4, 0.53)",
-            {Place2{0.1, 0.7}, Place2{0.9, 0.2}, Place2{0.4, 0.6}, Weights{0.5, 0.3, 0.2}}},
+            {{0.1, 0.7}, {0.9, 0.2}, {0.4, 0.6}, {0.5, 0.3, 0.2}}},
            {"coordinates may be below 0 and above 1",
-            {Place2{-4, -4}, Place2{5, -4}, Place2{5, 5}, Weights{0.3, 0.5, 0.2}}}},
+            {{-4, -4}, {5, -4}, {5, 5}, {0.3, 0.5, 0.2}}}},
       .slips = wrong_mixes};
   return exercise("08.3", "Uv mixed(Uv a, Uv b, Uv c, std::array<double, 3> weights)",
                   std::move(law), mixed, crate);
@@ -387,15 +377,15 @@ double weight_in_the_middle(double near, double far) {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {hit_or_miss(), three_weights(), between_corners()},
-      .questions = {{"08.a",
-                     "An edge goes from depth 1 to depth 4. Which weight does its far end have at "
-                     "the point that is seen in the middle of the edge's image?",
-                     [] { return weight_in_the_middle(1, 4); }, "", 1e-3},
-                    {"08.b",
-                     "A point of the floor has u = -2.3. With the chapter's wrap mode, "
-                     "which u of the texture does it show?",
-                     [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); }, "", 1e-9}},
+      {hit_or_miss(), three_weights(), between_corners()},
+      {{"08.a",
+        "An edge goes from depth 1 to depth 4. Which weight does its far end have at "
+        "the point that is seen in the middle of the edge's image?",
+        [] { return weight_in_the_middle(1, 4); }, ""},
+       {"08.b",
+        "A point of the floor has u = -2.3. With the chapter's wrap mode, "
+        "which u of the texture does it show?",
+        [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); }, "", 1e-9}},
   };
   return chapter;
 }

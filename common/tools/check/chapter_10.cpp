@@ -310,17 +310,16 @@ double latitude_by_cylinder() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {onto_a_cylinder(), fold_an_octahedron(), back_from_the_cylinder()},
-      .questions =
-          {{"10.a",
-            "An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
-            "equirectangular picture have, if its largest texel may cover no more of the globe "
-            "than one texel of the first picture?",
-            texels_needed, "texels", 2e-3},
-           {"10.b",
-            "You read an equirectangular file as if it were a cylinder's. At which latitude of the "
-            "globe do you see what the file has at 45 degrees north?",
-            latitude_by_cylinder, "degrees", 1e-3}},
+      {onto_a_cylinder(), fold_an_octahedron(), back_from_the_cylinder()},
+      {{"10.a",
+        "An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
+        "equirectangular picture have, if its largest texel may cover no more of the globe "
+        "than one texel of the first picture?",
+        texels_needed, "texels", 2e-3},
+       {"10.b",
+        "You read an equirectangular file as if it were a cylinder's. At which latitude of the "
+        "globe do you see what the file has at 45 degrees north?",
+        latitude_by_cylinder, "degrees"}},
   };
   return chapter;
 }

@@ -347,23 +347,21 @@ Exercise bitangent_of_a_copy() {
           [](Vector n, Vector t, double sign) {
             return tangents(TangentRule::crossed, n, {t, {}}).bitangent * sign;
           },
-      .places = {{"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)",
-                  {Vector{0, 0, 1}, Vector{1, 0, 0}, 1}},
+      .places = {{"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)", {{0, 0, 1}, {1, 0, 0}, 1}},
                  {"on a mirrored copy T is (-1, 0, 0) and the sign -1, and B is still (0, 1, 0)",
-                  {Vector{0, 0, 1}, Vector{-1, 0, 0}, -1}},
-                 {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)",
-                  {Vector{1, 0, 0}, Vector{0, 0, -1}, 1}},
+                  {{0, 0, 1}, {-1, 0, 0}, -1}},
+                 {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)", {{1, 0, 0}, {0, 0, -1}, 1}},
                  {"on the back, n = (0, 0, -1), T = (-1, 0, 0): B is (0, 1, 0)",
-                  {Vector{0, 0, -1}, Vector{-1, 0, 0}, 1}},
+                  {{0, 0, -1}, {-1, 0, 0}, 1}},
                  {"north of the equator, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back",
-                  {Vector{0, 0.6, 0.8}, Vector{1, 0, 0}, 1}},
-                 {"the same on a mirrored copy", {Vector{0, 0.6, 0.8}, Vector{-1, 0, 0}, -1}},
+                  {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
+                 {"the same on a mirrored copy", {{0, 0.6, 0.8}, {-1, 0, 0}, -1}},
                  {"where the picture is turned by a quarter, T = (0, 1, 0): B is (-1, 0, 0)",
-                  {Vector{0, 0, 1}, Vector{0, 1, 0}, 1}},
+                  {{0, 0, 1}, {0, 1, 0}, 1}},
                  {"where it is upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)",
-                  {Vector{0, 0, 1}, Vector{-1, 0, 0}, 1}},
+                  {{0, 0, 1}, {-1, 0, 0}, 1}},
                  {"n = (2, 1, 2) / 3, T = (-2, 2, 1) / 3, mirrored: B is (1, 2, -2) / 3",
-                  {Vector{2 / 3., 1 / 3., 2 / 3.}, Vector{-2 / 3., 2 / 3., 1 / 3.}, -1}}},
+                  {{2 / 3., 1 / 3., 2 / 3.}, {-2 / 3., 2 / 3., 1 / 3.}, -1}}},
       .slips = wrong_bitangents};
   return exercise("11.3", "Vec3 bitangent_of(Vec3 n, Vec3 t, double sign)", std::move(law),
                   bitangent_of, globe);
@@ -378,21 +376,18 @@ double leans_by(const Vector& n) {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {normal_of_a_bump(), normal_from_three_bytes(), bitangent_of_a_copy()},
-      .questions =
-          {{"11.a",
-            "A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
-            [] {
-              return leans_by(raised_normal(Vector{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}},
-                                            Slope<double>{0, 0.25, 0}, 0.0, BumpForm::exact));
-            },
-            "degrees", 1e-3},
-           {"11.b",
-            "No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
-            [] {
-              return leans_by(normal_of_color(Color<double>{128 / 255.0, 128 / 255.0, 1}));
-            },
-            "degrees", 0.02}},
+      {normal_of_a_bump(), normal_from_three_bytes(), bitangent_of_a_copy()},
+      {{"11.a", "A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
+        [] {
+          return leans_by(raised_normal(Vector{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}},
+                                        Slope<double>{0, 0.25, 0}, 0.0, BumpForm::exact));
+        },
+        "degrees"},
+       {"11.b", "No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
+        [] {
+          return leans_by(normal_of_color(Color<double>{128 / 255.0, 128 / 255.0, 1}));
+        },
+        "degrees", 0.02}},
   };
   return chapter;
 }

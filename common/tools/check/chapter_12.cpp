@@ -2,7 +2,6 @@
 // student's functions: when the sky is loaded, and when a direction is drawn.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -130,8 +129,6 @@ Image scene(const char* way, int samples) {
 /// Without random directions, so that one sample is enough.
 Image without_noise() { return scene("coefficients", 1); }
 
-using LightOfTexel = Light(int, int, int, int);
-
 /// The light of a channel with the byte m and the exponent k.
 double light_of(int m, int k) { return m == 0 ? 0 : std::ldexp(m + 0.5, k - 136); }
 Light light_of_bytes(int red, int green, int blue, int k) {
@@ -230,7 +227,7 @@ Slips<Light> wrong_lights(int red, int green, int blue, int k) {
 }
 
 Exercise light_from_four_bytes() {
-  Law<LightOfTexel> law{
+  Law<Light(int, int, int, int)> law{
       .right = light_of_bytes,
       .places = {{"with the exponent 136 a byte m means m + 1/2", {200, 100, 50, 136}},
                  {"a byte 0 has no light", {200, 0, 0, 136}},
@@ -500,16 +497,15 @@ double equator_to_pole() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {light_from_four_bytes(), angle_of_a_texel(), draw_one_of_many()},
-      .questions =
-          {{"12.a",
-            "The sun is 2.8 degrees wide. Of a million directions drawn by the cosine on a surface "
-            "that faces the sun, how many find it?",
-            directions_to_the_sun, "directions", 0.1},
-           {"12.b",
-            "The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at "
-            "the equator as one at a pole?",
-            equator_to_pole, "times", 0.02}},
+      {light_from_four_bytes(), angle_of_a_texel(), draw_one_of_many()},
+      {{"12.a",
+        "The sun is 2.8 degrees wide. Of a million directions drawn by the cosine on a surface "
+        "that faces the sun, how many find it?",
+        directions_to_the_sun, "directions", 0.1},
+       {"12.b",
+        "The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at "
+        "the equator as one at a pole?",
+        equator_to_pole, "times", 0.02}},
   };
   return chapter;
 }
