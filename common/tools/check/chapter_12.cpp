@@ -83,19 +83,14 @@ struct SkyLight : texmap::SkyLight {
     return thing >= 0 && thing < static_cast<int>(sums.size()) ? thing : 0;
   }
   void sum_up() {
-    const auto width = static_cast<std::size_t>(picture.map().width);
-    double all = 0;
-    for (std::size_t first = 0; first < sampler.probabilities().size(); first += width) {
-      std::vector<double>& sums = texel_sums.emplace_back();
-      sums.reserve(width);
-      double row = 0;
-      for (std::size_t i = 0; i < width; ++i) {
-        row += sampler.probabilities()[first + i];
-        sums.push_back(row);
-      }
+    const auto width = static_cast<std::ptrdiff_t>(picture.map().width);
+    for (auto p = sampler.probabilities().begin(); p != sampler.probabilities().end();) {
+      std::vector<double>& sums = texel_sums.emplace_back(width);
+      std::partial_sum(p, p + width, sums.begin());
+      p += width;
+      const double row = sums.back();
       for (double& sum : sums) sum /= row;
-      all += row;
-      row_sums.push_back(all);
+      row_sums.push_back(row_sums.empty() ? row : row_sums.back() + row);
     }
   }
 };
@@ -285,7 +280,7 @@ Slips<double> wrong_solid_angles(int row_number, int width_in_texels, int height
   };
   /// Instead of 2 pi / width, and with cos b - cos a.
   const auto factor = [=](std::vector<double> factors) {
-    for (std::size_t i = factors.size(); i-- > 0;) factors.push_back(-factors[i]);
+    for (const double f : std::vector(factors)) factors.push_back(-f);
     for (double& f : factors) f *= cosines;
     return factors;
   };
