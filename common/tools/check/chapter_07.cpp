@@ -157,6 +157,7 @@ Slips<int> wrong_means(const Bytes& bytes) {
   const auto power = [&](double p) {
     return 255 * std::pow(sum([=](int byte) { return std::pow(byte / 255., p); }) / n, 1 / p);
   };
+  const auto* not_256 = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
   const Slips<double> wrong = {
       {"this is the mean of the bytes, not of the light: decode each byte, encode the mean",
        bytes_sum / n},
@@ -178,9 +179,7 @@ Slips<int> wrong_means(const Bytes& bytes) {
       {"the sum is encoded before it is divided: encode the mean", byte_of(light) / n},
       {"srgb_decode takes a number from 0 to 1: give it byte / 255.0",
        {byte_of(as_255), srgb_encode(as_255)}},
-      {"white is byte 255, and there it is 1: divide and multiply by 255, not 256",
-       {256 * srgb_encode(mean),
-        byte_of(sum([](int byte) { return srgb_decode(byte / 256.); }) / n)}},
+      {not_256, byte_of(sum([](int byte) { return srgb_decode(byte / 256.); }) / n)},
       {"the bytes are not encoded by this power alone: take srgb_decode and srgb_encode",
        {power(2), power(2.2)}},
       {"a byte is missing in the sum: all count, from the first to the last",
@@ -189,6 +188,7 @@ Slips<int> wrong_means(const Bytes& bytes) {
   const auto whole = [](double value) { return static_cast<int>(value); };
   Slips<int> both = changed(wrong, [=](double value) { return whole(std::round(value)); });
   both += changed(wrong, whole);
+  both += {{not_256, whole(std::round(256 * srgb_encode(mean)))}};
   return both;
 }
 

@@ -205,6 +205,9 @@ Vector numbers_of(int red, int green, int blue) {
   return normal_of_color(Color<double>{red / 255.0, green / 255.0, blue / 255.0});
 }
 
+constexpr const char* middle =
+    "the middle is 127.5, between two bytes: subtract 127.5, then divide by 127.5";
+
 /// A channel's number from -1 to 1 as many compute it.
 Slips<double> wrong_channels(int byte) {
   const double c = byte / 255.0;
@@ -216,31 +219,44 @@ Slips<double> wrong_channels(int byte) {
        {whole(2 * (byte / 255) - 1), whole(2 * byte / 255 - 1), whole(byte / 255),
         whole(byte / 128 - 1), whole(byte / 127 - 1), whole((byte - 128) / 128),
         whole((byte - 128) / 127), whole((byte - 127) / 128)}},
-      {"0 must mean exactly -1 and 255 exactly 1: write 2 * (red / 255.0) - 1",
-       (byte + 0.5) / 128 - 1},
-      {"a channel is the byte / 255, not / 256: 255 must mean exactly 1", byte / 128.0 - 1},
-      {"the middle is 127.5, between two bytes; you begin at 128, and 0 does not mean -1",
-       {(byte - 128) / 127.0, (byte - 128) / 127.5}},
-      {"the middle is 127.5, between two bytes: subtract 127.5, then divide by 127.5",
-       {(byte - 127) / 128.0, (byte - 127) / 127.5, byte / 127.0 - 1, (byte - 127.5) / 127}},
-      {"your numbers run from 0 to 2: subtract 1 from 2c", 2 * c},
+      {middle, {(byte - 127) / 128.0, (byte - 127) / 127.5, byte / 127.0 - 1}},
       {"your numbers run from -1 to 0: double c, then subtract 1", c - 1},
-      {"your numbers run from -1/2 to 1/2: it is 2c - 1", c - 0.5},
-      {"your numbers run from -2 to 0: double c alone, then subtract 1", 2 * (c - 1)},
       {"your numbers run from -1/2 to 3/2: subtract 1 from 2c, not 1/2", 2 * c - 0.5},
       {"your numbers run from 1 to 3: subtract 1 from 2c, do not add it", 2 * c + 1},
       {"the sign is wrong: it is 2c - 1, not 1 - 2c", -n},
       {"this goes back, from a number to its channel: the number is 2c - 1", (c + 1) / 2},
       {"/ comes before -, and divides what stands right before it: 2 * (red / 255.0) - 1",
        {2 * byte - 1 / 255.0, (2 * byte - 1) / 255.0}},
-      {"these are bytes: divide by 255.0 first, so that c runs from 0 to 1",
-       {1.0 * byte, 2.0 * byte - 1}},
-      {"subtracting the middle is right; then divide by 127.5, so that 255 means 1",
-       {byte - 127.5, byte - 128.0}},
       {"bytes below 128 mean numbers below 0: do not limit them to 0", std::max(n, 0.0)},
       {"bytes below 128 mean numbers below 0: keep their sign", std::abs(n)},
       {"a normal map stores numbers, not colors: leave srgb_decode out", 2 * srgb_decode(c) - 1},
   };
+}
+
+/// The same, where a unit vector of these has the direction of another mistake's or the right one.
+Slips<double> wrong_scales(int byte) {
+  const double c = byte / 255.0;
+  return {
+      {"0 must mean exactly -1 and 255 exactly 1: write 2 * (red / 255.0) - 1",
+       (byte + 0.5) / 128 - 1},
+      {"a channel is the byte / 255, not / 256: 255 must mean exactly 1", byte / 128.0 - 1},
+      {"the middle is 127.5, between two bytes; you begin at 128, and 0 does not mean -1",
+       {(byte - 128) / 127.0, (byte - 128) / 127.5}},
+      {"your numbers run from 0 to 2: subtract 1 from 2c", 2 * c},
+      {"your numbers run from -1/2 to 1/2: it is 2c - 1", c - 0.5},
+      {"your numbers run from -2 to 0: double c alone, then subtract 1", 2 * (c - 1)},
+      {"these are bytes: divide by 255.0 first, so that c runs from 0 to 1",
+       {1.0 * byte, 2.0 * byte - 1}},
+      {"subtracting the middle is right; then divide by 127.5, so that 255 means 1",
+       {byte - 127.5, byte - 128.0}},
+      {middle, (byte - 127.5) / 127},
+  };
+}
+
+/// The table of a channel for all three.
+Slips<Vector> of_texel(Slips<double> (*table)(int), int red, int green, int blue) {
+  const auto vector = [](double r, double g, double b) { return Vector{r, g, b}; };
+  return combined(vector, table(red), table(green), table(blue));
 }
 
 Slips<Vector> wrong_texels(int red, int green, int blue) {
@@ -263,11 +279,7 @@ Slips<Vector> wrong_texels(int red, int green, int blue) {
         {x, y, 1}}},
       {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, std::max(z, 0.0)}},
   };
-  Slips<Vector> channels = combined(
-      [](double r, double g, double b) {
-        return Vector{r, g, b};
-      },
-      wrong_channels(red), wrong_channels(green), wrong_channels(blue));
+  Slips<Vector> channels = of_texel(wrong_channels, red, green, blue);
   channels += wrong;
   // Those who make another mistake often make a unit vector, too.
   const auto unit = [](const Vector& n) { return normalize(n); };
@@ -280,6 +292,7 @@ Slips<Vector> wrong_texels(int red, int green, int blue) {
   };
   all += channels;
   all += changed(channels, unit);
+  all += of_texel(wrong_scales, red, green, blue);
   return all;
 }
 
