@@ -137,225 +137,151 @@ Lesson white_globe(const std::vector<std::string>& words = {}) {
   return lesson;
 }
 
-using MeanByte = int(const Bytes&);
-
-/// Means as many compute them, each rounded and cut off.
-std::vector<Mistake<MeanByte>> wrong_means() {
-  std::vector<Mistake<MeanByte>> mistakes;
-  const auto wrong = [&](const char* word, auto&& decode, auto&& encode) {
-    for (const bool rounds : {true, false}) {
-      mistakes.push_back({word, [=](const Bytes& bytes) {
-                            double sum = 0;
-                            for (const int byte : bytes) sum += decode(byte);
-                            const double value = encode(sum, static_cast<double>(bytes.size()));
-                            return static_cast<int>(rounds ? std::round(value) : value);
-                          }});
-    }
+Slips<int> wrong_means(const Bytes& bytes) {
+  const auto n = static_cast<double>(bytes.size());
+  const auto sum = [&](auto number_of) {
+    double all = 0;
+    for (const int byte : bytes) all += number_of(byte);
+    return all;
   };
-  const auto as_it_is = [](int byte) { return byte; };
-  const auto share = [](int byte) { return byte / 255.; };
-  const auto decode = [](int byte) { return srgb_decode(byte / 255.); };
-  const auto encode = [](double sum, double n) { return 255 * srgb_encode(sum / n); };
-  const auto number = [](double sum, double n) { return srgb_encode(sum / n); };
-  const char* of_bytes =
-      "this is the mean of the bytes, not of the light: decode each byte, encode the mean";
-  wrong(of_bytes, as_it_is, [](double sum, double n) { return sum / n; });
-  wrong("the byte is cut off, not rounded: take std::lround", decode,
-        [=](double sum, double n) { return std::floor(encode(sum, n)); });
-  wrong("the byte is cut off, not rounded: take std::lround", decode,
-        [](double sum, double n) { return std::floor(255.999 * srgb_encode(sum / n)); });
-  wrong(
-      "every byte but 255 counts as 0: write byte / 255.0, and add in a double",
-      [](int byte) { return byte == 255 ? 1 : 0; }, encode);
-  wrong("the mean is light and no byte yet: encode it", decode,
-        [](double sum, double n) { return 255 * sum / n; });
-  wrong(
-      "decoding and encoding are exchanged: a byte is encoded",
-      [](int byte) { return srgb_encode(byte / 255.); },
-      [](double sum, double n) { return 255 * srgb_decode(sum / n); });
-  wrong("the bytes are not decoded, but their mean is encoded: too bright", share, encode);
-  wrong("the mean of the bytes is decoded: decode each byte, and encode the mean", share,
-        [](double sum, double n) { return 255 * srgb_decode(sum / n); });
-  wrong("you decode each byte and the mean again: encode the mean", decode,
-        [](double sum, double n) { return 255 * srgb_decode(sum / n); });
-  const char* no_byte = "this is a number from 0 to 1: encode the mean, and multiply it by 255";
-  wrong(no_byte, decode, number);
-  wrong(no_byte, decode, [](double sum, double n) { return sum / n; });
-  const char* sum_alone = "the sum is no mean: divide it by bytes.size(), then encode it";
-  wrong(sum_alone, decode, [](double sum, double) { return 255 * srgb_encode(sum); });
-  wrong(sum_alone, decode, [](double sum, double) { return 255 * sum; });
-  wrong(sum_alone, as_it_is, [](double sum, double) { return sum; });
-  wrong("the sum is encoded before it is divided: encode the mean", decode,
-        [](double sum, double n) { return 255 * srgb_encode(sum) / n; });
-  const char* undivided = "srgb_decode takes a number from 0 to 1: give it byte / 255.0";
-  const auto decode_number = [](int byte) { return srgb_decode(double(byte)); };
-  wrong(undivided, decode_number, encode);
-  wrong(undivided, decode_number, number);
-  const char* white = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
-  wrong(white, decode, [](double sum, double n) { return 256 * srgb_encode(sum / n); });
-  wrong(
-      white, [](int byte) { return srgb_decode(byte / 256.); }, encode);
-  for (const double power : {2., 2.2}) {
-    wrong(
-        "the bytes are not encoded by this power alone: take srgb_decode and srgb_encode",
-        [=](int byte) { return std::pow(byte / 255., power); },
-        [=](double sum, double n) { return 255 * std::pow(sum / n, 1 / power); });
-  }
-  for (const bool first : {true, false}) {
-    mistakes.push_back({"a byte is missing in the sum: all count, from the first to the last",
-                        [=](const Bytes& bytes) {
-                          Bytes others = bytes;
-                          (first ? others.front() : others.back()) = 0;
-                          return mean_of(others);
-                        }});
-  }
-  return mistakes;
+  const auto decoded = [](double byte) { return srgb_decode(byte / 255); };
+  const auto byte_of = [](double light) { return 255 * srgb_encode(light); };
+  const double light = sum(decoded);
+  const double mean = light / n;
+  const double bytes_sum = sum([](int byte) { return byte; });
+  const double share = bytes_sum / 255 / n;
+  const double as_255 = sum([](int byte) { return srgb_decode(double(byte)); }) / n;
+  const auto without = [&](int byte) {
+    return static_cast<double>(std::lround(byte_of((light - decoded(byte)) / n)));
+  };
+  const auto power = [&](double p) {
+    return 255 * std::pow(sum([=](int byte) { return std::pow(byte / 255., p); }) / n, 1 / p);
+  };
+  const auto* not_256 = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
+  const Slips<double> wrong = {
+      {"this is the mean of the bytes, not of the light: decode each byte, encode the mean",
+       bytes_sum / n},
+      {"the byte is cut off, not rounded: take std::lround",
+       {std::floor(byte_of(mean)), std::floor(255.999 * srgb_encode(mean))}},
+      {"every byte but 255 counts as 0: write byte / 255.0, and add in a double",
+       byte_of(sum([](int byte) { return byte == 255 ? 1 : 0; }) / n)},
+      {"the mean is light and no byte yet: encode it", 255 * mean},
+      {"decoding and encoding are exchanged: a byte is encoded",
+       255 * srgb_decode(sum([](int byte) { return srgb_encode(byte / 255.); }) / n)},
+      {"the bytes are not decoded, but their mean is encoded: too bright", byte_of(share)},
+      {"the mean of the bytes is decoded: decode each byte, and encode the mean",
+       255 * srgb_decode(share)},
+      {"you decode each byte and the mean again: encode the mean", 255 * srgb_decode(mean)},
+      {"this is a number from 0 to 1: encode the mean, and multiply it by 255",
+       {srgb_encode(mean), mean}},
+      {"the sum is no mean: divide it by bytes.size(), then encode it",
+       {byte_of(light), 255 * light, bytes_sum}},
+      {"the sum is encoded before it is divided: encode the mean", byte_of(light) / n},
+      {"srgb_decode takes a number from 0 to 1: give it byte / 255.0",
+       {byte_of(as_255), srgb_encode(as_255)}},
+      {not_256, byte_of(sum([](int byte) { return srgb_decode(byte / 256.); }) / n)},
+      {"the bytes are not encoded by this power alone: take srgb_decode and srgb_encode",
+       {power(2), power(2.2)}},
+      {"a byte is missing in the sum: all count, from the first to the last",
+       {without(bytes.front()), without(bytes.back())}},
+  };
+  const auto whole = [](double value) { return static_cast<int>(value); };
+  Slips<int> both = changed(wrong, [=](double value) { return whole(std::round(value)); });
+  both += changed(wrong, whole);
+  both += {{not_256, whole(std::round(256 * srgb_encode(mean)))}};
+  return both;
 }
 
 Exercise average_light() {
-  Law<MeanByte> law{.right = mean_of,
-                    .places = {{"the mean of one byte is this byte", {Bytes{76}}},
-                               {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
-                               {"half black and half white sends out half of the light: byte 188",
-                                {Bytes{0, 255}}},
-                               {"three quarters black", {Bytes{0, 255, 0, 0}}},
-                               {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
-                               {"a dark and a bright byte", {Bytes{40, 180}}},
-                               {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
-                               {"white stays white", {Bytes{255, 255}}}},
-                    .mistakes = wrong_means(),
-                    .tolerance = 0};
+  Law<int(const Bytes&)> law{
+      .right = mean_of,
+      .places = {{"the mean of one byte is this byte", {Bytes{76}}},
+                 {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
+                 {"half black and half white sends out half of the light: byte 188",
+                  {Bytes{0, 255}}},
+                 {"three quarters black", {Bytes{0, 255, 0, 0}}},
+                 {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
+                 {"a dark and a bright byte", {Bytes{40, 180}}},
+                 {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
+                 {"white stays white", {Bytes{255, 255}}}},
+      .slips = wrong_means,
+      .tolerance = 0};
   return exercise("07.1", "int mean_byte(const std::vector<int>& bytes)", std::move(law), mean_byte,
                   [] {
                     return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"}));
                   });
 }
 
-using Scattered = Vector(double, double);
-
-/// The point of the disk, lifted.
-constexpr auto lifted_point = [](auto radius_of, double turn, auto height_of) {
-  return [=](double a, double b) {
-    const double radius = radius_of(a);
-    const double angle = turn * b;
-    return Vector{radius * std::cos(angle), radius * std::sin(angle), height_of(radius)};
-  };
-};
-double root(double a) { return std::sqrt(a); }
-double lifted(double radius) { return std::sqrt(1 - radius * radius); }
-
-/// Wrong points of the disk, at the right height and at two wrong ones.
-void add_wrong_points(std::vector<Mistake<Scattered>>& mistakes) {
-  const auto wrong = [&](const char* word, auto radius_of, double turn) {
-    mistakes.push_back({word, lifted_point(radius_of, turn, lifted)});
-    mistakes.push_back(
-        {word, lifted_point(radius_of, turn, [](double radius) { return 1 - radius * radius; })});
-    mistakes.push_back(
-        {word, lifted_point(radius_of, turn, [](double radius) { return 1 - radius; })});
-  };
-  wrong(
-      "the radius is a: too many directions are near the normal. Equal areas need sqrt(a)",
-      [](double a) { return a; }, 2 * pi);
-  wrong(
-      "the radius is a a: equal areas need the root, sqrt(a)", [](double a) { return a * a; },
-      2 * pi);
-  wrong(
-      "the radius is sqrt(1 - a): a = 0 is the middle of the disk, so take sqrt(a)",
-      [](double a) { return std::sqrt(1 - a); }, 2 * pi);
-  wrong("the directions cover half of the disk: a whole turn is 2 pi", root, pi);
-  wrong("b is taken for radians: multiply it by 2 pi", root, 1);
-  const char* degrees = "b is turned into degrees: std::cos and std::sin take radians";
-  wrong(degrees, root, 360);
-  wrong(degrees, root, 360 * 180 / pi);
-  wrong("2 pi b is in radians already: no pi / 180 is needed", root, pi * pi / 90);
-  wrong("the angle runs the other way: count it from x toward y", root, -2 * pi);
-  wrong(
-      "all points lie on the edge of the disk: multiply cos and sin by the radius",
-      [](double) { return 1.; }, 2 * pi);
+Vector right_scatter(double a, double b) {
+  const double radius = std::sqrt(a);
+  return {radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b),
+          std::sqrt(1 - radius * radius)};
 }
 
-/// Directions as many make them.
-std::vector<Mistake<Scattered>> wrong_scatter() {
-  std::vector<Mistake<Scattered>> mistakes;
-  const auto wrong = [&](const char* word, std::function<Scattered> function) {
-    mistakes.push_back({word, std::move(function)});
+Slips<Vector> wrong_scatter(double a, double b) {
+  const auto point = [](double radius, double angle, double height) {
+    return Vector{radius * std::cos(angle), radius * std::sin(angle), height};
   };
-  const auto right = lifted_point(root, 2 * pi, lifted);
-  add_wrong_points(mistakes);
-  wrong("all points lie on the edge of the disk: multiply cos and sin by the radius",
-        [=](double a, double b) {
-          return Vector{std::cos(2 * pi * b), std::sin(2 * pi * b), right(a, b).z};
-        });
-  wrong("the height needs a root: x x + y y + z z is 1",
-        lifted_point(root, 2 * pi, [](double radius) { return 1 - radius * radius; }));
-  wrong("the height is 1 - radius, so the point lies below the hemisphere: x x + y y + z z is 1",
-        lifted_point(root, 2 * pi, [](double radius) { return 1 - radius; }));
-  const char* square = "the length is not 1: the height is the root of 1 - radius * radius";
-  wrong(square, lifted_point(root, 2 * pi, [](double radius) { return std::sqrt(1 - radius); }));
-  wrong(square, lifted_point(root, 2 * pi, [](double radius) {
-          return std::sqrt(1 - radius * radius * radius * radius);
-        }));
-  wrong(square,
-        lifted_point(root, 2 * pi, [](double radius) { return std::sqrt(1 + radius * radius); }));
-  wrong(square, lifted_point(root, 2 * pi, [](double) { return 1.; }));
-  wrong(square, lifted_point(root, 2 * pi, [](double radius) { return radius; }));
-  wrong(square, [=](double a, double b) {
-    const Vector p = right(a, b);
-    return Vector{p.x, p.y, std::sqrt(1 - p.x * p.x)};
-  });
-  wrong(
-      "you make the length 1 at the end, and move x and y: the height is sqrt(1 - radius * radius)",
-      [=](double a, double b) {
-        const Vector p = right(a, b);
-        return normalize(Vector{p.x, p.y, 1});
-      });
-  wrong("the points lie on the disk, not above it: lift them",
-        lifted_point(root, 2 * pi, [](double) { return 0.; }));
-  wrong("the points lie below the surface: the height is not negative",
-        lifted_point(root, 2 * pi, [](double radius) { return -lifted(radius); }));
-  wrong("each height is equally likely: then light from the side counts too much",
-        [](double a, double b) {
-          const double radius = std::sqrt(a * (2 - a));
-          return Vector{radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b), 1 - a};
-        });
-  wrong("these directions go to all sides, also below the surface: lift a point of the disk",
-        [](double a, double b) {
-          const double z = 1 - 2 * a;
-          const double radius = std::sqrt(1 - z * z);
-          return Vector{radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b), z};
-        });
-  wrong("a and b are exchanged: a makes the radius, b the angle",
-        [=](double a, double b) { return right(b, a); });
-  wrong("a makes the radius and the angle: the angle is 2 pi b",
-        [=](double a, double) { return right(a, a); });
-  wrong("b makes the radius and the angle: the radius is sqrt(a)",
-        [=](double, double b) { return right(b, b); });
-  wrong("cos and sin are exchanged: the angle is counted from x toward y", [=](double a, double b) {
-    const Vector p = right(a, b);
-    return Vector{p.y, p.x, p.z};
-  });
-  wrong("the normal is +z here: the height is z, not y", [=](double a, double b) {
-    const Vector p = right(a, b);
-    return Vector{p.x, p.z, p.y};
-  });
-  return mistakes;
+  /// At the right height and at two wrong ones.
+  const auto at = [&](double radius, double angle) {
+    const double square = radius * radius;
+    return std::vector{point(radius, angle, std::sqrt(1 - square)),
+                       point(radius, angle, 1 - square), point(radius, angle, 1 - radius)};
+  };
+  const double root = std::sqrt(a);
+  const double turn = 2 * pi * b;
+  const auto [x, y, z] = right_scatter(a, b);
+  const auto lifted = [&](double height) { return point(root, turn, height); };
+  const double to_all_sides = 1 - 2 * a;
+  return {
+      {"the radius is a: too many directions are near the normal. Equal areas need sqrt(a)",
+       at(a, turn)},
+      {"the radius is a a: equal areas need the root, sqrt(a)", at(a * a, turn)},
+      {"the radius is sqrt(1 - a): a = 0 is the middle of the disk, so take sqrt(a)",
+       at(std::sqrt(1 - a), turn)},
+      {"the directions cover half of the disk: a whole turn is 2 pi", at(root, pi * b)},
+      {"b is taken for radians: multiply it by 2 pi", at(root, b)},
+      {"b is turned into degrees: std::cos and std::sin take radians", at(root, 360 * b)},
+      {"b is turned into degrees: std::cos and std::sin take radians",
+       at(root, 360 * 180 / pi * b)},
+      {"2 pi b is in radians already: no pi / 180 is needed", at(root, pi * pi / 90 * b)},
+      {"the angle runs the other way: count it from x toward y", at(root, -turn)},
+      {"all points lie on the edge of the disk: multiply cos and sin by the radius", at(1, turn)},
+      {"all points lie on the edge of the disk: multiply cos and sin by the radius",
+       point(1, turn, z)},
+      {"the height needs a root: x x + y y + z z is 1", lifted(1 - root * root)},
+      {"the height is 1 - radius, so the point lies below the hemisphere: x x + y y + z z is 1",
+       lifted(1 - root)},
+      {"the length is not 1: the height is the root of 1 - radius * radius",
+       {lifted(std::sqrt(1 - root)), lifted(std::sqrt(1 - a * a)), lifted(std::sqrt(1 + a)),
+        lifted(1), lifted(root), lifted(std::sqrt(1 - x * x))}},
+      {"you make the length 1 at the end, and move x and y: the height is sqrt(1 - radius * "
+       "radius)",
+       normalize(lifted(1))},
+      {"the points lie on the disk, not above it: lift them", lifted(0)},
+      {"the points lie below the surface: the height is not negative", lifted(-z)},
+      {"each height is equally likely: then light from the side counts too much",
+       point(std::sqrt(a * (2 - a)), turn, 1 - a)},
+      {"these directions go to all sides, also below the surface: lift a point of the disk",
+       point(std::sqrt(1 - to_all_sides * to_all_sides), turn, to_all_sides)},
+      {"a and b are exchanged: a makes the radius, b the angle", right_scatter(b, a)},
+      {"a makes the radius and the angle: the angle is 2 pi b", right_scatter(a, a)},
+      {"b makes the radius and the angle: the radius is sqrt(a)", right_scatter(b, b)},
+      {"cos and sin are exchanged: the angle is counted from x toward y", {y, x, z}},
+      {"the normal is +z here: the height is z, not y", {x, z, y}},
+  };
 }
 
 Exercise more_light_from_above() {
-  Law<Scattered> law{
-      .right =
-          [](double a, double b) {
-            const double radius = std::sqrt(a);
-            return Vector{radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b),
-                          std::sqrt(1 - radius * radius)};
-          },
+  Law<Vector(double, double)> law{
+      .right = right_scatter,
       .places = {{"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
                  {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
                  {"b = 1/4 is a quarter turn from there: +y", {0.25, 0.25}},
                  {"b = 1/2 is half a turn: -x", {0.25, 0.5}},
                  {"half of the points have a radius below 0.71", {0.5, 0.75}},
                  {"a = 0.81 has the radius 0.9: close to the surface", {0.81, 0.125}}},
-      .mistakes = wrong_scatter(),
+      .slips = wrong_scatter,
       .tolerance = 1e-6};
   return exercise("07.2", "Vec3 scattered(double a, double b)", std::move(law), scattered, [] {
     auto lesson = white_globe({"--sky", "gradient"});
@@ -364,147 +290,68 @@ Exercise more_light_from_above() {
   });
 }
 
-using PlaceOfSample = Place2(int, int, double, double);
-
-/// A sample's cell, and the random numbers.
-struct Cell {
-  int i, n;
-  double column, row, a, b;
-};
-
-Mistake<PlaceOfSample> wrong_place(const char* word, Place2 (*place)(const Cell&)) {
-  return {word, [=](int i, int n, double a, double b) {
-            return place({i, n, double(i % n), std::floor(double(i) / n), a, b});
-          }};
+Place2 right_place(int i, int n, double a, double b) {
+  const int row = i / n;
+  return {(i % n + a) / n, (row + b) / n};
 }
 
-/// Samples in the wrong cells.
-void add_wrong_cells(std::vector<Mistake<PlaceOfSample>>& mistakes) {
-  const auto wrong = [&](const char* word, Place2 (*place)(const Cell&)) {
-    mistakes.push_back(wrong_place(word, place));
+Slips<Place2> wrong_places(int i, int n, double a, double b) {
+  const double column = i % n;
+  const double row = std::floor(double(i) / n);
+  const auto [u, v] = right_place(i, n, a, b);
+  return {
+      {"all samples of a cell are at its corner: add a and b", {column / n, row / n}},
+      {"all samples are in the middle of their cells: the same grid in every pixel makes stripes. "
+       "Add a and b",
+       {(column + 0.5) / n, (row + 0.5) / n}},
+      {"these are random samples, without cells: i has no effect (with int, column / n is 0)",
+       {a, b}},
+      {"all samples are in the first cell: column / n and row / n as int are 0", {a / n, b / n}},
+      {"column / n and row / n as int are 0: add a and b first, then divide", {0, 0}},
+      {"columns and rows are exchanged: sample 1 is the right neighbor of sample 0",
+       {(row + a) / n, (column + b) / n}},
+      {"a and b are exchanged: a is across, b is up", {(column + b) / n, (row + a) / n}},
+      {"a moves the sample across and up: b says how far up", {u, (row + a) / n}},
+      {"u and v are exchanged: column and a make u, row and b make v", {v, u}},
+      {"you divide by n x n: all samples are in one corner of the pixel", {u / n, v / n}},
+      {"n cells are as wide as the pixel: divide by n, not by n - 1",
+       {(column + a) / (n - 1), (row + b) / (n - 1)}},
+      {"n cells are as wide as the pixel: divide by n, not by n + 1",
+       {(column + a) / (n + 1), (row + b) / (n + 1)}},
+      {"these are cells, and the pixel goes from 0 to 1: divide by n", {column + a, row + b}},
+      {"the division comes before the sum: write (column + a) / n", {column + a / n, row + b / n}},
+      {"a and b are factors here: add them to column and row", {column * a / n, row * b / n}},
+      {"a and b count from the corner of the cell: do not subtract or add 1/2",
+       {{(column + a - 0.5) / n, (row + b - 0.5) / n},
+        {(column + a + 0.5) / n, (row + b + 0.5) / n}}},
+      {"a and b are not divided by n: the samples leave their cells",
+       {column / n + a, row / n + b}},
+      {"v is random: it is (row + b) / n", {u, b}},
+      {"u is random: it is (column + a) / n", {a, v}},
+      {"the rows are upside down: v begins at 0 with row 0",
+       {{u, (n - 1 - row + b) / n}, {u, 1 - v}}},
+      {"samples are counted from 0: column i % n and row i / n, without 1",
+       {right_place(i + 1, n, a, b), {(column - 1 + a) / n, (row - 1 + b) / n}}},
+      {"the row is i / n, without the rest: i % n is the column", {u, (column + b) / n}},
+      {"the column is the remainder i % n: i / n is the row", {(row + a) / n, v}},
+      {"the row is no whole number: divide i by n as int, and the rest is cut off",
+       {u, (double(i) / n + b) / n}},
+      {"the column grows beyond the pixel: it is the remainder i % n", {(i + a) / n, v}},
+      {"i counts samples, not rows: the row is i / n", {u, (i + b) / n}},
+      {"i counts samples: the column is i % n, the row is i / n", {(i + a) / n, (i + b) / n}},
   };
-  wrong("the rows are upside down: v begins at 0 with row 0", [](const Cell& c) {
-    return Place2{(c.column + c.a) / c.n, (c.n - 1 - c.row + c.b) / c.n};
-  });
-  wrong("the rows are upside down: v begins at 0 with row 0", [](const Cell& c) {
-    return Place2{(c.column + c.a) / c.n, 1 - (c.row + c.b) / c.n};
-  });
-  wrong("samples are counted from 0: column i % n and row i / n, without 1", [](const Cell& c) {
-    const int i = c.i + 1;
-    return Place2{(i % c.n + c.a) / c.n, (std::floor(double(i) / c.n) + c.b) / c.n};
-  });
-  wrong("samples are counted from 0: column i % n and row i / n, without 1", [](const Cell& c) {
-    return Place2{(c.column - 1 + c.a) / c.n, (c.row - 1 + c.b) / c.n};
-  });
-  wrong("the row is i / n, without the rest: i % n is the column", [](const Cell& c) {
-    return Place2{(c.column + c.a) / c.n, (c.column + c.b) / c.n};
-  });
-  wrong("the column is the remainder i % n: i / n is the row", [](const Cell& c) {
-    return Place2{(c.row + c.a) / c.n, (c.row + c.b) / c.n};
-  });
-  wrong("the row is no whole number: divide i by n as int, and the rest is cut off",
-        [](const Cell& c) {
-          return Place2{(c.column + c.a) / c.n, (double(c.i) / c.n + c.b) / c.n};
-        });
-  wrong("the column grows beyond the pixel: it is the remainder i % n", [](const Cell& c) {
-    return Place2{(c.i + c.a) / c.n, (c.row + c.b) / c.n};
-  });
-  wrong("i counts samples, not rows: the row is i / n", [](const Cell& c) {
-    return Place2{(c.column + c.a) / c.n, (c.i + c.b) / c.n};
-  });
-  wrong("i counts samples: the column is i % n, the row is i / n", [](const Cell& c) {
-    return Place2{(c.i + c.a) / c.n, (c.i + c.b) / c.n};
-  });
-}
-
-/// Places of samples as many compute them.
-std::vector<Mistake<PlaceOfSample>> wrong_places() {
-  std::vector<Mistake<PlaceOfSample>> mistakes;
-  const auto wrong = [&](const char* word, Place2 (*place)(const Cell&)) {
-    mistakes.push_back(wrong_place(word, place));
-  };
-  const char* corner = "all samples of a cell are at its corner: add a and b";
-  wrong(corner, [](const Cell& c) { return Place2{c.column / c.n, c.row / c.n}; });
-  wrong(
-      "all samples are in the middle of their cells: the same grid in every pixel makes stripes. "
-      "Add a and b",
-      [](const Cell& c) {
-        return Place2{(c.column + 0.5) / c.n, (c.row + 0.5) / c.n};
-      });
-  wrong("these are random samples, without cells: i has no effect (with int, column / n is 0)",
-        [](const Cell& c) {
-          return Place2{c.a, c.b};
-        });
-  const char* first = "all samples are in the first cell: column / n and row / n as int are 0";
-  wrong(first, [](const Cell& c) { return Place2{c.a / c.n, c.b / c.n}; });
-  wrong("column / n and row / n as int are 0: add a and b first, then divide", [](const Cell&) {
-    return Place2{0, 0};
-  });
-  wrong("columns and rows are exchanged: sample 1 is the right neighbor of sample 0",
-        [](const Cell& c) {
-          return Place2{(c.row + c.a) / c.n, (c.column + c.b) / c.n};
-        });
-  wrong("a and b are exchanged: a is across, b is up", [](const Cell& c) {
-    return Place2{(c.column + c.b) / c.n, (c.row + c.a) / c.n};
-  });
-  wrong("a moves the sample across and up: b says how far up", [](const Cell& c) {
-    return Place2{(c.column + c.a) / c.n, (c.row + c.a) / c.n};
-  });
-  wrong("u and v are exchanged: column and a make u, row and b make v", [](const Cell& c) {
-    return Place2{(c.row + c.b) / c.n, (c.column + c.a) / c.n};
-  });
-  wrong("you divide by n x n: all samples are in one corner of the pixel", [](const Cell& c) {
-    return Place2{(c.column + c.a) / (c.n * c.n), (c.row + c.b) / (c.n * c.n)};
-  });
-  wrong("n cells are as wide as the pixel: divide by n, not by n - 1", [](const Cell& c) {
-    return Place2{(c.column + c.a) / (c.n - 1), (c.row + c.b) / (c.n - 1)};
-  });
-  wrong("n cells are as wide as the pixel: divide by n, not by n + 1", [](const Cell& c) {
-    return Place2{(c.column + c.a) / (c.n + 1), (c.row + c.b) / (c.n + 1)};
-  });
-  wrong("these are cells, and the pixel goes from 0 to 1: divide by n", [](const Cell& c) {
-    return Place2{c.column + c.a, c.row + c.b};
-  });
-  wrong("the division comes before the sum: write (column + a) / n", [](const Cell& c) {
-    return Place2{c.column + c.a / c.n, c.row + c.b / c.n};
-  });
-  wrong("a and b are factors here: add them to column and row", [](const Cell& c) {
-    return Place2{c.column * c.a / c.n, c.row * c.b / c.n};
-  });
-  wrong("a and b count from the corner of the cell: do not subtract or add 1/2", [](const Cell& c) {
-    return Place2{(c.column + c.a - 0.5) / c.n, (c.row + c.b - 0.5) / c.n};
-  });
-  wrong("a and b count from the corner of the cell: do not subtract or add 1/2", [](const Cell& c) {
-    return Place2{(c.column + c.a + 0.5) / c.n, (c.row + c.b + 0.5) / c.n};
-  });
-  wrong("a and b are not divided by n: the samples leave their cells", [](const Cell& c) {
-    return Place2{c.column / c.n + c.a, c.row / c.n + c.b};
-  });
-  wrong("v is random: it is (row + b) / n", [](const Cell& c) {
-    return Place2{(c.column + c.a) / c.n, c.b};
-  });
-  wrong("u is random: it is (column + a) / n", [](const Cell& c) {
-    return Place2{c.a, (c.row + c.b) / c.n};
-  });
-  add_wrong_cells(mistakes);
-  return mistakes;
 }
 
 Exercise one_sample_in_each_cell() {
-  Law<PlaceOfSample> law{
-      .right =
-          [](int i, int n, double a, double b) {
-            const int row = i / n;
-            return Place2{(i % n + a) / n, (row + b) / n};
-          },
+  Law<Place2(int, int, double, double)> law{
+      .right = right_place,
       .places = {{"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
                  {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
                  {"sample 3 is at the end of the first row", {3, 4, 0.5, 0.5}},
                  {"sample 4 begins the second row", {4, 4, 0.5, 0.5}},
                  {"sample 7 of 4 x 4, with a = 0.2 and b = 0.7", {7, 4, 0.2, 0.7}},
                  {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}}},
-      .mistakes = wrong_places(),
-      .tolerance = 1e-9};
+      .slips = wrong_places};
   return exercise("07.3", "Uv place_of_sample(int i, int n, double a, double b)", std::move(law),
                   place_of_sample, [] { return magnified(prepared<Lesson>()); });
 }
@@ -512,25 +359,21 @@ Exercise one_sample_in_each_cell() {
 /// Pixels of a white globe's picture that differ from the sky.
 double pixels_unlike_sky(const std::vector<std::string>& words) {
   const Image image = magnified(white_globe(words));
-  double count = 0;
-  for (const Rgb8& pixel : image.pixels) {
-    if (pixel != image.at(0, 0)) count += 1;
-  }
-  return count;
+  const auto& pixels = image.pixels;
+  return double(pixels.size()) - double(std::count(pixels.begin(), pixels.end(), pixels[0]));
 }
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {average_light(), more_light_from_above(), one_sample_in_each_cell()},
-      .questions =
-          {{"07.a", "Which byte does a pixel get that is a quarter white, the rest black?",
-            [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
-           {"07.b",
-            "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
-            "differ from the sky?",
-            [] { return pixels_unlike_sky({}); }, "pixels", 0}},
+      {average_light(), more_light_from_above(), one_sample_in_each_cell()},
+      {{"07.a", "Which byte does a pixel get that is a quarter white, the rest black?",
+        [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
+       {"07.b",
+        "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
+        "differ from the sky?",
+        [] { return pixels_unlike_sky({}); }, "pixels", 0}},
   };
   return chapter;
 }

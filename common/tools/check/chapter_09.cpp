@@ -110,90 +110,50 @@ Image large_texels() {
   return picture_of(lesson);
 }
 
-/// Columns as many compute them.
-std::vector<Mistake<int(int, int)>> wrong_columns() {
-  std::vector<Mistake<int(int, int)>> mistakes;
-  const auto wrong = [&](const char* word, int (*function)(int, int)) {
-    mistakes.push_back({word, function});
+Slips<int> wrong_columns(int column, int width) {
+  const int rest = column % width;
+  /// The rest of a division by another number, with `added` where it is below 0.
+  const auto rest_of = [=](int divisor, int added) {
+    const int other = column % divisor;
+    return other < 0 ? other + added : other;
   };
-  wrong("the rest is below 0 where the column is: add the width there",
-        [](int column, int width) { return column % width; });
-  wrong(
-      "without its sign, a column left of the picture is counted from the wrong side: the floor is "
-      "mirrored there",
-      [](int column, int width) { return std::abs(column % width); });
-  wrong("you add the width to every rest below 1: 0 must stay 0", [](int column, int width) {
-    return column % width <= 0 ? column % width + width : column % width;
-  });
-  wrong("-4 of 4 must be 0: add the width where the rest is below 0, not where the column is",
-        [](int column, int width) { return column < 0 ? column % width + width : column % width; });
-  wrong("the width is added to every rest: add it only where the rest is below 0",
-        [](int column, int width) { return column % width + width; });
-  wrong("the rest -1 is the last column, width - 1: add width, no more and no less",
-        [](int column, int width) {
-          return column % width < 0 ? column % width + width - 1 : column % width;
-        });
-  wrong("the rest -1 is the last column, width - 1: add width, no more and no less",
-        [](int column, int width) {
-          return column % width < 0 ? column % width + width + 1 : column % width;
-        });
-  wrong("-1 is seen as 0 and -4 as 3: left of the picture your floor is mirrored",
-        [](int column, int width) { return column < 0 ? (-1 - column) % width : column % width; });
-  const char* fewer = "you divide by width - 1: the last column is never seen";
-  wrong(fewer, [](int column, int width) { return column % (width - 1); });
-  wrong(fewer, [](int column, int width) {
-    const int rest = column % (width - 1);
-    return rest < 0 ? rest + width - 1 : rest;
-  });
-  wrong(fewer, [](int column, int width) {
-    const int rest = column % (width - 1);
-    return rest < 0 ? rest + width : rest;
-  });
-  wrong("you divide by width + 1: the picture has the columns 0 to width - 1",
-        [](int column, int width) { return column % (width + 1); });
-  wrong("you divide by width + 1: the picture has the columns 0 to width - 1",
-        [](int column, int width) {
-          const int rest = column % (width + 1);
-          return rest < 0 ? rest + width : rest;
-        });
-  wrong("you divide by width + 1: the picture has the columns 0 to width - 1",
-        [](int column, int width) {
-          const int rest = column % (width + 1);
-          return rest < 0 ? rest + width + 1 : rest;
-        });
-  wrong("width % column divides the width: write column % width",
-        [](int column, int width) { return width % column; });
-  wrong("column / width says in which copy of the picture you are: % is the rest",
-        [](int column, int width) { return column / width; });
-  wrong("& is right for a width of 2, 4, 8 and so on alone: take %",
-        [](int column, int width) { return column & (width - 1); });
-  const char* once = "one width is not enough: columns far away are still outside the picture";
-  wrong(once, [](int column, int width) {
-    return column < 0 ? column + width : column >= width ? column - width : column;
-  });
-  wrong(once, [](int column, int width) { return (column + width) % width; });
-  wrong(once, [](int column, int width) { return column < 0 ? column + width : column % width; });
-  wrong(once, [](int column, int width) {
-    return column < 0 ? column + width : column > width ? column - width : column;
-  });
-  wrong("column = width is column 0 again: subtract where column >= width",
-        [](int column, int width) {
-          while (column < 0) column += width;
-          while (column > width) column -= width;
-          return column;
-        });
-  wrong("columns left of the picture stay there: add the width as long as column is below 0",
-        [](int column, int width) { return column < 0 ? column : column % width; });
-  wrong("columns right of the picture stay there: take the rest there, too",
-        [](int column, int width) {
-          while (column < 0) column += width;
-          return column;
-        });
-  wrong("your floor shows the picture once, and then the column of its edge: that is clamp",
-        [](int column, int width) { return std::clamp(column, 0, width - 1); });
-  wrong("your floor shows the picture once, and then always column 0: the picture is repeated",
-        [](int column, int width) { return column < 0 || column >= width ? 0 : column; });
-  return mistakes;
+  const int from_left = column < 0 ? column + width : column;  // by one width
+  int up = column;
+  while (up < 0) up += width;
+  int down = up;
+  while (down > width) down -= width;
+  return {
+      {"the rest is below 0 where the column is: add the width there", rest},
+      {"without its sign, a column left of the picture is counted from the wrong side: the floor "
+       "is mirrored there",
+       std::abs(rest)},
+      {"you add the width to every rest below 1: 0 must stay 0", rest <= 0 ? rest + width : rest},
+      {"-4 of 4 must be 0: add the width where the rest is below 0, not where the column is",
+       column < 0 ? rest + width : rest},
+      {"the width is added to every rest: add it only where the rest is below 0", rest + width},
+      {"the rest -1 is the last column, width - 1: add width, no more and no less",
+       {rest_of(width, width - 1), rest_of(width, width + 1)}},
+      {"-1 is seen as 0 and -4 as 3: left of the picture your floor is mirrored",
+       column < 0 ? (-1 - column) % width : rest},
+      {"you divide by width - 1: the last column is never seen",
+       {column % (width - 1), rest_of(width - 1, width - 1), rest_of(width - 1, width)}},
+      {"you divide by width + 1: the picture has the columns 0 to width - 1",
+       {column % (width + 1), rest_of(width + 1, width), rest_of(width + 1, width + 1)}},
+      {"width % column divides the width: write column % width", width % column},
+      {"column / width says in which copy of the picture you are: % is the rest", column / width},
+      {"& is right for a width of 2, 4, 8 and so on alone: take %", column & (width - 1)},
+      {"one width is not enough: columns far away are still outside the picture",
+       {column >= width ? column - width : from_left, (column + width) % width,
+        column < 0 ? from_left : rest, column > width ? column - width : from_left}},
+      {"column = width is column 0 again: subtract where column >= width", down},
+      {"columns left of the picture stay there: add the width as long as column is below 0",
+       column < 0 ? column : rest},
+      {"columns right of the picture stay there: take the rest there, too", up},
+      {"your floor shows the picture once, and then the column of its edge: that is clamp",
+       std::clamp(column, 0, width - 1)},
+      {"your floor shows the picture once, and then always column 0: the picture is repeated",
+       column < 0 || column >= width ? 0 : column},
+  };
 }
 
 Exercise again_and_again() {
@@ -210,81 +170,54 @@ Exercise again_and_again() {
                  {"column 70 of 8 is column 6", {70, 8}},
                  {"column -70 of 8 is column 2", {-70, 8}},
                  {"column -10 of 6 is column 2", {-10, 6}}},
-      .mistakes = wrong_columns()};
+      .slips = wrong_columns};
   return exercise("09.1", "int repeated_column(int column, int width)", std::move(law),
                   repeated_column, crates);
 }
 
-using WeightsOf = Weights(double, int);
+double part(double x) { return x - std::floor(x); }
 
-/// Weights as many compute them.
-std::vector<Mistake<WeightsOf>> wrong_weights() {
-  std::vector<Mistake<WeightsOf>> mistakes;
-  const auto wrong_pair = [&](const char* word, std::function<WeightsOf> function) {
-    mistakes.push_back({word, std::move(function)});
-  };
+Slips<Weights> wrong_weights(double u, int width) {
+  const double x = u * width - 0.5;
+  const double right = part(x);
   /// By the weight of the texel on the right, and with the weights exchanged.
-  const auto wrong = [&](const char* word, double (*right)(double u, int width)) {
-    wrong_pair(word, [=](double u, int width) {
-      return Weights{1 - right(u, width), right(u, width)};
-    });
-    wrong_pair(word, [=](double u, int width) {
-      return Weights{right(u, width), 1 - right(u, width)};
-    });
+  const auto both = [](std::initializer_list<double> weights) {
+    std::vector<Weights> pairs;
+    for (const double weight : weights) {
+      pairs.push_back({1 - weight, weight});
+      pairs.push_back({weight, 1 - weight});
+    }
+    return pairs;
   };
-  static constexpr auto part = [](double x) { return x - std::floor(x); };
-  wrong_pair("the weights are exchanged: the closer texel must count more",
-             [](double u, int width) {
-               const double right = part(u * width - 0.5);
-               return Weights{right, 1 - right};
-             });
-  wrong(
-      "half a texel is missing: the center of texel k is at k + 1/2, not at k (1 / 2 as int is 0)",
-      [](double u, int width) { return part(u * width); });
-  wrong("half a texel is subtracted from u: write u * width - 0.5",
-        [](double u, int width) { return part((u - 0.5) * width); });
-  const char* fewer =
-      "u is multiplied by width - 1: u = 1 is the right edge of the last texel, not its center";
-  wrong(fewer, [](double u, int width) { return part(u * (width - 1)); });
-  wrong(fewer, [](double u, int width) { return part(u * (width - 1) - 0.5); });
-  wrong("u runs from 0 to 1: multiply it by width to count texels",
-        [](double u, int) { return part(u - 0.5); });
-  wrong("u runs from 0 to 1: multiply it by width to count texels",
-        [](double u, int) { return u; });
-  wrong("all weight is on one side: x must be a double, and the right texel has x - std::floor(x)",
-        [](double, int) { return 0.; });
-  wrong("the nearer texel has all the weight: this is the filter nearest",
-        [](double u, int width) { return std::round(part(u * width - 0.5)); });
-  wrong("the part is cut off toward 0, so it is below 0 at the left edge: use std::floor",
-        [](double u, int width) { return u * width - 0.5 - std::trunc(u * width - 0.5); });
-  wrong("the part is cut off toward 0 and loses its sign at the left edge: use std::floor",
-        [](double u, int width) { return std::abs(std::fmod(u * width - 0.5, 1)); });
-  wrong("this is the distance to the nearest center: take that to the one on the left, std::floor",
-        [](double u, int width) { return std::abs(std::remainder(u * width - 0.5, 1)); });
-  wrong("this is the distance to the nearest center: take that to the one on the left, std::floor",
-        [](double u, int width) { return u * width - 0.5 - std::round(u * width - 0.5); });
-  wrong("std::ceil(x) is the center on the right: the right texel has x - std::floor(x)",
-        [](double u, int width) { return std::ceil(u * width - 0.5) - (u * width - 0.5); });
-  wrong("this is a place and no part: subtract std::floor(x)",
-        [](double u, int width) { return u * width - 0.5; });
-  wrong("this is a place and no part: subtract std::floor(x)",
-        [](double u, int width) { return std::floor(u * width - 0.5); });
-  wrong("both texels count 1/2 everywhere: this blurs, but does not mix by distance",
-        [](double, int) { return 0.5; });
-  const char* sum = "both weights are the same: they add up to 1, so the left one is 1 - right";
-  wrong_pair(sum, [](double u, int width) {
-    const double right = part(u * width - 0.5);
-    return Weights{right, right};
-  });
-  wrong_pair(sum, [](double u, int width) {
-    const double right = part(u * width - 0.5);
-    return Weights{1 - right, 1 - right};
-  });
-  return mistakes;
+  return {
+      {"the weights are exchanged: the closer texel must count more", {right, 1 - right}},
+      {"half a texel is missing: the center of texel k is at k + 1/2, not at k (1 / 2 as int is 0)",
+       both({part(u * width)})},
+      {"half a texel is subtracted from u: write u * width - 0.5", both({part((u - 0.5) * width)})},
+      {"u is multiplied by width - 1: u = 1 is the right edge of the last texel, not its center",
+       both({part(u * (width - 1)), part(u * (width - 1) - 0.5)})},
+      {"u runs from 0 to 1: multiply it by width to count texels", both({part(u - 0.5), u})},
+      {"all weight is on one side: x must be a double, and the right texel has x - std::floor(x)",
+       both({0})},
+      {"the nearer texel has all the weight: this is the filter nearest",
+       both({std::round(right)})},
+      {"the part is cut off toward 0, so it is below 0 at the left edge: use std::floor",
+       both({x - std::trunc(x)})},
+      {"the part is cut off toward 0 and loses its sign at the left edge: use std::floor",
+       both({std::abs(std::fmod(x, 1))})},
+      {"this is the distance to the nearest center: take that to the one on the left, std::floor",
+       both({std::abs(std::remainder(x, 1)), x - std::round(x)})},
+      {"std::ceil(x) is the center on the right: the right texel has x - std::floor(x)",
+       both({std::ceil(x) - x})},
+      {"this is a place and no part: subtract std::floor(x)", both({x, std::floor(x)})},
+      {"both texels count 1/2 everywhere: this blurs, but does not mix by distance", both({0.5})},
+      {"both weights are the same: they add up to 1, so the left one is 1 - right",
+       {{right, right}, {1 - right, 1 - right}}},
+  };
 }
 
 Exercise mix_two_texels() {
-  Law<WeightsOf> law{
+  Law<Weights(double, int)> law{
       .right =
           [](double u, int width) {
             const double right = four_texels(Uv<double>{u, 0.5}, width, 2).across;
@@ -305,7 +238,7 @@ Exercise mix_two_texels() {
             "again: 1/2 and 1/2",
             {0, 4}},
            {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}}},
-      .mistakes = wrong_weights()};
+      .slips = wrong_weights};
   return exercise("09.2", "std::array<double, 2> weights_of(double u, int width)", std::move(law),
                   weights_of, large_texels);
 }
@@ -315,90 +248,49 @@ double level_of(double width) {
   return place.number + place.fraction;
 }
 
-/// Levels as many compute them.
-std::vector<Mistake<double(double)>> wrong_levels() {
-  std::vector<Mistake<double(double)>> mistakes;
-  const auto wrong = [&](const char* word, double (*function)(double)) {
-    mistakes.push_back({word, function});
+Slips<double> wrong_levels(double width) {
+  const double at_least_1 = std::max(width, 1.);
+  const double at_most_1 = std::min(width, 1.);
+  const auto third = [](double scaled) { return (scaled * scaled - 1) / 3; };
+  Slips<double> wrong = {
+      {"this is the logarithm log2: right at whole levels, up to 0.17 off between them",
+       std::log2(at_least_1)},
+      {"widths below 1 must count as 1: there is no level below 0",
+       {std::log2(width), width < 1 ? third(width) : level_of(width)}},
+      {"this is the natural logarithm: a level is a power of 2",
+       {std::log(at_least_1), std::log(width)}},
+      {"std::min makes every width 1 or less: take std::max(width, 1.0)", third(at_most_1)},
   };
-  /// A width, its whole level l, and the width / 2^l.
-  struct Read {
-    double width, level, scaled;
-  };
-  /// With widths below 1 counted as 1, and as they are.
-  const auto wrong_formula = [&](const char* word, double (*formula)(const Read&)) {
-    for (const double least : {1., 0.}) {
-      mistakes.push_back({word, [=](double width) {
-                            const double w = std::max(width, least);
-                            const double l = std::floor(std::log2(std::max(width, 1.)));
-                            return formula({w, l, w / std::exp2(l)});
-                          }});
-    }
-  };
-  wrong("this is the logarithm log2: right at whole levels, up to 0.17 off between them",
-        [](double width) { return std::log2(std::max(width, 1.0)); });
-  const char* below = "widths below 1 must count as 1: there is no level below 0";
-  wrong(below, [](double width) { return std::log2(width); });
-  wrong(below, [](double width) { return width < 1 ? (width * width - 1) / 3 : level_of(width); });
-  const char* natural = "this is the natural logarithm: a level is a power of 2";
-  wrong(natural, [](double width) { return std::log(std::max(width, 1.0)); });
-  wrong(natural, [](double width) { return std::log(width); });
-  wrong("std::min makes every width 1 or less: take std::max(width, 1.0)", [](double width) {
-    const double w = std::min(width, 1.);
-    return (w * w - 1) / 3;
-  });
-  wrong_formula("this is the whole level alone: add f, and compute with double, not int",
-                [](const Read& r) { return r.level; });
-  wrong_formula("this is f alone: add the whole level l",
-                [](const Read& r) { return (r.scaled * r.scaled - 1) / 3; });
-  wrong_formula("the level is one too high: the floor turns gray too early",
-                [](const Read& r) { return r.level + 1 + (r.scaled * r.scaled - 1) / 3; });
-  wrong_formula("the level is one too low: count from 0, once for each halving",
-                [](const Read& r) { return r.level - 1 + (r.scaled * r.scaled - 1) / 3; });
-  const char* square = "the part grows with the square of the width, not with the width";
-  wrong_formula(square, [](const Read& r) { return r.level + r.scaled - 1; });
-  wrong_formula(square, [](const Read& r) { return r.level + (r.scaled - 1) / 3; });
-  wrong_formula("f is a third: divide by 3",
-                [](const Read& r) { return r.level + r.scaled * r.scaled - 1; });
-  wrong_formula("f is a third of square - 1: you divide by another number",
-                [](const Read& r) { return r.level + (r.scaled * r.scaled - 1) / 2; });
-  wrong_formula("f is a third of square - 1: you divide by another number",
-                [](const Read& r) { return r.level + (r.scaled * r.scaled - 1) / 4; });
-  wrong_formula("the square is not reduced by 1: f is 0 at a whole level",
-                [](const Read& r) { return r.level + r.scaled * r.scaled / 3; });
-  const char* bracket = "/ comes before -: write (x * x - 1) / 3";
-  wrong_formula(bracket, [](const Read& r) { return r.level + r.scaled * r.scaled - 1 / 3.; });
-  wrong_formula(bracket, [](const Read& r) { return r.level + r.scaled * r.scaled; });
-  wrong_formula("f is 0 or more, and added to the level: write level + (square - 1) / 3",
-                [](const Read& r) { return r.level + (1 - r.scaled * r.scaled) / 3; });
-  wrong_formula("f is 0 or more, and added to the level: write level + (square - 1) / 3",
-                [](const Read& r) { return r.level - (r.scaled * r.scaled - 1) / 3; });
-  wrong_formula("f is added to the level, not multiplied by it",
-                [](const Read& r) { return r.level * (r.scaled * r.scaled - 1) / 3; });
-  wrong_formula("you square the width before you divide by 2^l",
-                [](const Read& r) { return r.level + (r.width * r.scaled - 1) / 3; });
-  wrong_formula("f takes the width after halving, width / 2^l: you take the whole width",
-                [](const Read& r) { return r.level + (r.width * r.width - 1) / 3; });
-  wrong_formula("2^l is 2 to the power l, std::exp2(l), not 2 * l", [](const Read& r) {
-    const double scaled = r.width / (2 * r.level);
-    return r.level + (scaled * scaled - 1) / 3;
-  });
-  wrong_formula("2 ^ l is no power in C++ (it compares bits): halve the width l times",
-                [](const Read& r) {
-                  const double scaled = r.width / (2 ^ static_cast<int>(r.level));
-                  return r.level + (scaled * scaled - 1) / 3;
-                });
-  wrong_formula("l is the level below the width, by std::floor", [](const Read& r) {
-    const double l = std::ceil(std::log2(r.width));
-    const double scaled = r.width / std::exp2(l);
-    return l + (scaled * scaled - 1) / 3;
-  });
-  wrong_formula("l is the level below the width, by std::floor", [](const Read& r) {
-    const double l = std::round(std::log2(r.width));
-    const double scaled = r.width / std::exp2(l);
-    return l + (scaled * scaled - 1) / 3;
-  });
-  return mistakes;
+  const double l = std::floor(std::log2(at_least_1));
+  for (const double w : {at_least_1, width}) {
+    const double scaled = w / std::exp2(l);
+    const double square = scaled * scaled;
+    const double f = third(scaled);
+    const auto at = [=](double level) { return level + third(w / std::exp2(level)); };
+    wrong += {
+        {"this is the whole level alone: add f, and compute with double, not int", l},
+        {"this is f alone: add the whole level l", f},
+        {"the level is one too high: the floor turns gray too early", l + 1 + f},
+        {"the level is one too low: count from 0, once for each halving", l - 1 + f},
+        {"the part grows with the square of the width, not with the width",
+         {l + scaled - 1, l + (scaled - 1) / 3}},
+        {"f is a third: divide by 3", l + square - 1},
+        {"f is a third of square - 1: you divide by another number",
+         {l + (square - 1) / 2, l + (square - 1) / 4}},
+        {"the square is not reduced by 1: f is 0 at a whole level", l + square / 3},
+        {"/ comes before -: write (x * x - 1) / 3", {l + square - 1 / 3., l + square}},
+        {"f is 0 or more, and added to the level: write level + (square - 1) / 3", l - f},
+        {"f is added to the level, not multiplied by it", l * (square - 1) / 3},
+        {"you square the width before you divide by 2^l", l + (w * scaled - 1) / 3},
+        {"f takes the width after halving, width / 2^l: you take the whole width", l + third(w)},
+        {"2^l is 2 to the power l, std::exp2(l), not 2 * l", l + third(w / (2 * l))},
+        {"2 ^ l is no power in C++ (it compares bits): halve the width l times",
+         l + third(w / (2 ^ static_cast<int>(l)))},
+        {"l is the level below the width, by std::floor",
+         {at(std::ceil(std::log2(w))), at(std::round(std::log2(w)))}},
+    };
+  }
+  return wrong;
 }
 
 Exercise which_level() {
@@ -412,7 +304,7 @@ Exercise which_level() {
                  {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
                  {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
                  {"a footprint of width 0 is at level 0", {0}}},
-      .mistakes = wrong_levels()};
+      .slips = wrong_levels};
   return exercise("09.3", "double level_of_width(double width)", std::move(law), level_of_width,
                   [] {
                     return drawn<Lesson>({"--filter", "trilinear", "--scene", "plane"});
@@ -434,16 +326,15 @@ double texels_of_pyramid() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {again_and_again(), mix_two_texels(), which_level()},
-      .questions =
-          {{"09.a",
-            "Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean "
-            "of their light?",
-            byte_of_half, "", 0},
-           {"09.b",
-            "How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
-            "together?",
-            texels_of_pyramid, "texels", 1e-3}},
+      {again_and_again(), mix_two_texels(), which_level()},
+      {{"09.a",
+        "Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean "
+        "of their light?",
+        byte_of_half, "", 0},
+       {"09.b",
+        "How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
+        "together?",
+        texels_of_pyramid, "texels"}},
   };
   return chapter;
 }

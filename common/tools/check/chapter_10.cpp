@@ -70,63 +70,51 @@ Image globe(const char* layout) {
   return picture_of(lesson);
 }
 
-/// Places on the cylinder as many compute them.
-std::vector<Mistake<Place2(Vector)>> wrong_cylinders() {
-  std::vector<Mistake<Place2(Vector)>> mistakes;
-  const auto wrong_u = [&](const char* word, double (*u)(const Vector&)) {
-    mistakes.push_back({word, [=](Vector p) { return Place2{u(p), (1 + p.y) / 2}; }});
-    mistakes.push_back({word, [=](Vector p) { return Place2{u(p), p.y}; }});
+Slips<Place2> wrong_cylinders(Vector p) {
+  const double y = p.y;
+  const auto [u, v] = uv_cylinder(p);
+  const double angle = std::atan2(p.z, p.x);
+  const double from_x = std::atan2(p.x, p.z);
+  const double whole = 2 * pi;
+  Slips<Place2> wrong = changed(
+      Slips<double>{
+          {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a "
+           "height",
+           {std::asin(y) / pi + 0.5, std::acos(y) / pi}},
+          {"v runs the other way: your map is upside down", (1 - y) / 2},
+          {"y runs from -1 to 1 and v from 0 to 1: the lower half is missing",
+           {y, std::abs(y), std::max(y, 0.)}},
+          {"v runs from 0 to 2: halve 1 + y", 1 + y},
+          {"/ comes before +: write (1 + y) / 2", 1 + y / 2},
+          {"v runs from -1/2 to 1/2: the half is missing (1 / 2 with int is 0)", y / 2},
+          {"v runs from -1/2 to 3/2: y from -1 to 1 is twice as long as v, so halve it", 0.5 + y},
+          {"this goes back, from v to y: v is (1 + y) / 2", 2 * y - 1},
+      },
+      [=, u = u](double wrong_v) {
+        return Place2{u, wrong_v};
+      });
+  const Slips<double> wrong_u = {
+      {"u runs the other way: your map is mirrored", 0.5 + angle / whole},
+      {"std::atan2 returns radians: divide by 2 pi, not by 360", 0.5 - angle / 360},
+      {"u begins at -1/2: the half is missing (1 / 2 with int is 0)", -angle / whole},
+      {"u runs the other way, and begins at -1/2: it is 1/2 minus the share of a turn",
+       angle / whole},
+      {"a whole turn is 2 pi, not pi: u runs twice too far", 0.5 - angle / pi},
+      {"/ 2 * pi divides by 2 and multiplies by pi: write / (2 * pi)", 0.5 - angle / 2 * pi},
+      {"the angle is no share of a turn: divide it by 2 pi", 0.5 - angle},
+      {"/ comes before -: divide the angle alone, and subtract it from 1/2", (0.5 - angle) / whole},
+      {"u is off by 1/2: on +x it is 1/2, and the seam is on -x", 1 - angle / whole},
+      {"std::atan2 takes z first, then x: your globe is turned and mirrored",
+       {0.5 - from_x / whole, 0.5 + from_x / whole}},
+      {"std::atan cannot tell the front from the back: take std::atan2(p.z, p.x)",
+       0.5 - std::atan(p.z / p.x) / whole},
+      {"y is the axis: the angle around it is std::atan2(p.z, p.x)",
+       0.5 - std::atan2(y, p.x) / whole},
   };
-  const auto wrong_v = [&](const char* word, double (*v)(double y)) {
-    mistakes.push_back({word, [=](Vector p) { return Place2{uv_cylinder(p).u, v(p.y)}; }});
-  };
-  const char* latitude =
-      "v is the latitude here: that is the equirectangular layout. On the cylinder v is a height";
-  wrong_v(latitude, [](double y) { return std::asin(y) / pi + 0.5; });
-  wrong_v(latitude, [](double y) { return std::acos(y) / pi; });
-  wrong_v("v runs the other way: your map is upside down", [](double y) { return (1 - y) / 2; });
-  const char* half = "y runs from -1 to 1 and v from 0 to 1: the lower half is missing";
-  wrong_v(half, [](double y) { return y; });
-  wrong_v(half, [](double y) { return std::abs(y); });
-  wrong_v(half, [](double y) { return std::max(y, 0.); });
-  wrong_v("v runs from 0 to 2: halve 1 + y", [](double y) { return 1 + y; });
-  wrong_v("/ comes before +: write (1 + y) / 2", [](double y) { return 1 + y / 2; });
-  wrong_v("v runs from -1/2 to 1/2: the half is missing (1 / 2 with int is 0)",
-          [](double y) { return y / 2; });
-  wrong_v("v runs from -1/2 to 3/2: y from -1 to 1 is twice as long as v, so halve it",
-          [](double y) { return 0.5 + y; });
-  wrong_v("this goes back, from v to y: v is (1 + y) / 2", [](double y) { return 2 * y - 1; });
-  wrong_u("u runs the other way: your map is mirrored",
-          [](const Vector& p) { return 0.5 + std::atan2(p.z, p.x) / (2 * pi); });
-  wrong_u("std::atan2 returns radians: divide by 2 pi, not by 360",
-          [](const Vector& p) { return 0.5 - std::atan2(p.z, p.x) / 360; });
-  wrong_u("u begins at -1/2: the half is missing (1 / 2 with int is 0)",
-          [](const Vector& p) { return -std::atan2(p.z, p.x) / (2 * pi); });
-  wrong_u("u runs the other way, and begins at -1/2: it is 1/2 minus the share of a turn",
-          [](const Vector& p) { return std::atan2(p.z, p.x) / (2 * pi); });
-  wrong_u("a whole turn is 2 pi, not pi: u runs twice too far",
-          [](const Vector& p) { return 0.5 - std::atan2(p.z, p.x) / pi; });
-  wrong_u("/ 2 * pi divides by 2 and multiplies by pi: write / (2 * pi)",
-          [](const Vector& p) { return 0.5 - std::atan2(p.z, p.x) / 2 * pi; });
-  wrong_u("the angle is no share of a turn: divide it by 2 pi",
-          [](const Vector& p) { return 0.5 - std::atan2(p.z, p.x); });
-  wrong_u("/ comes before -: divide the angle alone, and subtract it from 1/2",
-          [](const Vector& p) { return (0.5 - std::atan2(p.z, p.x)) / (2 * pi); });
-  wrong_u("u is off by 1/2: on +x it is 1/2, and the seam is on -x",
-          [](const Vector& p) { return 1 - std::atan2(p.z, p.x) / (2 * pi); });
-  wrong_u("std::atan2 takes z first, then x: your globe is turned and mirrored",
-          [](const Vector& p) { return 0.5 - std::atan2(p.x, p.z) / (2 * pi); });
-  wrong_u("std::atan2 takes z first, then x: your globe is turned and mirrored",
-          [](const Vector& p) { return 0.5 + std::atan2(p.x, p.z) / (2 * pi); });
-  wrong_u("std::atan cannot tell the front from the back: take std::atan2(p.z, p.x)",
-          [](const Vector& p) { return 0.5 - std::atan(p.z / p.x) / (2 * pi); });
-  wrong_u("y is the axis: the angle around it is std::atan2(p.z, p.x)",
-          [](const Vector& p) { return 0.5 - std::atan2(p.y, p.x) / (2 * pi); });
-  mistakes.push_back({"u and v are exchanged: u goes around, v up", [](Vector p) {
-                        const Place2 uv = uv_cylinder(p);
-                        return Place2{uv.v, uv.u};
-                      }});
-  return mistakes;
+  wrong += changed(wrong_u, [v = v](double other) { return Place2{other, v}; });
+  wrong += changed(wrong_u, [=](double other) { return Place2{other, y}; });
+  wrong += {{"u and v are exchanged: u goes around, v up", {v, u}}};
+  return wrong;
 }
 
 Exercise onto_a_cylinder() {
@@ -141,148 +129,77 @@ Exercise onto_a_cylinder() {
                  {"at the height -0.6 v is 0.2", {Vector{0.8, -0.6, 0}}},
                  {"at the north pole v is 1", {Vector{0, 1, 0}}},
                  {"in the direction (-2, 1, 2) / 3", {Vector{-2. / 3, 1. / 3, 2. / 3}}}},
-      .mistakes = wrong_cylinders()};
+      .slips = wrong_cylinders};
   return exercise("10.1", "Uv on_cylinder(Vec3 p)", std::move(law), on_cylinder,
                   [] { return globe("cylinder"); });
 }
 
-/// (a, b) before the fold.
-Place2 from_above(const Vector& p) {
+Place2 in_square(const Place2& at) { return {(1 + at.u) / 2, (1 + at.v) / 2}; }
+/// (a, b) with its fold, as for the lower half.
+Place2 folded_out(const Place2& at) {
+  return {std::copysign(1 - std::abs(at.v), at.u), std::copysign(1 - std::abs(at.u), at.v)};
+}
+
+Slips<Place2> wrong_octahedra(Vector p) {
   const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-  return {p.x / s, -p.z / s};
-}
-Place2 in_square(double a, double b) { return {(1 + a) / 2, (1 + b) / 2}; }
-
-/// Folds of the lower half as many write them, called with (a, b).
-void add_wrong_folds(std::vector<Mistake<Place2(Vector)>>& mistakes) {
-  const auto wrong = [&](const char* word, Place2 (*fold)(double a, double b)) {
-    mistakes.push_back({word, [=](Vector p) {
-                          const Place2 at = from_above(p);
-                          const Place2 moved = p.y < 0 ? fold(at.u, at.v) : at;
-                          return in_square(moved.u, moved.v);
-                        }});
+  const Place2 from_above{p.x / s, -p.z / s};
+  const auto [a, b] = from_above;
+  const double a_left = 1 - std::abs(a);
+  const double b_left = 1 - std::abs(b);
+  const Place2 right = folded_out(from_above);
+  Slips<Place2> wrong = changed(
+      Slips<Place2>{
+          {"nothing is folded: the southern half lies on the northern one", from_above},
+          {"the signs are missing: all lower faces land in the corner at the upper right",
+           {b_left, a_left}},
+          {"the signs are exchanged: a keeps the sign of a, b that of b",
+           {std::copysign(b_left, b), std::copysign(a_left, a)}},
+          {"the signs are turned around: a keeps its sign, and b keeps its sign",
+           {-right.u, -right.v}},
+          {"a needs 1 - |b|, and b needs 1 - |a|: the mirror exchanges them",
+           {std::copysign(a_left, a), std::copysign(b_left, b)}},
+          {"b is not folded: its new value needs the old a, so keep that in a variable",
+           {right.u, std::copysign(1 - std::abs(right.u), b)}},
+          {"the bars are missing: it is 1 - |b| and 1 - |a|, without signs",
+           {(1 - b) * (a < 0 ? -1 : 1), (1 - a) * (b < 0 ? -1 : 1)}},
+          {"the bars and the signs are missing: it is sign(a) (1 - |b|) and sign(b) (1 - |a|)",
+           {1 - b, 1 - a}},
+          {"the size of a counts twice: multiply by its sign, 1 or -1", {a * b_left, b * a_left}},
+          {"1 + |b| leaves the square: it is 1 - |b| and 1 - |a|",
+           {std::copysign(1 + std::abs(b), a), std::copysign(1 + std::abs(a), b)}},
+          {"a is not folded: its new value needs the old b, so keep that in a variable",
+           {a, right.v}},
+      },
+      [&](const Place2& fold) { return in_square(p.y < 0 ? fold : from_above); });
+  /// From (x, -z) divided by this, or from another (a, b): folded where `y` is below 0.
+  const auto folded = [](const Place2& at, double y) {
+    return in_square(y < 0 ? folded_out(at) : at);
   };
-  static constexpr auto rest = [](double x) { return 1 - std::abs(x); };
-  wrong("nothing is folded: the southern half lies on the northern one", [](double a, double b) {
-    return Place2{a, b};
-  });
-  wrong("the signs are missing: all lower faces land in the corner at the upper right",
-        [](double a, double b) {
-          return Place2{rest(b), rest(a)};
-        });
-  wrong("the signs are exchanged: a keeps the sign of a, b that of b", [](double a, double b) {
-    return Place2{std::copysign(rest(b), b), std::copysign(rest(a), a)};
-  });
-  wrong("the signs are turned around: a keeps its sign, and b keeps its sign",
-        [](double a, double b) {
-          return Place2{-std::copysign(rest(b), a), -std::copysign(rest(a), b)};
-        });
-  wrong("a needs 1 - |b|, and b needs 1 - |a|: the mirror exchanges them", [](double a, double b) {
-    return Place2{std::copysign(rest(a), a), std::copysign(rest(b), b)};
-  });
-  wrong("b is not folded: its new value needs the old a, so keep that in a variable",
-        [](double a, double b) {
-          const double folded = std::copysign(rest(b), a);
-          return Place2{folded, std::copysign(rest(folded), b)};
-        });
-  wrong("the bars are missing: it is 1 - |b| and 1 - |a|, without signs", [](double a, double b) {
-    return Place2{(1 - b) * (a < 0 ? -1 : 1), (1 - a) * (b < 0 ? -1 : 1)};
-  });
-  wrong("the bars and the signs are missing: it is sign(a) (1 - |b|) and sign(b) (1 - |a|)",
-        [](double a, double b) {
-          return Place2{1 - b, 1 - a};
-        });
-  wrong("the size of a counts twice: multiply by its sign, 1 or -1", [](double a, double b) {
-    return Place2{a * rest(b), b * rest(a)};
-  });
-  wrong("1 + |b| leaves the square: it is 1 - |b| and 1 - |a|", [](double a, double b) {
-    return Place2{std::copysign(1 + std::abs(b), a), std::copysign(1 + std::abs(a), b)};
-  });
-  wrong("a is not folded: its new value needs the old b, so keep that in a variable",
-        [](double a, double b) {
-          return Place2{a, std::copysign(rest(a), b)};
-        });
-}
-
-/// Places on the unfolded octahedron as many compute them.
-std::vector<Mistake<Place2(Vector)>> wrong_octahedra() {
-  std::vector<Mistake<Place2(Vector)>> mistakes;
-  add_wrong_folds(mistakes);
-  const auto wrong = [&](const char* word, Place2 (*function)(const Vector&)) {
-    mistakes.push_back({word, function});
+  const auto by = [&](double sum) { return folded({p.x / sum, -p.z / sum}, p.y); };
+  const auto [u, v] = uv_octahedral(p);
+  wrong += {
+      {"b is -z / s: yours is z / s, and north and south edges are exchanged",
+       uv_octahedral(Vector{p.x, p.y, -p.z})},
+      {"a is x / s: yours is -x / s, so west and east are exchanged",
+       uv_octahedral(Vector{-p.x, p.y, p.z})},
+      {"you fold where y is above 0: only the lower half is folded out", folded(from_above, -p.y)},
+      {"you fold everywhere: only the lower half, y < 0, is folded out", folded(from_above, -1)},
+      {"you fold where z is below 0: the lower half is where y < 0", folded(from_above, p.z)},
+      {"divide by |x| + |y| + |z|, not by the length: the point must lie on the octahedron",
+       by(length(p))},
+      {"p may have any length: divide it by |x| + |y| + |z|", by(1)},
+      {"the bars are missing in the sum: divide by |x| + |y| + |z|", by(p.x + p.y + p.z)},
+      {"y is missing in the sum: divide by |x| + |y| + |z|", by(std::abs(p.x) + std::abs(p.z))},
+      {"divide by the sum |x| + |y| + |z|, not by the largest of them: that is a cube",
+       by(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}))},
+      {"seen from above the place is (x, -z): you take y, as seen from the front",
+       folded({a, p.y / s}, p.y)},
+      {"a and b run from -1 to 1, u and v from 0 to 1: return (1 + a) / 2 and (1 + b) / 2",
+       {{2 * u - 1, 2 * v - 1}, {u - 0.5, v - 0.5}, {2 * u, 2 * v}}},
+      {"/ comes before +: write (1 + a) / 2 and (1 + b) / 2", {u + 0.5, v + 0.5}},
+      {"u and v are exchanged: u comes from a, v from b", {v, u}},
   };
-  /// From (a, b), folded where y < 0.
-  static constexpr auto folded = [](double a, double b, double y) {
-    if (y >= 0) return in_square(a, b);
-    return in_square(std::copysign(1 - std::abs(b), a), std::copysign(1 - std::abs(a), b));
-  };
-  wrong("b is -z / s: yours is z / s, and north and south edges are exchanged",
-        [](const Vector& p) {
-          return uv_octahedral(Vector{p.x, p.y, -p.z});
-        });
-  wrong("a is x / s: yours is -x / s, so west and east are exchanged", [](const Vector& p) {
-    return uv_octahedral(Vector{-p.x, p.y, p.z});
-  });
-  wrong("you fold where y is above 0: only the lower half is folded out", [](const Vector& p) {
-    const auto [a, b] = from_above(p);
-    return folded(a, b, p.y > 0 ? -1 : 1);
-  });
-  wrong("you fold everywhere: only the lower half, y < 0, is folded out", [](const Vector& p) {
-    const auto [a, b] = from_above(p);
-    return folded(a, b, -1);
-  });
-  wrong("you fold where z is below 0: the lower half is where y < 0", [](const Vector& p) {
-    const auto [a, b] = from_above(p);
-    return folded(a, b, p.z);
-  });
-  wrong("divide by |x| + |y| + |z|, not by the length: the point must lie on the octahedron",
-        [](const Vector& p) {
-          const Vector n = normalize(p);
-          return folded(n.x, -n.z, p.y);
-        });
-  wrong("p may have any length: divide it by |x| + |y| + |z|",
-        [](const Vector& p) { return folded(p.x, -p.z, p.y); });
-  wrong("the bars are missing in the sum: divide by |x| + |y| + |z|", [](const Vector& p) {
-    const double s = p.x + p.y + p.z;
-    return folded(p.x / s, -p.z / s, p.y);
-  });
-  wrong("y is missing in the sum: divide by |x| + |y| + |z|", [](const Vector& p) {
-    const double s = std::abs(p.x) + std::abs(p.z);
-    return folded(p.x / s, -p.z / s, p.y);
-  });
-  wrong("divide by the sum |x| + |y| + |z|, not by the largest of them: that is a cube",
-        [](const Vector& p) {
-          const double s = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-          return folded(p.x / s, -p.z / s, p.y);
-        });
-  wrong("seen from above the place is (x, -z): you take y, as seen from the front",
-        [](const Vector& p) {
-          const double s = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
-          return folded(p.x / s, p.y / s, p.y);
-        });
-  const char* moved =
-      "a and b run from -1 to 1, u and v from 0 to 1: return (1 + a) / 2 and (1 + b) / 2";
-  wrong(moved, [](const Vector& p) {
-    const Place2 uv = uv_octahedral(p);
-    return Place2{2 * uv.u - 1, 2 * uv.v - 1};
-  });
-  wrong(moved, [](const Vector& p) {
-    const Place2 uv = uv_octahedral(p);
-    return Place2{uv.u - 0.5, uv.v - 0.5};
-  });
-  wrong(moved, [](const Vector& p) {
-    const Place2 uv = uv_octahedral(p);
-    return Place2{2 * uv.u, 2 * uv.v};
-  });
-  wrong("/ comes before +: write (1 + a) / 2 and (1 + b) / 2", [](const Vector& p) {
-    const Place2 uv = uv_octahedral(p);
-    return Place2{uv.u + 0.5, uv.v + 0.5};
-  });
-  wrong("u and v are exchanged: u comes from a, v from b", [](const Vector& p) {
-    const Place2 uv = uv_octahedral(p);
-    return Place2{uv.v, uv.u};
-  });
-  return mistakes;
+  return wrong;
 }
 
 Exercise fold_an_octahedron() {
@@ -299,99 +216,66 @@ Exercise fold_an_octahedron() {
                  {"(-4, -2, 2) is mirrored to the left: a becomes -3/4", {Vector{-4, -2, 2}}},
                  {"(1, -2, -5), on the lower half behind", {Vector{1, -2, -5}}},
                  {"(-1, -8, 3), close to the south pole: close to a corner", {Vector{-1, -8, 3}}}},
-      .mistakes = wrong_octahedra()};
+      .slips = wrong_octahedra};
   return exercise("10.2", "Uv on_octahedron(Vec3 p)", std::move(law), on_octahedron,
                   [] { return globe("octahedral"); });
 }
 
-/// Directions of a place as many compute them.
-std::vector<Mistake<Vector(Place2)>> wrong_directions() {
-  std::vector<Mistake<Vector(Place2)>> mistakes;
-  const auto wrong = [&](const char* word, std::function<Vector(Place2)> function) {
-    mistakes.push_back({word, std::move(function)});
-  };
+Slips<Vector> wrong_directions(Place2 uv) {
   const auto at = [](double angle, double radius, double y) {
     return Vector{radius * std::cos(angle), y, radius * std::sin(angle)};
   };
-  const auto turn = [](Place2 uv) { return (0.5 - uv.u) * 2 * pi; };
-  const auto radius = [](double y) { return std::sqrt(1 - y * y); };
-  const auto wrong_angle = [&](const char* word, double (*angle)(double u)) {
-    wrong(word, [=](Place2 uv) { return at(angle(uv.u), radius(2 * uv.v - 1), 2 * uv.v - 1); });
+  const auto radius_at = [](double y) { return std::sqrt(1 - y * y); };
+  const auto [u, v] = uv;
+  const double turn = (0.5 - u) * 2 * pi;
+  const double y = 2 * v - 1;
+  const double radius = radius_at(y);
+  const double x = radius * std::cos(turn);
+  const double z = radius * std::sin(turn);
+  const auto with_radius = [=](double other) { return at(turn, other, y); };
+  const auto with_angle = [=](double other) { return at(other, radius, y); };
+  /// With the radius at that height, and with the right one.
+  const auto with_height = [=](double other) {
+    return std::vector{at(turn, radius_at(other), other), at(turn, radius, other)};
   };
-  const auto wrong_radius = [&](const char* word, double (*radius_of)(double y)) {
-    wrong(word, [=](Place2 uv) {
-      const double y = 2 * uv.v - 1;
-      return at(turn(uv), radius_of(y), y);
-    });
+  return {
+      {"the circle gets smaller toward the poles: your points are on the cylinder, not on the "
+       "sphere",
+       with_radius(1)},
+      {"the radius is sqrt(1 - y^2), by Pythagoras; with 1 - |y| the points are on two cones",
+       with_radius(1 - std::abs(y))},
+      {"the radius is sqrt(1 - y * y): the length of the result must be 1",
+       {with_radius(1 - y * y), with_radius(std::sqrt(1 - y)), with_radius(std::sqrt(1 + y * y)),
+        with_radius(1 - y), with_radius(y)}},
+      {"the radius belongs to x and to z: multiply both",
+       {{x, y, std::sin(turn)}, {std::cos(turn), y, z}}},
+      {"a vector of length 1 is needed, but y must stay: do not normalize, take sqrt(1 - y * y)",
+       normalize(with_radius(1))},
+      {"std::cos and std::sin take radians: your angle is in degrees", with_angle(360 * (0.5 - u))},
+      {"u runs the other way: your map is mirrored", with_angle(-turn)},
+      {"the half is missing: the angle is (1/2 - u) 2 pi (1 / 2 with int is 0)",
+       with_angle(-u * 2 * pi)},
+      {"the angle is (1/2 - u) 2 pi: on u = 1/2 it is 0, and it falls with u",
+       with_angle(u * 2 * pi)},
+      {"a whole turn is 2 pi: your picture covers half of the globe", with_angle(turn / 2)},
+      {"1/2 - u is a share of a turn: multiply it by 2 pi, do not divide",
+       with_angle((0.5 - u) / (2 * pi))},
+      {"1/2 - u is a share of a turn: multiply it by 2 pi", with_angle(0.5 - u)},
+      {"* comes before -: write (0.5 - u) * 2 * pi", with_angle(0.5 - u * 2 * pi)},
+      {"v runs the other way: your map is upside down", with_height(-y)},
+      {"v runs from 0 to 1, y from -1 to 1: the southern half is missing", with_height(v)},
+      {"y runs from -1/2 to 1/2: it is 2 v - 1", with_height(v - 0.5)},
+      {"y runs from -1 to 0: double v, then subtract 1", with_height(v - 1)},
+      {"y runs from -2 to 0: double v alone, then subtract 1", with_height(2 * (v - 1))},
+      {"y runs from 0 to 2: subtract 1 from 2 v", with_height(2 * v)},
+      {"this goes forward, from y to v: y is 2 v - 1", with_height((1 + v) / 2)},
+      {"v is no latitude here, it is a height: yours goes back from the equirectangular layout",
+       direction_rtiow(uv)},
+      {"x belongs to the cosine and z to the sine: yours are exchanged", {z, y, x}},
+      {"y is the height here, and z comes from the sine: yours are exchanged", {x, z, y}},
+      {"u and v are exchanged: u makes the angle, v the height",
+       at((0.5 - v) * 2 * pi, radius_at(2 * u - 1), 2 * u - 1)},
   };
-  const auto wrong_height = [&](const char* word, double (*height)(double v)) {
-    wrong(word, [=](Place2 uv) { return at(turn(uv), radius(height(uv.v)), height(uv.v)); });
-    wrong(word, [=](Place2 uv) { return at(turn(uv), radius(2 * uv.v - 1), height(uv.v)); });
-  };
-  wrong_radius(
-      "the circle gets smaller toward the poles: your points are on the cylinder, not on the "
-      "sphere",
-      [](double) { return 1.; });
-  wrong_radius(
-      "the radius is sqrt(1 - y^2), by Pythagoras; with 1 - |y| the points are on two cones",
-      [](double y) { return 1 - std::abs(y); });
-  const char* square = "the radius is sqrt(1 - y * y): the length of the result must be 1";
-  wrong_radius(square, [](double y) { return 1 - y * y; });
-  wrong_radius(square, [](double y) { return std::sqrt(1 - y); });
-  wrong_radius(square, [](double y) { return std::sqrt(1 + y * y); });
-  wrong_radius(square, [](double y) { return 1 - y; });
-  wrong_radius(square, [](double y) { return y; });
-  wrong("the radius belongs to x and to z: multiply both", [=](Place2 uv) {
-    const double y = 2 * uv.v - 1;
-    return Vector{radius(y) * std::cos(turn(uv)), y, std::sin(turn(uv))};
-  });
-  wrong("the radius belongs to x and to z: multiply both", [=](Place2 uv) {
-    const double y = 2 * uv.v - 1;
-    return Vector{std::cos(turn(uv)), y, radius(y) * std::sin(turn(uv))};
-  });
-  wrong("a vector of length 1 is needed, but y must stay: do not normalize, take sqrt(1 - y * y)",
-        [=](Place2 uv) { return normalize(at(turn(uv), 1, 2 * uv.v - 1)); });
-  wrong_angle("std::cos and std::sin take radians: your angle is in degrees",
-              [](double u) { return 360 * (0.5 - u); });
-  wrong_angle("u runs the other way: your map is mirrored",
-              [](double u) { return (u - 0.5) * 2 * pi; });
-  wrong_angle("the half is missing: the angle is (1/2 - u) 2 pi (1 / 2 with int is 0)",
-              [](double u) { return -u * 2 * pi; });
-  wrong_angle("the angle is (1/2 - u) 2 pi: on u = 1/2 it is 0, and it falls with u",
-              [](double u) { return u * 2 * pi; });
-  wrong_angle("a whole turn is 2 pi: your picture covers half of the globe",
-              [](double u) { return (0.5 - u) * pi; });
-  wrong_angle("1/2 - u is a share of a turn: multiply it by 2 pi, do not divide",
-              [](double u) { return (0.5 - u) / (2 * pi); });
-  wrong_angle("1/2 - u is a share of a turn: multiply it by 2 pi",
-              [](double u) { return 0.5 - u; });
-  wrong_angle("* comes before -: write (0.5 - u) * 2 * pi",
-              [](double u) { return 0.5 - u * 2 * pi; });
-  wrong_height("v runs the other way: your map is upside down", [](double v) { return 1 - 2 * v; });
-  wrong_height("v runs from 0 to 1, y from -1 to 1: the southern half is missing",
-               [](double v) { return v; });
-  wrong_height("y runs from -1/2 to 1/2: it is 2 v - 1", [](double v) { return v - 0.5; });
-  wrong_height("y runs from -1 to 0: double v, then subtract 1", [](double v) { return v - 1; });
-  wrong_height("y runs from -2 to 0: double v alone, then subtract 1",
-               [](double v) { return 2 * (v - 1); });
-  wrong_height("y runs from 0 to 2: subtract 1 from 2 v", [](double v) { return 2 * v; });
-  wrong_height("this goes forward, from y to v: y is 2 v - 1",
-               [](double v) { return (1 + v) / 2; });
-  wrong("v is no latitude here, it is a height: yours goes back from the equirectangular layout",
-        [](Place2 uv) { return direction_rtiow(uv); });
-  wrong("x belongs to the cosine and z to the sine: yours are exchanged", [=](Place2 uv) {
-    const double y = 2 * uv.v - 1;
-    return Vector{radius(y) * std::sin(turn(uv)), y, radius(y) * std::cos(turn(uv))};
-  });
-  wrong("y is the height here, and z comes from the sine: yours are exchanged", [=](Place2 uv) {
-    const double y = 2 * uv.v - 1;
-    return Vector{radius(y) * std::cos(turn(uv)), radius(y) * std::sin(turn(uv)), y};
-  });
-  wrong("u and v are exchanged: u makes the angle, v the height", [=](Place2 uv) {
-    const double y = 2 * uv.u - 1;
-    return at((0.5 - uv.v) * 2 * pi, radius(y), y);
-  });
-  return mistakes;
 }
 
 Exercise back_from_the_cylinder() {
@@ -405,7 +289,7 @@ Exercise back_from_the_cylinder() {
                  {"at (1/2, 0.8) the height is 0.6 and x is 0.8", {Place2{0.5, 0.8}}},
                  {"at (1/2, 0.2) the height is -0.6", {Place2{0.5, 0.2}}},
                  {"at (0.1, 0.9)", {Place2{0.1, 0.9}}}},
-      .mistakes = wrong_directions()};
+      .slips = wrong_directions};
   return exercise("10.3", "Vec3 direction_of(Uv uv)", std::move(law), direction_of,
                   [] { return globe("cylinder"); });
 }
@@ -426,17 +310,16 @@ double latitude_by_cylinder() {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      .exercises = {onto_a_cylinder(), fold_an_octahedron(), back_from_the_cylinder()},
-      .questions =
-          {{"10.a",
-            "An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
-            "equirectangular picture have, if its largest texel may cover no more of the globe "
-            "than one texel of the first picture?",
-            texels_needed, "texels", 2e-3},
-           {"10.b",
-            "You read an equirectangular file as if it were a cylinder's. At which latitude of the "
-            "globe do you see what the file has at 45 degrees north?",
-            latitude_by_cylinder, "degrees", 1e-3}},
+      {onto_a_cylinder(), fold_an_octahedron(), back_from_the_cylinder()},
+      {{"10.a",
+        "An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
+        "equirectangular picture have, if its largest texel may cover no more of the globe "
+        "than one texel of the first picture?",
+        texels_needed, "texels", 2e-3},
+       {"10.b",
+        "You read an equirectangular file as if it were a cylinder's. At which latitude of the "
+        "globe do you see what the file has at 45 degrees north?",
+        latitude_by_cylinder, "degrees"}},
   };
   return chapter;
 }

@@ -132,23 +132,24 @@ check() {
 
 question() {
   ./course --build learn "check_${1%.*}" 2 || exit 2
-  if [ $# -eq 1 ]; then
-    exec "build/learn/bin/check_${1%.*}" --question "$1"
-  fi
-  exec "build/learn/bin/check_${1%.*}" --question "$1" --answer "$2"
+  program=build/learn/bin/check_${1%.*}
+  [ $# -eq 1 ] || set -- "$1" --answer "$2"
+  exec "$program" --question "$@"
 }
 
 # 2.1 means 02.1.
 case "${1:-}" in
   [0-9] | [0-9].*) first=0$1 && shift && set -- "$first" "$@" ;;
-  hint | solution | reset) case "$#${2:-}" in 2[0-9].*) set -- "$1" "0$2" ;; esac ;;
+  hint | solution | reset)
+    [ $# -eq 2 ] || wrong "$1 takes one exercise"
+    case "$2" in [0-9].*) set -- "$1" "0$2" ;; esac
+    ;;
 esac
 
 case "${1:-}" in
   "") list ;;
   --help | -h) usage ;;
   hint)
-    [ $# -eq 2 ] || wrong "hint takes one exercise"
     file_of "$2"
     shown=out/exercises/$2/hints
     mkdir -p "out/exercises/$2"
@@ -160,12 +161,10 @@ case "${1:-}" in
     echo "(hint $n of $all)"
     ;;
   solution)
-    [ $# -eq 2 ] || wrong "solution takes one exercise"
     file_of "$2"
     sed -e '/^ *\/\/ solution$/d' -e '/^ *\/\/ start: /d' -e '/^\/\/ hint: /d' "$(whole_of "$2")"
     ;;
   reset)
-    [ $# -eq 2 ] || wrong "reset takes one exercise"
     name_of "$2"
     start=$(start_of "$2")
     if [ -f "$file" ] && [ "$(cat "$file")" != "$start" ]; then
@@ -187,14 +186,10 @@ case "${1:-}" in
   [0-9][0-9])
     worst=0
     any=
-    for id in $(ids); do
-      case "$id" in
-        "$1".*)
-          any=yes
-          check "$id"
-          [ "$status" = 0 ] || worst=1
-          ;;
-      esac
+    for id in $(ids | grep "^$1"); do
+      any=yes
+      check "$id"
+      [ "$status" = 0 ] || worst=1
     done
     [ -n "$any" ] || wrong "chapter '$1' has no exercises"
     exit "$worst"

@@ -58,12 +58,6 @@ bool is_right(const Verdict& verdict, std::size_t different, std::size_t pixels)
   return verdict.right && different * 5000 <= pixels;
 }
 
-/// "02.1  a checkerboard: ", which the verdict ends.
-std::string headline(const std::string& id, const std::string& title) {
-  const bool asks = !title.empty() && title.back() == '?';
-  return id + "  " + title + (asks ? " " : ": ");
-}
-
 std::string wrong_values(const Verdict& verdict) {
   return text("%zu of %zu values %s wrong", verdict.wrong, verdict.places,
               verdict.wrong == 1 ? "is" : "are");
@@ -73,7 +67,8 @@ std::string wrong_values(const Verdict& verdict) {
 std::string in_words(const Exercise& exercise, const std::string& title, const Verdict& verdict,
                      std::size_t different, std::size_t pixels) {
   const bool right = is_right(verdict, different, pixels);
-  std::string words = headline(exercise.id, title) + (right ? "right\n" : "not yet\n");
+  std::string words = exercise.id + "  " + title + (title.ends_with('?') ? " " : ": ") +
+                      (right ? "right\n" : "not yet\n");
   if (verdict.right) {
     words += text("  All %zu values that were tried are right.\n", verdict.places);
   } else {

@@ -69,4 +69,19 @@ template <class Out, class... Args>
   return functions;
 }
 
+/// The values of tables with the same rows, combined value by value.
+template <class Combine, class Out, class... Outs>
+[[nodiscard]] auto combined(const Combine& combine, const Slips<Out>& table,
+                            const Slips<Outs>&... others) {
+  using To = std::invoke_result_t<Combine, Out, Outs...>;
+  Slips<To> all;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    std::vector<To> values;
+    for (std::size_t i = 0; i < table[row].values.size(); ++i)
+      values.push_back(combine(table[row].values[i], others[row].values[i]...));
+    all.push_back({table[row].word, std::move(values)});
+  }
+  return all;
+}
+
 }  // namespace texmap::check
