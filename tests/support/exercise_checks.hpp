@@ -1,79 +1,126 @@
-// What the tests of exercises ask: does a start fail, does a solution pass, does a mistake get
-// its word?
+// The suite of a chapter's exercises, included by its test_exercises_NN.cpp, which has the answers
+// of strangers: as students write them, not as the judge's own tables do.
 #pragma once
 #include <doctest.h>
 
+#include <any>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/compare/difference.hpp"
+#include "exercise.hpp"
 #include "exercises.hpp"
+
+using D = double;
+using V = Vec3;
+using std::abs, std::acos, std::asin, std::atan2, std::clamp, std::cos, std::exp2, std::floor;
+using std::fmod, std::log2, std::max, std::min, std::pow, std::sin, std::sqrt;
 
 namespace texmap::test {
 
-[[nodiscard]] inline const check::Exercise& exercise(const std::string& id) {
-  for (const check::Exercise& one : check::exercises_of_chapter().exercises)
-    if (one.id == id) return one;
-  throw std::runtime_error("there is no exercise " + id);
-}
+/// What students get for an exercise, and the solution. CMake writes these, in starts/NN.hpp.
+struct Written {
+  std::string id;
+  std::any start;
+  std::any solution;
+};
+extern const std::vector<Written> written;
 
-/// The share of the chapter's pixels that differ when this function takes the place of the common
-/// one.
-template <class Function>
-[[nodiscard]] double share_different(const std::string& id, Function* function) {
-  const check::Exercise& one = exercise(id);
-  return measure(one.draw(function), one.draw({})).share_different;
-}
+/// What the chapter's page leads to: the program must know it, as near as the question asks for.
+struct Answer {
+  std::string id;
+  double value;
+};
+extern const std::vector<Answer> answers;
 
-/// As shipped, an exercise fails by its values, and its picture shows it.
-template <class Function>
-void check_start(const std::string& id, Function* start) {
-  const check::Verdict verdict = exercise(id).verdict(start);
-  CHECK_MESSAGE(!verdict.right, id);
-  CHECK_MESSAGE(share_different(id, start) > 0.0002, id);
-}
+/// Judges what strangers write for one exercise.
+template <class Out, class... In>
+struct Strangers {
+  std::string id;
 
-/// The verdict on the same values in another process.
-[[nodiscard]] inline check::Verdict replayed(const std::string& id, const check::Verdict& verdict) {
-  return exercise(id).verdict(check::Replayed{verdict.values});
-}
-
-/// A solution passes by its values and by its picture.
-template <class Function>
-void check_solution(const std::string& id, Function* solution) {
-  const check::Verdict verdict = exercise(id).verdict(solution);
-  CHECK_MESSAGE(verdict.right, id << ": " << verdict.law << ": " << verdict.got);
-  CHECK(verdict.places >= 3);
-  CHECK_MESSAGE(share_different(id, solution) <= 0.0002, id);
-  CHECK_MESSAGE(replayed(id, verdict).right, id);
-}
-
-/// A mistake fails with a word that contains this text; no other exercise's word will do.
-template <class Function>
-void check_mistake(const std::string& id, Function* mistaken, const std::string& text) {
-  const check::Verdict verdict = exercise(id).verdict(mistaken);
-  CHECK_MESSAGE(!verdict.right, id << ": " << text);
-  CHECK_MESSAGE(verdict.mistake.find(text) != std::string::npos,
-                id << ": '" << verdict.mistake << "' should say '" << text << "'");
-  CHECK_MESSAGE(replayed(id, verdict).mistake == verdict.mistake, id);
-}
-
-/// A wrong function that is no known mistake fails without a word.
-template <class Function>
-void check_unknown(const std::string& id, Function* wrong) {
-  const check::Verdict verdict = exercise(id).verdict(wrong);
-  CHECK_MESSAGE(!verdict.right, id);
-  CHECK_MESSAGE(verdict.mistake.empty(), id << ": " << verdict.mistake);
-}
-
-/// The program's answer to a question is this one, as near as the question asks for.
-inline void check_answer(const std::string& id, double answer) {
-  for (const check::Question& question : check::exercises_of_chapter().questions) {
-    if (question.id != id) continue;
-    const double off = check::apart(question.answer(), answer);
-    CHECK_MESSAGE(off <= question.tolerance * answer, id << " is off by " << off);
-    return;
+  /// The answer is wrong, and its word has this text; without a text, it gets no word.
+  template <class Lambda>
+  void operator()(const std::string& text, Lambda answer) const {
+    const check::Verdict verdict = judged(std::move(answer));
+    INFO(id, " gets '", verdict.mistake, "' and should get '", text, "'");
+    CHECK_FALSE(verdict.right);
+    CHECK(verdict.mistake.empty() == text.empty());
+    CHECK(verdict.mistake.find(text) != std::string::npos);
   }
-  FAIL("there is no question " << id);
+
+  /// The answer is right, however unusual.
+  template <class Lambda>
+  void right(Lambda answer) const {
+    const check::Verdict verdict = judged(std::move(answer));
+    CHECK_MESSAGE(verdict.right, id << ": " << verdict.law << ": " << verdict.got);
+  }
+
+ private:
+  template <class Lambda>
+  check::Verdict judged(Lambda answer) const {
+    static std::optional<Lambda> kept;  // an attempt is a plain function, so it captures nothing
+    kept.emplace(std::move(answer));
+    Out (*const function)(In...) = [](In... in) -> Out { return (*kept)(in...); };
+    for (const check::Exercise& one : check::exercises_of_chapter().exercises)
+      if (one.id == id) return one.verdict(function);
+    throw std::runtime_error("there is no exercise " + id);
+  }
+};
+
+/// Strangers to this exercise; they write a function like the solution. starts/NN.hpp has one for
+/// each exercise, under the function's name.
+template <class Out, class... In>
+[[nodiscard]] Strangers<Out, In...> strangers_to(std::string id, Out (* /*solution*/)(In...)) {
+  return {std::move(id)};
+}
+
+TEST_CASE("an exercise fails as shipped and its solution passes, by values and by picture") {
+  const auto& exercises = check::exercises_of_chapter().exercises;
+  REQUIRE(exercises.size() == written.size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const check::Exercise& exercise = exercises[i];
+    REQUIRE(exercise.id == written[i].id);
+    INFO(exercise.id);
+    const Image right = exercise.draw({});
+    CHECK_FALSE(exercise.verdict(written[i].start).right);
+    CHECK(measure(exercise.draw(written[i].start), right).share_different > 0.0002);
+    const check::Verdict solved = exercise.verdict(written[i].solution);
+    CHECK_MESSAGE(solved.right, solved.law << ": " << solved.got);
+    CHECK(solved.places >= 3);
+    CHECK(measure(exercise.draw(written[i].solution), right).share_different <= 0.0002);
+    CHECK(exercise.verdict(check::Replayed{solved.values}).right);
+  }
+}
+
+TEST_CASE("each known mistake gets its own word, and again from its values alone") {
+  for (const check::Exercise& exercise : check::exercises_of_chapter().exercises) {
+    for (const check::KnownMistake& known : exercise.mistakes()) {
+      INFO(exercise.id, ": ", known.word);
+      CHECK_FALSE(known.word.empty());
+      CHECK_FALSE(known.verdict.right);
+      CHECK(known.verdict.mistake == known.word);
+      const check::Verdict again = exercise.verdict(check::Replayed{known.verdict.values});
+      CHECK(again.mistake == known.verdict.mistake);
+    }
+  }
+}
+
+TEST_CASE("the program knows the answers of the chapter's page") {
+  for (const check::Question& question : check::exercises_of_chapter().questions) {
+    int asked = 0;
+    for (const Answer& answer : answers) {
+      if (answer.id != question.id) continue;
+      ++asked;
+      const double off = check::apart(question.answer(), answer.value);
+      CHECK_MESSAGE(off <= question.tolerance * answer.value, question.id << " is off by " << off);
+    }
+    CHECK_MESSAGE(asked > 0, "no answer here to " << question.id);
+  }
 }
 
 }  // namespace texmap::test
+
+using texmap::test::Answer;
+using texmap::test::strangers_to;
