@@ -3,7 +3,7 @@
 
 #include <doctest.h>
 
-#include "support/lanes.hpp"
+#include "number/kinds/pack.hpp"
 #include "support/shown_values.hpp"
 
 namespace texmap::test {
@@ -131,25 +131,6 @@ TEST_CASE("inside the image every mode shows the image; the border is seen outsi
         if (inside) CHECK((texel.column == column && texel.row == row));
         CHECK(texel.inside == (inside || wrap != Wrap::border));
       }
-    }
-  }
-}
-
-TEST_CASE_TEMPLATE("packs wrap each lane as a plain number, with a size of its own", T, float,
-                   double) {
-  Dice dice(5);
-  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border, Wrap::spherical}) {
-    for (int i = 0; i < 100; ++i) {
-      const auto whole = [&](double low, double high) {
-        return floor(any_pack<Pack<T>>(dice, low, high));
-      };
-      check_each_lane<Pack<T>>(
-          [&]<class Real>(const Real& column, const Real& row, const Real& columns,
-                          const Real& rows) {
-            const auto texel = wrapped_texel(wrap, column, row, columns, rows);
-            return std::tuple(texel.column, texel.row, select(texel.inside, Real(1), Real(0)));
-          },
-          whole(-90, 90), whole(-90, 90), whole(1, 30), whole(1, 30));
     }
   }
 }
