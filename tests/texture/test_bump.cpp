@@ -182,23 +182,6 @@ TEST_CASE("the normal is the vector product of the raised surface's own derivati
   }
 }
 
-TEST_CASE("the steps may point anywhere along the surface: the normal is the same") {
-  Dice dice(16);
-  const SolidWaves waves;
-  for (int i = 0; i < 300; ++i) {
-    const Hit<double> hit = hit_with<double>(dice.direction());
-    const Frame<double> frame = frame_about(hit.normal);
-    const double angle_of_turn = dice.between(0, 6.28);
-    const double c = std::cos(angle_of_turn), s = std::sin(angle_of_turn);
-    const Frame<double> turned{frame.right * c + frame.up * s, frame.up * c - frame.right * s};
-    const auto normal = [&](const Frame<double>& along) {
-      const Slope<double> slope = slope_of(waves, hit, along, 1.0, SlopeFrom::duals, 1.0);
-      return raised_normal(hit.normal, along, slope, 1.0, BumpForm::exact);
-    };
-    CHECK(angle(normal(frame), normal(turned)) < 1e-14);
-  }
-}
-
 TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in every way") {
   Dice dice(14);
   for (const SlopeFrom slopes : {SlopeFrom::duals, SlopeFrom::forward, SlopeFrom::central}) {

@@ -310,37 +310,6 @@ TEST_CASE("a footprint twice as wide, as with a level one too high, is noticed o
   }
 }
 
-TEST_CASE("the width of the trilinear filter by its response to a cosine") {
-  // At a level's texel centers the bilinear filter adds no width.
-  const int width = 256;
-  for (int level = 0; level <= 4; ++level) {
-    const int cycles = 7;
-    LightImage image(width, 4);
-    for (int row = 0; row < 4; ++row) {
-      for (int column = 0; column < width; ++column)
-        image.at(column, row).r = static_cast<float>(
-            0.5 + 0.5 * std::cos(2 * std::numbers::pi * cycles * (column + 0.5) / width));
-    }
-    const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = Filter::trilinear};
-    const auto amplitude = [&](double footprint) {
-      double cosine = 0, sine = 0;
-      const int count = width >> level;
-      for (int column = 0; column < count; ++column) {
-        const double u = (column + 0.5) / count, angle = 2 * std::numbers::pi * cycles * u;
-        const double light = texture.filtered(place_of(u, 0.5, footprint, 1, width, 4)).r;
-        cosine += light * std::cos(angle);
-        sine += light * std::sin(angle);
-      }
-      return 2 * std::hypot(cosine, sine) / count;
-    };
-    const double span = std::pow(2.0, level), f = static_cast<double>(cycles) / width;
-    const double expected =
-        0.5 * std::sin(span * std::numbers::pi * f) / (span * std::sin(std::numbers::pi * f));
-    CHECK(std::abs(amplitude(span) - expected) < 1e-7);
-    CHECK(std::abs(amplitude(2 * span) - expected) > 1e-4);
-  }
-}
-
 /// The Bessel function J_3, by its integral: on a whole period the midpoint rule is exact.
 double bessel_3(double x) {
   constexpr int steps = 64;

@@ -273,11 +273,4 @@ TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, beyond the 
   }
 }
 
-TEST_CASE("the plane's map of a direction is its x and its z") {
-  const Vec3<double> n = normalize(Vec3<double>{0.3, 0.5, -0.4});
-  const Uv<double> uv = project(Projection::plane, n);
-  CHECK(2 * uv.u - 1 == doctest::Approx(n.x).epsilon(1e-15));
-  CHECK(1 - 2 * uv.v == doctest::Approx(n.z).epsilon(1e-15));
-}
-
 }  // namespace texmap::test

@@ -47,24 +47,6 @@ TEST_CASE_TEMPLATE("repeat and mirror are those of whole numbers, at every place
   CHECK(count_wrong(mirror, mirrored_whole) == 0);
 }
 
-TEST_CASE(
-    "the faults of other renderers are noticed: a mirror that shows its edge once or thrice") {
-  const auto once = [](int x, int n) {  // without the edge's own mirror image
-    const int period = n == 1 ? 1 : 2 * n - 2;
-    const int within = modulo(x, period);
-    return within < n ? within : period - within;
-  };
-  const auto last_of_negative = [](int x, int n) {  // C's remainder, which rounds to zero
-    const int turns = x / n, within = x - turns * n;
-    const int from_zero = within < 0 ? within + n : within;
-    return turns % 2 == 0 ? from_zero : n - 1 - from_zero;
-  };
-  const auto cut_off = [](int x, int n) { return std::abs(x % n); };
-  CHECK(count_wrong(once, mirrored_whole) > 0);
-  CHECK(count_wrong(last_of_negative, mirrored_whole) > 0);
-  CHECK(count_wrong(cut_off, modulo) > 0);
-}
-
 TEST_CASE("a mirror image of a mirror image is the image, and edges meet themselves") {
   for (const int n : sizes()) {
     const double size = n;
