@@ -182,6 +182,23 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("the lecture's convention is the book's on a globe turned back by a quarter") {
+  constexpr int n = 8192;
+  const Rotated<ConventionMapping> turned{rotation_y(-90), {Convention::rtiow}};
+  int wrong = 0;
+  double worst = 0;
+  for (int column = 0; column < n; ++column) {
+    const double longitude = 2 * std::numbers::pi * (column + 0.5) / n;
+    const Point p{-std::cos(longitude), 0.3, std::sin(longitude)};
+    const Uv<double> lecture = uv_of(Convention::lecture, p);
+    const Uv<double> book = turned(p);
+    if (test::texel_index(lecture.u, n) != test::texel_index(book.u, n)) ++wrong;
+    worst = std::max({worst, apart(lecture.u, book.u), abs(lecture.v - book.v)});
+  }
+  CHECK(wrong == 0);
+  CHECK(worst <= 4e-16);
+}
+
 TEST_CASE("a turned mapping turns the point before it maps it") {
   const Rotated<RtiowMapping> turned{rotation_y(90), {}};
   CHECK(turned(Point{0, 0, 1}).u == 0.5);

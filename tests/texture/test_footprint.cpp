@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "support/dice.hpp"
+#include "support/many_digits.hpp"
 
 namespace texmap::test {
 namespace {
@@ -84,6 +85,44 @@ TEST_CASE_TEMPLATE("whatever the derivatives, a footprint is finite and its side
   const auto unknown = footprint_of(moving(nan, Real(0), Real(0), Real(0)), Real(4), Real(4));
   CHECK(unknown.longer == Real(16777216));
 }
+
+#ifdef TEXMAP_HAVE_DIGITS
+/// The direction of a pixel, any function of its column and row that passes the seam and a pole.
+template <class Real>
+Vec3<Real> direction(const Real& column, const Real& row, double lift, double aside) {
+  return {Real(-1) + column * row * Real(0.125), Real(lift) + row * Real(0.5) + column * Real(0.25),
+          Real(aside) + column - row * Real(0.375)};
+}
+
+TEST_CASE("derivatives of (u, v) are those of 50 digits: on the seam, close to it, near a pole") {
+  const double step = 0.01;  // of a pixel
+  double worst = 0;
+  for (const double aside : {0.3, 1e-3, 1e-12, 0.0, -1e-12, -1e-3, -0.3}) {
+    for (const double lift : {0.0, 0.5, -2.0, 30.0, 1000.0}) {
+      const auto uv =
+          uv_rtiow(direction<Dual<double>>({0.0, step, 0.0}, {0.0, 0.0, step}, lift, aside));
+      const auto exact = [&](bool by_column, bool of_u) {
+        const Digits50 h("1e-7");  // a turn, 2 pi, is exact to 20 digits
+        const auto at = [&](const Digits50& x) {
+          const Digits50 column = by_column ? x : Digits50(0), row = by_column ? Digits50(0) : x;
+          const auto place = uv_rtiow(direction<Digits50>(column, row, lift, aside));
+          return of_u ? place.u : place.v;
+        };
+        Digits50 change = at(h) - at(-h);
+        if (change > 0.5) change -= 1;  // across the seam
+        if (change < -0.5) change += 1;
+        return static_cast<double>(change / (2 * h) * Digits50(step));
+      };
+      const double size = std::abs(exact(true, true)) + std::abs(exact(true, false));
+      worst = std::max({worst, std::abs(uv.u.dx - exact(true, true)) / size,
+                        std::abs(uv.u.dy - exact(false, true)) / size,
+                        std::abs(uv.v.dx - exact(true, false)) / size,
+                        std::abs(uv.v.dy - exact(false, false)) / size});
+    }
+  }
+  CHECK(worst < 1e-12);
+}
+#endif
 
 TEST_CASE("the footprint does not notice the seam; differences of neighboring pixels do") {
   const auto at = [](double z) { return uv_rtiow(Vec3<Dual<double>>{-1.0, 0.2, {z, 0.01, 0.0}}); };

@@ -99,6 +99,12 @@ TEST_CASE_TEMPLATE(
   test::check_every_place([](const Vec3<Real>& p) { return uv_rtiow(p); }, coordinates);
 }
 
+TEST_CASE_TEMPLATE("a step beyond the pole is still the pole", Real, NUMBERS) {
+  const Real beyond = Real(std::nextafter(Scalar<Real>(1), Scalar<Real>(2)));
+  CHECK(off(uv_rtiow(Vec3<Real>{Real(0), beyond, Real(0)}), 0.5L, 1) == 0);
+  CHECK(off(uv_rtiow(Vec3<Real>{Real(0), -beyond, Real(0)}), 0.5L, 0) == 0);
+}
+
 TEST_CASE_TEMPLATE("the zero vector is in the middle", Real, NUMBERS) {
   CHECK(off(uv_rtiow(Vec3<Real>{Real(0), Real(0), Real(0)}), 0.5L, 0.5L) == 0);
   CHECK(off(uv_rtiow(Vec3<Real>{-Real(0), -Real(0), -Real(0)}), 0.5L, 0.5L) == 0);
