@@ -43,6 +43,7 @@ foreach(suite
     texture/test_floor_mapping
     texture/test_footprint
     texture/test_image_texture
+    texture/test_lanes
     texture/test_light_tables
     texture/test_mesh_mapping
     texture/test_normal_map
@@ -73,4 +74,4 @@ function(judge_by_more_digits)
     endforeach()
   endif()
 endfunction()
-judge_by_more_digits(bump environment filters footprint light_tables mesh_mapping sky_sampler)
+judge_by_more_digits(footprint light_tables)

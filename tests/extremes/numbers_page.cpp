@@ -1,7 +1,11 @@
-// numbers_page: measures every claim, with many inputs, and its cost, and writes docs/numbers.md.
+// numbers_page: measures every claim, with many inputs, and its cost, and writes docs/numbers.md and
+// the whole report.
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include "claims.hpp"
 #include "page.hpp"
@@ -34,15 +38,21 @@ Cells measured(const Claim& claim) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: numbers_page FILE   measures every claim and writes FILE, docs/numbers.md "
-                 "as a rule\n";
+  if (argc != 3) {
+    std::cerr
+        << "usage: numbers_page PAGE REPORT   measures every claim and writes both, as a rule "
+           "docs/numbers.md and out/numbers.md\n";
     return 2;
   }
-  const std::string page = texmap::extremes::page_of(texmap::extremes::all_claims(), measured);
-  std::ofstream file(argv[1], std::ios::binary);
-  file << page << std::flush;
-  if (file) return 0;
-  std::cerr << "error: cannot write " << argv[1] << '\n';
-  return 1;
+  const auto [page, report] = texmap::extremes::pages_of(texmap::extremes::all_claims(), measured);
+  for (const auto& [name, text] : {std::pair(argv[1], page), std::pair(argv[2], report)}) {
+    std::error_code already_there;
+    std::filesystem::create_directories(std::filesystem::path(name).parent_path(), already_there);
+    std::ofstream file(name, std::ios::binary);
+    file << text << std::flush;
+    if (file) continue;
+    std::cerr << "error: cannot write " << name << '\n';
+    return 1;
+  }
+  return 0;
 }

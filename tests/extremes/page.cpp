@@ -1,8 +1,7 @@
-// How docs/numbers.md is laid out, and how costs are timed.
+// How docs/numbers.md and the whole report are laid out, and how costs are timed.
 #include "page.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -17,13 +16,20 @@ constexpr const char* title =
     "# Numbers\n"
     "\n"
     "What the functions of the course claim, and what was measured. This page is written by "
-    "`./course numbers`; a test holds its functions,\n"
-    "domains and bounds against the claims in `tests/extremes`, and another measures each "
-    "claim and fails when a bound is exceeded.\n";
+    "`./course numbers`; a test holds its functions\n"
+    "and bounds against the claims in `tests/extremes`, and another measures each claim and fails "
+    "when a bound is exceeded. The same command\n"
+    "writes the whole report into `out/numbers.md`: a row for each claim and number, with its "
+    "domain, the worst that was found, and its cost.\n";
 
-constexpr const char* how_to_read =
+constexpr const char* report_title =
+    "# Numbers, the whole report\n"
     "\n"
-    "## How to read the tables\n"
+    "docs/numbers.md has the worst of each function, what the ladder of certainty is, and the "
+    "units. Rows in *italics* are the source documents'\n"
+    "or the textbooks' forms in the same test: there the bound is the one that is not kept, and "
+    "a test fails if they ever keep it, since it\n"
+    "would then see nothing.\n"
     "\n"
     "| column | meaning |\n"
     "|---|---|\n"
@@ -33,14 +39,19 @@ constexpr const char* how_to_read =
     "| domain | the inputs for which the bound holds; sizes are drawn so that every exponent "
     "is as likely as any other, and corners are drawn often |\n"
     "| bound | the largest error that is allowed there; 0 means that no error is allowed |\n"
-    "| certainty | how sure the bound is, from the ladder below |\n"
+    "| certainty | how sure the bound is, from the ladder of docs/numbers.md |\n"
     "| measured | the worst that was found, against 50-digit arithmetic |\n"
     "| cost | time for one number, as a multiple of what the cell names, timed alternately "
     "in one run, the shortest of several; it depends on the machine, the rest hardly does |\n"
+    "\n";
+
+constexpr const char* how_to_read =
+    "\n"
+    "## How to read it\n"
     "\n"
     "The ladder of certainty, from the least to the most that can be said of a bound:\n"
     "\n"
-    "1. *sampled*: it held for inputs drawn at random. No row of this page stays here: errors "
+    "1. *sampled*: it held for inputs drawn at random. No bound of the course stays here: errors "
     "peak in corners that few draws meet.\n"
     "2. *searched*: it held for the worst that a search found. The search draws inputs, changes "
     "the worst of them a little, keeps what is worse, and goes on\n"
@@ -56,10 +67,7 @@ constexpr const char* how_to_read =
     "\n"
     "Units: **ulp**, a unit in the last place of the exact result. **u**, the unit roundoff: "
     "half the distance from 1 to the next number, 6e-8 in\n"
-    "float, 1.1e-16 in double. **texel**, one of 8192 by 4096 on the whole sphere. Rows in "
-    "*italics* are the source documents' or the textbooks' forms in\n"
-    "the same test: there the bound is the one that is not kept, and a test fails if they "
-    "ever keep it, since it would then see nothing.\n";
+    "float, 1.1e-16 in double. **texel**, one of 8192 by 4096 on the whole sphere.\n";
 
 std::string plain(double number) {
   std::ostringstream text;
@@ -68,70 +76,42 @@ std::string plain(double number) {
   return text.str();
 }
 
-/// A heading's address on the page: small letters, a hyphen for each blank.
-std::string address_of(const std::string& heading) {
-  std::string address = "#";
-  for (const char c : heading) {
-    if (std::isalnum(static_cast<unsigned char>(c))) {
-      address += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (c == ' ') {
-      address += '-';
-    }
-  }
-  return address;
-}
-
-/// A family's claims, counted.
-struct Counts {
-  std::set<std::string> functions{};  ///< of the bounds that hold
+/// What is said of a function: its bounds that hold, counted, and the one nearest to being reached.
+struct OfFunction {
+  std::string name;
   long hold = 0;
-  long broken = 0;                      ///< bounds that other forms must break
+  std::string bounds{};                 ///< each once
   std::map<std::string, long> rungs{};  ///< of the ladder of certainty
-
-  void add(const Claim& claim) {
-    if (claim.expect == Expect::beyond) {
-      ++broken;
-      return;
-    }
-    ++hold;
-    functions.insert(claim.function.substr(0, claim.function.find(',')));
-    const std::string certainty = certainty_of(claim);
-    ++rungs[certainty.substr(0, certainty.find_first_of(" ,"))];
-  }
-};
-
-/// Of a family, the bound that holds and was nearest to being reached.
-struct NearestBound {
-  const Claim* claim = nullptr;
+  const Claim* nearest = nullptr;
   double off = 0;
 
-  void see(const Claim& now, double measured) {
-    if (now.expect == Expect::beyond || !(now.bound > 0) || !(measured > 0)) return;
-    if (claim != nullptr && measured / now.bound <= off / claim->bound) return;
-    claim = &now;
+  void add(const Claim& claim, double measured) {
+    ++hold;
+    const std::string bound = plain(claim.bound) + " " + claim.unit;
+    if ((", " + bounds + ", ").find(", " + bound + ", ") == std::string::npos)
+      bounds += (bounds.empty() ? "" : ", ") + bound;
+    const std::string certainty = certainty_of(claim);
+    ++rungs[certainty.substr(0, certainty.find_first_of(" ,"))];
+    if (!(claim.bound > 0) || !(measured > 0)) return;
+    if (nearest != nullptr && measured / claim.bound <= off / nearest->bound) return;
+    nearest = &claim;
     off = measured;
   }
-};
 
-/// A row of the summary; like those of the other tables it ends with two measured cells.
-std::string summary_of(const Family& family, const Counts& counts, const NearestBound& nearest) {
-  std::string row = "| [" + family.title + "](" + address_of(family.title) + ") | " +
-                    std::to_string(counts.functions.size()) + " | " + std::to_string(counts.hold) +
-                    " | " + std::to_string(counts.broken) + " | ";
-  std::string comma;
-  for (const auto& [rung, count] : counts.rungs) {
-    row += comma + std::to_string(count) + " " + rung;
-    comma = ", ";
+  /// A row of the page; its last two cells are measured.
+  [[nodiscard]] std::string row(const std::string& family) const {
+    std::string row =
+        "| " + name + " | " + family + " | " + std::to_string(hold) + " | " + bounds + " | ";
+    std::string comma;
+    for (const auto& [rung, count] : rungs) {
+      row += comma + std::to_string(count) + " " + rung;
+      comma = ", ";
+    }
+    if (nearest == nullptr) return row + " | | |\n";
+    return row + " | " + nearest->function + ", " + nearest->number + ": " + two_digits(off) +
+           " of " + plain(nearest->bound) + " " + nearest->unit + " | " + nearest->domain + " |\n";
   }
-  if (nearest.claim == nullptr) {
-    const bool elsewhere = std::ranges::all_of(
-        family.claims, [](const Claim& claim) { return !claim.certainty.empty(); });
-    return row + (elsewhere ? " | measured by other tests | |\n" : " | no bound but 0 | |\n");
-  }
-  const Claim& claim = *nearest.claim;
-  return row + " | " + claim.function + ", " + claim.number + ": " + two_digits(nearest.off) +
-         " of " + plain(claim.bound) + " " + claim.unit + " | " + claim.domain + " |\n";
-}
+};
 
 }  // namespace
 
@@ -148,42 +128,50 @@ std::string two_digits(double number) {
   return text.str();
 }
 
-std::string page_of(const std::vector<Family>& families,
-                    const std::function<Cells(const Claim&)>& measured) {
+Pages pages_of(const std::vector<Family>& families,
+               const std::function<Cells(const Claim&)>& measured) {
   std::string rows;
-  std::string tables;
-  Counts all;
+  std::string report = report_title;
+  long hold = 0;
+  long broken = 0;
+  std::set<std::string> functions;
   for (const Family& family : families) {
-    tables += "\n## " + family.title + "\n\n" + family.introduction + "\n\n";
-    tables +=
+    report += "\n## " + family.title + "\n\n" + family.introduction + "\n\n";
+    report +=
         "| function | number | domain | bound | certainty | measured | cost |\n"
         "|---|---|---|---|---|---|---|\n";
-    Counts counts;
-    NearestBound nearest;
+    std::vector<OfFunction> all;
     for (const Claim& claim : family.claims) {
       const Cells cells = measured(claim);
-      counts.add(claim);
-      all.add(claim);
-      nearest.see(claim, cells.off);
-      const std::string star = claim.expect == Expect::beyond ? "*" : "";
-      tables += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
+      const bool holds = claim.expect == Expect::within;
+      const std::string star = holds ? "" : "*";
+      report += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
                 " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty_of(claim) +
                 " | " + cells.worst + " | " + cells.cost + " |\n";
+      ++(holds ? hold : broken);
+      if (!holds) continue;
+      const std::string name = claim.function.substr(0, claim.function.find(','));
+      auto at = std::ranges::find(all, name, &OfFunction::name);
+      if (at == all.end()) at = all.insert(at, OfFunction{.name = name});
+      at->add(claim, cells.off);
     }
-    rows += summary_of(family, counts, nearest);
+    for (const OfFunction& one : all) {
+      functions.insert(one.name);
+      rows += one.row(family.title);
+    }
   }
-  return title +
-         ("\n## In short\n\n" + std::to_string(all.hold) + " bounds on " +
-          std::to_string(all.functions.size()) + " functions hold. " + std::to_string(all.broken) +
-          " rows are forms from the source documents or from textbooks that break such a "
-          "bound,\nas they should: they show that the measurement can see an error. For "
-          "each family the table names the bound that was nearest\nto being reached, and the "
-          "inputs that it holds for. It leaves out bounds of 0, which allow no error at "
-          "all.\n\n"
-          "| family | functions | bounds that hold | forms that break theirs | how sure | "
-          "nearest to its bound | for these inputs |\n"
-          "|---|---|---|---|---|---|---|\n") +
-         rows + how_to_read + tables;
+  return {title +
+              ("\n## In short\n\n" + std::to_string(hold) + " bounds on " +
+               std::to_string(functions.size()) + " functions hold. " + std::to_string(broken) +
+               " forms from the source documents or from textbooks break such a bound,\nas they "
+               "should: they show that the measurement can see an error. For each function the "
+               "table names the bound that was nearest\nto being reached, and the inputs that it "
+               "holds for; a bound of 0 allows no error at all.\n\n"
+               "| function | family | bounds that hold | bounds | how sure | nearest to its bound "
+               "| for these inputs |\n"
+               "|---|---|---|---|---|---|---|\n") +
+              rows + how_to_read,
+          report};
 }
 
 std::string without_measured_cells(const std::string& page) {

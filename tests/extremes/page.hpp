@@ -1,4 +1,4 @@
-// The page docs/numbers.md: one table a family, one row a claim.
+// The page docs/numbers.md, one row a function, and the whole report, one row a claim.
 #pragma once
 #include <functional>
 #include <string>
@@ -15,13 +15,16 @@ struct Cells {
   double off = 0;  ///< the number behind `worst`, for the summary; 0 where nothing was measured
 };
 
-/// The page: a summary, how to read it, and the tables. A claim's last two cells are what
-/// `measured` says of it.
-[[nodiscard]] std::string page_of(const std::vector<Family>& families,
-                                  const std::function<Cells(const Claim&)>& measured);
+struct Pages {
+  std::string page;    ///< the worst of each function, and how to read it
+  std::string report;  ///< a table a family, a row a claim
+};
 
-/// The page without its measured cells: what page and claims must agree on. Rows of packs are left
-/// out where the machine has no packs.
+/// The page and the report. What is measured of a claim is what `measured` says of it.
+[[nodiscard]] Pages pages_of(const std::vector<Family>& families,
+                             const std::function<Cells(const Claim&)>& measured);
+
+/// The page without its measured cells: what page and claims must agree on.
 [[nodiscard]] std::string without_measured_cells(const std::string& page);
 
 /// A number with two digits, such as 0.00071 or 3.4.

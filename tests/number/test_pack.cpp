@@ -107,14 +107,6 @@ TEST_CASE_TEMPLATE("a pack made of one number holds it in every lane", T, float,
   static_assert(std::is_same_v<Scalar<Pack<T>>, T>);
 }
 
-TEST_CASE_TEMPLATE("from_lanes puts the value of i into lane i", T, float, double) {
-  const auto tens = from_lanes<Pack<T>>([](std::size_t i) { return static_cast<T>(10 * i); });
-  for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
-    CHECK(lane(tens, i) == static_cast<T>(10 * i));
-    CHECK(tens.get(i) == static_cast<T>(10 * i));
-  }
-}
-
 TEST_CASE_TEMPLATE("any is true when a single lane is, whichever it is", T, float, double) {
   const Pack<T> zero(0);
   CHECK_FALSE(any(zero > zero));

@@ -4,7 +4,6 @@
 #include <doctest.h>
 
 #include "math/srgb.hpp"
-#include "support/lanes.hpp"
 
 namespace texmap::test {
 namespace {
@@ -166,13 +165,6 @@ TEST_CASE("the mean of black and white is the middle of the light, not of the by
   Image gray_pair(2, 1, {188, 188, 188});
   const double light = light_of_bytes<double>(TexelLight::linear)[188];
   CHECK(BilinearTexture{gray_pair, VAxis::up, TexelLight::linear}(Uv<double>{0.3, 0.5}).r == light);
-}
-
-TEST_CASE_TEMPLATE("a pack filters as its numbers do, each by itself", T, float, double) {
-  const Image image = patterned(33, 16);
-  for (const TexelLight light : {TexelLight::encoded, TexelLight::linear}) {
-    check_lanes_of_texture<T>(BilinearTexture{image, VAxis::up, light});
-  }
 }
 
 }  // namespace

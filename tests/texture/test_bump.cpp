@@ -8,11 +8,8 @@
 #include <vector>
 
 #include "number/kinds/interval.hpp"
-#include "number/kinds/pack2.hpp"
 #include "scene/sphere.hpp"
 #include "support/dice.hpp"
-#include "support/lane_of.hpp"
-#include "support/many_digits.hpp"
 #include "texture/mapped.hpp"
 #include "texture/waves.hpp"
 
@@ -133,27 +130,6 @@ TEST_CASE("a sphere raised to an ellipsoid has the ellipsoid's normal") {
   CHECK(worst_on_ellipsoid<double>(duals) < 2e-15);
   CHECK(worst_on_ellipsoid<long double>(duals) < 2e-18 + 2e-15 * (sizeof(long double) == 8));
 
-  SUBCASE("in packs each lane is the plain number's") {
-    using Number = Pack2<Pack<double>>;
-    Dice dice(5);
-    for (int i = 0; i < 100; ++i) {
-      std::vector<Vec3d> normals;
-      for (std::size_t k = 0; k < lanes<Number>; ++k) normals.push_back(dice.direction<double>());
-      const auto coordinate = [&](double Vec3d::*part) {
-        return from_lanes<Number>([&](std::size_t k) { return normals[k].*part; });
-      };
-      const Hit<Number> hit = hit_with(
-          Vec3<Number>{coordinate(&Vec3d::x), coordinate(&Vec3d::y), coordinate(&Vec3d::z)});
-      const Vec3<Number> bumped = duals(hit, Number(1));
-      for (std::size_t k = 0; k < lanes<Number>; ++k) {
-        const Vec3d alone = duals(hit_with(normals[k]), 1.0);
-        const Vec3d in_pack = lane_of(bumped, k);
-        CHECK(in_pack.x == alone.x);
-        CHECK(in_pack.y == alone.y);
-        CHECK(in_pack.z == alone.z);
-      }
-    }
-  }
   SUBCASE("planted faults are seen") {
     Bumps<EllipsoidHeight> wrong = duals;
     wrong.relief = -1;  // uphill in place of downhill
@@ -175,40 +151,6 @@ TEST_CASE("a sphere raised to an ellipsoid has the ellipsoid's normal") {
     CHECK(worst > 0.1);
   }
 }
-
-#ifdef TEXMAP_HAVE_DIGITS
-TEST_CASE("with 50 digits the ellipsoid's normal is met to 1e-45") {
-  Dice dice(7);
-  const Bumps<EllipsoidHeight> duals{};
-  for (int i = 0; i < 50; ++i) {
-    const Hit<Digits50> hit = hit_with<Digits50>(dice.direction());
-    const Vec3<Digits50> apart = duals(hit, Digits50(1)) - duals.height.normal(hit.normal);
-    CHECK(length(apart) < Digits50(1e-45));
-  }
-}
-
-TEST_CASE("slopes by duals are those of 50-digit differences") {
-  Dice dice(8);
-  const Mapped<RtiowMapping, Hills> hills{};
-  double worst = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Hit<double> hit = hit_with<double>(dice.direction());
-    if (std::abs(hit.normal.y) > 0.99) continue;
-    const Frame<double> frame = frame_about(hit.normal);
-    const Slope<double> slope = slope_of(hills, hit, frame, 1.0, SlopeFrom::duals, 1.0);
-    const auto exact = [](const Vec3d& p) { return number_cast<Digits50>(p); };
-    const Frame<Digits50> axes{exact(frame.right), exact(frame.up)};
-    const Slope<Digits50> difference = slope_of(
-        hills,
-        Hit<Digits50>{exact(hit.normal), exact(hit.point), exact(hit.point), exact(hit.point)},
-        axes, Digits50(1), SlopeFrom::central, Digits50(1e-15));
-    worst = std::max({worst, std::abs(slope.right - static_cast<double>(difference.right)),
-                      std::abs(slope.up - static_cast<double>(difference.up))});
-  }
-  MESSAGE("largest difference " << worst);
-  CHECK(worst < 1e-12);
-}
-#endif
 
 TEST_CASE("without the term h dn the slope is too large by exactly 1 + h / R") {
   Dice dice(12);
@@ -237,23 +179,6 @@ TEST_CASE("the normal is the vector product of the raised surface's own derivati
     const Vec3<Dual<double>> raised = moving.point + moving.normal * height;
     const Vec3d expected = normalize(cross(dx_of(raised), dy_of(raised)));
     CHECK(angle(bumps(hit, 1.0), expected) < 2e-15);
-  }
-}
-
-TEST_CASE("the steps may point anywhere along the surface: the normal is the same") {
-  Dice dice(16);
-  const SolidWaves waves;
-  for (int i = 0; i < 300; ++i) {
-    const Hit<double> hit = hit_with<double>(dice.direction());
-    const Frame<double> frame = frame_about(hit.normal);
-    const double angle_of_turn = dice.between(0, 6.28);
-    const double c = std::cos(angle_of_turn), s = std::sin(angle_of_turn);
-    const Frame<double> turned{frame.right * c + frame.up * s, frame.up * c - frame.right * s};
-    const auto normal = [&](const Frame<double>& along) {
-      const Slope<double> slope = slope_of(waves, hit, along, 1.0, SlopeFrom::duals, 1.0);
-      return raised_normal(hit.normal, along, slope, 1.0, BumpForm::exact);
-    };
-    CHECK(angle(normal(frame), normal(turned)) < 1e-14);
   }
 }
 

@@ -154,24 +154,6 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE("u stays below 1 on both sides of every seam", Real, float, double,
-                   long double) {
-  for (const Real small :
-       {Real(0), std::numeric_limits<Real>::denorm_min(), Real(1e-30L), Real(1e-9L), Real(1e-3L)}) {
-    for (const Real sign : {Real(-1), Real(1)}) {
-      for (const Vec3<Real>& p :
-           {Vec3<Real>{-1, 0, sign * small}, Vec3<Real>{sign * small, 0, 1}}) {
-        for (const Convention convention :
-             {Convention::daily, Convention::rtiow, Convention::lecture}) {
-          const Uv<Real> uv = uv_of(convention, p);
-          CHECK(uv.u >= Real(0));
-          CHECK(uv.u < Real(1));
-        }
-      }
-    }
-  }
-}
-
 TEST_CASE(
     "a quarter turn moves every texel center by a quarter of the picture, in every convention") {
   constexpr int n = 8192;

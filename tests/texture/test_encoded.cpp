@@ -4,7 +4,6 @@
 #include <doctest.h>
 
 #include "math/srgb.hpp"
-#include "support/lanes.hpp"
 
 namespace texmap::test {
 namespace {
@@ -30,13 +29,6 @@ TEST_CASE("every byte of a file comes back, if half a byte is added before it is
   }
   CHECK(wrong == 0);
   CHECK(wrong_without > 0);
-}
-
-TEST_CASE_TEMPLATE("packs encode each lane as a plain number", T, float, double) {
-  Dice dice(3);
-  for (int i = 0; i < 300; ++i)
-    check_each_lane<Pack<T>>([]<class Real>(const Real& light) { return encoded(light); },
-                             any_pack<Pack<T>>(dice, -0.1, 1.1));
 }
 
 }  // namespace

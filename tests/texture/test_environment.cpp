@@ -5,9 +5,6 @@
 
 #include <cmath>
 
-#include "number/kinds/pack2.hpp"
-#include "support/lanes.hpp"
-#include "support/many_digits.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
@@ -150,32 +147,5 @@ TEST_CASE("a sky of equal texels is constant, and one channel off by a rounding 
   CHECK(Environment().is_constant());
   CHECK(Environment()(Ray<double>{{}, {1, 0, 0}}).r == 0);
 }
-
-TEST_CASE_TEMPLATE("every number sees the same sky", T, float, long double, Pack<double>,
-                   Pack2<Pack<float>>) {
-  const Environment sky(patterned(16, 8), TexelFilter::bilinear, 10);
-  const double bound = std::is_same_v<Scalar<T>, float> ? 2e-3 : 1e-10;
-  for (double row = 0.03; row < 8; row += 0.31) {
-    const Vec3d d = toward(sky.map(), row * 1.9, row);
-    const Color<T> seen = sky(Ray<T>{{}, number_cast<T>(d)});
-    const Color<double> expected = sky(Ray<double>{{}, d});
-    for (std::size_t i = 0; i < lanes<T>; ++i) {
-      CHECK(std::abs(static_cast<double>(lane(seen.r, i)) - expected.r) < bound);
-      CHECK(std::abs(static_cast<double>(lane(seen.b, i)) - expected.b) < bound);
-    }
-  }
-}
-
-#ifdef TEXMAP_HAVE_DIGITS
-TEST_CASE("in 50 digits the light is the same within double's roundings") {
-  const Environment sky(patterned(16, 8));
-  for (double row = 0.03; row < 8; row += 0.31) {
-    const Vec3d d = toward(sky.map(), row * 1.7, row);
-    const Color<Digits50> exact = sky(Ray<Digits50>{{}, number_cast<Digits50>(d)});
-    const Color<double> found = sky(Ray<double>{{}, d});
-    CHECK(std::abs(static_cast<double>(exact.g - Digits50(found.g))) < 1e-11);
-  }
-}
-#endif
 
 }  // namespace texmap::test

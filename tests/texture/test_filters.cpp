@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "number/kinds/pack2.hpp"
-#include "support/lanes.hpp"
-#include "support/many_digits.hpp"
+#include "support/dice.hpp"
 
 namespace texmap::test {
 namespace {
@@ -312,37 +310,6 @@ TEST_CASE("a footprint twice as wide, as with a level one too high, is noticed o
   }
 }
 
-TEST_CASE("the width of the trilinear filter by its response to a cosine") {
-  // At a level's texel centers the bilinear filter adds no width.
-  const int width = 256;
-  for (int level = 0; level <= 4; ++level) {
-    const int cycles = 7;
-    LightImage image(width, 4);
-    for (int row = 0; row < 4; ++row) {
-      for (int column = 0; column < width; ++column)
-        image.at(column, row).r = static_cast<float>(
-            0.5 + 0.5 * std::cos(2 * std::numbers::pi * cycles * (column + 0.5) / width));
-    }
-    const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = Filter::trilinear};
-    const auto amplitude = [&](double footprint) {
-      double cosine = 0, sine = 0;
-      const int count = width >> level;
-      for (int column = 0; column < count; ++column) {
-        const double u = (column + 0.5) / count, angle = 2 * std::numbers::pi * cycles * u;
-        const double light = texture.filtered(place_of(u, 0.5, footprint, 1, width, 4)).r;
-        cosine += light * std::cos(angle);
-        sine += light * std::sin(angle);
-      }
-      return 2 * std::hypot(cosine, sine) / count;
-    };
-    const double span = std::pow(2.0, level), f = static_cast<double>(cycles) / width;
-    const double expected =
-        0.5 * std::sin(span * std::numbers::pi * f) / (span * std::sin(std::numbers::pi * f));
-    CHECK(std::abs(amplitude(span) - expected) < 1e-7);
-    CHECK(std::abs(amplitude(2 * span) - expected) > 1e-4);
-  }
-}
-
 /// The Bessel function J_3, by its integral: on a whole period the midpoint rule is exact.
 double bessel_3(double x) {
   constexpr int steps = 64;
@@ -503,49 +470,6 @@ TEST_CASE("a pixel on a globe's pole shows the land around it and not the whole 
     if (aside > 0 && aside < 1e-3) CHECK(light(Wrap::clamp) < 0.3);  // without a limit to u
   }
 }
-
-TEST_CASE_TEMPLATE("packs filter each lane as a plain number", T, float, double) {
-  const Pyramid pyramid = pyramid_of(noise(40, 24));
-  for (const Filter filter : filters) {
-    for (const Wrap wrap : {Wrap::repeat, Wrap::border, Wrap::spherical}) {
-      const FilteredTexture texture{.pyramid = pyramid, .filter = filter, .wrap = wrap};
-      Dice dice(6);
-      for (int i = 0; i < 40; ++i) {
-        const auto any = [&](double size) {
-          const auto sizes = any_pack<Pack2<Pack<T>>>(dice, 0, size);
-          return square(square(sizes)) * any_pack<Pack2<Pack<T>>>(dice, -1, 1);
-        };
-        const auto where = [&] { return any_pack<Pack2<Pack<T>>>(dice, -1, 2); };
-        check_each_lane<Pack2<Pack<T>>>(
-            [&]<class Real>(const Real& u, const Real& v, const Real& a, const Real& b,
-                            const Real& c,
-                            const Real& d) { return texture.filtered(place(u, v, a, b, c, d)); },
-            where(), where(), any(0.9), any(0.9), any(0.9), any(0.9));
-      }
-    }
-  }
-}
-
-#ifdef TEXMAP_HAVE_DIGITS
-TEST_CASE("double filters as 50 digits do, but for rounding") {
-  const Pyramid pyramid = pyramid_of(noise(32, 16));
-  Dice dice(10);
-  for (const Filter filter :
-       {Filter::bilinear, Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
-    const FilteredTexture texture{.pyramid = pyramid, .filter = filter};
-    for (int i = 0; i < 300; ++i) {
-      const double size = std::exp(dice.between(-6, -1));
-      const double u = dice.between(-1, 2), v = dice.between(-1, 2);
-      const double a = size * dice.between(-1, 1), b = size * dice.between(-1, 1);
-      const double c = size * dice.between(-1, 1), d = size * dice.between(-1, 1);
-      const auto in = [&]<class Real>(Real) {
-        return texture.filtered(place(Real(u), Real(v), Real(a), Real(b), Real(c), Real(d)));
-      };
-      CHECK(std::abs(in(0.0).g - static_cast<double>(in(Digits50(0)).g)) < 1e-11);
-    }
-  }
-}
-#endif
 
 }  // namespace
 }  // namespace texmap::test

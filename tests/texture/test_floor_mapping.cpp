@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include "support/lanes.hpp"
-
 namespace texmap::test {
 namespace {
 
@@ -24,14 +22,6 @@ TEST_CASE("a copy begins at the origin and is as large as it says; it reads from
   const Uv<double> origin = mapping(Vec3d{0, 0, 0});
   CHECK(mapping(Vec3d{1, 0, 0}).u > origin.u);
   CHECK(mapping(Vec3d{0, 0, -1}).v > origin.v);
-}
-
-TEST_CASE_TEMPLATE("packs map each lane as a plain number", T, float, double) {
-  Dice dice(1);
-  for (int i = 0; i < 100; ++i)
-    check_each_lane<Pack<T>>(
-        []<class Real>(const Vec3<Real>& point) { return FloorMapping{.size = 3}(point); },
-        any_vectors<Pack<T>>(dice, -50, 50));
 }
 
 }  // namespace

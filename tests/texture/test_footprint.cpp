@@ -3,7 +3,7 @@
 
 #include <doctest.h>
 
-#include "support/lanes.hpp"
+#include "support/dice.hpp"
 #include "support/many_digits.hpp"
 
 namespace texmap::test {
@@ -84,20 +84,6 @@ TEST_CASE_TEMPLATE("whatever the derivatives, a footprint is finite and its side
   }
   const auto unknown = footprint_of(moving(nan, Real(0), Real(0), Real(0)), Real(4), Real(4));
   CHECK(unknown.longer == Real(16777216));
-}
-
-TEST_CASE_TEMPLATE("packs have each lane's footprint", T, float, double) {
-  Dice dice(4);
-  for (int i = 0; i < 300; ++i) {
-    const auto any = [&] { return any_pack<Pack<T>>(dice, -2, 2); };
-    check_each_lane<Pack<T>>(
-        []<class Real>(const Real& a, const Real& b, const Real& c, const Real& d) {
-          const auto footprint = footprint_of(moving(a, b, c, d), Real(64), Real(32));
-          return std::tuple(footprint.along_u, footprint.along_v, footprint.longer,
-                            footprint.shorter);
-        },
-        any(), any(), any(), any());
-  }
 }
 
 #ifdef TEXMAP_HAVE_DIGITS

@@ -1,7 +1,6 @@
 // Tests of common/texture/image_texture.hpp: which texel of a picture a coordinate shows.
 #include <doctest.h>
 
-#include "support/lanes.hpp"
 #include "texture/image_texture.hpp"
 
 namespace texmap::test {
@@ -95,14 +94,6 @@ TEST_CASE_TEMPLATE("an empty picture is black, for every size that is empty", Re
   }
 }
 
-TEST_CASE_TEMPLATE("a picture of one texel is that color everywhere", Real, float, double,
-                   long double) {
-  const ImageTexture texture{Image(1, 1, {12, 34, 56})};
-  for (const Real u : {Real(0), Real(0.3), below_one<Real>(), Real(1), Real(-5)}) {
-    CHECK(shows(texture(Uv<Real>{u, u}), {12, 34, 56}));
-  }
-}
-
 TEST_CASE_TEMPLATE(
     "rows are found first and turned over then, so every edge between rows belongs to the row "
     "above it in v",
@@ -127,15 +118,6 @@ TEST_CASE_TEMPLATE(
     if (row_at(up(Uv<Real>{0, v})) != rows - 1 - step) ++wrong;
   }
   CHECK(wrong == 0);
-}
-
-TEST_CASE_TEMPLATE("a pack reads its own texel in each lane", T, float, double) {
-  const Image image = small_image();
-  for (const VAxis axis : {VAxis::up, VAxis::down}) {
-    for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
-      check_lanes_of_texture<T>(ImageTexture{image, axis, rounding});
-    }
-  }
 }
 
 }  // namespace

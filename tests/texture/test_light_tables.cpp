@@ -54,17 +54,6 @@ TEST_CASE_TEMPLATE(
   });
 }
 
-TEST_CASE_TEMPLATE("a byte's light is srgb_decode's within 8 ulp", T, float, double, long double) {
-  for (int byte = 0; byte < 256; ++byte) {
-    const T entry = light_of_bytes<T>(TexelLight::linear)[static_cast<std::size_t>(byte)];
-    const T decoded = srgb_decode(static_cast<T>(byte) / T(255));
-    CAPTURE(byte);
-    CHECK(std::abs(entry - decoded) <= 8 * (std::nextafter(entry, T(2)) - entry));
-  }
-  CHECK(light_of_bytes<T>(TexelLight::linear)[0] == 0);
-  CHECK(light_of_bytes<T>(TexelLight::linear)[255] == 1);
-}
-
 TEST_CASE_TEMPLATE("stb_image's light is kept in bytes, of which 184 remain and 21 are black", T,
                    float, double, long double) {
   for_each_byte<T>(

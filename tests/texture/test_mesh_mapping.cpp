@@ -4,11 +4,9 @@
 #include <map>
 
 #include "number/dual.hpp"
-#include "number/kinds/pack2.hpp"
 #include "published/mesh_weights.hpp"
+#include "support/dice.hpp"
 #include "support/fragile_triangles.hpp"
-#include "support/lanes.hpp"
-#include "support/many_digits.hpp"
 #include "support/mesh_rays.hpp"
 #include "texture/mapped.hpp"
 
@@ -129,22 +127,6 @@ TEST_CASE("each side of the crate shows the texture upright and not mirrored") {
   }
   CHECK(uv_at({0.5, 4, 0.5}, {0.5, 0, 0.5}).u == 0.75);
   CHECK(uv_at({0.5, 4, 0.5}, {0.5, 0, 0.5}).v == 0.25);
-}
-
-TEST_CASE_TEMPLATE("each lane maps as a plain number does", Many, Pack<float>, Pack<double>,
-                   Pack2<Pack<double>>) {
-  Dice dice;
-  const TexturedMesh ring = torus(12, 6);
-  for (int i = 0; i < 300; ++i) {
-    const Ray<Many> ray = aimed<Many>([&] { return point_within(dice, 3); },
-                                      [&] { return point_on_edge(dice, ring.mesh); });
-    check_each_lane<Many>(
-        [&](const auto& in) {
-          const auto hit = first_hit(ring.mesh, in);
-          return ring.mapping(hit);
-        },
-        ray);
-  }
 }
 
 TEST_CASE("a mapping without corners gives (0, 0)") {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "number/kinds/pack2.hpp"
 #include "support/dice.hpp"
 #include "support/shown_values.hpp"
 #include "texture/bilinear.hpp"
@@ -150,30 +149,6 @@ TEST_CASE(
       const double factor = dot(at(0.5, MeanNormal::unit), light) / exact;
       CHECK(factor == doctest::Approx(1 / cosine).epsilon(0.02));  // 8 bits
       CHECK(factor > 1.01);
-    }
-  }
-}
-
-TEST_CASE("packs give the plain number's normals, but for the last digits of their atan2") {
-  using Number = Pack2<Pack<double>>;
-  Dice dice(5);
-  Image image(16, 8);
-  for (auto& texel : image.pixels)
-    texel = color_of_normal(normalize(dice.direction<double>() + Vec3d{0, 0, 2}));
-  const NormalMap<RtiowMapping, BilinearTexture> map{.mapping = {}, .texture = {image}};
-  for (int i = 0; i < 100; ++i) {
-    std::array<Vec3d, lanes<Number>> all;
-    for (Vec3d& n : all) n = dice.direction<double>();
-    const auto packed = [&](double Vec3d::*part) {
-      return from_lanes<Number>([&](std::size_t k) { return all[k].*part; });
-    };
-    const Vec3<Number> normal = map(
-        hit_with(Vec3<Number>{packed(&Vec3d::x), packed(&Vec3d::y), packed(&Vec3d::z)}), Number(1));
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      const Vec3d alone = map(hit_with(all[k]), 1.0);
-      CHECK(std::abs(lane(normal.x, k) - alone.x) < 1e-12);
-      CHECK(std::abs(lane(normal.y, k) - alone.y) < 1e-12);
-      CHECK(std::abs(lane(normal.z, k) - alone.z) < 1e-12);
     }
   }
 }

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "number/kinds/pack.hpp"
 #include "support/dice.hpp"
-#include "support/many_digits.hpp"
 #include "texture/projection_facts.hpp"
 
 namespace texmap::test {
@@ -105,38 +103,6 @@ TEST_CASE("at the poles an octahedral map does not stretch, at the middle of a f
         doctest::Approx(1).epsilon(1e-5));
   CHECK(distortion(Projection::octahedral, normalize(Vec3<double>{1, 1, 1})).stretch ==
         doctest::Approx(std::sqrt(3.0)).epsilon(1e-12));
-}
-
-#ifdef TEXMAP_HAVE_DIGITS
-TEST_CASE("area and stretch of every layout agree with 50 digits to 1e-14 of themselves") {
-  for (const ProjectionFacts& facts : projections) {
-    double area = 0;
-    double stretch = 0;
-    for (const Vec3<double>& n : any_directions(2000)) {
-      const auto found = distortion(facts.projection, n);
-      const auto exact = distortion(facts.projection, number_cast<Digits50>(n));
-      const auto off = [](double a, const Digits50& b) {
-        return std::abs(static_cast<double>(a / b - 1));
-      };
-      area = std::max(area, off(found.area, exact.area));
-      stretch = std::max(stretch, off(found.stretch, exact.stretch));
-    }
-    MESSAGE(std::string(facts.word) << ": area " << area << ", stretch " << stretch);
-    CHECK(area <= 1e-14);
-    CHECK(stretch <= 1e-14);
-  }
-}
-#endif
-
-TEST_CASE("packs find the same distortion, but for the rounding of their arc tangent") {
-  for (const ProjectionFacts& facts : projections) {
-    for (const Vec3<double>& n : any_directions(50)) {
-      const auto single = distortion(facts.projection, n);
-      const auto many = distortion(facts.projection, number_cast<Pack<double>>(n));
-      CHECK(lane(many.area, 0) == doctest::Approx(single.area).epsilon(1e-12));
-      CHECK(lane(many.stretch, 0) == doctest::Approx(single.stretch).epsilon(1e-12));
-    }
-  }
 }
 
 }  // namespace texmap::test

@@ -7,16 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "number/kinds/pack.hpp"
-#include "number/kinds/pack2.hpp"
-#include "published/equal_area.hpp"
-#include "scene/hit.hpp"
 #include "support/dice.hpp"
-#include "support/exact.hpp"
 #include "support/hard_vectors.hpp"
 #include "support/lane_of.hpp"
-#include "support/lanes.hpp"
-#include "support/many_digits.hpp"
 #include "texture/projection_facts.hpp"
 
 namespace texmap::test {
@@ -141,100 +134,6 @@ TEST_CASE_TEMPLATE("inverse, then forward: the same place, on 401 x 401 places w
   }
 }
 
-TEST_CASE_TEMPLATE(
-    "forward, then inverse: the same direction; plane and cylinder lose half the digits where they "
-    "compress without bound",
-    Real, float, double, long double) {
-  const auto epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
-  for (const ProjectionFacts& facts : projections) {
-    double worst = 0;
-    double worst_compressed = 0;
-    for (const Vec3<Real>& p : directions<Real>()) {
-      if (upper_half_alone(facts.projection) && p.y < Real(0)) continue;
-      const Vec3<Real> q = unproject(facts.projection, project(facts.projection, p));
-      const auto off = static_cast<double>(length(q - p));
-      const bool compressed = (facts.projection == Projection::plane && abs(p.y) < Real(0.2)) ||
-                              (facts.projection == Projection::cylinder && abs(p.y) > Real(0.98));
-      (compressed ? worst_compressed : worst) =
-          std::max(compressed ? worst_compressed : worst, off);
-      REQUIRE(abs(length(q) - Real(1)) <= Real(8) * Real(epsilon));
-    }
-    CAPTURE(std::string(facts.word));
-    CHECK(worst <= 16 * epsilon);
-    CHECK(worst_compressed <= 2 * std::sqrt(epsilon));
-  }
-}
-
-TEST_CASE("in float every place is within 0.001 texel of 4096 of the one in long double") {
-  for (const ProjectionFacts& facts : projections) {
-    double worst = 0;
-    for (const Vec3<float>& p : directions<float>()) {
-      const Vec3<Exact> same = number_cast<Exact>(p);
-      const Uv<float> uv = project(facts.projection, p);
-      const Uv<Exact> exact = project(facts.projection, same);
-      // On a seam, either side.
-      if (abs(widened(uv.u) - exact.u) > 0.3L || abs(widened(uv.v) - exact.v) > 0.3L) continue;
-      worst = std::max(worst, texels(Uv<Exact>{widened(uv.u), widened(uv.v)}, exact));
-    }
-    CAPTURE(std::string(facts.word));
-    MESSAGE(std::string(facts.word) << ": " << worst << " texel of 4096");
-    CHECK(worst <= 0.001);
-  }
-}
-
-TEST_CASE(
-    "the textbook's equal-area form is off by 1 / sqrt(8) texel of 4096 near the pole, for "
-    "directions rounded to float") {
-  double worst = 0;
-  double ours = 0;
-  for (int i = 0; i < 40000; ++i) {  // from 1e-6 to 0.3 rad from the pole
-    const double near = std::pow(10.0, -6 + 5.5 * (i + 0.5) / 40000);
-    const double around = i * 2.4;
-    const Vec3<float> p = number_cast<float>(
-        Point{near * std::cos(around), std::sqrt(1 - near * near), near * std::sin(around)});
-    const Uv<Exact> exact = uv_equal_area(number_cast<Exact>(p));
-    // From the middle, along right and up together: the angle around it plays no part.
-    const auto off = [&](const Uv<float>& uv) {
-      const auto from_middle = [](const Exact& u, const Exact& v) {
-        return abs(2 * u - 1) + abs(2 * v - 1);
-      };
-      return static_cast<double>(
-                 abs(from_middle(widened(uv.u), widened(uv.v)) - from_middle(exact.u, exact.v))) *
-             2048;
-    };
-    worst = std::max(worst, off(published::uv_equal_area(p)));
-    ours = std::max(ours, off(uv_equal_area(p)));
-  }
-  MESSAGE("near the pole: textbook " << worst << " texel of 4096, ours " << ours);
-  // The y that is rounded to 1 from farthest away is 1 - 2^-25; sqrt(1 - y) is 0 instead of this.
-  const double lost = 2048 * std::sqrt(0x1p-25);
-  CHECK(worst <= lost * (1 + 1e-3));
-  CHECK(worst >= lost * (1 - 1e-3));
-  CHECK(ours <= 3e-4);
-}
-
-TEST_CASE(
-    "in float every direction is within 4 epsilons of the one in long double, near poles too") {
-  for (const ProjectionFacts& facts : projections) {
-    CAPTURE(std::string(facts.word));
-    Dice dice(4);
-    Exact worst = 0;
-    for (int i = 0; i < 20000; ++i) {
-      // The picture's edges are reached from 1e-9 on; the plane loses digits at its rim.
-      Uv<float> uv{static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1))};
-      if (i % 2 == 1) uv.v = static_cast<float>(dice.power_of_ten(-9, -1));
-      if (upper_half_alone(facts.projection) && std::hypot(uv.u - 0.5F, uv.v - 0.5F) > 0.45F)
-        continue;
-      const Vec3<float> p = unproject(facts.projection, uv);
-      const Vec3<Exact> exact =
-          unproject(facts.projection, Uv<Exact>{widened(uv.u), widened(uv.v)});
-      worst = std::max(worst, length(number_cast<Exact>(p) - exact));
-    }
-    MESSAGE(std::string(facts.word) << ": " << static_cast<double>(worst) * 0x1p23 << " epsilons");
-    CHECK(worst <= 4 * widened(std::numeric_limits<float>::epsilon()));
-  }
-}
-
 TEST_CASE("a zero with a minus sign is a zero") {
   CHECK(with_sign_of(0.0, 2.0) == 2);
   CHECK(with_sign_of(-0.0, 2.0) == 2);
@@ -250,48 +149,6 @@ TEST_CASE("a zero with a minus sign is a zero") {
       CHECK(one.u == two.u);
       CHECK(one.v == two.v);
     }
-  }
-}
-
-#ifdef TEXMAP_HAVE_DIGITS
-TEST_CASE("double agrees with 50 digits to 1e-15") {
-  for (const ProjectionFacts& facts : projections) {
-    CAPTURE(std::string(facts.word));
-    Dice dice(3);
-    for (int i = 0; i < 200; ++i) {
-      const Vec3<double> p{dice.between(-1, 1), dice.between(0.1, 1), dice.between(-1, 1)};
-      const Uv<double> uv = project(facts.projection, p);
-      const Uv<Digits50> exact = project(facts.projection, number_cast<Digits50>(p));
-      CHECK(std::abs(static_cast<double>(exact.u - Digits50(uv.u))) <= 1e-15);
-      CHECK(std::abs(static_cast<double>(exact.v - Digits50(uv.v))) <= 1e-15);
-    }
-  }
-}
-#endif
-
-TEST_CASE_TEMPLATE(
-    "each lane of a pack has the place and the direction of its own numbers, but for the rounding "
-    "of the packs' arc tangent",
-    Many, Pack<float>, Pack<double>, Pack2<Pack<float>>, Pack2<Pack<double>>) {
-  using T = Scalar<Many>;
-  const T bound = 8 * std::numeric_limits<T>::epsilon();
-  Dice dice(5);
-  for (const ProjectionFacts& facts : projections) {
-    CAPTURE(std::string(facts.word));
-    T worst = 0;
-    for (int i = 0; i < 200; ++i) {
-      const Vec3<Many> p = any_vectors<Many>(dice, -1, 1);
-      const Uv<Many> uv = project(facts.projection, p);
-      const Uv<Many> place{any_pack<Many>(dice, 0, 1), any_pack<Many>(dice, 0, 1)};
-      const Vec3<Many> direction = unproject(facts.projection, place);
-      for (std::size_t k = 0; k < lanes<Many>; ++k) {
-        const Uv<T> one = project(facts.projection, lane_of(p, k));
-        const Vec3<T> there = unproject(facts.projection, lane_of(place, k));
-        worst = std::max({worst, abs(lane(uv.u, k) - one.u), abs(lane(uv.v, k) - one.v),
-                          length(lane_of(direction, k) - there)});
-      }
-    }
-    CHECK(worst <= bound);
   }
 }
 
@@ -414,13 +271,6 @@ TEST_CASE_TEMPLATE("u is below 1 and v from 0 to 1 for every vector, beyond the 
     check_every_place([&](const Vec3<Real>& p) { return project(facts.projection, p); },
                       coordinates);
   }
-}
-
-TEST_CASE("the plane's map of a direction is its x and its z") {
-  const Vec3<double> n = normalize(Vec3<double>{0.3, 0.5, -0.4});
-  const Uv<double> uv = project(Projection::plane, n);
-  CHECK(2 * uv.u - 1 == doctest::Approx(n.x).epsilon(1e-15));
-  CHECK(1 - 2 * uv.v == doctest::Approx(n.z).epsilon(1e-15));
 }
 
 }  // namespace texmap::test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/lanes.hpp"
+#include "support/dice.hpp"
 
 namespace texmap::test {
 namespace {
@@ -125,21 +125,6 @@ TEST_CASE("a cosine passes a level as sin(2^l pi f) / (2^l sin(pi f)); the next 
       CHECK(std::abs(amplitude_in(pyramid, level, cycles) - expected) < 1e-7);
       if (cycles == 25) CHECK(std::abs(amplitude_in(pyramid, level + 1, cycles) - expected) > 4e-4);
     }
-  }
-}
-
-TEST_CASE_TEMPLATE("packs read another level in each lane", T, float, double) {
-  const Pyramid pyramid = pyramid_of(noise(40, 24));
-  Dice dice(2);
-  for (int i = 0; i < 200; ++i) {
-    check_each_lane<Pack<T>>(
-        [&]<class Real>(const Real& number, const Real& across, const Real& down) {
-          const PyramidLevel<Real> level = level_of(pyramid, floor(number));
-          return texel_light(pyramid, level, floor(across * level.width),
-                             floor(down * level.height));
-        },
-        any_pack<Pack<T>>(dice, 0, 5.99), any_pack<Pack<T>>(dice, 0, 0.99),
-        any_pack<Pack<T>>(dice, 0, 0.99));
   }
 }
 

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "number/kinds/pack2.hpp"
 #include "sampling/samplers.hpp"
-#include "support/many_digits.hpp"
 
 namespace texmap::test {
 namespace {
@@ -64,35 +62,6 @@ TEST_CASE("the solid angles of all texels add up to the sphere, in maps of every
     CHECK(sum.value() == doctest::Approx(sphere).epsilon(1e-14));
   }
 }
-
-TEST_CASE("a texel's solid angle without its sine, or with it twice, is noticed") {
-  constexpr int height = 64;
-  double plain = 0, twice = 0;
-  for (int row = 0; row < height; ++row) {
-    const double sine = std::sin(std::numbers::pi * (row + 0.5) / height);
-    const double texel = std::numbers::pi / height * std::numbers::pi / height;
-    plain += 2 * height * texel;
-    twice += 2 * height * texel * sine * sine;
-  }
-  CHECK(plain / sphere == doctest::Approx(std::numbers::pi / 2));
-  CHECK(twice / sphere == doctest::Approx(std::numbers::pi / 4));
-}
-
-#ifdef TEXMAP_HAVE_DIGITS
-TEST_CASE("a texel's solid angle is the difference of two cosines, in 50 digits") {
-  const Digits50 pi_50 = boost::math::constants::pi<Digits50>();
-  double worst = 0;
-  for (const int height : {2, 3, 192, 4096}) {
-    for (int row = 0; row < height; row += 1 + height / 50) {
-      const Digits50 exact =
-          2 * pi_50 / (2 * height) * (cos(pi_50 * row / height) - cos(pi_50 * (row + 1) / height));
-      const double found = SkyBand(row, 2 * height, height).solid_angle;
-      worst = std::max(worst, std::abs(static_cast<double>((found - exact) / exact)));
-    }
-  }
-  CHECK(worst < 1e-15);
-}
-#endif
 
 TEST_CASE("the weights of a sky of ones add up to 4 pi") {
   for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
@@ -181,54 +150,6 @@ TEST_CASE("a tent that reaches over a pole comes down on the other side") {
                     return sky(Ray<double>{{}, d}).r;
                   })).epsilon(2e-3));
     CHECK(over == doctest::Approx(1.0 / 8).epsilon(0.01));  // half a texel of a tent two wide
-  }
-}
-
-TEST_CASE("light over density is nearly constant, so what is drawn well varies little") {
-  const Environment sky(contrasts(64, 32));
-  const SkySampler sampler(sky);
-  double sum = 0, squares = 0, squares_half_off = 0, sum_half_off = 0;
-  constexpr std::uint32_t count = 4096;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
-    const double value = sky(Ray<double>{{}, d}).r / sampler.density(sky, d);
-    sum += value;
-    squares += value * value;
-    // The fault planted: the sky half a texel aside from its sampler.
-    const double aside =
-        sky(Ray<double>{{}, rotation_y(360 / 128.0)(d)}).r / sampler.density(sky, d);
-    sum_half_off += aside;
-    squares_half_off += aside * aside;
-  }
-  const double variance = squares * count / (sum * sum) - 1;
-  const double half_off = squares_half_off * count / (sum_half_off * sum_half_off) - 1;
-  MESSAGE("relative variance " << variance << ", half a texel aside " << half_off);
-  CHECK(variance < 0.01);
-  CHECK(half_off > 20 * variance);
-}
-
-TEST_CASE_TEMPLATE("every number draws the same directions", T, float, long double, Pack<double>,
-                   Pack2<Pack<float>>) {
-  const double bound = std::is_same_v<Scalar<T>, float> ? 2e-6 : 1e-14;
-  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
-    const Environment sky(contrasts(16, 8), filter, 25);
-    const SkySampler sampler(sky);
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      const Point2<double> choice = pair(i, 256, 1);
-      const Point2<double> within = pair(i, 256, 2);
-      const auto in = [](const Point2<double>& p) {
-        return Point2<T>{T(static_cast<Scalar<T>>(p.u)), T(static_cast<Scalar<T>>(p.v))};
-      };
-      const Vec3d expected = sampler.direction(sky, choice, within);
-      const Vec3<T> found = sampler.direction(sky, in(choice), in(within));
-      const T density = sampler.density(sky, number_cast<T>(expected));
-      for (std::size_t k = 0; k < lanes<T>; ++k) {
-        CHECK(std::abs(static_cast<double>(lane(found.x, k)) - expected.x) < bound);
-        CHECK(std::abs(static_cast<double>(lane(found.y, k)) - expected.y) < bound);
-        CHECK(static_cast<double>(lane(density, k)) ==
-              doctest::Approx(sampler.density(sky, expected)).epsilon(1e-4));
-      }
-    }
   }
 }
 

@@ -1,31 +1,15 @@
 // Tests of common/texture/texel.hpp: from a coordinate to a texel that is safe to index with.
 #include <doctest.h>
 
-#include <bit>
 #include <cstdint>
 #include <vector>
 
-#include "number/kinds/pack.hpp"
 #include "published/uv.hpp"
 #include "support/whole_numbers.hpp"
 #include "texture/texel.hpp"
 
 namespace texmap::test {
 namespace {
-
-TEST_CASE_TEMPLATE("a coordinate of 1 is in the last texel", Real, float, double, long double) {
-  for (const int n : {1, 2, 3, 8192, 1 << 24})
-    CHECK(test::texel_index(Real(1), n) == static_cast<Real>(n - 1));
-}
-
-TEST_CASE_TEMPLATE("the coordinate below 1 is in the last texel for every size", Real, float,
-                   double, long double) {
-  int wrong = 0;
-  for (int n = 1; n <= 65536; ++n) {
-    if (test::texel_index(below_one<Real>(), n) != static_cast<Real>(n - 1)) ++wrong;
-  }
-  CHECK(wrong == 0);
-}
 
 TEST_CASE_TEMPLATE("texels are half-open: each holds its lower edge", Real, float, double,
                    long double) {
@@ -66,22 +50,6 @@ TEST_CASE_TEMPLATE("no coordinate leaves the image: NaN gives 0 and the rest is 
   }
 }
 
-TEST_CASE("every pattern of 32 bits is a coordinate that is safe to index with") {
-  std::uint32_t bits = 1;
-  int outside = 0;
-  for (int i = 0; i < 300000; ++i) {
-    bits = bits * 1664525U + 1013904223U;
-    const auto u = std::bit_cast<float>(bits);
-    // The conversions themselves are what the sanitizer watches.
-    const int indices[] = {static_cast<int>(test::texel_index(u, 8192)),
-                           static_cast<int>(test::texel_index(u, 8192, TexelRounding::lecture))};
-    for (const int index : indices) {
-      if (index < 0 || index > 8191) ++outside;
-    }
-  }
-  CHECK(outside == 0);
-}
-
 TEST_CASE("every texel has the same share of the coordinates, first and last too") {
   for (const int n : {1, 2, 3, 7, 8192}) {
     std::vector<int> hits(static_cast<std::size_t>(n));
@@ -114,23 +82,6 @@ TEST_CASE("the lecture's rounding is that of its program") {
     const double v = i / 100000.0;
     REQUIRE(4095 - static_cast<int>(test::texel_index(v, 4096, TexelRounding::lecture)) ==
             published::row_lecture(v, 4096));
-  }
-}
-
-TEST_CASE_TEMPLATE("a pack finds in each lane the texel that a single number finds", T, float,
-                   double) {
-  const T nan = std::numeric_limits<T>::quiet_NaN();
-  const std::vector<T> table = {
-      nan,    0,      1, below_one<T>(), T(0.25), T(-0.1), T(1.1), infinity<T>(), -infinity<T>(),
-      T(0.7), T(1e30)};
-  for (std::size_t start = 0; start < table.size(); ++start) {
-    const auto at = [&](std::size_t i) { return table[(start + i) % table.size()]; };
-    const auto u = from_lanes<Pack<T>>(at);
-    for (std::size_t i = 0; i < lanes<Pack<T>>; ++i) {
-      CHECK(lane(test::texel_index(u, 1000), i) == test::texel_index(at(i), 1000));
-      CHECK(lane(test::texel_index(u, 1000, TexelRounding::lecture), i) ==
-            test::texel_index(at(i), 1000, TexelRounding::lecture));
-    }
   }
 }
 

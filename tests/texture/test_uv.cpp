@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <limits>
 
@@ -100,23 +99,6 @@ TEST_CASE_TEMPLATE(
   test::check_every_place([](const Vec3<Real>& p) { return uv_rtiow(p); }, coordinates);
 }
 
-TEST_CASE("every pattern of bits is a vector with a place") {
-  std::uint32_t bits = 7;
-  const auto any_float = [&bits] {
-    bits = bits * 1664525U + 1013904223U;
-    return std::bit_cast<float>(bits ^ (bits >> 16));
-  };
-  int outside = 0;
-  for (int i = 0; i < 200000; ++i) {
-    const float x = any_float();
-    const float y = any_float();
-    const float z = any_float();
-    const Uv<float> uv = uv_rtiow(Vec3<float>{x, y, z});
-    if (!(uv.u >= 0 && uv.u < 1 && uv.v >= 0 && uv.v <= 1)) ++outside;
-  }
-  CHECK(outside == 0);
-}
-
 TEST_CASE_TEMPLATE("a step beyond the pole is still the pole", Real, NUMBERS) {
   const Real beyond = Real(std::nextafter(Scalar<Real>(1), Scalar<Real>(2)));
   CHECK(off(uv_rtiow(Vec3<Real>{Real(0), beyond, Real(0)}), 0.5L, 1) == 0);
@@ -163,42 +145,6 @@ Uv<Exact> reference(const Vec3<Real>& p) {
   return {u < 0 ? u + 1 : u, atan2(std::hypot(x, z), -y) / exact_pi};
 }
 
-TEST_CASE_TEMPLATE(
-    "u is within one epsilon everywhere, v within 1.25, and v within 4 ulps near the lower pole",
-    Real, float, double) {
-  constexpr auto epsilon = static_cast<Exact>(std::numeric_limits<Real>::epsilon());
-  Exact worst_u = 0;
-  Exact worst_v = 0;
-  Exact worst_relative = 0;
-  for (int i = 0; i < 100000; ++i) {
-    const double height = 1 - (i + 0.5) / 50000;
-    const double around = i * 2.399963229728653;
-    const double radius = std::sqrt(1 - height * height);
-    const Vec3<Real> even =
-        number_cast<Real>(Point{radius * std::cos(around), height, radius * std::sin(around)});
-    // And again near the lower pole, from 1e-8 to 0.1.
-    const double near = std::pow(10.0, -8 + 7 * (i + 0.5) / 100000);
-    const Vec3<Real> polar =
-        number_cast<Real>(Point{near * std::cos(around), -1, near * std::sin(around)});
-    for (const Vec3<Real>& p : {even, polar, Vec3<Real>{polar.x, -polar.y, polar.z}}) {
-      const Uv<Real> uv = uv_rtiow(p);
-      const Uv<Exact> exact = reference(p);
-      worst_u = std::max(worst_u, abs(widened(uv.u) - exact.u));
-      worst_v = std::max(worst_v, abs(widened(uv.v) - exact.v));
-    }
-    const Uv<Exact> exact = reference(polar);
-    worst_relative = std::max(worst_relative, abs(widened(uv_rtiow(polar).v) - exact.v) / exact.v);
-  }
-  MESSAGE("worst: u " << static_cast<double>(worst_u / epsilon)
-                      << " eps = " << static_cast<double>(worst_u * 8192) << " texel, v "
-                      << static_cast<double>(worst_v / epsilon) << " eps = "
-                      << static_cast<double>(worst_v * 4096) << " texel, v at the pole "
-                      << static_cast<double>(worst_relative / epsilon) << " eps, relative");
-  CHECK(worst_u <= epsilon);
-  CHECK(worst_v <= 1.25L * epsilon);
-  CHECK(worst_relative <= 4 * epsilon);
-}
-
 TEST_CASE_TEMPLATE("clamp_u brings every number into the half-open range", Real, NUMBERS) {
   const auto clamped = [](double u) { return lane(clamp_u(Real(u)), lanes<Real> - 1); };
   using T = Scalar<Real>;
@@ -209,12 +155,6 @@ TEST_CASE_TEMPLATE("clamp_u brings every number into the half-open range", Real,
   CHECK(clamped(2) == std::nextafter(T(1), T(0)));
   CHECK(clamped(std::numeric_limits<double>::quiet_NaN()) == T(0));
   CHECK(lane(clamp_u(below_one<Real>()), 0) == below_one<T>());
-}
-
-TEST_CASE("the mapping as a value is the function") {
-  const Point p{1, 2, 3};
-  CHECK(RtiowMapping{}(p).u == uv_rtiow(p).u);
-  CHECK(RtiowMapping{}(p).v == uv_rtiow(p).v);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <doctest.h>
 
-#include "support/lanes.hpp"
+#include "number/kinds/pack.hpp"
 #include "support/shown_values.hpp"
 
 namespace texmap::test {
@@ -45,24 +45,6 @@ TEST_CASE_TEMPLATE("repeat and mirror are those of whole numbers, at every place
   };
   CHECK(count_wrong(repeated, modulo) == 0);
   CHECK(count_wrong(mirror, mirrored_whole) == 0);
-}
-
-TEST_CASE(
-    "the faults of other renderers are noticed: a mirror that shows its edge once or thrice") {
-  const auto once = [](int x, int n) {  // without the edge's own mirror image
-    const int period = n == 1 ? 1 : 2 * n - 2;
-    const int within = modulo(x, period);
-    return within < n ? within : period - within;
-  };
-  const auto last_of_negative = [](int x, int n) {  // C's remainder, which rounds to zero
-    const int turns = x / n, within = x - turns * n;
-    const int from_zero = within < 0 ? within + n : within;
-    return turns % 2 == 0 ? from_zero : n - 1 - from_zero;
-  };
-  const auto cut_off = [](int x, int n) { return std::abs(x % n); };
-  CHECK(count_wrong(once, mirrored_whole) > 0);
-  CHECK(count_wrong(last_of_negative, mirrored_whole) > 0);
-  CHECK(count_wrong(cut_off, modulo) > 0);
 }
 
 TEST_CASE("a mirror image of a mirror image is the image, and edges meet themselves") {
@@ -131,25 +113,6 @@ TEST_CASE("inside the image every mode shows the image; the border is seen outsi
         if (inside) CHECK((texel.column == column && texel.row == row));
         CHECK(texel.inside == (inside || wrap != Wrap::border));
       }
-    }
-  }
-}
-
-TEST_CASE_TEMPLATE("packs wrap each lane as a plain number, with a size of its own", T, float,
-                   double) {
-  Dice dice(5);
-  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border, Wrap::spherical}) {
-    for (int i = 0; i < 100; ++i) {
-      const auto whole = [&](double low, double high) {
-        return floor(any_pack<Pack<T>>(dice, low, high));
-      };
-      check_each_lane<Pack<T>>(
-          [&]<class Real>(const Real& column, const Real& row, const Real& columns,
-                          const Real& rows) {
-            const auto texel = wrapped_texel(wrap, column, row, columns, rows);
-            return std::tuple(texel.column, texel.row, select(texel.inside, Real(1), Real(0)));
-          },
-          whole(-90, 90), whole(-90, 90), whole(1, 30), whole(1, 30));
     }
   }
 }

@@ -6,10 +6,8 @@
 
 #include "number/dual.hpp"
 #include "number/kinds/interval.hpp"
-#include "number/kinds/pack2.hpp"
 #include "published/wrap.hpp"
 #include "support/dice.hpp"
-#include "support/lanes.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/wrapped.hpp"
 
@@ -100,18 +98,6 @@ TEST_CASE("the article mirrors at 0 and repeats at 1; mirror mirrors at both") {
   }
   CHECK(texel(Wrap::mirror, 1.1, n) == 14);
   CHECK(published::article_texel(1.1, n) == 1);
-}
-
-TEST_CASE_TEMPLATE("each lane wraps as a plain number does", Many, Pack<float>, Pack<double>,
-                   Pack2<Pack<double>>) {
-  Dice dice;
-  for (int i = 0; i < 1000; ++i) {
-    const Many u = from_lanes<Many>(
-        [&](std::size_t) { return static_cast<Scalar<Many>>(dice.uniform(-5, 5)); });
-    for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp}) {
-      check_each_lane<Many>([wrap](const auto& x) { return wrapped_coordinate(wrap, x); }, u);
-    }
-  }
 }
 
 TEST_CASE("derivatives keep their size; in the mirror they turn round") {
