@@ -110,10 +110,6 @@ std::filesystem::path end_of_links(const std::filesystem::path& path) {
   return error ? path : end;
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& path) {
-  return path.has_parent_path() ? path.parent_path() : ".";
-}
-
 void check_target(const std::filesystem::path& path) {
   check_name(path);
   if (is_null_device(path)) return;
