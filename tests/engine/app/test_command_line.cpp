@@ -72,15 +72,6 @@ TEST_CASE("two groups may give one option words: each reads its own, and all are
   }
 }
 
-TEST_CASE("without options everything keeps its default") {
-  const Fruit fruit = read();
-  CHECK(fruit.count == 3);
-  CHECK(fruit.weight == 0.5);
-  CHECK(fruit.name == "apple");
-  CHECK_FALSE(fruit.ripe);
-  CHECK(fruit.color == 1);
-}
-
 TEST_CASE(
     "options are read in any order, with a space or an equals sign, and the last one counts") {
   const Fruit fruit = read("--ripe", "--color", "green", "--count=7", "--weight", "-2.5e-3",
@@ -153,14 +144,6 @@ TEST_CASE("the help names every option with its default") {
     CAPTURE(part);
     CHECK(help.find(part) != std::string::npos);
   }
-}
-
-TEST_CASE("typed says which options the user gave") {
-  Fruit fruit;
-  CommandLine line = line_for(fruit);
-  CHECK(line.parse({"--count", "3"}));
-  CHECK(line.was_given("--count"));
-  CHECK_FALSE(line.was_given("--weight"));
 }
 
 namespace {
