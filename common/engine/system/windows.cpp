@@ -8,7 +8,6 @@
 #include <shellapi.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -73,25 +72,6 @@ class Handle {
 
  private:
   HANDLE handle_;
-};
-
-// While a file is being written, Ctrl-C and closing the window wait.
-std::atomic<int> files_being_written = 0;
-
-BOOL WINAPI wait_for_files(DWORD) {
-  while (files_being_written > 0) Sleep(1);
-  return FALSE;  // the system then ends the program as usual
-}
-
-class SignalGuard {
- public:
-  SignalGuard() {
-    [[maybe_unused]] static const BOOL once = SetConsoleCtrlHandler(wait_for_files, TRUE);
-    ++files_being_written;
-  }
-  ~SignalGuard() { --files_being_written; }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
 };
 
 // NUL and /dev/null discard what is written to them.
@@ -216,7 +196,6 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 void check_writable(const std::filesystem::path& path) { check_target(path); }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  const SignalGuard guard;
   check_target(path);
   if (is_null_device(path)) return;
   const std::filesystem::path target = end_of_links(path);

@@ -83,7 +83,7 @@ TEST_CASE("as many rows are at work at once as there are threads, and no more th
         ++arrived;
         changed.notify_all();
         met = met &&
-              changed.wait_for(guard, std::chrono::seconds(20), [&] { return arrived >= threads; });
+              changed.wait_for(guard, std::chrono::seconds(5), [&] { return arrived >= threads; });
       });
       CHECK(met);
       CHECK(workers.size() == static_cast<std::size_t>(threads));
@@ -103,17 +103,6 @@ TEST_CASE("the first exception of the work reaches the caller, and the rest of t
     CHECK_THROWS_WITH_AS(for_each_row(1000000, threads, {}, work), "row 3", std::runtime_error);
     CHECK(worked < 1000000);
   }
-}
-
-TEST_CASE("when every row throws, one exception reaches the caller") {
-  std::atomic<int> worked = 0;
-  const auto work = [&](int row) {
-    ++worked;
-    throw row;
-  };
-  CHECK_THROWS_AS(for_each_row(100, 4, {}, work), int);
-  CHECK(worked >= 1);
-  CHECK(worked <= 4);
 }
 
 TEST_CASE("an exception of the progress report reaches the caller too") {
