@@ -143,8 +143,11 @@ void write_all(const FileDescriptor& file, std::span<const std::uint8_t> bytes) 
 }
 
 void write_through(const Target& target, std::span<const std::uint8_t> bytes) {
-  FileDescriptor file(open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+  // Opening a pipe without a reader would wait for ever without O_NONBLOCK.
+  FileDescriptor file(open(target.path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   require_success(file.number() >= 0);
+  const int flags = fcntl(file.number(), F_GETFL);
+  require_success(flags >= 0 && fcntl(file.number(), F_SETFL, flags & ~O_NONBLOCK) >= 0);
   write_all(file, bytes);
   require_success(file.close());
 }
@@ -276,6 +279,7 @@ void secure_standard_streams() {
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &ignore, nullptr);
+  sigaction(SIGXFSZ, &ignore, nullptr);  // a file at its size limit is an error of the write
 }
 
 void end_with(std::string_view message) {

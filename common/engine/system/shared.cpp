@@ -23,6 +23,7 @@ std::string words_of(const std::error_code& error) {
       {errc::no_space_on_device, "the disk is full"},
       {errc::read_only_file_system, "the disk is read-only"},
       {errc::file_too_large, "the file would be larger than the system allows"},
+      {errc::no_such_device_or_address, "nobody is at the other end of the pipe"},
   };
   for (const auto& [reason, text] : words) {
     if (error == reason) return text;
