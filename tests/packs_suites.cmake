@@ -6,8 +6,7 @@ if(UNIX AND SH AND xsimd_INCLUDE_DIR AND NOT TEXMAP_INSTRUMENT)  # instrumented 
   add_test(NAME packs COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" "$<TARGET_FILE_DIR:01_plain_spheres>"
     ${chapters}
     13_speed_for_accuracy:functions)  # its sheet is the same for all packs by design; what it draws with them, its own tests compare
-  add_test(NAME packs_can_differ COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" --self-test "$<TARGET_FILE_DIR:01_plain_spheres>")
-  set_tests_properties(packs packs_can_differ PROPERTIES LABELS laws)
+  set_tests_properties(packs PROPERTIES LABELS laws)
 endif()
 
 # The order in which the files of wide instructions are linked: a program with files that share a function of plain numbers must keep

@@ -1,18 +1,13 @@
 #!/bin/sh
 # Packs of every width draw the pictures that plain double draws, and the program's other functions run on every machine.
 # usage: packs.sh BIN [CHAPTER...]      BIN holds the chapters' programs and compare; CHAPTER:functions looks at its functions alone
-#        packs.sh --self-test BIN       shows that a difference would be noticed
 #        packs.sh --functions PROGRAM   looks at the functions of any program; 77 if there is no objdump
 set -eu
-if [ "${1:-}" = --self-test ]; then
-  self_test=yes
-  shift
-fi
 if [ "${1:-}" = --functions ]; then
   functions=${2:?usage: packs.sh --functions PROGRAM}
   shift
 fi
-bin=${1:?usage: packs.sh [--self-test] BIN [CHAPTER...]}
+bin=${1:?usage: packs.sh BIN [CHAPTER...]}
 shift
 [ -n "${functions:-}" ] || [ -x "$bin/compare" ] || {
   echo "there is no $bin/compare: build compare_program" >&2
@@ -48,17 +43,6 @@ if [ -n "${functions:-}" ]; then
   check_functions "$functions"
   [ "$failed" -eq 0 ] && echo "wide instructions stay in functions that are named after them"
   exit "$failed"
-fi
-
-if [ -n "${self_test:-}" ]; then
-  draw 02_checkerboard_uv "$work/double.png" double baseline
-  draw 02_checkerboard_uv "$work/float.png" float baseline
-  if "$bin/compare" "$work/double.png" "$work/float.png" >/dev/null; then
-    echo "FAIL: a picture drawn in float is taken for the one in double"
-    exit 1
-  fi
-  echo "a difference of rounding is noticed"
-  exit 0
 fi
 
 for chapter in "$@"; do

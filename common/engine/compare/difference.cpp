@@ -1,4 +1,4 @@
-// The figures of two pictures: one pass over the pixels, then SSIM and FLIP.
+// The figures of two pictures: one pass over the pixels, then SSIM.
 #include "engine/compare/difference.hpp"
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/compare/flip.hpp"
 #include "engine/compare/ssim.hpp"
 #include "engine/render/threads.hpp"
 
@@ -75,14 +74,6 @@ double mean_ssim(const Image& a, const Image& b, const Image& mask) {
     inside.add(mask, row, values, ssim_window_radius, a.width - ssim_window_radius);
   });
   return inside.count() > 0 ? inside.value() : all.value();
-}
-
-double mean_flip(const Image& a, const Image& b, const Image& mask) {
-  Mean all(a.height);
-  flip_rows(a, b, usual_pixels_per_degree, [&](int row, std::span<const double> values) {
-    all.add(mask, row, values, 0, a.width);
-  });
-  return all.value();
 }
 
 /// What the pixels of some rows say. All of it is whole numbers, so the parts make the same whole
@@ -192,16 +183,13 @@ Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail
   figures.mean_a = static_cast<double>(sums.of_a) / (3 * pixels);
   figures.mean_b = static_cast<double>(sums.of_b) / (3 * pixels);
   figures.peak_signal_to_noise = std::numeric_limits<double>::infinity();
-  if (figures.pixels_different == 0) return figures;  // with SSIM 1 and FLIP 0
+  if (figures.pixels_different == 0) return figures;  // with SSIM 1
 
   figures.peak_signal_to_noise = 20 * std::log10(255 / figures.root_mean_square_error);
   figures.box = {all.left, all.top, all.right - all.left + 1, all.bottom - all.top + 1};
   figures.structural_similarity = std::numeric_limits<double>::quiet_NaN();
-  figures.flip = std::numeric_limits<double>::quiet_NaN();
   if (detail == Detail::pixels) return figures;
-  const Image second = with_left_out_equal(a, b, mask);
-  figures.structural_similarity = mean_ssim(a, second, mask);
-  if (detail == Detail::all) figures.flip = mean_flip(a, second, mask);
+  figures.structural_similarity = mean_ssim(a, with_left_out_equal(a, b, mask), mask);
   return figures;
 }
 

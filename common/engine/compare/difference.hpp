@@ -42,7 +42,6 @@ struct Figures {
   double root_mean_square_error = 0;  ///< levels, over pixels and channels
   double peak_signal_to_noise = 0;    ///< dB; infinity if the pictures are equal
   double structural_similarity = 1;   ///< mean of ssim_rows, -1 to 1; 1 if equal
-  double flip = 0;                    ///< mean of flip_rows, 0 to 1; 0 if equal
   double mean_a = 0, mean_b = 0;      ///< levels, mean over pixels and channels of each picture
 
   /// How many of the compared pixels have a channel_difference of 0, 1, ... 255 levels.
@@ -59,22 +58,21 @@ struct Figures {
 /// Errors: DifferenceError with the sizes.
 void check_sizes(const Image& a, const Image& b, const Image& mask = {});
 
-/// What to compute: SSIM and FLIP look around each pixel and take a hundred times as long. What is
-/// left out is NaN, unless the pictures are equal.
+/// What to compute: SSIM looks around each pixel and takes ten times as long as all else. Left out,
+/// it is NaN, unless the pictures are equal.
 enum class Detail {
-  pixels,      ///< all but SSIM and FLIP
-  similarity,  ///< all but FLIP
-  all
+  pixels,     ///< all but SSIM
+  similarity  ///< all
 };
 
 /// Compares two pictures on all cores.
-/// How the mask and the edges enter SSIM and FLIP: docs/numerics.md.
+/// How the mask and the edges enter SSIM: docs/numerics.md.
 ///
 /// @param a, b  pictures of one size, at least one pixel
 /// @param mask  a picture of the same size; its black pixels are left out; empty for no mask
 /// Errors: DifferenceError if the sizes differ, the pictures are empty, or no pixel is compared.
 [[nodiscard]] Figures measure(const Image& a, const Image& b, const Image& mask = {},
-                              Detail detail = Detail::all);
+                              Detail detail = Detail::similarity);
 
 /// How many of the compared pixels have a channel_difference above so many levels.
 ///

@@ -40,7 +40,6 @@ Json json_of(const Figures& figures) {
           {"psnr", finite ? "finite" : "infinite"},
           {"psnr_db", figures.peak_signal_to_noise},
           {"ssim", figures.structural_similarity},
-          {"flip", figures.flip},
           {"mean_a", figures.mean_a},
           {"mean_b", figures.mean_b},
       },

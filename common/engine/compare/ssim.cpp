@@ -1,34 +1,89 @@
 // Structural similarity: five blurred planes for each channel, then one formula.
 #include "engine/compare/ssim.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/threads.hpp"
 
 namespace texmap {
 namespace {
 
 constexpr double window_sigma = 1.5;  // pixels
+constexpr int radius = ssim_window_radius;
 constexpr double stabilizer_1 = (0.01 * 255) * (0.01 * 255);
 constexpr double stabilizer_2 = (0.03 * 255) * (0.03 * 255);
+constexpr int rows_of_a_band = 64;
 constexpr std::array<std::uint8_t Rgb8::*, 3> channels = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
+
+using Window = std::array<double, 2 * radius + 1>;
+
+/// A Gaussian, divided by its sum.
+Window window_weights() {
+  Window weights{};
+  double sum = 0;
+  for (int x = -radius; x <= radius; ++x) {
+    double& weight = weights[static_cast<std::size_t>(x + radius)];
+    weight = std::exp(-x * x / (2 * window_sigma * window_sigma));
+    sum += weight;
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// Numbers in rows from the top, each row from the left.
+struct Plane {
+  std::size_t width, rows;
+  std::vector<double> values = std::vector<double>(width * rows);
+
+  [[nodiscard]] double* row(std::size_t y) { return values.data() + y * width; }
+  [[nodiscard]] const double* row(std::size_t y) const { return values.data() + y * width; }
+};
+
+void add_scaled(double* sum, const double* row, double weight, std::size_t width) {
+  for (std::size_t x = 0; x < width; ++x) sum[x] += weight * row[x];
+}
+
+/// Filters where the whole window lies inside: the result has two radii fewer columns and rows.
+Plane blurred(const Plane& plane, const Window& window) {
+  Plane across{plane.width - 2 * radius, plane.rows};
+  for (std::size_t y = 0; y < across.rows; ++y) {
+    for (std::size_t i = 0; i < window.size(); ++i)
+      add_scaled(across.row(y), plane.row(y) + i, window[i], across.width);
+  }
+  Plane both{across.width, plane.rows - 2 * radius};
+  for (std::size_t y = 0; y < both.rows; ++y) {
+    for (std::size_t i = 0; i < window.size(); ++i)
+      add_scaled(both.row(y), across.row(y + i), window[i], both.width);
+  }
+  return both;
+}
 
 }  // namespace
 
 void ssim_rows(const Image& a, const Image& b, const TakeRow& take) {
-  const Kernel window = bell(window_sigma, ssim_window_radius);
-  const auto blurred = [&window](const Plane& plane) { return filtered(plane, window, window); };
-
-  for_each_band(a.height, ssim_window_radius, [&](const Band& band) {
-    const Image part_a = cut_out(a, band), part_b = cut_out(b, band);
-    const int wide = part_a.width, high = part_a.height;
-    Plane similarity(a.width, band.rows);
-    Plane of_a(wide, high), of_b(wide, high), of_aa(wide, high), of_bb(wide, high),
-        of_ab(wide, high);
+  const Window window = window_weights();
+  const auto width = static_cast<std::size_t>(a.width);
+  const int bands = (a.height + rows_of_a_band - 1) / rows_of_a_band;
+  for_each_row(bands, 0, {}, [&](int band) {
+    const int first = band * rows_of_a_band;
+    const auto rows = static_cast<std::size_t>(std::min(rows_of_a_band, a.height - first));
+    const std::size_t wide = width + 2 * radius, high = rows + 2 * radius;
+    Plane similarity{width, rows};
+    Plane of_a{wide, high}, of_b{wide, high}, of_aa{wide, high}, of_bb{wide, high},
+        of_ab{wide, high};
     for (const auto channel : channels) {
-      for (int y = 0; y < high; ++y) {
-        for (int x = 0; x < wide; ++x) {
-          const double level_a = part_a.at(x, y).*channel;
-          const double level_b = part_b.at(x, y).*channel;
+      for (std::size_t y = 0; y < high; ++y) {
+        // Outside the picture, the pixels at its edge repeat.
+        const int row = std::clamp(first + static_cast<int>(y) - radius, 0, a.height - 1);
+        for (std::size_t x = 0; x < wide; ++x) {
+          const int column = std::clamp(static_cast<int>(x) - radius, 0, a.width - 1);
+          const double level_a = a.at(column, row).*channel;
+          const double level_b = b.at(column, row).*channel;
           of_a.row(y)[x] = level_a;
           of_b.row(y)[x] = level_b;
           of_aa.row(y)[x] = level_a * level_a;
@@ -36,24 +91,22 @@ void ssim_rows(const Image& a, const Image& b, const TakeRow& take) {
           of_ab.row(y)[x] = level_a * level_b;
         }
       }
-      const Plane mean_a = blurred(of_a), mean_b = blurred(of_b);
-      const Plane mean_aa = blurred(of_aa), mean_bb = blurred(of_bb), mean_ab = blurred(of_ab);
-      for (int y = 0; y < band.rows; ++y) {
-        for (int x = 0; x < a.width; ++x) {
-          const double m_a = mean_a.row(y)[x];
-          const double m_b = mean_b.row(y)[x];
-          const double variance_a = mean_aa.row(y)[x] - m_a * m_a;
-          const double variance_b = mean_bb.row(y)[x] - m_b * m_b;
-          const double covariance = mean_ab.row(y)[x] - m_a * m_b;
-          similarity.row(y)[x] +=
-              (2 * (m_a * m_b) + stabilizer_1) * (2 * covariance + stabilizer_2) /
-              ((m_a * m_a + m_b * m_b + stabilizer_1) * (variance_a + variance_b + stabilizer_2)) /
-              3;
-        }
+      const Plane mean_a = blurred(of_a, window), mean_b = blurred(of_b, window);
+      const Plane mean_aa = blurred(of_aa, window), mean_bb = blurred(of_bb, window);
+      const Plane mean_ab = blurred(of_ab, window);
+      for (std::size_t i = 0; i < similarity.values.size(); ++i) {
+        const double m_a = mean_a.values[i];
+        const double m_b = mean_b.values[i];
+        const double variance_a = mean_aa.values[i] - m_a * m_a;
+        const double variance_b = mean_bb.values[i] - m_b * m_b;
+        const double covariance = mean_ab.values[i] - m_a * m_b;
+        similarity.values[i] +=
+            (2 * (m_a * m_b) + stabilizer_1) * (2 * covariance + stabilizer_2) /
+            ((m_a * m_a + m_b * m_b + stabilizer_1) * (variance_a + variance_b + stabilizer_2)) / 3;
       }
     }
-    for (int y = 0; y < band.rows; ++y)
-      take(band.first + y, {similarity.row(y), static_cast<std::size_t>(a.width)});
+    for (std::size_t y = 0; y < rows; ++y)
+      take(first + static_cast<int>(y), {similarity.row(y), width});
   });
 }
 

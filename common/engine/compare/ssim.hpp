@@ -1,12 +1,17 @@
 // Structural similarity of two pictures.
 #pragma once
-#include "engine/compare/plane.hpp"
+#include <functional>
+#include <span>
+
 #include "texture/image.hpp"
 
 namespace texmap {
 
 /// Pixels from the center of a window to its edge.
 inline constexpr int ssim_window_radius = 5;
+
+/// Receives the values of one row of a picture: each row once, in any order and from any thread.
+using TakeRow = std::function<void(int row, std::span<const double> values)>;
 
 /// The structural similarity (SSIM) of two pictures at each pixel: the mean of the three channels.
 ///

@@ -9,7 +9,6 @@
 #include <sys/sysctl.h>
 #endif
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -17,6 +16,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "engine/system/shared.hpp"
 #include "engine/system/system.hpp"
@@ -25,7 +25,6 @@ namespace texmap {
 namespace {
 
 constexpr int most_links = 40;  // as many as the system itself follows
-constexpr std::size_t bytes_in_piece = std::size_t{8} << 20;  // written without looking for signals
 
 // errno; a quota that is used up is a full disk.
 std::error_code last_error() { return {errno == EDQUOT ? ENOSPC : errno, std::generic_category()}; }
@@ -35,17 +34,10 @@ void require_success(bool succeeded) {
   if (!succeeded) throw FileError(words_of(last_error()));
 }
 
-// Owns one file descriptor, never 0, 1 or 2: a program may start with these three closed. A file
-// would then get one of them, and messages would be written into it.
+// Owns a file descriptor.
 class FileDescriptor {
  public:
-  explicit FileDescriptor(int opened) : number_(opened) {
-    if (number_ < 0 || number_ > 2) return;
-    number_ = fcntl(opened, F_DUPFD_CLOEXEC, 3);
-    const int error = errno;
-    ::close(opened);
-    errno = error;
-  }
+  explicit FileDescriptor(int opened) : number_(opened) {}
   ~FileDescriptor() {
     if (number_ >= 0) ::close(number_);
   }
@@ -56,69 +48,28 @@ class FileDescriptor {
   [[nodiscard]] int number() const { return number_; }
 
   // Closes now and says whether everything written before has arrived; errno says why not.
-  [[nodiscard]] bool close() {
-    const int number = number_;
-    number_ = -1;
-    return ::close(number) == 0;
-  }
+  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
   int number_;
 };
 
-// While it lives, a file at its size limit and a pipe without a reader are errors of the write
-// instead of signals.
-class QuietWrites {
- public:
-  QuietWrites() {
-    struct sigaction ignore {};
-    ignore.sa_handler = SIG_IGN;
-    for (std::size_t i = 0; i < ignored.size(); ++i)
-      sigaction(ignored[i], &ignore, &action_before_[i]);
-  }
-  ~QuietWrites() {
-    for (std::size_t i = 0; i < ignored.size(); ++i)
-      sigaction(ignored[i], &action_before_[i], nullptr);
-  }
-  QuietWrites(const QuietWrites&) = delete;
-  QuietWrites& operator=(const QuietWrites&) = delete;
-
- private:
-  static constexpr std::array<int, 2> ignored = {SIGPIPE, SIGXFSZ};
-  std::array<struct sigaction, 2> action_before_{};
-};
-
-// While it lives, signals that would end or stop the program wait. All other threads must have
-// ended: a signal could still end the program in one of them.
+// While it lives, signals that would end or stop the program wait, so that no draft is left. All
+// other threads must have ended: a signal could still end the program in one of them.
 class SignalGuard {
  public:
   SignalGuard() {
     sigset_t waiting;
     sigemptyset(&waiting);
-    for (const int signal : ending) sigaddset(&waiting, signal);
-    sigaddset(&waiting, SIGTSTP);
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP})
+      sigaddset(&waiting, signal);
     pthread_sigmask(SIG_BLOCK, &waiting, &mask_before_);
   }
   ~SignalGuard() { pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr); }
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
 
-  // A signal waits that will end the program when the guard is gone. (One that is ignored, as under
-  // nohup, waits too.)
-  [[nodiscard]] bool end_is_near() const {
-    sigset_t waiting;
-    sigemptyset(&waiting);
-    sigpending(&waiting);
-    return std::any_of(ending.begin(), ending.end(), [&](int signal) {
-      struct sigaction action {};
-      return sigismember(&waiting, signal) == 1 && sigismember(&mask_before_, signal) == 0 &&
-             sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
-    });
-  }
-
  private:
-  static constexpr std::array<int, 7> ending = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM,
-                                                SIGALRM, SIGUSR1, SIGUSR2};
   sigset_t mask_before_{};
 };
 
@@ -130,23 +81,14 @@ std::string why_not_opened(const std::filesystem::path& path, const std::error_c
   return forbidden ? "no permission to read it" : words_of(error);
 }
 
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return slash == 0 ? "/" : path.substr(0, slash);
-}
-
 // Where a chain of symbolic links ends; the file there need not exist.
-std::string end_of_links(std::string path) {
-  for (int link = 0; link <= most_links; ++link) {
-    std::array<char, PATH_MAX> target{};
-    const ssize_t length = readlink(path.c_str(), target.data(), target.size());
-    if (length < 0) return path;
-    const std::string next(target.data(), static_cast<std::size_t>(length));
-    path = next.starts_with('/') ? next : folder_of(path).append("/").append(next);
+std::filesystem::path end_of_links(std::filesystem::path path) {
+  for (int link = 0; std::filesystem::is_symlink(path); ++link) {
+    if (link == most_links)
+      throw FileError(words_of(std::make_error_code(std::errc::too_many_symbolic_link_levels)));
+    path = path.parent_path() / std::filesystem::read_symlink(path);
   }
-  errno = ELOOP;
-  throw FileError(words_of(last_error()));
+  return path;
 }
 
 // The umask can only be read by setting it.
@@ -157,7 +99,7 @@ mode_t current_umask() {
 }
 
 struct Target {
-  std::string path;  // after all symbolic links
+  std::filesystem::path path;  // after all symbolic links
   bool exists = false;
   bool written_through = false;  // a device or a pipe
   mode_t permissions = 0;
@@ -165,36 +107,30 @@ struct Target {
 
 Target find_target(const std::filesystem::path& named) {
   check_name(named);
-  const std::string& path = named.native();
-  if (path.ends_with('/')) throw FileError("the name is that of a folder");
+  if (!named.has_filename() || named.filename() == "." || named.filename() == "..")
+    throw FileError("the name is that of a folder");
 
   struct stat status {};
-  if (stat(path.c_str(), &status) != 0) {
+  if (stat(named.c_str(), &status) != 0) {
     require_success(errno == ENOENT || errno == ENOTDIR);
-    return {end_of_links(path), false, false, static_cast<mode_t>(0666U & ~current_umask())};
+    return {end_of_links(named), false, false, static_cast<mode_t>(0666U & ~current_umask())};
   }
   if (S_ISDIR(status.st_mode)) throw FileError("it is a folder");
-  if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode)) return {path, true, true};
+  if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode)) return {named, true, true};
   if (!S_ISREG(status.st_mode))
     throw FileError("it is neither a file nor a device that can be written to");
-  return {end_of_links(path), true, false, static_cast<mode_t>(status.st_mode & 0777U)};
+  return {end_of_links(named), true, false, static_cast<mode_t>(status.st_mode & 0777U)};
 }
 
 void check_target(const Target& target) {
   if (target.exists && access(target.path.c_str(), W_OK) != 0)
     throw FileError("it cannot be written to: " + words_of(last_error()));
   if (target.written_through) return;
-  const std::string folder = folder_of(target.path);
+  const std::filesystem::path folder = folder_of(target.path);
   check_folder(folder);
   if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw FileError("the folder '" + folder + "' cannot be written to: " + words_of(last_error()));
-  const std::string name = target.path.substr(target.path.rfind('/') + 1);  // npos + 1 is 0
-  if (name == "." || name == "..") throw FileError("the name is that of a folder");
-  const long longest = pathconf(folder.c_str(), _PC_NAME_MAX);
-  if (longest > 0 && name.size() > static_cast<std::size_t>(longest)) {
-    errno = ENAMETOOLONG;
-    throw FileError(words_of(last_error()));
-  }
+    throw FileError("the folder '" + name_of(folder) +
+                    "' cannot be written to: " + words_of(last_error()));
 }
 
 void write_all(const FileDescriptor& file, std::span<const std::uint8_t> bytes) {
@@ -207,8 +143,7 @@ void write_all(const FileDescriptor& file, std::span<const std::uint8_t> bytes) 
 }
 
 void write_through(const Target& target, std::span<const std::uint8_t> bytes) {
-  // O_NONBLOCK, since opening a pipe without a reader would wait forever. Once it is open, waiting
-  // for a slow reader is right.
+  // Opening a pipe without a reader would wait for ever without O_NONBLOCK.
   FileDescriptor file(open(target.path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   require_success(file.number() >= 0);
   const int flags = fcntl(file.number(), F_GETFL);
@@ -221,8 +156,7 @@ void write_through(const Target& target, std::span<const std::uint8_t> bytes) {
 class Draft {
  public:
   explicit Draft(const Target& target)
-      : name_(folder_of(target.path) + "/.texmap-XXXXXX"),
-        file_(mkostemp(name_.data(), O_CLOEXEC)) {
+      : name_(folder_of(target.path) / ".texmap-XXXXXX"), file_(mkostemp(name_.data(), O_CLOEXEC)) {
     require_success(file_.number() >= 0);
   }
   ~Draft() {
@@ -231,16 +165,10 @@ class Draft {
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  // Gives up between two pieces if the program is about to end: a large file takes seconds.
-  void fill(std::span<const std::uint8_t> bytes, const Target& target, const SignalGuard& guard) {
+  void fill(std::span<const std::uint8_t> bytes, const Target& target) {
     require_success(fchmod(file_.number(), target.permissions) == 0);
-    while (!bytes.empty()) {
-      if (guard.end_is_near()) throw FileError("stopped by a signal");
-      const std::size_t length = std::min(bytes.size(), bytes_in_piece);
-      write_all(file_, bytes.first(length));
-      require_success(fsync(file_.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
-      bytes = bytes.subspan(length);
-    }
+    write_all(file_, bytes);
+    require_success(fsync(file_.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
     require_success(file_.close());
   }
 
@@ -283,13 +211,12 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 void check_writable(const std::filesystem::path& path) { check_target(find_target(path)); }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  const QuietWrites quiet;
   const Target target = find_target(path);
   check_target(target);
   if (target.written_through) return write_through(target, bytes);
   const SignalGuard guard;
   Draft draft(target);
-  draft.fill(bytes, target, guard);
+  draft.fill(bytes, target);
   draft.take_name_of(target);
 }
 
@@ -352,6 +279,7 @@ void secure_standard_streams() {
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &ignore, nullptr);
+  sigaction(SIGXFSZ, &ignore, nullptr);  // a file at its size limit is an error of the write
 }
 
 void end_with(std::string_view message) {

@@ -24,8 +24,6 @@ std::string words_of(const std::error_code& error) {
       {errc::read_only_file_system, "the disk is read-only"},
       {errc::file_too_large, "the file would be larger than the system allows"},
       {errc::no_such_device_or_address, "nobody is at the other end of the pipe"},
-      {errc::too_many_files_open, "too many files are open"},
-      {errc::too_many_files_open_in_system, "too many files are open"},
   };
   for (const auto& [reason, text] : words) {
     if (error == reason) return text;
@@ -37,6 +35,10 @@ void check_name(const std::filesystem::path& path) {
   if (path.empty()) throw FileError("the name is empty");
   if (path.native().find(std::filesystem::path::value_type{}) != path.native().npos)
     throw FileError("the name has a zero byte in it");
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
 }
 
 void check_folder(const std::filesystem::path& folder) {

@@ -18,6 +18,9 @@ namespace texmap {
 /// Errors: FileError.
 void check_name(const std::filesystem::path& path);
 
+/// The folder of a file; "." for a name without one.
+[[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& path);
+
 /// Refuses a folder that is missing or a file. Errors: FileError.
 void check_folder(const std::filesystem::path& folder);
 

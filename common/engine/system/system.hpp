@@ -22,8 +22,7 @@ namespace texmap {
 void check_writable(const std::filesystem::path& path);
 
 /// Writes the file all at once: at any moment the path names the whole old or the whole new file.
-/// A signal that would end the program waits, but not for a long file: it leaves the old one.
-/// A device such as /dev/null or NUL is written to.
+/// On POSIX a signal that would end the program waits. Devices (/dev/null, NUL) are written to.
 ///
 /// Errors: FileError; then the old file is unchanged, and nothing new is left behind.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

@@ -8,7 +8,6 @@
 #include <shellapi.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -75,25 +74,6 @@ class Handle {
   HANDLE handle_;
 };
 
-// While a file is being written, Ctrl-C and closing the window wait.
-std::atomic<int> files_being_written = 0;
-
-BOOL WINAPI wait_for_files(DWORD) {
-  while (files_being_written > 0) Sleep(1);
-  return FALSE;  // the system then ends the program as usual
-}
-
-class SignalGuard {
- public:
-  SignalGuard() {
-    [[maybe_unused]] static const BOOL once = SetConsoleCtrlHandler(wait_for_files, TRUE);
-    ++files_being_written;
-  }
-  ~SignalGuard() { --files_being_written; }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
-};
-
 // NUL and /dev/null discard what is written to them.
 bool is_null_device(const std::filesystem::path& path) {
   std::string name = name_of(path.filename());
@@ -108,10 +88,6 @@ std::filesystem::path end_of_links(const std::filesystem::path& path) {
   if (!std::filesystem::is_symlink(path, error)) return path;
   std::filesystem::path end = std::filesystem::weakly_canonical(path, error);
   return error ? path : end;
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& path) {
-  return path.has_parent_path() ? path.parent_path() : ".";
 }
 
 void check_target(const std::filesystem::path& path) {
@@ -220,7 +196,6 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 void check_writable(const std::filesystem::path& path) { check_target(path); }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  const SignalGuard guard;
   check_target(path);
   if (is_null_device(path)) return;
   const std::filesystem::path target = end_of_links(path);

@@ -58,7 +58,7 @@ struct Request {
               "or with a % sign");
     line.text("--map", "FILE", map, "write a picture of the differences to this file, a PNG");
     line.text("--json", "FILE", json, "write all figures to this file, as JSON");
-    line.flag("--all", all, "also print SSIM and FLIP, which take a hundred times as long");
+    line.flag("--all", all, "also print SSIM, which takes ten times as long as all else");
     line.text("--mask", "FILE", mask,
               "a picture of the same size; pixels where it is black are not compared");
     line.flag("--quiet", quiet, "print nothing");
@@ -118,10 +118,8 @@ std::string table(const Figures& f) {
   line("RMSE", text("%g levels", f.root_mean_square_error));
   const double psnr = f.peak_signal_to_noise;
   line("PSNR", std::isinf(psnr) ? "infinite dB" : text("%g dB", psnr));
-  if (!std::isnan(f.flip)) {
+  if (!std::isnan(f.structural_similarity))
     line("SSIM", text("%.10g (1: equal)", f.structural_similarity));
-    line("FLIP", text("%g (0: equal, 1: most)", f.flip));
-  }
   line("mean value", text("%g and %g levels", f.mean_a, f.mean_b));
   return lines;
 }
@@ -139,7 +137,7 @@ bool compare(const Request& request) {
   if (!request.json.empty()) check_output(path_of(request.json));
 
   const auto [a, b, mask] = load_all({request.a, request.b, request.mask});
-  const Detail detail = request.all || !request.json.empty() ? Detail::all : Detail::pixels;
+  const Detail detail = request.all || !request.json.empty() ? Detail::similarity : Detail::pixels;
   const Figures figures = measure(a, b, mask, detail);
   const std::size_t off = pixels_off_by_more_than(figures, request.levels);
   const bool same = at_most.holds(off, figures.pixels_compared);

@@ -168,10 +168,9 @@ std::string summary(const Comparison& c, const std::string& page) {
   }
   lines += text("  elsewhere  %zu pixels changed that show no object that may change (%s)\n",
                 c.changed_elsewhere, names_of(c.may_change).c_str());
-  lines += text(
-      "  figures    largest %d levels at (%d, %d), RMSE %.2f, PSNR %.1f dB, SSIM %.4f, FLIP %.4f\n",
-      f.worst.levels, f.worst.column, f.worst.row, f.root_mean_square_error, f.peak_signal_to_noise,
-      f.structural_similarity, f.flip);
+  lines += text("  figures    largest %d levels at (%d, %d), RMSE %.2f, PSNR %.1f dB, SSIM %.4f\n",
+                f.worst.levels, f.worst.column, f.worst.row, f.root_mean_square_error,
+                f.peak_signal_to_noise, f.structural_similarity);
   lines.append("  look at    ").append(page).append("\n");
   return lines;
 }

@@ -36,7 +36,6 @@ Rows figure_rows(const Figures& f) {
   rows.push_back(
       {"PSNR", f.pixels_different == 0 ? "infinite" : text("%.2f dB", f.peak_signal_to_noise)});
   rows.push_back({"SSIM", text("%.6f", f.structural_similarity)});
-  rows.push_back({"FLIP", text("%.6f", f.flip)});
   return rows;
 }
 

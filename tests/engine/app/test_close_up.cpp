@@ -68,13 +68,6 @@ std::string complaint(const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("once as large is the same picture, whichever pixel stays in its place") {
-  const Image whole = drawn<chapter_02::Lesson>({}, 160, 120);
-  CHECK(drawn<chapter_02::Lesson>({"--zoom", "1"}, 160, 120) == whole);
-  CHECK(drawn<chapter_02::Lesson>({"--zoom", "1", "--at", "0,119"}, 160, 120) == whole);
-  CHECK(count_different(drawn<chapter_02::Lesson>({"--zoom", "1.01"}, 160, 120), whole) > 100);
-}
-
 TEST_CASE("twice as large is the middle of the picture of twice the size, to the byte") {
   const auto check = [](auto lesson, int width, int height, std::vector<std::string> words = {}) {
     using Lesson = decltype(lesson);
@@ -121,18 +114,6 @@ TEST_CASE("of an odd size the middle pixel stays unless another is named") {
         drawn<chapter_05::Lesson>({"--zoom", "3", "--at", "80,60"}, 161, 121));
   CHECK(drawn<chapter_05::Lesson>({"--zoom", "3"}, 161, 121) !=
         drawn<chapter_05::Lesson>({"--zoom", "3", "--at", "81,60"}, 161, 121));
-}
-
-TEST_CASE("the pixel that is named keeps its ray however large the picture") {
-  const View<> whole = view_of(Stage{}.camera, 800, 600);
-  const Vec3d seen = direction_through(whole, 420.0, 280.0);
-  for (const double times : {0.01, 0.5, 7.0, 1000.0, 1e6}) {
-    const View<> close = close_up(whole, times, {420, 280});
-    CHECK(length(direction_through(close, 420.0, 280.0) - seen) < 1e-14);
-    // Its neighbor is 1 / times of a pixel away.
-    const Vec3d step = direction_through(close, 421.0, 280.0) - seen;
-    CHECK(dot(step, whole.right) == doctest::Approx(whole.pixel / times).epsilon(1e-6));
-  }
 }
 
 TEST_CASE("what --zoom and --at cannot take is refused, and no file is written") {

@@ -82,16 +82,18 @@ TEST_CASE("each number is taken up to both ends of its range, and refused beyond
 }
 
 TEST_CASE("each word chooses what it names") {
-  CHECK(typed({"--sampler", "random"}).sampler == SamplerKind::random);
-  CHECK(typed({"--sampler", "stratified"}).sampler == SamplerKind::stratified);
-  CHECK(typed({"--sampler", "multi-jitter"}).sampler == SamplerKind::multi_jitter);
-  CHECK(typed({"--sampler", "sobol"}).sampler == SamplerKind::sobol);
-  CHECK(typed({"--decode", "srgb"}).decoding == TexelLight::linear);
-  CHECK(typed({"--decode", "stb"}).decoding == TexelLight::stb);
-  CHECK(typed({"--decode", "raw"}).decoding == TexelLight::encoded);
-  CHECK(typed({"--gamma", "srgb"}).transfer == Transfer::srgb);
-  CHECK(typed({"--gamma", "sqrt"}).transfer == Transfer::sqrt);
-  CHECK(typed({"--gamma", "2.2"}).transfer == Transfer::stb);
+  for (const auto& [word, kind] : {std::pair{"random", SamplerKind::random},
+                                   {"stratified", SamplerKind::stratified},
+                                   {"multi-jitter", SamplerKind::multi_jitter},
+                                   {"sobol", SamplerKind::sobol}})
+    CHECK(typed({"--sampler", word}).sampler == kind);
+  for (const auto& [word, light] : {std::pair{"srgb", TexelLight::linear},
+                                    {"stb", TexelLight::stb},
+                                    {"raw", TexelLight::encoded}})
+    CHECK(typed({"--decode", word}).decoding == light);
+  for (const auto& [word, transfer] :
+       {std::pair{"srgb", Transfer::srgb}, {"sqrt", Transfer::sqrt}, {"2.2", Transfer::stb}})
+    CHECK(typed({"--gamma", word}).transfer == transfer);
   CHECK_FALSE(typed({"--sky", "constant"}).gradient);
 }
 

@@ -112,44 +112,6 @@ TEST_CASE("any two objects have colors that the eye tells apart, from the sky, t
   }
 }
 
-TEST_CASE("the pictures of (u, v) in two conventions are related as docs/conventions.md derives") {
-  const auto drawn = [](const char* convention) {
-    return shown(prepared<chapter_04::Lesson>({"--convention", convention}), Shown::uv);
-  };
-  const Image rtiow = drawn("rtiow"), daily = drawn("daily"), lecture = drawn("lecture");
-  const auto seen = objects_seen(prepared<chapter_04::Lesson>(), rtiow.width, rtiow.height);
-  long off = 0, mistaken = 0, elsewhere = 0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const Rgb8 a = rtiow.pixels[i], b = daily.pixels[i], c = lecture.pixels[i];
-    if (seen[i] != chapter_04::middle) {
-      elsewhere += a == b && b == c ? 0 : 1;
-      continue;
-    }
-    const auto apart = [](int x, int y) { return std::abs(x - y) > 1 && std::abs(x - y) < 254; };
-    off += apart(b.r, 255 - a.r) || apart(b.g, 255 - a.g) ? 1 : 0;
-    off += apart(c.r, (a.r + 255 - 64) % 255) || c.g != a.g ? 1 : 0;
-    mistaken += apart(b.r, a.r) || apart(b.g, a.g) ? 1 : 0;
-  }
-  CHECK(off == 0);
-  CHECK(elsewhere == 0);
-  CHECK(mistaken > 700);
-  // The left sphere has no (u, v).
-  CHECK(std::count(rtiow.pixels.begin(), rtiow.pixels.end(), Rgb8{127, 127, 127}) ==
-        std::count(seen.begin(), seen.end(), chapter_04::left));
-}
-
-TEST_CASE("(u, v) turn with the globe: a quarter turn is a quarter of u") {
-  const auto at_degrees = [](const char* degrees) {
-    const auto lesson = prepared<chapter_05::Lesson>({"--degrees", degrees});
-    const Surface<double> seen = surface_along(lesson, Ray<double>{{0, 0, 3}, {0, 0, -1}});
-    REQUIRE(seen.has_uv());
-    return seen.uv;
-  };
-  const double du = at_degrees("90").u - at_degrees("0").u;
-  CHECK(std::abs(du - std::floor(du + 0.5)) == doctest::Approx(0.25).epsilon(1e-12));
-  CHECK(at_degrees("90").v == 0.5);
-}
-
 TEST_CASE("of a mesh each triangle is an object, and its (u, v) are those of its corners") {
   const auto lesson = prepared<chapter_08::Lesson>();
   const auto& mesh = lesson.scene.mesh;

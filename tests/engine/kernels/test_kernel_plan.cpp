@@ -7,7 +7,6 @@
 #include "engine/kernels/srgb_kernel.hpp"
 #include "engine/kernels/worst_error.hpp"
 #include "support/lanes.hpp"
-#include "texture/checkerboard.hpp"
 
 namespace texmap::test {
 namespace {
@@ -25,22 +24,6 @@ UvError worst_of_degree(int degree) {
 
 /// Distance of two turns.
 double apart(double a, double b) { return std::abs(a - b - std::round(a - b)); }
-
-template <int... Degree>
-void check_degrees(const Point& p) {
-  const auto check = [&p](int degree, const auto& mapping) {
-    CAPTURE(degree);
-    CHECK(
-        alike(with_uv_mapping(degree, [&p](const auto& chosen) { return chosen(p); }), mapping(p)));
-  };
-  (check(Degree, FastUnitMapping<Degree>{}), ...);
-  check(0, RtiowMapping{});
-  static_assert(std::size(degrees) == sizeof...(Degree));
-}
-
-TEST_CASE("every degree on offer is drawn with, and no other one in its place") {
-  check_degrees<5, 7, 9, 11, 13, 15, 17, 23, 29, 35>(Point{0.6, 0.48, -0.64});
-}
 
 TEST_CASE_TEMPLATE(
     "a planned mapping is the turned mapping in every convention, within its kernel's bound", Real,
@@ -78,68 +61,6 @@ TEST_CASE_TEMPLATE(
   for (const Vec3<double>& p : unit_vectors<double>(1000))
     off = std::max(off, apart(PlannedMapping{5}(p).u, uv_rtiow(p).u));
   CHECK(off > worst_of_degree<double>(7).u);
-}
-
-TEST_CASE("a mapping that is not turned is planned as the book's convention at 0 degrees") {
-  const PlannedMapping planned = planned_mapping(9, RtiowMapping{});
-  CHECK(planned.degree == 9);
-  CHECK(planned.convention == Convention::rtiow);
-  CHECK(planned.rotation.sine == 0);
-  CHECK(planned.rotation.cosine == 1);
-}
-
-KernelPlan plan_of(int uv_degree, bool root_texels = false) {
-  KernelPlan plan;
-  plan.uv_degree = uv_degree;
-  plan.root_texels = root_texels;
-  return plan;
-}
-
-template <class Mapping>
-std::vector<Painted<Mapped<Mapping, ImageTexture>>> two_globes(const Mapping& mapping) {
-  Image image(2, 1, {200, 100, 50});
-  image.at(1, 0) = {10, 20, 30};
-  return {{{{1, 2, 3}, 4}, {mapping, {image, VAxis::down}}},
-          {{{5, 6, 7}, 8, SphereForm::hybrid}, {mapping, {image}}}};
-}
-
-TEST_CASE("planned objects are where the objects are, and wear what the plan chose") {
-  const Rotated<ConventionMapping> turned{rotation_y(30), {Convention::daily}};
-  const auto objects = two_globes(turned);
-  for (const bool roots : {false, true}) {
-    const auto planned = planned_objects(plan_of(11, roots), objects);
-    REQUIRE(planned.size() == 2);
-    for (std::size_t i = 0; i < 2; ++i) {
-      CHECK(largest(planned[i].shape.center - objects[i].shape.center) == 0);
-      CHECK(planned[i].shape.radius == objects[i].shape.radius);
-      CHECK(planned[i].shape.form == objects[i].shape.form);
-      CHECK(planned[i].paint.mapping.degree == 11);
-      CHECK(planned[i].paint.mapping.convention == Convention::daily);
-      CHECK(planned[i].paint.mapping.rotation.sine == turned.rotation.sine);
-      CHECK(planned[i].paint.texture.exact == &objects[i].paint.texture);
-      CHECK(planned[i].paint.texture.roots.texels.size() == (roots ? 2 : 0));
-      CHECK(planned[i].paint.texture.roots.v_axis ==
-            (roots ? objects[i].paint.texture.v_axis : VAxis::up));
-    }
-  }
-  CHECK(planned_objects(plan_of(7), two_globes(RtiowMapping{}))[1].paint.mapping.degree == 7);
-}
-
-TEST_CASE("paints that no kernel serves stay where they are") {
-  const KernelPlan plan = plan_of(11, true);
-  const std::vector<Painted<Solid>> solid(1);
-  CHECK(&planned_objects(plan, solid) == &solid);
-  const std::vector<Painted<Mapped<RtiowMapping, Checkerboard>>> checkered(1);
-  CHECK(&planned_objects(plan, checkered) == &checkered);
-}
-
-TEST_CASE("a planned texture is the picture until it has words") {
-  const ImageTexture exact{Image(1, 1, {77, 178, 34}), VAxis::up, {}, TexelLight::linear};
-  const Uv<double> middle{0.5, 0.5};
-  CHECK(alike(PlannedTexture{&exact}(middle), exact(middle)));
-  const RootTexture roots(exact);
-  CHECK(alike(PlannedTexture{&exact, roots}(middle), roots(middle)));
-  CHECK_FALSE(alike(roots(middle), exact(middle)));
 }
 
 TEST_CASE("a planned power is the kernel of as many terms") {
@@ -217,15 +138,6 @@ TEST_CASE("a plan says in a line each what was chosen") {
   CHECK(text.back() == '\n');
   CHECK(plan_highlight(parse_budget("levels=1")).text ==
         choose_power_kernel(parse_budget("levels=1")).text + "\n");
-}
-
-TEST_CASE("a smaller budget buys a highlight of more terms") {
-  int before = 0;
-  for (const char* budget : {"levels=1", "levels=0.1", "levels=0.01"}) {
-    const int terms = plan_highlight(parse_budget(budget)).power_terms;
-    CHECK(terms > before);
-    before = terms;
-  }
 }
 
 }  // namespace

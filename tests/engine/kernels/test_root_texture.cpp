@@ -44,30 +44,6 @@ TEST_CASE("no byte's light is off by more levels than stated, and some by most o
   CHECK(worst > 0.8 * RootTexture::worst_levels);
 }
 
-TEST_CASE(
-    "light between and darker lights are off by no more: every amount of light, alone, dimmed and "
-    "mixed with another") {
-  Dice dice;
-  const auto kept = [](double light) {
-    const double root = std::round(RootTexture::most * std::sqrt(light)) / RootTexture::most;
-    return root * root;
-  };
-  double worst = 0;
-  for (int i = 0; i <= 200000; ++i) {
-    const double light = i / 200000.0;
-    const double dim = dice.between(0, 1);
-    const double other = dice.between(0, 1);
-    const double share = dice.between(0, 1);
-    worst = std::max(worst, levels_apart(light, kept(light)));
-    REQUIRE(levels_apart(dim * light, dim * kept(light)) <= RootTexture::worst_levels);
-    REQUIRE(levels_apart(share * light + (1 - share) * other,
-                         share * kept(light) + (1 - share) * kept(other)) <=
-            RootTexture::worst_levels);
-  }
-  CHECK(worst <= RootTexture::worst_levels);
-  CHECK(worst > 0.9 * RootTexture::worst_levels);
-}
-
 TEST_CASE("the texels are those of the picture, on both axes and by both roundings") {
   Dice dice;
   Image image(37, 19);

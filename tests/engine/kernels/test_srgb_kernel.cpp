@@ -86,15 +86,6 @@ TEST_CASE_TEMPLATE("the exact byte is the curve's, next to every threshold too",
   CHECK(wrong == 0);
 }
 
-TEST_CASE_TEMPLATE("every byte comes back from the table of light", Real, TEXMAP_KERNEL_NUMBERS) {
-  const auto& light = light_of_bytes<Scalar<Real>>(TexelLight::linear);
-  for (std::size_t byte = 0; byte < light.size(); ++byte) {
-    CAPTURE(byte);
-    CHECK(lane(srgb_byte_exact(Real(light[byte])), 0) == static_cast<Scalar<Real>>(byte));
-    CHECK(lane(srgb_byte<6>(Real(light[byte])), 0) == static_cast<Scalar<Real>>(byte));
-  }
-}
-
 TEST_CASE_TEMPLATE("no light, too much light and no number are bytes too", Real,
                    TEXMAP_KERNEL_NUMBERS) {
   using Limits = std::numeric_limits<Scalar<Real>>;

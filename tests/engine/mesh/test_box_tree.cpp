@@ -48,49 +48,6 @@ TEST_CASE_TEMPLATE("the tree meets what the list meets, to the last bit", Real, 
   CHECK(count_lost<Real>(cube, with_tree(cube), 4000, 3) == 0);
 }
 
-TEST_CASE("boxes that are too small lose hits: the test would notice") {
-  const Mesh ring = torus(20, 12).mesh;
-  Mesh tree = with_tree(ring);
-  for (MeshBox& box : tree.boxes) box.half = box.half * (1 - 1e-3);
-  CHECK(count_lost<float>(ring, tree, 4000, 3) > 0);
-  // From afar in float the margin for rounding is 0.0015.
-  Mesh far = crate().mesh;
-  for (Point& p : far.points) p = p + Point{0.1, 0.2, 0.3};
-  Mesh narrow = with_tree(far);
-  for (MeshBox& box : narrow.boxes) box.half = box.half - Point{1, 1, 1} * 0.01;
-  CHECK(count_lost<float>(far, narrow, 4000, 1000) > 0);
-}
-
-TEST_CASE("every triangle is in one leaf, inside all boxes around it") {
-  const Mesh tree = with_tree(torus(40, 25).mesh);
-  std::vector<int> seen(tree.triangles.size(), 0);
-  std::size_t deepest = 0;
-  const auto walk = [&](const auto& self, int place, std::vector<int> around) -> void {
-    const MeshBox& box = tree.boxes[static_cast<std::size_t>(place)];
-    around.push_back(place);  // all boxes around this one, from the outermost
-    deepest = std::max(deepest, around.size());
-    for (int at = box.first; at < box.end; ++at) {
-      const int triangle = tree.order[static_cast<std::size_t>(at)];
-      ++seen[static_cast<std::size_t>(triangle)];
-      for (const int outer : around) {
-        const MeshBox& holds = tree.boxes[static_cast<std::size_t>(outer)];
-        for (int corner = 0; corner < 3; ++corner) {
-          const Vec3d off = tree.corner(triangle, corner) - holds.center;
-          REQUIRE(std::abs(off.x) <= holds.half.x);
-          REQUIRE(std::abs(off.y) <= holds.half.y);
-          REQUIRE(std::abs(off.z) <= holds.half.z);
-        }
-      }
-    }
-    if (box.first < box.end) return;
-    self(self, place + 1, around);
-    self(self, box.second, around);
-  };
-  walk(walk, 0, {});
-  CHECK(deepest < 20);
-  CHECK(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
-}
-
 TEST_CASE("triangles that grow by powers of two nest no deeper than rays can follow") {
   Mesh nested;
   for (int i = 0; i < 1000; ++i) {

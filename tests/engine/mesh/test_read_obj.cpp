@@ -58,21 +58,6 @@ TEST_CASE("a decimal comma in the locale changes nothing") {
   CHECK(read.mesh.points[0].x == 0.5);
 }
 
-TEST_CASE(
-    "a good file cut anywhere is refused, or loads with fewer faces, never with broken ones") {
-  const std::string whole = square_points + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
-  int refused = 0;
-  for (std::size_t length = 0; length < whole.size(); ++length) {
-    try {
-      const TexturedMesh read = read_obj(whole.substr(0, length));
-      REQUIRE(read.mesh.triangles.size() == 1);  // cut between the two faces
-    } catch (const FileError&) {
-      ++refused;
-    }
-  }
-  CHECK(refused == static_cast<int>(whole.size()) - 1);
-}
-
 TEST_CASE("changed files load or are refused, and what loads has indices and finite numbers") {
   Dice dice;
   int loaded = 0;

@@ -133,21 +133,6 @@ TEST_CASE(
   check_bounds(prepared<chapter_06::Lesson>());
 }
 
-TEST_CASE(
-    "the hybrid form is bounded too, and from far away the textbook's is bounded with more doubt") {
-  const auto certain = [](SphereForm form) {
-    chapter_02::Lesson lesson;
-    lesson.stage.camera = {.eye = {0, 20000, 80000}, .target = {0, 0, 0}, .fov_y_degrees = 0.006};
-    for (auto& object : lesson.objects) object.shape.form = form;
-    const Count count = against_bounds<double>(lesson, lesson);
-    CHECK(count.outside == 0);
-    return count.certain;
-  };
-  const int plain = certain(SphereForm::plain);
-  CHECK(plain < certain(SphereForm::robust));
-  CHECK(plain < certain(SphereForm::hybrid));
-}
-
 TEST_CASE("the map is gray where a pixel is certain, and colored where it is not") {
   const Color<Interval> sure{Interval(0.5), Interval(0.25), Interval(0.125)};
   CHECK(uncertain_levels(sure) == 0);

@@ -38,21 +38,6 @@ int largest_difference(const Image& a, const Image& b) {
 
 }  // namespace
 
-TEST_CASE("one color stays that color in every layout, from every layout") {
-  const Image gray(96, 48, {90, 130, 200});
-  for (const ProjectionFacts& from : projections) {
-    for (const ProjectionFacts& to : projections) {
-      if (from.projection == Projection::plane || to.projection == Projection::plane) continue;
-      CAPTURE(std::string(from.word));
-      CAPTURE(std::string(to.word));
-      const PictureSize size = converted_size(gray, from.projection, to.projection);
-      const Image image = convert_projection(gray, from.projection, to.projection, size);
-      CHECK(std::count(image.pixels.begin(), image.pixels.end(), Rgb8{90, 130, 200}) ==
-            static_cast<long>(image.pixels.size()));
-    }
-  }
-}
-
 TEST_CASE("a smooth picture in each layout is the equirectangular one converted, within 3 levels") {
   const Image source = smooth(Projection::equirect, {512, 256});
   for (const ProjectionFacts& facts : projections) {

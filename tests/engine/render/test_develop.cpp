@@ -1,7 +1,6 @@
 // Tests of engine/render/develop.hpp: from light to bytes, for all numbers and threads.
 #include <doctest.h>
 
-#include <atomic>
 #include <cmath>
 
 #include "engine/render/develop.hpp"
@@ -65,22 +64,6 @@ Film any_film() {
   return film;
 }
 
-TEST_CASE("a pixel of the picture is the byte of its light in each channel") {
-  const Film film = any_film();
-  for (const Transfer transfer : transfers) {
-    const Image image = develop(film, transfer);
-    for (int row = 0; row < film.height(); ++row) {
-      for (int column = 0; column < film.width(); ++column) {
-        const Rgb light = film.light(column, row);
-        const auto byte = [&](double x) {
-          return static_cast<std::uint8_t>(byte_of_light(x, transfer));
-        };
-        REQUIRE(image.at(column, row) == Rgb8{byte(light.r), byte(light.g), byte(light.b)});
-      }
-    }
-  }
-}
-
 TEST_CASE_TEMPLATE("packs and any number of threads develop the picture of double", Real, double,
                    Pack<double>, Pack2<Pack<double>>) {
   const Film film = any_film();
@@ -93,14 +76,6 @@ TEST_CASE_TEMPLATE("packs and any number of threads develop the picture of doubl
   }
   CHECK(develop<Real>(film, Transfer::srgb) != develop<Real>(film, Transfer::sqrt));
   CHECK(develop<Real>(film, Transfer::srgb) != develop<Real>(film, Transfer::srgb, 3));
-}
-
-TEST_CASE("progress of developing is told of every row") {
-  const Film film = any_film();
-  std::atomic<int> told = 0;
-  const auto finished = [&](int, int total) { told += total; };
-  CHECK(develop(film, Transfer::srgb, 0, 2, finished) == develop(film, Transfer::srgb));
-  CHECK(told == film.height() * film.height());
 }
 
 }  // namespace

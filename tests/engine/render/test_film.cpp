@@ -44,19 +44,6 @@ TEST_CASE("packed light is within 2^-32 of itself in each channel, and nearly so
   CHECK(worst > 0.99 * 0x1p-32);
 }
 
-TEST_CASE("a film has the light that was set, pixel by pixel, and black elsewhere") {
-  Film film(3, 2, 7);
-  film.set_light(2, 0, {0.25, 0.5, 1});
-  film.set_light(0, 1, {2, 4, 8});
-  CHECK(film.width() == 3);
-  CHECK(film.height() == 2);
-  CHECK(film.samples() == 7);
-  CHECK(film.error == infinity<double>());
-  CHECK(film.light(2, 0).g == 0.5);
-  CHECK(film.light(0, 1).b == 8);
-  CHECK(film.light(1, 1).r == 0);
-}
-
 TEST_CASE("two films make the film of all their samples: each counts by how many it has") {
   Film few(1, 1, 1), many(1, 1, 3);
   few.set_light(0, 0, {1, 0, 8});

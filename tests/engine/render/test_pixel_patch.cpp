@@ -151,50 +151,6 @@ TEST_CASE(
   holds(direction_off, Smoothing::direction_per_normal_error);
 }
 
-TEST_CASE("a sample is the light at its own place in the pixel, along its own direction") {
-  /// Two pairs of numbers, one after the other.
-  struct Pairs {
-    std::array<Point2<double>, 2> pairs;
-    std::size_t used = 0;
-    const Point2<double>& next_2d() { return pairs.at(used++); }
-  };
-  const auto same = [](const Rgb& a, const Rgb& b) {
-    return a.r == b.r && a.g == b.g && a.b == b.b;
-  };
-  const GradientSky constant{.below = {0.7, 0.8, 0.9}, .above = {0.7, 0.8, 0.9}};
-  Dice dice(11);
-  for (int i = 0; i < 1000; ++i) {
-    const Sight sight = any_sight(dice);
-    const PreparedSphere<double> sphere = prepare<double>(sight.sphere);
-    const Point2<double> place{dice.between(0, 1), dice.between(0, 1)};
-    const Point2<double> sample{dice.between(0, 1), dice.between(0, 1)};
-    const double x = place.u - 0.5;
-    const double y = place.v - 0.5;
-    for (const GradientSky& any_sky : {constant, fading}) {
-      const PreparedSky<double> sky = prepare<double>(any_sky);
-      const Paint paint{};
-      const PixelPatch<double, Paint> patch(sight.view, sphere, paint, sky, sight.column,
-                                            sight.row);
-      Pairs pairs{{place, sample}};
-      const Rgb light = patch(pairs);
-      if (sky.is_constant()) {
-        REQUIRE(pairs.used == 1);
-        REQUIRE(same(light, patch.albedo(x, y) * sky.below));
-      } else {
-        const Vec3<double> upward{patch.normal[0](x, y), patch.normal[1](x, y),
-                                  patch.normal[2](x, y)};
-        REQUIRE(pairs.used == 2);
-        REQUIRE(same(light,
-                     patch.albedo(x, y) * sky(Ray<double>{{}, cosine_direction(upward, sample)})));
-      }
-    }
-    const PreparedSky<double> sky = prepare<double>(fading);
-    const SkyPatch<double> patch(sight.view, sky, sight.column, sight.row);
-    Pairs pairs{{place, sample}};
-    REQUIRE(same(patch(pairs), sky(Ray<double>{{}, {0, patch.height(x, y), 0}})));
-  }
-}
-
 TEST_CASE("pixels that are told to miss the sphere do, and few others") {
   const Camera camera{.eye = {3, 1, 9}, .target = {0.5, 0, 0}, .fov_y_degrees = 40};
   const View<> view = view_of(camera, 64, 48);

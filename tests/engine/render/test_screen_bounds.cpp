@@ -126,19 +126,5 @@ TEST_CASE("the columns of a row are those of the picture, whole numbers between 
   CHECK(equal(ScreenBounds{10, 20, 4, 9}.columns(3, 40), {40, 40}));
 }
 
-TEST_CASE("pixels from a first to a last miss the rectangle when all of them do") {
-  const ScreenBounds bounds{10, 20, 5, 8};
-  CHECK(miss(bounds, 0, 9, 6));
-  CHECK_FALSE(miss(bounds, 0, 10, 6));
-  CHECK_FALSE(miss(bounds, 12, 13, 6));
-  CHECK_FALSE(miss(bounds, 0, 39, 6));
-  CHECK_FALSE(miss(bounds, 20, 30, 6));
-  CHECK(miss(bounds, 21, 30, 6));
-  CHECK(miss(bounds, 12, 13, 4));
-  CHECK_FALSE(miss(bounds, 12, 13, 5));
-  CHECK_FALSE(miss(bounds, 12, 13, 8));
-  CHECK(miss(bounds, 12, 13, 9));
-}
-
 }  // namespace
 }  // namespace texmap::test

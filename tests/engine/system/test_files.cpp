@@ -100,17 +100,6 @@ TEST_CASE("a file that grows or shrinks while it is read is refused, by one byte
   }
 }
 
-TEST_CASE("a file of a million bytes is read as it is") {
-  const TemporaryFolder folder;
-  const std::vector<std::uint8_t> bytes = some_bytes(1000003);
-  put(folder / "some", bytes);
-  const bool same = read_file(path_of(folder / "some"), bytes.size()) == bytes;
-  CHECK(same);
-  write_file_atomically(path_of(folder / "copy"), bytes);
-  const bool copied = bytes_of(folder / "copy") == bytes;
-  CHECK(copied);
-}
-
 TEST_CASE("what cannot be read is named in the same words on every system") {
   const TemporaryFolder folder;
   put(folder / "empty", {});
