@@ -66,7 +66,6 @@ Group uv_group() {
           "with their stated worst error.",
       .unit = "ns",
       .note = "worst error in texels of 8192 × 4096",
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, UvJob::Formula formula, int degree,
                             const std::string& worst, const auto&... variants) {
@@ -139,7 +138,6 @@ Group texture_group() {
           "encoded, in double, one place at a "
           "time.",
       .unit = "ns",
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, TexelLight light, bool as_roots) {
     add_line(
@@ -164,7 +162,6 @@ Group spheres_group() {
           "says when.",
       .unit = "ns",
       .seconds = 6,
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, SphereForm form) {
     const auto make = [form] {
@@ -213,7 +210,6 @@ Group samplers_group() {
           "the others are worth.",
       .unit = "ns",
       .seconds = 6,
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, SamplerKind kind) {
     add_line(
@@ -253,7 +249,6 @@ Group colors_group() {
       .unit = "ns",
       .seconds = 10,
       .note = "worst error",
-      .micro = true,
   };
   const auto add_encoding = [&group](const std::string& line, int terms, const std::string& worst,
                                      const auto&... variants) {
