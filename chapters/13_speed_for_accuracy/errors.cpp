@@ -170,8 +170,8 @@ void with_real(NumberKind number, const Work& work) {
   }
 }
 
-/// visit(pixel, at) for all pixels: at(k) is the number k of those that `numbers_along` makes of the
-/// pixel's ray.
+/// visit(pixel, at) for all pixels: at(k) is the number k of those that `numbers_along` makes of
+/// the pixel's ray.
 ///
 /// @param numbers_along  called with rays of Real; gives an array of Reals
 template <class Real, class NumbersAlong, class Visit>
