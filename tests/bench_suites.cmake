@@ -1,8 +1,8 @@
-# What things take: bench_ratios and, where Google Benchmark is installed, bench_kernels. Included by CMakeLists.txt here.
+# What things take: bench_ratios. Included by CMakeLists.txt here.
 # Nothing of it is built unless asked for: it takes a third as long as all the rest. Its tests have the label bench; the target `bench`
 # builds what they need.
 
-# Everything that is measured: both programs and their tests use it.
+# Everything that is measured: the program and its tests use it.
 add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
   bench/measure.cpp bench/micro_groups.cpp bench/report.cpp bench/stb_alone.cpp)
 target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
@@ -47,15 +47,6 @@ set_source_files_properties(bench/processes.cpp PROPERTIES COMPILE_DEFINITIONS
 set_source_files_properties(bench/bench_ratios.cpp PROPERTIES COMPILE_DEFINITIONS "TEXMAP_PROJECT_DIR=\"${CMAKE_SOURCE_DIR}\"")
 add_dependencies(bench_ratios ${chapter_programs})  # --beside runs them
 
-# The small works in Google Benchmark, with its options and its statistics: ./course bench --google.
-find_package(benchmark QUIET)
-if(benchmark_FOUND)
-  add_executable(bench_kernels EXCLUDE_FROM_ALL bench/bench_kernels.cpp)
-  target_link_libraries(bench_kernels PRIVATE ${bench_objects} project_options benchmark::benchmark)
-else()
-  message(STATUS "Google Benchmark not found: no ./course bench --google (Debian libbenchmark-dev, Fedora google-benchmark-devel)")
-endif()
-
 # To test them and not to time anything, they need not be fast: half the time to compile.
 option(TEXMAP_BENCH_UNTIMED "Compile the benchmarks quickly; their times then mean nothing" OFF)
 if(TEXMAP_BENCH_UNTIMED)
@@ -78,9 +69,6 @@ endif()
 add_dependencies(test_bench_pages bench_ratios)
 set_target_properties(test_bench_pages PROPERTIES EXCLUDE_FROM_ALL ON)
 add_custom_target(bench DEPENDS test_bench_pages)
-if(benchmark_FOUND)
-  add_dependencies(bench bench_kernels)
-endif()
 if(SH AND wide_sets)
   add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/bench/wide.sh" "$<TARGET_FILE:bench_ratios>")
   set_tests_properties(bench_wide_functions PROPERTIES LABELS bench SKIP_RETURN_CODE 77)

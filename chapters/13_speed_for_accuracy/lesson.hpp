@@ -4,7 +4,7 @@
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
 #include "engine/app/texture_file.hpp"
-#include "recommendation.hpp"
+#include "ways.hpp"
 
 namespace texmap::chapter_13 {
 
@@ -41,28 +41,30 @@ struct Lesson : LessonHooks {
   /// then the samples.
   [[nodiscard]] Measurements measure(const Globe& globe, const View<>& view, int threads,
                                      const Tick& tick) const {
-    Measurements all{measuring_machine(widest), view.width, view.height, all_places(widest),
-                     all_curves(widest)};
+    Measurements all{measuring_machine(widest), view.width, view.height};
     const WorkTime alone = time_alone(globe, view);  // no wide instructions have run yet
+    for (const Part part : {Part::places, Part::curves, Part::formats, Part::samplers})
+      all.add(rows_of(part, widest));
 
     // Errors: compared with the same picture in Judge. Times: on one thread, all alternately, the
     // shortest; plain double must take as long as it took alone.
-    find_errors_of_places(all.places, globe, view, tick);
-    find_errors_of_curves(all.curves, globe, view, tick);
+    find_errors(all.of(Part::places), globe, view, threads, tick);
+    find_errors(all.of(Part::curves), globe, view, threads, tick);
     Timing timing{rounds, TimeLimit(1000.0 * seconds, 5), tick};
-    time_trials_beside(alone, all.places, globe, view, timing);
-    time_trials(all.curves, globe, view, timing);
+    time_rows_beside(alone, all.of(Part::places), globe, view, timing);
+    time_rows(all.of(Part::curves), globe, view, timing);
 
     // Many samples: texel formats, then samplers, drawn by the fastest variant that changes
     // nothing.
-    all.texel_formats = measure_texel_formats(globe, widest, threads, tick);
-    time_texel_formats(all.texel_formats, globe, timing);
-    all.exact = fastest(all.places, Filter::nearest, {})->variant;
-    all.noise = measure_noise(globe, all.exact, threads, tick);
-    time_noise(all.noise, globe, all.exact, timing);
+    find_errors(all.of(Part::formats), globe, view, threads, tick);
+    time_rows(all.of(Part::formats), globe, view, timing);
+    const Variant exact = fastest(all, Filter::nearest, {})->variant;
+    for (Row& row : all.of(Part::samplers)) row.variant = exact;
+    find_errors(all.of(Part::samplers), globe, view, threads, tick);
+    time_rows(all.of(Part::samplers), globe, view, timing);
 
     // What chapters 09 and 12 let you choose: filters, and ways to light by a sky.
-    all.fronts = measure_fronts(threads, timing);
+    measure_other_chapters(all, threads, timing);
     all.rounds = timing.done;
     return all;
   }

@@ -1,22 +1,203 @@
 // Runs the lesson: says how far it is, prints the tables, and writes plots, figures and the sheet.
+#include <algorithm>
+
 #include "engine/app/budget_options.hpp"
+#include "engine/compare/difference_map.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/bitmap_font.hpp"
+#include "engine/picture/blit.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/render/develop.hpp"
 #include "engine/system/system.hpp"
 #include "lesson.hpp"
-#include "progress.hpp"
-#include "report.hpp"
-#include "sheet.hpp"
 
 namespace texmap::chapter_13 {
+namespace {
+
+/// Four rows of four pictures, each above three lines of text, and a line above all.
+struct SheetLayout {
+  int scale, line, gap, panel_width, panel_height;
+
+  SheetLayout(int width, int height)
+      : scale(std::max(1, width / 1640)),
+        line(11 * scale),
+        gap(std::max(1, width / 120)),
+        panel_width(std::max(1, width / 4 - gap)),
+        panel_height(std::max(1, (height - 2 * line) / 4 - 3 * line - gap)) {}
+  [[nodiscard]] int left(int panel) const { return gap / 2 + panel % 4 * (panel_width + gap); }
+  [[nodiscard]] int top(int panel) const {
+    return 2 * line + gap / 2 + panel / 4 * (panel_height + 3 * line + gap);
+  }
+};
+
+constexpr Rgb8 black{0, 0, 0};
+constexpr Rgb8 dark_gray{70, 70, 70};
+
+/// Where two pictures differ, in the colors of `compare`'s maps.
+///
+/// @param reach  each pixel is drawn as far to all sides, so that a single one is seen; the larger
+///               difference covers others
+Image differences(const Image& a, const Image& b, int reach) {
+  std::vector<int> levels(a.pixels.size());
+  for (int row = 0; row < a.height; ++row) {
+    for (int column = 0; column < a.width; ++column) {
+      const int apart = channel_difference(a.at(column, row), b.at(column, row));
+      if (apart == 0) continue;
+      for (int y = std::max(row - reach, 0); y <= std::min(row + reach, a.height - 1); ++y) {
+        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x) {
+          int& largest = levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
+                                static_cast<std::size_t>(x)];
+          largest = std::max(largest, apart);
+        }
+      }
+    }
+  }
+  Image map(a.width, a.height);
+  for (std::size_t i = 0; i < levels.size(); ++i) map.pixels[i] = difference_color(levels[i]);
+  return map;
+}
+
+std::string seen(const Row& errors) {
+  if (errors.changed == 0) return "no pixel differs";
+  const char* levels = errors.levels == 1 ? "level" : "levels";
+  if (errors.changed == 1) return text("1 pixel differs, by %d %s", errors.levels, levels);
+  return text("%ld pixels differ, by up to %d %s", errors.changed, errors.levels, levels);
+}
+
+/// A sheet that fills panel by panel.
+class Sheet {
+ public:
+  Sheet(int width, int height, const Tick& tick)
+      : image(width, height, {255, 255, 255}), layout_(width, height), tick_(tick) {}
+
+  /// Adds a picture with three lines of text.
+  void add(const Image& picture, const std::string& name, const std::string& second,
+           const std::string& third) {
+    const int left = layout_.left(panel_);
+    const int top = layout_.top(panel_++);
+    const int under = top + layout_.panel_height + 2 * layout_.scale;
+    blit(image, picture, left, top);
+    draw_text(image, left, under, name, black, layout_.scale);
+    draw_text(image, left, under + layout_.line, second, dark_gray, layout_.scale);
+    draw_text(image, left, under + 2 * layout_.line, third, dark_gray, layout_.scale);
+    tick_();
+  }
+  /// Writes above all panels what the colors mean.
+  void add_legend() {
+    int left = layout_.gap / 2;
+    const int top = layout_.line / 2;
+    const auto write = [&](const std::string& words) {
+      draw_text(image, left, top, words, black, layout_.scale);
+      left += text_width(words, layout_.scale) + layout_.line;
+    };
+    write(
+        "Differences in levels of 255; in the upper two rows a changed pixel is drawn three wide:");
+    for (const int levels : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
+      blit(image, Image(layout_.line, 7 * layout_.scale, difference_color(levels)), left, top);
+      left += layout_.line + 2 * layout_.scale;
+      write(std::to_string(levels));
+    }
+  }
+
+  Image image;
+
+ private:
+  SheetLayout layout_;
+  const Tick& tick_;
+  int panel_ = 0;
+};
+
+/// The picture, and what numbers and kernels change in it.
+void add_places(Sheet& sheet, const Globe& globe, const View<>& view, Filter filter, int threads) {
+  const bool nearest = filter == Filter::nearest;
+  const Image reference = reference_picture(globe, view, filter, threads);
+  const Image& texture = globe.nearest.image;
+  sheet.add(reference, nearest ? "nearest texel, extended" : "bilinear filter, extended",
+            text("the picture, %d x %d pixels", reference.width, reference.height),
+            text("of a texture of %d x %d", texture.width, texture.height));
+  for (const auto& [number, degree] :
+       {std::pair{NumberKind::float_, nearest ? 0 : 5},
+        std::pair{NumberKind::float_, nearest ? 5 : 9},
+        std::pair{nearest ? NumberKind::float_ : NumberKind::double_, nearest ? 9 : 23}}) {
+    Row row{Part::places, {.number = number, .degree = degree, .filter = filter}};
+    find_errors({&row, 1}, globe, view, threads, [] {});
+    sheet.add(differences(picture_of(globe, view, row.variant, threads), reference, 1),
+              std::string(name_of(number)) +
+                  (degree == 0 ? ", reference formula" : ", " + name_of_kernel(degree)),
+              seen(row), text("%.1e texels off, at most %.1e", row.worst, row.bound));
+  }
+}
+
+/// The picture under the sky, and what shorter curves change in it.
+void add_curves(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
+  const Image reference = picture_of(globe, view, {.curve = Curve::exact}, threads);
+  sheet.add(reference, "under the sky's light, sRGB exact", "one ray a pixel", "");
+  for (const Curve curve : {Curve::four, Curve::three}) {
+    const Image image = picture_of(globe, view, {.curve = curve}, threads);
+    Row row{Part::curves};
+    compare_bytes(image, reference, row);
+    const int bound = rounded_bound(unrounded_bound({.curve = curve}));
+    sheet.add(differences(image, reference, 0), std::string("sRGB by ") + name_of(curve), seen(row),
+              text("at most %d level%s", bound, bound > 1 ? "s" : ""));
+  }
+}
+
+/// The picture that all samplers converge to, and how far off 16 samples are.
+void add_samplers(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
+  const Variant variant{.number = NumberKind::double_pack};
+  const Film converged =
+      sampled(globe, view, variant, Sampler(SamplerKind::sobol, 256, 1), threads);
+  const Image smooth = develop(converged, Transfer::srgb);
+  sheet.add(smooth, "sobol, 256 rays a pixel", "what all samplers go to", "");
+  for (const SamplerKind kind : sampler_kinds) {
+    const Film film = sampled(globe, view, variant, Sampler(kind, 16), threads);
+    const double off = rms_difference(levels_of(film), levels_of(converged));
+    sheet.add(differences(develop(film, Transfer::srgb), smooth, 0),
+              std::string(name_of(kind)) + ", 16 rays a pixel",
+              text("%.2f levels off, root mean square", off), "");
+  }
+}
+
+}  // namespace
+
+View<> view_of_sheet(const Globe& globe, int width, int height) {
+  const SheetLayout layout(width, height);
+  return globe.view(layout.panel_width, layout.panel_height);
+}
+
+Image draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
+  const View<> view = view_of_sheet(globe, width, height);
+  Sheet sheet(width, height, tick);
+  add_places(sheet, globe, view, Filter::nearest, threads);
+  add_places(sheet, globe, view, Filter::bilinear, threads);
+  add_curves(sheet, globe, view, threads);
+  add_samplers(sheet, globe, view, threads);
+  sheet.add_legend();
+  return sheet.image;
+}
+
+std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out) {
+  std::error_code error;
+  if (std::filesystem::exists(out, error) && !std::filesystem::is_regular_file(out, error))
+    return {};
+  std::vector<std::filesystem::path> names;
+  for (const char* const ending :
+       {"_speed_error.svg", "_speed_levels.svg", "_error_samples.svg", "_error_seconds.svg",
+        "_filter_error.svg", "_sky_error.svg", ".json"}) {
+    names.push_back(std::filesystem::path(out).replace_extension() += ending);
+  }
+  return names;
+}
 
 void Lesson::show(Session& session) {
   const Settings& settings = session.settings;
   std::vector<Budget> budgets = {read_budget("exact"), read_budget("texels=0.01"),
                                  read_budget("levels=1")};
   if (!budget.empty()) budgets.push_back(read_budget(budget));
-  check_report(path_of(settings.out));
+  const std::vector<std::filesystem::path> report = names_of_report(path_of(settings.out));
+  for (const std::filesystem::path& file : report) check_output(file);  // before anything long
   const Globe globe(texture.load());
-  const SheetLayout layout(settings.width, settings.height);
-  const View<> view = globe.view(layout.panel_width, layout.panel_height);
+  const View<> view = view_of_sheet(globe, settings.width, settings.height);
 
   Measurements all;
   Ticks ticks(phases_of(rounds, widest));
@@ -30,10 +211,15 @@ void Lesson::show(Session& session) {
                       [&] { ticks(render); });
   });
 
-  write_report(path_of(settings.out), all);
+  if (!report.empty()) {
+    std::vector<std::string> contents;
+    for (const Plot& plot : plots_of(all)) contents.push_back(svg_of(plot));
+    contents.push_back(json_of(all));
+    for (std::size_t i = 0; i < report.size(); ++i)
+      with_name("cannot write", report[i], [&] { write_text_atomically(report[i], contents[i]); });
+  }
   if (!settings.quiet) {
     std::string lines;
-    const auto report = names_of_report(path_of(settings.out));
     if (!report.empty()) {
       lines =
           "Look first at the trade, time across and error up: " + texmap::name_of(report.front()) +

@@ -43,8 +43,6 @@ struct Group {
   Ratio ratio = Ratio::speed;
   double seconds = 8;     ///< to spend on it
   std::string note = {};  ///< heading of the rows' notes; empty if they have none
-  bool micro =
-      false;  ///< works of some microseconds: those that bench_kernels hands to Google Benchmark
   std::vector<Row> rows = {};
 };
 

@@ -80,6 +80,20 @@ void add_budget(Group& group, const std::string& sky, const std::string& budget)
   for (const Variant& variant : in_float_packs) add(variant);
 }
 
+/// Rows without and with something, in double and in packs of it; those without are the bases.
+template <class Make>
+void add_pairs(Group& group, const std::string& line, const std::string& without,
+               const std::string& with, const Make& make) {
+  for (const Variant& variant : {in_double, widest_double_pack()}) {
+    const std::string number(variant.name);
+    for (const bool second : {false, true}) {
+      group.rows.push_back(
+          row_of(line, line + number, variant, 1, [make, second] { return make(second); }));
+      group.rows.back().column = number + ", " + (second ? with : without);
+    }
+  }
+}
+
 }  // namespace
 
 Group threads_group() {
@@ -88,23 +102,16 @@ Group threads_group() {
       .title = "One thread and two",
       .text =
           "Drawing alone, at 800 × 600 pixels, chapter 07 with 8 samples per pixel. The base of "
-          "each line is one thread with the same number; two are of use where there are two "
-          "processors.",
+          "each line is one thread with the same number.",
       .unit = "ms",
       .seconds = 12,
   };
   const auto add = [&group]<class Lesson>(const std::string& line, std::type_identity<Lesson>) {
-    for (const Variant& variant : {in_double, widest_double_pack()}) {
-      const std::string number(variant.name);
-      for (const int threads : {1, 2}) {
-        group.rows.push_back(row_of(line, line + number, variant, 1, [threads] {
-          const auto work = std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600);
-          work->use_threads(threads);
-          return work;
-        }));
-        group.rows.back().column = number + (threads == 1 ? ", 1 thread" : ", 2 threads");
-      }
-    }
+    add_pairs(group, line, "1 thread", "2 threads", [](bool two) {
+      const auto work = std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600);
+      work->use_threads(two ? 2 : 1);
+      return work;
+    });
   };
   add("03", std::type_identity<chapter_03::Lesson>());
   add("07", std::type_identity<chapter_07::Lesson>());
@@ -117,26 +124,20 @@ Group meshes_group() {
       .name = "meshes",
       .title = "A tree of boxes, and every triangle for every ray",
       .text =
-          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread. The "
-          "base of each line tries every triangle with the same number.",
+          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread. "
+          "The base of each line tries every triangle with the same number.",
       .unit = "ms",
       .seconds = 20,
   };
   for (const int sides : {6, 12, 40}) {
     const std::string line = std::to_string(2 * sides * sides) + " triangles";
-    for (const Variant& variant : {in_double, widest_double_pack()}) {
-      const std::string number(variant.name);
-      for (const bool tree : {false, true}) {
-        group.rows.push_back(row_of(line, line + number, variant, 1, [sides, tree] {
-          auto lesson = prepared<chapter_08::Lesson>({});
-          lesson.scene = test::torus(sides, sides);
-          lesson.paint.mapping = lesson.scene.mapping;
-          if (tree) build_box_tree(lesson.scene.mesh);
-          return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
-        }));
-        group.rows.back().column = number + (tree ? ", tree of boxes" : ", every triangle");
-      }
-    }
+    add_pairs(group, line, "every triangle", "tree of boxes", [sides](bool tree) {
+      auto lesson = prepared<chapter_08::Lesson>({});
+      lesson.scene = test::torus(sides, sides);
+      lesson.paint.mapping = lesson.scene.mapping;
+      if (tree) build_box_tree(lesson.scene.mesh);
+      return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
+    });
   }
   return group;
 }
@@ -146,12 +147,10 @@ Group budgets_group() {
       .name = "budgets",
       .title = "Chapter 07 under a budget",
       .text =
-          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels pays "
-          "for the curve to bytes, "
-          "texels kept as roots of light, a polynomial for (u, v), and patches: nine looks for all "
-          "samples of a smooth "
-          "pixel. The base is the exact picture in double. The last column compares the picture in "
-          "float with that.",
+          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels "
+          "pays for the curve to bytes, roots of light, a polynomial for (u, v), and patches: "
+          "nine looks for all samples of a smooth pixel. The base is the exact picture in "
+          "double, with which the last column compares the picture in float.",
       .unit = "ms",
       .seconds = 30,
       .note = "levels of 255 that a byte is moved by at most",
@@ -170,8 +169,8 @@ Group chapters_group() {
       .text =
           "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapters 07 "
           "and 12 at 400 × 225 with 8 samples per pixel, chapter 09 with its anisotropic filter, "
-          "chapter 10 with the equal-area map. "
-          "The base of each chapter is its picture in double.",
+          "chapter 10 with the equal-area map. The base of each chapter is its picture in "
+          "double.",
       .unit = "ms",
       .seconds = 70,
   };

@@ -66,12 +66,9 @@ Group encoding_group() {
       .title = "Files",
       .text =
           "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as "
-          "pixels. The "
-          "bases are stb_image_write and stb_image as they come. Our encoder tries one filter "
-          "instead of five "
-          "and compresses with less search ([packages](packages.md)); our decoder checks every "
-          "byte of the file, "
-          "and makes the pixels of plain rows itself: stb_image only inflates them.",
+          "pixels. The bases are stb_image_write and stb_image as they come. Our encoder tries "
+          "one filter instead of five and searches less ([packages](packages.md)); our decoder "
+          "checks every byte.",
       .unit = "ms",
       .note = "size in bytes",
   };

@@ -75,16 +75,9 @@ Group ledger_group() {
       .title = "What the scenes do not require",
       .text =
           "Chapters as they are (base), and with something computed that their scene does not "
-          "require: the "
-          "pictures are the same to the last byte, which is checked before anything is timed. The "
-          "line that "
-          "begins `01 by the last machinery` is not about waste: it is chapter 01's scene drawn by "
-          "chapter 06's "
-          "lesson, which knows textures, rotations, highlights and blending, and should cost "
-          "nothing where they "
-          "are not asked for. 200 × 150 pixels; chapter 07 200 × 113 with 8 samples. What saves "
-          "less than some "
-          "hundredths drowns in the noise of the machine.",
+          "require: the same picture to the last byte. `01 by the last machinery` is chapter "
+          "01's scene drawn by chapter 06's lesson. 200 × 150 pixels; chapter 07 200 × 113 with "
+          "8 samples. What saves less than some hundredths drowns in the noise of the machine.",
       .unit = "ms",
       .ratio = Ratio::cost,
       .seconds = 55,

@@ -59,14 +59,10 @@ Group uv_group() {
       .title = "(u, v) of unit vectors",
       .text =
           "The base is Next Week's formula in double: std::atan2 and std::acos of the C library, "
-          "one "
-          "vector at a "
-          "time. `uv_rtiow` is the chapters' own, safe at the poles; the polynomials are those of "
-          "`--budget`, "
-          "with their stated worst error.",
+          "one vector at a time. `uv_rtiow` is the chapters' own, safe at the poles; the "
+          "polynomials are those of `--budget`.",
       .unit = "ns",
       .note = "worst error in texels of 8192 × 4096",
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, UvJob::Formula formula, int degree,
                             const std::string& worst, const auto&... variants) {
@@ -131,15 +127,11 @@ Group texture_group() {
       .name = "texture",
       .title = "Look-ups in a texture",
       .text =
-          "The nearest texel of a picture of 4096 × 2048, at places one and a half texels apart, "
-          "128 in a row "
-          "and 128 rows, as neighbouring pixels ask for them. Encoded: bytes / 255; linear: "
-          "amounts of light by "
-          "the sRGB curve; roots: the same light, kept as its root in ten bits. The base is "
-          "encoded, in double, one place at a "
+          "The nearest texel of a picture of 4096 × 2048, at 128 × 128 places one and a half "
+          "texels apart. Encoded: bytes / 255; linear: light by the sRGB curve; roots: the same "
+          "light, kept as its root in ten bits. The base is encoded, in double, one place at a "
           "time.",
       .unit = "ns",
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, TexelLight light, bool as_roots) {
     add_line(
@@ -158,13 +150,10 @@ Group spheres_group() {
       .name = "spheres",
       .title = "The first point of a sphere along a ray",
       .text =
-          "Rays from 8 radii away, of which about half meet the sphere, in no order: packs have to "
-          "do both. The "
-          "base is the plain form in double, one ray at a time; `--spheres` chooses, and its help "
-          "says when.",
+          "Rays from 8 radii away, of which about half meet the sphere, in no order. The base is "
+          "the plain form in double, one ray at a time; `--spheres` chooses.",
       .unit = "ns",
       .seconds = 6,
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, SphereForm form) {
     const auto make = [form] {
@@ -206,14 +195,9 @@ Group samplers_group() {
   Group group{
       .name = "samplers",
       .title = "Pairs of numbers from the samplers",
-      .text =
-          "64 samples per pixel. The base is `random` in float, one pixel at a time; docs of "
-          "chapter "
-          "07 say what "
-          "the others are worth.",
+      .text = "64 samples per pixel. The base is `random` in float, one pixel at a time.",
       .unit = "ns",
       .seconds = 6,
-      .micro = true,
   };
   const auto add = [&group](const std::string& line, SamplerKind kind) {
     add_line(
@@ -245,15 +229,12 @@ Group colors_group() {
       .name = "colors",
       .title = "Colors and squares",
       .text =
-          "Three subjects, each with a base of its own, its first row: bytes of light by the sRGB "
-          "curve, "
-          "against its power; Phong's power with exponent 50, against exp and log1p as in "
-          "`highlight`; the "
-          "squares of a checkerboard on a globe, with (u, v) by trigonometry.",
+          "Three subjects, the base of each its first row: bytes of light by the sRGB curve; "
+          "Phong's power with exponent 50, against exp and log1p as in `highlight`; the squares "
+          "of a checkerboard on a globe, with (u, v) by trigonometry.",
       .unit = "ns",
       .seconds = 10,
       .note = "worst error",
-      .micro = true,
   };
   const auto add_encoding = [&group](const std::string& line, int terms, const std::string& worst,
                                      const auto&... variants) {

@@ -184,15 +184,13 @@ std::string json_of(const Circumstances& circumstances, const std::vector<Measur
 }
 
 std::string page_of(const Circumstances& circumstances, const std::vector<Measured>& all) {
-  std::string page = "# Measurements\n\n" +
-                     wrapped(
-                         "How long things take, as ratios. This page is generated: `./course bench "
-                         "--write` measures everything "
-                         "again, on the machine that it runs on, and writes this page; "
-                         "a test holds its tables against the list of what is measured "
-                         "(`./course bench --list`). "
-                         "`./course bench` alone shows the same tables and changes nothing here.") +
-                     "\n| | |\n|---|---|\n";
+  std::string page =
+      "# Measurements\n\n" +
+      wrapped(
+          "How long things take, as ratios. `./course bench --write` measures everything again "
+          "and writes this page; a test holds its tables against the list of what is measured "
+          "(`./course bench --list`).") +
+      "\n| | |\n|---|---|\n";
   const Machine& machine = circumstances.machine;
   page += text("| processor | %s, %d of them; load before: %.1f |\n", machine.processor.c_str(),
                machine.processors, machine.load);
@@ -202,19 +200,17 @@ std::string page_of(const Circumstances& circumstances, const std::vector<Measur
   page += "| rounds | at least " + std::to_string(circumstances.effort.least) + " |\n";
   page += "\n" +
           wrapped(
-              "Works that are compared are timed alternately, and the shortest time of "
-              "each counts: what disturbs a machine "
-              "can only add to a time, and it disturbs works that alternate equally "
-              "(`common/engine/measure/interleaved.cpp`). So the ratios, in brackets, hold better "
-              "than the times, and they too "
-              "change from run to run by some hundredths, on a busy machine by a tenth. All "
-              "on one thread, unless a table says otherwise. \"–\": not on "
-              "this machine.");
+              "Works that are compared are timed alternately, and the shortest time of each counts "
+              "(`common/engine/measure/interleaved.cpp`). A cell has a time, in the unit at the "
+              "table's corner, and in brackets how many times as fast as the base that is. Ratios "
+              "change from run to run by some hundredths, on a busy machine by a tenth. All on one "
+              "thread, unless a table says otherwise. \"–\": not on this machine.");
   for (const Measured& measured : all) {
     const Group& group = measured.group;
     page += "\n## " + group.name + ": " + group.title + "\n\n" +
-            wrapped(group.text + (group.unit == "ns" ? " Nanoseconds for one" : " Milliseconds") +
-                    "; in brackets " + what_ratios_say(group.ratio) + ".") +
+            wrapped(group.text + (group.ratio == Ratio::cost
+                                      ? " In brackets: how many times as long as the base takes."
+                                      : "")) +
             "\n" + markdown_of(measured);
   }
   return page;

@@ -197,7 +197,6 @@ TEST_CASE("what must be escaped in JSON is escaped") {
                     .ratio = Ratio::cost,
                     .seconds = 1,
                     .note = "",
-                    .micro = false,
                     .rows = {}};
   CHECK(json_of({}, {{group, {}}}).find("\"a\\\"b\\\\c\\u000a\"") != std::string::npos);
 }

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "engine/render/draw.hpp"
+#include "engine/render/number_names.hpp"
 
 namespace texmap::bench {
 
@@ -32,13 +33,7 @@ inline constexpr std::array in_double_packs = {
 
 /// True if this build has code for it and this machine can run it.
 [[nodiscard]] inline bool is_here(const Variant& variant) {
-  if (variant.number != NumberKind::float_pack && variant.number != NumberKind::double_pack)
-    return true;
-#ifdef TEXMAP_WIDE_PACKS
-  return machine_has(variant.instructions);
-#else
-  return variant.instructions == Instructions::baseline;
-#endif
+  return !is_pack(variant.number) || has_packs_of(variant.instructions);
 }
 
 /// The widest packs of double that can be run here.

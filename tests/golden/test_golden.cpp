@@ -19,7 +19,6 @@
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "11_bump_and_normal_maps/surface.hpp"
 #include "13_speed_for_accuracy/lesson.hpp"
-#include "13_speed_for_accuracy/sheet.hpp"
 #include "14_numerical_extremes/lesson.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"

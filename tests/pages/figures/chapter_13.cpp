@@ -1,7 +1,5 @@
 // The figures of chapter 13's page.
-#include "13_speed_for_accuracy/noise.hpp"
-#include "13_speed_for_accuracy/sheet.hpp"
-#include "13_speed_for_accuracy/trials.hpp"
+#include "13_speed_for_accuracy/ways.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/kernels/turns.hpp"
 #include "figures.hpp"
@@ -25,30 +23,28 @@ void figures_of_13(Figures& figures) {
   figures.emplace_back("13.fit_17_texels", texels_of_fit<17>());
 
   const Globe globe(TextureFile{"earth.png"}.load());
-  const SheetLayout layout(1312, 1090);
-  const View<> view = globe.view(layout.panel_width, layout.panel_height);
+  const View<> view = view_of_sheet(globe, 1312, 1090);
   figures.emplace_back("13.pixels", whole(static_cast<long long>(view.width) * view.height));
 
-  std::vector<Trial> places;
-  places.push_back({{NumberKind::float_}});
-  places.push_back({{NumberKind::float_, Instructions::baseline, 5}});
-  places.push_back({{NumberKind::double_}});
-  places.push_back({{NumberKind::float_, Instructions::baseline, 5, Filter::bilinear}});
-  find_errors_of_places(places, globe, view, [] {});
-  figures.emplace_back("13.float_seen", whole(places[0].errors.changed));
-  figures.emplace_back("13.float_may", whole(places[0].errors.may_change));
-  figures.emplace_back("13.degree_5_seen", whole(places[1].errors.changed));
-  figures.emplace_back("13.degree_5_may", whole(places[1].errors.may_change));
-  figures.emplace_back("13.degree_5_levels", std::to_string(places[1].errors.levels));
-  figures.emplace_back("13.double_may", whole(places[2].errors.may_change));
-  figures.emplace_back("13.bilinear_5_seen", whole(places[3].errors.changed));
-  figures.emplace_back("13.bilinear_5_levels", std::to_string(places[3].errors.levels));
+  std::vector<Row> places = {
+      {Part::places, {NumberKind::float_}},
+      {Part::places, {NumberKind::float_, Instructions::baseline, 5}},
+      {Part::places, {NumberKind::double_}},
+      {Part::places, {NumberKind::float_, Instructions::baseline, 5, Filter::bilinear}}};
+  find_errors(places, globe, view, 0, [] {});
+  figures.emplace_back("13.float_seen", whole(places[0].changed));
+  figures.emplace_back("13.float_may", whole(places[0].may_change));
+  figures.emplace_back("13.degree_5_seen", whole(places[1].changed));
+  figures.emplace_back("13.degree_5_may", whole(places[1].may_change));
+  figures.emplace_back("13.degree_5_levels", std::to_string(places[1].levels));
+  figures.emplace_back("13.double_may", whole(places[2].may_change));
+  figures.emplace_back("13.bilinear_5_seen", whole(places[3].changed));
+  figures.emplace_back("13.bilinear_5_levels", std::to_string(places[3].levels));
 
-  std::vector<Trial> curves;
-  curves.push_back({{.curve = Curve::three}});
-  find_errors_of_curves(curves, globe, view, [] {});
-  figures.emplace_back("13.curve_3_seen", whole(curves[0].errors.changed));
-  figures.emplace_back("13.curve_3_levels", std::to_string(curves[0].errors.levels));
+  Row curve{Part::curves, {.curve = Curve::three}};
+  find_errors({&curve, 1}, globe, view, 0, [] {});
+  figures.emplace_back("13.curve_3_seen", whole(curve.changed));
+  figures.emplace_back("13.curve_3_levels", std::to_string(curve.levels));
 
   // The sheet's last row: 16 samples against 256 of `sobol`.
   const auto levels = [&](SamplerKind kind, int samples, std::uint32_t seed) {
