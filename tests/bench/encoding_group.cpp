@@ -69,9 +69,9 @@ Group encoding_group() {
           "pixels. The "
           "bases are stb_image_write and stb_image as they come. Our encoder tries one filter "
           "instead of five "
-          "and compresses with less search ([packages](packages.md)); our decoder checks every "
+          "and compresses by libdeflate ([packages](packages.md)); our decoder checks every "
           "byte of the file, "
-          "and makes the pixels of plain rows itself: stb_image only inflates them.",
+          "and makes the pixels of plain rows itself: libdeflate only inflates them.",
       .unit = "ms",
       .note = "size in bytes",
   };

@@ -1,14 +1,21 @@
-// From the bytes of a PNG file to a picture. stb_image only inflates: its PNG decoder checks no
-// checksums, inflates without a limit and takes twice the memory (docs/packages.md).
+// From the bytes of a PNG file to a picture. libdeflate or stb_image only inflates: stb_image's PNG
+// decoder checks no checksums, inflates without a limit and takes twice the memory
+// (docs/packages.md).
 #include "engine/picture/codecs/read_png.hpp"
 
+#ifdef TEXMAP_HAVE_LIBDEFLATE
+#include <libdeflate.h>
+#else
 #include <stb_image.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,11 +58,30 @@ PassSize pass_size(const PngHeader& header, const Pass& pass) {
   return {columns, rows, (columns * header.channels * header.bit_depth + 7) / 8};
 }
 
+// How many bytes a zlib stream unpacks to; -1 if it is damaged or they are too many.
+std::ptrdiff_t unpack(Bytes stream, std::span<std::uint8_t> to) {
+#ifdef TEXMAP_HAVE_LIBDEFLATE
+  // RFC 1950, section 2.2: two bytes say that it is deflate, without a dictionary. The checksum is
+  // compared later, so that an error can name it.
+  const std::uint32_t header = big_endian_16(stream, 0);
+  if (header % 31 != 0 || (header & 0x0F20U) != 0x0800U) return -1;
+  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
+      decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!decompressor) throw std::bad_alloc();
+  std::size_t made = 0;
+  const libdeflate_result result = libdeflate_deflate_decompress(
+      decompressor.get(), stream.data() + 2, stream.size() - 6, to.data(), to.size(), &made);
+  return result == LIBDEFLATE_SUCCESS ? static_cast<std::ptrdiff_t>(made) : -1;
+#else
+  return stbi_zlib_decode_buffer(reinterpret_cast<char*>(to.data()), static_cast<int>(to.size()),
+                                 reinterpret_cast<const char*>(stream.data()),
+                                 static_cast<int>(stream.size()));
+#endif
+}
+
 // Inflates the rows, all still filtered, into exactly as many bytes as the header promises.
 void inflate(Bytes compressed, std::span<std::uint8_t> rows) {
-  const int made = stbi_zlib_decode_buffer(
-      reinterpret_cast<char*>(rows.data()), static_cast<int>(rows.size()),
-      reinterpret_cast<const char*>(compressed.data()), static_cast<int>(compressed.size()));
+  const std::ptrdiff_t made = unpack(compressed, rows);
   const std::string promised = std::to_string(rows.size());
   if (made < 0)
     damaged_png("its pixels do not unpack to the " + promised + " bytes they should be");
