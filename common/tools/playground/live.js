@@ -173,11 +173,11 @@ function element(name, properties = {}, ...children) {
   made.append(...children);
   return made;
 }
-// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them.
+// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them; the first says if there is a byte too many.
 function bytesOf(text) {
   if (text < "\u3400") return Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-  const bytes = new Uint8Array(Math.floor(text.length * 15 / 8));
-  for (let i = 0, at = 0, bits = 0, count = 0; i < text.length; ++i) {
+  const bytes = new Uint8Array(Math.floor((text.length - 1) * 15 / 8) - (text.charCodeAt(0) - 0x3400));
+  for (let i = 1, at = 0, bits = 0, count = 0; i < text.length; ++i) {
     bits = bits << 15 | text.charCodeAt(i) - 0x3400;
     for (count += 15; count >= 8; bits &= (1 << count) - 1) bytes[at++] = bits >> (count -= 8);
   }

@@ -28,10 +28,11 @@ def in_base64(data):
 
 
 def in_15_bits(data):
-    """Fifteen bits a character, U+3400 to U+B3FF: in UTF-16 a fifteenth more than the bytes, where base64 takes a third more."""
+    """Fifteen bits a character, U+3400 to U+B3FF: in UTF-16 a fifteenth more than the bytes, where base64 takes a third more.
+    The first character says whether the last byte only fills up: browsers unpack no stream with a byte behind it."""
     bits = int.from_bytes(data, "big") << -8 * len(data) % 15
     count = -(-8 * len(data) // 15)
-    text = bytearray()
+    text = bytearray((0x3400 + count * 15 // 8 - len(data)).to_bytes(2, "little"))
     for start in range(0, count, 1024):  # a long number is slow to take apart
         some = min(1024, count - start)
         part = bits >> 15 * (count - start - some) & (1 << 15 * some) - 1

@@ -3,16 +3,13 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/picture/codecs/bytes.hpp"
-#include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "support/image_errors.hpp"
@@ -73,32 +70,15 @@ void check_sentence(const std::string& said, const std::string& path) {
   CHECK(said.find('\n') == std::string::npos);
 }
 
-// A file of the corpus with some bytes replaced, and the checksums of its PNG chunks made right.
-std::vector<std::uint8_t> with_right_checksums(std::vector<std::uint8_t> png) {
-  std::size_t place = 8;
-  while (place + 12 <= png.size()) {
-    const std::size_t length = texmap::big_endian_32(png, place);
-    const std::uint32_t sum = texmap::crc32(texmap::Bytes(png).subspan(place + 4, length + 4));
-    for (std::size_t i = 0; i < 4; ++i)
-      png[place + 8 + length + i] = static_cast<std::uint8_t>(sum >> (24 - 8 * i) & 0xFFU);
-    place += 12 + length;
-  }
-  return png;
-}
-
 }  // namespace
 
 TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
   const std::vector<Row> rows = rows_of_manifest();
-  std::set<std::string> seen;
   int loaded = 0;
-  int refused = 0;
-  int compared = 0;
   for (const Row& row : rows) {
     CAPTURE(row.file);
     CAPTURE(row.why);
     const std::string path = corpus + row.file;
-    seen.insert(row.file);
     REQUIRE(texmap::test::sha256(bytes_of(path)) == row.sha256);
     const auto start = std::chrono::steady_clock::now();
     if (row.expected == "load") {
@@ -108,47 +88,26 @@ TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
       CHECK(std::to_string(image.height) == row.height);
       CHECK(image.pixels.size() ==
             static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-      if (row.rgb8_sha256 != "-") {
-        CHECK(sum_of_pixels(image) == row.rgb8_sha256);
-        ++compared;
-      }
+      if (row.rgb8_sha256 != "-") CHECK(sum_of_pixels(image) == row.rgb8_sha256);
       ++loaded;
     } else {
       REQUIRE(row.expected == "error");
       check_sentence(error_of_loading(path), path);
-      ++refused;
     }
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
   }
   CHECK(rows.size() == 70);
-  CHECK(seen.size() == 70);
   CHECK(loaded == 31);
-  CHECK(refused == 39);
-  CHECK(compared == 21);
 }
 
+// What test_check_png and test_check_jpeg do not build themselves.
 TEST_CASE("an error names the thing that is wrong") {
   const std::vector<std::pair<std::string, std::string>> table = {
-      {"bad_bomb_100000x100000.png", "100000 x 100000 pixels"},
-      {"bad_bomb_16384x16384_hdr.png", "at most 134217728"},
-      {"bad_chunklen_7fffffff.png", "IDAT chunk should have 2147483647 bytes"},
       {"bad_chunklen_ffffffff.png", "IDAT chunk should have 4294967295 bytes"},
-      {"bad_ct5.png", "color type 5"},
-      {"bad_depth3.png", "3 bits"},
-      {"bad_double_ihdr.png", "two headers"},
-      {"bad_idat_too_short.png", "pixels"},
       {"bad_jpg_12bit.jpg", "12 bits a channel"},
       {"bad_jpg_2comp.jpg", "2 color channels"},
-      {"bad_jpg_samp50.jpg", "sampling factor"},
-      {"bad_jpg_soieoi.jpg", "no picture"},
       {"bad_jpg_trunc_half.jpg", "cut short"},
-      {"bad_jpg_w0.jpg", "0 x 35 pixels"},
-      {"bad_no_iend.png", "IEND"},
       {"bad_one_byte.png", "not a PNG or JPEG file"},
-      {"bad_pal_index_range.png", "color 200 of a palette with 2 colors"},
-      {"bad_rgb_depth4.png", "color type 2 with 4 bits"},
-      {"bad_trns_before_plte.png", "tRNS"},
-      {"bad_zero_height.png", "x 0 pixels"},
       {"fmt_html.jpg", "not a PNG or JPEG file"},
   };
   for (const auto& row : table) {
@@ -208,15 +167,4 @@ TEST_CASE("a PNG file with any one bit turned over is refused") {
       bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
     }
   }
-}
-
-TEST_CASE(
-    "a PNG file with a wrong checksum of its pixels is refused even if its chunks are right") {
-  std::vector<std::uint8_t> bytes = bytes_of(corpus + "png_no_extension");
-  REQUIRE_NOTHROW(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))));
-  bytes[bytes.size() - 12 - 4 - 1] ^=
-      1;  // the last byte of the last IDAT: before its checksum and IEND
-  CHECK_THROWS_WITH_AS(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))),
-                       "the PNG file is damaged: the checksum of its pixels is wrong",
-                       texmap::FileError);
 }
