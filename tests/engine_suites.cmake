@@ -36,7 +36,7 @@ add_suite(engine/system/test_posix_files POSIX ON picture LABELS common)
 add_suite(engine/picture/test_find_texture POSIX ON picture LABELS common)  # changes the environment, makes links
 add_suite(engine/mesh/test_box_tree ON mesh LABELS common)
 add_suite(engine/mesh/test_read_obj ON mesh LABELS common)
-foreach(suite bitmap_font check_jpeg check_png load_image save_png sha256)
+foreach(suite bitmap_font check_jpeg check_png load_image save_png)
   add_suite(engine/picture/test_${suite} ON picture LABELS common)
 endforeach()
 add_suite(engine/picture/test_read_hdr ON picture LABELS common)

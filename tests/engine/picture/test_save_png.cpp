@@ -92,7 +92,7 @@ TEST_CASE(
   CHECK(close.size() < fast * 95 / 100);
 }
 
-TEST_CASE("rows run from the top and channels from red, in a file that is there alone") {
+TEST_CASE("rows run from the top and channels from red") {
   const TemporaryFolder folder;
   Image image(2, 2);
   image.at(0, 0) = {255, 0, 0};

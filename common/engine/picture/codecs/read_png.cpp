@@ -119,45 +119,36 @@ void unfilter(int filter, std::span<std::uint8_t> row, Bytes above, std::size_t 
 
 // Makes pixels of an unfiltered row, each `step` places after the one before it.
 void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, std::size_t step) {
-  const PngHeader& header = png.header;
-  const std::size_t depth = header.bit_depth;
+  const std::size_t depth = png.header.bit_depth;
+  const std::size_t pixel = png.header.channels * depth / 8;
   const auto put = [&](const auto& color_of) {
     for (std::size_t i = 0; i < columns; ++i) out[i * step] = color_of(i);
   };
-  if (header.channels == 1 && depth <= 8) {
-    const unsigned largest = (1U << depth) - 1;
-    const auto sample = [&](std::size_t i) {
-      return row[i * depth / 8] >> (8 - depth - i * depth % 8) & largest;
-    };
-    if (header.color_type == 3) {
-      put([&](std::size_t i) {
-        const std::size_t index = sample(i);
-        if (3 * index >= png.palette.size()) {
-          damaged_png("a pixel has color " + std::to_string(index) + " of a palette with " +
-                      std::to_string(png.palette.size() / 3) + " colors");
-        }
-        const Bytes color = png.palette.subspan(3 * index, 3);
-        return Rgb8{color[0], color[1], color[2]};
-      });
-    } else {
-      put([&](std::size_t i) {
-        const auto grey = static_cast<std::uint8_t>(sample(i) * (255 / largest));
-        return Rgb8{grey, grey, grey};
-      });
-    }
-    return;
-  }
-  const std::size_t pixel = header.channels * depth / 8;
   if (pixel == sizeof(Rgb8) && step == 1) {
     std::memcpy(out, row.data(), row.size());
-    return;
+  } else if (png.header.channels == 1 && depth <= 8) {
+    const unsigned largest = (1U << depth) - 1;
+    put([&](std::size_t i) {
+      const std::size_t sample = row[i * depth / 8] >> (8 - depth - i * depth % 8) & largest;
+      if (png.header.color_type != 3) {
+        const auto grey = static_cast<std::uint8_t>(sample * (255 / largest));
+        return Rgb8{grey, grey, grey};
+      }
+      if (3 * sample >= png.palette.size()) {
+        damaged_png("a pixel has color " + std::to_string(sample) + " of a palette with " +
+                    std::to_string(png.palette.size() / 3) + " colors");
+      }
+      const Bytes color = png.palette.subspan(3 * sample, 3);
+      return Rgb8{color[0], color[1], color[2]};
+    });
+  } else {
+    // Of two bytes the first is the high one. Grey has its one channel three times.
+    const std::size_t next = png.header.channels < 3 ? 0 : depth / 8;
+    put([&](std::size_t i) {
+      const std::uint8_t* const at = &row[i * pixel];
+      return Rgb8{at[0], at[next], at[2 * next]};
+    });
   }
-  // Of two bytes the first is the high one. Grey has its one channel three times.
-  const std::size_t next = header.channels < 3 ? 0 : depth / 8;
-  put([&](std::size_t i) {
-    const std::uint8_t* const at = &row[i * pixel];
-    return Rgb8{at[0], at[next], at[2 * next]};
-  });
 }
 
 }  // namespace
