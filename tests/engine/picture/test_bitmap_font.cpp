@@ -61,24 +61,27 @@ TEST_CASE("a text is as wide as its letters and the spaces between them") {
   CHECK(text_width("60°N") == text_width("60.N"));
 }
 
-// A text of scale n is that of scale 1 with every dot n pixels wide and high; across or beyond an
-// edge it is the part of that which lies inside.
-TEST_CASE("a text is drawn dot by dot, and cut at the edges of the picture") {
+// Each dot of a letter is `scale` pixels wide and high, and the next letter begins a column of dots
+// further; across or beyond an edge a text is the part of it that lies inside.
+TEST_CASE("a text is drawn letter by letter, and cut at the edges of the picture") {
   constexpr int width = 23, height = 13;
-  const std::string text = "W#°";
-  const Image small = written(text, 0, 0, 1, text_width(text), texmap::letter_rows);
+  const std::vector<std::vector<bool>> letters = {shape("W"), shape("#"), shape("°")};
   for (const int scale : {1, 2, 7}) {
     for (int row = -60; row <= 20; row += 3) {
-      for (int column = -120; column <= 30; ++column) {
-        const Image image = written(text, column, row, scale, width, height);
+      for (int column = -130; column <= 30; ++column) {
+        const Image image = written("W#°", column, row, scale, width, height);
         int different = 0;
         for (int y = 0; y < height; ++y) {
           for (int x = 0; x < width; ++x) {
-            const int dx = x - column, dy = y - row;
-            const bool inside =
-                dx >= 0 && dy >= 0 && dx < small.width * scale && dy < small.height * scale;
-            const Rgb8 expected = inside ? small.at(dx / scale, dy / scale) : paper;
-            different += image.at(x, y) == expected ? 0 : 1;
+            const int dot_column = x < column ? -1 : (x - column) / scale;
+            const int dot_row = y < row ? -1 : (y - row) / scale;
+            bool inked = false;
+            if (dot_column >= 0 && dot_column < 18 && dot_row >= 0 && dot_row < 8) {
+              const int dot = dot_row * 6 + dot_column % 6;
+              inked =
+                  letters[static_cast<std::size_t>(dot_column / 6)][static_cast<std::size_t>(dot)];
+            }
+            different += image.at(x, y) == (inked ? ink : paper) ? 0 : 1;
           }
         }
         CAPTURE(scale);
