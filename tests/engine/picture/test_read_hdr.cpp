@@ -178,15 +178,16 @@ TEST_CASE("the content decides what a file is, and PNG bytes become light by the
   put(folder / "bad.hdr", hdr_start + (bytes_of_text(hdr_size(2, 2)) + flat(3)));
   put(folder / "other.hdr", bytes_of_text("GIF89a..."));
   save_png(Image(4096, 2049), folder / "large.png");
-  for (const auto& [name, why] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& item : std::vector<std::pair<std::string, std::string>>{
            {"bad.hdr", "': the Radiance file is damaged: it ends in row 1"},
            {"other.hdr", "': it is not a PNG, JPEG or Radiance .hdr file"},
            {"large.png", "a sky may have at most 8388608"},
            {"none.hdr", ""}}) {
-    const std::string said = image_error_of([&] { static_cast<void>(load_light(folder / name)); });
+    const std::string path = folder / item.first;
+    const std::string said = image_error_of([&] { static_cast<void>(load_light(path)); });
     INFO("said: ", said);
-    CHECK(said.find("cannot load texture '" + (folder / name)) == 0);
-    CHECK(said.find(why) != std::string::npos);
+    CHECK(said.find("cannot load texture '" + path) == 0);
+    CHECK(said.find(item.second) != std::string::npos);
   }
 }
 

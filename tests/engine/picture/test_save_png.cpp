@@ -67,13 +67,13 @@ TEST_CASE("both checksums are those of the standards' examples, and of sums that
 }
 
 TEST_CASE("pictures of every shape come back, by stb_image and by our own checks of the sums") {
-  for (const auto& [width, height] : std::vector<std::pair<int, int>>{
+  for (const auto& size : std::vector<std::pair<int, int>>{
            {1, 1}, {1, 301}, {301, 1}, {3, 5}, {86, 86}, {101, 67}, {641, 479}, {16384, 1}}) {
-    CAPTURE(width);
-    CAPTURE(height);
+    CAPTURE(size.first);
+    CAPTURE(size.second);
     for (const Packing packing : {Packing::fast, Packing::close}) {
-      CHECK(comes_back(noise(width, height, 1), packing));
-      CHECK(comes_back(Image(width, height, {255, 254, 1}), packing));
+      CHECK(comes_back(noise(size.first, size.second, 1), packing));
+      CHECK(comes_back(Image(size.first, size.second, {255, 254, 1}), packing));
     }
   }
 }
