@@ -54,6 +54,32 @@ else()
   message(STATUS "no xsimd for this machine: packs of numbers will be slow (Debian libxsimd-dev, Fedora xsimd-devel, Arch, brew, vcpkg xsimd)")
 endif()
 
+# PNG files are packed and unpacked by libdeflate; without it by stb, which takes longer and makes larger files. The static library
+# comes first: programs then run where it is not installed. Being there is not enough: it may be that of another machine.
+if(NOT EMSCRIPTEN)
+  find_path(libdeflate_INCLUDE_DIR libdeflate.h)
+  find_library(libdeflate_LIBRARY NAMES libdeflate.a deflate deflatestatic libdeflate)
+  mark_as_advanced(libdeflate_INCLUDE_DIR libdeflate_LIBRARY)
+endif()
+if(libdeflate_INCLUDE_DIR AND libdeflate_LIBRARY)
+  include(CheckCXXSourceCompiles)
+  set(CMAKE_REQUIRED_INCLUDES "${libdeflate_INCLUDE_DIR}")
+  set(CMAKE_REQUIRED_LIBRARIES "${libdeflate_LIBRARY}")
+  check_cxx_source_compiles("
+    #include <libdeflate.h>
+    int main() { libdeflate_free_compressor(libdeflate_alloc_compressor(12)); }" LIBDEFLATE_LINKS)
+  unset(CMAKE_REQUIRED_INCLUDES)
+  unset(CMAKE_REQUIRED_LIBRARIES)
+endif()
+if(libdeflate_INCLUDE_DIR AND LIBDEFLATE_LINKS)
+  add_library(libdeflate INTERFACE)
+  target_include_directories(libdeflate SYSTEM INTERFACE "${libdeflate_INCLUDE_DIR}")
+  target_link_libraries(libdeflate INTERFACE "${libdeflate_LIBRARY}")
+  target_compile_definitions(libdeflate INTERFACE TEXMAP_HAVE_LIBDEFLATE)
+elseif(NOT EMSCRIPTEN)
+  message(STATUS "no libdeflate: pictures load and are saved more slowly, and are larger (Debian libdeflate-dev, Fedora libdeflate-devel, Arch, brew, vcpkg libdeflate)")
+endif()
+
 # The book's pages are turned from Markdown into HTML by cmark-gfm; without it `gallery` writes a page of pictures.
 find_path(CMARK_INCLUDE_DIR cmark-gfm-core-extensions.h)
 find_library(CMARK_LIBRARY cmark-gfm)

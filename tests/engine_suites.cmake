@@ -36,13 +36,12 @@ add_suite(engine/system/test_posix_files POSIX ON picture LABELS common)
 add_suite(engine/picture/test_find_texture POSIX ON picture LABELS common)  # changes the environment, makes links
 add_suite(engine/mesh/test_box_tree ON mesh LABELS common)
 add_suite(engine/mesh/test_read_obj ON mesh LABELS common)
-foreach(suite bitmap_font check_jpeg check_png deflate load_image save_png sha256)
+foreach(suite bitmap_font check_jpeg check_png load_image save_png)
   add_suite(engine/picture/test_${suite} ON picture LABELS common)
 endforeach()
 add_suite(engine/picture/test_read_hdr ON picture LABELS common)
 target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
 target_link_libraries(test_check_png PRIVATE stb_image)  # stb_image unpacks the same files
-target_link_libraries(test_deflate PRIVATE stb_image)    # stb_image unpacks what we pack
 target_link_libraries(test_save_png PRIVATE stb_image)
 add_suite(engine/app/test_command_line ON app LABELS common)
 add_suite(engine/app/test_gather_session ON app LABELS common)

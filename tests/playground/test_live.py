@@ -48,11 +48,8 @@ class Place:
         tools = os.path.join(root, "common", "tools", "playground")
         live = os.path.join(self.folder, "live")
         os.mkdir(live)
-        with open(os.path.join(live, "live.js"), "w", encoding="utf-8") as script:
-            for name in ("unlzma.js", "live.js"):
-                with open(os.path.join(tools, name), encoding="utf-8") as part:
-                    script.write(part.read())
-        shutil.copy(os.path.join(tools, "live.css"), live)
+        for name in ("live.js", "live.css"):
+            shutil.copy(os.path.join(tools, name), live)
         for name in os.listdir(made):
             shutil.copy(os.path.join(made, name), live if name.endswith(".js") else self.folder)
         shutil.copy(os.path.join(root, "common", "tools", "book", "book.css"), self.folder)
@@ -336,14 +333,15 @@ def check_lost(place, spoiled):
 
 
 def check_still(place, spoiled):
-    """Without JavaScript, WebAssembly or the module's file the page is as it was."""
+    """Without JavaScript, WebAssembly, DecompressionStream or the module's file the page is as it was."""
     faults = []
     heights = {}
-    for way in ("no script", "no WebAssembly", "no exceptions", "no module"):
+    for way in ("no script", "no WebAssembly", "no exceptions", "no unpacking", "no module"):
         with Browser() as browser:
             if way == "no script" and not spoiled:
                 browser.call("Emulation.setScriptExecutionDisabled", value=True)
-            spoil = {"no WebAssembly": "delete window.WebAssembly", "no exceptions": "WebAssembly.validate = () => false"}.get(way)
+            spoil = {"no WebAssembly": "delete window.WebAssembly", "no exceptions": "WebAssembly.validate = () => false",
+                     "no unpacking": "delete window.DecompressionStream"}.get(way)
             if spoil and not spoiled:
                 browser.call("Page.addScriptToEvaluateOnNewDocument", source=spoil)
             url = place.url("03")

@@ -269,7 +269,7 @@ class Book {
       if (file.extension() == ".js") write(out_ / "live" / file.filename(), contents_of(file));
     }
     const fs::path code = root_ / "common/tools/playground";
-    write(out_ / "live/live.js", contents_of(code / "unlzma.js") + contents_of(code / "live.js"));
+    write(out_ / "live/live.js", contents_of(code / "live.js"));
     write(out_ / "live/live.css", contents_of(code / "live.css"));
   }
 
@@ -454,9 +454,7 @@ class Book {
     }
     const std::string json = Json::list(items, false).text;
     const Bytes bytes(reinterpret_cast<const std::uint8_t*>(json.data()), json.size());
-    std::vector<std::uint8_t> packed(most_deflated_bytes(bytes.size()));
-    packed.resize(deflate(bytes, packed, Packing::close));
-    return "const packed_sections = \"" + page::base64(packed) + "\";\n";
+    return "const packed_sections = \"" + page::base64(deflate(bytes, Packing::close)) + "\";\n";
   }
 
   struct Named {

@@ -5,7 +5,7 @@ const texmapLive = (() => {
 
 // ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from file://.
 function worker() {
-  let code, decoder;  // the chapter's module, opened; that of the loader, not yet
+  let module, code;   // compiled; an instance that draws
   let used = "";      // the words and width that the module is set to
   let size = [0, 0];  // of that picture
   let job = null;     // the drawing that waits
@@ -14,9 +14,10 @@ function worker() {
   // Lets messages in: setTimeout would wait 4 ms.
   const pause = () => new Promise((done) => { channel.port1.onmessage = done; channel.port2.postMessage(0); });
 
-  // A module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the buffer again.
-  async function open(bytes) {
-    const module = await WebAssembly.compile(bytes);
+  const unpacked = (bytes) => new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
+  // An instance of the module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the
+  // buffer again.
+  async function open() {
     const imports = {};
     for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
     const own = {
@@ -78,17 +79,13 @@ function worker() {
   const keepPixels = (name, pixels, width, height) =>
     code.lend([name, pixels], (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
   const can = {
-    async load({chapter, parts, packed}) {
-      const all = unlzma(packed, parts.reduce((sum, [, size]) => sum + size, 0));
-      const modules = {};
-      for (let i = 0, start = 0; i < parts.length; start += parts[i++][1]) modules[parts[i][0]] = all.slice(start, start + parts[i][1]);
-      decoder = modules.loader;
-      code = await open(modules[chapter]);
+    async load({packed}) {
+      module = await WebAssembly.compile(await unpacked(packed));
+      code = await open();
     },
-    // The loader lives for one file: what it needed is free afterwards.
-    async keep({name, shown, bytes, size}) {
-      if (size) return keepPixels(name, unlzma(bytes, 3 * size[0] * size[1]), ...size);  // one of the course's own
-      const loader = await open(decoder);
+    // An instance lives for one file: what decoding it needed is free afterwards.
+    async keep({name, shown, bytes}) {
+      const loader = await open();
       const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
         .split(" ").map(Number);
       const start = loader.calls.pixels();
@@ -98,7 +95,7 @@ function worker() {
     drop: ({name}) => keepPixels(name, new Uint8Array(3), 1, 1),
     begin({chapter}) {
       used = "";
-      postMessage({kind: "options", options: JSON.parse(code.lend([chapter], (text) => code.answer(code.calls.begin(text))))});
+      postMessage({kind: "options", options: JSON.parse(code.answer(code.calls.begin(Number(chapter))))});
     },
     look({words, widest, column, row}) {
       set(words, widest);
@@ -137,28 +134,20 @@ const controls = [
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention"},
   {option: "--rounding", label: "Rounding"},
-  {option: "--filter", label: "Filter"},
-  {option: "--taps", label: "Taps", range: [1, 64, 1]},
-  {option: "--projection", label: "Projection"},
-  {option: "--bump", label: "Bumps"},
-  {option: "--relief-from", label: "Heights from"},
-  {option: "--relief", label: "Height", range: [-0.2, 0.2, 0.01]},
-  {option: "--wrap", label: "Wrap"},
-  {option: "--exposure", label: "Exposure", range: [-4, 4, 0.5]},
   {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true},
   {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true},
   {option: "--highlight", label: "Highlight", names: {lecture: "lecture's slides"}},
   {option: "--scene", label: "Scene", names: {lecture: "lecture's globe"}},
-  {option: "--show", label: "Show", only: ["globe", "color", "normal", "uv", "object", "--errors"]},
+  {option: "--show", label: "Show"},
   {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, help: "the picture is enlarged by the same factor",
    here: (value) => `Eye distance × ${value}`},
-  {option: "--number", label: "Number", only: ["double-pack", "float"], more: true, names: {"double-pack": "double"}},
+  {option: "--number", label: "Number", only: ["double", "float"], more: true},
   {option: "--spheres", label: "Spheres", more: true, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
 ];
 const names = {"--errors": "error in texels"};
-// Without these options a program draws a sheet of several pictures; with them, one of this size.
-const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
+// Without this option a program draws a sheet of several pictures; with it, one of this size.
+const always = {"04": "--convention"};
 const sizeOfOne = ["--width", "800", "--height", "600"];
 // What the lecture's scene presets otherwise.
 const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500", "--blend": "0.3"}};
@@ -184,11 +173,11 @@ function element(name, properties = {}, ...children) {
   made.append(...children);
   return made;
 }
-// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them.
+// Bytes from base64, or from fifteen bits a character, as make_playground.py writes them; the first says if there is a byte too many.
 function bytesOf(text) {
   if (text < "\u3400") return Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-  const bytes = new Uint8Array(Math.floor(text.length * 15 / 8));
-  for (let i = 0, at = 0, bits = 0, count = 0; i < text.length; ++i) {
+  const bytes = new Uint8Array(Math.floor((text.length - 1) * 15 / 8) - (text.charCodeAt(0) - 0x3400));
+  for (let i = 1, at = 0, bits = 0, count = 0; i < text.length; ++i) {
     bits = bits << 15 | text.charCodeAt(i) - 0x3400;
     for (count += 15; count >= 8; bits &= (1 << count) - 1) bytes[at++] = bits >> (count -= 8);
   }
@@ -198,7 +187,7 @@ function bytesOf(text) {
 const quoted = (word) => /^[\w.\/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 const rounded = (value, digits) => String(Number(Number(value).toPrecision(digits))).replaceAll("-", "−");
 
-// ---- What scripts hand over: modules.js calls texmapLive.modules, earth.js calls texmapLive.texture.
+// ---- What scripts hand over: modules.js calls texmapLive.modules, earth.js calls texmapLive.file.
 const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");  // none: all is in the page
 const arrivals = new Map();
 function arrival(name) {
@@ -219,7 +208,7 @@ function fetched(name, script) {
 }
 
 // ---- A live picture, its form and its loupe.
-function live(main, modules) {
+function live(main, packed) {
   const image = main.querySelector("img");
   // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above the live one.
   const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
@@ -275,7 +264,7 @@ function live(main, modules) {
     again.hidden = true;
     say("");
     panel.disabled = false;
-    const address = URL.createObjectURL(new Blob([`${unlzma}\n(${worker})()`]));
+    const address = URL.createObjectURL(new Blob([`(${worker})()`]));
     try {
       hand = new Worker(address);
     } catch (error) {
@@ -286,7 +275,7 @@ function live(main, modules) {
     }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
-    send({kind: "load", chapter, ...modules});
+    send({kind: "load", packed});
     for (const [name, file] of files) send({kind: "keep", name, ...file});
     begin();
   }
@@ -419,7 +408,7 @@ function live(main, modules) {
 
   // -- The options.
   const preset = (option) => sceneSets[values["--scene"]]?.[option] ?? presets[option];
-  const plainView = () => ["color", "globe", undefined].includes(values["--show"]);
+  const plainView = () => ["color", undefined].includes(values["--show"]);
   // Only what differs from the presets. A small picture takes one ray per pixel; so do normals and objects, of which
   // there is no mean.
   function given(isSmall) {
@@ -698,11 +687,10 @@ function live(main, modules) {
       ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
       [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ", ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
     if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
-    const what = "object" in seen ? `${seen.texel ? "the globe, " : ""}object ${seen.object}` : "triangle" in seen ? `triangle ${seen.triangle}` : "the floor";
-    list.push(["hit", what, ...(seen.radius ? [" of radius ", number(seen.radius)] : []), " at distance ", number(seen.distance)],
-      ["point", ...vector(seen.point)]);
-    const center = seen.center?.some((x) => x) ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
-    if (seen.normal) list.push(["normal n", ...vector(seen.normal), ...(seen.radius ? [" = ", ...center] : [])]);
+    const center = seen.center.some((x) => x) ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
+    list.push(["hit", `${seen.texel ? "the globe, " : ""}object ${seen.object}`, " of radius ", number(seen.radius), " at distance ", number(seen.distance)],
+      ["point", ...vector(seen.point)],
+      ["normal n", ...vector(seen.normal), " = ", ...center]);
     if (seen.rotated && seen.turn[1] !== 1) {
       const [sine, cosine] = seen.turn;
       const [x, , z] = seen.normal;
@@ -710,10 +698,9 @@ function live(main, modules) {
         element("span", {}, ...filled`x′ = x cos β + z sin β = ${x} · ${cosine} + ${z} · ${sine}`),
         element("span", {}, ...filled`z′ = z cos β − x sin β = ${z} · ${cosine} − ${x} · ${sine}`))]);
     }
-    for (const [name, key] of [["n bumped", "bumped"], ["weights", "weights"]]) if (seen[key]) list.push([name, ...vector(seen[key])]);
     if (seen.uv) {
       const [u, v] = seen.uv;
-      const normal = seen.rotated || seen.normal || [0, 0, 0];
+      const normal = seen.rotated || seen.normal;
       const convention = seen.texel && values["--convention"] || "rtiow";
       list.push(formula("u", across[convention], normal, u), formula("v", convention === "daily" ? downward : upward, normal, v));
     }
@@ -757,18 +744,18 @@ function live(main, modules) {
       stopTurning();
       closeLoupe();
       clearTimeout(idle);
-      hand?.terminate();  // each chapter has a module of its own
+      hand?.terminate();  // with what it still draws
       start();
     });
   }
   start();
 }
 
-// The chapters' modules need exceptions, as in this one: (func (try (do (nop)) (catch_all (nop)))).
+// The chapters' module needs exceptions, as in this one: (func (try (do (nop)) (catch_all (nop)))).
 const hasExceptions = () => WebAssembly.validate(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 10, 1, 8, 0, 6, 64, 1, 25, 1, 11, 11));
 addEventListener("DOMContentLoaded", async () => {
   const main = document.querySelector("main[data-live]");
-  if (!main || typeof WebAssembly === "undefined" || !hasExceptions()) return;
+  if (!main || typeof WebAssembly === "undefined" || !hasExceptions() || typeof DecompressionStream === "undefined") return;
   try {
     live(main, await fetched("modules", "modules.js"));
   } catch (error) {
@@ -777,10 +764,7 @@ addEventListener("DOMContentLoaded", async () => {
 });
 
 return {
-  // Modules one after another: names and sizes, and all of them packed.
-  modules: (parts, text) => arrival("modules").give({parts, packed: bytesOf(text)}),
-  // A texture of the course, its pixels packed.
-  texture: (name, width, height, base64) => arrival(name).give({bytes: bytesOf(base64), size: [width, height]}),
-  file: (name, base64) => arrival(name).give({bytes: bytesOf(base64)}),
+  modules: (chapters, text) => arrival("modules").give(bytesOf(text)),
+  file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
 };
 })();

@@ -1,24 +1,54 @@
-// A WebAssembly module of some chapters: what a page calls. Texts and pixels stay where they are
-// until the next call.
+// The WebAssembly module of the live chapters: what a page calls, with memory for what it hands
+// over. Texts end with a zero byte, one that begins with ! says what went wrong, and texts and
+// pixels stay where they are until the next call.
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <map>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "engine/system/browser.hpp"
-#include "exports.hpp"
-#include "live_chapters.hpp"
-#include "live_files.hpp"
+#include "01_plain_spheres/lesson.hpp"
+#include "02_checkerboard_uv/lesson.hpp"
+#include "03_image_texture/lesson.hpp"
+#include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
+#include "06_phong_texture_blend/lesson.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
+#include "live.hpp"
+
+#define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
 
 using namespace texmap;
-using live::answer;
 
 std::unique_ptr<live::LiveLesson> lesson;
 std::vector<std::uint8_t> drawn;
+Image decoded;
+std::map<std::string, Image> pictures;  // those that the page handed over
+
+/// The text that `work` returns, or why it failed; valid until the next call.
+template <class Work>
+const char* answer(const Work& work) {
+  static std::string text;
+  try {
+    text = work();
+  } catch (const std::bad_alloc&) {
+    text = "!there is not enough memory for this";
+  } catch (const std::exception& error) {
+    text = std::string("!") + error.what();
+  }
+  return text.c_str();
+}
 
 /// The words of a text that ends each with a line feed.
 std::vector<std::string> words_of(const char* lines) {
@@ -34,31 +64,69 @@ std::vector<std::string> words_of(const char* lines) {
   return words;
 }
 
+template <class Lesson>
+void begin_with() {
+  lesson = std::make_unique<live::Live<Lesson>>();
+}
+
 }  // namespace
 
-/// Keeps a file, such as a mesh, under a name.
-EXPORTED(keep) const char* keep(const char* name, const std::uint8_t* bytes, int size) {
+// Linked before the library, these take the place of those that read and write the disk.
+namespace texmap {
+
+std::filesystem::path find_texture(const std::string& name) { return path_of(name); }
+
+Image load_image(const std::filesystem::path& path) {
+  const auto kept = pictures.find(name_of(path));
+  if (kept != pictures.end()) return kept->second;
+  throw FileError("cannot load texture '" + name_of(path) + "': this page does not have it");
+}
+
+void check_output(const std::filesystem::path&) {}
+SavingTime save_png(const Image&, const std::filesystem::path& path) {
+  check_writable(path);
+  return {};
+}
+
+}  // namespace texmap
+
+/// Memory for what the page hands over; the page gives it back.
+EXPORTED(take) void* take(int bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
+EXPORTED(give_back) void give_back(void* memory) { std::free(memory); }
+
+/// Reads a PNG or JPEG file; returns columns and rows.
+EXPORTED(decode) const char* decode(const char* name, const std::uint8_t* bytes, int size) {
   return answer([&] {
-    keep_file(name, {bytes, bytes + size});
-    return std::string();
+    decoded = with_name("cannot load texture", name, [&] {
+      return decode_image({bytes, static_cast<std::size_t>(size)});
+    });
+    return std::to_string(decoded.width) + " " + std::to_string(decoded.height);
   });
 }
 
-/// Keeps a texture: what the loader read.
+/// The pixels of the last file, three bytes each.
+EXPORTED(pixels) const Rgb8* pixels() { return decoded.pixels.data(); }
+
+/// Keeps a texture under a name.
 EXPORTED(keep_picture)
 const char* keep_picture(const char* name, const Rgb8* pixels, int width, int height) {
   return answer([&] {
     Image picture(width, height);
     std::copy_n(pixels, picture.pixels.size(), picture.pixels.begin());
-    live::keep_picture(name, std::move(picture));
+    pictures[name] = std::move(picture);
     return std::string();
   });
 }
 
-/// Begins with a chapter, such as "06"; returns its options.
-EXPORTED(begin) const char* begin(const char* chapter) {
+/// Begins with a chapter, such as 6; returns its options.
+EXPORTED(begin) const char* begin(int chapter) {
   return answer([&] {
-    lesson = live::lesson_of(chapter);
+    if (chapter == 1) begin_with<chapter_01::Lesson>();
+    if (chapter == 2) begin_with<chapter_02::Lesson>();
+    if (chapter == 3) begin_with<chapter_03::Lesson>();
+    if (chapter == 4) begin_with<chapter_04::Lesson>();
+    if (chapter == 5) begin_with<chapter_05::Lesson>();
+    if (chapter == 6) begin_with<chapter_06::Lesson>();
     return lesson->options();
   });
 }

@@ -46,7 +46,7 @@ cmake -S "$tree" -B "$build" -D CMAKE_TOOLCHAIN_FILE="$toolchain" -D CMAKE_BUILD
   -D TEXMAP_LEARN=ON -D CMAKE_CXX_COMPILER_LAUNCHER= -D stb_image_INCLUDE_DIR="$build/headers" \
   -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti \"-fmacro-prefix-map=$tree/=\" -include \"$tree/common/tools/playground/libcxx_13.hpp\""
 cmake --build "$build" --target playground --parallel 2
-python3 "$tree/common/tools/playground/make_playground.py" "$build/bin" "$tree/assets" "$place"
+python3 "$tree/common/tools/playground/make_playground.py" "$build/bin/playground.wasm" "$tree/assets" "$place"
 [ "$place" != "$build/live" ] || {
   stale=""
   for file in "$place"/*; do

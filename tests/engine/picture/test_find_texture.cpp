@@ -54,35 +54,21 @@ std::string beside_the_program() {
 
 }  // namespace
 
-TEST_CASE("a file in the current folder is taken as it is named") {
+TEST_CASE("a name comes back as it is where it is there, has a slash or cannot be loaded") {
   const TemporaryFolder folder;
   const Surroundings surroundings(folder.path());
   put("here.png", {1});
-  CHECK(find_texture("here.png") == "here.png");
-}
-
-TEST_CASE("a name with a slash comes back as it is whether there is such a file or not") {
-  const TemporaryFolder folder;
-  put(folder / "there.png", {1});
-  for (const std::string& name : {folder / "there.png", folder / "missing.png",
-                                  std::string("./missing.png"), std::string("a/b")}) {
-    CHECK(find_texture(name) == name);
-  }
-}
-
-TEST_CASE("a name that is there but cannot be loaded comes back as it is") {
-  const TemporaryFolder folder;
-  const Surroundings surroundings(folder.path());
   fs::create_symlink("nowhere", "dangling");
   fs::create_directory("folder");
-  const std::string too_long(300, 'x');
   for (const std::string& name :
-       {std::string("dangling"), std::string("folder"), too_long, std::string()}) {
+       {std::string("here.png"), folder / "here.png", folder / "missing.png",
+        std::string("./missing.png"), std::string("a/b"), std::string("dangling"),
+        std::string("folder"), std::string(300, 'x'), std::string()}) {
     CHECK(find_texture(name) == name);
   }
 }
 
-TEST_CASE("a bare name is looked for in the folder that the environment names") {
+TEST_CASE("a bare name is looked for here first, then in the folder that the environment names") {
   const TemporaryFolder folder;
   const TemporaryFolder assets;
   const Surroundings surroundings(folder.path());
@@ -91,16 +77,8 @@ TEST_CASE("a bare name is looked for in the folder that the environment names") 
   CHECK(error_of_finding(name) != "nothing was thrown");
   setenv(variable, assets.path().c_str(), 1);
   CHECK(find_texture(name) == assets / name);
-}
-
-TEST_CASE("the current folder comes before the folder of the environment") {
-  const TemporaryFolder folder;
-  const TemporaryFolder assets;
-  const Surroundings surroundings(folder.path());
-  setenv(variable, assets.path().c_str(), 1);
-  put("both.png", {1});
-  put(assets / "both.png", {1});
-  CHECK(find_texture("both.png") == "both.png");
+  put(name, {1});
+  CHECK(find_texture(name) == name);
 }
 
 TEST_CASE("the assets next to the program come before the folder of the environment") {
@@ -124,8 +102,10 @@ TEST_CASE("a name that is nowhere is an error that lists every place in order") 
   const Surroundings surroundings(folder.path());
   setenv(variable, "/an/empty/place", 1);
   const std::string name = "nowhere to be found.png";
-  const std::string front =
-      "cannot load texture '" + name + "': not found; looked for " + name + ", /";
+  // The assets of the build come first of all assets.
+  const fs::path assets = fs::path(TEXMAP_TESTS_DIR).parent_path() / "assets";
+  const std::string front = "cannot load texture '" + name + "': not found; looked for " + name +
+                            ", " + (assets / name).string() + ", ";
   const std::string back = "assets/" + name + ", /an/empty/place/" + name;
   const std::string said = error_of_finding(name);
   INFO("said: ", said);
@@ -140,14 +120,4 @@ TEST_CASE("a name that is nowhere is an error that lists every place in order") 
   CHECK(said.substr(0, without.size()) == without);
   setenv(variable, "", 1);
   CHECK(error_of_finding(name) == without);
-}
-
-TEST_CASE("the assets of the build come first of all assets") {
-  const TemporaryFolder folder;
-  const Surroundings surroundings(folder.path());
-  const fs::path assets = fs::path(TEXMAP_TESTS_DIR).parent_path() / "assets";
-  const std::string said = error_of_finding("nowhere.png");
-  INFO("said: ", said);
-  CHECK(said.find("looked for nowhere.png, " + assets.string() + "/nowhere.png") !=
-        std::string::npos);
 }

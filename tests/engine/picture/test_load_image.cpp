@@ -1,18 +1,16 @@
 // Loading a texture: what must load, what must not, and how it says so.
 #include <doctest.h>
 
+#include <array>
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/picture/codecs/bytes.hpp"
-#include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "support/image_errors.hpp"
@@ -21,7 +19,6 @@
 
 namespace {
 
-using texmap::FileError;
 using texmap::Image;
 using texmap::load_image;
 using texmap::test::bytes_of;
@@ -29,29 +26,6 @@ using texmap::test::image_error_of;
 using texmap::test::TemporaryFolder;
 
 const std::string corpus = std::string(TEXMAP_TESTS_DIR) + "/corpus/";
-
-// A row of the corpus' manifest.
-struct Row {
-  std::string file, sha256, expected, why, width, height, bytes, split, level, rgb8_sha256;
-};
-
-std::vector<Row> rows_of_manifest() {
-  std::ifstream manifest(corpus + "manifest.tsv");
-  std::vector<Row> rows;
-  std::string line;
-  std::getline(manifest, line);
-  REQUIRE(line == "file\tsha256\texpected\twhy\twidth\theight\tbytes\tsplit\tlevel\trgb8_sha256");
-  while (std::getline(manifest, line)) {
-    std::istringstream fields(line);
-    Row row;
-    for (std::string* field : {&row.file, &row.sha256, &row.expected, &row.why, &row.width,
-                               &row.height, &row.bytes, &row.split, &row.level, &row.rgb8_sha256}) {
-      REQUIRE(std::getline(fields, *field, '\t'));
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
 
 std::string sum_of_pixels(const Image& image) {
   std::vector<std::uint8_t> bytes;
@@ -64,91 +38,53 @@ std::string error_of_loading(const std::string& path) {
   return image_error_of([&] { static_cast<void>(load_image(path)); });
 }
 
-// The sentence that a refused file must give: exact in front, and with a reason behind.
-void check_sentence(const std::string& said, const std::string& path) {
-  const std::string front = "cannot load texture '" + path + "': ";
-  INFO("said: ", said);
-  CHECK(said.substr(0, front.size()) == front);
-  CHECK(said.size() > front.size() + 10);
-  CHECK(said.find('\n') == std::string::npos);
-}
-
-// A file of the corpus with some bytes replaced, and the checksums of its PNG chunks made right.
-std::vector<std::uint8_t> with_right_checksums(std::vector<std::uint8_t> png) {
-  std::size_t place = 8;
-  while (place + 12 <= png.size()) {
-    const std::size_t length = texmap::big_endian_32(png, place);
-    const std::uint32_t sum = texmap::crc32(texmap::Bytes(png).subspan(place + 4, length + 4));
-    for (std::size_t i = 0; i < 4; ++i)
-      png[place + 8 + length + i] = static_cast<std::uint8_t>(sum >> (24 - 8 * i) & 0xFFU);
-    place += 12 + length;
-  }
-  return png;
-}
-
 }  // namespace
 
 TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
-  const std::vector<Row> rows = rows_of_manifest();
-  std::set<std::string> seen;
-  int loaded = 0;
-  int refused = 0;
-  int compared = 0;
-  for (const Row& row : rows) {
-    CAPTURE(row.file);
-    CAPTURE(row.why);
-    const std::string path = corpus + row.file;
-    seen.insert(row.file);
-    REQUIRE(texmap::test::sha256(bytes_of(path)) == row.sha256);
+  std::ifstream manifest(corpus + "manifest.tsv");
+  std::string line;
+  std::getline(manifest, line);
+  REQUIRE(line == "file\tsha256\texpected\twhy\twidth\theight\tbytes\tsplit\tlevel\trgb8_sha256");
+  int loaded = 0, refused = 0;
+  while (std::getline(manifest, line)) {
+    CAPTURE(line);
+    std::array<std::string, 10> fields;
+    std::istringstream row(line);
+    for (std::string& field : fields) REQUIRE(std::getline(row, field, '\t'));
+    const auto& [file, sum, expected, why, width, height, bytes, split, level, pixels] = fields;
+    const std::string path = corpus + file;
+    REQUIRE(texmap::test::sha256(bytes_of(path)) == sum);
     const auto start = std::chrono::steady_clock::now();
-    if (row.expected == "load") {
+    if (expected == "load") {
       Image image;
       REQUIRE_NOTHROW(image = load_image(path));
-      CHECK(std::to_string(image.width) == row.width);
-      CHECK(std::to_string(image.height) == row.height);
-      CHECK(image.pixels.size() ==
-            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-      if (row.rgb8_sha256 != "-") {
-        CHECK(sum_of_pixels(image) == row.rgb8_sha256);
-        ++compared;
-      }
+      CHECK(std::to_string(image.width) == width);
+      CHECK(std::to_string(image.height) == height);
+      CHECK(std::to_string(image.pixels.size()) == std::to_string(image.width * image.height));
+      if (pixels != "-") CHECK(sum_of_pixels(image) == pixels);
       ++loaded;
     } else {
-      REQUIRE(row.expected == "error");
-      check_sentence(error_of_loading(path), path);
+      const std::string said = error_of_loading(path);
+      INFO("said: ", said);
+      CHECK(said.find("cannot load texture '" + path + "': ") == 0);
+      CHECK(said.size() > path.size() + 33);
+      CHECK(said.find('\n') == std::string::npos);
       ++refused;
     }
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
   }
-  CHECK(rows.size() == 70);
-  CHECK(seen.size() == 70);
   CHECK(loaded == 31);
   CHECK(refused == 39);
-  CHECK(compared == 21);
 }
 
+// What test_check_png and test_check_jpeg do not build themselves.
 TEST_CASE("an error names the thing that is wrong") {
   const std::vector<std::pair<std::string, std::string>> table = {
-      {"bad_bomb_100000x100000.png", "100000 x 100000 pixels"},
-      {"bad_bomb_16384x16384_hdr.png", "at most 134217728"},
-      {"bad_chunklen_7fffffff.png", "IDAT chunk should have 2147483647 bytes"},
       {"bad_chunklen_ffffffff.png", "IDAT chunk should have 4294967295 bytes"},
-      {"bad_ct5.png", "color type 5"},
-      {"bad_depth3.png", "3 bits"},
-      {"bad_double_ihdr.png", "two headers"},
-      {"bad_idat_too_short.png", "pixels"},
       {"bad_jpg_12bit.jpg", "12 bits a channel"},
       {"bad_jpg_2comp.jpg", "2 color channels"},
-      {"bad_jpg_samp50.jpg", "sampling factor"},
-      {"bad_jpg_soieoi.jpg", "no picture"},
       {"bad_jpg_trunc_half.jpg", "cut short"},
-      {"bad_jpg_w0.jpg", "0 x 35 pixels"},
-      {"bad_no_iend.png", "IEND"},
       {"bad_one_byte.png", "not a PNG or JPEG file"},
-      {"bad_pal_index_range.png", "color 200 of a palette with 2 colors"},
-      {"bad_rgb_depth4.png", "color type 2 with 4 bits"},
-      {"bad_trns_before_plte.png", "tRNS"},
-      {"bad_zero_height.png", "x 0 pixels"},
       {"fmt_html.jpg", "not a PNG or JPEG file"},
   };
   for (const auto& row : table) {
@@ -208,15 +144,4 @@ TEST_CASE("a PNG file with any one bit turned over is refused") {
       bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
     }
   }
-}
-
-TEST_CASE(
-    "a PNG file with a wrong checksum of its pixels is refused even if its chunks are right") {
-  std::vector<std::uint8_t> bytes = bytes_of(corpus + "png_no_extension");
-  REQUIRE_NOTHROW(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))));
-  bytes[bytes.size() - 12 - 4 - 1] ^=
-      1;  // the last byte of the last IDAT: before its checksum and IEND
-  CHECK_THROWS_WITH_AS(static_cast<void>(texmap::decode_image(with_right_checksums(bytes))),
-                       "the PNG file is damaged: the checksum of its pixels is wrong",
-                       texmap::FileError);
 }

@@ -8,7 +8,7 @@ namespace texmap {
 
 /// CRC-32 of some bytes, as every chunk of a PNG file carries it.
 ///
-/// Source: PNG specification, annex D; eight bytes a step as in Kounavis and Berry, 2005.
+/// Source: PNG specification, annex D.
 [[nodiscard]] std::uint32_t crc32(Bytes bytes);
 
 /// Adler-32 of some bytes, as a zlib stream carries it at its end.

@@ -1,14 +1,21 @@
-// From the bytes of a PNG file to a picture. stb_image only inflates: its PNG decoder checks no
-// checksums, inflates without a limit and takes twice the memory (docs/packages.md).
+// From the bytes of a PNG file to a picture. libdeflate or stb_image only inflates: stb_image's PNG
+// decoder checks no checksums, inflates without a limit and takes twice the memory
+// (docs/packages.md).
 #include "engine/picture/codecs/read_png.hpp"
 
+#ifdef TEXMAP_HAVE_LIBDEFLATE
+#include <libdeflate.h>
+#else
 #include <stb_image.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,11 +58,30 @@ PassSize pass_size(const PngHeader& header, const Pass& pass) {
   return {columns, rows, (columns * header.channels * header.bit_depth + 7) / 8};
 }
 
+// How many bytes a zlib stream unpacks to; -1 if it is damaged or they are too many.
+std::ptrdiff_t unpack(Bytes stream, std::span<std::uint8_t> to) {
+#ifdef TEXMAP_HAVE_LIBDEFLATE
+  // RFC 1950, section 2.2: two bytes say that it is deflate, without a dictionary. The checksum is
+  // compared later, so that an error can name it.
+  const std::uint32_t header = big_endian_16(stream, 0);
+  if (header % 31 != 0 || (header & 0x0F20U) != 0x0800U) return -1;
+  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
+      decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!decompressor) throw std::bad_alloc();
+  std::size_t made = 0;
+  const libdeflate_result result = libdeflate_deflate_decompress(
+      decompressor.get(), stream.data() + 2, stream.size() - 6, to.data(), to.size(), &made);
+  return result == LIBDEFLATE_SUCCESS ? static_cast<std::ptrdiff_t>(made) : -1;
+#else
+  return stbi_zlib_decode_buffer(reinterpret_cast<char*>(to.data()), static_cast<int>(to.size()),
+                                 reinterpret_cast<const char*>(stream.data()),
+                                 static_cast<int>(stream.size()));
+#endif
+}
+
 // Inflates the rows, all still filtered, into exactly as many bytes as the header promises.
 void inflate(Bytes compressed, std::span<std::uint8_t> rows) {
-  const int made = stbi_zlib_decode_buffer(
-      reinterpret_cast<char*>(rows.data()), static_cast<int>(rows.size()),
-      reinterpret_cast<const char*>(compressed.data()), static_cast<int>(compressed.size()));
+  const std::ptrdiff_t made = unpack(compressed, rows);
   const std::string promised = std::to_string(rows.size());
   if (made < 0)
     damaged_png("its pixels do not unpack to the " + promised + " bytes they should be");
@@ -93,45 +119,36 @@ void unfilter(int filter, std::span<std::uint8_t> row, Bytes above, std::size_t 
 
 // Makes pixels of an unfiltered row, each `step` places after the one before it.
 void put_row(const PngChunks& png, Bytes row, std::size_t columns, Rgb8* out, std::size_t step) {
-  const PngHeader& header = png.header;
-  const std::size_t depth = header.bit_depth;
+  const std::size_t depth = png.header.bit_depth;
+  const std::size_t pixel = png.header.channels * depth / 8;
   const auto put = [&](const auto& color_of) {
     for (std::size_t i = 0; i < columns; ++i) out[i * step] = color_of(i);
   };
-  if (header.channels == 1 && depth <= 8) {
-    const unsigned largest = (1U << depth) - 1;
-    const auto sample = [&](std::size_t i) {
-      return row[i * depth / 8] >> (8 - depth - i * depth % 8) & largest;
-    };
-    if (header.color_type == 3) {
-      put([&](std::size_t i) {
-        const std::size_t index = sample(i);
-        if (3 * index >= png.palette.size()) {
-          damaged_png("a pixel has color " + std::to_string(index) + " of a palette with " +
-                      std::to_string(png.palette.size() / 3) + " colors");
-        }
-        const Bytes color = png.palette.subspan(3 * index, 3);
-        return Rgb8{color[0], color[1], color[2]};
-      });
-    } else {
-      put([&](std::size_t i) {
-        const auto grey = static_cast<std::uint8_t>(sample(i) * (255 / largest));
-        return Rgb8{grey, grey, grey};
-      });
-    }
-    return;
-  }
-  const std::size_t pixel = header.channels * depth / 8;
   if (pixel == sizeof(Rgb8) && step == 1) {
     std::memcpy(out, row.data(), row.size());
-    return;
+  } else if (png.header.channels == 1 && depth <= 8) {
+    const unsigned largest = (1U << depth) - 1;
+    put([&](std::size_t i) {
+      const std::size_t sample = row[i * depth / 8] >> (8 - depth - i * depth % 8) & largest;
+      if (png.header.color_type != 3) {
+        const auto grey = static_cast<std::uint8_t>(sample * (255 / largest));
+        return Rgb8{grey, grey, grey};
+      }
+      if (3 * sample >= png.palette.size()) {
+        damaged_png("a pixel has color " + std::to_string(sample) + " of a palette with " +
+                    std::to_string(png.palette.size() / 3) + " colors");
+      }
+      const Bytes color = png.palette.subspan(3 * sample, 3);
+      return Rgb8{color[0], color[1], color[2]};
+    });
+  } else {
+    // Of two bytes the first is the high one. Grey has its one channel three times.
+    const std::size_t next = png.header.channels < 3 ? 0 : depth / 8;
+    put([&](std::size_t i) {
+      const std::uint8_t* const at = &row[i * pixel];
+      return Rgb8{at[0], at[next], at[2 * next]};
+    });
   }
-  // Of two bytes the first is the high one. Grey has its one channel three times.
-  const std::size_t next = header.channels < 3 ? 0 : depth / 8;
-  put([&](std::size_t i) {
-    const std::uint8_t* const at = &row[i * pixel];
-    return Rgb8{at[0], at[next], at[2 * next]};
-  });
 }
 
 }  // namespace
