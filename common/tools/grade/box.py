@@ -1,4 +1,4 @@
-"""Boxes in which a command sees the system's programs and what is named for it, and nothing else: by bwrap, or else by unshare.
+"""Boxes in which a command sees the system's programs and what is named for it, and nothing else: by bwrap.
 
 In a box there are no other files, no /proc, no network and no processes but its own, and it can write nothing but its own small
 memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits. System
@@ -13,7 +13,6 @@ import select
 import shlex
 import signal
 import subprocess
-import sys
 import tempfile
 import threading
 import time
@@ -61,27 +60,6 @@ times >&3
 if [ -f "$product" ] && [ ! -L "$product" ]; then cat "$product" >&3; fi
 exit $status
 '''
-
-# Makes of an empty folder a root in which there is nothing but what is named. A second user namespace would give back the right to
-# mount: it is forbidden. umount looks into /proc, which goes with the old root. Few programs, as each costs two milliseconds.
-UNSHARED = '''
-set -eu
-echo 0 >/proc/sys/user/max_user_namespaces
-mount -t tmpfs -o nosuid,nodev,mode=755,size=1m none {root}
-cd {root}
-mkdir -p box old proc dev {folders}
-for file in {files}; do : >"$file"; done
-cp -P {links} .
-printf '%s\\n' {table} >fstab
-mount -a -T fstab
-mount -o rbind /proc proc
-pivot_root . old
-umount -l /old /proc
-cd /box
-exec {command}
-'''
-POWERLESS = ['setpriv', '--bounding-set=-all', '--inh-caps=-all', '--no-new-privs']
-
 
 def exempt():
     """Whether this is the machine's root: the kernel lets it have any number of processes, in a user namespace of its own, too."""
@@ -132,31 +110,11 @@ def bwrap(visible, limits, argv, work, enter, become):
                       '--perms', '1777', '--tmpfs', BOX, '--remount-ro', '/', '--remount-ro', '/dev', '--chdir', BOX, *become, *argv]
 
 
-def unshare(visible, limits, argv, work, enter, become):
-    root = work / 'root'
-    root.mkdir(exist_ok=True)
-    links = [place for place in visible if os.path.islink(place)]
-    places = [place for place in visible if place not in links]
-    devices = [f'/dev/{name}' for name in ('null', 'random', 'urandom')]
-    table = [f'none {root}{BOX} tmpfs nosuid,nodev,size={limits.disk_megabytes}m']
-    for place in places + devices:
-        name = re.sub(r'[\s\\]', lambda letter: f'\\{ord(letter[0]):03o}', place)
-        table.append(f'{name} {root}{name} none bind' + ('' if place in devices else ',ro,nosuid,nodev'))
-    files = [place for place in places if not os.path.isdir(place)] + devices
-    folders = [place if os.path.isdir(place) else os.path.dirname(place) for place in places]
-    script = UNSHARED.format(root=shlex.quote(str(root)), folders=shlex.join('.' + place for place in folders), links=shlex.join(links),
-                             files=shlex.join('.' + place for place in files), table=shlex.join(table),
-                             command=shlex.join([*(become or POWERLESS), *argv]))
-    return ['setpriv', '--pdeathsig', 'KILL', sys.executable, '-I', '-S', uncounted.__file__, *enter, 'unshare',
-            *([] if enter else ['--user', '--map-root-user']), '--pid', '--fork', '--kill-child', '--net', '--ipc', '--uts', '--mount',
-            'sh', '-c', script]
-
-
 def none(_visible, _limits, argv, *_):
     return argv
 
 
-CONTAINMENTS = {'bwrap': bwrap, 'unshare': unshare, 'none': none}
+CONTAINMENTS = {'bwrap': bwrap, 'none': none}
 
 
 def usage(pid, most):
@@ -204,7 +162,7 @@ class Boxes:
     def why_not(self):
         """Why this machine makes no such boxes, or none that keep what they should; empty if it does."""
         try:
-            ended = self.run(['sh', '-c', f'test ! -e {shlex.quote(str(self.work))}/root -a ! -e /proc/self && echo kept >it'], [],
+            ended = self.run(['sh', '-c', f'test ! -e {shlex.quote(str(self.work))} -a ! -e /proc/self && echo kept >it'], [],
                              Limits(10, 1024), 'it')
         except (OSError, subprocess.SubprocessError) as error:
             return str(error)

@@ -559,18 +559,16 @@ def refuse(why):
 
 
 def choose_boxes(options, work):
-    """The best box that this machine makes; without one, only students who are trusted are run."""
-    reasons = {}
-    for kind in [options.containment] if options.containment else ['bwrap', 'unshare']:
-        boxes = Boxes(kind, work)
-        reasons[kind] = 'it contains nothing' if kind == 'none' else boxes.why_not()
-        if not reasons[kind]:
-            return boxes
+    """The box in which students' code runs; without one, only students who are trusted are run."""
+    boxes = Boxes(options.containment, work)
+    why = 'it contains nothing' if boxes.kind == 'none' else boxes.why_not()
+    if not why:
+        return boxes
     if not options.trust_students:
-        install = '' if shutil.which('bwrap', path=ENVIRONMENT['PATH']) else 'install bubblewrap, or '
-        refuse('students\' code cannot be contained here\n' + ''.join(f'  {kind}: {why}\n' for kind, why in reasons.items()) +
-               f'{install}let users make namespaces (unshare --user); in a container or a virtual machine that holds nothing else,\n'
-               '--trust-students runs it NOT CONTAINED')
+        remedy = ('let users make namespaces (unshare --user)' if shutil.which('bwrap', path=ENVIRONMENT['PATH']) else
+                  'install bubblewrap (apt-get install bubblewrap)')
+        refuse(f'students\' code cannot be contained here\n  {boxes.kind}: {why}\n{remedy}; in a container or a virtual machine that '
+               'holds nothing else,\n--trust-students runs it NOT CONTAINED')
     print('NOT CONTAINED: students\' programs can read and change all that you can', file=sys.stderr, flush=True)
     return Boxes('none', work)
 
@@ -582,7 +580,7 @@ def main():
     parser.add_argument('--build', type=Path, help='a learn build of the tree; else WORK/build')
     parser.add_argument('--jobs', type=int, default=len(os.sched_getaffinity(0)), help='students side by side')
     parser.add_argument('--trust-students', action='store_true', help='run them where nothing can contain them')
-    parser.add_argument('--containment', choices=CONTAINMENTS, help='this one or none')
+    parser.add_argument('--containment', choices=CONTAINMENTS, default='bwrap')
     parser.add_argument('--no-tests', action='store_true')
     parser.add_argument('--no-hidden', action='store_true', help='no second picture')
     parser.add_argument('--cpu-factor', type=float, default=10, help='the limit, in times of the course\'s own lesson')

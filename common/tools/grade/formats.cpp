@@ -93,19 +93,6 @@ double seconds_of(const std::vector<Test>& tests) {
   return seconds;
 }
 
-/// Pixels that are off in all pictures together; nothing if a picture is missing.
-std::vector<Json> leaderboard(const Student& student) {
-  std::size_t pixels = 0, pictures = 0;
-  for (const Row& row : student.rows) {
-    if (!row.exercise.empty()) continue;
-    if (!row.figures) return {};
-    pixels += row.figures->pixels_off;
-    ++pictures;
-  }
-  if (pictures == 0) return {};
-  return {Json::object({{"name", "pixels off"}, {"value", pixels}, {"order", "asc"}})};
-}
-
 /// XML 1.0 has no control characters, which clean() takes out.
 std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + escaped_markup(clean(value)) + "\"";
@@ -134,7 +121,6 @@ std::string gradescope_json(const Student& student) {
                        {"visibility", "visible"},
                        {"stdout_visibility", "hidden"},
                        {"tests", list},
-                       {"leaderboard", Json::list(leaderboard(student), true)},
                        {"extra_data", Json::object({{"folder", clean(student.folder)}})}},
                       true)
              .text +
@@ -170,28 +156,6 @@ std::string classroom_notices(const Student& student) {
   return text("::notice title=Autograding complete::Points %d/%d\n", student.points(),
               student.of()) +
          "::notice title=Autograding report::" + report.text + "\n";
-}
-
-std::string exercism_json(const Student& student) {
-  const std::vector<Test> tests = tests_of(student);
-  const std::string status = status_of(tests);
-  const Json list = Json::list_of(tests, [](const Test& test) {
-    return Json::object({{"name", test.name},
-                         {"test_code", "./course grade --chapters " + test.item},
-                         {"status", test.passed   ? "pass"
-                                    : test.broken ? "error"
-                                                  : "fail"},
-                         {"message", test.passed ? Json(nullptr) : Json(test.message)},
-                         {"output", nullptr},
-                         {"task_id", test.chapter}});
-  });
-  return Json::object({{"version", 3},
-                       {"status", status},
-                       {"message", status == "error" ? Json(tests[0].message) : Json(nullptr)},
-                       {"tests", list}},
-                      true)
-             .text +
-         "\n";
 }
 
 std::string junit_xml(const Student& student) {

@@ -6,7 +6,7 @@
 
 namespace texmap::grade {
 
-enum class Format { none, gradescope, classroom, exercism, junit };
+enum class Format { none, gradescope, classroom, junit };
 
 /// results.json of a Gradescope autograder.
 [[nodiscard]] std::string gradescope_json(const Student& student);
@@ -14,8 +14,6 @@ enum class Format { none, gradescope, classroom, exercism, junit };
 [[nodiscard]] std::string classroom_json(const Student& student);
 /// The same as two notices that any program of a workflow may print.
 [[nodiscard]] std::string classroom_notices(const Student& student);
-/// results.json of an Exercism test runner, version 3.
-[[nodiscard]] std::string exercism_json(const Student& student);
 /// A JUnit file with the fields that ctest --output-junit writes.
 [[nodiscard]] std::string junit_xml(const Student& student);
 

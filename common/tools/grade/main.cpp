@@ -67,7 +67,6 @@ struct Request {
                         {{"none", Format::none},
                          {"gradescope", Format::gradescope},
                          {"classroom", Format::classroom},
-                         {"exercism", Format::exercism},
                          {"junit", Format::junit}},
                         "write each student's grades for a learning system, too");
     line.text("--out", "FOLDER", out, "where grades.csv, points.csv and index.html go");
@@ -405,9 +404,6 @@ class Grading {
       case Format::classroom:
         write("classroom.json", classroom_json(student));
         print(classroom_notices(student));
-        break;
-      case Format::exercism:
-        write("results.json", exercism_json(student));
         break;
       case Format::junit:
         write("junit.xml", junit_xml(student));

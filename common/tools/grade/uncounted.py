@@ -1,15 +1,10 @@
-#!/usr/bin/env python3
 """A filter of system calls: those that give memory which is no process's fail with ENOSYS. box.py uses it.
-
-usage: uncounted.py COMMAND [WORD...]    runs a command so
 
 The limit on memory counts the pages of processes. A file without a name (memfd_create), what System V shares, sockets, and shared pages
 without a file hold memory that is on no process's account.
 """
-import ctypes
 import os
 import struct
-import sys
 
 # By machine: its number in <linux/audit.h>; mmap; and what is forbidden: memfd_create, memfd_secret, shmget, semget, msgget, socket,
 # socketpair, io_uring_setup, vmsplice.
@@ -35,18 +30,3 @@ def program():
     found += [(RETURN, 0, 0, ALLOW), (RETURN, 0, 0, ENOSYS)]
     return b''.join(struct.pack('=HBBI', code, *(ends[to] - at - 1 if to in ends else to for to in jumps), value)
                     for at, (code, *jumps, value) in enumerate(found))
-
-
-def forbid():
-    """Puts the filter on this process and all that it starts."""
-    instructions = ctypes.create_string_buffer(program())
-    described = ctypes.create_string_buffer(struct.pack('@HP', len(instructions) // 8, ctypes.addressof(instructions)))
-    prctl = ctypes.CDLL(None).prctl
-    prctl.argtypes = [ctypes.c_int, *[ctypes.c_ulong] * 4]
-    if prctl(38, 1, 0, 0, 0) or prctl(22, 2, ctypes.addressof(described), 0, 0):  # PR_SET_NO_NEW_PRIVS, PR_SET_SECCOMP
-        sys.exit('error: this kernel takes no filter of system calls')
-
-
-if __name__ == '__main__':
-    forbid()
-    os.execvp(sys.argv[1], sys.argv[1:])
