@@ -43,7 +43,7 @@ foreach(suite
     texture/test_floor_mapping
     texture/test_footprint
     texture/test_image_texture
-    texture/test_lanes
+    texture/test_texture_lanes
     texture/test_light_tables
     texture/test_mesh_mapping
     texture/test_normal_map
