@@ -32,13 +32,13 @@ struct Turntable;
 /// What a lesson's groups of options say of the options that all chapters have. A group's
 /// declare() sets it, so that no other code needs to know which groups a lesson has.
 struct GroupWishes {
-  std::string_view budget;         ///< the help of --budget; empty: not offered
-  std::string_view no_intervals;   ///< why --number interval is refused; empty: offered
-  int samples = 1;                 ///< rays per pixel
-  int most_samples = 65536;        ///< that --samples takes
-  Turntable* turntable = nullptr;  ///< the pictures of a turn; null: one picture
-  std::vector<std::function<void(const Session&)>> plans;  ///< called after a lesson's `prepare`
-  std::vector<std::function<void()>> uses;  ///< each throws if `prepare` did not use the group
+  std::string_view budget{};        ///< the help of --budget; empty: not offered
+  std::string_view no_intervals{};  ///< why --number interval is refused; empty: offered
+  int samples = 1;                  ///< rays per pixel
+  int most_samples = 65536;         ///< that --samples takes
+  Turntable* turntable = nullptr;   ///< the pictures of a turn; null: one picture
+  std::vector<std::function<void(const Session&)>> plans{};  ///< called after a lesson's `prepare`
+  std::vector<std::function<void()>> uses{};  ///< each throws if `prepare` did not use the group
 };
 
 /// The options of a program, and the reader of what the user typed.

@@ -46,6 +46,12 @@ TEST_CASE("bytes obey their table") {
   for (const auto& [value, byte] : table) CHECK(int{byte_of(value)} == byte);
 }
 
+TEST_CASE_TEMPLATE("a byte that becomes a color becomes the same byte again", Real, float, double,
+                   long double) {
+  for (int byte = 0; byte < 256; ++byte)
+    CHECK(int{byte_of(static_cast<double>(static_cast<Real>(byte) / Real(255)))} == byte);
+}
+
 TEST_CASE_TEMPLATE(
     "a number becomes the byte of the double that it is, next to the edges of the levels, too", T,
     float, double) {
