@@ -44,8 +44,8 @@ struct Covered {
   double part;     ///< in units of 1 / (number of new texels)
 };
 
-/// What the texels of a row of half as many cover (rounded down, at least one): two old texels each,
-/// or parts of three. In the order of both.
+/// What the texels of a row of half as many (rounded down, at least one) cover: two old texels
+/// each, or parts of three. In the order of both.
 [[nodiscard]] inline std::vector<Covered> covered_by_half(int count) {
   const int half = std::max(count / 2, 1);
   std::vector<Covered> all;

@@ -1,5 +1,5 @@
-// numbers_page: measures every claim, with many inputs, and its cost, and writes docs/numbers.md and
-// the whole report.
+// numbers_page: measures every claim, with many inputs, and its cost, and writes docs/numbers.md
+// and the whole report.
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -20,7 +20,7 @@ namespace {
 
 using File = std::vector<std::uint8_t>;
 
-/// The pixels as PNG stores them, row by row: filter 0 as they are, filter 1 each byte minus the one
+/// The pixels as PNG stores them, row by row: filter 0 as they are, filter 1 each byte less the one
 /// a pixel to its left. Memory as it comes, for clearing it takes as long; libc++ 14 has no
 /// make_unique_for_overwrite.
 std::unique_ptr<std::uint8_t[]> filtered_rows(const Image& image, std::uint8_t filter) {

@@ -217,7 +217,7 @@ Exercise square_squares() {
   return exercise("02.3", "Uv twice_around(Uv uv)", std::move(law), twice_around, picture);
 }
 
-/// On the equator a square is twice as wide as it is high, and the parallels shrink with the cosine.
+/// On the equator a square is twice as wide as high, and the parallels shrink with the cosine.
 double latitude_of_squares() { return std::acos(0.5) * 180 / pi; }
 
 /// 9 is odd: at the seam two squares of one color meet.

@@ -167,8 +167,8 @@ Exercise from_one_to_another() {
                   globe_after({"--convention", "lecture"}));
 }
 
-/// Whether each number is below 0, which means mirrored for a determinant; and above 0, as those ask
-/// who have exchanged yes and no, too.
+/// Whether each number is below 0, which means mirrored for a determinant; and above 0, as those
+/// ask who have exchanged yes and no, too.
 std::vector<bool> either_sign(std::initializer_list<double> numbers) {
   std::vector<bool> mirrored;
   for (const double number : numbers) mirrored.insert(mirrored.end(), {number < 0, 0 < number});

@@ -1,5 +1,5 @@
-// The computed diagrams of chapter 02: longitude and latitude on the sphere, and why an angle near 0
-// is not to be had from its cosine.
+// The computed diagrams of chapter 02: longitude and latitude on the sphere, and why an angle near
+// 0 is not to be had from its cosine.
 #include <cmath>
 #include <string>
 

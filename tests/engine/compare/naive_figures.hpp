@@ -1,5 +1,5 @@
-// SSIM without any of the tested code: each sum runs over a whole two-dimensional window and nothing
-// is reused. Slow, but easy to compare with the paper.
+// SSIM without any of the tested code: each sum runs over a whole two-dimensional window and
+// nothing is reused. Slow, but easy to compare with the paper.
 #pragma once
 #include <algorithm>
 #include <array>

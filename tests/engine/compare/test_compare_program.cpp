@@ -98,7 +98,7 @@ TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
           "cannot write 'no/map.png': the folder 'no' does not exist");
   refused("a.png b.png --json no/f.json",
           "cannot write 'no/f.json': the folder 'no' does not exist");
-  // What cannot be written is found out before anything is read; of several files, the first is named.
+  // What cannot be written is found before anything is read; of several files, the first is named.
   refused("none.png nothing.png", "cannot load 'none.png': there is no such file");
   refused("none.png b.png --json no/f.json",
           "cannot write 'no/f.json': the folder 'no' does not exist");

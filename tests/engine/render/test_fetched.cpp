@@ -1,6 +1,6 @@
-// What fetches texels with the instructions that this file is compiled for returns what plain numbers
-// return: textures, on them and beyond their edges, and filters of pyramids. Not a doctest program:
-// main() must run on machines that lack the instructions.
+// What fetches texels with the instructions that this file is compiled for returns what plain
+// numbers return: textures, on them and beyond their edges, and filters of pyramids. Not a doctest
+// program: main() must run on machines that lack the instructions.
 #include <cstdio>
 #include <cstring>
 
