@@ -106,7 +106,7 @@ template <class Function>
           },
           [law = std::move(law)] {
             std::vector<KnownMistake> known;
-            for (const auto& mistake : law.mistakes)
+            for (const auto& mistake : functions_of(law.slips, law.places[0].at))
               known.push_back({mistake.word, judge(law, mistake.function)});
             return known;
           }};

@@ -26,10 +26,9 @@ struct Law;
 template <class Out, class... Args>
 struct Law<Out(Args...)> {
   std::function<Out(Args...)> right;
-  std::vector<Place<std::decay_t<Args>...>> places;    ///< in the order of teaching
-  std::function<Slips<Out>(Args...)> slips = nullptr;  ///< what often comes out at a place
-  std::vector<Mistake<Out(Args...)>> mistakes = functions_of(slips, places[0].at);
-  double tolerance = 1e-9;  ///< of each part of a value
+  std::vector<Place<std::decay_t<Args>...>> places;  ///< in the order of teaching
+  std::function<Slips<Out>(Args...)> slips;          ///< what often comes out at a place
+  double tolerance = 1e-9;                           ///< of each part of a value
 };
 
 /// A verdict in words.
@@ -69,17 +68,10 @@ template <class Out, class... Args>
     ++verdict.wrong;
   }
   if (verdict.right) return verdict;
-  const auto slips_at = [&](const auto& at) {
-    if (law.slips) return std::apply(law.slips, at);
-    Slips<Out> slips;
-    for (const auto& mistake : law.mistakes)
-      slips.push_back({mistake.word.c_str(), std::apply(mistake.function, at)});
-    return slips;
-  };
   std::vector<const char*> words;  // of the mistakes that give the same so far, or null
   for (std::size_t i = 0; i < law.places.size(); ++i) {
     std::size_t row = 0;
-    for (const Slip<Out>& slip : slips_at(law.places[i].at)) {
+    for (const Slip<Out>& slip : std::apply(law.slips, law.places[i].at)) {
       for (const Out value : slip.values) {
         if (i == 0) words.push_back(slip.word);
         if (!(apart(value, values[i]) <= law.tolerance)) words[row] = nullptr;
