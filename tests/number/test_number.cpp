@@ -6,8 +6,6 @@
 namespace texmap::test {
 namespace {
 
-constexpr long double exact_pi = 3.14159265358979323846264338327950288L;
-
 TEST_CASE_TEMPLATE("infinity is above every finite number", Real, float, double, long double) {
   CHECK(infinity<Real>() > std::numeric_limits<Real>::max());
   CHECK(infinity<Real>() / Real(2) == infinity<Real>());
