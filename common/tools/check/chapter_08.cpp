@@ -107,9 +107,9 @@ Image crate_on_its_edge() {
 }
 
 /// Is the ray on the left of all these edges, or is it on the right?
-constexpr auto left = [](auto... sides) { return (... && (sides >= 0)); };
-constexpr auto right = [](auto... sides) { return (... && (sides <= 0)); };
-constexpr auto same = [](auto... sides) { return left(sides...) || right(sides...); };
+constexpr auto on_left = [](auto... sides) { return (... && (sides >= 0)); };
+constexpr auto on_right = [](auto... sides) { return (... && (sides <= 0)); };
+constexpr auto same = [](auto... sides) { return on_left(sides...) || on_right(sides...); };
 
 bool right_hit(Vector a, Vector b, Vector c) { return same(edge(a, b), edge(b, c), edge(c, a)); }
 
@@ -134,8 +134,8 @@ Slips<bool> wrong_hits(Vector a, Vector b, Vector c) {
   const double ca = edge(c, a);
   const bool inside_left = ab > 0 && bc > 0 && ca > 0;
   const bool inside_right = ab < 0 && bc < 0 && ca < 0;
-  const bool all_left = left(ab, bc, ca);
-  const bool all_right = right(ab, bc, ca);
+  const bool all_left = on_left(ab, bc, ca);
+  const bool all_right = on_right(ab, bc, ca);
   Slips<bool> wrong = {
       {"triangles with clockwise corners are missed: from there the ray is right of all three "
        "edges",
@@ -153,11 +153,14 @@ Slips<bool> wrong_hits(Vector a, Vector b, Vector c) {
       {"no ray hits: it is on the left of all three edges or on the right, not both",
        all_left && all_right},
       {"hits and misses are exchanged", !all_left && !all_right},
-      {"the edge a to b is missing: two edges leave a triangle open", {left(bc, ca), same(bc, ca)}},
-      {"the edge b to c is missing: two edges leave a triangle open", {left(ab, ca), same(ab, ca)}},
-      {"the edge c to a is missing: two edges leave a triangle open", {left(ab, bc), same(ab, bc)}},
+      {"the edge a to b is missing: two edges leave a triangle open",
+       {on_left(bc, ca), same(bc, ca)}},
+      {"the edge b to c is missing: two edges leave a triangle open",
+       {on_left(ab, ca), same(ab, ca)}},
+      {"the edge c to a is missing: two edges leave a triangle open",
+       {on_left(ab, bc), same(ab, bc)}},
       {"a product is 0 on the line through an edge: compare each one with 0",
-       {left(ab * bc, bc * ca), left(bc * ca, ca * ab), left(ca * ab, ab * bc)}},
+       {on_left(ab * bc, bc * ca), on_left(bc * ca, ca * ab), on_left(ca * ab, ab * bc)}},
       {"a product of three does not say that all are on the same side: compare each one with 0",
        ab * bc * ca >= 0},
       {"p == q == r compares the answer of p == q with r: write p == q && q == r",
@@ -165,14 +168,14 @@ Slips<bool> wrong_hits(Vector a, Vector b, Vector c) {
       {"the sum says which way the corners run: compare each of the three with 0",
        {ab + bc + ca >= 0, ab + bc + ca <= 0}},
       {"one edge has the wrong direction: go around, a to b, b to c, c to a",
-       {same(ab, bc, -ca), left(ab, bc, -ca), same(-ab, bc, ca), left(-ab, bc, ca),
-        same(ab, -bc, ca), left(ab, -bc, ca)}},
+       {same(ab, bc, -ca), on_left(ab, bc, -ca), same(-ab, bc, ca), on_left(-ab, bc, ca),
+        same(ab, -bc, ca), on_left(ab, -bc, ca)}},
       {"you compare with the box around the triangle: a triangle is only half of it",
        std::min({a.x, b.x, c.x}) <= 0 && std::max({a.x, b.x, c.x}) >= 0 &&
            std::min({a.y, b.y, c.y}) <= 0 && std::max({a.y, b.y, c.y}) >= 0},
   };
   for (const auto& [word, of] : wrong_edges) {
-    wrong += {{word, {same(of(a, b), of(b, c), of(c, a)), left(of(a, b), of(b, c), of(c, a))}}};
+    wrong += {{word, {same(of(a, b), of(b, c), of(c, a)), on_left(of(a, b), of(b, c), of(c, a))}}};
   }
   return wrong;
 }
