@@ -345,6 +345,7 @@ void find_errors_of_samplers(std::span<Row> rows, const Globe& globe, int thread
   }
   for (Row& row : rows) {
     std::vector<double> errors;
+    errors.reserve(noise_views);
     for (int i = 0; i < noise_views; ++i) {
       errors.push_back(rms_difference(levels(row, i, row.sampler, row.samples, i),
                                       references[static_cast<std::size_t>(i)]));
@@ -374,7 +375,8 @@ UvError kernel_bound(NumberKind number, int degree) {
   return with_uv_mapping(degree, [&](const auto& mapping) -> UvError {
     using Mapping = std::decay_t<decltype(mapping)>;
     if constexpr (requires { Mapping::template worst<double>; }) {
-      return is_float(number) ? Mapping::template worst<float> : Mapping::template worst<double>;
+      if (is_float(number)) return Mapping::template worst<float>;
+      return Mapping::template worst<double>;
     } else {
       const double texels = is_float(number)                               ? 0.001
                             : roundoff == roundoff_of(NumberKind::double_) ? 2e-12

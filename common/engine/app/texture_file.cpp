@@ -12,7 +12,7 @@ namespace texmap {
 void TextureFile::declare(CommandLine& line) {
   line.text("--texture", "FILE", name, help);
   line.wishes.uses.emplace_back([this] {
-    if (!loaded.empty()) return;
+    if (loaded) return;
     throw std::logic_error(
         "the lesson offers --texture and never loads it: is its hook spelt `prepare`? Write "
         "`override` after it, and the compiler checks the name");
@@ -20,11 +20,8 @@ void TextureFile::declare(CommandLine& line) {
 }
 
 Image TextureFile::load() const {
-  if (loaded != name) {
-    picture = load_image(find_texture(name));
-    loaded = name;
-  }
-  return picture;
+  loaded = true;
+  return load_image(find_texture(name));
 }
 
 }  // namespace texmap

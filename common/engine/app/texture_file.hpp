@@ -13,8 +13,7 @@ struct TextureFile {
   std::string name;  ///< a path, or a file in assets/
   const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";
 
-  mutable std::string loaded{};  ///< the name of `picture`; empty: none
-  mutable Image picture{};       ///< for the next frame of a turn
+  mutable bool loaded = false;  ///< a texture that is offered must be used
 
   void declare(CommandLine& line);
   /// Loads it. Errors: FileError with the file and where it was looked for.

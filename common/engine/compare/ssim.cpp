@@ -20,6 +20,7 @@ constexpr double stabilizer_2 = (0.03 * 255) * (0.03 * 255);
 constexpr int rows_of_a_band = 64;
 constexpr std::array<std::uint8_t Rgb8::*, 3> channels = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
 
+constexpr std::size_t border = 2 * static_cast<std::size_t>(radius);  // without a whole window
 using Window = std::array<double, 2 * radius + 1>;
 
 /// A Gaussian, divided by its sum.
@@ -50,12 +51,12 @@ void add_scaled(double* sum, const double* row, double weight, std::size_t width
 
 /// Filters where the whole window lies inside: the result has two radii fewer columns and rows.
 Plane blurred(const Plane& plane, const Window& window) {
-  Plane across{plane.width - 2 * radius, plane.rows};
+  Plane across{plane.width - border, plane.rows};
   for (std::size_t y = 0; y < across.rows; ++y) {
     for (std::size_t i = 0; i < window.size(); ++i)
       add_scaled(across.row(y), plane.row(y) + i, window[i], across.width);
   }
-  Plane both{across.width, plane.rows - 2 * radius};
+  Plane both{across.width, plane.rows - border};
   for (std::size_t y = 0; y < both.rows; ++y) {
     for (std::size_t i = 0; i < window.size(); ++i)
       add_scaled(both.row(y), across.row(y + i), window[i], both.width);
@@ -72,7 +73,7 @@ void ssim_rows(const Image& a, const Image& b, const TakeRow& take) {
   for_each_row(bands, 0, {}, [&](int band) {
     const int first = band * rows_of_a_band;
     const auto rows = static_cast<std::size_t>(std::min(rows_of_a_band, a.height - first));
-    const std::size_t wide = width + 2 * radius, high = rows + 2 * radius;
+    const std::size_t wide = width + border, high = rows + border;
     Plane similarity{width, rows};
     Plane of_a{wide, high}, of_b{wide, high}, of_aa{wide, high}, of_bb{wide, high},
         of_ab{wide, high};

@@ -128,9 +128,10 @@ void check_target(const Target& target) {
   if (target.written_through) return;
   const std::filesystem::path folder = folder_of(target.path);
   check_folder(folder);
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
     throw FileError("the folder '" + name_of(folder) +
                     "' cannot be written to: " + words_of(last_error()));
+  }
 }
 
 void write_all(const FileDescriptor& file, std::span<const std::uint8_t> bytes) {

@@ -196,10 +196,12 @@ Slips<double> careless_highlights(Vector n, Vector to_lamp, Vector d, double s, 
 
 Slips<double> wrong_highlights(Vector n, Vector to_lamp, Vector d, double s) {
   Slips<double> wrong;
-  for (const bool normalized : {true, false})
-    for (const bool tests_side : {true, false})
+  for (const bool normalized : {true, false}) {
+    for (const bool tests_side : {true, false}) {
       for (const bool limits : {true, false})
         wrong += careless_highlights(n, to_lamp, d, s, {normalized, tests_side, limits});
+    }
+  }
   const Vector l = normalize(to_lamp);
   const auto power = [&](const Vector& r) { return std::pow(std::max(dot(r, -d), 0.), s); };
   const double anywhere = power(mirror(l, n));
