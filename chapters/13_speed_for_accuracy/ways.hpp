@@ -294,8 +294,8 @@ inline constexpr double quiet_spread = 1.1;
 /// The six plots of a run, in the order of names_of_report.
 [[nodiscard]] std::vector<Plot> plots_of(const Measurements& all);
 
-/// The names of the files beside the picture: out/x.png gives out/x_speed_error.svg. Empty where
-/// the picture goes to a device. The last one is the JSON.
+/// The files written beside the picture: for out/x.png, out/x_speed_error.svg and others; the last
+/// one is the JSON. None if the picture goes to a device.
 [[nodiscard]] std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out);
 
 // The sheet: what some of the variants change in the picture. It shows no times: it is the same on

@@ -76,17 +76,16 @@ std::string plain(double number) {
   return text.str();
 }
 
-/// What is said of a function: its bounds that hold, counted, and the one nearest to being reached.
+/// What is said of a function: its bounds that hold, how sure each is, and the one that was nearest
+/// to being reached.
 struct OfFunction {
   std::string name;
-  long hold = 0;
   std::string bounds{};                 ///< each once
   std::map<std::string, long> rungs{};  ///< of the ladder of certainty
   const Claim* nearest = nullptr;
   double off = 0;
 
   void add(const Claim& claim, double measured) {
-    ++hold;
     const std::string bound = plain(claim.bound) + " " + claim.unit;
     if ((", " + bounds + ", ").find(", " + bound + ", ") == std::string::npos)
       bounds += (bounds.empty() ? "" : ", ") + bound;
@@ -99,9 +98,8 @@ struct OfFunction {
   }
 
   /// A row of the page; its last two cells are measured.
-  [[nodiscard]] std::string row(const std::string& family) const {
-    std::string row =
-        "| " + name + " | " + family + " | " + std::to_string(hold) + " | " + bounds + " | ";
+  [[nodiscard]] std::string row() const {
+    std::string row = "| " + name + " | " + bounds + " | ";
     std::string comma;
     for (const auto& [rung, count] : rungs) {
       row += comma + std::to_string(count) + " " + rung;
@@ -157,7 +155,7 @@ Pages pages_of(const std::vector<Family>& families,
     }
     for (const OfFunction& one : all) {
       functions.insert(one.name);
-      rows += one.row(family.title);
+      rows += one.row();
     }
   }
   return {title +
@@ -167,9 +165,8 @@ Pages pages_of(const std::vector<Family>& families,
                "should: they show that the measurement can see an error. For each function the "
                "table names the bound that was nearest\nto being reached, and the inputs that it "
                "holds for; a bound of 0 allows no error at all.\n\n"
-               "| function | family | bounds that hold | bounds | how sure | nearest to its bound "
-               "| for these inputs |\n"
-               "|---|---|---|---|---|---|---|\n") +
+               "| function | bounds | how sure | nearest to its bound | for these inputs |\n"
+               "|---|---|---|---|---|\n") +
               rows + how_to_read,
           report};
 }
@@ -178,8 +175,8 @@ std::string without_measured_cells(const std::string& page) {
   std::istringstream lines(page);
   std::string result;
   for (std::string line; std::getline(lines, line);) {
-    // A row of a family's table has seven cells, and so eight bars.
-    if (std::count(line.begin(), line.end(), '|') == 8) {
+    // A row of the table has five cells, and so six bars; the last two are measured.
+    if (std::count(line.begin(), line.end(), '|') == 6) {
       line.resize(line.rfind('|', line.size() - 2));
       line.resize(line.rfind('|'));
     }

@@ -93,7 +93,7 @@ TEST_CASE("a row counts a function's bounds and names the one that was nearest t
     });
     return pages.page.find(text) != std::string::npos;
   };
-  const std::string start = "| a | Rays | 2 | 4 ulp, 8 ulp | 2 searched | ";
+  const std::string start = "| a | 4 ulp, 8 ulp | 2 searched | ";
   CHECK(shows(3, 5, start + "a, float: 3 of 4 ulp | inputs of a |"));
   CHECK(shows(2, 5, start + "a, below, float: 5 of 8 ulp | inputs of a, below |"));
   CHECK(shows(0, 0, start + "| |"));

@@ -111,7 +111,7 @@ void try_chapter(const Words& words) {
   }
   session.settings.out = "/dev/null";  // files are not the matter here
   session.check();
-  check(session.settings, line.wishes.most_samples);
+  check(session.settings, line.wishes.samples_limit);
   if (line.wishes.turntable != nullptr) check_rotation(line.wishes.turntable->rotation());
   if constexpr (requires { lesson.choice.degrees; })
     check_rotation(rotation_y(lesson.choice.degrees));

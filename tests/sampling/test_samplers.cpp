@@ -244,7 +244,8 @@ TEST_CASE(
     // One sample over pixels: uniform, and one pixel's tells nothing about the next one's.
     const Sampler sampler(kind, count, 5), reseeded(kind, count, 6);
     std::array<double, 64> bins{};
-    std::array<double, 4> alike{};  // products with the next pixel, dimension, seed and coordinate
+    // Correlations with the next pixel, the next dimension, another seed, the other coordinate.
+    std::array<double, 4> alike{};
     constexpr int side = 256;
     for (std::uint32_t row = 0; row < side; ++row) {
       for (std::uint32_t column = 0; column < side; ++column) {

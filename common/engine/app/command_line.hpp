@@ -29,16 +29,17 @@ class UsageError : public std::runtime_error {
 class Session;
 struct Turntable;
 
-/// What a lesson's groups of options say of the options that all chapters have. A group's
-/// declare() sets it, so that no other code needs to know which groups a lesson has.
+/// What a lesson's groups of options ask of the session. A group's declare() sets it, so that no
+/// other code needs to know which groups a lesson has; the session reads it when it is made.
 struct GroupWishes {
-  std::string_view budget{};        ///< the help of --budget; empty: not offered
+  std::string_view budget{};        ///< the help of --budget, of one group; empty: not offered
   std::string_view no_intervals{};  ///< why --number interval is refused; empty: offered
   int samples = 1;                  ///< rays per pixel
-  int most_samples = 65536;         ///< that --samples takes
+  int samples_limit = 65536;        ///< the most that --samples takes
   Turntable* turntable = nullptr;   ///< the pictures of a turn; null: one picture
-  std::vector<std::function<void(const Session&)>> plans{};  ///< called after a lesson's `prepare`
-  std::vector<std::function<void()>> uses{};  ///< each throws if `prepare` did not use the group
+  std::vector<std::function<void(const Session&)>> plans{};  ///< once, after `prepare`
+  std::vector<std::function<void()>> uses{};  ///< each throws if `prepare` did not use its group
+  std::vector<std::function<void()>> before_frames{};  ///< before the first of several pictures
 };
 
 /// The options of a program, and the reader of what the user typed.
@@ -46,11 +47,13 @@ class CommandLine {
  public:
   struct Option {
     std::string name;
-    std::string placeholder;  ///< its words with | between them; empty for a flag
+    std::string placeholder;  ///< N, FILE, or its words with | between them; empty for a flag
     std::string help;
     std::string preset;  ///< the default; may be empty
     std::function<void(std::string_view)> read;
   };
+
+  GroupWishes wishes;  ///< of a chapter's groups; other programs have none
 
   /// @param program  its name, as typed
   /// @param purpose  one line for the top of the help
@@ -69,7 +72,8 @@ class CommandLine {
              std::string_view help);
   /// An option without a value.
   void flag(std::string_view name, bool& value, std::string_view help);
-  /// An option with one of a few words, each for a value. Two groups may give one option words.
+  /// An option with one of a few words, each for a value. Two groups may give one option words:
+  /// they are joined, and each group reads its own.
   template <class Value>
   void choice(std::string_view name, Value& value,
               const std::vector<std::pair<std::string_view, Value>>& words, std::string_view help) {
@@ -91,8 +95,6 @@ class CommandLine {
   void positional(std::string_view name, std::string& value, std::string_view help);
   /// Any number of words after those, at least one.
   void positionals(std::string_view name, std::vector<std::string>& values, std::string_view help);
-
-  GroupWishes wishes;
 
   /// The help's text about exit statuses, for programs that make no picture.
   void statuses(std::string_view text);

@@ -19,7 +19,7 @@
 namespace texmap {
 
 /// The surfaces of a lesson's scene, from one ray through the center of each pixel. Packs would
-/// draw the same as single numbers.
+/// draw the same, so single numbers do.
 template <HasSurfaces Lesson>
 [[nodiscard]] Image draw_surfaces(const Lesson& lesson, const View<>& view, Shown shown,
                                   NumberKind number, RenderSettings settings) {
@@ -89,6 +89,7 @@ void choose_spheres(const Session& session, Lesson& lesson) {
   }
 }
 
+/// Calls a lesson's hook, and chooses the formulas of the spheres that it made.
 template <class Lesson>
 void prepare(Session& session, Lesson& lesson) {
   lesson.prepare(session);
@@ -100,6 +101,7 @@ void Session::show(Lesson& lesson) {
   Turntable* turn = line_.wishes.turntable;
   if (turn == nullptr || turn->frames == 0) return show_picture(*this, lesson);
   for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
+  for (const auto& keep : line_.wishes.before_frames) keep();
   for (turn->frame = 0; turn->frame < turn->frames; ++turn->frame) {
     prepare(*this, lesson);
     show_picture(*this, lesson, frame_suffix(turn->frame));
@@ -113,7 +115,7 @@ template <class Lesson>
       .spheres = HasSpheres<Lesson>, .surfaces = HasSurfaces<Lesson>, .one_number = !all_numbers};
 }
 
-/// True for a lesson that overrides `show`.
+/// True for a lesson that overrides `show`: `&Lesson::show` is else a member of the base.
 template <class Lesson>
 inline constexpr bool shows_itself =
     !std::is_same_v<decltype(&Lesson::show), void (LessonHooks::*)(Session&)>;

@@ -7,7 +7,7 @@ namespace texmap {
 
 void SamplingOptions::declare_gathering(CommandLine& line) {
   line.wishes.samples = samples;
-  line.wishes.most_samples = most_samples;
+  line.wishes.samples_limit = most_samples;
   line.wishes.no_intervals = "it bounds the error of one ray, not the noise of random samples";
   line.choice<SamplerKind>("--sampler", sampler,
                            {{"random", SamplerKind::random},

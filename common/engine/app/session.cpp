@@ -61,7 +61,7 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   line.whole("--width", settings.width, 1, longest_side, "columns of pixels" + note);
   line.whole("--height", settings.height, 1, longest_side, "rows of pixels" + note);
   if (offered("--samples")) {
-    line.whole("--samples", settings.samples, 1, line.wishes.most_samples,
+    line.whole("--samples", settings.samples, 1, line.wishes.samples_limit,
                "rays per pixel: 1 goes through the pixel's center, more make edges smooth");
   }
   line.whole("--threads", settings.threads, 0, 1024,

@@ -14,7 +14,7 @@
 
 namespace texmap {
 
-/// The choices that every chapter offers.
+/// The user's choices; a chapter may offer fewer.
 struct Settings {
   std::string out;   ///< the picture's file
   int width = 800;   ///< pixels
@@ -31,7 +31,7 @@ struct Settings {
   std::string at;  ///< COLUMN,ROW of the pixel that stays in its place; empty: the middle
 };
 
-/// The options that depend on the lesson.
+/// What decides which options are offered.
 struct Offers {
   bool spheres = false;     ///< --spheres
   bool surfaces = false;    ///< --show
@@ -54,11 +54,13 @@ class Session {
   [[nodiscard]] bool was_given(std::string_view option) const;
   /// Sets this chapter's default size.
   void default_size(int width, int height);
-  /// After parsing: refuses pictures that are too large and files that cannot be written.
+  /// After a lesson's `prepare`, which may change the size: refuses pictures that are too large and
+  /// files that cannot be written.
   void check() const;
-  /// After a lesson's `prepare`: its groups of options make their plans.
+  /// Then lets the lesson's groups of options make their plans: once, not for each frame of a turn.
   void plan() const;
-  /// The same: refuses groups of options that `prepare` did not use. Errors: std::logic_error.
+  /// Refuses groups of options that `prepare` did not use, such as a texture that is never loaded.
+  /// Errors: std::logic_error.
   void check_uses() const;
 
   /// The lesson's picture.
@@ -67,6 +69,7 @@ class Session {
     return draw(lesson, settings.width, settings.height);
   }
   /// The lesson's picture in another size. Defined in run_chapter.hpp.
+  /// Errors: std::logic_error for a lesson that gathers light, unless --show was given.
   template <class Lesson>
   [[nodiscard]] Image draw(const Lesson& lesson, int width, int height);
   /// Draws and saves the lesson's picture, or all those of its turntable. Defined in
@@ -80,8 +83,8 @@ class Session {
   /// Writes a picture and prints a line about it: file, size, milliseconds, rays a second.
   ///
   /// @param suffix  before the file's ending, for chapters with several pictures
-  /// Errors: FileError, and UsageError if an option asks for what a camera sees and none drew the
-  /// picture; the old file is then unchanged.
+  /// Errors: FileError, and UsageError if --zoom or --show was given and the picture was not drawn
+  /// through view(); the old file is then unchanged.
   void save(const Image& image, std::string_view suffix = "");
   /// The name of the file that save() writes.
   [[nodiscard]] std::filesystem::path file_name(std::string_view suffix) const;
@@ -90,7 +93,7 @@ class Session {
   [[nodiscard]] Image timed(double rays, const std::function<Image(const RenderSettings&)>& work);
   /// Adds to the rays that save() reports.
   void count_rays(double rays);
-  /// The rest of the progress line, called from any thread.
+  /// What to append to the progress line; called from any thread.
   std::function<std::string()> remark;
 
  private:

@@ -11,6 +11,9 @@ namespace texmap {
 
 void TextureFile::declare(CommandLine& line) {
   line.text("--texture", "FILE", name, help);
+  line.wishes.before_frames.emplace_back([this] {
+    if (loaded) kept = load();
+  });
   line.wishes.uses.emplace_back([this] {
     if (loaded) return;
     throw std::logic_error(
@@ -21,6 +24,7 @@ void TextureFile::declare(CommandLine& line) {
 
 Image TextureFile::load() const {
   loaded = true;
+  if (!kept.pixels.empty()) return kept;
   return load_image(find_texture(name));
 }
 

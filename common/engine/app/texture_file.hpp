@@ -14,6 +14,7 @@ struct TextureFile {
   const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";
 
   mutable bool loaded = false;  ///< a texture that is offered must be used
+  Image kept{};                 ///< for the pictures of a turn; empty: load the file
 
   void declare(CommandLine& line);
   /// Loads it. Errors: FileError with the file and where it was looked for.

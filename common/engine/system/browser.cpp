@@ -1,5 +1,5 @@
-// What the course asks of the operating system, answered in a browser: no files are there, nothing
-// is written, and nobody types words.
+// What the course asks of the operating system, answered in a browser, which has no files and no
+// command line.
 #include <cstdlib>
 #include <ctime>
 

@@ -77,7 +77,7 @@ TEST_CASE("equal pictures are equal by every figure") {
   CHECK(f.peak_signal_to_noise == infinity);
   CHECK(f.structural_similarity == 1);
   CHECK(f.mean_a == f.mean_b);
-  // measure() does not ask for it then, so it is asked here.
+  // measure() does not compute SSIM for equal pictures, so this calls it.
   for (const double value : ssim_of(a, a)) CHECK(value == 1);
 }
 

@@ -121,7 +121,7 @@ TEST_CASE("a surface's kernel, its smoothing and its light keep to the budget to
       CAPTURE(text);
       const Budget budget = parse_budget(text);
       const auto [mapping, smoothing, words] = choose_surface_kernel(budget, width, height);
-      if (smoothing.most_curvature_error == 0) continue;  // there is no room beside the mapping
+      if (smoothing.most_curvature_error == 0) continue;  // the mapping uses up the budget
       CHECK(smoothing.most_curvature_error > 0);
       const bool levels = budget.unit == Budget::Unit::levels;
       const double u =
