@@ -195,10 +195,10 @@ struct ManyTurns {
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     static const Real sum = sum_of_steps<Real>();
     static const Real radians = sum * pi<Real>() / Real(180);
-    static const SineCosine<Real> summed{sin(radians), cos(radians)};
+    static const OnCircle<Real> summed{cos(radians), sin(radians)};
     // A million tenths are 100,000 degrees, and that is 280 beyond whole turns.
-    static const SineCosine<Real> reduced = sine_cosine_of_degrees(Real(1000000) / Real(10));
-    const SineCosine<Real>& turn = formulas == Formulas::published ? summed : reduced;
+    static const OnCircle<Real> reduced = on_circle_of_degrees(Real(1000000) / Real(10));
+    const OnCircle<Real>& turn = formulas == Formulas::published ? summed : reduced;
 
     const Sphere<> globe{{}, 1};
     const Real distance = distance_to(globe, ray);

@@ -1,21 +1,16 @@
 // Rotation about the vertical axis, exact in degrees.
 #pragma once
+#include "math/circle.hpp"
 #include "math/vec3.hpp"
 
 namespace texmap {
 
-/// Sine and cosine of an angle.
-template <class Real>
-struct SineCosine {
-  Real sine{}, cosine{};
-};
-
-/// Sine and cosine of an angle in degrees, of one plain number; exact at multiples of 90.
+/// Cosine and sine of an angle in degrees, of one plain number; exact at multiples of 90.
 ///
 /// @param degrees  any finite angle; NaN and infinities give NaN
 /// Bound: 3 ulp each, for every angle.
 template <class Real>
-[[nodiscard]] SineCosine<Real> sine_cosine_of_degrees(Real degrees) {
+[[nodiscard]] OnCircle<Real> on_circle_of_degrees(Real degrees) {
   using std::cos;
   using std::fmod;
   using std::sin;
@@ -25,16 +20,16 @@ template <class Real>
   const Real s = sin(rest);
   const Real c = cos(rest);
   const Real quadrant = quarter - Real(4) * floor(quarter / Real(4));
-  if (quadrant == Real(1)) return {c, -s};
-  if (quadrant == Real(2)) return {-s, -c};
-  if (quadrant == Real(3)) return {-c, s};
-  return {s, c};
+  if (quadrant == Real(1)) return {-s, c};
+  if (quadrant == Real(2)) return {-c, -s};
+  if (quadrant == Real(3)) return {s, -c};
+  return {c, s};
 }
 
 /// A rotation about +y, computed once a picture.
 struct RotationY {
-  double sine = 0;
   double cosine = 1;
+  double sine = 0;
 
   /// The rotated point: x' = x cos + z sin, y' = y, z' = z cos - x sin.
   ///
@@ -54,8 +49,8 @@ struct RotationY {
 /// @param degrees  any finite angle; a positive one carries +z towards +x and adds degrees / 360
 ///                 to the u of uv_rtiow
 [[nodiscard]] inline RotationY rotation_y(double degrees) {
-  const SineCosine<double> angle = sine_cosine_of_degrees(degrees);
-  return {angle.sine, angle.cosine};
+  const OnCircle<double> angle = on_circle_of_degrees(degrees);
+  return {angle.cosine, angle.sine};
 }
 
 }  // namespace texmap

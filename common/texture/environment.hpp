@@ -52,8 +52,8 @@ class Environment {
   explicit Environment(LightImage map, TexelFilter filter = TexelFilter::bilinear,
                        double degrees = 0)
       : map_(std::move(map)), filter_(filter), to_map_(rotation_y(-degrees)) {
-    constant_ = std::all_of(map_.texels.begin(), map_.texels.end(), [&](const Color<float>& c) {
-      const Color<float>& first = map_.texels.front();
+    constant_ = std::all_of(map_.pixels.begin(), map_.pixels.end(), [&](const Color<float>& c) {
+      const Color<float>& first = map_.pixels.front();
       return c.r == first.r && c.g == first.g && c.b == first.b;
     });
   }
@@ -71,7 +71,7 @@ class Environment {
   /// A direction of the picture as one of the world.
   template <class Real>
   [[nodiscard]] Vec3<Real> from_map(const Vec3<Real>& direction) const {
-    return RotationY{-to_map_.sine, to_map_.cosine}(direction);
+    return RotationY{to_map_.cosine, -to_map_.sine}(direction);
   }
 
   /// The light along a ray with a direction of any length.
@@ -79,7 +79,7 @@ class Environment {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
     if (constant_) {
-      const Color<float>& light = map_.texels.front();
+      const Color<float>& light = map_.pixels.front();
       return {Real(light.r), Real(light.g), Real(light.b)};
     }
     return at(uv_rtiow(to_map(ray.direction)));
@@ -89,26 +89,27 @@ class Environment {
   template <class Real>
   [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
     if (filter_ == TexelFilter::nearest) {
-      return texel(clamp(floor(uv.u * Real(map_.width)), Real(0), Real(map_.width - 1)),
-                   clamp(floor(uv.v * Real(map_.height)), Real(0), Real(map_.height - 1)));
+      const auto place = texel_place(uv, map_.width, map_.height, VAxis::up, TexelRounding::floor);
+      return color(look_up(texels(), place));
     }
     const FourTexels<Real> four = four_texels(uv, map_.width, map_.height);
-    const auto color = [&](std::size_t i) {
-      return texel(four.texels[i].column, four.texels[i].row);
+    const auto texel = [&](std::size_t i) {
+      const WrappedTexel<Real>& one = four.texels[i];
+      return color(look_up(texels(), one.column, Real(map_.height - 1) - one.row));
     };
-    return mix(mix(color(0), color(1), four.across), mix(color(2), color(3), four.across), four.up);
+    return mix(mix(texel(0), texel(1), four.across), mix(texel(2), texel(3), four.across), four.up);
   }
 
  private:
-  /// A texel inside the picture, its row counted from v = 0.
+  /// The light of the texel in a column and a row, rows from the top, as look_up asks for it.
+  [[nodiscard]] auto texels() const {
+    return [this](int column, int row) {
+      const Color<float>& light = map_.at(column, row);
+      return std::array{light.r, light.g, light.b};
+    };
+  }
   template <class Real>
-  [[nodiscard]] Color<Real> texel(const Real& column, const Real& from_zero) const {
-    const auto channels = look_up(
-        [this](int at_column, int at_row) {
-          const Color<float>& light = map_.at(at_column, at_row);
-          return std::array{light.r, light.g, light.b};
-        },
-        column, Real(map_.height - 1) - from_zero);
+  [[nodiscard]] static Color<Real> color(const std::array<Real, 3>& channels) {
     return {channels[0], channels[1], channels[2]};
   }
 

@@ -12,23 +12,24 @@ struct Rgb8 {
   friend bool operator==(const Rgb8&, const Rgb8&) = default;
 };
 
-/// The pixels of an image, row by row from the top, each row from the left.
-struct Image {
+/// A picture's pixels, row by row from the top, each row from the left.
+template <class Pixel>
+struct Grid {
   int width = 0;
   int height = 0;
-  std::vector<Rgb8> pixels;
+  std::vector<Pixel> pixels;
 
-  Image() = default;
-  Image(int columns, int rows, Rgb8 fill = {})
+  Grid() = default;
+  Grid(int columns, int rows, const Pixel& fill = {})
       : width(columns),
         height(rows),
         pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill) {}
 
   /// The pixel in a column and a row, both from 0, rows from the top; not checked.
-  [[nodiscard]] Rgb8& at(int column, int row) { return pixels[place(column, row)]; }
-  [[nodiscard]] const Rgb8& at(int column, int row) const { return pixels[place(column, row)]; }
+  [[nodiscard]] Pixel& at(int column, int row) { return pixels[place(column, row)]; }
+  [[nodiscard]] const Pixel& at(int column, int row) const { return pixels[place(column, row)]; }
 
-  friend bool operator==(const Image&, const Image&) = default;
+  friend bool operator==(const Grid&, const Grid&) = default;
 
  private:
   [[nodiscard]] std::size_t place(int column, int row) const {
@@ -36,5 +37,6 @@ struct Image {
            static_cast<std::size_t>(column);
   }
 };
+using Image = Grid<Rgb8>;
 
 }  // namespace texmap

@@ -33,7 +33,7 @@ struct Pyramid {
     levels.push_back({image.width, image.height, first_row});
     for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row)
       row_starts.push_back(texels.size() + row * static_cast<std::size_t>(image.width));
-    texels.insert(texels.end(), image.texels.begin(), image.texels.end());
+    texels.insert(texels.end(), image.pixels.begin(), image.pixels.end());
   }
 };
 
@@ -68,7 +68,7 @@ struct Covered {
   LightImage narrow(std::max(image.width / 2, 1), image.height);
   LightImage result(narrow.width, std::max(image.height / 2, 1));
   const auto width = static_cast<std::size_t>(narrow.width);
-  std::vector<Rgb> sums(result.texels.size());
+  std::vector<Rgb> sums(result.pixels.size());
   const auto rounded = [&sums](std::size_t i, double share) {
     const Rgb mean = sums[i] * share;
     sums[i] = {};
@@ -88,15 +88,15 @@ struct Covered {
       sum = sum + number_cast<double>(narrow.at(static_cast<int>(i), from)) * part;
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) result.texels[i] = rounded(i, 1.0 / image.height);
+  for (std::size_t i = 0; i < sums.size(); ++i) result.pixels[i] = rounded(i, 1.0 / image.height);
   return result;
 }
 
 /// The pyramid of an image of any size; of an empty image, nothing.
 [[nodiscard]] inline Pyramid pyramid_of(LightImage image) {
   Pyramid pyramid;
-  if (image.texels.empty()) return pyramid;
-  pyramid.texels.reserve(image.texels.size() * 4 / 3 + 2 * static_cast<std::size_t>(image.width));
+  if (image.pixels.empty()) return pyramid;
+  pyramid.texels.reserve(image.pixels.size() * 4 / 3 + 2 * static_cast<std::size_t>(image.width));
   pyramid.add(image);
   while (image.width > 1 || image.height > 1) {
     image = halved(image);

@@ -28,7 +28,7 @@ struct SmoothTexture {
   /// The mean, as the middle texel plus the others' differences from it: a constant stays exact.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    if (image.texels.empty()) return gray(Real(0));
+    if (image.pixels.empty()) return gray(Real(0));
     const Real x = uv.u * Real(image.width);
     const Real y = (v_axis == VAxis::down ? uv.v : Real(1) - uv.v) * Real(image.height);
     const Real column = floor(x);

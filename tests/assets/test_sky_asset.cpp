@@ -40,11 +40,11 @@ TEST_CASE("making the sky again gives the same file") {
 TEST_CASE("the sun is where it is said to be, and 900 times as bright as white") {
   const texmap::LightImage sky = texmap::load_light(assets + "/sky.hdr");
   std::size_t brightest = 0;
-  for (std::size_t i = 0; i < sky.texels.size(); ++i) {
-    if (sky.texels[i].r > sky.texels[brightest].r) brightest = i;
+  for (std::size_t i = 0; i < sky.pixels.size(); ++i) {
+    if (sky.pixels[i].r > sky.pixels[brightest].r) brightest = i;
   }
-  CHECK(sky.texels[brightest].r > 890);
-  CHECK(sky.texels[brightest].r < 910);
+  CHECK(sky.pixels[brightest].r > 890);
+  CHECK(sky.pixels[brightest].r < 910);
   const double latitude = 90 - 180 * (static_cast<double>(brightest / 384) + 0.5) / 192;
   CHECK(std::abs(latitude - 33) < 1.4);  // its radius
 }

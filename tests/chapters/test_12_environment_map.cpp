@@ -98,7 +98,7 @@ TEST_CASE("all ways gather the same light: their pictures come together as sampl
   const Size size = {32, 18};
   const Drawn drawn = {.size = size};
   LightImage map = sky_of_the_chapter();
-  for (Color<float>& texel : map.texels) {  // a weaker sun: chance alone must find it, too
+  for (Color<float>& texel : map.pixels) {  // a weaker sun: chance alone must find it, too
     const auto limited = [](float x) { return std::min(x, 20.0F); };
     texel = {limited(texel.r), limited(texel.g), limited(texel.b)};
   }
@@ -211,7 +211,7 @@ TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 
   const LightImage full = sky_of_the_chapter();
   LightImage cut = full;
   double brightest = 0;
-  for (Color<float>& texel : cut.texels) {
+  for (Color<float>& texel : cut.pixels) {
     brightest = std::max(brightest, static_cast<double>(texel.r));
     texel = {std::min(texel.r, 1.0F), std::min(texel.g, 1.0F), std::min(texel.b, 1.0F)};
   }
@@ -224,11 +224,11 @@ TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 
   CHECK(missing(all.r, left.r) > missing(all.b, left.b) + 3);  // what is left is bluer
   // The same by a real PNG file, within its bytes' rounding.
   Image png(full.width, full.height);
-  for (std::size_t i = 0; i < full.texels.size(); ++i) {
+  for (std::size_t i = 0; i < full.pixels.size(); ++i) {
     const auto byte = [](float x) {
       return static_cast<std::uint8_t>(byte_of_light(static_cast<double>(x), Transfer::srgb));
     };
-    png.pixels[i] = {byte(full.texels[i].r), byte(full.texels[i].g), byte(full.texels[i].b)};
+    png.pixels[i] = {byte(full.pixels[i].r), byte(full.pixels[i].g), byte(full.pixels[i].b)};
   }
   const TemporaryFolder folder;
   save_png(png, folder / "sky.png");

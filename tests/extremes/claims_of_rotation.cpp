@@ -23,12 +23,12 @@ T any_angle(Dice& dice, int largest) {
 
 /// Sine and cosine in units in the last place.
 template <class T>
-double ulps(const SineCosine<T>& got, const ExactAngle<Digits50>& exact) {
+double ulps(const OnCircle<T>& got, const ExactAngle<Digits50>& exact) {
   return std::max(ulps_off(got.sine, exact.sine), ulps_off(got.cosine, exact.cosine));
 }
 /// The angle itself in texels on the equator: what a wrong one does to a picture.
 template <class T>
-double texels(const SineCosine<T>& got, const ExactAngle<Digits50>& exact) {
+double texels(const OnCircle<T>& got, const ExactAngle<Digits50>& exact) {
   const Digits50 off =
       atan2(exact.sine, exact.cosine) - atan2(Digits50(got.sine), Digits50(got.cosine));
   return static_cast<double>(around(Digits50(abs(off) / (2 * circle<Digits50>())), Digits50(0)) *
@@ -37,7 +37,7 @@ double texels(const SineCosine<T>& got, const ExactAngle<Digits50>& exact) {
 
 template <class T, class Function>
 auto worst_angle(Function function, int largest,
-                 double (*off)(const SineCosine<T>&, const ExactAngle<Digits50>&)) {
+                 double (*off)(const OnCircle<T>&, const ExactAngle<Digits50>&)) {
   return worst_over([=](Dice& dice, Worst& worst) {
     const T degrees = any_angle<T>(dice, largest);
     worst.see(off(function(degrees), exact_angle(degrees)), [&] { return described(degrees); });
@@ -84,11 +84,11 @@ auto worst_shift(int largest) {
   });
 }
 
-constexpr auto ours = [](auto degrees) { return sine_cosine_of_degrees(degrees); };
+constexpr auto ours = [](auto degrees) { return on_circle_of_degrees(degrees); };
 /// Sine and cosine as most programs have them.
 constexpr auto through_radians = []<class T>(T degrees) {
   const T radians = degrees * pi<T>() / T(180);
-  return SineCosine<T>{std::sin(radians), std::cos(radians)};
+  return OnCircle<T>{std::cos(radians), std::sin(radians)};
 };
 
 template <class T>
@@ -109,7 +109,7 @@ Cost cost_of_angle() {
 template <class T>
 void add_angle(Family& family, int largest, const std::string& range) {
   family
-      .add<T>("sine_cosine_of_degrees",
+      .add<T>("on_circle_of_degrees",
               "any angle from the smallest number to " + range +
                   " degrees; whole degrees; quarter turns and their neighbours",
               {3, "ulp"}, worst_angle<T>(ours, largest, ulps<T>))

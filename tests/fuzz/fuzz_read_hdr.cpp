@@ -23,8 +23,8 @@ void check_light(const Color<double>& light) {
 
 bool same(const LightImage& a, const LightImage& b) {
   bool equal = a.width == b.width && a.height == b.height;
-  for (std::size_t i = 0; equal && i < a.texels.size(); ++i) {
-    const Color<float>&p = a.texels[i], &q = b.texels[i];
+  for (std::size_t i = 0; equal && i < a.pixels.size(); ++i) {
+    const Color<float>&p = a.pixels[i], &q = b.pixels[i];
     equal = p.r == q.r && p.g == q.g && p.b == q.b;
   }
   return equal;
@@ -46,8 +46,8 @@ void try_file(Bytes file) {
   claim(image.width >= 1 && image.height >= 1, "a picture has columns and rows");
   const auto texels =
       static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-  claim(image.texels.size() == texels && texels <= most_texels, "a picture is whole");
-  for (const Color<float>& texel : image.texels) check_light(number_cast<double>(texel));
+  claim(image.pixels.size() == texels && texels <= most_texels, "a picture is whole");
+  for (const Color<float>& texel : image.pixels) check_light(number_cast<double>(texel));
   try {
     claim(same(read_hdr(file.first(file.size() - 1), most_texels), image),
           "a file without its last byte is the same picture or none");

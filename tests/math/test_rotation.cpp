@@ -19,7 +19,7 @@ TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, floa
   const int cosines[] = {1, 0, -1, 0};
   for (int quarter = -400; quarter <= 400; ++quarter) {
     const std::size_t place = static_cast<std::size_t>(quarter + 400) % 4;
-    const SineCosine<Real> angle = sine_cosine_of_degrees(static_cast<Real>(90 * quarter));
+    const OnCircle<Real> angle = on_circle_of_degrees(static_cast<Real>(90 * quarter));
     CAPTURE(quarter);
     CHECK(angle.sine == static_cast<Real>(sines[place]));
     CHECK(angle.cosine == static_cast<Real>(cosines[place]));
@@ -39,7 +39,7 @@ TEST_CASE("any finite angle counts, up to the largest number there is") {
 TEST_CASE_TEMPLATE("an angle that is no number gives no number", Real, float, double, long double) {
   for (const Real degrees :
        {std::numeric_limits<Real>::quiet_NaN(), infinity<Real>(), -infinity<Real>()}) {
-    const SineCosine<Real> angle = sine_cosine_of_degrees(degrees);
+    const OnCircle<Real> angle = on_circle_of_degrees(degrees);
     CHECK(angle.sine != angle.sine);
     CHECK(angle.cosine != angle.cosine);
   }

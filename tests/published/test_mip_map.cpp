@@ -9,8 +9,8 @@ namespace {
 /// So many texels, the light of each its number.
 FilteredTexture numbered(int width, int height) {
   LightImage image(width, height);
-  for (std::size_t i = 0; i < image.texels.size(); ++i)
-    image.texels[i] = gray(static_cast<float>(i));
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = gray(static_cast<float>(i));
   return {.pyramid = pyramid_of(image), .filter = Filter::trilinear, .v_axis = VAxis::down};
 }
 

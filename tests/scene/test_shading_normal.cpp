@@ -8,7 +8,7 @@
 
 #include "sampling/directions.hpp"
 #include "scene/paint.hpp"
-#include "scene/two_facets.hpp"
+#include "support/two_facets.hpp"
 #include "support/dice.hpp"
 
 using namespace texmap;

@@ -47,9 +47,9 @@ template <class Real>
   const auto index = [rows](int i, int k) { return i * rows + k; };
   for (int i = 0; i < columns; ++i) {
     for (int k = 0; k < rows; ++k) {
-      const SineCosine<double> along = sine_cosine_of_degrees(360.0 * i / columns);
-      const SineCosine<double> round = sine_cosine_of_degrees(360.0 * k / rows);
-      const double bump = 1 + 0.2 * sine_cosine_of_degrees(360.0 * 7 * i / columns).sine;
+      const OnCircle<double> along = on_circle_of_degrees(360.0 * i / columns);
+      const OnCircle<double> round = on_circle_of_degrees(360.0 * k / rows);
+      const double bump = 1 + 0.2 * on_circle_of_degrees(360.0 * 7 * i / columns).sine;
       const double radius = 1 + 0.4 * round.cosine * bump;
       torus.mesh.points.push_back(
           {radius * along.cosine, 0.6 * round.sine * bump, -radius * along.sine});

@@ -14,7 +14,7 @@ namespace {
 LightImage patterned(int width, int height) {
   LightImage image(width, height);
   std::uint32_t state = 3;
-  for (Color<float>& texel : image.texels) {
+  for (Color<float>& texel : image.pixels) {
     const auto next = [&state] {
       state = state * 1664525U + 1013904223U;
       return static_cast<float>(state >> 24);

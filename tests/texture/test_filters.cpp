@@ -38,7 +38,7 @@ Pyramid coordinates(int width, int height) {
 LightImage noise(int width, int height, std::uint64_t seed = 3) {
   Dice dice(seed);
   LightImage image(width, height);
-  for (Color<float>& texel : image.texels)
+  for (Color<float>& texel : image.pixels)
     texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
              static_cast<float>(dice.between(0, 1))};
   return image;
@@ -160,7 +160,7 @@ TEST_CASE("no weight is negative: one bright texel never darkens a footprint, an
       double sum = 0;
       for (std::size_t texel = 0; texel < 64; ++texel) {
         LightImage image(8, 8);
-        image.texels[texel].r = 1;
+        image.pixels[texel].r = 1;
         const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = filter};
         const double weight = texture.filtered(where).r;
         REQUIRE(weight >= 0);

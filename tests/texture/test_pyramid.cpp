@@ -14,7 +14,7 @@ namespace {
 LightImage noise(int width, int height) {
   Dice dice(static_cast<std::uint64_t>(width * 4099 + height));
   LightImage image(width, height);
-  for (Color<float>& texel : image.texels)
+  for (Color<float>& texel : image.pixels)
     texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
              dice.once_in(9) ? 50.0F : 0.0F};
   return image;
@@ -57,7 +57,7 @@ TEST_CASE("every level of every size keeps the mean light, and the last level is
 
 TEST_CASE("of a size that is a power of two each texel is the mean of four, without a rounding") {
   LightImage image(4, 2);
-  for (int i = 0; i < 8; ++i) image.texels[static_cast<std::size_t>(i)].r = static_cast<float>(i);
+  for (int i = 0; i < 8; ++i) image.pixels[static_cast<std::size_t>(i)].r = static_cast<float>(i);
   const LightImage half = halved(image);
   CHECK(half.width == 2);
   CHECK(half.height == 1);

@@ -17,7 +17,7 @@ constexpr double sphere = 4 * std::numbers::pi;
 LightImage contrasts(int width, int height) {
   LightImage image(width, height);
   std::uint32_t state = 11;
-  for (Color<float>& texel : image.texels) {
+  for (Color<float>& texel : image.pixels) {
     state = state * 1664525U + 1013904223U;
     const float brightness = state >> 31 == 0 ? 0.0F : static_cast<float>(state >> 8) * 0x1p-23F;
     texel = gray(brightness);

@@ -16,7 +16,7 @@ namespace {
 LightImage noise(int width, int height, std::uint64_t seed) {
   Dice dice(seed);
   LightImage image(width, height);
-  for (auto& texel : image.texels) {
+  for (auto& texel : image.pixels) {
     const auto value = static_cast<float>(dice.between(0, 1));
     texel = {value, value / 2, 1 - value};
   }

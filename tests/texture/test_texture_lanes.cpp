@@ -34,7 +34,7 @@ Image bytes(int width, int height) {
 LightImage light(int width, int height) {
   Dice dice(2);
   LightImage image(width, height);
-  for (Color<float>& texel : image.texels)
+  for (Color<float>& texel : image.pixels)
     texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
              dice.once_in(9) ? 50.0F : 0.0F};
   return image;

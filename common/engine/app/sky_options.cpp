@@ -43,7 +43,7 @@ void SkyOptions::declare(CommandLine& line) {
 SkyLight SkyOptions::load(const Session& session) {
   LightImage map = load_light(find_texture(name));
   const auto factor = static_cast<float>(std::exp2(exposure));
-  for (Color<float>& texel : map.texels) texel = texel * factor;
+  for (Color<float>& texel : map.pixels) texel = texel * factor;
   Environment picture(std::move(map), filter, degrees);
   if (picture.map().width % 2 != 0 && !picture.is_constant()) {
     throw FileError("cannot load texture '" + name + "': it is " +

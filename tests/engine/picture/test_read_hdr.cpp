@@ -106,7 +106,7 @@ TEST_CASE("a texel is the middle of its step, an exponent 0 is black, an exposur
        {128.5F / 1024, 64.5F / 1024, 32.5F / 1024}},
   };
   for (const auto& [file, expected] : table) {
-    const Color<float> texel = read_hdr(file, max_light_texels).texels.front();
+    const Color<float> texel = read_hdr(file, max_light_texels).pixels.front();
     CHECK(texel.r == expected.r);
     CHECK(texel.g == expected.g);
     CHECK(texel.b == expected.b);
@@ -120,7 +120,7 @@ TEST_CASE("runs of both kinds and texels one by one hold the same light") {
         one_row(8, one + HdrBytes{1, 1, 1, 3} + one + HdrBytes{1, 1, 1, 3}),
         // A count of two bytes: 300 texels are the first, 43 more and 1 times 256.
         one_row(300, one + HdrBytes{1, 1, 1, 43} + HdrBytes{1, 1, 1, 1})}) {
-    for (const Color<float>& texel : read_hdr(file, max_light_texels).texels) {
+    for (const Color<float>& texel : read_hdr(file, max_light_texels).pixels) {
       REQUIRE(texel.r == 10.5F / 128);
       REQUIRE(texel.g == 20.5F / 128);
       REQUIRE(texel.b == 30.5F / 128);
@@ -137,14 +137,14 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
   REQUIRE(ours.width == width);
   double sum = 0, sum_of_theirs = 0, sum_of_ours = 0;
   double brightest = 0, brightest_corrected = 0;  // relative bias of each texel's largest channel
-  for (std::size_t i = 0; i < ours.texels.size(); ++i) {
+  for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
     const std::size_t first = 3 * i;
     const float most = std::max({theirs[first], theirs[first + 1], theirs[first + 2]});
     int exponent = 0;
     std::frexp(most, &exponent);
     const float half_a_step = std::ldexp(1.0F, exponent - 9);
     const float truth = std::max({light[first], light[first + 1], light[first + 2]});
-    const float channels[] = {ours.texels[i].r, ours.texels[i].g, ours.texels[i].b};
+    const float channels[] = {ours.pixels[i].r, ours.pixels[i].g, ours.pixels[i].b};
     for (std::size_t k = 0; k < 3; ++k) {
       const float by_stb = theirs[first + k];
       REQUIRE(channels[k] == (by_stb == 0 ? 0 : by_stb + half_a_step));
@@ -156,7 +156,7 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
       brightest_corrected += channels[k] / truth - 1;
     }
   }
-  const auto count = static_cast<double>(ours.texels.size());
+  const auto count = static_cast<double>(ours.pixels.size());
   CHECK(1 - sum_of_theirs / sum > 0.003);
   CHECK(std::abs(1 - sum_of_ours / sum) < 1e-4);
   // The brightest channel's mantissa is m = 128 to 255, in a logarithmic world 1 / (m ln 2) often:
@@ -169,12 +169,12 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
 TEST_CASE("the content decides what a file is, and PNG bytes become light by the sRGB curve") {
   const TemporaryFolder folder;
   put(folder / "sky.png", one_row(2, flat(2)));
-  CHECK(load_light(folder / "sky.png").texels[0].r == 128.5F / 128);
+  CHECK(load_light(folder / "sky.png").pixels[0].r == 128.5F / 128);
   save_png(Image(2, 1, {188, 255, 0}), folder / "sky.hdr");
   const LightImage light = load_light(folder / "sky.hdr");
-  CHECK(light.texels[1].r == doctest::Approx(srgb_decode(188 / 255.0)));
-  CHECK(light.texels[1].g == 1);
-  CHECK(light.texels[1].b == 0);
+  CHECK(light.pixels[1].r == doctest::Approx(srgb_decode(188 / 255.0)));
+  CHECK(light.pixels[1].g == 1);
+  CHECK(light.pixels[1].b == 0);
   put(folder / "bad.hdr", hdr_start + (bytes_of_text(hdr_size(2, 2)) + flat(3)));
   put(folder / "other.hdr", bytes_of_text("GIF89a..."));
   save_png(Image(4096, 2049), folder / "large.png");

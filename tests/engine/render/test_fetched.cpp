@@ -112,7 +112,7 @@ void check_filters() {
        {std::array{1, 1}, std::array{2, 1}, std::array{1, 5}, std::array{37, 20}}) {
     LightImage image(size[0], size[1]);
     float light = 0.3F;
-    for (Color<float>& texel : image.texels) {
+    for (Color<float>& texel : image.pixels) {
       for (float* channel : {&texel.r, &texel.g, &texel.b})
         *channel = light = light * 7.3F - static_cast<float>(static_cast<int>(light * 7.3F));
     }

@@ -14,7 +14,8 @@ namespace {
 template <class Real>
 RotationY through_radians(Real degrees) {
   const Real radians = degrees * pi<Real>() / Real(180);
-  return {static_cast<double>(std::sin(radians)), static_cast<double>(std::cos(radians))};
+  return {.cosine = static_cast<double>(std::cos(radians)),
+          .sine = static_cast<double>(std::sin(radians))};
 }
 
 Image turned(const RotationY& rotation) {

@@ -84,8 +84,8 @@ void figures_of_12(Figures& figures) {
   LightImage cut = map;
   float brightest = 0;
   std::size_t sun = 0;
-  for (std::size_t i = 0; i < cut.texels.size(); ++i) {
-    Color<float>& light = cut.texels[i];
+  for (std::size_t i = 0; i < cut.pixels.size(); ++i) {
+    Color<float>& light = cut.pixels[i];
     if (light.r > brightest) sun = i;
     brightest = std::max(brightest, light.r);
     light = {std::min(light.r, 1.0F), std::min(light.g, 1.0F), std::min(light.b, 1.0F)};
