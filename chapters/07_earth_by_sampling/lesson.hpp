@@ -10,13 +10,13 @@
 #include "scene/paint.hpp"
 #include "scene/path.hpp"
 #include "scene/stage.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"
 
 namespace texmap::chapter_07 {
 
-using Textured = Mapped<Rotated<ConventionMapping>, ImageTexture>;
+using Textured = Mapped<Rotated<ConventionMapping>, LightTexture>;
 using Object = Painted<Textured>;
 enum ObjectIndex { middle };  // in the order of `objects`
 
@@ -37,7 +37,7 @@ struct Lesson : LessonHooks {
 
   void options(CommandLine& line) override { offer(line, texture, layout, turn, sampling); }
   void prepare(Session&) override {
-    objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
+    objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, {layout.load(texture)}};
     sampling.apply_to(objects[middle].paint.texture, stage.sky);
   }
 

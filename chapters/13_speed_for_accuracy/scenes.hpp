@@ -44,13 +44,13 @@ struct Globe {
   double away = 12;          ///< from the eye to the globe's center
   Rgb sky{0.72, 0.8, 1};     ///< no channel lies on the edge between two bytes
   ImageTexture nearest;      ///< the picture's bytes as they are
-  ImageTexture light;        ///< the same picture, decoded to light
+  LightTexture light;        ///< the same picture, decoded to light
   RootTexture roots;         ///< that light, stored as its roots
   BilinearTexture bilinear;  ///< the same picture, filtered
 
   explicit Globe(const Image& picture)
       : nearest{picture},
-        light{.image = picture, .light = TexelLight::linear},
+        light{{picture}},
         roots(light),
         bilinear{picture} {}
 

@@ -7,11 +7,11 @@ namespace texmap {
 /// Where a ray meets a surface.
 template <class Real>
 struct Hit {
-  Vec3<Real> normal;            ///< outward, unit length
-  Vec3<Real> point;             ///< the hit point
-  Vec3<Real> outside;           ///< the hit point lifted off the surface by a rounding bound
-  Vec3<Real> inside;            ///< the hit point sunk below the surface by the same bound
-  const void* shape = nullptr;  ///< the address of the shape that was hit
+  Vec3<Real> normal;   ///< outward, unit length
+  Vec3<Real> point;    ///< the hit point
+  Vec3<Real> outside;  ///< the hit point lifted off the surface by a rounding bound
+  Vec3<Real> inside;   ///< the hit point sunk below the surface by the same bound
+  int object = -1;     ///< the index of what was hit, in the scene's list; -1 if it has none
 };
 
 /// The ray from a hit point in a direction of any length; it does not meet the surface there again.

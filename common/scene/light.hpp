@@ -34,7 +34,7 @@ template <class Real, class Objects>
   const Real cosine = max(dot(hit.normal, to_light), Real(0));
   if (!any(cosine > Real(0))) return {to_light, cosine};
   const Mask<Real> hidden =
-      is_occluded(objects, Ray<Real>{hit.outside, to_light}, distance, hit.shape);
+      is_occluded(objects, Ray<Real>{hit.outside, to_light}, distance, hit.object);
   return {to_light, select(hidden, Real(0), cosine)};
 }
 

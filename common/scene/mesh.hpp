@@ -162,7 +162,7 @@ template <class Real>
 /// True where one of these triangles lies between the ray's origin and `distance` along it.
 template <class Real>
 [[nodiscard]] Mask<Real> is_occluded(const OtherTriangles<Real>& others, const Ray<Real>& ray,
-                                     const Real& distance, const void* /*leaving*/ = nullptr) {
+                                     const Real& distance, int /*leaving*/ = -1) {
   Mask<Real> hidden = mask_of<Real>(false);
   for_each_crossing(others.mesh, ray, distance, [&](int number, const Crossing<Real>& found) {
     hidden = hidden || (found.met && !(others.own == Real(number)) && found.distance > Real(0) &&

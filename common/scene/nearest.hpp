@@ -27,13 +27,15 @@ template <class Real, class Objects>
 }
 
 /// True where an object lies between the ray's origin and `distance` along it. The sphere with the
-/// address `leaving`, from which the ray starts outward, is skipped.
+/// index `leaving`, from which the ray starts outward, is skipped.
 template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray,
-                                     const Real& distance, const void* leaving = nullptr) {
+                                     const Real& distance, int leaving = -1) {
   Real first = infinity<Real>();
+  int index = 0;
   for (const auto& object : objects) {
-    if (&object.shape != leaving) first = min(distance_to(object.shape, ray), first);
+    if (index != leaving) first = min(distance_to(object.shape, ray), first);
+    ++index;
   }
   return first < distance;
 }
@@ -48,13 +50,14 @@ template <class Real, class Objects, class Background, class Shade>
   const Nearest<Real> nearest = find_nearest(objects, ray);
   decltype(background(ray)) color{};
   if (any(nearest.index < Real(0))) color = background(ray);
-  double index = 0;
+  int index = -1;
   for (const auto& object : objects) {
+    ++index;
     const Mask<Real> here = nearest.index == Real(index);
-    index += 1;
     if (!any(here)) continue;
     // Other lanes get the distance 1; their result is not used.
-    const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+    Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
+    hit.object = index;
     color = select(here, shade(object, hit), color);
   }
   return color;

@@ -88,7 +88,7 @@ template <class Real, class SphereLike>
   const Vec3<Real> lift =
       normal * (Real(16) * u *
                 (sphere.form == SphereForm::hybrid ? formed_with + u * seen_with : seen_with));
-  return {normal, point, point + lift, point - lift, &sphere};
+  return {normal, point, point + lift, point - lift};
 }
 
 }  // namespace texmap

@@ -1,6 +1,6 @@
 // An image as a texture with the bilinear filter.
 #pragma once
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 #include "texture/wrap.hpp"
 
 namespace texmap {

@@ -1,7 +1,6 @@
 // An image as a texture, without a filter.
 #pragma once
 #include <array>
-#include <tuple>
 #include <type_traits>
 
 #include "math/color.hpp"
@@ -16,30 +15,6 @@ enum class VAxis {
   up,    ///< v = 0 is the bottom row
   down,  ///< v = 0 is the top row
 };
-
-/// What a texel's bytes mean, in the order of `light_tables`.
-enum class TexelLight {
-  encoded,  ///< the byte / 255, without linear light
-  linear,   ///< an amount of light, by the sRGB curve of image files
-  stb,      ///< stb_image's power 2.2, kept in 8 bits as in Next Week: 184 of 256 values remain
-};
-
-/// The meaning of every byte, 0 to 1: one table for each TexelLight.
-template <class Number>
-using LightTables = std::array<std::array<Number, 256>, 3>;
-extern const std::tuple<LightTables<float>, LightTables<double>, LightTables<long double>>
-    light_tables;
-
-/// The table of one TexelLight, in float, double or long double.
-template <class Number>
-[[nodiscard]] const std::array<Number, 256>& light_of_bytes(TexelLight light) {
-  return std::get<LightTables<Number>>(light_tables)[static_cast<std::size_t>(light)];
-}
-
-/// The entries of the table that a number reads: the widest for numbers without one of their own.
-template <class Real>
-using LightEntry =
-    std::conditional_t<std::is_floating_point_v<Scalar<Real>>, Scalar<Real>, long double>;
 
 /// A texel's column from the left and row from the top, whole numbers from 0.
 template <class Real>
@@ -75,7 +50,6 @@ struct ImageTexture {
   Image image;  ///< an empty one is black
   VAxis v_axis = VAxis::up;
   TexelRounding rounding = TexelRounding::floor;
-  TexelLight light = TexelLight::encoded;
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
@@ -84,21 +58,9 @@ struct ImageTexture {
   }
 };
 
-/// The color of a texel inside the image: what each of its bytes means.
+/// The color of a texel inside the image: each byte / 255.
 template <class Real>
 [[nodiscard]] Color<Real> texel_color(const ImageTexture& texture, const TexelPlace<Real>& place) {
-  // Intervals and 50-digit numbers compute byte / 255 themselves: a table entry is rounded.
-  constexpr bool table_is_exact_enough = std::is_floating_point_v<Real> || lanes<Real> != 1;
-  if (table_is_exact_enough || texture.light != TexelLight::encoded) {
-    const auto& light = light_of_bytes<LightEntry<Real>>(texture.light);
-    const auto channels = look_up(
-        [&](int column, int row) {
-          const Rgb8& texel = texture.image.at(column, row);
-          return std::array{light[texel.r], light[texel.g], light[texel.b]};
-        },
-        place);
-    return {channels[0], channels[1], channels[2]};
-  }
   const auto bytes = look_up(
       [&](int column, int row) {
         const Rgb8& texel = texture.image.at(column, row);

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "math/color.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 
 namespace texmap {
 

@@ -1,6 +1,6 @@
 // The tables of what a texel's bytes mean, computed at compile time.
 #include "number/compiler.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 
 namespace texmap {
 namespace {

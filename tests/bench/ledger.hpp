@@ -100,7 +100,7 @@ struct HitOfEveryObject : Lesson {
       const Mask<Real> here = nearest.index == Real(index);
       index += 1;
       if (!any(here)) continue;
-      first.shape = &object.shape;
+      first.object = static_cast<int>(index) - 1;
       const LightSample<Real> light = sample_light(this->stage.light, this->objects, first);
       seen = select(here, paint * lambert(this->surface, light), seen);
     }
@@ -160,7 +160,7 @@ struct ShadowRayAnyway : chapter_06::Lesson {
           const Vec3<Real> to_light = path * (Real(1) / distance);
           const Real cosine = max(dot(hit.normal, to_light), Real(0));
           const Mask<Real> hidden = is_occluded(
-              phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.shape);
+              phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.object);
           const LightSample<Real> light = {to_light, select(hidden, Real(0), cosine)};
           const Color<Real> color = object.paint(hit);
           const Real lambertian = lambert(object.material.lambertian, light);

@@ -92,7 +92,7 @@ constexpr std::size_t walk_side = 128;  // look-ups along a row, and rows
 /// A picture of 4096 by 2048 texels, and a walk over it such as a globe's picture makes: one and a
 /// half texels at a step.
 struct TextureWork {
-  ImageTexture exact;
+  LightTexture exact;
   PlannedTexture texture{&exact};
   Columns input, output;
 
@@ -108,7 +108,7 @@ struct TextureWork {
                                  static_cast<std::uint8_t>(bits >> 16)};
       }
     }
-    exact = {.image = image, .light = light};
+    exact = {{image}, light};
     if (as_roots) texture.roots = RootTexture(exact);
     for (std::size_t i = 0; i < input.rows(); ++i) {
       const auto along = static_cast<double>(i % walk_side);

@@ -113,7 +113,6 @@ auto count_acne(SphereForm form, Start start) {
     const T distance = distance_to(ground[0].shape, ray);
     if (!(distance < infinity<T>())) return;
     Hit<T> hit = hit_at(ground[0].shape, ray, distance);
-    hit.shape = nullptr;  // or the ground would not be asked at all, and the lift not be tried
     if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;
     const LightSample<T> light = sample_light(stage.light, ground, hit);
     // The light is clearly above the horizon of the point.

@@ -193,7 +193,7 @@ void check_images(const Head& head, const Uv<Real>& uv) {
   const VAxis axis = (head.choices & 1) != 0 ? VAxis::up : VAxis::down;
   const auto rounding = (head.choices & 2) != 0 ? TexelRounding::floor : TexelRounding::lecture;
   const auto light = static_cast<TexelLight>((head.choices >> 2 & 3) % 3);
-  const ImageTexture nearest{image, axis, rounding, light};
+  const LightTexture nearest{{image, axis, rounding}, light};
   const BilinearTexture bilinear{image, axis, light};
 
   std::vector<Color<T>> texels;

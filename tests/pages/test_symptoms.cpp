@@ -172,7 +172,7 @@ Image with_acne() {
     return color_along(
         objects, ray, lesson().stage.sky, [&](const chapter_03::Object& object, Hit<double> hit) {
           hit.outside = ray.origin + ray.direction * distance_to(object.shape, ray);
-          hit.shape = nullptr;
+          hit.object = -1;
           return object.paint(hit) *
                  lambert(lesson().surface, sample_light(lesson().stage.light, objects, hit));
         });

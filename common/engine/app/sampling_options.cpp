@@ -49,7 +49,7 @@ void SamplingOptions::declare(CommandLine& line) {
                     "the sky: uniform, or white below and blue above");
 }
 
-void SamplingOptions::apply_to(ImageTexture& texture, GradientSky& sky) const {
+void SamplingOptions::apply_to(LightTexture& texture, GradientSky& sky) const {
   texture.light = decoding;
   sky = gradient ? GradientSky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}}
                  : GradientSky{.below = {0.7, 0.8, 1.0}, .above = {0.7, 0.8, 1.0}};

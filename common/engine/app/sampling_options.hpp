@@ -4,7 +4,7 @@
 #include "sampling/sampler_kind.hpp"
 #include "scene/lens.hpp"
 #include "scene/sky.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 
 namespace texmap {
 
@@ -27,7 +27,7 @@ struct SamplingOptions {
   /// The options that are not about a texture or its sky: samples, limits, lens.
   void declare_gathering(CommandLine& line);
   /// Sets the meaning of the texture's bytes, and the sky.
-  void apply_to(ImageTexture& texture, GradientSky& sky) const;
+  void apply_to(LightTexture& texture, GradientSky& sky) const;
 };
 
 }  // namespace texmap

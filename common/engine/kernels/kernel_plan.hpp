@@ -88,7 +88,7 @@ struct PlannedMapping {
 
 /// A texture by the plan's kernel: roots of light if the plan made them, else the image.
 struct PlannedTexture {
-  const ImageTexture* exact;  ///< not owned
+  const LightTexture* exact;  ///< not owned
   RootTexture roots = {};
 
   template <class Real>
@@ -122,10 +122,10 @@ struct PlannedPower {
 template <class Mapping>
 requires requires(const Mapping& mapping) { planned_mapping(0, mapping); }
 [[nodiscard]] std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
-    const KernelPlan& plan, const std::vector<Painted<Mapped<Mapping, ImageTexture>>>& objects) {
+    const KernelPlan& plan, const std::vector<Painted<Mapped<Mapping, LightTexture>>>& objects) {
   std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned;
   for (const auto& object : objects) {
-    const ImageTexture& texture = object.paint.texture;
+    const LightTexture& texture = object.paint.texture;
     planned.push_back({object.shape,
                        {planned_mapping(plan.uv_degree, object.paint.mapping),
                         {&texture, plan.root_texels ? RootTexture(texture) : RootTexture()}}});

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "number/kinds/fetch.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 
 namespace texmap {
 
-/// The nearest texel, as ImageTexture; a texel is one word, ten bits a channel for the square root
+/// The nearest texel, as LightTexture; a texel is one word, ten bits a channel for the square root
 /// of its light, which is spread about as the eye sees it.
 struct RootTexture {
   int width = 0;
@@ -25,7 +25,7 @@ struct RootTexture {
   static constexpr double worst_levels = 0.19;
 
   RootTexture() = default;
-  explicit RootTexture(const ImageTexture& texture)
+  explicit RootTexture(const LightTexture& texture)
       : width(texture.image.width),
         height(texture.image.height),
         v_axis(texture.v_axis),

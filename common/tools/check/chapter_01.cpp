@@ -63,7 +63,7 @@ inline constexpr struct {
         check::in_shadow
             ? check::in_shadow.yours(hit.point, hit.normal, light.position,
                                      check::first_hit_on(objects))
-            : is_occluded(objects, Ray<double>{hit.outside, to_light}, length(path), hit.shape);
+            : is_occluded(objects, Ray<double>{hit.outside, to_light}, length(path), hit.object);
     return {to_light, hidden ? 0 : cosine};
   }
 } sample_light;

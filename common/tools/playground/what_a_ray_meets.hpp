@@ -116,8 +116,9 @@ template <HasObjects Lesson>
   const Nearest<double> nearest = find_nearest(lesson.objects, ray);
   if (nearest.index >= 0) {
     const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
-    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
-    members.emplace_back("object", static_cast<int>(nearest.index));
+    Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
+    hit.object = static_cast<int>(nearest.index);
+    members.emplace_back("object", hit.object);
     members.emplace_back("distance", nearest.distance);
     members.emplace_back("point", list_of(hit.point));
     members.emplace_back("center", list_of(object.shape.center));

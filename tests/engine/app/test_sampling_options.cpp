@@ -98,7 +98,7 @@ TEST_CASE("each word chooses what it names") {
 }
 
 TEST_CASE("the options give a texture its meaning, and the sky the colors of the books") {
-  ImageTexture texture;
+  LightTexture texture;
   GradientSky sky;
   const auto is = [](const Rgb& color, double r, double g, double b) {
     return color.r == r && color.g == g && color.b == b;

@@ -13,13 +13,13 @@ namespace texmap::test {
 namespace {
 
 /// A texture of all bytes, one column for each: red, green and blue differ.
-ImageTexture all_bytes(TexelLight light) {
+LightTexture all_bytes(TexelLight light) {
   Image image(256, 1);
   for (int byte = 0; byte < 256; ++byte) {
     image.at(byte, 0) = {static_cast<std::uint8_t>(byte), static_cast<std::uint8_t>(255 - byte),
                          static_cast<std::uint8_t>(byte ^ 0x55)};
   }
-  return {.image = image, .light = light};
+  return {{image}, light};
 }
 
 Uv<double> middle(int column) { return {(column + 0.5) / 256, 0.5}; }
@@ -29,7 +29,7 @@ double levels_apart(double a, double b) { return 255 * std::abs(srgb_encode(a) -
 TEST_CASE("no byte's light is off by more levels than stated, and some by most of it") {
   double worst = 0;
   for (const TexelLight light : {TexelLight::linear, TexelLight::encoded, TexelLight::stb}) {
-    const ImageTexture exact = all_bytes(light);
+    const LightTexture exact = all_bytes(light);
     const RootTexture roots(exact);
     for (int byte = 0; byte < 256; ++byte) {
       const Rgb is = roots(middle(byte));
@@ -53,8 +53,8 @@ TEST_CASE("the texels are those of the picture, on both axes and by both roundin
   }
   for (const VAxis axis : {VAxis::up, VAxis::down}) {
     for (const TexelRounding rounding : {TexelRounding::floor, TexelRounding::lecture}) {
-      const ImageTexture exact{
-          .image = image, .v_axis = axis, .rounding = rounding, .light = TexelLight::linear};
+      const LightTexture exact{{.image = image, .v_axis = axis, .rounding = rounding},
+                               TexelLight::linear};
       const RootTexture roots(exact);
       for (int i = 0; i < 2000; ++i) {
         const Uv<double> uv{dice.between(-0.1, 1.1), dice.between(-0.1, 1.1)};
@@ -70,7 +70,7 @@ TEST_CASE("the texels are those of the picture, on both axes and by both roundin
 
 TEST_CASE_TEMPLATE("each lane of a pack reads what a plain number reads", T, float, double) {
   for (const VAxis axis : {VAxis::up, VAxis::down}) {
-    ImageTexture texture = all_bytes(TexelLight::linear);
+    LightTexture texture = all_bytes(TexelLight::linear);
     texture.v_axis = axis;
     check_lanes_of_texture<T>(RootTexture(texture));
   }

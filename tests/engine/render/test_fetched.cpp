@@ -66,7 +66,8 @@ void check_textures() {
     }
     for (const TexelLight light : {TexelLight::encoded, TexelLight::linear, TexelLight::stb}) {
       for (const VAxis axis : {VAxis::up, VAxis::down}) {
-        const ImageTexture texture{.image = image, .v_axis = axis, .light = light};
+        const LightTexture texture{{.image = image, .v_axis = axis}, light};
+        look_up_in_all(static_cast<const ImageTexture&>(texture), width, height);
         look_up_in_all(texture, width, height);
         look_up_in_all(RootTexture(texture), width, height);
       }
