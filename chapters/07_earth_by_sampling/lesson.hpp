@@ -10,7 +10,7 @@
 #include "scene/paint.hpp"
 #include "scene/path.hpp"
 #include "scene/stage.hpp"
-#include "texture/light_texture.hpp"
+#include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"
 
@@ -37,7 +37,7 @@ struct Lesson : LessonHooks {
 
   void options(CommandLine& line) override { offer(line, texture, layout, turn, sampling); }
   void prepare(Session&) override {
-    objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, {layout.load(texture)}};
+    objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
     sampling.apply_to(objects[middle].paint.texture, stage.sky);
   }
 

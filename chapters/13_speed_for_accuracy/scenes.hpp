@@ -50,7 +50,7 @@ struct Globe {
 
   explicit Globe(const Image& picture)
       : nearest{picture},
-        light{{picture}},
+        light(nearest),
         roots(light),
         bilinear{picture} {}
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "texture/image_texture.hpp"
 
@@ -34,7 +35,10 @@ using LightEntry =
 
 /// An ImageTexture whose bytes are decoded to light.
 struct LightTexture : ImageTexture {
-  TexelLight light = TexelLight::linear;
+  TexelLight light;
+
+  LightTexture(ImageTexture texture = {}, TexelLight meaning = TexelLight::linear)
+      : ImageTexture(std::move(texture)), light(meaning) {}
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
