@@ -177,21 +177,19 @@ TEST_CASE("pixels that are told to miss the sphere do, and few others") {
     CHECK(wrongly_others < 60);
   }
   // From inside everything is met, and behind the eye nothing is asked for.
-  const auto from = [](const Point& eye) {
-    const View<> inside = view_of({.eye = eye, .target = eye + Point{0, 0, -1}}, 8, 8);
-    return probe_pixel(inside, prepare<double>(Sphere<>{{0, 0, 0}, 1}), 3.0, 4.0);
+  const PreparedSphere<double> unit = prepare<double>(Sphere<>{{0, 0, 0}, 1});
+  const auto from = [&unit](const Point& eye) {
+    return probe_pixel(view_of({.eye = eye, .target = eye + Point{0, 0, -1}}, 8, 8), unit, 3.0,
+                       4.0);
   };
   CHECK_FALSE(from({0.3, 0.1, 0.2}).misses);
   CHECK(from({0.3, 0.1, 0.2}).curvature_error == infinity<double>());
+  CHECK(from({0, 0, -5}).curvature_error == infinity<double>());
   // Close to the surface, looking away from the center: the line's point nearest to it is behind.
   const View<> outward =
       view_of({.eye = {0.99, 0, 0}, .target = {1.5, 0, 1}, .fov_y_degrees = 90}, 8, 8);
-  for (int pixel = 0; pixel < 64; ++pixel) {
-    CHECK_FALSE(probe_pixel(outward, prepare<double>(Sphere<>{{0, 0, 0}, 1}), pixel % 8 * 1.0,
-                            pixel / 8 * 1.0)
-                    .misses);
-  }
-  CHECK(from({0, 0, -5}).curvature_error == infinity<double>());
+  for (int pixel = 0; pixel < 64; ++pixel)
+    CHECK_FALSE(probe_pixel(outward, unit, pixel % 8 * 1.0, pixel / 8 * 1.0).misses);
 }
 
 TEST_CASE("the sky's patch is as high as the line of sight, within what it states") {
