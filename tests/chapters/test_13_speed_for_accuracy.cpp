@@ -545,7 +545,7 @@ TEST_CASE("the budget of a command takes the kernel it is for, on textures of al
       const std::string text = budget_for(degree, texture);
       CAPTURE(text);
       CHECK(text.size() <= 20);
-      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height).degree == degree);
+      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height).terms == degree);
     }
   }
 }
