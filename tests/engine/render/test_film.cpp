@@ -19,7 +19,7 @@ TEST_CASE("two films make the film of all their samples: each counts by how many
   CHECK(few.light(0, 0).b == 8);
 }
 
-const SampleRange two_samples{Sampler(SamplerKind::random, 2)};
+const Sampler two_samples(SamplerKind::random, 2);
 
 TEST_CASE(
     "the error of a growing film is half the difference of its halves, over the channels of its "
@@ -44,7 +44,7 @@ TEST_CASE(
 }
 
 TEST_CASE("of an odd number of samples the second half has one more, and one sample has no error") {
-  GrowingFilm five(1, 1, {Sampler(SamplerKind::random, 5)}, {});
+  GrowingFilm five(1, 1, Sampler(SamplerKind::random, 5), {});
   CHECK(five.first() == 2);
   CHECK(five.second() == 3);
   five.set({0, 0}, {2, 0, 0}, {3, 3, 0});  // means 1 and 1, 0 and 1
@@ -53,7 +53,7 @@ TEST_CASE("of an odd number of samples the second half has one more, and one sam
   CHECK(film.light(0, 0).g == doctest::Approx(0.6).epsilon(1e-9));
   CHECK(film.error == doctest::Approx(0.5 / std::sqrt(3.0)).epsilon(1e-12));
 
-  GrowingFilm one(1, 1, {Sampler(SamplerKind::random, 1)}, [&](double) { FAIL("no error yet"); });
+  GrowingFilm one(1, 1, Sampler(SamplerKind::random, 1), [&](double) { FAIL("no error yet"); });
   one.set({0, 0}, {0, 0, 0}, {1, 1, 1});
   one.finish_rows(0, 1);
   CHECK(one.take().error == infinity<double>());

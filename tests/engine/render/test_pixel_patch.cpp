@@ -72,30 +72,15 @@ double farthest(const Point& a, const Point& b) { return largest(a - b); }
 
 }  // namespace
 
-TEST_CASE(
-    "a biquadratic polynomial is its own interpolation, and errors at its places grow as stated") {
-  const auto function = [](double x, double y) {
-    return (1 + 2 * x - 3 * x * x) + y * (4 - x + 5 * x * x) + y * y * (-2 + 7 * x + x * x);
-  };
-  const auto same = [](double value) { return value; };
-  const Biquadratic<double> polynomial(at_nine_places<double>(function), same);
-  for (const double x : in_pixel) {
-    for (const double y : in_pixel)
-      CHECK(polynomial(x, y) == doctest::Approx(function(x, y)).epsilon(1e-14));
-  }
+TEST_CASE("errors at the nine places of a polynomial grow as stated") {
   // The worst errors are 1 with the signs that all help one corner.
   const auto signs = [](double x, double y) {
     return (x == 0 ? -1.0 : 1.0) * (y == 0 ? -1.0 : 1.0);
   };
+  const auto same = [](double value) { return value; };
   const double grown = Biquadratic<double>(at_nine_places<double>(signs), same)(0.5, 0.5);
   CHECK(grown <= Biquadratic<double>::worst_growth);
   CHECK(grown > 0.99 * Biquadratic<double>::worst_growth);
-  // Linear parts: of x^2 the middle between its extremes.
-  const Linear<double> line =
-      Biquadratic<double>(at_nine_places<double>([](double x, double) { return x * x; }), same)
-          .linear();
-  CHECK(line(0.5, 0.3) == doctest::Approx(0.125).epsilon(1e-14));
-  CHECK(line(0, -0.5) == doctest::Approx(0.125).epsilon(1e-14));
 }
 
 TEST_CASE(
