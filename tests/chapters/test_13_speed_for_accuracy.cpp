@@ -771,7 +771,7 @@ TEST_CASE("a number and samples cannot be chosen, and budgets that are none are 
     CommandLine line("test", "");
     lesson.options(line);
     Session session("test", line, Lesson::about);
-    if (line.parse(words)) lesson.show(session);
+    if (line.parse(words)) lesson.draw_all(session);
   };
   CHECK_THROWS_AS(show({"--number", "float"}), UsageError);
   CHECK_THROWS_AS(show({"--samples", "4"}), UsageError);
