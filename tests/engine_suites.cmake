@@ -10,7 +10,6 @@ foreach(suite
     number/test_pack2_fallback
     number/test_pack_u32
     number/test_pack_u32_fallback
-    engine/kernels/test_budget
     engine/kernels/test_kernel_plan
     engine/kernels/test_power_kernel
     engine/kernels/test_root_texture
@@ -36,12 +35,11 @@ add_suite(engine/system/test_posix_files POSIX ON picture LABELS common)
 add_suite(engine/picture/test_find_texture POSIX ON picture LABELS common)  # changes the environment, makes links
 add_suite(engine/mesh/test_box_tree ON mesh LABELS common)
 add_suite(engine/mesh/test_read_obj ON mesh LABELS common)
-foreach(suite bitmap_font check_jpeg check_png load_image save_png)
+foreach(suite bitmap_font damaged_images load_image save_png)
   add_suite(engine/picture/test_${suite} ON picture LABELS common)
 endforeach()
 add_suite(engine/picture/test_read_hdr ON picture LABELS common)
 target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
-target_link_libraries(test_check_png PRIVATE stb_image)  # stb_image unpacks the same files
 target_link_libraries(test_save_png PRIVATE stb_image)
 add_suite(engine/app/test_command_line ON app LABELS common)
 add_suite(engine/app/test_gather_session ON app LABELS common)
@@ -54,9 +52,11 @@ foreach(suite test_close_up test_surfaces)
   target_compile_definitions(${suite} PRIVATE TEXMAP_LEARN)
   set_target_properties(${suite} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
-if(NOT TEXMAP_LEARN)  # a budget needs all numbers
+if(NOT TEXMAP_LEARN)  # budgets and intervals need all numbers
   add_test(NAME zoom_without_budget COMMAND 09_texture_filtering --zoom 2 --budget levels=4 --out /dev/null)
   set_tests_properties(zoom_without_budget PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "leave --zoom out")
+  add_test(NAME show_without_interval COMMAND 02_checkerboard_uv --show uv --number interval --out /dev/null)
+  set_tests_properties(show_without_interval PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "which bounds colors")
 endif()
 add_suite(engine/app/test_session_line ON picture LABELS common)
 target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
@@ -65,7 +65,7 @@ add_dependencies(test_session_line 05_y_rotation)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 
 # The kernels against more digits, and their coefficients against the program that fits them.
-judge_by_more_digits(double_pair interval kernel_plan power_kernel srgb_kernel turns)
+judge_by_more_digits(double_pair interval kernel_plan power_kernel srgb_kernel)
 if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
   target_link_libraries(check_kernels PRIVATE project_options)

@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
+#include "choose_scene.hpp"
 #include "engine/app/layout_options.hpp"
 #include "engine/app/lesson.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/app/turntable.hpp"
-#include "lecture_scene.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "texture/checkerboard.hpp"

@@ -41,7 +41,7 @@ struct Lesson : FilteredLesson {
     const Textured globe{{rotation_y(60), {}}, filtering.load_globe(texture)};
     for (Object& object : objects) object.paint = globe;
   }
-  void show(Session& session) override { show_filters(*this, session); }
+  void draw_all(Session& session) override { show_filters(*this, session); }
 
   /// The color that one ray sees.
   template <class Real>

@@ -46,7 +46,7 @@ struct Lesson : LessonHooks {
   void prepare(Session&) override {
     objects[middle].paint = Textured{{layout.on_globe()}, layout.load(texture)};
   }
-  void show(Session& session) override { show_projections(*this, session); }
+  void draw_all(Session& session) override { show_projections(*this, session); }
 
   /// The color that one ray sees.
   template <class Real>

@@ -51,7 +51,7 @@ struct Lesson : LessonHooks {
     if (bump.height != HeightKind::image) return;  // waves are seen best in white
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
   }
-  void show(Session& session) override { show_bumps(*this, session); }
+  void draw_all(Session& session) override { show_bumps(*this, session); }
 
   /// The color that one ray sees.
   template <class Real>

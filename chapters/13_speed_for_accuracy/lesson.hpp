@@ -69,7 +69,7 @@ struct Lesson : LessonHooks {
     return all;
   }
 
-  void show(Session& session) override;  ///< in show.cpp
+  void draw_all(Session& session) override;  ///< in show.cpp
 };
 
 }  // namespace texmap::chapter_13

@@ -581,7 +581,7 @@ std::string budget_for(int degree, const Image& texture) {
   for (int digits = 1; digits <= 17; ++digits) {
     const double unit = std::pow(10.0, std::floor(std::log10(worst)) + 1 - digits);
     budget = text("texels=%.*g", digits, std::ceil(worst / unit) * unit);
-    if (choose_uv_kernel(parse_budget(budget), texture.width, texture.height).degree == degree)
+    if (choose_uv_kernel(parse_budget(budget), texture.width, texture.height).terms == degree)
       break;
   }
   return budget;

@@ -189,7 +189,7 @@ std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& 
   return names;
 }
 
-void Lesson::show(Session& session) {
+void Lesson::draw_all(Session& session) {
   const Settings& settings = session.settings;
   std::vector<Budget> budgets = {read_budget("exact"), read_budget("texels=0.01"),
                                  read_budget("levels=1")};

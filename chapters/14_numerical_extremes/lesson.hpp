@@ -26,7 +26,7 @@ struct Lesson : LessonHooks {
 
   void options(CommandLine& line) override { offer(line, texture, exhibit); }
   void prepare(Session& session) override { exhibit.apply_to(session); }
-  void show(Session& session) override { show_exhibits(exhibits(), exhibit, session); }
+  void draw_all(Session& session) override { show_exhibits(exhibits(), exhibit, session); }
 };
 
 }  // namespace texmap::chapter_14

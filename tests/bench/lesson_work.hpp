@@ -23,7 +23,7 @@ class LessonWork {
         plan_(std::move(plan)),
         objects_(objects_of(plan_, lesson_)),
         view_(view_of(lesson_.stage.camera, width, height)),
-        range_{Sampler(SamplerKind::sobol, samples)} {}
+        sampler_(SamplerKind::sobol, samples) {}
   LessonWork(const LessonWork&) = delete;  // planned objects point into the lesson
   LessonWork& operator=(const LessonWork&) = delete;
 
@@ -31,8 +31,8 @@ class LessonWork {
   void run(const Variant& variant) {
     settings_.instructions = variant.instructions;
     if constexpr (GathersLight<Lesson>) {
-      const int samples = range_.sampler.samples();
-      run_work({lesson_, objects_, view_, range_,
+      const int samples = sampler_.samples();
+      run_work({lesson_, objects_, view_, sampler_,
                 bounds_of_view(lesson_, objects_, view_, plan_.smoothing, samples), settings_},
                variant);
     } else {
@@ -67,7 +67,7 @@ class LessonWork {
   KernelPlan plan_;
   decltype(objects_of({}, std::declval<const Lesson&>())) objects_;
   View<> view_;
-  SampleRange range_;
+  Sampler sampler_;
   RenderSettings settings_{.threads = 1};
   std::optional<typename Work::Result> result_;
 };

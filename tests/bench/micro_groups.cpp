@@ -45,7 +45,7 @@ std::string texels(const UvError& worst) {
   return text("%.1e", std::max(worst.u * 8192, worst.v * 4096));
 }
 
-/// The stated worst case of a polynomial, as in common/engine/kernels/budget.cpp.
+/// The stated worst case of a polynomial, as in common/engine/kernels/kernel_plan.cpp.
 template <int Degree, class T>
 std::string worst_texels() {
   return texels(FastUnitMapping<Degree>::template worst<T>);

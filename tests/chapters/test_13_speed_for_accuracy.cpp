@@ -545,7 +545,7 @@ TEST_CASE("the budget of a command takes the kernel it is for, on textures of al
       const std::string text = budget_for(degree, texture);
       CAPTURE(text);
       CHECK(text.size() <= 20);
-      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height).degree == degree);
+      CHECK(choose_uv_kernel(parse_budget(text), texture.width, texture.height).terms == degree);
     }
   }
 }
@@ -771,7 +771,7 @@ TEST_CASE("a number and samples cannot be chosen, and budgets that are none are 
     CommandLine line("test", "");
     lesson.options(line);
     Session session("test", line, Lesson::about);
-    if (line.parse(words)) lesson.show(session);
+    if (line.parse(words)) lesson.draw_all(session);
   };
   CHECK_THROWS_AS(show({"--number", "float"}), UsageError);
   CHECK_THROWS_AS(show({"--samples", "4"}), UsageError);

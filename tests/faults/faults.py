@@ -499,7 +499,7 @@ class Tries:
         self.conclude('the picture after all signals')
 
     def killed(self, sent, moment, folder, words, new):
-        """Sends the signal after so many seconds: out.png is the old picture or the new one, and alone. True: the new one."""
+        """Sends the signal after so many seconds: out.png is the old picture or the new one, alone but for a draft. True: the new one."""
         picture = folder / 'out.png'
         shutil.copy(self.old, picture)
         drawing = subprocess.Popen([self.program(1), *words, '--out', str(picture)], stdin=subprocess.DEVNULL,
@@ -512,10 +512,9 @@ class Tries:
         is_new = picture.is_file() and picture.read_bytes() == new.read_bytes()
         if not is_new:
             self.same(picture, self.old, 'neither the old picture nor the new one is there')
-        if sent != signal.SIGKILL:  # after which nobody can clean up
-            self.only(folder, 'out.png')
-        for left in folder.glob('.*'):
+        for left in folder.glob('.texmap-*'):  # a draft may stay
             left.unlink()
+        self.only(folder, 'out.png')
         return is_new
 
     # Many at once

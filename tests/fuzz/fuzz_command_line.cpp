@@ -77,7 +77,7 @@ void check_budget(const Budget& budget) {
   claim(budget.limit > 0 && budget.limit <= 255, "a budget is above 0 and at most 255");
   const Budget again = parse_budget(to_text(budget));
   claim(again.unit == budget.unit && again.limit == budget.limit, "a budget's text is the budget");
-  const UvChoice choice = choose_uv_kernel(budget, 8192, 4096);
+  const Polynomial choice = choose_uv_kernel(budget, 8192, 4096);
   const bool texels = budget.unit == Budget::Unit::texels;
   claim((texels ? choice.worst_texels : choice.worst_levels) <= budget.limit,
         "a kernel keeps the budget");

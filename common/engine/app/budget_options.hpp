@@ -2,11 +2,18 @@
 #pragma once
 #include <string>
 
+#include "engine/app/command_line.hpp"
 #include "engine/kernels/budget.hpp"
 
 namespace texmap {
 
 /// The budget that a user typed. Errors: UsageError.
-[[nodiscard]] Budget read_budget(const std::string& text);
+[[nodiscard]] inline Budget read_budget(const std::string& text) {
+  try {
+    return parse_budget(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--budget: " + std::string(error.what()));
+  }
+}
 
 }  // namespace texmap

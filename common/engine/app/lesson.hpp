@@ -52,7 +52,7 @@ struct LessonHooks {
   virtual ~LessonHooks() = default;
   virtual void options(CommandLine& /*line*/) {}  ///< declares options
   virtual void prepare(Session& /*session*/) {}   ///< after the options, such as loading a texture
-  virtual void show(Session& /*session*/) {}      ///< draws and saves, in place of run_chapter
+  virtual void draw_all(Session& /*session*/) {}  ///< draws and saves, in place of run_chapter
 };
 
 }  // namespace texmap

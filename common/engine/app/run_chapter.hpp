@@ -97,7 +97,7 @@ void prepare(Session& session, Lesson& lesson) {
 }
 
 template <class Lesson>
-void Session::show(Lesson& lesson) {
+void Session::draw_all(Lesson& lesson) {
   Turntable* turn = line_.wishes.turntable;
   if (turn == nullptr || turn->frames == 0) return show_picture(*this, lesson);
   for (int frame = 0; frame < turn->frames; ++frame) check_output(file_name(frame_suffix(frame)));
@@ -115,10 +115,10 @@ template <class Lesson>
       .spheres = HasSpheres<Lesson>, .surfaces = HasSurfaces<Lesson>, .one_number = !all_numbers};
 }
 
-/// True for a lesson that overrides `show`: `&Lesson::show` is else a member of the base.
+/// True for a lesson that overrides `draw_all`: `&Lesson::draw_all` is else a member of the base.
 template <class Lesson>
-inline constexpr bool shows_itself =
-    !std::is_same_v<decltype(&Lesson::show), void (LessonHooks::*)(Session&)>;
+inline constexpr bool draws_itself =
+    !std::is_same_v<decltype(&Lesson::draw_all), void (LessonHooks::*)(Session&)>;
 
 /// Draws and saves what a lesson shows with the options that were read.
 template <class Lesson>
@@ -126,11 +126,11 @@ void draw_and_save(Session& session, Lesson& lesson) {
   prepare(session, lesson);
   session.check();
   session.plan();
-  if constexpr (shows_itself<Lesson>) {
-    lesson.show(session);
+  if constexpr (draws_itself<Lesson>) {
+    lesson.draw_all(session);
   } else {
     session.check_uses();
-    session.show(lesson);
+    session.draw_all(lesson);
   }
 }
 

@@ -1,37 +1,173 @@
-// The kernels of a picture, chosen from its budget.
+// The kernels of a picture, chosen from its budget: the cheapest that keep it.
 #include "engine/kernels/kernel_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/kernels/biquadratic.hpp"
+#include "engine/kernels/srgb_kernel.hpp"
+#include "engine/measure/text.hpp"
 
 namespace texmap {
 namespace {
 
-void spend(Budget& budget, double levels) {
-  if (budget.unit == Budget::Unit::levels) budget.limit -= levels;
+/// The polynomials for (u, v): the arc tangent's degree, and the time in units of the reference's,
+/// which grows with it.
+constexpr std::array<std::pair<int, double>, 10> uv_costs = {{{5, 0.022},
+                                                              {7, 0.025},
+                                                              {9, 0.028},
+                                                              {11, 0.029},
+                                                              {13, 0.034},
+                                                              {15, 0.036},
+                                                              {17, 0.039},
+                                                              {23, 0.103},
+                                                              {29, 0.121},
+                                                              {35, 0.143}}};
+
+/// In float, rounding dominates beyond degree 17.
+bool is_for_float(int degree) { return degree >= 5 && degree <= 17; }
+
+UvError worst_of(int degree) {
+  return with_uv_mapping(degree, [degree]<class Mapping>(const Mapping&) -> UvError {
+    if constexpr (requires { Mapping::template worst<float>; }) {
+      return is_for_float(degree) ? Mapping::template worst<float>
+                                  : Mapping::template worst<double>;
+    } else {
+      return {};
+    }
+  });
+}
+
+bool allows(const Budget& budget, double texels, double levels) {
+  if (budget.unit == Budget::Unit::texels) return texels <= budget.limit;
+  return budget.unit == Budget::Unit::levels && levels <= budget.limit;
+}
+
+/// "what for levels=1: ", the limit with two digits: what remains of one may have many.
+std::string beginning(const std::string& what, const Budget& budget) {
+  std::string text = to_text(budget);
+  if (budget.unit != Budget::Unit::exact)
+    text = text.substr(0, text.find('=') + 1) + shown(budget.limit, 2);
+  return what + " for " + text;
+}
+
+Polynomial of_terms(const std::string& what, const Budget& budget, int terms, double worst) {
+  return {terms, 0, worst,
+          beginning(what, budget) + ": a polynomial of " + std::to_string(terms) +
+              " terms; at worst " + shown(worst, 2) + " levels"};
+}
+
+/// Adds the mapping and the smoothing of pixels that keep a budget together.
+void plan_places(KernelPlan& plan, const Budget& budget, const Image& texture) {
+  const double in_u = texture.width, in_v = texture.height;
+  Budget part = budget;
+  part.limit /= 4;
+  Polynomial mapping = choose_uv_kernel(part, texture.width, texture.height);
+  const bool levels = budget.unit == Budget::Unit::levels;
+  // One rounding of the sum, and a little for smaller ones.
+  const double rounding = 0.3 * static_cast<double>(std::numeric_limits<float>::epsilon());
+  const double grown = Biquadratic<double>::worst_growth;
+  const double of_u = Smoothing::turns_per_curvature_error * in_u;
+  const double of_v = Smoothing::half_turns_per_curvature_error * in_v;
+  double rest = budget.limit - grown * mapping.worst_texels - rounding * std::max(in_u, in_v);
+  Smoothing smoothing{.most_curvature_error = rest / std::max(of_u, of_v)};
+  if (levels) {
+    // An error of a direction changes the sky by half as much. Levels change fastest at light 1:
+    // by half of 255 with the square root, by 5/12 of it with the sRGB curve.
+    const double levels_per_normal_error = 128 * 0.5 * Smoothing::direction_per_normal_error;
+    rest = 0.8 * budget.limit - grown * mapping.worst_levels - 255 * rounding * (in_u + in_v);
+    smoothing = {rest / (255 * (of_u + of_v)), budget.limit / 5 / levels_per_normal_error};
+  }
+  if (is_for_float(mapping.terms) && rest > 0) {
+    plan.smoothing = smoothing;
+    mapping.text += '\n';
+    mapping.text += beginning("pixels", budget) +
+                    ": polynomials through nine probes for each that bends the picture by less "
+                    "than " +
+                    shown(smoothing.most_curvature_error, 2) + "; at worst " +
+                    shown(budget.limit, 2) + (levels ? " levels" : " texels") + " with (u, v)";
+  } else {  // the mapping uses up the budget
+    mapping = choose_uv_kernel(budget, texture.width, texture.height);
+  }
+  plan.uv_degree = mapping.terms;
+  plan.floats_are_enough = is_for_float(mapping.terms);
+  plan.text += mapping.text + "\n";
 }
 
 }  // namespace
 
-KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads) {
-  Budget rest = budget;
-  const ColorChoice curve = choose_srgb_kernel(rest);
-  // Bytes are rounded once, at the end, so each step counts with its error before rounding.
-  spend(rest, curve.worst_before_rounding);
-  TexelChoice texels = choose_texel_kernel(rest);
-  // Converting a texel to roots takes as long as four reads save.
-  if (reads < 4 * static_cast<double>(texture.pixels.size())) texels = choose_texel_kernel({});
-  spend(rest, texels.worst_levels);
-  const SurfaceChoice surface = choose_surface_kernel(rest, texture.width, texture.height);
-  return {
-      .uv_degree = surface.mapping.degree,
-      .floats_are_enough = surface.mapping.number == KernelNumber::float_,
-      .smoothing = surface.smoothing,
-      .root_texels = texels.roots,
-      .srgb_terms = curve.terms,
-      .text = curve.text + "\n" + texels.text + "\n" + surface.text + "\n",
+Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  if (width < 1 || height < 1)
+    throw std::invalid_argument("a texture is at least 1x1, not " + size);
+  const std::string start = beginning("(u, v)", budget) + " on " + size + ": ";
+  for (const auto& [degree, cost] : uv_costs) {
+    const UvError worst = worst_of(degree);
+    const double u = worst.u * width, v = worst.v * height;
+    const double texels = std::max(u, v), levels = 255 * (u + v);
+    if (!allows(budget, texels, levels)) continue;
+    return {degree, texels, levels,
+            start + "polynomials in " + (is_for_float(degree) ? "float" : "double") +
+                ", arc tangent of degree " + std::to_string(degree) + ", unit vectors; at worst " +
+                shown(texels, 2) + " texels and " + shown(levels, 2) + " levels; " +
+                shown(cost, 2) + " of the reference's time"};
+  }
+  return {0, 0, 0, start + "the reference formula in double, by the C library, at cost 1"};
+}
+
+Polynomial choose_srgb_kernel(const Budget& budget) {
+  // Before rounding the curve takes at most a quarter of the budget.
+  const auto keeps = [&budget](double worst, double before_rounding) {
+    return allows(budget, HUGE_VAL, std::max(worst, 4 * before_rounding));
   };
+  if (keeps(2, fits::SrgbCurve<3>::worst)) return of_terms("sRGB bytes", budget, 3, 2);
+  if (keeps(1, fits::SrgbCurve<4>::worst)) return of_terms("sRGB bytes", budget, 4, 1);
+  if (keeps(1, fits::SrgbCurve<6>::worst)) return of_terms("sRGB bytes", budget, 6, 1);
+  return {0, 0, 0, beginning("sRGB bytes", budget) + ": the exact curve, by thresholds"};
+}
+
+Polynomial choose_power_kernel(const Budget& budget) {
+  for (const auto& [terms, worst] : {std::pair{3, PowerKernel<3>::worst_levels<float>},
+                                     {4, PowerKernel<4>::worst_levels<float>},
+                                     {6, PowerKernel<6>::worst_levels<float>},
+                                     {8, PowerKernel<8>::worst_levels<float>}}) {
+    if (allows(budget, HUGE_VAL, worst)) return of_terms("Phong's power", budget, terms, worst);
+  }
+  return {0, 0, 0,
+          beginning("Phong's power", budget) + ": the C library's exponential and logarithm"};
+}
+
+KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads) {
+  KernelPlan plan;
+  Budget rest = budget;
+  const auto spend = [&rest](double levels) {
+    if (rest.unit == Budget::Unit::levels) rest.limit -= levels;
+  };
+  const Polynomial curve = choose_srgb_kernel(rest);
+  plan.srgb_terms = curve.terms;
+  // Bytes are rounded once, at the end, so each step counts with its error before rounding.
+  spend(curve.terms == 3   ? fits::SrgbCurve<3>::worst
+        : curve.terms == 4 ? fits::SrgbCurve<4>::worst
+        : curve.terms == 6 ? fits::SrgbCurve<6>::worst
+                           : 0);
+  // Roots of light take at most half of the rest. To convert a texel takes as long as four reads
+  // save.
+  const double worst = RootTexture::worst_levels;
+  const bool pays = reads >= 4 * static_cast<double>(texture.pixels.size());
+  plan.root_texels = pays && allows(rest, HUGE_VAL, 2 * worst);
+  plan.text = curve.text + "\n" + beginning("texels", pays ? rest : Budget{}) + ": " +
+              (plan.root_texels
+                   ? "ten bits for the root of light; at worst " + shown(worst, 2) + " levels\n"
+                   : "as they are, decoded by a table\n");
+  if (plan.root_texels) spend(worst);
+  plan_places(plan, rest, texture);
+  return plan;
 }
 
 KernelPlan plan_highlight(const Budget& budget) {
-  const ColorChoice power = choose_power_kernel(budget);
+  const Polynomial power = choose_power_kernel(budget);
   return {.power_terms = power.terms, .text = power.text + "\n"};
 }
 

@@ -8,6 +8,7 @@
 #include "engine/kernels/fetched_texels.hpp"
 #include "engine/kernels/power_kernel.hpp"
 #include "engine/kernels/root_texture.hpp"
+#include "engine/kernels/smoothing.hpp"
 #include "engine/kernels/turns.hpp"
 #include "number/compiler.hpp"
 #include "scene/paint.hpp"
@@ -16,6 +17,29 @@
 #include "texture/rotated.hpp"
 
 namespace texmap {
+
+/// A polynomial that keeps a budget, or the exact formula.
+struct Polynomial {
+  int terms;            ///< for (u, v) the degree of the arc tangent; 0 for the exact formula
+  double worst_texels;  ///< largest error of a place; 0 for the exact formula
+  double worst_levels;  ///< of a color; for (u, v) 255 a texel, filtered, u and v together
+  std::string text;     ///< a sentence that says all this, and the time
+};
+
+/// The cheapest kernel for (u, v) with a worst case within the budget, for a filtered texture.
+/// With the nearest texel, places that close to an edge can get the neighboring texel.
+///
+/// @param width, height  in texels, 1 or more
+/// Errors: std::invalid_argument for a size below 1.
+[[nodiscard]] Polynomial choose_uv_kernel(const Budget& budget, int width, int height);
+
+/// The cheapest sRGB curve within the budget: 3, 4 or 6 terms of srgb_byte, or srgb_byte_exact.
+/// In texels, colors stay exact.
+[[nodiscard]] Polynomial choose_srgb_kernel(const Budget& budget);
+
+/// The cheapest Phong power within the budget, for a full highlight in packs of float:
+/// a PowerKernel of 3, 4, 6 or 8 terms, or the formula of `highlight`.
+[[nodiscard]] Polynomial choose_power_kernel(const Budget& budget);
 
 /// The kernels of a picture. The default is the reference formulas.
 struct KernelPlan {
@@ -31,6 +55,7 @@ struct KernelPlan {
 /// The plan for a textured surface with many samples per pixel.
 ///
 /// @param reads  how many texels the picture reads
+/// Domain, in levels: a sky that is nowhere darker than half of its brightest place.
 [[nodiscard]] KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads);
 /// The plan for a surface with a highlight and one ray per pixel.
 [[nodiscard]] KernelPlan plan_highlight(const Budget& budget);

@@ -1,8 +1,6 @@
 // From the name of a PNG, JPEG or Radiance .hdr file to light.
 #include "engine/picture/load_light.hpp"
 
-#include <string>
-
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/codecs/read_hdr.hpp"
 #include "engine/picture/codecs/read_jpeg.hpp"
@@ -19,11 +17,9 @@ LightImage load_light(const std::filesystem::path& path) {
     if (!looks_like_png(file) && !looks_like_jpeg(file))
       throw FileError("it is not a PNG, JPEG or Radiance .hdr file, whatever its name says");
     const Image image = decode_image(file);
-    if (image.pixels.size() > max_light_texels) {
-      throw FileError("its size is " + std::to_string(image.width) + " x " +
-                      std::to_string(image.height) + " pixels, and a sky may have at most " +
-                      std::to_string(max_light_texels) + "; save it smaller");
-    }
+    check_sky_size(
+        {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)},
+        max_light_texels);
     return light_of(image, TexelLight::linear);
   });
 }

@@ -8,22 +8,11 @@
 
 namespace texmap {
 
-/// The bytes between which a color channel lies.
-struct ByteBounds {
-  std::uint8_t low = 0, high = 255;
-};
-
-[[nodiscard]] inline ByteBounds byte_bounds(const Interval& channel) {
-  return {byte_of(channel.low()), byte_of(channel.high())};
-}
-
 /// The widest bound of a color's three channels, in levels; 0 where the bytes are certain.
 [[nodiscard]] inline int uncertain_levels(const Color<Interval>& color) {
   int widest = 0;
-  for (const Interval* channel : {&color.r, &color.g, &color.b}) {
-    const ByteBounds bounds = byte_bounds(*channel);
-    widest = std::max(widest, bounds.high - bounds.low);
-  }
+  for (const Interval* channel : {&color.r, &color.g, &color.b})
+    widest = std::max(widest, byte_of(channel->high()) - byte_of(channel->low()));
   return widest;
 }
 

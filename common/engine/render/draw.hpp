@@ -46,13 +46,13 @@ struct GatherWork {
   const Lesson& lesson;
   const std::vector<Painted<Paint>>& objects;  ///< the lesson's or a plan's
   const View<>& view;
-  const SampleRange& range;
+  const Sampler& sampler;
   std::optional<ViewBounds> bounds;
   const RenderSettings& settings;
 
   template <class Real>
   [[nodiscard]] Film run() const {
-    return gather<Real>(lesson, objects, view, range, bounds, settings);
+    return gather<Real>(lesson, objects, view, sampler, bounds, settings);
   }
 };
 
@@ -157,10 +157,10 @@ template <class Lesson>
 /// @param objects  the lesson's or a plan's
 template <class Lesson, class Paint>
 [[nodiscard]] Film gather(const Lesson& lesson, const std::vector<Painted<Paint>>& objects,
-                          const View<>& view, const SampleRange& range, const Smoothing& smoothing,
+                          const View<>& view, const Sampler& sampler, const Smoothing& smoothing,
                           NumberKind number, const RenderSettings& settings) {
-  const auto bounds = bounds_of_view(lesson, objects, view, smoothing, range.sampler.samples());
-  return run_in_number(GatherWork<Lesson, Paint>{lesson, objects, view, range, bounds, settings},
+  const auto bounds = bounds_of_view(lesson, objects, view, smoothing, sampler.samples());
+  return run_in_number(GatherWork<Lesson, Paint>{lesson, objects, view, sampler, bounds, settings},
                        number, settings.instructions);
 }
 

@@ -1,40 +1,12 @@
 // A film: light gathered over many samples, and its estimated error.
 #pragma once
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "math/color.hpp"
 
 namespace texmap {
-
-/// Red, green and blue light in 16 bytes: doubles without the sign and the lowest 21 bits.
-/// Domain: channels 0 or more and finite. Bound: 2^-32 of each channel.
-class PackedLight {
- public:
-  PackedLight() = default;
-  explicit PackedLight(const Rgb& light) {
-    const std::uint64_t r = short_bits(light.r), g = short_bits(light.g), b = short_bits(light.b);
-    low_ = r | g << 42;
-    high_ = g >> 22 | b << 20;
-  }
-  [[nodiscard]] Rgb light() const {
-    const std::uint64_t g = low_ >> 42 | high_ << 22;
-    return {long_number(low_), long_number(g), long_number(high_ >> 20)};
-  }
-
- private:
-  static constexpr std::uint64_t mask = (std::uint64_t{1} << 42) - 1;
-  [[nodiscard]] static std::uint64_t short_bits(double x) {
-    return ((std::bit_cast<std::uint64_t>(x) + (std::uint64_t{1} << 20)) >> 21) & mask;
-  }
-  [[nodiscard]] static double long_number(std::uint64_t bits) {
-    return std::bit_cast<double>((bits & mask) << 21);
-  }
-
-  std::uint64_t low_ = 0, high_ = 0;
-};
 
 /// The light of a picture: the mean of each pixel's samples.
 class Film {
@@ -48,19 +20,16 @@ class Film {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] long samples() const { return samples_; }
-  [[nodiscard]] Rgb light(int column, int row) const { return pixels_[place(column, row)].light(); }
-  void set_light(int column, int row, const Rgb& mean) {
-    pixels_[place(column, row)] = PackedLight(mean);
-  }
+  [[nodiscard]] Rgb light(int column, int row) const { return pixels_[place(column, row)]; }
+  void set_light(int column, int row, const Rgb& mean) { pixels_[place(column, row)] = mean; }
 
   /// Adds the samples of another film of the same size.
   void add(const Film& other) {
     const auto all = static_cast<double>(samples_ + other.samples_);
     const double ours = static_cast<double>(samples_) / all;
     const double theirs = static_cast<double>(other.samples_) / all;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      pixels_[i] = PackedLight(pixels_[i].light() * ours + other.pixels_[i].light() * theirs);
-    }
+    for (std::size_t i = 0; i < pixels_.size(); ++i)
+      pixels_[i] = pixels_[i] * ours + other.pixels_[i] * theirs;
     samples_ += other.samples_;
   }
 
@@ -76,7 +45,7 @@ class Film {
   int width_;
   int height_;
   long samples_;
-  std::vector<PackedLight> pixels_;
+  std::vector<Rgb> pixels_;
 };
 
 /// The sum of the squared differences of two colors' channels.

@@ -17,21 +17,15 @@
 
 namespace texmap {
 
-/// All samples of a sampler, in two halves; their difference estimates the error.
-struct SampleRange {
-  Sampler sampler{SamplerKind::sobol, 1};
-
-  [[nodiscard]] int first_half() const { return sampler.samples() / 2; }
-};
-
-/// A film that threads fill row by row.
+/// A film that threads fill row by row, from the two halves of a sampler's samples; their
+/// difference estimates the error.
 class GrowingFilm {
  public:
-  GrowingFilm(int width, int height, const SampleRange& range,
+  GrowingFilm(int width, int height, const Sampler& sampler,
               std::function<void(double)> error_so_far)
-      : film_(width, height, range.sampler.samples()),
-        first_(range.first_half()),
-        second_(range.sampler.samples() - first_),
+      : film_(width, height, sampler.samples()),
+        first_(sampler.samples() / 2),
+        second_(sampler.samples() - first_),
         differences_(static_cast<std::size_t>(height)),
         error_so_far_(std::move(error_so_far)) {}
 
@@ -78,9 +72,9 @@ class GrowingFilm {
 /// @param pixels   packed in this order
 /// @param path_of  called with columns and rows of a pack, returns the function of one sample
 template <class Real, class PathOf>
-void gather_pixels(const SampleRange& range, const std::vector<Pixel>& pixels,
-                   const PathOf& path_of, GrowingFilm& film) {
-  SampleSums<Real> sums(range.sampler);
+void gather_pixels(const Sampler& sampler, const std::vector<Pixel>& pixels, const PathOf& path_of,
+                   GrowingFilm& film) {
+  SampleSums<Real> sums(sampler);
   for (std::size_t begin = 0; begin < pixels.size(); begin += lanes<Real>) {
     // Lanes beyond the end draw the last pixel again and are not used.
     const auto pixel = [&](std::size_t i) -> const Pixel& {
@@ -136,12 +130,12 @@ template <class Lesson, class Paint>
 /// @param bounds   as bounds_of_view gives them
 template <class Real, class Lesson, class Paint>
 [[nodiscard]] Film gather(const Lesson& lesson, const std::vector<Painted<Paint>>& objects,
-                          const View<>& view, const SampleRange& range,
+                          const View<>& view, const Sampler& sampler,
                           const std::optional<ViewBounds>& bounds, const RenderSettings& settings) {
   constexpr int rows_at_a_time = 4;  // lists so long fill their packs
   const auto scene = prepare_scene<Real>(view, objects, lesson.stage.sky);
   const auto sky_alone = scene.without_objects();
-  GrowingFilm film(view.width, view.height, range, settings.error_so_far);
+  GrowingFilm film(view.width, view.height, sampler, settings.error_so_far);
 
   const auto paths_in = [&](const auto& seen) {
     return [&](const Real& column, const Real& row) {
@@ -174,7 +168,7 @@ template <class Real, class Lesson, class Paint>
     if constexpr (std::is_same_v<decltype(scene.sky), PreparedSky<Real>>) {
       if (bounds && bounds->smooths_sky(view)) {
         gather_pixels<Real>(
-            range, lists.misses,
+            sampler, lists.misses,
             [&](const Real& column, const Real& row) {
               return SkyPatch<Real>(scene.view, scene.sky, column, row);
             },
@@ -182,17 +176,17 @@ template <class Real, class Lesson, class Paint>
         lists.misses.clear();
       }
     }
-    gather_pixels<Real>(range, lists.misses, paths_in(sky_alone), film);
+    gather_pixels<Real>(sampler, lists.misses, paths_in(sky_alone), film);
     if constexpr (HasMapping<Paint, Real>) {
       gather_pixels<Real>(
-          range, lists.patches,
+          sampler, lists.patches,
           [&](const Real& column, const Real& row) {
             return PixelPatch<Real, Paint>(scene.view, scene.objects.front().shape,
                                            scene.objects.front().paint, scene.sky, column, row);
           },
           film);
     }
-    gather_pixels<Real>(range, lists.others, paths_in(scene), film);
+    gather_pixels<Real>(sampler, lists.others, paths_in(scene), film);
     film.finish_rows(first_row, end_row);
   };
   for_each_row(blocks, settings.threads,

@@ -11,10 +11,10 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include "engine/system/shared.hpp"
 #include "engine/system/system.hpp"
@@ -55,24 +55,19 @@ void require_success(bool succeeded) {
 }
 
 // Owns a handle of the system.
-class Handle {
- public:
-  explicit Handle(HANDLE opened) : handle_(opened) {}
-  ~Handle() {
-    if (is_open()) CloseHandle(handle_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-
-  [[nodiscard]] bool is_open() const { return handle_ != INVALID_HANDLE_VALUE; }
-  [[nodiscard]] HANDLE get() const { return handle_; }
-  [[nodiscard]] bool close() {
-    return CloseHandle(std::exchange(handle_, INVALID_HANDLE_VALUE)) != 0;
-  }
-
- private:
-  HANDLE handle_;
+struct Close {
+  using pointer = HANDLE;
+  void operator()(HANDLE handle) const { CloseHandle(handle); }
 };
+using Handle = std::unique_ptr<void, Close>;
+
+Handle open_file(const std::filesystem::path& path, DWORD access, DWORD how) {
+  // Others may read or replace the file meanwhile.
+  const DWORD shared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+  const HANDLE opened =
+      CreateFileW(path.c_str(), access, shared, nullptr, how, FILE_ATTRIBUTE_NORMAL, nullptr);
+  return Handle(opened == INVALID_HANDLE_VALUE ? nullptr : opened);
+}
 
 // NUL and /dev/null discard what is written to them.
 bool is_null_device(const std::filesystem::path& path) {
@@ -112,7 +107,9 @@ void check_target(const std::filesystem::path& path) {
     throw FileError("it cannot be written to: no permission");
 }
 
-void write_all(const Handle& file, std::span<const std::uint8_t> bytes) {
+void write_new_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  const Handle file = open_file(path, GENERIC_WRITE, CREATE_NEW);
+  require_success(file != nullptr);
   while (!bytes.empty()) {
     DWORD written = 0;
     const auto part = static_cast<DWORD>(std::min<std::size_t>(bytes.size(), 1U << 30));
@@ -121,50 +118,17 @@ void write_all(const Handle& file, std::span<const std::uint8_t> bytes) {
   }
 }
 
-// A temporary file in the target's folder. It is renamed to the target, or deleted.
-class Draft {
- public:
-  explicit Draft(const std::filesystem::path& target)
-      : name_(name_beside(target)),
-        file_(CreateFileW(name_.c_str(), GENERIC_WRITE, FILE_SHARE_DELETE, nullptr, CREATE_NEW,
-                          FILE_ATTRIBUTE_NORMAL, nullptr)) {
-    require_success(file_.is_open());
+// Windows refuses while another program reads the old file, so try again for a second.
+void rename_over(const std::filesystem::path& draft, const std::filesystem::path& target) {
+  constexpr int most_attempts = 200;
+  for (int attempt = 1;; ++attempt) {
+    if (MoveFileExW(draft.c_str(), target.c_str(),
+                    MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0)
+      return;
+    require_success(last_error() == std::errc::permission_denied && attempt < most_attempts);
+    Sleep(5);
   }
-  ~Draft() {
-    if (placed_) return;
-    if (file_.is_open()) (void)file_.close();
-    DeleteFileW(name_.c_str());
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  void fill(std::span<const std::uint8_t> bytes) {
-    write_all(file_, bytes);
-    require_success(FlushFileBuffers(file_.get()) != 0);
-    require_success(file_.close());
-  }
-
-  // Windows refuses while another program reads the old file, so try again for a second.
-  void take_name_of(const std::filesystem::path& target) {
-    constexpr int most_attempts = 200;
-    for (int attempt = 1;; ++attempt) {
-      placed_ = MoveFileExW(name_.c_str(), target.c_str(),
-                            MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0;
-      if (placed_) return;
-      require_success(last_error() == std::errc::permission_denied && attempt < most_attempts);
-      Sleep(5);
-    }
-  }
-
- private:
-  static std::filesystem::path name_beside(const std::filesystem::path& target) {
-    return folder_of(target) / (".texmap-" + std::to_string(std::random_device()()));
-  }
-
-  std::filesystem::path name_;
-  Handle file_;
-  bool placed_ = false;
-};
+}
 
 }  // namespace
 
@@ -172,11 +136,8 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
   check_name(path);
   if (is_null_device(path)) throw FileError("it is a device, not a file");
   if (std::filesystem::is_directory(path)) throw FileError("it is a folder, not a file");
-  // Others may replace the file meanwhile.
-  const Handle file(CreateFileW(path.c_str(), GENERIC_READ,
-                                FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
-                                OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr));
-  if (!file.is_open()) {
+  const Handle file = open_file(path, GENERIC_READ, OPEN_EXISTING);
+  if (!file) {
     const std::error_code error = last_error();
     throw FileError(error == std::errc::permission_denied ? "no permission to read it"
                                                           : words_of(error));
@@ -199,9 +160,15 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
   check_target(path);
   if (is_null_device(path)) return;
   const std::filesystem::path target = end_of_links(path);
-  Draft draft(target);
-  draft.fill(bytes);
-  draft.take_name_of(target);
+  const std::filesystem::path draft =
+      folder_of(target) / (".texmap-" + std::to_string(std::random_device()()));
+  try {
+    write_new_file(draft, bytes);
+    rename_over(draft, target);
+  } catch (const FileError&) {
+    DeleteFileW(draft.c_str());
+    throw;
+  }
 }
 
 std::filesystem::path program_folder() {

@@ -121,7 +121,7 @@ std::vector<ByOptions> mistakes_by_options() {
 
 /// Lessons whose light is that of the stage, on spheres.
 template <class Lesson>
-concept DrawsStage = !shows_itself<Lesson> && requires(const Lesson& lesson) {
+concept DrawsStage = !draws_itself<Lesson> && requires(const Lesson& lesson) {
   lesson.objects.front().shape.center;
   requires mistakes::HasHighlight<Lesson> || requires { lesson.surface; };
 };

@@ -140,7 +140,7 @@ class Live final : public LiveLesson {
  private:
   /// A page shows one picture: the sheets that some lessons save stay out of the module.
   struct OnePicture : Lesson {
-    void show(Session&) override {}
+    void draw_all(Session&) override {}
   };
   struct State {
     OnePicture lesson;

@@ -1,9 +1,7 @@
 // The command line: what is read as a number, what is refused, and what the message says.
 #include <doctest.h>
 
-#include <array>
 #include <clocale>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -83,45 +81,34 @@ TEST_CASE(
   CHECK(fruit.name == "a b=c");
 }
 
-TEST_CASE("a whole number is digits and nothing else, within its range") {
+TEST_CASE("what is no number in the range is refused with the range, in any locale") {
+  const char* set = std::setlocale(LC_ALL, "de_DE.UTF-8");
+  if (set == nullptr)
+    MESSAGE("the locale de_DE.UTF-8 is not installed: only the C locale was tried");
   for (const char* good : {"1", "16384", "007"}) CHECK(complaint("--count", good).empty());
-  for (const char* bad : {"0", "-1", "nan", "4.5", "1e3", "", " 4", "4 ", "4x", "x4", "0x10", "+4",
-                          "16385", "2147483648", "99999999999999999999", "1,000", "\xef\xbc\x91"}) {
+  for (const char* bad : {"0", "nan", "4.5", "1e3", "", " 4", "4 ", "4x", "0x10", "+4", "16385",
+                          "99999999999999999999", "1,000", "\xef\xbc\x91"}) {
     CAPTURE(bad);
     CHECK(complaint("--count", bad) ==
           "--count takes a whole number from 1 to 16384, not '" + std::string(bad) + "'");
   }
-}
-
-TEST_CASE("a decimal number has one exact reading") {
-  const std::array<std::pair<const char*, double>, 9> readings = {{{"0", 0.0},
-                                                                   {"-0.25", -0.25},
-                                                                   {"+3", 3.0},
-                                                                   {".5", 0.5},
-                                                                   {"5.", 5.0},
-                                                                   {"1e3", 1000.0},
-                                                                   {"1E-3", 0.001},
-                                                                   {"0.1", 0.1},
-                                                                   {"1e300", 1e300}}};
-  for (const auto& reading : readings) {
-    CAPTURE(reading.first);
-    CHECK(read("--weight", reading.first).weight == reading.second);
+  for (const auto& [word, number] : {std::pair{"0", 0.0},
+                                     {"-0.25", -0.25},
+                                     {"+3", 3.0},
+                                     {".5", 0.5},
+                                     {"5.", 5.0},
+                                     {"1E-3", 0.001},
+                                     {"0.1", 0.1},
+                                     {"1e300", 1e300}}) {
+    CAPTURE(word);
+    CHECK(read("--weight", word).weight == number);
   }
-  for (const char* bad :
-       {"",      ".",     "-",   "e3", "1e", "1e+",  "nan", "NAN",   "inf", "-inf",  "infinity",
-        "1e400", "0x1p3", "1,5", " 1", "1 ", "1..2", "--1", "1.2.3", "abc", "1e3.5", "1e301"}) {
+  for (const char* bad : {"", ".", "-", "e3", "1e", "nan", "-inf", "1e400", "0x1p3", "1,5", " 1",
+                          "1 ", "1..2", "--1", "1e3.5", "1e301"}) {
     CAPTURE(bad);
     CHECK(complaint("--weight", bad) ==
           "--weight takes a number from -1e+300 to 1e+300, not '" + std::string(bad) + "'");
   }
-}
-
-TEST_CASE("a locale with a decimal comma changes nothing") {
-  const char* set = std::setlocale(LC_ALL, "de_DE.UTF-8");
-  if (set == nullptr)
-    MESSAGE("the locale de_DE.UTF-8 is not installed: only the C locale was tried");
-  CHECK(read("--weight", "0.25").weight == 0.25);
-  CHECK_FALSE(complaint("--weight", "0,25").empty());
   std::setlocale(LC_ALL, "C");
 }
 
@@ -173,25 +160,16 @@ std::string filled(Basket& basket, Words... words) {
 
 }  // namespace
 
-TEST_CASE("words without an option are taken in their order, among options or not") {
-  for (int order = 0; order < 3; ++order) {
-    Basket basket;
-    if (order == 0) (void)filled(basket, "pear", "fig", "--count", "7");
-    if (order == 1) (void)filled(basket, "--count=7", "pear", "fig");
-    if (order == 2) (void)filled(basket, "pear", "--count", "7", "fig");
-    CHECK(basket.first == "pear");
-    CHECK(basket.second == "fig");
-    CHECK(basket.count == 7);
-  }
-}
-
 TEST_CASE(
-    "a missing word, one too many and an empty one are refused, with the call that would be "
-    "right") {
+    "words without an option are taken in their order; one too few, too many or empty is refused "
+    "with the call that would be right") {
   const std::string call = "\nusage: basket FIRST SECOND [options]     (basket --help lists them)";
   Basket basket;
+  (void)filled(basket, "pear", "--count", "7", "fig");
+  CHECK(basket.first == "pear");
+  CHECK(basket.second == "fig");
+  CHECK(basket.count == 7);
   CHECK(filled(basket) == "FIRST is missing" + call);
-  CHECK(filled(basket, "pear") == "SECOND is missing" + call);
   CHECK(filled(basket, "pear", "--count", "7") == "SECOND is missing" + call);
   CHECK(filled(basket, "pear", "fig", "plum") ==
         "'plum' is not an option; options begin with --" + call);

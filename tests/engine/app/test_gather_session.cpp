@@ -1,6 +1,7 @@
 // Tests of engine/app/gather_session.hpp: how many samples a limit allows, what the user is told.
 #include <doctest.h>
 
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,14 +12,11 @@
 namespace texmap::test {
 namespace {
 
-SamplingOptions until_error(double levels) {
+SamplingOptions limits(double levels, double seconds) {
   SamplingOptions options;
   options.target_error = levels;
-  return options;
-}
-SamplingOptions until_time(double seconds) {
-  SamplingOptions options;
   options.time_limit = seconds;
+  options.seed = 7;
   return options;
 }
 
@@ -42,48 +40,36 @@ struct Gathered {
 };
 
 TEST_CASE("without a limit all samples are one pattern, chosen by the seed") {
-  for (const int most : {1, 2, 100}) {
-    SamplingOptions options;
-    options.seed = 7;
-    const Gathered all(options, most, 0);
-    CHECK(all.samples == std::vector<int>{most});
-    CHECK(all.patterns == std::set<std::uint32_t>{7});
-    CHECK(all.told == -1);
-  }
-}
-
-TEST_CASE("a limit draws pairs of patterns that double, each with a pattern of its own") {
-  // The error never falls: as many pairs as `most` allows.
-  const Gathered all(until_error(0.001), 200, 0.5);
-  CHECK(all.samples == std::vector<int>{8, 8, 16, 16, 32, 32});
-  CHECK(all.patterns.size() == all.samples.size());
-  CHECK(all.film.samples() == 112);
-  CHECK(all.film.error == doctest::Approx(0.25).epsilon(1e-9));
-  CHECK(all.told == all.film.error);
-  CHECK(all.film.light(0, 0).r == doctest::Approx(0.75).epsilon(1e-9));
-}
-
-TEST_CASE("the error that was asked for ends it") {
-  CHECK(Gathered(until_error(255 * 0.26), 1 << 20, 0.5).samples.size() == 2);
-  CHECK(Gathered(until_error(255 * 0.24), 64, 0.5).samples.size() == 4);
-  CHECK(Gathered(until_time(1e-9), 1 << 20, 0.5).samples.size() == 2);
+  const Gathered all(limits(0, 0), 100, 0);
+  CHECK(all.samples == std::vector<int>{100});
+  CHECK(all.patterns == std::set<std::uint32_t>{7});
+  CHECK(all.told == -1);
 }
 
 TEST_CASE(
-    "from 2 to 15 samples a limit draws both halves of them, and 1 is refused with the reason") {
-  for (int most = 2; most < 16; ++most) {
-    const Gathered few(until_error(0.001), most, 0.5);
-    CAPTURE(most);
-    CHECK(few.samples == std::vector<int>{most / 2, most / 2});
-    CHECK(few.film.error == doctest::Approx(0.25).epsilon(1e-9));
+    "a limit draws pairs of patterns that double, each with a pattern of its own, until the error, "
+    "the time or the number is reached") {
+  struct Row {
+    double levels, seconds;
+    int most;
+    std::vector<int> samples;
+  };
+  for (const Row& row : {Row{0.001, 0, 200, {8, 8, 16, 16, 32, 32}}, Row{0.001, 0, 2, {1, 1}},
+                         Row{0.001, 0, 15, {7, 7}}, Row{255 * 0.26, 0, 1 << 20, {8, 8}},
+                         Row{255 * 0.24, 0, 64, {8, 8, 16, 16}}, Row{0, 1e-9, 1 << 20, {8, 8}}}) {
+    const Gathered all(limits(row.levels, row.seconds), row.most, 0.5);
+    CHECK(all.samples == row.samples);
+    CHECK(all.patterns.size() == all.samples.size());
+    CHECK(all.film.samples() == std::accumulate(row.samples.begin(), row.samples.end(), 0));
+    CHECK(all.film.error == doctest::Approx(0.25).epsilon(1e-9));
+    CHECK(all.told == all.film.error);
+    CHECK(all.film.light(0, 0).r == doctest::Approx(0.75).epsilon(1e-9));
   }
-  for (const SamplingOptions& options : {until_error(1), until_time(1)}) {
-    CHECK_THROWS_WITH_AS(
-        Gathered(options, 1, 0.5),
-        "--samples 1: --time-limit and --target-error need two samples per pixel to estimate the "
-        "error",
-        UsageError);
-  }
+  CHECK_THROWS_WITH_AS(
+      Gathered(limits(0, 1), 1, 0.5),
+      "--samples 1: --time-limit and --target-error need two samples per pixel to estimate the "
+      "error",
+      UsageError);
 }
 
 TEST_CASE("what is said of an error is in levels, and nothing where none is known") {
@@ -94,7 +80,7 @@ TEST_CASE("what is said of an error is in levels, and nothing where none is know
   film.error = 0.01;
   CHECK(describe_error(film, {}) ==
         "16 samples per pixel, mean error at most about 2.55 levels of 255\n");
-  CHECK(describe_error(film, until_error(3)) ==
+  CHECK(describe_error(film, limits(3, 0)) ==
         "16 samples per pixel, mean error about 2.55 levels of 255\n");
 }
 

@@ -34,55 +34,37 @@ struct Started {
   }
 };
 
-TEST_CASE("a session begins with the lesson's size and samples, and the help shows them") {
-  const Started usual({.idea = "an idea"});
-  CHECK(usual.session.settings.width == 800);
-  CHECK(usual.session.settings.height == 600);
-  CHECK(usual.session.settings.samples == 1);
-  CHECK(usual.session.settings.number == default_number);
-  CHECK(usual.session.settings.out == "out/99_lesson.png");
-  const Started own({.idea = "an idea", .size = {400, 225}}, {}, {.samples = 100});
-  CHECK(own.session.settings.width == 400);
-  CHECK(own.session.settings.height == 225);
+TEST_CASE("a session begins with the lesson's size and samples, unless the user chose others") {
+  Started own({.idea = "an idea", .size = {400, 225}}, {}, {.samples = 100});
   CHECK(own.session.settings.samples == 100);
+  CHECK(own.session.settings.number == default_number);
+  CHECK(own.session.settings.out == "out/99_lesson.png");
   CHECK(own.offers("(default: 225)"));
   CHECK(own.offers("(default: 100)"));
+  REQUIRE(own.line.parse({"--width", "640"}));
+  own.session.default_size(200, 100);
+  CHECK(own.session.settings.width == 640);
+  CHECK(own.session.settings.height == 100);
 }
 
-TEST_CASE("options that a lesson goes without are not offered") {
-  const About about{.idea = "an idea", .without = {"--samples", "--number"}};
-  CHECK(Started({.idea = "an idea"}).offers("--samples"));
-  CHECK_FALSE(Started(about).offers("--samples"));
-  CHECK_FALSE(Started(about).offers("--number"));
-  CHECK(Started(about).offers("--threads"));
-  CHECK_FALSE(Started(about).offers("--budget"));
-  CHECK(Started(about, {}, {.budget = "how far off"}).offers("--budget"));
-  CHECK_FALSE(Started(about).offers("--show"));
-  CHECK(Started(about, {.surfaces = true}).offers("--show color|normal|uv|object"));
-  CHECK_FALSE(Started({.idea = "an idea", .without = {"--zoom"}}).offers("--at"));
-  CHECK(Started(about).offers("--at COLUMN,ROW"));
-}
-
-TEST_CASE("numbers are offered as far as the lesson's code runs with them") {
-  const auto words = [](Numbers numbers) {
-    return Started({.idea = "an idea", .numbers = numbers}).line.help();
-  };
-  CHECK(words(Numbers::all).find("float-pack") != std::string::npos);
-  CHECK(words(Numbers::single).find("extended") != std::string::npos);
-  CHECK(words(Numbers::single).find("float-pack") == std::string::npos);
-  CHECK(words(Numbers::only_double).find("--number") == std::string::npos);
-  CHECK(Started({.idea = "", .numbers = Numbers::single}).session.settings.number ==
-        NumberKind::double_);
-}
-
-TEST_CASE("a chapter's own size holds unless the user chose another") {
-  Started started({.idea = "an idea"});
-  REQUIRE(started.line.parse({"--width", "640"}));
-  started.session.default_size(400, 200);
-  CHECK(started.session.settings.width == 640);
-  CHECK(started.session.settings.height == 200);
-  CHECK(started.session.was_given("--width"));
-  CHECK_FALSE(started.session.was_given("--height"));
+TEST_CASE("a lesson offers what its code runs with, and not what it goes without") {
+  const Started usual({.idea = "an idea"});
+  CHECK(usual.offers("--samples"));
+  CHECK(usual.offers("float-pack"));
+  CHECK(usual.offers("--at COLUMN,ROW"));
+  CHECK_FALSE(usual.offers("--budget"));
+  CHECK_FALSE(usual.offers("--show"));
+  const Started about({.idea = "an idea", .without = {"--samples", "--zoom"}}, {.surfaces = true},
+                      {.budget = "how far off"});
+  CHECK_FALSE(about.offers("--samples"));
+  CHECK_FALSE(about.offers("--at"));
+  CHECK(about.offers("--budget"));
+  CHECK(about.offers("--show color|normal|uv|object"));
+  const Started single({.idea = "an idea", .numbers = Numbers::single});
+  CHECK(single.offers("extended"));
+  CHECK_FALSE(single.offers("float-pack"));
+  CHECK(single.session.settings.number == NumberKind::double_);
+  CHECK_FALSE(Started({.idea = "an idea", .numbers = Numbers::only_double}).offers("--number"));
 }
 
 }  // namespace

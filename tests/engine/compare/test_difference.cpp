@@ -69,14 +69,11 @@ TEST_CASE("equal pictures are equal by every figure") {
   CHECK((f.width == 37 && f.height == 80));
   CHECK(f.pixels_compared == 37 * 80);
   CHECK(f.pixels_different == 0);
-  CHECK(f.share_different == 0);
   CHECK(f.box == Box{});
   CHECK(f.worst.levels == 0);
-  CHECK(f.mean_absolute_error == 0);
   CHECK(f.root_mean_square_error == 0);
   CHECK(f.peak_signal_to_noise == infinity);
   CHECK(f.structural_similarity == 1);
-  CHECK(f.mean_a == f.mean_b);
   // measure() does not compute SSIM for equal pictures, so this calls it.
   for (const double value : ssim_of(a, a)) CHECK(value == 1);
 }
@@ -88,43 +85,26 @@ TEST_CASE("the errors are means over pixels and channels, of either sign") {
   const Figures f = measure(a, b);
   CHECK(f.mean_absolute_error == 7.0 / 6);
   CHECK(f.root_mean_square_error == std::sqrt(25.0 / 6));
-  // 6 dB less for twice as much: 20 log10(255 / k).
-  for (const auto& [k, decibels] :
-       {std::pair{1, 48.1308036086791}, {2, 42.1102036953995}, {255, 0.0}}) {
-    const auto level = static_cast<std::uint8_t>(k);
-    const Figures off = measure(plain(13, 7, {}), plain(13, 7, {level, level, level}));
-    CHECK((off.mean_absolute_error == k && off.root_mean_square_error == k && off.mean_b == k));
-    CHECK(near(off.peak_signal_to_noise, decibels, 1e-12));
-    CHECK(off.share_different == 1);
-  }
+  CHECK((f.mean_a == 100.5 && near(f.mean_b, 100 + 4.0 / 6, 1e-12)));
+  // 20 log10(255 / k).
+  const Figures off = measure(plain(13, 7, {}), plain(13, 7, {2, 2, 2}));
+  CHECK(near(off.peak_signal_to_noise, 42.1102036953995, 1e-12));
+  CHECK(off.share_different == 1);
 }
 
-TEST_CASE("the box holds all that differs and nothing else") {
-  const Image a = plain(30, 20, {50, 60, 70});
-  Image b = with(a, 4, 17, {50, 60, 71});
-  CHECK(measure(a, b).box == Box{4, 17, 1, 1});
-  b = with(b, 25, 2, {0, 60, 70});
-  CHECK(measure(a, b).box == Box{4, 2, 22, 16});
-  b = with(b, 0, 0, {51, 60, 70});
-  CHECK(measure(a, b).box == Box{0, 0, 26, 18});
-  b = with(b, 29, 19, {51, 60, 70});
-  CHECK(measure(a, b).box == Box{0, 0, 30, 20});
-}
-
-TEST_CASE("the worst pixel is the first of the worst, whichever channel it is") {
-  const Image a = plain(9, 9, {100, 100, 100});
-  struct Row {
-    Rgb8 color;
-    int levels;
-  };
-  for (const auto& [color, levels] : {Row{{190, 100, 100}, 90}, Row{{100, 10, 100}, 90},
-                                      Row{{99, 101, 188}, 88}, Row{{0, 255, 100}, 155}}) {
-    const Image b = with(with(with(a, 2, 1, {120, 100, 100}), 5, 4, color), 1, 6, color);
+TEST_CASE(
+    "the box holds all that differs and nothing else, and the worst pixel is the first of the "
+    "worst, whichever channel it is") {
+  const Image a = plain(30, 70, {100, 100, 100});
+  for (const auto& [color, levels] :
+       {std::pair{Rgb8{190, 100, 100}, 90}, {{100, 10, 100}, 90}, {{99, 101, 188}, 88}}) {
+    const Image b = with(with(with(a, 25, 2, {120, 100, 100}), 5, 4, color), 4, 66, color);
     const Figures f = measure(a, b);
-    CHECK(f.worst.levels == levels);
-    CHECK((f.worst.column == 5 && f.worst.row == 4));
+    CHECK(f.box == Box{4, 2, 22, 65});
+    CHECK((f.worst.levels == levels && f.worst.column == 5 && f.worst.row == 4));
     CHECK((f.worst.a == Rgb8{100, 100, 100} && f.worst.b == color));
   }
+  CHECK(measure(a, with(with(a, 0, 0, {}), 29, 69, {})).box == Box{0, 0, 30, 70});
 }
 
 TEST_CASE("off by more than L counts the pixels beyond L and not those at it") {
@@ -134,8 +114,6 @@ TEST_CASE("off by more than L counts the pixels beyond L and not those at it") {
   const Figures f = measure(a, b);
   for (int levels = 0; levels < 10; ++levels)
     CHECK(pixels_off_by_more_than(f, levels) == static_cast<std::size_t>(9 - levels));
-  CHECK(pixels_off_by_more_than(f, 254) == 0);
-  CHECK(pixels_off_by_more_than(f, 255) == 0);
   const Figures most = measure(plain(2, 2, {0, 0, 0}), plain(2, 2, {0, 255, 0}));
   CHECK(pixels_off_by_more_than(most, 254) == 4);
   CHECK(pixels_off_by_more_than(most, 255) == 0);
@@ -161,10 +139,7 @@ TEST_CASE(
     }
     return mean(inside);
   };
-  const std::vector<double> values = ssim_of(a, b);
-  CHECK(near(measure(a, b).structural_similarity, mean_inside(values, 5), 1e-14));
-  CHECK_FALSE(near(mean_inside(values, 5), mean(values), 1e-4));
-
+  CHECK(near(measure(a, b).structural_similarity, mean_inside(ssim_of(a, b), 5), 1e-14));
   const Figures f = measure(a, b, mask);
   const Figures half = measure(a, half_b);
   CHECK(near(f.structural_similarity, mean_inside(ssim_of(a, half_b), 15), 1e-14));
@@ -173,43 +148,14 @@ TEST_CASE(
   CHECK(f.box == half.box);
   CHECK(f.mean_absolute_error == doctest::Approx(2 * half.mean_absolute_error));
   CHECK(f.mean_a != half.mean_a);
-
   // Only black leaves out, and not everything may be left out.
-  const Image dark = with(plain(30, 16, {}), 0, 0, {0, 0, 1});
-  CHECK(measure(a, b, dark).pixels_compared == 1);
+  CHECK(measure(a, b, with(plain(30, 16, {}), 0, 0, {0, 0, 1})).pixels_compared == 1);
   CHECK(complaint(a, b, plain(30, 16, {})) == "the mask leaves out every pixel");
   CHECK(complaint(Image(), Image()) == "the pictures are empty");
-
-  // Everything that differs is left out.
-  const Figures none = measure(a, half_b, [&] {
-    Image other = mask;
-    for (Rgb8& pixel : other.pixels) pixel = pixel == Rgb8{} ? Rgb8{255, 255, 255} : Rgb8{};
-    return other;
-  }());
-  CHECK(none.pixels_different == 0);
-  CHECK(none.structural_similarity == 1);
-
   // No window lies inside a picture of ten rows: then all count.
   const Image small_a = noise(40, 10, 9), small_b = noise(40, 10, 10);
   CHECK(near(measure(small_a, small_b).structural_similarity, mean(ssim_of(small_a, small_b)),
              1e-14));
-}
-
-TEST_CASE("the SSIM of plain pictures is the term of their brightness") {
-  const double c1 = 6.5025;
-  for (const auto& pair : {std::pair{0, 255}, {0, 1}, {100, 110}, {200, 50}, {254, 255}}) {
-    const int p = pair.first, q = pair.second;
-    CAPTURE(p);
-    CAPTURE(q);
-    const double expected = (2.0 * p * q + c1) / (1.0 * p * p + 1.0 * q * q + c1);
-    const auto lp = static_cast<std::uint8_t>(p), lq = static_cast<std::uint8_t>(q);
-    CHECK(near(
-        measure(plain(30, 20, {lp, lp, lp}), plain(30, 20, {lq, lq, lq})).structural_similarity,
-        expected, 1e-10));
-    // In one channel of three: the mean of the channels.
-    CHECK(near(measure(plain(30, 20, {7, lp, 7}), plain(30, 20, {7, lq, 7})).structural_similarity,
-               (2 + expected) / 3, 1e-10));
-  }
 }
 
 TEST_CASE(
@@ -238,21 +184,11 @@ TEST_CASE(
 }
 
 TEST_CASE("without SSIM all other figures are the same, and it has the same bits in every run") {
-  Image a = noise(70, 200, 4);
-  Image b = a;
-  for (const auto& [column, row] : {std::pair{60, 63}, {3, 64}, {69, 64}, {20, 130}}) {
-    b.at(column, row).g ^= 16;
-  }
+  const Image a = noise(70, 200, 4), b = noise(70, 200, 5);
   const Figures all = measure(a, b);
-  Figures pixels = measure(a, b, {}, Detail::pixels);
+  const Figures pixels = measure(a, b, {}, Detail::pixels);
   CHECK(std::isnan(pixels.structural_similarity));
-  CHECK(pixels.box == Box{3, 63, 67, 68});
-  CHECK(pixels.box == all.box);
-  CHECK(pixels.worst.column == 60);  // the first of four
-  CHECK(pixels.worst.row == 63);
   CHECK(pixels.pixels_by_levels == all.pixels_by_levels);
-  CHECK(pixels.root_mean_square_error == all.root_mean_square_error);
-  CHECK(pixels.mean_b == all.mean_b);
   CHECK(measure(a, a, {}, Detail::pixels).structural_similarity == 1);
   for (int repeat = 0; repeat < 5; ++repeat)
     CHECK(measure(a, b).structural_similarity == all.structural_similarity);

@@ -89,15 +89,14 @@ TEST_CASE_TEMPLATE("the exact byte is the curve's, next to every threshold too",
 TEST_CASE_TEMPLATE("no light, too much light and no number are bytes too", Real,
                    TEXMAP_KERNEL_NUMBERS) {
   using Limits = std::numeric_limits<Scalar<Real>>;
-  const auto both = [](Scalar<Real> x, Scalar<Real> byte) {
-    CHECK(lane(srgb_byte<4>(Real(x)), 0) == byte);
-    CHECK(lane(srgb_byte_exact(Real(x)), 0) == byte);
-  };
-  both(-1, 0);
-  both(-Limits::infinity(), 0);
-  both(Limits::quiet_NaN(), 0);
-  both(2, 255);
-  both(Limits::infinity(), 255);
+  for (const auto& [light, byte] : {std::pair{Scalar<Real>(-1), 0},
+                                    {-Limits::infinity(), 0},
+                                    {Limits::quiet_NaN(), 0},
+                                    {2, 255},
+                                    {Limits::infinity(), 255}}) {
+    CHECK(lane(srgb_byte<4>(Real(light)), 0) == byte);
+    CHECK(lane(srgb_byte_exact(Real(light)), 0) == byte);
+  }
 }
 
 }  // namespace

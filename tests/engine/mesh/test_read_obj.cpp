@@ -1,7 +1,6 @@
 // Tests of engine/mesh/read_obj.hpp: a file loads whole, or an error names the line.
 #include <doctest.h>
 
-#include <clocale>
 #include <fstream>
 
 #include "engine/mesh/read_obj.hpp"
@@ -47,15 +46,6 @@ TEST_CASE("numbers, indices and fans arrive as they are in the file") {
   CHECK(read.mapping.corners[1][0].u == 0.25);
   CHECK(read.mapping.corners[2][0].v == 2);
   CHECK(read.mapping.corners[2][1].v == 0.5);
-}
-
-TEST_CASE("a decimal comma in the locale changes nothing") {
-  for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"}) {
-    if (std::setlocale(LC_ALL, locale) != nullptr) break;
-  }
-  const TexturedMesh read = read_obj("v 0.5 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
-  std::setlocale(LC_ALL, "C");
-  CHECK(read.mesh.points[0].x == 0.5);
 }
 
 TEST_CASE("changed files load or are refused, and what loads has indices and finite numbers") {

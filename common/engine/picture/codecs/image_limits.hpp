@@ -33,6 +33,14 @@ inline void check_image_size(ImageSize size) {
     refuse("and the two together may make at most " + std::to_string(max_image_area));
 }
 
+/// Refuses a picture that has too many pixels for a sky.
+inline void check_sky_size(ImageSize size, std::uint64_t most) {
+  if (std::uint64_t{size.width} * size.height <= most) return;
+  throw FileError("its size is " + std::to_string(size.width) + " x " +
+                  std::to_string(size.height) + " pixels, and a sky may have at most " +
+                  std::to_string(most) + "; save it smaller");
+}
+
 /// Refuses a picture that takes too much memory to decode: `bytes` at once, with file and picture.
 inline void check_decoding_bytes(std::uint64_t bytes) {
   if (bytes <= max_decoding_bytes) return;

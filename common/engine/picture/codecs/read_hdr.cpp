@@ -44,12 +44,7 @@ class Reader {
     const double exposure = header();
     const ImageSize size = resolution();
     check_image_size(size);
-    const std::uint64_t texels = std::uint64_t{size.width} * size.height;
-    if (texels > most_texels) {
-      throw FileError("its size is " + std::to_string(size.width) + " x " +
-                      std::to_string(size.height) + " pixels, and a sky may have at most " +
-                      std::to_string(most_texels) + "; save it smaller");
-    }
+    check_sky_size(size, most_texels);
     LightImage image(static_cast<int>(size.width), static_cast<int>(size.height));
     std::vector<Rgbe> row(size.width);
     for (int y = 0; y < image.height; ++y) {

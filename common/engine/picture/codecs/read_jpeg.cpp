@@ -20,8 +20,7 @@
 namespace texmap {
 namespace {
 
-constexpr int max_scans = 256;
-constexpr int max_tables = 4 * max_scans;
+constexpr int max_tables = 1024;
 // Bounds the time that many small scans can take.
 constexpr std::uint64_t max_block_visits = std::uint64_t{1} << 26;
 constexpr int largest_constant = 32767;
@@ -273,14 +272,11 @@ class Reader {
       const std::uint32_t kind = take(data, 1)[0];
       require_jpeg(kind >> 4 <= 1 && (kind & 15) <= 3,
                    "a Huffman table has a number that does not exist");
-      count(tables_, max_tables, "Huffman tables");
+      if (++tables_ > max_tables)
+        throw FileError("the JPEG file has more than " + std::to_string(max_tables) +
+                        " Huffman tables");
       codes_[kind >> 4][kind & 15] = JpegCodes(data, kind >> 4 == 0 ? 15 : 255);
     }
-  }
-
-  static void count(int& counter, int most, const char* things) {
-    if (++counter > most)
-      throw FileError("the JPEG file has more than " + std::to_string(most) + " " + things);
   }
 
   // The picture.
@@ -367,7 +363,6 @@ class Reader {
 
   void scan(Bytes data) {
     require_jpeg(!channels_.empty(), "its pixels come before its header");
-    count(scans_, max_scans, "scans");
     const std::size_t channels = take(data, 1)[0];
     require_jpeg(channels >= 1 && channels <= channels_.size() && data.size() == 2 * channels + 3,
                  "a scan's header has the wrong length");
@@ -550,7 +545,6 @@ class Reader {
   std::uint64_t units_ = 0;             // of a scan with several channels
   std::uint64_t units_in_a_row_ = 0;
   std::uint64_t block_visits_ = 0;
-  int scans_ = 0;
   JpegBits bits_{{}};               // of the scan that is read
   std::uint32_t empty_blocks_ = 0;  // that the scan has already said to come
 };

@@ -46,7 +46,7 @@ struct Lesson : LessonHooks {
   void prepare(Session&) override {
     objects[middle].paint = Textured{{layout.convention}, layout.load(texture)};
   }
-  void show(Session& session) override { show_conventions(*this, session); }
+  void draw_all(Session& session) override { show_conventions(*this, session); }
 
   /// The color that one ray sees.
   Color<double> operator()(const Ray<double>& ray) const {

@@ -1,4 +1,4 @@
-// The lecture's scene: a globe over a yellow ground, lit without shadows, on black.
+// The scene that the user chose: the stage, or the lecture's globe over a yellow ground.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,24 +1,176 @@
-// JPEG files that are built wrongly, one mistake at a time.
+// PNG and JPEG files that are built wrongly, one mistake at a time, and what loading them says. Those
+// of the corpus are in test_load_image, .hdr files in test_read_hdr.
 #include <doctest.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/system/file_error.hpp"
 
 namespace {
 
 using File = std::vector<std::uint8_t>;
+using texmap::Image;
+using texmap::Rgb8;
 
 File joined(std::initializer_list<File> parts) {
   File all;
   for (const File& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
+
+const std::string loads = "it loads";
+const std::string all_grey = "it loads, all grey";
+
+std::string outcome(const File& file) {
+  try {
+    for (const Rgb8 pixel : texmap::decode_image(file).pixels) {
+      if (pixel != Rgb8{128, 128, 128}) return loads;
+    }
+    return all_grey;
+  } catch (const texmap::FileError& error) {
+    return error.what();
+  }
+}
+
+// A file, and a part of what loading it says.
+struct Case {
+  File file;
+  std::string says;
+};
+
+void check(const std::vector<Case>& table) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    CAPTURE(i);
+    const std::string said = outcome(table[i].file);
+    INFO("said: ", said, ", expected: ", table[i].says);
+    CHECK(said.find(table[i].says) != std::string::npos);
+  }
+}
+
+}  // namespace
+
+namespace png {
+namespace {
+
+File big_endian(std::size_t number) {
+  File bytes;
+  for (int shift = 24; shift >= 0; shift -= 8)
+    bytes.push_back(static_cast<std::uint8_t>(number >> shift & 0xFFU));
+  return bytes;
+}
+
+File chunk(const std::string& type, const File& data) {
+  const File named = joined({File(type.begin(), type.end()), data});
+  return joined({big_endian(data.size()), named, big_endian(texmap::crc32(named))});
+}
+
+File header(std::size_t width, std::size_t height, std::uint8_t depth, std::uint8_t color,
+            std::uint8_t compression = 0, std::uint8_t filter = 0, std::uint8_t interlace = 0) {
+  return chunk("IHDR", joined({big_endian(width),
+                               big_endian(height),
+                               {depth, color, compression, filter, interlace}}));
+}
+
+// The rows as a zlib stream of one stored block.
+File stream(const File& rows) {
+  const std::size_t size = rows.size();
+  const auto low = static_cast<std::uint8_t>(size & 0xFFU);
+  const auto high = static_cast<std::uint8_t>(size >> 8);
+  const auto flipped = [](std::uint8_t byte) { return static_cast<std::uint8_t>(~byte & 0xFF); };
+  return joined({{0x78, 0x01, 1, low, high, flipped(low), flipped(high)},
+                 rows,
+                 big_endian(texmap::adler32(rows))});
+}
+
+File pixels(const File& rows) { return chunk("IDAT", stream(rows)); }
+
+const File start = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+const File end = chunk("IEND", {});
+const File grey_header = header(2, 1, 8, 0);
+const File grey_rows = {0, 10, 20};
+const File two_colors = chunk("PLTE", {1, 2, 3, 4, 5, 6});
+const File three_colors = chunk("PLTE", {1, 2, 3, 4, 5, 6, 7, 8, 9});
+
+File png(std::initializer_list<File> chunks) { return joined({start, joined(chunks), end}); }
+
+}  // namespace
+
+TEST_CASE("the smallest PNG files there are load") {
+  const std::vector<std::pair<File, std::vector<Rgb8>>> table = {
+      {png({grey_header, pixels(grey_rows)}), {{10, 10, 10}, {20, 20, 20}}},
+      {joined({png({header(2, 1, 8, 3), two_colors, pixels({0, 1, 0})}), {9, 9}}),
+       {{4, 5, 6}, {1, 2, 3}}},
+      {png({header(1, 1, 16, 2), pixels({0, 1, 255, 2, 255, 3, 255})}), {{1, 2, 3}}},
+      // Bits behind the last pixel of a row are no palette index.
+      {png({header(1, 1, 2, 3), two_colors, pixels({0, 0x7F})}), {{4, 5, 6}}},
+  };
+  for (const auto& [file, expected] : table) CHECK(texmap::decode_image(file).pixels == expected);
+}
+
+TEST_CASE("a PNG file with one mistake is refused with its reason") {
+  const File body = pixels(grey_rows);
+  const File palette_header = header(2, 1, 8, 3);
+  const File palette_pixels = pixels({0, 1, 0});
+  const File rgb_header = header(1, 1, 8, 2);
+  const File rgb_pixels = pixels({0, 1, 2, 3});
+  File wrong_sum = stream(grey_rows);
+  wrong_sum.back() ^= 1;
+  check({
+      {start, "end marker"},
+      {joined({start, grey_header, body}), "end marker"},
+      {png({body, grey_header}), "begin with its header"},
+      {png({chunk("IHDR", {0, 0}), body}), "13 bytes"},
+      {png({grey_header, grey_header, body}), "two headers"},
+      {png({header(0, 1, 8, 0), body}), "0 x 1 pixels"},
+      {png({header(16385, 1, 8, 0), body}), "a side may have at most 16384"},
+      {png({header(1, 16385, 8, 0), body}), "a side may have at most 16384"},
+      {png({header(16384, 8193, 8, 0), body}), "may make at most 134217728"},
+      {png({header(16384, 8192, 16, 6), body}), "MiB of memory"},
+      {png({header(8192, 8192, 8, 0), body}), "too few bytes"},
+      {png({header(2, 1, 3, 0), body}), "does not exist"},
+      {png({header(2, 1, 16, 3), body}), "does not exist"},
+      {png({header(2, 1, 8, 7), body}), "does not exist"},
+      {png({header(2, 1, 8, 0, 1), body}), "method that does not exist"},
+      {png({header(2, 1, 8, 0, 0, 0, 2), body}), "method that does not exist"},
+      {png({grey_header}), "it has no pixels"},
+      {joined({start, grey_header, body, chunk("IEND", {0})}), "is not empty"},
+      {png({grey_header, body, chunk("tEXt", {}), chunk("IDAT", {})}), "not in one piece"},
+      {png({grey_header, chunk("CgBI", {}), body}), "does not know (chunk CgBI)"},
+      {png({grey_header, chunk("t xt", {}), body}), "no proper name"},
+      // Palette and transparency.
+      {png({grey_header, two_colors, body}), "grey picture has a palette"},
+      {png({palette_header, palette_pixels}), "palette (PLTE) is missing"},
+      {png({palette_header, two_colors, two_colors, palette_pixels}), "two palettes"},
+      {png({palette_header, chunk("PLTE", {}), palette_pixels}), "1 to 256 colors"},
+      {png({header(2, 1, 1, 3), three_colors, pixels({0, 0})}), "1 to 2 colors"},
+      {png({rgb_header, rgb_pixels, two_colors}), "after the pixels"},
+      {png({rgb_header, chunk("tRNS", File(6)), two_colors, rgb_pixels}), "after the transparency"},
+      {png({palette_header, chunk("tRNS", {1}), two_colors, palette_pixels}), "before the palette"},
+      {png({palette_header, two_colors, chunk("tRNS", {1, 2, 3}), palette_pixels}), "instead of 2"},
+      {png({palette_header, two_colors, palette_pixels, chunk("tRNS", {1})}), "after the pixels"},
+      {png({grey_header, chunk("tRNS", {1}), body}), "instead of 2"},
+      {png({grey_header, chunk("tRNS", {0, 1}), chunk("tRNS", {0, 1}), body}),
+       "two transparencies"},
+      {png({header(1, 1, 8, 4), chunk("tRNS", {0, 1}), pixels({0, 1, 2})}), "an alpha channel"},
+      {png({palette_header, two_colors, pixels({0, 1, 2})}), "color 2 of a palette with 2"},
+      {png({header(1, 1, 2, 3), two_colors, pixels({0, 0x80})}), "color 2 of a palette with 2"},
+      // Pixels.
+      {png({grey_header, chunk("IDAT", {0x78, 0x01, 1})}), "too few bytes"},
+      {png({grey_header, pixels({0, 10})}), "end after 2 of 3 bytes"},
+      {png({grey_header, pixels({0, 10, 20, 30})}), "do not unpack"},
+      {png({grey_header, chunk("IDAT", wrong_sum)}), "the checksum of its pixels is wrong"},
+      {png({grey_header, pixels({5, 10, 20})}), "filter 5"},
+  });
+}
+
+}  // namespace png
+
+namespace jpeg {
+namespace {
 
 // A segment: its marker, its length and its data.
 File segment(std::uint8_t marker, const File& data) {
@@ -92,36 +244,8 @@ File coded(std::uint8_t second, std::uint8_t third, std::uint8_t marker, std::ui
 
 File without_start(const File& file) { return {file.begin() + 2, file.end()}; }
 
-const std::string loads = "it loads";
-const std::string all_grey = "it loads, all grey";
 const std::string short_of_bits = "cut short or damaged: its pixels end too early";
 const std::string nonsense = "its pixels have a code that makes no sense";
-
-std::string outcome(const File& file) {
-  try {
-    for (const texmap::Rgb8 pixel : texmap::decode_image(file).pixels) {
-      if (pixel != texmap::Rgb8{128, 128, 128}) return loads;
-    }
-    return all_grey;
-  } catch (const texmap::FileError& error) {
-    return error.what();
-  }
-}
-
-// A file, and a part of what loading it says.
-struct Case {
-  File file;
-  std::string says;
-};
-
-void check(const std::vector<Case>& table) {
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    CAPTURE(i);
-    const std::string said = outcome(table[i].file);
-    INFO("said: ", said, ", expected: ", table[i].says);
-    CHECK(said.find(table[i].says) != std::string::npos);
-  }
-}
 
 }  // namespace
 
@@ -155,11 +279,9 @@ TEST_CASE("a JPEG file with one mistake is refused with its reason") {
       {joined({start, tables, scan(0, 63, 0), frame(0xC0), end}), "before its header"},
       {framed({frame(0xC0), scan(0, 63, 0)}), "two pictures"},
       {joined({start, tables, frame(0xC3), scan(0, 63, 0), end}), "rare kind"},
-      {joined({start, tables, frame(0xC9), scan(0, 63, 0), end}), "rare kind"},
       {joined({start, tables, frame(0xC0, 0), scan(0, 63, 0), end}), "8 x 0 pixels"},
       // Channels.
       {joined({start, tables, frame(0xC0, 8, 8, 0x51), scan(0, 63, 0), end}), "sampling factor"},
-      {joined({start, tables, frame(0xC0, 8, 8, 0x10), scan(0, 63, 0), end}), "sampling factor"},
       {colors({{1, 0x11, 0}, {1, 0x11, 0}, {3, 0x11, 0}}), "the same number"},
       {colors({{1, 0x31, 0}, {2, 0x21, 0}, {3, 0x11, 0}}), "do not divide"},
       {colors({{1, 0x11, 4}, {2, 0x11, 0}, {3, 0x11, 0}}), "names a quantisation"},
@@ -173,13 +295,11 @@ TEST_CASE("a JPEG file with one mistake is refused with its reason") {
       {joined({start, quantization(4), baseline}), "quantisation table has a number"},
       {joined({start, quantization(0x20), baseline}), "quantisation table has a number"},
       {joined({start, quantization(0, 63), baseline}), "ends too early"},
-      {joined({start, quantization(0x10, 64), baseline}), "ends too early"},
       {joined({start, huffman(0x20, {1}, {0}), baseline}), "Huffman table has a number"},
       {joined({start, huffman(0x04, {1}, {0}), baseline}), "Huffman table has a number"},
       {joined({start, huffman(0x00, {1}, {16}), baseline}), "symbol that does not exist"},
       {joined({start, huffman(0x00, {1}, {}), baseline}), "ends too early"},
       {joined({start, huffman(0x10, {2}, {0, 1}), baseline}), "more codes than fit"},
-      {joined({start, huffman(0x10, {3}, {0, 1, 2}), baseline}), "more codes than fit"},
       {joined({start, huffman(0x10, {1, 2}, {0, 1, 2}), baseline}), "more codes than fit"},
       {joined({start, huffman(0x10, {0, 0, 0, 0, 0, 0, 0, 0, 255, 1}, File(256)), baseline}),
        "too many symbols"},
@@ -296,20 +416,4 @@ TEST_CASE("a file that visits 2^26 blocks is read, and one that visits more is r
          {joined({all, scan(1, 1, 0x10, many_blocks)}), "too many scans for its size"}});
 }
 
-TEST_CASE("256 scans and 1024 Huffman tables load, and one more is refused") {
-  File scans = joined({start, tables, frame(0xC2), scan(0, 0, 0)});
-  int made = 1;
-  for (std::uint8_t k = 1; k < 64; ++k) {
-    for (int bit = 13; bit >= 0 && made < 256; --bit, ++made) {
-      const int before = bit == 13 ? 0 : bit + 1;
-      scans = joined({scans, scan(k, k, static_cast<std::uint8_t>(16 * before + bit))});
-    }
-  }
-  File many = start;
-  for (int i = 0; i < 1022; ++i) many = joined({many, huffman(0x03, {1}, {0})});
-  check({{joined({scans, end}), all_grey},
-         {joined({scans, scan(63, 63, 13), end}), "more than 256 scans"},
-         {joined({many, without_start(baseline)}), all_grey},
-         {joined({many, huffman(0x03, {1}, {0}), without_start(baseline)}),
-          "more than 1024 Huffman tables"}});
-}
+}  // namespace jpeg
