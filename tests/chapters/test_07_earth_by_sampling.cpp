@@ -217,7 +217,7 @@ TEST_CASE(
   }
   for (const std::string sky : {"constant", "gradient"}) {
     Lesson lesson = lesson_with({"--sky", sky});
-    lesson.objects[0].paint.texture = {.image = ramp, .light = TexelLight::linear};
+    lesson.objects[0].paint.texture = {{ramp}, TexelLight::linear};
     constexpr Size size = {200, 112};
     const KernelPlan smooth = plan_for("levels=1", lesson);
     KernelPlan plain = smooth;
