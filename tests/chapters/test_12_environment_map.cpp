@@ -108,15 +108,12 @@ TEST_CASE("all ways gather the same light: their pictures come together as sampl
     CAPTURE(static_cast<int>(way));
     const double few = apart(film_of<Pack<double>>(under(map, way), 64, drawn), reference);
     const double many = apart(film_of<Pack<double>>(under(map, way), 4096, drawn), reference);
-    MESSAGE("way " << static_cast<int>(way) << ": off by " << few << " with 64 samples, " << many
-                   << " with 4096");
     CHECK(many < few / 5);
     CHECK(many < 0.012);
   }
   // Nine coefficients have no noise, but no shadows: more samples do not help.
   const double without_shadows =
       apart(film_of<Pack<double>>(under(map, SkyLighting::coefficients), 256, drawn), reference);
-  MESSAGE("nine coefficients, which know no shadow, are off by " << without_shadows);
   CHECK(without_shadows > 0.01);
 }
 
@@ -143,36 +140,6 @@ TEST_CASE(
   const SkyNoise near = {.cosine = 1.2, .mis = 1};
   CHECK(best_lighting(near) == SkyLighting::cosine);
   CHECK(best_lighting(near, 1.4) == SkyLighting::mis);
-}
-
-TEST_CASE("the noise that the choice goes by is that of drawn directions") {
-  const SkyLight sky(Environment(sky_of_the_chapter(), TexelFilter::nearest));
-  const SkyNoise noise = noise_of(sky);
-  const std::array normals = {Vec3d{1, 0, 0},  Vec3d{-1, 0, 0}, Vec3d{0, 1, 0},
-                              Vec3d{0, -1, 0}, Vec3d{0, 0, 1},  Vec3d{0, 0, -1}};
-  const auto measured = [&](SkyLighting way) {
-    double variance = 0, light = 0;
-    for (const Vec3d& normal : normals) {
-      double sum = 0, squares = 0;
-      constexpr std::uint32_t count = 16384;
-      const Sampler sampler(SamplerKind::sobol, count);
-      for (std::uint32_t i = 0; i < count; ++i) {
-        const auto hash = hash_pixels<double>(3U, 4U);
-        const Scattered<double> next = scatter(way, sky, normal, sampler.pair<double>(hash, i, 1),
-                                               sampler.pair<double>(hash, i, 2));
-        const Color<double> seen = sky(Ray<double>{{}, next.direction});
-        const double value = next.weight * (seen.r + seen.g + seen.b) / 3;
-        sum += value / count;
-        squares += value * value / count;
-      }
-      variance += squares - sum * sum;
-      light += sum * sum;
-    }
-    return std::sqrt(variance / light);
-  };
-  CHECK(measured(SkyLighting::importance) == doctest::Approx(noise.importance).epsilon(0.03));
-  CHECK(measured(SkyLighting::mis) == doctest::Approx(noise.mis).epsilon(0.03));
-  CHECK(measured(SkyLighting::cosine) == doctest::Approx(noise.cosine).epsilon(0.2));
 }
 
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
@@ -209,20 +176,6 @@ TEST_CASE("a stop more is twice the light, and a full turn is none") {
 
 TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 1") {
   const LightImage full = sky_of_the_chapter();
-  LightImage cut = full;
-  double brightest = 0;
-  for (Color<float>& texel : cut.pixels) {
-    brightest = std::max(brightest, static_cast<double>(texel.r));
-    texel = {std::min(texel.r, 1.0F), std::min(texel.g, 1.0F), std::min(texel.b, 1.0F)};
-  }
-  const Rgb all = energy_of(full), left = energy_of(cut);
-  const auto missing = [](double whole, double rest) { return 100 * (1 - rest / whole); };
-  MESSAGE("brightest texel " << brightest << "; missing: red " << missing(all.r, left.r)
-                             << " %, green " << missing(all.g, left.g) << " %, blue "
-                             << missing(all.b, left.b) << " %");
-  CHECK(missing(all.r, left.r) > 20);
-  CHECK(missing(all.r, left.r) > missing(all.b, left.b) + 3);  // what is left is bluer
-  // The same by a real PNG file, within its bytes' rounding.
   Image png(full.width, full.height);
   for (std::size_t i = 0; i < full.pixels.size(); ++i) {
     const auto byte = [](float x) {
@@ -232,40 +185,26 @@ TEST_CASE("a PNG of the same sky loses most of the sun: its light is cut off at 
   }
   const TemporaryFolder folder;
   save_png(png, folder / "sky.png");
-  CHECK(energy_of(load_light(folder / "sky.png")).r == doctest::Approx(left.r).epsilon(1e-3));
-  Lesson by_png = prepared<Lesson>({"--sky", folder / "sky.png", "--light", "mis"});
+  const Rgb all = energy_of(full), left = energy_of(load_light(folder / "sky.png"));
+  const double red_missing = 100 * (1 - left.r / all.r), blue_missing = 100 * (1 - left.b / all.b);
+  CHECK(red_missing > 20);
+  CHECK(red_missing > blue_missing + 3);  // what is left is bluer
+  const auto by_png = prepared<Lesson>({"--sky", folder / "sky.png", "--light", "mis"});
   CHECK(best_lighting(noise_of(by_png.stage.sky)) == SkyLighting::cosine);  // no sun is left
 }
 
-TEST_CASE("the program refuses every damaged sky with its name, status 1 and no picture") {
+TEST_CASE("the program refuses a damaged sky with its name, status 1 and no picture") {
   const TemporaryFolder folder;
-  const std::string program = "\"" TEXMAP_CHAPTER
-                              "\" --width 16 --height 9 --samples 1 --quiet --out \"" +
-                              (folder / "x.png") + "\" --sky \"" + (folder / "sky.hdr") + "\"";
-  for (const HdrCase& item : hdr_corpus()) {
-    CAPTURE(item.name);
-    put(folder / "sky.hdr", item.file);
-    const Outcome outcome = run(program);
-    CAPTURE(outcome.err);
-    if (std::string(item.error).empty()) {
-      CHECK(outcome.status == 0);
-      std::filesystem::remove(folder / "x.png");
-      continue;
-    }
-    CHECK(outcome.status == 1);
-    const bool named =
-        outcome.err.find("error: cannot load texture '" + (folder / "sky.hdr") + "': ") == 0;
-    // A signature cut off is no Radiance file; the message says so.
-    CHECK(named);
-    CHECK(outcome.out.empty());
-    CHECK(folder.size() == 1);
-  }
   put(folder / "sky.hdr",
       hdr_start + (bytes_of_text(hdr_size(3, 1)) + (flat(2) + flat(1, {9, 9, 9, 129}))));
-  const Outcome odd = run(program);
+  const Outcome odd = run("\"" TEXMAP_CHAPTER "\" --quiet --out \"" + (folder / "x.png") +
+                          "\" --sky \"" + (folder / "sky.hdr") + "\"");
   CHECK(odd.status == 1);
+  CHECK(odd.err.find("error: cannot load texture '" + (folder / "sky.hdr") + "': ") == 0);
   CHECK(odd.err.find("it is 3 pixels wide, and the width of a sky must be even") !=
         std::string::npos);
+  CHECK(odd.out.empty());
+  CHECK(folder.size() == 1);
 }
 
 TEST_CASE("the program's options: wrong words are status 2, and auto says what it took") {

@@ -2,11 +2,10 @@
 """Plants mistakes of students in a copy, one at a time, and sees the chapter's symptoms name each.
 
 Reads tests/mutation/symptoms.txt. Compiles tests/chapters/symptoms_NN.cpp alone, which takes a second or two: its headers are those of
-the copy, the libraries those of a build. The first failure must have the mistake's word and no other's, within two seconds of processor
-time, with at most ten failures and no {?}. --self-test plants nothing, and must find that nothing was noticed.
+the copy, the libraries those of a build. The first failure must have the mistake's word and no other's, among at most ten. --self-test
+plants nothing, and must find that nothing was noticed.
 """
 import argparse
-import resource
 import shutil
 import subprocess
 import sys
@@ -16,12 +15,6 @@ from pathlib import Path
 import planted
 
 MOST_FAILURES = 10
-MOST_SECONDS = 2
-
-
-def processor_seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def tried(fault, tree, arguments, words):
@@ -34,9 +27,7 @@ def tried(fault, tree, arguments, words):
         f'{tree}/tests/chapters/{suite}.cpp', *arguments.link, '-o', str(program)])
     if compiled.returncode != 0:
         return 'does not compile:\n' + compiled.stderr[-3000:], ''
-    before = processor_seconds()
     tested = planted.run([str(program)], timeout=120)
-    seconds = processor_seconds() - before
     failures = [line.partition('ERROR: ')[2] for line in tested.stdout.splitlines() if 'ERROR: ' in line]
     if tested.returncode == 0 or not failures:
         return f'NOT NOTICED by {suite}', ''
@@ -48,10 +39,6 @@ def tried(fault, tree, arguments, words):
         return f'the first failure also says "{others[0]}"', first
     if len(failures) > MOST_FAILURES:
         return f'{len(failures)} failures are shown', first
-    if '{?}' in tested.stdout:
-        return 'a value is shown as {?}', first
-    if seconds > MOST_SECONDS:
-        return f'took {seconds:.1f} s', first
     return None, first
 
 
@@ -82,9 +69,7 @@ def main():
             print(f'{fault.name}: {trouble or "named"}: {first}' if first else f'{fault.name}: {trouble}', flush=True)
             wrong += trouble is not None
     print(f'{len(faults)} mistakes planted, {len(faults) - wrong} named')
-    if arguments.self_test:
-        sys.exit(0 if wrong == 1 else 1)
-    sys.exit(1 if wrong or not faults else 0)
+    sys.exit(wrong != arguments.self_test or not faults)
 
 
 if __name__ == '__main__':

@@ -1,19 +1,21 @@
-// The pictures of docs/symptoms.md: each is drawn here by the fault that its row names.
+// The pictures of docs/symptoms.md, each drawn by the fault that its row names; and what the course
+// says of a picture with such a fault.
 // TEXMAP_COLLECT=1 writes them into docs/pictures/symptoms/.
 #include <doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <set>
 
 #include "03_image_texture/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "09_texture_filtering/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
+#include "engine/compare/known_mistakes.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "math/srgb.hpp"
+#include "support/made_pictures.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 #include "texture/conventions.hpp"
@@ -30,17 +32,9 @@ constexpr int height = 180;
 const Camera close_by{.eye = {0, 0.8, 4.2}, .target = {0, -0.05, 0}, .fov_y_degrees = 42};
 
 /// A picture of what each ray sees.
-Image drawn(const Camera& camera, const std::function<Rgb(const Ray<double>&)>& color,
-            int columns = width, int rows = height) {
-  const View<> view = view_of(camera, columns, rows);
-  Image image(columns, rows);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const Rgb seen = color(ray_through<double>(view, column, row));
-      image.at(column, row) = {byte_of(seen.r), byte_of(seen.g), byte_of(seen.b)};
-    }
-  }
-  return image;
+template <class Look>
+Image drawn(const Camera& camera, const Look& look) {
+  return render<double>(look, view_of(camera, width, height));
 }
 
 const chapter_03::Lesson& lesson() {
@@ -52,23 +46,20 @@ const ImageTexture& earth() {
   return std::get<chapter_03::Textured>(lesson().objects[chapter_03::middle].paint).texture;
 }
 
-using PaintOfGlobe = std::function<Rgb(const Hit<double>&)>;
-using LightOfGlobe = std::function<double(const Hit<double>&, const Ray<double>&)>;
-
 double light_of(const Hit<double>& hit, const Ray<double>& /*ray*/) {
   return lambert(lesson().surface, sample_light(lesson().stage.light, lesson().objects, hit));
 }
 
 /// The stage of chapter 03, with another paint or another light on the globe.
-Image stage(const PaintOfGlobe& paint, const LightOfGlobe& light = light_of,
-            const Camera& camera = close_by) {
+template <class Paint, class Light = decltype(&light_of)>
+Image stage(const Paint& paint, const Light& light = &light_of, const Camera& camera = close_by) {
   const auto& objects = lesson().objects;
   return drawn(camera, [&](const Ray<double>& ray) {
     return color_along(objects, ray, lesson().stage.sky,
                        [&](const chapter_03::Object& object, const Hit<double>& hit) {
                          const bool is_globe = &object == &objects[chapter_03::middle];
-                         return (is_globe ? paint(hit) : object.paint(hit)) *
-                                (is_globe ? light : light_of)(hit, ray);
+                         if (is_globe) return paint(hit) * light(hit, ray);
+                         return object.paint(hit) * light_of(hit, ray);
                        });
   });
 }
@@ -77,39 +68,87 @@ Rgb right_paint(const Hit<double>& hit) { return earth()(uv_rtiow(hit.normal)); 
 
 Image right() { return stage(right_paint); }
 
-Image mirrored_map() {
-  return stage([](const Hit<double>& hit) {
+/// What a student's program computes: a color from (u, v).
+using LookUp = Rgb (*)(double u, double v);
+
+Image looked_up(LookUp look_up) {
+  return stage([&](const Hit<double>& hit) {
     const Uv<double> uv = uv_rtiow(hit.normal);
-    return earth()(Uv<double>{1 - uv.u, uv.v});
+    return look_up(uv.u, uv.v);
   });
 }
 
-Image flipped_map() {
-  return stage([](const Hit<double>& hit) {
-    const Uv<double> uv = uv_rtiow(hit.normal);
-    return earth()(Uv<double>{uv.u, 1 - uv.v});
-  });
+/// The texel at a column and a row of the map, without limits.
+Rgb texel(int column, int row) {
+  const Image& map = earth().image;
+  const int n = map.width;
+  const Rgb8 t = map.at(((column % n) + n) % n, std::clamp(row, 0, map.height - 1));
+  return {t.r / 255.0, t.g / 255.0, t.b / 255.0};
 }
+int column_of(double u) { return static_cast<int>(std::floor(u * earth().image.width)); }
+int row_of(double v) {
+  const int height_of_map = earth().image.height;
+  return height_of_map - 1 - static_cast<int>(std::floor(v * height_of_map));
+}
+Rgb right_look_up(double u, double v) { return texel(column_of(u), row_of(v)); }
 
-Image half_turn_of_map() {
-  return stage([](const Hit<double>& hit) {
-    const Uv<double> uv = uv_rtiow(hit.normal);
-    return earth()(Uv<double>{1 - uv.u, 1 - uv.v});
-  });
-}
+/// A mistake in the look-up, as students write it: nothing here comes from mistaken_maps.
+struct LookUpMistake {
+  const char* picture;  ///< of the page; nullptr if it shows none
+  const char* words;    ///< with which name_mistake begins
+  LookUp look_up;
+};
+constexpr LookUpMistake look_up_mistakes[] = {
+    {"mirrored", "mirrored: u runs the other way",
+     [](double u, double v) { return right_look_up(1 - u, v); }},
+    {"upside_down", "upside down: v runs the other way",
+     [](double u, double v) { return right_look_up(u, 1 - v); }},
+    {"half_turn", "turned by half", [](double u, double v) { return right_look_up(1 - u, 1 - v); }},
+    {"quarter_turn", "a quarter turn off",
+     [](double u, double v) { return right_look_up(u - 0.25, v); }},
+    {nullptr, "a quarter turn off", [](double u, double v) { return right_look_up(u + 0.25, v); }},
+    {nullptr, "half a turn off", [](double u, double v) { return right_look_up(u + 0.5, v); }},
+    {"stripes", "striped",  // u without its 1/2 is negative on the side that is seen
+     [](double u, double v) { return texel(std::max(column_of(u - 0.5), 0), row_of(v)); }},
+    {"black", "black texture", [](double, double) { return gray(0.0); }},
+    {nullptr, "half a texel to the left",
+     [](double u, double v) {
+       return texel(static_cast<int>(std::lround(u * earth().image.width)), row_of(v));
+     }},
+    {nullptr, "one texel to the left",
+     [](double u, double v) { return texel(column_of(u) + 1, row_of(v)); }},
+    {nullptr, "one texel up: rows were counted from 1",
+     [](double u, double v) { return texel(column_of(u), row_of(v) + 1); }},
+    {nullptr, "u and v are exchanged", [](double u, double v) { return right_look_up(v, u); }},
+    {nullptr, "squeezed at the poles",
+     [](double u, double v) { return right_look_up(u, (1 - std::cos(std::numbers::pi * v)) / 2); }},
+    {nullptr, "red and blue are exchanged in the texture",
+     [](double u, double v) {
+       const Rgb c = right_look_up(u, v);
+       return Rgb{c.b, c.g, c.r};
+     }},
+    {nullptr, "gray: the texture's colors are lost",
+     [](double u, double v) {
+       const Rgb c = right_look_up(u, v);
+       return gray(0.299 * c.r + 0.587 * c.g + 0.114 * c.b);
+     }},
+    // Nothing of these: another place, two mistakes at once, and a mean of two.
+    {nullptr, "", [](double u, double v) { return right_look_up(u + 0.15, v); }},
+    {nullptr, "", [](double u, double v) { return texel(column_of(1 - u), row_of(v) + 80); }},
+    {nullptr, "",
+     [](double u, double v) { return (right_look_up(1 - u, v) + right_look_up(u, 1 - v)) * 0.5; }},
+};
 
-/// atan2(-z, x) / 2 pi without the 1/2: negative on the side that is seen.
-Image without_half() {
-  return stage([](const Hit<double>& hit) {
-    const Uv<double> uv = uv_rtiow(hit.normal);
-    return earth()(Uv<double>{uv.u - 0.5, uv.v});
-  });
+/// A picture with its pixels three wide and three high.
+Image tripled(const Image& small) {
+  Image image(3 * small.width, 3 * small.height);
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column)
+      image.at(column, row) = small.at(column / 3, row / 3);
+  }
+  return image;
 }
-
-Image quarter_turn() {
-  return stage(
-      [](const Hit<double>& hit) { return earth()(uv_of(Convention::lecture, hit.normal)); });
-}
+Rgb8 pixel_of(const Rgb& color) { return {byte_of(color.r), byte_of(color.g), byte_of(color.b)}; }
 
 /// A mip-mapped globe seen from the seam's side, its pixels drawn three wide. The footprint of a
 /// pixel is the difference of (u, v) to the next pixel; at the seam that is nearly 1.
@@ -121,7 +160,7 @@ Image seen_at_the_seam(bool by_differences) {
   const Camera camera{.eye = {-3.4, 0.6, 0}, .target = {0, 0, 0}, .fov_y_degrees = 42};
   const View<> view = view_of(camera, width / 3, height / 3);
   const Sphere<> globe{{0, 0, 0}, 1};
-  Image image(width, height, {140, 170, 210});
+  Image image(view.width, view.height, {140, 170, 210});
   const auto uv_at = [&](auto column, auto row) {
     const auto ray = ray_through(view, column, row);
     return uv_rtiow(normal_at(globe, ray, distance_to(globe, ray)));
@@ -138,13 +177,10 @@ Image seen_at_the_seam(bool by_differences) {
         uv = {{here.u, across.u - here.u, down.u - here.u},
               {here.v, across.v - here.v, down.v - here.v}};
       }
-      const Rgb color = texture.filtered(uv);
-      for (int i = 0; i < 9; ++i)
-        image.at(3 * column + i % 3, 3 * row + i / 3) = {byte_of(color.r), byte_of(color.g),
-                                                         byte_of(color.b)};
+      image.at(column, row) = pixel_of(texture.filtered(uv));
     }
   }
-  return image;
+  return tripled(image);
 }
 
 /// The pole from above: v is the square of what it should be, as if its arc cosine were missing.
@@ -158,10 +194,6 @@ Image at_the_pole(bool without_arc_cosine) {
         return map(uv);
       },
       light_of, camera);
-}
-
-Image without_texture() {
-  return stage([](const Hit<double>& hit) { return ImageTexture{}(uv_rtiow(hit.normal)); });
 }
 
 /// Shadow rays that begin at the hit point itself, and spheres by the textbook's formula.
@@ -183,21 +215,19 @@ Image with_acne() {
 Image coasts(int rays) {
   const Camera camera{.eye = {0, 1.6, 6.4}, .target = {0, 0.05, 0}, .fov_y_degrees = 24};
   const View<> view = view_of(camera, width / 3, height / 3);
-  Image image(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
+  Image image(view.width, view.height);
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
       Rgb sum{};
       for (int i = 0; i < rays * rays; ++i) {
-        const double x = column / 3 + (i % rays + 0.5) / rays - 0.5;
-        const double y = row / 3 + (i / rays + 0.5) / rays - 0.5;
+        const double x = column + (i % rays + 0.5) / rays - 0.5;
+        const double y = row + (i / rays + 0.5) / rays - 0.5;
         sum = sum + lesson()(ray_through<double>(view, x, y));
       }
-      const double share = 1.0 / (rays * rays);
-      image.at(column, row) = {byte_of(sum.r * share), byte_of(sum.g * share),
-                               byte_of(sum.b * share)};
+      image.at(column, row) = pixel_of(sum * (1.0 / (rays * rays)));
     }
   }
-  return image;
+  return tripled(image);
 }
 
 /// Each byte of the picture through a curve.
@@ -224,7 +254,7 @@ Image egg(double degrees) {
 
 Image close_up(bool filtered) {
   static const Filtered<Pyramid> texture{
-      .pyramid = pyramid_of(light_of(earth().image, TexelLight::encoded)),
+      .pyramid = pyramid_of(texmap::light_of(earth().image, TexelLight::encoded)),
       .filter = Filter::bilinear};
   const Camera camera{.eye = {-0.1, 0.5, 1.2}, .target = {-0.15, 0.62, 0}, .fov_y_degrees = 16};
   return stage(
@@ -273,21 +303,15 @@ Image night_side(const char* formula) {
 }
 
 struct Symptom {
-  const char* name;
+  const char* picture;
   Image wrong;
   Image right;
 };
 
-std::vector<Symptom> symptoms() {
+std::vector<Symptom> other_symptoms() {
   return {
-      {"mirrored", mirrored_map(), right()},
-      {"upside_down", flipped_map(), right()},
-      {"half_turn", half_turn_of_map(), right()},
-      {"quarter_turn", quarter_turn(), right()},
-      {"stripes", without_half(), right()},
       {"seam_line", seen_at_the_seam(true), seen_at_the_seam(false)},
       {"squeezed_pole", at_the_pole(true), at_the_pole(false)},
-      {"black", without_texture(), right()},
       {"black_dots", with_acne(), right()},
       {"frayed_coasts", coasts(1), coasts(4)},
       {"too_dark", through(srgb_decode<double>), right()},
@@ -302,6 +326,17 @@ std::vector<Symptom> symptoms() {
   };
 }
 
+/// What an instructor draws once: all wrong pictures.
+std::vector<WrongPicture> known_pictures() {
+  std::vector<WrongPicture> wrong = mistakes_of_the_whole(right());
+  for (WrongPicture& map : mistaken_maps(earth().image)) {
+    const ImageTexture texture{map.picture};
+    map.picture = stage([&](const Hit<double>& hit) { return texture(uv_rtiow(hit.normal)); });
+    wrong.push_back(std::move(map));
+  }
+  return wrong;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -311,7 +346,7 @@ TEST_CASE(
       test::bytes_of(std::string(TEXMAP_TESTS_DIR "/../docs/symptoms.md"));
   const std::string page(bytes.begin(), bytes.end());
   const bool collects = std::getenv("TEXMAP_COLLECT") != nullptr;
-  std::set<std::string> names{"right"};
+  std::set<std::string> names;
   const auto check = [&](const std::string& name, const Image& image) {
     CAPTURE(name);
     const std::filesystem::path file = folder / (name + ".png");
@@ -326,8 +361,11 @@ TEST_CASE(
     names.insert(name);
   };
   check("right", right());
-  for (const Symptom& symptom : symptoms()) {
-    check(symptom.name, symptom.wrong);
+  for (const LookUpMistake& mistake : look_up_mistakes) {
+    if (mistake.picture != nullptr) check(mistake.picture, looked_up(mistake.look_up));
+  }
+  for (const Symptom& symptom : other_symptoms()) {
+    check(symptom.picture, symptom.wrong);
     CHECK(count_different(symptom.wrong, symptom.right, 8) > 150);
   }
   CHECK(names.size() >= 15);
@@ -335,8 +373,22 @@ TEST_CASE(
     CHECK_MESSAGE(names.count(entry.path().stem().string()) == 1, entry.path().string());
 }
 
-TEST_CASE("the stage drawn here is chapter 03's") {
+TEST_CASE("each known mistake of a student is named, by a machine that rounds another way too") {
   auto same = lesson();
   same.stage.camera = close_by;
-  CHECK(right() == picture(same, width, height));
+  const Image should = picture(same, width, height);
+  CHECK(right() == should);  // the stage drawn here is chapter 03's
+  const std::vector<WrongPicture> known = known_pictures();
+  const auto name_of = [&](const Image& image) { return name_mistake(image, should, known); };
+  for (const LookUpMistake& mistake : look_up_mistakes) {
+    const std::string words = mistake.words;
+    CAPTURE(words);
+    const Image wrong = looked_up(mistake.look_up);
+    for (const Image& image : {wrong, with_noise(wrong, 1, 7)}) {
+      CHECK(name_of(image).starts_with(words));
+      CHECK(name_of(image).empty() == words.empty());
+    }
+  }
+  CHECK(name_of(right()).empty());
+  CHECK(name_of(mirrored(should)).starts_with("the whole picture is mirrored"));
 }

@@ -1,5 +1,6 @@
 // Pictures for the tests of comparing, made of whole numbers so that they are the same everywhere.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 
 #include "texture/image.hpp"
@@ -34,6 +35,19 @@ namespace texmap::test {
           line ? Rgb8{250, 240, 20}
                : Rgb8{static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
                       static_cast<std::uint8_t>(blue)};
+    }
+  }
+  return image;
+}
+
+/// With every channel up to `levels` off, at random.
+[[nodiscard]] inline Image with_noise(Image image, int levels, std::uint32_t seed) {
+  const Image random = noise(image.width, image.height, seed);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (const auto channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
+      const int off = random.pixels[i].*channel % (2 * levels + 1) - levels;
+      image.pixels[i].*channel =
+          static_cast<std::uint8_t>(std::clamp(image.pixels[i].*channel + off, 0, 255));
     }
   }
   return image;

@@ -50,17 +50,25 @@ double distance_between(const Image& a, const Image& b, double limit = far_away)
   return sum;
 }
 
-/// The image whose pixel in a column and a row is that of `image` at the place that `from` says.
+using Place = std::pair<int, int>;  // column and row
+
+/// An image whose pixel in a column and a row is that of `image` at the place that `from` says;
+/// black where that is outside.
 template <class From>
-Image moved_pixels(const Image& image, const From& from) {
-  Image result(image.width, image.height);
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const auto [from_column, from_row] = from(column, row);
-      result.at(column, row) = image.at(from_column, from_row);
+Image placed(const Image& image, const From& from, int width, int height) {
+  Image result(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const auto [x, y] = from(column, row);
+      if (x >= 0 && x < image.width && y >= 0 && y < image.height)
+        result.at(column, row) = image.at(x, y);
     }
   }
   return result;
+}
+template <class From>
+Image placed(const Image& image, const From& from) {
+  return placed(image, from, image.width, image.height);
 }
 
 template <class Change>
@@ -69,39 +77,24 @@ Image changed_pixels(Image image, const Change& change) {
   return image;
 }
 
-using Place = std::pair<int, int>;
-
 Image with_columns_reversed(const Image& image) {
-  return moved_pixels(image, [&](int x, int y) { return Place(image.width - 1 - x, y); });
+  return placed(image, [&](int x, int y) { return Place(image.width - 1 - x, y); });
 }
 Image with_rows_reversed(const Image& image) {
-  return moved_pixels(image, [&](int x, int y) { return Place(x, image.height - 1 - y); });
+  return placed(image, [&](int x, int y) { return Place(x, image.height - 1 - y); });
 }
-Image with_red_and_blue_exchanged(const Image& image) {
-  return changed_pixels(image, [](Rgb8 p) { return Rgb8{p.b, p.g, p.r}; });
+/// Red, green and blue taken from other channels.
+template <auto red, auto green, auto blue>
+Image with_channels(const Image& image) {
+  return changed_pixels(image, [](Rgb8 p) { return Rgb8{p.*red, p.*green, p.*blue}; });
 }
-
-/// The picture moved to the right and down; columns and rows come in again at the other side.
-Image rolled(const Image& image, int right, int down) {
-  return moved_pixels(image, [&](int x, int y) {
-    return Place((x - right + image.width) % image.width, (y - down + image.height) % image.height);
-  });
-}
-/// The same; what comes in is black.
-Image moved_over_black(const Image& image, int right, int down) {
-  Image result(image.width, image.height);
-  for (int row = std::max(down, 0); row < image.height + std::min(down, 0); ++row) {
-    for (int column = std::max(right, 0); column < image.width + std::min(right, 0); ++column)
-      result.at(column, row) = image.at(column - right, row - down);
-  }
-  return result;
-}
+constexpr auto with_red_and_blue_exchanged = with_channels<&Rgb8::b, &Rgb8::g, &Rgb8::r>;
 
 /// The picture moved to the right and down; columns come in again at the other side, rows do not.
 ///
 /// @param right, down  at most the width or the height
 Image moved_by(const Image& image, int right, int down) {
-  return moved_pixels(image, [&](int x, int y) {
+  return placed(image, [&](int x, int y) {
     return Place((x - right + image.width) % image.width,
                  std::clamp(y - down, 0, image.height - 1));
   });
@@ -112,8 +105,13 @@ void add_shifted(std::vector<WrongPicture>& wrong, const std::string& name,
                  const std::string& words, const Image& right, const Place& by) {
   const auto [columns, rows] = by;
   wrong.push_back({name, words, moved_by(right, columns, rows)});
-  wrong.push_back({name + "_black", words, moved_over_black(right, columns, rows)});
-  if (rows != 0) wrong.push_back({name + "_rolled", words, rolled(right, columns, rows)});
+  const auto black = [by](int x, int y) { return Place(x - by.first, y - by.second); };
+  wrong.push_back({name + "_black", words, placed(right, black)});
+  if (rows == 0) return;
+  const auto around = [by, w = right.width, h = right.height](int x, int y) {
+    return Place((x - by.first + w) % w, (y - by.second + h) % h);
+  };
+  wrong.push_back({name + "_rolled", words, placed(right, around)});
 }
 
 /// Weights of red, green and blue whose sum is 1.
@@ -137,49 +135,39 @@ Image through_curve(const Image& image, double (*curve)(double)) {
 }
 double square_root(double x) { return std::sqrt(x); }
 double squared(double x) { return x * x; }
+double inverted(double x) { return 1 - x; }
 
-/// Each texel drawn as two columns, and all of them moved to the left or to the right by one.
+/// Each texel drawn as two columns, and all of them moved to the right by so many of these.
 Image moved_by_half_a_texel(const Image& map, int right) {
-  Image result(2 * map.width, map.height);
-  for (int row = 0; row < result.height; ++row) {
-    for (int column = 0; column < result.width; ++column)
-      result.at(column, row) = map.at((column - right + result.width) % result.width / 2, row);
-  }
-  return result;
+  const int columns = 2 * map.width;
+  const auto from = [=](int x, int y) { return Place((x - right + columns) % columns / 2, y); };
+  return placed(map, from, columns, map.height);
 }
 /// The same for rows, which stop at the edges.
-Image moved_up_by_half_a_texel(const Image& map, int down) {
-  Image result(map.width, 2 * map.height);
-  for (int row = 0; row < result.height; ++row) {
-    for (int column = 0; column < result.width; ++column)
-      result.at(column, row) = map.at(column, std::clamp((row - down) / 2, 0, map.height - 1));
-  }
-  return result;
+Image moved_down_by_half_a_texel(const Image& map, int down) {
+  const int last = map.height - 1;
+  const auto from = [=](int x, int y) { return Place(x, std::clamp((y - down) / 2, 0, last)); };
+  return placed(map, from, map.width, 2 * map.height);
 }
 
 /// u and v exchanged: the map's column is taken by v, its row by u.
 Image transposed(const Image& map) {
-  Image result(map.height, map.width);
-  for (int row = 0; row < result.height; ++row) {
-    for (int column = 0; column < result.width; ++column)
-      result.at(column, row) = map.at(map.width - 1 - row, map.height - 1 - column);
-  }
-  return result;
+  const auto from = [&](int x, int y) { return Place(map.width - 1 - y, map.height - 1 - x); };
+  return placed(map, from, map.height, map.width);
 }
 
 /// v by the height (y + 1) / 2 in place of the angle: in finer rows, where rows of the map do not
 /// begin at whole ones.
 Image by_height(const Image& map) {
   const int finer = std::clamp(8192 / map.height, 1, 8);
-  Image result(map.width, map.height * finer);
-  for (int row = 0; row < result.height; ++row) {
-    const double v = (row + 0.5) / result.height;
+  std::vector<int> rows;
+  for (int row = 0; row < map.height * finer; ++row) {
+    const double v = (row + 0.5) / (map.height * finer);
     const double from_top = (1 - std::cos(std::numbers::pi * v)) / 2;
-    const int from = std::clamp(static_cast<int>(from_top * map.height), 0, map.height - 1);
-    for (int column = 0; column < map.width; ++column)
-      result.at(column, row) = map.at(column, from);
+    rows.push_back(std::clamp(static_cast<int>(from_top * map.height), 0, map.height - 1));
   }
-  return result;
+  const auto from = [&](int x, int y) { return Place(x, rows[static_cast<std::size_t>(y)]); };
+  return placed(map, from, map.width, map.height * finer);
 }
 
 constexpr Weights equal_weights{1 / 3.0, 1 / 3.0, 1 / 3.0};
@@ -249,28 +237,16 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
       {"picture_pale", pale, through_curve(right, srgb_encode<double>)},
       {"picture_pale_root", pale, through_curve(right, square_root)},
       {"picture_gbr", order + ": green, blue, red",
-       changed_pixels(right,
-                      [](Rgb8 p) {
-                        return Rgb8{p.g, p.b, p.r};
-                      })},
+       with_channels<&Rgb8::g, &Rgb8::b, &Rgb8::r>(right)},
       {"picture_brg", order + ": blue, red, green",
-       changed_pixels(right,
-                      [](Rgb8 p) {
-                        return Rgb8{p.b, p.r, p.g};
-                      })},
+       with_channels<&Rgb8::b, &Rgb8::r, &Rgb8::g>(right)},
       {"picture_mirrored_bgr", "the whole picture is mirrored, and red and blue are exchanged",
        with_red_and_blue_exchanged(with_columns_reversed(right))},
       {"picture_upside_down_bgr",
        "the whole picture is upside down, and red and blue are exchanged",
        with_red_and_blue_exchanged(with_rows_reversed(right))},
       {"picture_inverted", "inverted: each channel is 255 minus what it should be",
-       changed_pixels(right,
-                      [](Rgb8 p) {
-                        const auto inverted = [](std::uint8_t level) {
-                          return static_cast<std::uint8_t>(255 - level);
-                        };
-                        return Rgb8{inverted(p.r), inverted(p.g), inverted(p.b)};
-                      })},
+       through_curve(right, inverted)},
       {"picture_black", "black: nothing was drawn", Image(right.width, right.height)},
       {"picture_white", "white: every channel of every pixel is 255",
        Image(right.width, right.height, {255, 255, 255})},
@@ -305,15 +281,15 @@ std::vector<WrongPicture> mistaken_maps(const Image& map) {
       {"quarter_west", quarter, moved_by(map, -fourth, 0)},
       {"opposite", "half a turn off: u begins on the other side", moved_by(map, half, 0)},
       {"stripes", "striped: u is negative on one half and was limited to 0; the 1/2 is missing",
-       moved_pixels(map, [&](int x, int y) { return Place(std::max(x - half, 0), y); })},
+       placed(map, [&](int x, int y) { return Place(std::max(x - half, 0), y); })},
       {"exchanged", "u and v are exchanged", transposed(map)},
       {"by_height", "squeezed at the poles: v was taken from the height, without the angle",
        by_height(map)},
       {"half_texel_left", "half a texel to the left: u n was rounded and not cut off",
        moved_by_half_a_texel(map, -1)},
       {"half_texel_right", "half a texel to the right", moved_by_half_a_texel(map, 1)},
-      {"half_texel_up", "half a texel up", moved_up_by_half_a_texel(map, -1)},
-      {"half_texel_down", "half a texel down", moved_up_by_half_a_texel(map, 1)},
+      {"half_texel_up", "half a texel up", moved_down_by_half_a_texel(map, -1)},
+      {"half_texel_down", "half a texel down", moved_down_by_half_a_texel(map, 1)},
       {"texel_left", "one texel to the left: columns were counted from 1", moved_by(map, -1, 0)},
       {"texel_right", "one texel to the right", moved_by(map, 1, 0)},
       {"texel_up", "one texel up: rows were counted from 1", moved_by(map, 0, -1)},

@@ -33,7 +33,6 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/render/render.hpp"
 #include "engine/system/system.hpp"
-#include "wrong_highlight.hpp"
 #include "wrong_light.hpp"
 
 namespace {
@@ -75,49 +74,39 @@ std::string texture_of(const Words& options) {
 }
 
 /// A mistake that the chapter's own options draw.
-struct ByOptions {
+struct ByOption {
   const char* chapters;  ///< two digits each
   const char* name;
   const char* words;
-  Words options;
+  const char *option, *value;
 };
+constexpr const char* turned_back = "turned the other way: the sign of the sine";
+constexpr const char* in_radians = "turned by degrees taken for radians";
+constexpr const char* too_wide = "the highlight is too wide: its exponent is too small";
+constexpr const char* last_column = "squeezed: (int)((n - 1) u) in place of floor(n u)";
 
-std::vector<ByOptions> mistakes_by_options() {
-  const char* too_wide = "the highlight is too wide: its exponent is too small";
-  return {
-      {"05 06 07",
-       "last_column",
-       "squeezed: (int)((n - 1) u) in place of floor(n u)",
-       {"--rounding", "lecture"}},
-      {"05", "other_way", "turned the other way: the sign of the sine", {"--degrees", "-90"}},
-      {"05", "radians", "turned by degrees taken for radians", {"--degrees", "5156.6201561774"}},
-      {"05", "not_turned", "not turned at all", {"--degrees", "0"}},
-      {"06", "other_way", "turned the other way: the sign of the sine", {"--degrees", "-20"}},
-      {"06", "radians", "turned by degrees taken for radians", {"--degrees", "1145.9155902616"}},
-      {"06", "not_turned", "not turned at all", {"--degrees", "0"}},
-      {"06",
-       "night_highlight",
-       "shining on its night side: the highlight has the wrong sign",
-       {"--highlight", "lecture"}},
-      {"06",
-       "wide_highlight",
-       "the highlight is too wide: its exponent is missing",
-       {"--shininess", "1"}},
-      {"06",
-       "no_highlight",
-       "without a highlight, or the direction to the eye has the wrong sign",
-       {"--shininess", "1e30"}},
-      {"06", "exponent_10", too_wide, {"--shininess", "10"}},
-      {"06", "exponent_12", too_wide, {"--shininess", "12.5"}},  // where the half vector is near
-      {"06", "exponent_20", too_wide, {"--shininess", "20"}},
-      {"08", "wrap_repeat", "the texture is repeated and not mirrored", {"--wrap", "repeat"}},
-      {"08",
-       "wrap_clamp",
-       "the texture's edge is repeated: coordinates were limited to 0 and 1",
-       {"--wrap", "clamp"}},
-      {"08", "other_way", "turned the other way: the sign of the sine", {"--degrees", "25"}},
-  };
-}
+constexpr ByOption mistakes_by_option[] = {
+    {"05 06 07", "last_column", last_column, "--rounding", "lecture"},
+    {"05", "other_way", turned_back, "--degrees", "-90"},
+    {"05", "radians", in_radians, "--degrees", "5156.6201561774"},
+    {"05", "not_turned", "not turned at all", "--degrees", "0"},
+    {"06", "other_way", turned_back, "--degrees", "-20"},
+    {"06", "radians", in_radians, "--degrees", "1145.9155902616"},
+    {"06", "not_turned", "not turned at all", "--degrees", "0"},
+    {"06", "night_highlight", "shining on its night side: the highlight has the wrong sign",
+     "--highlight", "lecture"},
+    {"06", "wide_highlight", "the highlight is too wide: its exponent is missing", "--shininess",
+     "1"},
+    {"06", "no_highlight", "without a highlight, or the direction to the eye has the wrong sign",
+     "--shininess", "1e30"},
+    {"06", "exponent_10", too_wide, "--shininess", "10"},
+    {"06", "exponent_12", too_wide, "--shininess", "12.5"},  // where the half vector is near
+    {"06", "exponent_20", too_wide, "--shininess", "20"},
+    {"08", "wrap_repeat", "the texture is repeated and not mirrored", "--wrap", "repeat"},
+    {"08", "wrap_clamp", "the texture's edge is repeated: coordinates were limited to 0 and 1",
+     "--wrap", "clamp"},
+    {"08", "other_way", turned_back, "--degrees", "25"},
+};
 
 /// Lessons whose light is that of the stage, on spheres.
 template <class Lesson>
@@ -126,17 +115,10 @@ concept DrawsStage = !draws_itself<Lesson> && requires(const Lesson& lesson) {
   requires mistakes::HasHighlight<Lesson> || requires { lesson.surface; };
 };
 
-/// The paint of a chapter's turned globe.
+/// The paint of the turned globe.
 template <class Lesson>
-struct Globe;
-template <>
-struct Globe<chapter_05::Lesson> {
-  using Paint = chapter_05::Textured;
-};
-template <>
-struct Globe<chapter_06::Lesson> {
-  using Paint = chapter_06::Textured;
-};
+using TexturedGlobe = std::conditional_t<std::is_same_v<Lesson, chapter_05::Lesson>,
+                                         chapter_05::Textured, chapter_06::Textured>;
 
 /// Draws a chapter with every mistake that it can show.
 template <class Lesson>
@@ -166,14 +148,13 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     }
     std::filesystem::remove(map_file);
   }
-  for (const ByOptions& one : mistakes_by_options()) {
+  for (const ByOption& one : mistakes_by_option) {
     if (std::string_view(one.chapters).find(request.chapter) == std::string_view::npos) continue;
-    if (std::any_of(request.options.begin(), request.options.end(), [&](const std::string& word) {
-          return word.starts_with(one.options.front());
-        })) {
-      continue;  // the user chose another value
-    }
-    add_own(one.name, one.words, drawn<Lesson>(request, one.options, draft));
+    const bool chosen =  // by the user, who took another value
+        std::any_of(request.options.begin(), request.options.end(),
+                    [&](const std::string& word) { return word.starts_with(one.option); });
+    if (!chosen)
+      add_own(one.name, one.words, drawn<Lesson>(request, {one.option, one.value}, draft));
   }
   std::filesystem::remove(draft);
   if constexpr (DrawsStage<Lesson>) {
@@ -189,29 +170,19 @@ std::vector<WrongPicture> draw_all(const Request& request) {
       return render<double>(
           mistakes::WithShade<Lesson, std::remove_cvref_t<decltype(shade)>>{lesson, shade}, view);
     };
-    for (const auto& named : mistakes::light_mistakes) {
-      add_own(named.name, named.words,
-              shaded([&](const Object& object, const auto& hit, const auto& ray) {
-                return mistakes::wrongly_lit(lesson, named.mistake, object, object.paint(hit), hit,
-                                             ray);
-              }));
-    }
-    if constexpr (mistakes::HasHighlight<Lesson>) {
-      for (const auto& named : mistakes::highlight_mistakes) {
-        add_own(named.name, named.words,
-                shaded([&](const Object& object, const auto& hit, const auto& ray) {
-                  return mistakes::wrongly_shining(lesson, named.mistake, object, object.paint(hit),
-                                                   hit, ray);
-                }));
-      }
-    }
+    const auto add_shaded = [&](const char* name, const char* words, const auto& shade) {
+      add_own(name, words, shaded(shade));
+    };
+    mistakes::for_each_light_mistake(lesson, add_shaded);
+    if constexpr (mistakes::HasHighlight<Lesson>)
+      mistakes::for_each_highlight_mistake(lesson, add_shaded);
     if constexpr (requires { lesson.turn; }) {
       // The globe turned by a function of its normal, and its light by another.
       const auto turned = [&](const auto& of_texture, const auto& of_light) {
         return shaded([&](const Object& object, Hit<double> hit, const auto& ray) {
           Rgb color = object.paint(hit);
           if (&object == &lesson.objects.front()) {
-            auto globe = std::get<typename Globe<Lesson>::Paint>(object.paint);
+            auto globe = std::get<TexturedGlobe<Lesson>>(object.paint);
             globe.mapping.rotation = {};
             Hit<double> from = hit;
             from.normal = of_texture(hit.normal);
@@ -265,25 +236,18 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     if constexpr (std::is_same_v<Lesson, chapter_03::Lesson>) {
       auto& paint = lesson.objects[chapter_03::middle].paint;
       std::get<chapter_03::Textured>(paint).texture.rounding = TexelRounding::lecture;
-      add_own("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)",
-              render<double>(lesson, view));
+      add_own("last_column", last_column, render<double>(lesson, view));
     }
   }
   return wrong;
 }
 
-struct Chapter {
-  const char* number;
-  std::vector<WrongPicture> (*draw)(const Request&);
-};
-
-constexpr std::array chapters = {
-    Chapter{"01", draw_all<chapter_01::Lesson>}, Chapter{"02", draw_all<chapter_02::Lesson>},
-    Chapter{"03", draw_all<chapter_03::Lesson>}, Chapter{"04", draw_all<chapter_04::Lesson>},
-    Chapter{"05", draw_all<chapter_05::Lesson>}, Chapter{"06", draw_all<chapter_06::Lesson>},
-    Chapter{"07", draw_all<chapter_07::Lesson>}, Chapter{"08", draw_all<chapter_08::Lesson>},
-    Chapter{"09", draw_all<chapter_09::Lesson>}, Chapter{"10", draw_all<chapter_10::Lesson>},
-    Chapter{"11", draw_all<chapter_11::Lesson>}, Chapter{"12", draw_all<chapter_12::Lesson>},
+/// From chapter 01 on.
+constexpr std::array draw_chapter = {
+    draw_all<chapter_01::Lesson>, draw_all<chapter_02::Lesson>, draw_all<chapter_03::Lesson>,
+    draw_all<chapter_04::Lesson>, draw_all<chapter_05::Lesson>, draw_all<chapter_06::Lesson>,
+    draw_all<chapter_07::Lesson>, draw_all<chapter_08::Lesson>, draw_all<chapter_09::Lesson>,
+    draw_all<chapter_10::Lesson>, draw_all<chapter_11::Lesson>, draw_all<chapter_12::Lesson>,
 };
 
 Request request_of(const Words& words) {
@@ -302,12 +266,11 @@ Request request_of(const Words& words) {
 }
 
 void draw_and_tell(const Request& request) {
-  const auto* chapter = std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& one) {
-    return request.chapter == one.number;
-  });
-  if (chapter == chapters.end())
+  std::size_t number = 1;
+  while (number <= draw_chapter.size() && request.chapter != text("%02zu", number)) ++number;
+  if (number > draw_chapter.size())
     throw UsageError("there are mistakes for chapters 01 to 12, not '" + request.chapter + "'");
-  const std::vector<WrongPicture> wrong = chapter->draw(request);
+  const std::vector<WrongPicture> wrong = draw_chapter[number - 1](request);
   save_wrong_pictures(wrong, request.folder);
   print(text("%s: %zu wrong pictures and mistakes.txt\n", name_of(request.folder).c_str(),
              wrong.size()));
