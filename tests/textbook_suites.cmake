@@ -12,7 +12,6 @@ foreach(suite
     scene/test_camera
     scene/test_edge_function
     scene/test_floor
-    scene/test_lanes
     scene/test_lens
     scene/test_light
     scene/test_mesh
@@ -33,17 +32,15 @@ endforeach()
 foreach(suite
     math/test_color
     math/test_rotation
+    scene/test_lanes
     texture/test_bilinear
     texture/test_bump
     texture/test_checkerboard
     texture/test_conventions
-    texture/test_encoded
     texture/test_environment
     texture/test_filters
-    texture/test_floor_mapping
     texture/test_footprint
     texture/test_image_texture
-    texture/test_texture_lanes
     texture/test_light_tables
     texture/test_mesh_mapping
     texture/test_normal_map
@@ -53,7 +50,6 @@ foreach(suite
     texture/test_sky_moments
     texture/test_sky_sampler
     texture/test_smooth_texture
-    texture/test_solid_checkerboard
     texture/test_texel
     texture/test_uv
     texture/test_wrap
@@ -74,4 +70,3 @@ function(judge_by_more_digits)
     endforeach()
   endif()
 endfunction()
-judge_by_more_digits(footprint light_tables)

@@ -1,4 +1,5 @@
-// Tests of common/scene/camera.hpp: which ray a pixel looks along.
+// Tests of common/scene/camera.hpp: which ray a pixel looks along. That a view's vectors are right
+// wherever the camera looks, tests/extremes searches.
 #include <doctest.h>
 
 #include <numbers>
@@ -7,10 +8,6 @@
 
 namespace texmap::test {
 namespace {
-
-constexpr double tolerance = 4 * std::numeric_limits<double>::epsilon();
-
-bool close(const Point& a, const Point& b) { return largest(a - b) <= tolerance; }
 
 const Camera ahead{.eye = {0, 0, 5}, .target = {0, 0, 0}, .fov_y_degrees = 90};
 
@@ -41,30 +38,8 @@ TEST_CASE("pixels look where geometry says, for both anchors") {
     camera.anchor = row.anchor;
     CAPTURE(row.column);
     CAPTURE(row.row);
-    CHECK(close(ray_through(view_of(camera, 4, 2), row.column, row.row).direction,
-                normalize(row.towards)));
-  }
-}
-
-TEST_CASE(
-    "right, up and backward are a right-handed frame of unit vectors, wherever the camera looks") {
-  const Camera cameras[] = {
-      ahead,
-      {.eye = {0, 2, 8}, .target = {0, 0, 0}},
-      {.eye = {0, 0, 0}, .target = {7, 0, 0}},
-      {.eye = {5, 0, 0}, .target = {-1, 3, 2}},
-      {.eye = {-3, 1e3, 4}, .target = {0, 0, 0}},
-      {.eye = {1e6, 1, 1e6}, .target = {1e6 + 1, 0, 1e6 - 1}},
-  };
-  for (const Camera& camera : cameras) {
-    const View<> view = view_of(camera, 40, 30);
-    CHECK(close(cross(view.right, view.up), -view.forward));
-    CHECK(close(cross(view.up, -view.forward), view.right));
-    CHECK(close(cross(-view.forward, view.right), view.up));
-    CHECK(view.right.y == 0);
-    CHECK(view.up.y > 0);
-    CHECK(close(view.forward, normalize(camera.target - camera.eye)));
-    CHECK(close(ray_through(view, 19.5, 14.5).direction, view.forward));
+    const Point seen = ray_through(view_of(camera, 4, 2), row.column, row.row).direction;
+    CHECK(largest(seen - normalize(row.towards)) <= 4 * std::numeric_limits<double>::epsilon());
   }
 }
 

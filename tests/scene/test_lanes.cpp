@@ -1,6 +1,8 @@
-// The law of packs for math, sampling and scene: each lane computes what a plain number computes.
+// The law of packs for math, sampling, scene and texture: each lane computes what a plain number
+// computes. A row a function; to add one, make what it needs of the numbers in `In`.
 #include <doctest.h>
 
+#include "number/kinds/pack2.hpp"
 #include "sampling/sampled_numbers.hpp"
 #include "scene/floor.hpp"
 #include "scene/lens.hpp"
@@ -12,172 +14,284 @@
 #include "scene/triangle.hpp"
 #include "support/lanes.hpp"
 #include "support/mesh_rays.hpp"
-#include "texture/uv_inverse.hpp"
+#include "texture/bilinear.hpp"
+#include "texture/bump.hpp"
+#include "texture/encoded.hpp"
+#include "texture/environment.hpp"
+#include "texture/filters.hpp"
+#include "texture/floor_mapping.hpp"
+#include "texture/normal_map.hpp"
+#include "texture/projection_facts.hpp"
+#include "texture/sky_moments.hpp"
+#include "texture/sky_sampler.hpp"
+#include "texture/smooth_texture.hpp"
+#include "texture/solid_checkerboard.hpp"
+#include "texture/waves.hpp"
 
 namespace texmap::test {
 namespace {
 
-const View<> view = view_of({.eye = {0, 2, 8}, .target = {0, 0, 0}}, 31, 17);
-const Floor ground{0.25};
-const GradientSky one_color{.below = {1, 0.5, 0.25}, .above = {1, 0.5, 0.25}};
-const GradientSky fading{.below = {1, 1, 1}, .above = {0.5, 0.75, 1}};
-const std::vector<Painted<Solid>> spheres = {{{{0, 0, -5}, 1}, {{0.5, 0.25, 1}}},
-                                             {{{0, 0, 5}, 1}, {{0.25, 1, 0.5}}},
-                                             {{{3, 0, 0}, 2}, {{0.75, 0.5, 0.25}}}};
-const std::vector<Painted<Solid>> one_sphere = {spheres[0]};
-const Triangle triangles[] = {{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0.2}},              // ordinary,
-                              {{0, 0, 0}, {1, 0.5, 0.25}, {0.3, 0.1501, 0.075}},  // thin,
-                              {{1, 2, 3}, {1, 2, 3}, {4, 5, 7}}};                 // none
-const Mesh ring = torus(12, 6).mesh;
+#define PACKS Pack<float>, Pack<double>, Pack2<Pack<float>>, Pack2<Pack<double>>
 
+/// What a function's arguments are made of: numbers from -1 to 1, many of them eighths.
+template <class Real>
+using In = std::array<Real, 15>;
+
+template <class Many>
+In<Many> any_numbers(Dice& dice) {
+  In<Many> in;
+  for (Many& x : in)
+    x = from_lanes<Many>([&](std::size_t) {
+      return static_cast<Scalar<Many>>(dice.once_in(2) ? dice.within(-8, 8) / 8.0
+                                                       : dice.between(-1, 1));
+    });
+  return in;
+}
+template <class Real>
+Vec3<Real> vector(const In<Real>& x, std::size_t first, double reach = 1) {
+  return Vec3<Real>{x[first], x[first + 1], x[first + 2]} * Real(reach);
+}
+template <class Real>
+Vec3<Real> unit(const In<Real>& x, std::size_t first) {
+  return normalize(vector(x, first) + Vec3<Real>{Real(0), Real(0), Real(0x1p-20)});
+}
 template <class Real>
 Real number_of(const Mask<Real>& mask) {
   return select(mask, Real(1), Real(0));
 }
 
-/// What a ray meets, and nothing where it meets nothing.
-template <class Real>
-auto met_on(const Sphere<>& sphere, const Ray<Real>& ray) {
-  const Real distance = distance_to(sphere, ray);
-  const Hit<Real> hit = hit_at(sphere, ray, select(distance < infinity<Real>(), distance, Real(1)));
-  return std::tuple(distance, hit.normal, hit.point, hit.outside, hit.inside);
+Image bytes(int width, int height) {
+  Dice dice(1);
+  Image image(width, height);
+  for (Rgb8& texel : image.pixels)
+    texel = {static_cast<std::uint8_t>(dice.below(256)), static_cast<std::uint8_t>(dice.below(256)),
+             static_cast<std::uint8_t>(128 + dice.below(128))};
+  return image;
+}
+LightImage light(int width, int height) {
+  Dice dice(2);
+  LightImage image(width, height);
+  for (Color<float>& texel : image.pixels)
+    texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
+             dice.once_in(9) ? 50.0F : 0.0F};
+  return image;
 }
 
-TEST_CASE_TEMPLATE("each lane computes what a plain number computes", Many, Pack<float>,
-                   Pack<double>, Pack2<Pack<double>>) {
+const std::vector<Painted<Solid>> spheres = {{{{0, 0, -5}, 1}, {{0.5, 0.25, 1}}},
+                                             {{{0, 0, 5}, 1}, {{0.25, 1, 0.5}}},
+                                             {{{3, 0, 0}, 2}, {{0.75, 0.5, 0.25}}}};
+const std::vector<Painted<Solid>> one_sphere = {spheres[0]};
+
+/// Checks the law of a function of an In.
+template <class Many, class Function>
+void law(const std::string& what, const Function& function) {
+  CAPTURE(what);
   Dice dice;
-  const auto number = [&dice](double low, double high) {
-    return [=, &dice] { return any_pack<Many>(dice, low, high); };
-  };
-  const auto vector = [&dice](double reach) {
-    return [=, &dice] { return any_vectors<Many>(dice, -reach, reach); };
-  };
-  const auto unit = [&dice] { return normalize(any_vectors<Many>(dice, -1, 1)); };
-  const auto ray = [&dice](double reach, double wide) {
-    return [=, &dice] {
-      return Ray<Many>{any_vectors<Many>(dice, -reach, reach),
-                       any_vectors<Many>(dice, -wide, wide)};
-    };
-  };
-  // Halves: edges through the ray, and corners in one place, are often among them.
-  const auto halves = [&dice] {
-    const auto half = [&] {
-      return from_lanes<Many>(
-          [&](std::size_t) { return static_cast<Scalar<Many>>(dice.within(-3, 3)) / 2; });
-    };
-    const Many x = half(), y = half();
-    return Vec3<Many>{x, y, half()};
-  };
-  const auto at_edge = [&dice] {
-    return aimed<Many>([&] { return point_within(dice, 3); },
-                       [&] { return point_on_edge(dice, ring); });
-  };
-  const auto law = [](const std::string& what, int times, const auto& function,
-                      const auto&... draw) {
-    CAPTURE(what);
-    for (int i = 0; i < times; ++i) check_each_lane<Many>(function, draw()...);
-  };
-  law(
-      "direction_rtiow", 200,
-      []<class Real>(const Real& u, const Real& v) {
-        return direction_rtiow(Uv<Real>{u, v});
-      },
-      number(-2, 2), number(0, 1));
-  law(
-      "cosine_direction", 200,
-      []<class Real>(const Vec3<Real>& normal, const Real& u, const Real& v) {
-        return cosine_direction(normal, Point2<Real>{u, v});
-      },
-      unit, number(0, 1), number(0, 1));
-  law(
-      "Lens", 100,
-      []<class Real>(const Real& column, const Real& row) {
-        const Lens lens{.defocus_degrees = 3, .focus_distance = 8, .shift = 0.5};
-        SampledNumbers<Real> random{{SamplerKind::sobol, 64}, 5};
-        return lens.ray(number_cast<Real>(view), PixelPlace<Real>{column, row}, random);
-      },
-      number(0, 31), number(0, 17));
-  law(
-      "Floor", 1000,
-      []<class Real>(const Ray<Real>& in) {
-        const Real distance = distance_to(ground, in);
-        const Mask<Real> met = distance < infinity<Real>();
-        return std::tuple(distance, point_on(ground, in, select(met, distance, Real(1))));
-      },
-      ray(1, 1));
+  for (int i = 0; i < 400; ++i) check_each_lane<Many>(function, any_numbers<Many>(dice));
+}
+
+TEST_CASE_TEMPLATE("math, sampling and scene compute lane by lane", Many, PACKS) {
+  law<Many>("direction_rtiow", []<class Real>(const In<Real>& x) {
+    return direction_rtiow(Uv<Real>{x[0] + x[1], abs(x[2])});
+  });
+  law<Many>("cosine_direction", []<class Real>(const In<Real>& x) {
+    return cosine_direction(unit(x, 0), Point2<Real>{abs(x[3]), abs(x[4])});
+  });
+  law<Many>("Lens", []<class Real>(const In<Real>& x) {
+    const Lens lens{.defocus_degrees = 3, .focus_distance = 8, .shift = 0.5};
+    const View<> view = view_of({.eye = {0, 2, 8}, .target = {0, 0, 0}}, 31, 17);
+    SampledNumbers<Real> random{{SamplerKind::sobol, 64}, 5};
+    const PixelPlace<Real> at{x[0] * Real(31), x[1] * Real(17)};
+    return lens.ray(number_cast<Real>(view), at, random);
+  });
+  law<Many>("Floor", []<class Real>(const In<Real>& x) {
+    const Ray<Real> ray{vector(x, 0), vector(x, 3)};
+    const Real distance = distance_to(Floor{0.25}, ray);
+    const Mask<Real> met = distance < infinity<Real>();
+    return std::tuple(distance, point_on(Floor{0.25}, ray, select(met, distance, Real(1))));
+  });
   for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
-    law(
-        "Sphere", 500,
-        [&](const auto& in) {
-          return met_on({{0.5, -0.25, 1}, 1.25, form}, in);
-        },
-        ray(2, 1));
+    const Sphere<> sphere{{0.5, -0.25, 1}, 1.25, form};
+    law<Many>("Sphere", [&]<class Real>(const In<Real>& x) {
+      const Ray<Real> ray{vector(x, 0, 2), vector(x, 3)};
+      const Real distance = distance_to(sphere, ray);
+      const Mask<Real> met = distance < infinity<Real>();
+      const Hit<Real> hit = hit_at(sphere, ray, select(met, distance, Real(1)));
+      return std::tuple(distance, hit.normal, hit.point, hit.outside, hit.inside);
+    });
   }
-  for (const Triangle& triangle : triangles) {
-    law(
-        "barycentric", 500,
-        [&]<class Real>(const Vec3<Real>& p) {
-          const Vec3<Real> at{p.x, p.y, p.z / floor(abs(p.x))};  // in many lanes nowhere
-          const Barycentric<Real> w = barycentric(triangle, at);
-          return std::tuple(w.a, w.b, w.c, number_of<Real>(w.degenerate));
-        },
-        vector(2));
+  for (const Triangle& triangle : {Triangle{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0.2}},
+                                   Triangle{{0, 0, 0}, {1, 0.5, 0.25}, {0.3, 0.1501, 0.075}},
+                                   Triangle{{1, 2, 3}, {1, 2, 3}, {4, 5, 7}}}) {
+    law<Many>("barycentric", [&]<class Real>(const In<Real>& x) {
+      const Vec3<Real> p = vector(x, 0, 2);
+      const Vec3<Real> at{p.x, p.y, p.z / floor(abs(p.x))};  // in many lanes nowhere
+      const Barycentric<Real> w = barycentric(triangle, at);
+      return std::tuple(w.a, w.b, w.c, number_of<Real>(w.degenerate));
+    });
   }
-  law(
-      "crossing", 2000,
-      []<class Real>(const Vec3<Real>& from, const Vec3<Real>& along, const Vec3<Real>& a,
-                     const Vec3<Real>& b, const Vec3<Real>& c) {
-        const RaySpace<Real> space(Ray<Real>{from, along});
-        const Crossing<Real> at =
-            crossing(space, seen_along(space, a), seen_along(space, b), seen_along(space, c));
-        return std::tuple(number_of<Real>(at.met), number_of<Real>(at.front),
-                          select(at.met, at.a, Real(0)), select(at.met, at.distance, Real(0)));
-      },
-      halves, halves, halves, halves, halves);
-  law(
-      "first_hit", 500,
-      []<class Real>(const Ray<Real>& in) {
-        const MeshHit<Real> hit = first_hit(ring, in);
-        const Vec3<Real> none{};
-        return std::tuple(number_of<Real>(hit.met), select(hit.met, hit.point, none),
-                          select(hit.met, hit.normal, none), select(hit.met, hit.triangle, Real(0)),
-                          select(hit.met, hit.b, Real(0)));
-      },
-      at_edge);
-  law(
-      "color_along", 500,
-      []<class Real>(const Ray<Real>& in) {
-        return color_along(
-            spheres, in, [](const auto& seen) { return gray(seen.direction.x); },
-            [](const auto& object, const auto& hit) { return object.paint(hit); });
-      },
-      ray(4, 1));
-  law(
-      "sample_light, lambert", 500,
-      []<class Real>(const Vec3<Real>& p, const Vec3<Real>& normal) {
-        const LightSample<Real> light =
-            sample_light(PointLight{{0, 4, 0}}, spheres, Hit<Real>{normal, p, p, p});
-        return std::tuple(light.to_light, light.cosine, lambert(Lambertian{}, light));
-      },
-      vector(5), unit);
-  law(
-      "highlight_of_the_slides", 200,
-      []<class Real>(const Vec3<Real>& normal, const Vec3<Real>& to_eye) {
-        const LightSample<Real> light{{Real(0), Real(1), Real(0)}, Real(1)};
-        return highlight_of_the_slides(PhongMaterial{{}, 1, 100}, light, normal, to_eye);
-      },
-      unit, unit);
-  for (const GradientSky& sky : {one_color, fading}) {
+  law<Many>("crossing", []<class Real>(const In<Real>& x) {
+    const RaySpace<Real> space(Ray<Real>{vector(x, 0), vector(x, 3)});
+    const auto seen = [&](std::size_t first) { return seen_along(space, vector(x, first)); };
+    const Crossing<Real> at = crossing(space, seen(6), seen(9), seen(12));
+    return std::tuple(number_of<Real>(at.met), number_of<Real>(at.front),
+                      select(at.met, at.a, Real(0)), select(at.met, at.distance, Real(0)));
+  });
+  const TexturedMesh ring = torus(12, 6);
+  law<Many>("first_hit, MeshMapping", [&]<class Real>(const In<Real>& x) {
+    const Vec3<Real> origin = vector(x, 0, 3), none{};
+    const MeshHit<Real> hit = first_hit(ring.mesh, Ray<Real>{origin, vector(x, 3) - origin});
+    return std::tuple(number_of<Real>(hit.met), select(hit.met, hit.point, none),
+                      select(hit.met, hit.normal, none), ring.mapping(hit));
+  });
+  law<Many>("color_along", []<class Real>(const In<Real>& x) {
+    return color_along(
+        spheres, Ray<Real>{vector(x, 0, 4), vector(x, 3)},
+        [](const auto& seen) { return gray(seen.direction.x); },
+        [](const auto& object, const auto& hit) { return object.paint(hit); });
+  });
+  law<Many>("sample_light, lambert, highlight_of_the_slides", []<class Real>(const In<Real>& x) {
+    const Vec3<Real> p = vector(x, 0, 5), normal = unit(x, 3);
+    const LightSample<Real> sample =
+        sample_light(PointLight{{0, 4, 0}}, spheres, Hit<Real>{normal, p, p, p});
+    return std::tuple(
+        sample.to_light, sample.cosine, lambert(Lambertian{}, sample),
+        highlight_of_the_slides(PhongMaterial{{}, 1, 100}, sample, normal, unit(x, 6)));
+  });
+  for (const Rgb& above : {Rgb{1, 0.5, 0.25}, Rgb{0.5, 0.75, 1}}) {
+    const GradientSky sky{.below = {1, 0.5, 0.25}, .above = above};
     for (const auto& scene : {one_sphere, spheres}) {
-      law(
-          "light_along", 500,
-          [&]<class Real>(const Real& x, const Real& y) {
-            SampledNumbers<Real> random{{SamplerKind::random, 64}, 5};
-            return light_along(scene, Ray<Real>{{}, {x, y, Real(-1)}}, sky, 8, random);
-          },
-          number(-1, 3), number(-1, 1));
+      law<Many>("light_along", [&]<class Real>(const In<Real>& x) {
+        SampledNumbers<Real> random{{SamplerKind::random, 64}, 5};
+        const Vec3<Real> direction{Real(1) + x[0] + x[1], x[2], Real(-1)};
+        return light_along(scene, Ray<Real>{{}, direction}, sky, 8, random);
+      });
     }
   }
+}
+
+TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
+  const auto texture_law = [](const auto& texture) {
+    law<Many>("texture", [&]<class Real>(const In<Real>& x) {
+      return texture(Uv<Real>{x[0] * Real(2.5), x[1] * Real(1.25)});
+    });
+  };
+  for (const VAxis axis : {VAxis::up, VAxis::down}) {
+    texture_law(ImageTexture{bytes(3, 2), axis, TexelRounding::floor});
+    texture_law(ImageTexture{bytes(3, 2), axis, TexelRounding::lecture});
+    texture_law(BilinearTexture{bytes(33, 16), axis, TexelLight::encoded});
+    texture_law(BilinearTexture{bytes(33, 16), axis, TexelLight::linear});
+    texture_law(SmoothTexture{light(8, 4), axis});
+  }
+  texture_law(Checkerboard{{0.25, 0.5, 0.75}, {1, 0, 0.125}, 7});
+  for (const double reach : {3.0, 1e6, 1e12}) {
+    law<Many>("SolidCheckerboard, FloorMapping", [=]<class Real>(const In<Real>& x) {
+      const SolidCheckerboard board{{0, 0, 0}, {1, 1, 1}, 0.3};
+      return std::tuple(board(vector(x, 0, reach)), FloorMapping{.size = 3}(vector(x, 3, reach)));
+    });
+  }
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border, Wrap::spherical}) {
+    law<Many>("wrapped_texel, wrapped_coordinate", [=]<class Real>(const In<Real>& x) {
+      const auto texel = wrapped_texel(wrap, floor(x[0] * Real(90)), floor(x[1] * Real(90)),
+                                       Real(1) + floor(abs(x[2]) * Real(30)),
+                                       Real(1) + floor(abs(x[3]) * Real(30)));
+      return std::tuple(texel.column, texel.row, number_of<Real>(texel.inside),
+                        wrapped_coordinate(wrap, x[4] * Real(5)));
+    });
+  }
+  law<Many>("texel_number of what may be NaN, encoded", []<class Real>(const In<Real>& x) {
+    return std::tuple(
+        Real(texel_number(x[0] / floor(abs(x[1]) * Real(2)), 1000, TexelRounding::floor)),
+        encoded(x[2] * Real(1.1)));
+  });
+  law<Many>("footprint_of", []<class Real>(const In<Real>& x) {
+    const auto footprint =
+        footprint_of(Uv<Dual<Real>>{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, Real(64), Real(32));
+    return std::tuple(footprint.along_u, footprint.along_v, footprint.longer, footprint.shorter);
+  });
+  const Pyramid pyramid = pyramid_of(light(40, 24));
+  law<Many>("level_of, texel_light", [&]<class Real>(const In<Real>& x) {
+    const Real inside = Real(0.99);
+    const PyramidLevel<Real> level = level_of(pyramid, floor(abs(x[0]) * inside * Real(6)));
+    return texel_light(pyramid, level, floor(abs(x[1]) * inside * level.width),
+                       floor(abs(x[2]) * inside * level.height));
+  });
+  if constexpr (std::is_same_v<Many, Pack2<Pack<typename NumberTraits<Many>::Scalar>>>) {
+    for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear,
+                                Filter::anisotropic, Filter::ewa, Filter::stochastic}) {
+      for (const Wrap wrap : {Wrap::repeat, Wrap::border, Wrap::spherical}) {
+        const FilteredTexture texture{.pyramid = pyramid, .filter = filter, .wrap = wrap};
+        Dice dice(6);
+        for (int i = 0; i < 40; ++i)
+          check_each_lane<Many>(
+              [&]<class Real>(const In<Real>& x) {
+                const Real size = square(square(x[6]));
+                return texture.filtered(Uv<Dual<Real>>{{x[0] * Real(2), x[2] * size, x[3] * size},
+                                                       {x[1] * Real(2), x[4] * size, x[5] * size}});
+              },
+              any_numbers<Many>(dice));
+      }
+    }
+  }
+}
+
+/// The largest difference in a lane of three numbers, over many inputs, in epsilons.
+template <class Many, class Function>
+double farthest_lane(const Function& function) {
+  Dice dice(7);
+  double worst = 0;
+  for (int i = 0; i < 200; ++i) {
+    const In<Many> in = any_numbers<Many>(dice);
+    const auto many = function(in);
+    for (std::size_t k = 0; k < lanes<Many>; ++k) {
+      const auto one = function(lane_of(in, k)), lane = lane_of(many, k);
+      worst = std::max({worst, static_cast<double>(abs(lane.x - one.x)),
+                        static_cast<double>(abs(lane.y - one.y)),
+                        static_cast<double>(abs(lane.z - one.z))});
+    }
+  }
+  return worst / static_cast<double>(std::numeric_limits<Scalar<Many>>::epsilon());
+}
+template <class Real>
+Vec3<Real> as_vector(const Color<Real>& c) {
+  return {c.r, c.g, c.b};
+}
+
+TEST_CASE_TEMPLATE("what packs compute by their own arc tangent differs by its rounding alone",
+                   Many, PACKS) {
+  for (const ProjectionFacts& facts : projections) {
+    CAPTURE(facts.word);
+    const Projection projection = facts.projection;
+    CHECK(farthest_lane<Many>([=]<class Real>(const In<Real>& x) {
+            const Uv<Real> uv = project(projection, unit(x, 0));
+            return Vec3<Real>{uv.u, uv.v, Real(0)};
+          }) <= 8);
+    CHECK(farthest_lane<Many>([=]<class Real>(const In<Real>& x) {
+            return unproject(projection, Uv<Real>{Real(0.5) + Real(0.49) * x[0], abs(x[1])});
+          }) <= 8);
+  }
+  const Environment sky(light(16, 8), TexelFilter::bilinear, 25);
+  const SkyMoments moments(sky);
+  const SkySampler sampler(sky);
+  const NormalMap<RtiowMapping, BilinearTexture> map{.mapping = {}, .texture = {bytes(16, 8)}};
+  const Bumps<SolidWaves> bumps{.height = {}, .relief = 0.1};
+  const auto hit = []<class Real>(const Vec3<Real>& p) { return Hit<Real>{p, p, p, p}; };
+  // Differences of single texels go by their light.
+  CHECK(farthest_lane<Many>([&]<class Real>(const In<Real>& x) {
+          return as_vector(sky(Ray<Real>{{}, unit(x, 0)}));
+        }) <= 1e5);
+  CHECK(farthest_lane<Many>([&]<class Real>(const In<Real>& x) {
+          return as_vector(moments.reflected(unit(x, 0)));
+        }) <= 1e3);
+  CHECK(farthest_lane<Many>([&]<class Real>(const In<Real>& x) {
+          const Real most = below_one<Real>();
+          return sampler.direction(sky, Point2<Real>{abs(x[0]) * most, abs(x[1]) * most},
+                                   Point2<Real>{abs(x[2]) * most, Real(0.3)});
+        }) <= 100);
+  CHECK(farthest_lane<Many>(
+            [&]<class Real>(const In<Real>& x) { return bumps(hit(unit(x, 0)), Real(1)); }) <= 100);
+  CHECK(farthest_lane<Many>(
+            [&]<class Real>(const In<Real>& x) { return map(hit(unit(x, 0)), Real(1)); }) <= 1e5);
 }
 
 }  // namespace

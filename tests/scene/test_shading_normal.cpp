@@ -68,7 +68,6 @@ TEST_CASE("the factor at the terminator is 0 to 1, rises with the true cosine an
       }
       CHECK(terminator(0.0, shading, between) == 0);
       CHECK(terminator(shading * between, shading, between) == 1);
-      CHECK(terminator(-0.5, shading, between) == 0);
     }
   }
   CHECK(terminator(0.5, 0.0, 1.0) == 0);
@@ -82,7 +81,11 @@ TEST_CASE("a bump that faces the lamp stays dark where the globe itself faces aw
   const Hit<double> hit{normal, normal, normal, normal, &objects[0].shape};
   const Vec3d bent = normalize(Vec3d{-1, 0, 1});
   CHECK(sample_light(PointLight{{-9, 0, 0.5}}, objects, hit, bent).cosine == 0);
-  CHECK(sample_light(PointLight{{-9, 0, 3}}, objects, hit, bent).cosine > 0.2);
+
+  const LightSample<double> lit = sample_light(PointLight{{-9, 0, 3}}, objects, hit, bent);
+  const double plain = lit.to_light.z, bumped = dot(lit.to_light, bent);
+  CHECK(lit.cosine == bumped * terminator(plain, bumped, dot(bent, normal)));
+  CHECK(lit.cosine > 0.2);
 }
 
 TEST_CASE("furnace: classic normal mapping returns (1 + cos t) / 2 of a white sky") {
@@ -95,7 +98,6 @@ TEST_CASE("furnace: classic normal mapping returns (1 + cos t) / 2 of a white sk
         2 * mean_above(normal, [&](const Vec3d& l) { return max(dot(bent, l), 0.0); });
     CHECK(returned == doctest::Approx(bent_furnace(std::cos(angle))).epsilon(2e-4));
   }
-  CHECK(bent_furnace(std::cos(0.8)) < 0.85);  // the counterpart: 15 % of the light is lost
 }
 
 TEST_CASE("two facets have the true normal as their mean, and are seen as the surface is") {
@@ -133,17 +135,15 @@ TEST_CASE("furnace: two facets return all light of a white sky, and one bounce a
     };
     const double bent = leaving(facets.bent);
     const double upright = leaving(facets.upright);
-    for (const double first : {bent, upright}) {
+    for (const bool from_bent : {true, false}) {
       double returned = 0, under_way = 1;
-      double now = first, other = first == bent ? upright : bent;
       for (int bounce = 0; bounce < 500; ++bounce) {
+        const double now = (bounce % 2 == 0) == from_bent ? bent : upright;
         returned += under_way * now;
         under_way *= 1 - now;
-        std::swap(now, other);
       }
       CHECK(returned == doctest::Approx(1).epsilon(1e-9));
-      CHECK(first < 0.97);  // one bounce alone
-      CHECK(first > 0.1);
     }
+    CHECK(std::max(bent, upright) < 0.97);  // one bounce alone
   }
 }

@@ -35,12 +35,5 @@ TEST_CASE_TEMPLATE("a sky of one color has it to the bit", Real, float, double, 
   CHECK(plain(Ray<Real>{{0, 0, 0}, {0, Real(0.1L), 0}}).g == Real(0.6));
 }
 
-TEST_CASE_TEMPLATE("only the height of the line of sight matters", Real, float, double,
-                   long double) {
-  const Color<Real> color = sky(Ray<Real>{{0, 0, 0}, {Real(0.8L), Real(0.5), Real(0.1L)}});
-  const Color<Real> other = sky(Ray<Real>{{9, -9, 9}, {Real(-0.3L), Real(0.5), Real(0.7L)}});
-  CHECK((color.r == other.r && color.g == other.g && color.b == other.b));
-}
-
 }  // namespace
 }  // namespace texmap::test

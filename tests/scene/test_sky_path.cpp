@@ -76,21 +76,6 @@ const std::vector<Painted<Coat>> two_balls = {
 
 }  // namespace
 
-TEST_CASE("white furnace: every cosine-sampled path brings exactly the albedo, with variance 0") {
-  const SkyLight sky = constant_sky(1);
-  std::vector<Painted<Coat>> balls = two_balls;
-  balls[1].shape = {.center = {0, 0, 900}, .radius = 0.001};  // never met: each path has one bounce
-  for (const double albedo : {1.0, 0.5, 0.3}) {
-    balls[0].paint.color = {albedo, albedo, albedo};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      Numbers numbers{{SamplerKind::random, 256}, i};
-      const Color<double> light = light_under_sky(balls, Ray<double>{{0.2, 0.3, 5}, {0, 0, -2}},
-                                                  sky, {SkyLighting::cosine}, 50, numbers);
-      REQUIRE(light.r == albedo);
-    }
-  }
-}
-
 TEST_CASE(
     "white balls and mirrors under a sky of ones cannot be told from it, however long paths are") {
   const SkyLight sky = constant_sky(1);
@@ -149,17 +134,13 @@ TEST_CASE("all ways to draw directions find the same light, under every sky and 
 
 TEST_CASE("the weights of mis stay below 2: no direction can be a dot brighter than its light") {
   const SkyLight sky(Environment(with_sun(1e4F)));
-  const auto most = [&](SkyLighting way) {
-    double weight = 0;
-    for (std::uint32_t i = 0; i < 4096; ++i) {
-      Numbers numbers{{SamplerKind::random, 4096}, i};
-      const Point2<double> place = numbers.next_2d();
-      weight = std::max(weight, scatter(way, sky, Vec3d{0, 1, 0}, place, numbers.next_2d()).weight);
-    }
-    return weight;
-  };
-  CHECK(most(SkyLighting::mis) <= 2);
-  CHECK(most(SkyLighting::importance) > 10);
+  double most = 0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    Numbers numbers{{SamplerKind::random, 4096}, i};
+    const Point2<double> place = numbers.next_2d(), choice = numbers.next_2d();
+    most = std::max(most, scatter(SkyLighting::mis, sky, Vec3d{0, 1, 0}, place, choice).weight);
+  }
+  CHECK(most <= 2);
 }
 
 TEST_CASE("a mirror shows the sky of the mirrored ray, times its color") {

@@ -27,17 +27,3 @@ TEST_CASE("on a sphere, the normal with steps is what the point with steps gives
     }
   }
 }
-
-TEST_CASE("a small move agrees with the derivatives, and a large one to first order") {
-  Dice dice(2);
-  for (int i = 0; i < 300; ++i) {
-    const Vec3d normal = dice.direction<double>();
-    const Hit<double> hit{normal, normal * 2.0, {}, {}};
-    const Frame<double> frame = frame_about(normal);
-    const Hit<Dual<double>> moving = with_steps(hit, frame, 0.5);
-    const double step = 1e-4;
-    const Hit<double> there = moved(hit, frame.up * step, 0.5);
-    const Vec3d change = (there.normal - hit.normal) * (1 / step);
-    CHECK(largest(change - dy_of(moving.normal)) < 1e-4);
-  }
-}

@@ -4,14 +4,9 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <string>
-#include <vector>
 
-#include "number/kinds/interval.hpp"
-#include "scene/sphere.hpp"
+#include "math/color.hpp"
 #include "support/dice.hpp"
-#include "texture/mapped.hpp"
-#include "texture/waves.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -30,7 +25,8 @@ struct Ramp {
   }
 };
 
-/// How far an ellipsoid with half-axes a, b, c lies outside the unit sphere, along its normal.
+/// Half of how far an ellipsoid with half-axes a, b, c lies outside the unit sphere, along its
+/// normal: with a relief of 2 it is the ellipsoid.
 struct EllipsoidHeight {
   double a = 1.5, b = 0.75, c = 1.25;
 
@@ -40,21 +36,13 @@ struct EllipsoidHeight {
     const Real x = n.x / Real(a);
     const Real y = n.y / Real(b);
     const Real z = n.z / Real(c);
-    return gray(Real(1) / sqrt(x * x + y * y + z * z) - Real(1));
+    return gray((Real(1) / sqrt(x * x + y * y + z * z) - Real(1)) * Real(0.5));
   }
   /// The ellipsoid's normal where the ray from its center along `n` leaves it.
   template <class Real>
   Vec3<Real> normal(const Vec3<Real>& n) const {
     return normalize(Vec3<Real>{n.x / (Real(a) * Real(a)), n.y / (Real(b) * Real(b)),
                                 n.z / (Real(c) * Real(c))});
-  }
-};
-
-/// A height with slopes everywhere, of (u, v).
-struct Hills {
-  template <class Real>
-  Color<Real> operator()(const Uv<Real>& uv) const {
-    return gray(uv.u * uv.u * (Real(1) - uv.u) * uv.v + uv.v * uv.v * Real(0.5));
   }
 };
 
@@ -88,8 +76,9 @@ double angle(const Vec3<Real>& p, const Vec3<Real>& q) {
 
 /// The largest angle to the ellipsoid's normal over many directions.
 template <class Real>
-double worst_on_ellipsoid(const Bumps<EllipsoidHeight>& bumps, int tries = 2000) {
+double worst_on_ellipsoid(Bumps<EllipsoidHeight> bumps, int tries = 2000) {
   Dice dice(11);
+  bumps.relief = 2;
   double worst = 0;
   for (int i = 0; i < tries; ++i) {
     const Hit<Real> hit = hit_with<Real>(dice.direction());
@@ -122,34 +111,9 @@ TEST_CASE_TEMPLATE("a height a u on a plane gives one normal, which leans by ata
 }
 
 TEST_CASE("a sphere raised to an ellipsoid has the ellipsoid's normal") {
-  const Bumps<EllipsoidHeight> duals{};
-  MESSAGE("duals: float " << worst_on_ellipsoid<float>(duals) << ", double "
-                          << worst_on_ellipsoid<double>(duals) << ", long double "
-                          << worst_on_ellipsoid<long double>(duals));
-  CHECK(worst_on_ellipsoid<float>(duals) < 1e-6);
-  CHECK(worst_on_ellipsoid<double>(duals) < 2e-15);
-  CHECK(worst_on_ellipsoid<long double>(duals) < 2e-18 + 2e-15 * (sizeof(long double) == 8));
-
-  SUBCASE("planted faults are seen") {
-    Bumps<EllipsoidHeight> wrong = duals;
-    wrong.relief = -1;  // uphill in place of downhill
-    CHECK(worst_on_ellipsoid<double>(wrong) > 0.1);
-    wrong = duals;
-    wrong.form = BumpForm::blinn;  // without h dn
-    CHECK(worst_on_ellipsoid<double>(wrong) > 0.1);
-    // The two slopes exchanged.
-    double worst = 0;
-    Dice dice(11);
-    for (int i = 0; i < 200; ++i) {
-      const Hit<double> hit = hit_with<double>(dice.direction());
-      const Frame<double> frame = frame_about(hit.normal);
-      Slope<double> slope = slope_of(duals.height, hit, frame, 1.0, SlopeFrom::duals, 1.0);
-      std::swap(slope.right, slope.up);
-      worst = std::max(worst, angle(raised_normal(hit.normal, frame, slope, 1.0, BumpForm::exact),
-                                    duals.height.normal(hit.normal)));
-    }
-    CHECK(worst > 0.1);
-  }
+  CHECK(worst_on_ellipsoid<float>({}) < 1e-6);
+  CHECK(worst_on_ellipsoid<double>({}) < 2e-15);
+  CHECK(worst_on_ellipsoid<long double>({}) < 2e-18 + 2e-15 * (sizeof(long double) == 8));
 }
 
 TEST_CASE("without the term h dn the slope is too large by exactly 1 + h / R") {
@@ -157,28 +121,14 @@ TEST_CASE("without the term h dn the slope is too large by exactly 1 + h / R") {
   for (const double radius : {0.5, 1.0, 20.0}) {
     for (int i = 0; i < 500; ++i) {
       const Hit<double> hit = hit_with<double>(dice.direction());
-      const Bumps<EllipsoidHeight> exact{};
-      Bumps<EllipsoidHeight> blinn{};
+      const Bumps<EllipsoidHeight> exact{.height = {}, .relief = 2};
+      Bumps<EllipsoidHeight> blinn = exact;
       blinn.form = BumpForm::blinn;
-      const double h = exact.height(hit).r;
+      const double h = 2 * exact.height(hit).r;
       const double lean = std::tan(angle(exact(hit, 1 / radius), hit.normal));
       const double lean_of_blinn = std::tan(angle(blinn(hit, 1 / radius), hit.normal));
       CHECK(lean_of_blinn == doctest::Approx((1 + h / radius) * lean).epsilon(1e-12));
     }
-  }
-}
-
-TEST_CASE("the normal is the vector product of the raised surface's own derivatives") {
-  Dice dice(13);
-  const Bumps<SolidWaves> bumps{.height = {}, .relief = 0.1};
-  for (int i = 0; i < 500; ++i) {
-    const Hit<double> hit = hit_with<double>(dice.direction());
-    const Frame<double> frame = frame_about(hit.normal);
-    const Hit<Dual<double>> moving = with_steps(hit, frame, 1.0);
-    const Dual<double> height = bumps.height(moving).r * Dual<double>(bumps.relief);
-    const Vec3<Dual<double>> raised = moving.point + moving.normal * height;
-    const Vec3d expected = normalize(cross(dx_of(raised), dy_of(raised)));
-    CHECK(angle(bumps(hit, 1.0), expected) < 2e-15);
   }
 }
 
@@ -189,29 +139,9 @@ TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in
       const Bumps<Constant> bumps{.height = {}, .form = form, .slopes = slopes};
       for (int i = 0; i < 100; ++i) {
         const Hit<float> hit = hit_with<float>(dice.direction());
-        const Vec3<float> normal = bumps(hit, 1.0F);
-        CHECK(normal.x == hit.normal.x);
-        CHECK(normal.y == hit.normal.y);
-        CHECK(normal.z == hit.normal.z);
+        CHECK(largest(bumps(hit, 1.0F) - hit.normal) == 0);
       }
     }
-  }
-}
-
-TEST_CASE("in interval arithmetic the normal's bounds are narrow and hold the double's") {
-  const Mapped<RtiowMapping, Hills> hills{};
-  const Bumps<Mapped<RtiowMapping, Hills>> bumps{.height = hills};
-  Dice dice(15);
-  for (int i = 0; i < 300; ++i) {
-    const Vec3d n = dice.direction<double>();
-    if (std::abs(n.y) > 0.99) continue;
-    const Vec3d in_double = bumps(hit_with(n), 1.0);
-    const Vec3<Interval> bounds =
-        bumps(hit_with(Vec3<Interval>{Interval(n.x), Interval(n.y), Interval(n.z)}), Interval(1));
-    CHECK(bounds.x.contains(in_double.x));
-    CHECK(bounds.y.contains(in_double.y));
-    CHECK(bounds.z.contains(in_double.z));
-    CHECK(bounds.x.high() - bounds.x.low() < 1e-11);
   }
 }
 
@@ -221,10 +151,7 @@ TEST_CASE("slopes that are not numbers, or too large to square, leave the normal
   const double infinite = infinity<double>();
   for (const double slope : {std::nan(""), infinite, -infinite, 1e200}) {
     for (const Slope<double>& bad : {Slope<double>{0, slope, 0}, Slope<double>{0, 1, slope}}) {
-      const Vec3d normal = raised_normal(n, frame, bad, 1.0, BumpForm::exact);
-      CHECK(normal.x == 0);
-      CHECK(normal.y == 0);
-      CHECK(normal.z == 1);
+      CHECK(largest(raised_normal(n, frame, bad, 1.0, BumpForm::exact) - n) == 0);
     }
   }
   CHECK(raised_normal(n, frame, {0.0, 1.0, 0.0}, 1.0, BumpForm::exact).x ==
@@ -235,14 +162,6 @@ TEST_CASE("differences err by truncation with large steps and by rounding with s
   const auto error = [](SlopeFrom from, double step) {
     return worst_on_ellipsoid<double>({.height = {}, .slopes = from, .step = step}, 500);
   };
-  std::string table = "step: one-sided, central\n";
-  for (int power = -1; power >= -13; --power) {
-    const double step = std::pow(10.0, power);
-    table += std::to_string(power) + ": " +
-             doctest::toString(error(SlopeFrom::forward, step)).c_str() + ", " +
-             doctest::toString(error(SlopeFrom::central, step)).c_str() + "\n";
-  }
-  MESSAGE(table);
   // Truncation: ten times the step is ten times the error, or a hundred times.
   CHECK(error(SlopeFrom::forward, 1e-3) / error(SlopeFrom::forward, 1e-4) ==
         doctest::Approx(10).epsilon(0.05));

@@ -1,8 +1,8 @@
-// Tests of common/texture/checkerboard.hpp: the parity of squares.
+// Tests of common/texture/checkerboard.hpp and solid_checkerboard.hpp: the parity of squares and of
+// cubes. That no color is wrong off their edges, tests/extremes searches.
 #include <doctest.h>
 
-#include "support/lanes.hpp"
-#include "texture/checkerboard.hpp"
+#include "texture/solid_checkerboard.hpp"
 
 namespace texmap::test {
 namespace {
@@ -12,16 +12,22 @@ const Rgb odd{1, 0, 0.125};
 
 /// 'e' for the even color, 'o' for the odd one, '?' for anything else.
 template <class Real>
-char square_at(const Checkerboard& board, Real u, Real v) {
-  const Color<Real> color = board(Uv<Real>{u, v});
+char letter_of(const Color<Real>& color) {
   if (color.r == Real(0.25) && color.g == Real(0.5) && color.b == Real(0.75)) return 'e';
   if (color.r == Real(1) && color.g == Real(0) && color.b == Real(0.125)) return 'o';
   return '?';
 }
+template <class Real>
+char square_at(const Checkerboard& board, Real u, Real v) {
+  return letter_of(board(Uv<Real>{u, v}));
+}
+template <class Real>
+char cube_at(const SolidCheckerboard& board, Real x, Real y, Real z) {
+  return letter_of(board(Vec3<Real>{x, y, z}));
+}
 
-TEST_CASE_TEMPLATE("whole numbers alternate, negative and huge ones included", Real, float, double,
-                   long double) {
-  for (int i = -1000; i <= 1000; ++i) REQUIRE(is_even(static_cast<Real>(i)) == (i % 2 == 0));
+TEST_CASE_TEMPLATE("huge whole numbers have a parity, and what is none has one too", Real, float,
+                   double, long double) {
   const Real last = std::ldexp(Real(1), std::numeric_limits<Real>::digits) - Real(1);
   CHECK_FALSE(is_even(last));
   CHECK(is_even(last - Real(1)));
@@ -39,9 +45,23 @@ TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long 
     char square;
   };
   const Row table[] = {
-      {0, 0, 'e'},       {0.125, 0.125, 'e'}, {0.25, 0, 'o'},      {0, 0.25, 'o'},
-      {0.25, 0.25, 'e'}, {0.375, 0.125, 'o'}, {0.5, 0.25, 'o'},    {0.5, 0.5, 'e'},
-      {0.75, 0.5, 'o'},  {0.875, 0.875, 'e'}, {0.125, 0.875, 'o'}, {1, 0, 'e'},
+      {0, 0, 'e'},
+      {0.125, 0.125, 'e'},
+      {0.25, 0, 'o'},
+      {0, 0.25, 'o'},
+      {0.25, 0.25, 'e'},
+      {0.375, 0.125, 'o'},
+      {0.5, 0.25, 'o'},
+      {0.5, 0.5, 'e'},
+      {0.75, 0.5, 'o'},
+      {0.875, 0.875, 'e'},
+      {0.125, 0.875, 'o'},
+      {1, 0, 'e'},
+      // Below 0 squares go on by floor, so that none is double.
+      {-0.125, 0, 'o'},
+      {-0.375, 0, 'e'},
+      {0, -0.125, 'o'},
+      {-0.125, -0.375, 'o'},
   };
   for (const Row& row : table) {
     CAPTURE(row.u);
@@ -52,55 +72,69 @@ TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long 
 }
 
 TEST_CASE_TEMPLATE("v = 1, a pole, belongs to the last row, as it does for a picture", Real, float,
-                   double, long double, Pack<float>, Pack<double>) {
-  using T = Scalar<Real>;
+                   double, long double) {
   for (const double squares : {1.0, 2.0, 3.0, 2.5, 10.0, 4095.0, 4096.0, 4194303.0}) {
     const Checkerboard board{even, odd, squares};
     CAPTURE(squares);
-    for (const double u : {0.0, 0.3, 0.9}) {
-      const auto at = [&](T v) {
-        return lane(board(Uv<Real>{Real(static_cast<T>(u)), Real(v)}).r, 0);
-      };
-      const T below = std::nextafter(T(1), T(0));
-      CHECK(at(T(1)) == at(below));
-      CHECK(at(T(2)) == at(below));
-    }
+    const char last = square_at(board, Real(0.3), below_one<Real>());
+    CHECK(square_at(board, Real(0.3), Real(1)) == last);
+    CHECK(square_at(board, Real(0.3), Real(2)) == last);
   }
-  // A board of one square has one color.
-  const Checkerboard one{even, odd, 1};
-  CHECK(lane(one(Uv<Real>{Real(0), Real(1)}).r, 0) == T(0.25));
-  const Uv<Real> nowhere{Real(0), Real(std::numeric_limits<T>::quiet_NaN())};
-  CHECK(lane(one(nowhere).r, 0) == T(1));
 }
 
-TEST_CASE_TEMPLATE("below 0 squares go on by floor, so that none is double", Real, float, double,
+TEST_CASE_TEMPLATE("the eight cubes around the origin alternate", Real, float, double,
                    long double) {
-  const Checkerboard board{even, odd, 1};
-  CHECK(square_at(board, Real(-0.5), Real(0)) == 'o');
-  CHECK(square_at(board, Real(-1), Real(0)) == 'o');
-  CHECK(square_at(board, Real(-1.5), Real(0)) == 'e');
-  CHECK(square_at(board, Real(0), Real(-0.5)) == 'o');
-  CHECK(square_at(board, Real(-0.5), Real(-0.5)) == 'e');
-  CHECK(square_at(board, Real(-0.5), Real(-1.5)) == 'o');
+  const SolidCheckerboard board{even, odd, 2};
+  for (int i = 0; i < 8; ++i) {
+    const Real x = (i & 1) != 0 ? 1 : -1;
+    const Real y = (i & 2) != 0 ? 1 : -1;
+    const Real z = (i & 4) != 0 ? 1 : -1;
+    CAPTURE(i);
+    CHECK(cube_at(board, x, y, z) == (x * y * z > 0 ? 'e' : 'o'));
+  }
+  const Real below_0 = -std::numeric_limits<Real>::denorm_min();
+  CHECK(cube_at(SolidCheckerboard{even, odd, 1}, below_0, Real(0), Real(0)) == 'o');
 }
 
 TEST_CASE_TEMPLATE(
-    "an even number of squares alternates across the seam, and an odd one puts two equal ones side "
-    "by "
-    "side",
+    "a cube's lower faces belong to it, its upper ones to its neighbors, for every length that the "
+    "number holds; multiplying by 1 / cell moves some",
     Real, float, double, long double) {
-  for (int squares = 1; squares <= 40; ++squares) {
-    const Checkerboard board{even, odd, static_cast<double>(squares)};
-    CAPTURE(squares);
-    const bool alike =
-        square_at(board, Real(0), Real(0.01)) == square_at(board, below_one<Real>(), Real(0.01));
-    CHECK(alike == (squares % 2 == 1));
+  int moved = 0;
+  for (double cell = 0.25; cell <= 49; cell += cell < 1 ? 0.75 : 2) {
+    const SolidCheckerboard board{even, odd, cell};
+    const Real inverse = Real(1) / static_cast<Real>(cell);
+    for (int i = -500; i <= 500; ++i) {
+      const Real face = static_cast<Real>(i) * static_cast<Real>(cell);
+      const Real below = std::nextafter(face, -infinity<Real>());
+      REQUIRE(cube_at(board, face, Real(0), Real(0)) == (i % 2 == 0 ? 'e' : 'o'));
+      if (cell <= 1) REQUIRE(cube_at(board, below, Real(0), Real(0)) == (i % 2 == 0 ? 'o' : 'e'));
+      moved += std::floor(face * inverse) != static_cast<Real>(i) ? 1 : 0;
+    }
   }
+  CHECK(moved > 150);
 }
 
-TEST_CASE_TEMPLATE("a pack finds in each lane the square that a single number finds", T, float,
-                   double) {
-  check_lanes_of_texture<T>(Checkerboard{even, odd, 7});
+TEST_CASE_TEMPLATE("numbers of cells with a sum that does not fit still give the right color", Real,
+                   float, double, long double) {
+  const SolidCheckerboard board{even, odd, 1};
+  const Real last = std::ldexp(Real(1), std::numeric_limits<Real>::digits) - Real(1);  // odd
+  CHECK(cube_at(board, last, Real(0), Real(0)) == 'o');
+  CHECK(cube_at(board, last, last - Real(2), Real(1)) == 'o');
+  CHECK(cube_at(board, last, last - Real(1), Real(0)) == 'o');
+  CHECK(cube_at(board, last, last, Real(0)) == 'e');
+  CHECK(cube_at(board, -last, -last, -last) == 'o');
+}
+
+TEST_CASE_TEMPLATE("a point at no place has one of the two colors", Real, float, double,
+                   long double) {
+  const SolidCheckerboard board{even, odd, 1};
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  CHECK(cube_at(board, nan, Real(0), Real(0)) == 'o');
+  CHECK(cube_at(board, nan, nan, Real(0)) == 'e');
+  CHECK(cube_at(board, infinity<Real>(), Real(0), Real(0)) == 'e');
+  CHECK(cube_at(board, -infinity<Real>(), Real(0), Real(0)) == 'e');
+  CHECK(cube_at(board, Real(1e30L), Real(0), Real(1)) == 'o');
 }
 
 }  // namespace

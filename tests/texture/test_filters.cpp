@@ -53,38 +53,15 @@ Uv<Dual<double>> place_of(double u, double v, double a, double b, int width, int
   return place(u, v, a / width, 0.0, 0.0, b / height);
 }
 
-/// How often `read(u, v, level)` does not return the place and the level.
-template <class Read>
-int count_misplaced(const Read& read) {
-  int wrong = 0;
-  for (int level = 0; level <= 3; ++level) {
-    for (int i = 0; i < 100; ++i) {
-      const double u = 0.25 + 0.5 * i / 128, v = 0.3125 + 0.375 * ((i * 37) % 100) / 128;
-      const Color<double> found = read(u, v, level);
-      wrong += found.r != u || found.g != v || found.b != level ? 1 : 0;
-    }
-  }
-  return wrong;
-}
-
 TEST_CASE("where texels hold their own place and level, the bilinear filter returns them exactly") {
   const FilteredTexture texture{.pyramid = coordinates(64, 32)};
-  const auto shifted = [&](double right, double down, int up) {
-    return [&texture, right, down, up](double u, double v, int level) {
-      const double l = level + up;
-      return texture.bilinear(Uv<double>{u + right / (64 >> level), v + down / (32 >> level)},
-                              level_of(texture.pyramid, l));
-    };
-  };
-  CHECK(count_misplaced(shifted(0, 0, 0)) == 0);
-  // Faults of published renderers: half a texel aside, a level too high, u and v exchanged.
-  CHECK(count_misplaced(shifted(0.5, 0, 0)) == 400);
-  CHECK(count_misplaced(shifted(0, -0.5, 0)) == 400);
-  CHECK(count_misplaced(shifted(0, 0, 1)) == 400);
-  CHECK(count_misplaced([&](double u, double v, int level) {
-          return texture.bilinear(Uv<double>{v, u},
-                                  level_of(texture.pyramid, static_cast<double>(level)));
-        }) > 390);
+  for (int level = 0; level <= 3; ++level) {
+    for (int i = 0; i < 100; ++i) {
+      const Uv<double> at{0.25 + 0.5 * i / 128, 0.3125 + 0.375 * ((i * 37) % 100) / 128};
+      const auto found = texture.bilinear(at, level_of<double>(texture.pyramid, level));
+      REQUIRE((found.r == at.u && found.g == at.v && found.b == level));
+    }
+  }
 }
 
 TEST_CASE("where texels hold their level, the trilinear filter returns its own exactly") {
@@ -95,7 +72,6 @@ TEST_CASE("where texels hold their level, the trilinear filter returns its own e
     const double blue = texture.filtered(place_of(0.5, 0.5, width, width, 256, 256)).b;
     CHECK(std::abs(blue - (level.number + level.fraction)) < 1e-15);
     if (width >= 1) CHECK(std::abs(blue - std::log2(width)) < 0.17);
-    if (width >= 1) CHECK(std::abs(blue - std::log2(2 * width)) > 0.8);  // a level too high
   }
 }
 
@@ -149,60 +125,25 @@ TEST_CASE("constant in, constant out, whatever the filter, the wrap, the size an
   }
 }
 
-TEST_CASE("no weight is negative: one bright texel never darkens a footprint, and all add up") {
-  Dice dice(8);
-  for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
-    for (int i = 0; i < 12; ++i) {
-      const double size = std::exp(dice.between(-4, 0));
-      const auto any = [&] { return size * dice.between(-1, 1); };
-      const auto where =
-          place(dice.between(-2, 3), dice.between(-2, 3), any(), any(), any(), any());
-      double sum = 0;
-      for (std::size_t texel = 0; texel < 64; ++texel) {
-        LightImage image(8, 8);
-        image.pixels[texel].r = 1;
-        const FilteredTexture texture{.pyramid = pyramid_of(image), .filter = filter};
-        const double weight = texture.filtered(where).r;
-        REQUIRE(weight >= 0);
-        sum += weight;
-      }
-      CHECK(std::abs(sum - 1) < 1e-14);
-    }
-  }
-}
-
 TEST_CASE("drawn one to one at its texels' centers, a picture comes back to the last bit") {
   const LightImage image = noise(16, 8);
-  for (const Filter filter : filters) {
-    if (filter == Filter::ewa) continue;  // it mixes neighbors in
-    if (filter == Filter::stochastic) continue;
+  for (const Filter filter :  // the others mix neighbors in, or take them by chance
+       {Filter::nearest, Filter::bilinear, Filter::trilinear, Filter::anisotropic}) {
     for (const Wrap wrap : wraps) {
-      const FilteredTexture texture{
-          .pyramid = pyramid_of(image), .filter = filter, .wrap = wrap, .v_axis = VAxis::down};
-      for (int row = 0; row < 8; ++row) {
-        for (int column = 0; column < 16; ++column) {
-          const auto found =
-              texture.filtered(place_of((column + 0.5) / 16, (row + 0.5) / 8, 1, 1, 16, 8));
-          REQUIRE(found.r == image.at(column, row).r);
-          REQUIRE(found.g == image.at(column, row).g);
-          REQUIRE(found.b == image.at(column, row).b);
+      for (const VAxis axis : {VAxis::up, VAxis::down}) {
+        const FilteredTexture texture{
+            .pyramid = pyramid_of(image), .filter = filter, .wrap = wrap, .v_axis = axis};
+        for (int row = 0; row < 8; ++row) {
+          for (int column = 0; column < 16; ++column) {
+            const double v = ((axis == VAxis::down ? row : 7 - row) + 0.5) / 8;
+            const auto found = texture.filtered(place_of((column + 0.5) / 16, v, 1, 1, 16, 8));
+            const Color<float>& texel = image.at(column, row);
+            REQUIRE((found.r == texel.r && found.g == texel.g && found.b == texel.b));
+          }
         }
       }
     }
   }
-}
-
-TEST_CASE("beyond the edges the border is seen, and on an edge half of it") {
-  const FilteredTexture texture{.pyramid = pyramid_of(LightImage(8, 8, {1, 0, 0})),
-                                .wrap = Wrap::border,
-                                .border = {0.25, 0.5, 0.75}};
-  CHECK(texture(Uv<double>{1.5, 0.5}).g == 0.5);
-  CHECK(texture(Uv<double>{0.5, -3.0}).b == 0.75);
-  CHECK(texture(Uv<double>{0.5, 0.5}).g == 0);
-  CHECK(texture(Uv<double>{0, 0.5}).g == 0.25);
-  CHECK(texture(Uv<double>{1, 1}).b == 0.75 * 0.75);
-  // A footprint of four texels, two of them outside.
-  CHECK(std::abs(texture.filtered(place_of(1.0, 0.5, 4, 1, 8, 8)).g - 0.25) < 1e-15);
 }
 
 TEST_CASE(
@@ -236,15 +177,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("v up shows the picture, v down shows it upside down") {
-  const LightImage image = noise(4, 4);
-  const FilteredTexture up{.pyramid = pyramid_of(image)};
-  const FilteredTexture down{.pyramid = pyramid_of(image), .v_axis = VAxis::down};
-  CHECK(up(Uv<double>{0.125, 0.875}).r == image.at(0, 0).r);
-  CHECK(down(Uv<double>{0.125, 0.125}).r == image.at(0, 0).r);
-  CHECK(up(Uv<double>{0.125, 0.125}).r == image.at(0, 3).r);
-}
-
 /// The mean of a texture that is 1 on black squares and 0 on white ones, over an interval: squares
 /// of `size`; the sign +1 or -1 of a square wave is integrated by a triangle wave.
 double mean_sign(double low, double high, double size) {
@@ -259,17 +191,15 @@ double checkers_in_box(double x, double y, double a, double b, double size) {
   return 0.5 + 0.5 * mean_sign(x - a / 2, x + a / 2, size) * mean_sign(y - b / 2, y + b / 2, size);
 }
 
-/// Root mean square error of a filter on checkers of `size` texels, for boxes of a x b texels.
-double error_on_checkers(const FilteredTexture& texture, double a, double b, double size,
-                         double too_wide = 1) {
+/// Root mean square error of a filter on checkers of 8 texels, for boxes of a x b texels.
+double error_on_checkers(const FilteredTexture& texture, double a, double b) {
   Dice dice(11);
   double sum = 0;
   const int count = 3000;
   for (int i = 0; i < count; ++i) {
     const double x = dice.between(0, 64), y = dice.between(0, 64);
-    const double found =
-        texture.filtered(place_of(x / 64, y / 64, a * too_wide, b * too_wide, 64, 64)).r;
-    sum += square(found - checkers_in_box(x, y, a, b, size));
+    const double found = texture.filtered(place_of(x / 64, y / 64, a, b, 64, 64)).r;
+    sum += square(found - checkers_in_box(x, y, a, b, 8));
   }
   return std::sqrt(sum / count);
 }
@@ -285,14 +215,12 @@ FilteredTexture checkers(Filter filter, int taps = 16) {
 
 TEST_CASE(
     "filters come near the exact mean of checkers over a box; the order is that of the page") {
-  struct Row {
-    double a, b;
-  };
-  for (const Row& box : {Row{22, 2}, Row{1, 13}, Row{41, 4}, Row{24, 3}}) {
-    CAPTURE(box.a);
-    CAPTURE(box.b);
+  for (const auto& [width, height] :
+       {std::pair(22.0, 2.0), std::pair(1.0, 13.0), std::pair(41.0, 4.0), std::pair(24.0, 3.0)}) {
+    const double a = width, b = height;
+    CAPTURE(a);
     const auto error = [&](Filter filter, int taps = 16) {
-      return error_on_checkers(checkers(filter, taps), box.a, box.b, 8);
+      return error_on_checkers(checkers(filter, taps), a, b);
     };
     const double nearest = error(Filter::nearest);
     CHECK(error(Filter::trilinear) < 0.75 * nearest);
@@ -300,13 +228,6 @@ TEST_CASE(
     CHECK(error(Filter::anisotropic) < 0.1 * nearest);
     CHECK(error(Filter::anisotropic) < 0.3 * error(Filter::trilinear));
     CHECK(error(Filter::ewa) < 0.2 * nearest);
-  }
-}
-
-TEST_CASE("a footprint twice as wide, as with a level one too high, is noticed on checkers") {
-  for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {
-    const double right = error_on_checkers(checkers(filter), 4, 4, 8);
-    CHECK(error_on_checkers(checkers(filter), 4, 4, 8, 2) > 1.7 * right);
   }
 }
 
@@ -376,7 +297,6 @@ TEST_CASE("the stochastic filter's mean is the anisotropic filter's") {
     const Color<double> expected = full.filtered(at, footprint);
     const int steps = 16;  // strata of each random number, with a place at random in each
     Color<double> sum{};
-    Color<double> without_levels{};
     for (int k = 0; k < steps * steps * steps * steps; ++k) {
       const auto part = [&](int divisor) {
         return (k / divisor % steps + dice.between(0, 1)) / steps;
@@ -384,13 +304,11 @@ TEST_CASE("the stochastic filter's mean is the anisotropic filter's") {
       const double tap = part(1), level = part(steps), column = part(steps * steps);
       const double row = part(steps * steps * steps);
       sum = sum + full.one_of_many(at, footprint, {tap, level, column, row});
-      without_levels = without_levels + full.one_of_many(at, footprint, {tap, 1.0, 0.5, 0.5});
     }
     const double share = std::pow(steps, -4);
     CHECK(std::abs(sum.r * share - expected.r) < 2e-3);
     CHECK(std::abs(sum.g * share - expected.g) < 2e-3);
     CHECK(std::abs(sum.b * share - expected.b) < 2e-3);
-    if (i == 0) CHECK(std::abs(without_levels.r * share - expected.r) > 2e-3);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,12 @@
 namespace texmap::test {
 namespace {
 
-constexpr double pi_here = static_cast<double>(pi_digits);
+constexpr double pi_here = std::numbers::pi;
 
 std::vector<Vec3<double>> any_directions(int count) {
   Dice dice(9);
   std::vector<Vec3<double>> all;
-  while (static_cast<int>(all.size()) < count) {
-    const Vec3<double> p{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)};
-    if (dot(p, p) <= 1 && dot(p, p) > 0.01) all.push_back(normalize(p));
-  }
+  for (int i = 0; i < count; ++i) all.push_back(dice.direction<double>());
   return all;
 }
 
@@ -61,12 +59,8 @@ TEST_CASE("the solid angle of a texel by duals is the closed form to 1e-14") {
       const double found = distortion(facts.projection, n).area;
       worst = std::max(worst, std::abs(found / expected - 1));
     }
-    MESSAGE(std::string(facts.word) << ": " << worst << " of itself");
     CHECK(worst <= 1e-14);
   }
-  // The sine forgotten, or taken twice, would be seen.
-  const Vec3<double> n = normalize(Vec3<double>{1, 1, 1});
-  CHECK(std::abs(distortion(Projection::equirect, n).area - pi_here / 2) > 0.1);
 }
 
 TEST_CASE(
@@ -92,10 +86,7 @@ TEST_CASE(
     if (n.y != 0) compare(worst[2], Projection::plane, 1 / std::abs(n.y));
     compare(worst[3], Projection::cube, 1 / largest(n));
   }
-  for (const double off : worst) {
-    MESSAGE("off by " << off << " of itself");
-    CHECK(off <= 1e-14);
-  }
+  for (const double off : worst) CHECK(off <= 1e-14);
 }
 
 TEST_CASE("at the poles an octahedral map does not stretch, at the middle of a face by sqrt 3") {

@@ -11,20 +11,6 @@
 namespace texmap::test {
 namespace {
 
-/// A picture with the light of a function of the direction to each texel's center.
-template <class Function>
-LightImage painted(int width, const Function& function) {
-  LightImage image(width, width / 2);
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const Vec3d d =
-          direction_rtiow(Uv<double>{(column + 0.5) / width, 1 - (row + 0.5) / image.height});
-      image.at(column, row) = gray(static_cast<float>(function(d)));
-    }
-  }
-  return image;
-}
-
 /// One small texel of light at the top of the sky's right half, and where it is.
 struct Lamp {
   LightImage map = LightImage(512, 256);
@@ -68,7 +54,6 @@ TEST_CASE("it would be below 0 between the cosines -0.824 and -0.243, and is 0 t
   };
   const double first = (-0.5 - std::sqrt(19.0 / 256)) * 16 / 15;
   const double last = (-0.5 + std::sqrt(19.0 / 256)) * 16 / 15;
-  MESSAGE("below 0 from cosine " << first << " to " << last << ", at most -19/480 at -8/15");
   CHECK(first == doctest::Approx(-0.824).epsilon(1e-3));
   CHECK(last == doctest::Approx(-0.243).epsilon(2e-3));
   CHECK(light(first - 0.01) > 0);
@@ -79,26 +64,8 @@ TEST_CASE("it would be below 0 between the cosines -0.824 and -0.243, and is 0 t
 
 TEST_CASE("a sky of ones gives every normal exactly its own light") {
   const SkyMoments moments(Environment(LightImage(6, 3, gray(1.0F))));
-  CHECK(moments.sums()[0].r == doctest::Approx(4 * std::numbers::pi).epsilon(1e-15));
-  for (std::size_t k = 1; k < 4; ++k) CHECK(std::abs(moments.sums()[k].r) < 1e-14);
-  CHECK(moments.sums()[4].r == doctest::Approx(4 * std::numbers::pi / 3).epsilon(1e-14));
-  CHECK(moments.sums()[5].r == doctest::Approx(4 * std::numbers::pi / 3).epsilon(1e-14));
   for (const Vec3d& n : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0.6, 0, 0.8}, Vec3d{0, -0.6, 0.8}})
     CHECK(moments.reflected(n).g == doctest::Approx(1).epsilon(1e-14));
-}
-
-TEST_CASE(
-    "skies without detail come out as their exact integral: a linear one 2/3 as steep, a "
-    "quadratic one a quarter") {
-  const SkyMoments linear(Environment(painted(1024, [](const Vec3d& d) { return 2 + d.x; })));
-  const SkyMoments quadratic(
-      Environment(painted(1024, [](const Vec3d& d) { return 2 + d.x * d.z + d.y * d.y; })));
-  for (const Vec3d& n :
-       {Vec3d{1, 0, 0}, Vec3d{0, 0, -1}, Vec3d{0.6, 0, 0.8}, Vec3d{0.48, -0.6, 0.64}}) {
-    CHECK(linear.reflected(n).r == doctest::Approx(2 + 2 * n.x / 3).epsilon(1e-5));
-    const double closed = 2 + 1.0 / 3 + (n.x * n.z + n.y * n.y - 1.0 / 3) / 4;
-    CHECK(quadratic.reflected(n).r == doctest::Approx(closed).epsilon(1e-5));
-  }
 }
 
 }  // namespace texmap::test

@@ -70,27 +70,12 @@ TEST_CASE("the weights of a sky of ones add up to 4 pi") {
   }
 }
 
-TEST_CASE("densities integrate to 1 and follow the light; a turn changes neither") {
+TEST_CASE("densities integrate to 1, whatever the filter and the turn") {
   for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
     const Environment sky(contrasts(16, 8), filter, 25);
     const SkySampler sampler(sky);
     const double whole = integral(sky, [&](const Vec3d& d) { return sampler.density(sky, d); });
     CHECK(whole == doctest::Approx(1).epsilon(1e-5));
-    // Where texels are small, density over light is nearly the same everywhere.
-    const Environment fine(LightImage(512, 256, gray(1.0F)), filter);
-    LightImage ramp = fine.map();
-    for (int row = 0; row < 256; ++row) {
-      for (int column = 0; column < 512; ++column)
-        ramp.at(column, row) = gray(1 + static_cast<float>(row) / 64);
-    }
-    const Environment smooth(ramp, filter);
-    const SkySampler of_smooth(smooth);
-    for (double y = -0.98; y < 1; y += 0.13) {
-      const Vec3d d = {std::sqrt(1 - y * y), y, 0.001};
-      const double light = smooth(Ray<double>{{}, d}).r;
-      CHECK(of_smooth.density(smooth, d) * of_smooth.total() / light ==
-            doctest::Approx(1).epsilon(0.01));
-    }
   }
 }
 
@@ -119,16 +104,12 @@ TEST_CASE("the mean of f / density over drawn directions is the integral of f") 
       return sky(Ray<double>{{}, d}).r * (1 + d.y / 2 + d.x * d.x);
     };
     constexpr std::uint32_t count = 16384;
-    double mean = 0, without_sine = 0;
+    double mean = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
       const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
-      const double value = f(d) / sampler.density(sky, d);
-      mean += value / count;
-      without_sine += value * std::sqrt(1 - d.y * d.y) / count;  // the fault planted
+      mean += f(d) / sampler.density(sky, d) / count;
     }
-    const double exact = integral(sky, f);
-    CHECK(mean == doctest::Approx(exact).epsilon(2e-3));
-    CHECK(std::abs(without_sine / exact - 1) > 0.02);
+    CHECK(mean == doctest::Approx(integral(sky, f)).epsilon(2e-3));
   }
 }
 

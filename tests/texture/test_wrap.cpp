@@ -4,7 +4,6 @@
 #include <doctest.h>
 
 #include "number/kinds/pack.hpp"
-#include "support/shown_values.hpp"
 
 namespace texmap::test {
 namespace {
@@ -45,18 +44,6 @@ TEST_CASE_TEMPLATE("repeat and mirror are those of whole numbers, at every place
   };
   CHECK(count_wrong(repeated, modulo) == 0);
   CHECK(count_wrong(mirror, mirrored_whole) == 0);
-}
-
-TEST_CASE("a mirror image of a mirror image is the image, and edges meet themselves") {
-  for (const int n : sizes()) {
-    const double size = n;
-    for (int x = -2 * n; x < 2 * n; ++x) {
-      REQUIRE(mirrored(-1.0 - x, size) == mirrored(static_cast<double>(x), size));
-      REQUIRE(mirrored(2 * size - 1 - x, size) == mirrored(static_cast<double>(x), size));
-    }
-    CHECK(mirrored(-1.0, size) == 0);
-    CHECK(mirrored(size, size) == size - 1);
-  }
 }
 
 TEST_CASE("a coordinate wrapped at once leads to the neighbors that are wrapped one by one") {

@@ -1,13 +1,13 @@
-// Tests of texture/wrapped.hpp, and of published/wrap.hpp where it differs.
+// Tests of texture/wrapped.hpp and floor_mapping.hpp, and of published/wrap.hpp where it differs.
 #include <doctest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "number/dual.hpp"
-#include "number/kinds/interval.hpp"
 #include "published/wrap.hpp"
 #include "support/dice.hpp"
+#include "texture/floor_mapping.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/wrapped.hpp"
 
@@ -36,28 +36,15 @@ TEST_CASE_TEMPLATE("coordinates far outside come back into [0, 1], and those ins
 
 TEST_CASE_TEMPLATE("exact places: a step further, mirrored, at the edge", Real, float, double,
                    long double) {
-  CHECK(wrapped_coordinate(Wrap::repeat, Real(-0.25)) == Real(0.75));
-  CHECK(wrapped_coordinate(Wrap::repeat, Real(3.25)) == Real(0.25));
-  CHECK(wrapped_coordinate(Wrap::repeat, Real(1)) == Real(0));
-  CHECK(wrapped_coordinate(Wrap::mirror, Real(-0.25)) == Real(0.25));
-  CHECK(wrapped_coordinate(Wrap::mirror, Real(1.25)) == Real(0.75));
-  CHECK(wrapped_coordinate(Wrap::mirror, Real(2.25)) == Real(0.25));
-  CHECK(wrapped_coordinate(Wrap::mirror, Real(1)) == Real(1));
-  CHECK(wrapped_coordinate(Wrap::clamp, Real(-0.25)) == Real(0));
-  CHECK(wrapped_coordinate(Wrap::clamp, Real(7)) == Real(1));
-}
-
-TEST_CASE("wrapping the coordinate takes the texel that wrapping the texel takes") {
-  Dice dice;
-  const int sizes[] = {1, 2, 3, 7, 512};
-  for (int i = 0; i < 20000; ++i) {
-    const double u = dice.between(-3, 4);
-    for (const int n : sizes) {
-      for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp}) {
-        const auto expected = wrapped_texel(wrap, std::floor(u * n), 0.0, n, 1).column;
-        REQUIRE(texel(wrap, u, n) == static_cast<int>(expected));
-      }
-    }
+  struct Row {
+    double x, repeat, mirror, clamp;
+  };
+  for (const Row& row : {Row{-0.25, 0.75, 0.25, 0}, Row{1.25, 0.25, 0.75, 1}, Row{1, 0, 1, 1},
+                         Row{3.25, 0.25, 0.75, 1}, Row{2.25, 0.25, 0.25, 1}}) {
+    CAPTURE(row.x);
+    CHECK(wrapped_coordinate(Wrap::repeat, Real(row.x)) == Real(row.repeat));
+    CHECK(wrapped_coordinate(Wrap::mirror, Real(row.x)) == Real(row.mirror));
+    CHECK(wrapped_coordinate(Wrap::clamp, Real(row.x)) == Real(row.clamp));
   }
 }
 
@@ -76,28 +63,22 @@ TEST_CASE("every texel has the same share of a period; the article's texel 0 has
     CHECK(repeat[k] == 2 * steps);
     CHECK(article[k] == 2 * steps);
   }
-  // It is one run of two texels: from -1/n to 1/n.
+  // It is one run of two texels: from -1/n to 1/n. In a repeated pattern all others are one wide.
   CHECK(published::article_texel(-0.99 / n, n) == 0);
   CHECK(published::article_texel(0.99 / n, n) == 0);
   CHECK(published::article_texel(-1.01 / n, n) == 1);
-  CHECK(texel(Wrap::repeat, -0.99 / n, n) == n - 1);
-  // In a repeated pattern all others are one texel wide.
-  CHECK(published::article_texel(1.0 - 0.01 / n, n) == n - 1);
   CHECK(published::article_texel(1.0 + 0.99 / n, n) == 0);
   CHECK(published::article_texel(1.0 + 1.01 / n, n) == 1);
 }
 
 TEST_CASE("the article mirrors at 0 and repeats at 1; mirror mirrors at both") {
   constexpr int n = 16;
-  Dice dice;
   for (int i = 0; i < 10000; ++i) {
-    const double u = dice.between(0, 1);
-    REQUIRE(published::article_texel(-u, n) == published::article_texel(u, n));
+    const double u = (i + 0.5) / 10000;
     REQUIRE(published::article_texel(-u, n) == texel(Wrap::mirror, -u, n));
     REQUIRE(published::article_texel(1 + u, n) == texel(Wrap::repeat, 1 + u, n));
   }
   CHECK(texel(Wrap::mirror, 1.1, n) == 14);
-  CHECK(published::article_texel(1.1, n) == 1);
 }
 
 TEST_CASE("derivatives keep their size; in the mirror they turn round") {
@@ -108,14 +89,18 @@ TEST_CASE("derivatives keep their size; in the mirror they turn round") {
   CHECK(wrapped_coordinate(Wrap::clamp, u).dx == 0);
 }
 
-TEST_CASE("an interval holds the coordinates of all its numbers") {
-  Dice dice;
-  for (int i = 0; i < 2000; ++i) {
-    const double low = dice.between(-3, 3);
-    const double high = low + dice.between(0, 1);
-    const double u = std::min(high, dice.between(low, high));
-    for (const Wrap wrap : {Wrap::mirror, Wrap::repeat, Wrap::clamp})
-      REQUIRE(wrapped_coordinate(wrap, Interval(low, high)).contains(wrapped_coordinate(wrap, u)));
+TEST_CASE(
+    "on the floor a copy begins at the origin and is as large as it says; it reads from above") {
+  const FloorMapping mapping{.size = 8};
+  struct Row {
+    Vec3d point;
+    double u, v;
+  };
+  for (const Row& row : {Row{{0, 0, 0}, 0.5, 0}, Row{{-4, 0, 0}, 0, 0}, Row{{4, 0, -8}, 1, 1},
+                         Row{{2, 0, -2}, 0.75, 0.25}, Row{{0, -7, 4}, 0.5, -0.5}}) {
+    const Uv<double> uv = mapping(row.point);
+    CHECK(uv.u == row.u);
+    CHECK(uv.v == row.v);
   }
 }
 
