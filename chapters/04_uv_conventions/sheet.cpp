@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "conventions_compared.hpp"
 #include "engine/app/texture_file.hpp"
-#include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/blit.hpp"
+#include "engine/picture/sheet.hpp"
 #include "engine/render/render.hpp"
 #include "engine/system/system.hpp"
 
@@ -66,41 +64,31 @@ Image sheet_of_conventions(const Session& session, const Image& earth,
   int left = gap / 2;
   for (const PublishedMapping& mapping : published_mappings) {
     const VAxis axis = v_axis_of(mapping.convention);
-    const int right = left + half + gap;  // of two pictures side by side
-    int top = 0;
-    const auto caption = [&](std::string_view text, int column) {
-      draw_text(sheet, column, top + 2 * scale, text, {20, 20, 20}, scale);
+    SheetColumn column{.sheet = sheet, .left = left, .top = 0, .scale = scale};
+    const auto map_of = [&](int map_width, const auto& color_at) {
+      return flat_map(map_width,
+                      [&](const Vec3<double>& p) { return color_at(mapping.formula(p)); });
     };
-    const auto map_of = [&](int column, int map_width, const auto& color_at) {
-      const Image map =
-          flat_map(map_width, [&](const Vec3<double>& p) { return color_at(mapping.formula(p)); });
-      blit(sheet, map, column, top);
+    const auto pair_of = [&](const char* caption, const auto& color_at, const char* other_caption,
+                             const auto& other_color_at) {
+      SheetColumn other = column;
+      other.left += half + gap;
+      column.write(caption);
+      column.lay(map_of(half, color_at));
+      other.write(other_caption);
+      other.lay(map_of(half, other_color_at));
     };
 
-    caption(mapping.title, left);
-    top += line;
-    const int globe_height = panel * 3 / 4;
-    blit(sheet, draw_globe({{mapping.convention}, {earth, axis}}, panel, std::max(1, globe_height)),
-         left, top);
-    top += globe_height;
-
-    caption("flat: east right, north up", left);
-    top += line;
-    map_of(left, panel, ImageTexture{labels, axis});
-    top += panel / 2;
-
-    caption("u", left);
-    caption("v", right);
-    top += line;
-    map_of(left, half, [](const Uv<double>& uv) { return shade_of(uv.u); });
-    map_of(right, half, [](const Uv<double>& uv) { return shade_of(uv.v); });
-    top += half / 2;
-
-    caption("floor(u n)", left);
-    caption("(n-1) u cut off", right);
-    top += line;
-    map_of(left, half, ImageTexture{few_texels(), axis});
-    map_of(right, half, ImageTexture{few_texels(), axis, TexelRounding::lecture});
+    column.write(mapping.title);
+    column.lay(
+        draw_globe({{mapping.convention}, {earth, axis}}, panel, std::max(1, panel * 3 / 4)));
+    column.write("flat: east right, north up");
+    column.lay(map_of(panel, ImageTexture{labels, axis}));
+    pair_of(
+        "u", [](const Uv<double>& uv) { return shade_of(uv.u); }, "v",
+        [](const Uv<double>& uv) { return shade_of(uv.v); });
+    pair_of("floor(u n)", ImageTexture{few_texels(), axis}, "(n-1) u cut off",
+            ImageTexture{few_texels(), axis, TexelRounding::lecture});
     left += panel + gap;
   }
   return sheet;

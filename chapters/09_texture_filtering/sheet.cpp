@@ -8,8 +8,7 @@
 #include "engine/app/command_line.hpp"
 #include "engine/measure/plot.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/blit.hpp"
+#include "engine/picture/sheet.hpp"
 #include "engine/system/system.hpp"
 
 namespace texmap::chapter_09 {
@@ -43,10 +42,13 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
       label += text(": %.0f read%s, %.3f off", figures->reads, figures->reads > 1 ? "s" : "",
                     figures->error);
     }
-    const int left = panel % columns * (panel_width + gap);
-    const int top = panel / columns * (panel_height + line + gap);
-    draw_text(sheet, left + scale, top + 2 * scale, label, {20, 20, 20}, scale);
-    blit(sheet, draw(filter, panel_width, panel_height), left, top + line);
+    SheetColumn column{.sheet = sheet,
+                       .left = panel % columns * (panel_width + gap),
+                       .top = panel / columns * (panel_height + line + gap),
+                       .scale = scale,
+                       .indent = scale};
+    column.write(label);
+    column.lay(draw(filter, panel_width, panel_height));
     ++panel;
   }
   return sheet;

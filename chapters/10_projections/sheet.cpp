@@ -7,8 +7,7 @@
 #include <string>
 
 #include "engine/measure/text.hpp"
-#include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/blit.hpp"
+#include "engine/picture/sheet.hpp"
 #include "engine/render/convert_projection.hpp"
 #include "engine/render/render.hpp"
 #include "engine/system/system.hpp"
@@ -19,7 +18,6 @@ namespace texmap::chapter_10 {
 namespace {
 
 constexpr Rgb8 paper{255, 255, 255};
-constexpr Rgb8 ink{20, 20, 20};
 constexpr Rgb dot_color{0.15, 0.15, 0.15};
 
 /// The color of the solid angle of a texel / that of the mean: in steps of a quarter of an octave.
@@ -100,16 +98,16 @@ Image sheet_of_projections(const Session& session, const Image& picture, Project
   for (std::size_t i = 0; i < projections.size(); ++i) {
     const ProjectionFacts& facts = projections[i];
     const ClosedForms forms = closed_forms(facts.projection);
-    const int left = static_cast<int>(i % 4) * cell + gap;
-    int top = (i < 4 ? 0 : second_row) + gap;
-    const auto write = [&](const std::string& words) {
-      draw_text(sheet, left, top, words, ink, scale);
-      top += line;
-    };
-    write(facts.word);
-    write("largest texel " + bound_of(forms.largest_texel));
-    write("stretch " + bound_of(forms.worst_stretch));
-    write("seams " + text("%.0f\u00b0", seam_degrees(facts.projection)));
+    SheetColumn panel{.sheet = sheet,
+                      .left = static_cast<int>(i % 4) * cell + gap,
+                      .top = (i < 4 ? 0 : second_row) + gap,
+                      .scale = scale,
+                      .line = line,
+                      .above = 0};
+    panel.write(facts.word);
+    panel.write("largest texel " + bound_of(forms.largest_texel));
+    panel.write("stretch " + bound_of(forms.worst_stretch));
+    panel.write("seams " + text("%.0f\u00b0", seam_degrees(facts.projection)));
     const PictureSize size = converted_size(model, Projection::equirect, facts.projection);
     Image unfolded =
         convert_projection(picture, from, facts.projection, size, session.settings.threads);
@@ -123,20 +121,21 @@ Image sheet_of_projections(const Session& session, const Image& picture, Project
         }
       }
     }
-    blit(sheet, unfolded, left, top);
-    top += size.height + gap;
-    blit(sheet, distortion_picture(facts.projection, size.width, size.height), left, top);
+    panel.lay(unfolded);
+    panel.top += gap;
+    panel.lay(distortion_picture(facts.projection, size.width, size.height));
   }
 
-  const int left = 3 * cell + gap;
-  int top = second_row + gap;
-  draw_text(sheet, left, top, "circles on the globe", ink, scale);
-  draw_text(sheet, left, top + line, "blue: small texels", ink, scale);
-  draw_text(sheet, left, top + 2 * line, "red: large texels", ink, scale);
-  top += 4 * line;
+  SheetColumn key{.sheet = sheet,
+                  .left = 3 * cell + gap,
+                  .top = second_row + gap,
+                  .scale = scale,
+                  .line = line,
+                  .above = 0};
+  for (const char* words : {"circles on the globe", "blue: small texels", "red: large texels", ""})
+    key.write(words);
   const int side = std::max(1, cell - 2 * gap);
-  blit(sheet, draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side),
-       left, top);
+  key.lay(draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side));
   return sheet;
 }
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
-#include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/blit.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/picture/sheet.hpp"
 #include "engine/render/render.hpp"
 #include "published/brick_normals.hpp"
 #include "published/uv.hpp"
@@ -151,10 +151,21 @@ Image side_by_side(const Image& left, const char* left_caption, const Image& rig
   const int scale = std::max(1, left.width / 400);
   const int line = 14 * scale;
   Image sheet(left.width + right.width, left.height + line, paper);
-  blit(sheet, left, 0, line);
-  blit(sheet, right, left.width, line);
-  draw_text(sheet, 4 * scale, 3 * scale, left_caption, ink, scale);
-  draw_text(sheet, left.width + 4 * scale, 3 * scale, right_caption, ink, scale);
+  int from = 0;
+  for (const auto& [picture, caption] :
+       {std::pair(&left, left_caption), std::pair(&right, right_caption)}) {
+    SheetColumn column{.sheet = sheet,
+                       .left = from,
+                       .top = 0,
+                       .scale = scale,
+                       .line = line,
+                       .above = 3 * scale,
+                       .indent = 4 * scale,
+                       .ink = ink};
+    column.write(caption);
+    column.lay(*picture);
+    from += picture->width;
+  }
   return sheet;
 }
 
@@ -175,30 +186,32 @@ Image sheet_of_readings(int width) {
   const Image green_up = stud_normals(plate, Green::up);
   const Image green_down = stud_normals(plate, Green::down);
 
-  int top = gap;
-  const std::array<Reading, 8> columns = eight_readings(TangentRule::from_uv);
-  for (int i = 0; i < 8; ++i) {
-    const Reading& reading = columns[static_cast<std::size_t>(i)];
-    const int left = gap + i * (plate + gap);
-    draw_text(sheet, left, top, reading.green == Green::up ? "green up" : "green down", ink, scale);
-    draw_text(sheet, left, top + line, reading.v_down ? "v down" : "v up", ink, scale);
-    draw_text(sheet, left, top + 2 * line, reading.u_mirrored ? "u mirrored" : "u to the right",
-              ink, scale);
+  const auto column_at = [&](int i, int top, int above) {
+    return SheetColumn{.sheet = sheet,
+                       .left = gap + i * (plate + gap),
+                       .top = top,
+                       .scale = scale,
+                       .line = line,
+                       .above = above,
+                       .ink = ink};
+  };
+  int i = 0;
+  for (const Reading& reading : eight_readings(TangentRule::from_uv)) {
+    SheetColumn column = column_at(i++, gap, 0);
+    column.write(reading.green == Green::up ? "green up" : "green down");
+    column.write(reading.v_down ? "v down" : "v up");
+    column.write(reading.u_mirrored ? "u mirrored" : "u to the right");
   }
-  top = header;
+  int top = header;
   for (const Program& program : programs) {
-    draw_text(sheet, gap, top + scale, program.title, ink, scale);
-    const std::array<Reading, 8> readings = eight_readings(program.rule);
-    for (int i = 0; i < 8; ++i) {
-      const Reading& reading = readings[static_cast<std::size_t>(i)];
-      const int left = gap + i * (plate + gap);
-      blit(sheet, draw_plate(reading, reading.green == Green::up ? green_up : green_down, plate),
-           left, top + line);
+    column_at(0, top, scale).write(program.title);
+    i = 0;
+    for (const Reading& reading : eight_readings(program.rule)) {
+      SheetColumn column = column_at(i++, top + line, scale);
+      column.lay(draw_plate(reading, reading.green == Green::up ? green_up : green_down, plate));
       const Verdict verdict = verdict_of(reading);
-      draw_text(sheet, left, top + line + plate + scale, verdict.word(),
-                verdict.bump ? bump_ink : dent_ink, scale);
-      if (!verdict.surface)
-        draw_text(sheet, left, top + 2 * line + plate + scale, "no surface", dent_ink, scale);
+      column.write(verdict.word(), verdict.bump ? bump_ink : dent_ink);
+      if (!verdict.surface) column.write("no surface", dent_ink);
     }
     top += block;
   }

@@ -256,25 +256,43 @@ void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
   compare_bytes(picture_of(globe, view, row.variant, 0), reference, row);
 }
 
-/// States how far off a row's levels can be, and compares them before they are bytes: `levels` has
-/// each pixel's red, green and blue, and then those of the reference. A pixel may change if the
-/// bound takes a level of the reference across an edge between two bytes.
-void compare_levels(Row& row, const std::vector<std::array<double, 6>>& levels) {
+/// States how far off a row's levels can be, and compares them before they are bytes: each pixel's
+/// red, green and blue. A pixel may change if the bound takes a level of the reference across an
+/// edge between two bytes.
+void compare_levels(Row& row, const std::vector<double>& levels,
+                    const std::vector<double>& reference) {
   row.bound = unrounded_bound(row.variant, row.samples);
   row.levels_bound = rounded_bound(row.bound);
-  for (const auto& pixel : levels) {
-    bool may_change = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double reference = pixel[i + 3];
-      const double off = std::abs(pixel[i] - reference);
-      row.worst = std::max(row.worst, off);
-      row.mean += off;
-      may_change = may_change || std::floor(reference - row.bound + 0.5) <
-                                     std::floor(reference + row.bound + 0.5);
-    }
+  bool may_change = false;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double off = std::abs(levels[i] - reference[i]);
+    row.worst = std::max(row.worst, off);
+    row.mean += off;
+    may_change = may_change || std::floor(reference[i] - row.bound + 0.5) <
+                                   std::floor(reference[i] + row.bound + 0.5);
+    if (i % 3 != 2) continue;
     row.may_change += may_change ? 1 : 0;
+    may_change = false;
   }
-  row.mean /= 3 * static_cast<double>(levels.size());
+  row.mean /= static_cast<double>(levels.size());
+}
+
+/// The levels of a picture with one ray per pixel, before they are rounded to bytes.
+std::vector<double> unrounded_levels(const Globe& globe, const View<>& view,
+                                     const Variant& variant) {
+  const OneRayScene scene = scene_of(globe, variant);
+  std::vector<double> levels;
+  with_real(variant.number, [&]<class Real>(std::type_identity<Real>) {
+    const auto levels_along = [&](const Ray<Real>& ray) {
+      const Color<Real> light = scene.color_along(ray);
+      return std::array{scene.level_of_light(light.r), scene.level_of_light(light.g),
+                        scene.level_of_light(light.b)};
+    };
+    for_each_pixel<Real>(view, levels_along, [&](std::size_t, const auto& at) {
+      for (std::size_t k = 0; k < 3; ++k) levels.push_back(static_cast<double>(at(k)));
+    });
+  });
+  return levels;
 }
 
 /// The reference is the exact curve of the texels' bytes, drawn with the same number: where a place
@@ -285,26 +303,20 @@ void find_errors_of_light(Row& row, const Globe& globe, const View<>& view) {
   Variant exact = variant;
   exact.curve = Curve::exact;
   exact.format = TexelFormat::bytes;
-  const std::array scenes = {scene_of(globe, variant), scene_of(globe, exact)};
-  std::vector<std::array<double, 6>> levels;
-  with_real(variant.number, [&]<class Real>(std::type_identity<Real>) {
-    const auto levels_along = [&](const Ray<Real>& ray) {
-      std::array<Real, 6> both;
-      for (std::size_t i = 0; i < 2; ++i) {
-        const Color<Real> light = scenes[i].color_along(ray);
-        both[3 * i] = scenes[i].level_of_light(light.r);
-        both[3 * i + 1] = scenes[i].level_of_light(light.g);
-        both[3 * i + 2] = scenes[i].level_of_light(light.b);
-      }
-      return both;
-    };
-    for_each_pixel<Real>(view, levels_along, [&](std::size_t, const auto& at) {
-      std::array<double, 6>& pixel = levels.emplace_back();
-      for (std::size_t k = 0; k < 6; ++k) pixel[k] = static_cast<double>(at(k));
-    });
-  });
-  compare_levels(row, levels);
+  compare_levels(row, unrounded_levels(globe, view, variant), unrounded_levels(globe, view, exact));
   compare_bytes(picture_of(globe, view, variant, 0), picture_of(globe, view, exact, 0), row);
+}
+
+/// The same of the mean of many rays.
+void find_errors_of_samples(Row& row, const Globe& globe, const View<>& view, std::uint32_t seed,
+                            int threads) {
+  const Sampler sampler(row.sampler, row.samples, seed);
+  Variant of_bytes = row.variant;
+  of_bytes.format = TexelFormat::bytes;
+  const Film film = sampled(globe, view, row.variant, sampler, threads);
+  const Film reference = sampled(globe, view, of_bytes, sampler, threads);
+  compare_levels(row, levels_of(film), levels_of(reference));
+  compare_bytes(develop(film, Transfer::srgb), develop(reference, Transfer::srgb), row);
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -454,31 +466,14 @@ void compare_bytes(const Image& image, const Image& reference, Row& row) {
   }
 }
 
-void find_errors_of_samples(Row& row, const Globe& globe, const View<>& view, std::uint32_t seed,
-                            int threads) {
-  const Sampler sampler(row.sampler, row.samples, seed);
-  Variant of_bytes = row.variant;
-  of_bytes.format = TexelFormat::bytes;
-  const Film film = sampled(globe, view, row.variant, sampler, threads);
-  const Film reference = sampled(globe, view, of_bytes, sampler, threads);
-  const std::vector<double> seen = levels_of(film);
-  const std::vector<double> right = levels_of(reference);
-  std::vector<std::array<double, 6>> levels;
-  for (std::size_t i = 0; i < seen.size(); i += 3) {
-    levels.push_back({seen[i], seen[i + 1], seen[i + 2], right[i], right[i + 1], right[i + 2]});
-  }
-  compare_levels(row, levels);
-  compare_bytes(develop(film, Transfer::srgb), develop(reference, Transfer::srgb), row);
-}
-
 void find_errors(std::span<Row> rows, const Globe& globe, const View<>& view, int threads,
-                 const Tick& tick) {
+                 const Tick& tick, std::uint32_t seed) {
   const Part part = rows.front().part;
   if (part == Part::places) return find_errors_of_places(rows, globe, view, tick);
   if (part == Part::samplers) return find_errors_of_samplers(rows, globe, threads, tick);
   for (Row& row : rows) {
     if (part == Part::curves) find_errors_of_light(row, globe, view);
-    if (part == Part::formats) find_errors_of_samples(row, globe, noise_view(globe, 0), 0, threads);
+    if (part == Part::formats) find_errors_of_samples(row, globe, view, seed, threads);
     tick();
   }
 }

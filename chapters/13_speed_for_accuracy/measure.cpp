@@ -1,5 +1,6 @@
 // Which ways are tried, how long they take, how far a run is, and which way is best.
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "09_texture_filtering/comparison.hpp"
@@ -61,7 +62,7 @@ std::span<const Row> Measurements::of(Part part) const {
 Rows Measurements::some_of(Part part, const std::function<bool(const Row&)>& may_be) const {
   Rows some;
   for (const Row& row : of(part)) {
-    if (may_be(row)) some.push_back(&row);
+    if (!may_be || may_be(row)) some.push_back(&row);
   }
   return some;
 }
@@ -170,34 +171,29 @@ WorkTime time_alone(const Globe& globe, const View<>& view) {
   return work_times(work, rounds_within(200, work, 7, 100)).front();
 }
 
-bool agree(const WorkTime& a, const WorkTime& b) {
-  const double longer = std::max(a.processor, b.processor);
-  return longer < 1 || longer <= 1.25 * std::min(a.processor, b.processor);
+std::string disagreement(const WorkTime& alone, const WorkTime& among) {
+  const auto [shorter, longer] = std::minmax(alone.processor, among.processor);
+  if (longer < 1 || longer <= 1.25 * shorter) return "";
+  return text(
+      "plain double took %.1f ms for a picture before packs were timed, and %.1f ms among "
+      "them. Every ratio would be wrong, so none is shown. Either this machine changed its "
+      "speed meanwhile: run again when nothing else runs. Or packs leave the processor in a "
+      "state that slows plain numbers: with --instructions baseline both times are then equal",
+      alone.processor, among.processor);
 }
 
-void require_agreement(const WorkTime& alone, const WorkTime& among) {
-  if (agree(alone, among)) return;
-  throw std::runtime_error(
-      text("plain double took %.1f ms for a picture before packs were timed, and %.1f ms among "
-           "them. Every ratio would be wrong, so none is shown. Either this machine changed its "
-           "speed meanwhile: run again when nothing else runs. Or packs leave the processor in a "
-           "state that slows plain numbers: with --instructions baseline both times are then equal",
-           alone.processor, among.processor));
-}
-
-void time_rows_beside(const WorkTime& alone, std::span<Row> rows, const Globe& globe,
-                      const View<>& view, Timing& timing) {
-  WorkTime base = alone;
+void time_rows_beside(WorkTime alone, std::span<Row> rows, const Globe& globe, const View<>& view,
+                      Timing& timing) {
   const auto first = timing.done.size();
   for (int attempt = 0; attempt < 3; ++attempt) {
     timing.done.resize(first);
     time_rows(rows, globe, view, timing);
-    if (agree(base, rows[0].took)) return;
+    if (disagreement(alone, rows[0].took).empty()) return;
     // The machine may have been slow at the start. What wide code does to plain numbers lasts.
-    base.processor = std::min(base.processor, time_alone(globe, view).processor);
-    if (agree(base, rows[0].took)) return;
+    alone.processor = std::min(alone.processor, time_alone(globe, view).processor);
+    if (disagreement(alone, rows[0].took).empty()) return;
   }
-  require_agreement(base, rows[0].took);
+  throw std::runtime_error(disagreement(alone, rows[0].took));
 }
 
 void measure_other_chapters(Measurements& all, int threads, Timing& timing) {
@@ -213,7 +209,6 @@ void measure_other_chapters(Measurements& all, int threads, Timing& timing) {
                         .own_error = one.own_error,
                         .took = {one.nanoseconds, one.nanoseconds, one.spread}});
   }
-
   chapter_12::SkyComparison skies = chapter_12::compare_skies(threads, timing.tick);
   skies.note_times(
       timed_alternately(skies.works, noise_rounds(timing.rounds), skies.works.size(), timing));
@@ -260,32 +255,28 @@ double rays_of(const Measurements& all) {
   double rays = all.other_rays + 1.0 * noise_width * noise_height * noise_views * converged_samples;
   for (const Row& row : all.rows) {
     if (row.part >= Part::filters) break;
-    // One for its errors and one before timing, too.
-    const double runs = all.rounds[static_cast<std::size_t>(row.part)].timed + 2.0;
-    const double more = row.part == Part::samplers  ? noise_views - 1
-                        : row.part == Part::formats ? 1
-                                                    : 0;  // its reference
     const double pixels =
         has_many_rays(row.part) ? noise_width * noise_height : 1.0 * all.width * all.height;
-    rays += pixels * row.samples * (runs + more);
+    // Before timing there is one, too, and for the errors one or those of all views.
+    const int others = 1 + (row.part == Part::samplers ? noise_views : 1);
+    rays += pixels * row.samples * (all.rounds[static_cast<std::size_t>(row.part)].timed + others);
   }
   return rays;
 }
 
-Ticks::Ticks(std::vector<Phase> phases) : phases_(std::move(phases)) {
-  for (const Phase& phase : phases_) total_ += phase.parts;
-}
-
 void Ticks::operator()(const RenderSettings& settings) {
-  done_ = std::min(done_ + 1, total_);
-  if (settings.progress) settings.progress(static_cast<int>(done_), static_cast<int>(total_));
+  const std::size_t total =
+      std::accumulate(phases.begin(), phases.end(), std::size_t(0),
+                      [](std::size_t sum, const Phase& phase) { return sum + phase.parts; });
+  done = std::min(done + 1, total);
+  if (settings.progress) settings.progress(static_cast<int>(done), static_cast<int>(total));
 }
 
 std::string Ticks::remark() const {
   std::size_t before = 0;
-  for (const Phase& phase : phases_) {
+  for (const Phase& phase : phases) {
     before += phase.parts;
-    if (done_ < before) return std::string(", ") + phase.name;
+    if (done < before) return std::string(", ") + phase.name;
   }
   return "";
 }

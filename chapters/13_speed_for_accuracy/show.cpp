@@ -4,9 +4,8 @@
 #include "engine/app/budget_options.hpp"
 #include "engine/compare/difference_map.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/blit.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/picture/sheet.hpp"
 #include "engine/render/develop.hpp"
 #include "engine/system/system.hpp"
 #include "lesson.hpp"
@@ -24,14 +23,9 @@ struct SheetLayout {
         gap(std::max(1, width / 120)),
         panel_width(std::max(1, width / 4 - gap)),
         panel_height(std::max(1, (height - 2 * line) / 4 - 3 * line - gap)) {}
-  [[nodiscard]] int left(int panel) const { return gap / 2 + panel % 4 * (panel_width + gap); }
-  [[nodiscard]] int top(int panel) const {
-    return 2 * line + gap / 2 + panel / 4 * (panel_height + 3 * line + gap);
-  }
 };
 
 constexpr Rgb8 black{0, 0, 0};
-constexpr Rgb8 dark_gray{70, 70, 70};
 
 /// Where two pictures differ, in the colors of `compare`'s maps.
 ///
@@ -65,46 +59,45 @@ std::string seen(const Row& errors) {
 }
 
 /// A sheet that fills panel by panel.
-class Sheet {
- public:
-  Sheet(int width, int height, const Tick& tick)
-      : image(width, height, {255, 255, 255}), layout_(width, height), tick_(tick) {}
+struct Sheet : SheetLayout {
+  Image image;
+  const Tick& tick;
+  int panels = 0;
 
-  /// Adds a picture with three lines of text.
-  void add(const Image& picture, const std::string& name, const std::string& second,
-           const std::string& third) {
-    const int left = layout_.left(panel_);
-    const int top = layout_.top(panel_++);
-    const int under = top + layout_.panel_height + 2 * layout_.scale;
-    blit(image, picture, left, top);
-    draw_text(image, left, under, name, black, layout_.scale);
-    draw_text(image, left, under + layout_.line, second, dark_gray, layout_.scale);
-    draw_text(image, left, under + 2 * layout_.line, third, dark_gray, layout_.scale);
-    tick_();
+  Sheet(int width, int height, const Tick& after_each)
+      : SheetLayout(width, height), image(width, height, {255, 255, 255}), tick(after_each) {}
+
+  /// Adds a picture with up to three lines of text.
+  void add(const Image& picture, const std::string& name,
+           const std::vector<std::string>& more = {}) {
+    SheetColumn column{.sheet = image,
+                       .left = gap / 2 + panels % 4 * (panel_width + gap),
+                       .top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap),
+                       .scale = scale,
+                       .line = line,
+                       .ink = {70, 70, 70}};
+    column.lay(picture);
+    column.write(name, black);
+    for (const std::string& words : more) column.write(words);
+    ++panels;
+    tick();
   }
   /// Writes above all panels what the colors mean.
   void add_legend() {
-    int left = layout_.gap / 2;
-    const int top = layout_.line / 2;
+    int left = gap / 2;
+    const int top = line / 2;
     const auto write = [&](const std::string& words) {
-      draw_text(image, left, top, words, black, layout_.scale);
-      left += text_width(words, layout_.scale) + layout_.line;
+      draw_text(image, left, top, words, black, scale);
+      left += text_width(words, scale) + line;
     };
     write(
         "Differences in levels of 255; in the upper two rows a changed pixel is drawn three wide:");
     for (const int levels : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
-      blit(image, Image(layout_.line, 7 * layout_.scale, difference_color(levels)), left, top);
-      left += layout_.line + 2 * layout_.scale;
+      blit(image, Image(line, 7 * scale, difference_color(levels)), left, top);
+      left += line + 2 * scale;
       write(std::to_string(levels));
     }
   }
-
-  Image image;
-
- private:
-  SheetLayout layout_;
-  const Tick& tick_;
-  int panel_ = 0;
 };
 
 /// The picture, and what numbers and kernels change in it.
@@ -113,8 +106,8 @@ void add_places(Sheet& sheet, const Globe& globe, const View<>& view, Filter fil
   const Image reference = reference_picture(globe, view, filter, threads);
   const Image& texture = globe.nearest.image;
   sheet.add(reference, nearest ? "nearest texel, extended" : "bilinear filter, extended",
-            text("the picture, %d x %d pixels", reference.width, reference.height),
-            text("of a texture of %d x %d", texture.width, texture.height));
+            {text("the picture, %d x %d pixels", reference.width, reference.height),
+             text("of a texture of %d x %d", texture.width, texture.height)});
   for (const auto& [number, degree] :
        {std::pair{NumberKind::float_, nearest ? 0 : 5},
         std::pair{NumberKind::float_, nearest ? 5 : 9},
@@ -124,21 +117,21 @@ void add_places(Sheet& sheet, const Globe& globe, const View<>& view, Filter fil
     sheet.add(differences(picture_of(globe, view, row.variant, threads), reference, 1),
               std::string(name_of(number)) +
                   (degree == 0 ? ", reference formula" : ", " + name_of_kernel(degree)),
-              seen(row), text("%.1e texels off, at most %.1e", row.worst, row.bound));
+              {seen(row), text("%.1e texels off, at most %.1e", row.worst, row.bound)});
   }
 }
 
 /// The picture under the sky, and what shorter curves change in it.
 void add_curves(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
   const Image reference = picture_of(globe, view, {.curve = Curve::exact}, threads);
-  sheet.add(reference, "under the sky's light, sRGB exact", "one ray a pixel", "");
+  sheet.add(reference, "under the sky's light, sRGB exact", {"one ray a pixel"});
   for (const Curve curve : {Curve::four, Curve::three}) {
     const Image image = picture_of(globe, view, {.curve = curve}, threads);
     Row row{Part::curves};
     compare_bytes(image, reference, row);
     const int bound = rounded_bound(unrounded_bound({.curve = curve}));
-    sheet.add(differences(image, reference, 0), std::string("sRGB by ") + name_of(curve), seen(row),
-              text("at most %d level%s", bound, bound > 1 ? "s" : ""));
+    sheet.add(differences(image, reference, 0), std::string("sRGB by ") + name_of(curve),
+              {seen(row), text("at most %d level%s", bound, bound > 1 ? "s" : "")});
   }
 }
 
@@ -148,13 +141,13 @@ void add_samplers(Sheet& sheet, const Globe& globe, const View<>& view, int thre
   const Film converged =
       sampled(globe, view, variant, Sampler(SamplerKind::sobol, 256, 1), threads);
   const Image smooth = develop(converged, Transfer::srgb);
-  sheet.add(smooth, "sobol, 256 rays a pixel", "what all samplers go to", "");
+  sheet.add(smooth, "sobol, 256 rays a pixel", {"what all samplers go to"});
   for (const SamplerKind kind : sampler_kinds) {
     const Film film = sampled(globe, view, variant, Sampler(kind, 16), threads);
     const double off = rms_difference(levels_of(film), levels_of(converged));
     sheet.add(differences(develop(film, Transfer::srgb), smooth, 0),
               std::string(name_of(kind)) + ", 16 rays a pixel",
-              text("%.2f levels off, root mean square", off), "");
+              {text("%.2f levels off, root mean square", off)});
   }
 }
 
@@ -200,7 +193,7 @@ void Lesson::draw_all(Session& session) {
   const View<> view = view_of_sheet(globe, settings.width, settings.height);
 
   Measurements all;
-  Ticks ticks(phases_of(rounds, widest));
+  Ticks ticks{phases_of(rounds, widest)};
   session.remark = [&ticks] { return ticks.remark(); };
   (void)session.timed(0, [&](const RenderSettings& render) {
     all = measure(globe, view, render.threads, [&] { ticks(render); });

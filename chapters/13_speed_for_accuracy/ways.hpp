@@ -85,8 +85,8 @@ struct Measurements {
   void add(const std::vector<Row>& more) { rows.insert(rows.end(), more.begin(), more.end()); }
   [[nodiscard]] std::span<Row> of(Part part);
   [[nodiscard]] std::span<const Row> of(Part part) const;
-  /// Those of a part that `may_be` is true of.
-  [[nodiscard]] Rows some_of(Part part, const std::function<bool(const Row&)>& may_be) const;
+  /// Those of a part that `may_be` is true of; all of it without one.
+  [[nodiscard]] Rows some_of(Part part, const std::function<bool(const Row&)>& may_be = {}) const;
 };
 
 // Which ways are tried.
@@ -161,15 +161,13 @@ void compare_bytes(const Image& image, const Image& reference, Row& row);
 using Tick = std::function<void()>;
 
 /// Fills in the errors of the rows of one part, which may be a few of them. Of places that differ
-/// in their instructions alone the first is drawn.
+/// in their instructions alone the first is drawn. The reference of texel formats is of bytes, with
+/// the same samples.
 ///
-/// @param view  of places and curves; the others have noise_views
+/// @param view  of all but samplers, which have noise_views
+/// @param seed  of the rays of texel formats
 void find_errors(std::span<Row> rows, const Globe& globe, const View<>& view, int threads,
-                 const Tick& tick);
-/// The errors of a row of the texel formats in some view, by some seed. The reference is of bytes,
-/// with the same samples.
-void find_errors_of_samples(Row& row, const Globe& globe, const View<>& view, std::uint32_t seed,
-                            int threads);
+                 const Tick& tick, std::uint32_t seed = 0);
 
 // How long they take (measure.cpp).
 
@@ -186,17 +184,15 @@ void time_rows(std::span<Row> rows, const Globe& globe, const View<>& view, Timi
 
 /// What plain double takes when nothing else is timed.
 [[nodiscard]] WorkTime time_alone(const Globe& globe, const View<>& view);
-/// True if two times of one work could be the same on a busy machine: within a quarter. Those below
-/// a millisecond depend on what the caches hold, and say nothing.
-[[nodiscard]] bool agree(const WorkTime& a, const WorkTime& b);
-/// Errors: std::runtime_error if plain double alone and among others do not: every ratio would be
-/// wrong.
-void require_agreement(const WorkTime& alone, const WorkTime& among);
+/// Says that every ratio would be wrong; nothing if two times of plain double, alone and among
+/// others, could be the same on a busy machine: within a quarter. Those below a millisecond depend
+/// on what the caches hold, and say nothing.
+[[nodiscard]] std::string disagreement(const WorkTime& alone, const WorkTime& among);
 /// The same as time_rows, and a check of it: the first row, plain double, must take as long among
 /// the others as it took `alone` before any wide instructions ran in this process.
-/// Errors: those of require_agreement, after three timings.
-void time_rows_beside(const WorkTime& alone, std::span<Row> rows, const Globe& globe,
-                      const View<>& view, Timing& timing);
+/// Errors: std::runtime_error with the disagreement, after three timings.
+void time_rows_beside(WorkTime alone, std::span<Row> rows, const Globe& globe, const View<>& view,
+                      Timing& timing);
 
 /// Adds the rows of filters and skies, as chapters 09 and 12 measure them: errors first, which
 /// depend neither on the clock nor on the threads, then times.
@@ -209,20 +205,17 @@ struct Phase {
 };
 /// All of a run, in their order.
 [[nodiscard]] std::vector<Phase> phases_of(int rounds, Instructions widest);
-/// How many rays a whole run follows, without those of the sheet.
+/// About how many rays a whole run follows, without those of the sheet.
 [[nodiscard]] double rays_of(const Measurements& all);
 
 /// Counts the parts of a run that are done, for its progress line.
-class Ticks {
- public:
-  explicit Ticks(std::vector<Phase> phases);
+struct Ticks {
+  std::vector<Phase> phases;
+  std::size_t done = 0;
+
   void operator()(const RenderSettings& settings);
   /// What the line says at its end: the phase of the next part, nothing if all are done.
   [[nodiscard]] std::string remark() const;
-
- private:
-  std::vector<Phase> phases_;
-  std::size_t total_ = 0, done_ = 0;
 };
 
 // Which is best.
@@ -260,19 +253,31 @@ inline constexpr double quiet_spread = 1.1;
 /// A row's text that does not depend on the clock: the left part of a filter's, the right half of
 /// the others'. Of a way under a sky: all its samples.
 [[nodiscard]] std::string errors_text(const Measurements& all, const Row& row);
-/// A variant's texels and curve as two columns.
-[[nodiscard]] std::string columns_of_light(const Variant& variant);
 /// The machine as it is now, how this chapter was compiled, and the packs up to `widest`.
 [[nodiscard]] Machine measuring_machine(Instructions widest);
+
+inline const char* name_of(SamplerKind kind) {
+  return std::array{"random", "stratified", "multi-jitter",
+                    "sobol"}[static_cast<std::size_t>(kind)];
+}
+inline const char* name_of(Filter filter) {
+  return filter == Filter::nearest ? "nearest" : "bilinear";
+}
+inline const char* name_of(TexelFormat format) {
+  return format == TexelFormat::roots ? "roots" : "bytes";
+}
+inline const char* name_of(Curve curve) {
+  return std::array{"none", "power", "exact", "4 terms",
+                    "3 terms"}[static_cast<std::size_t>(curve)];
+}
+inline std::string name_of_kernel(int degree) {
+  return degree == 0 ? "reference" : "degree " + std::to_string(degree);
+}
 /// What a variant calculates with, such as: float-pack of avx2.
 [[nodiscard]] std::string described_number(const Variant& variant);
-/// Its texels and its curve, such as: roots, 4 terms.
+/// Its texels and its curve, such as: roots, 4 terms; and as two columns of a table.
 [[nodiscard]] std::string described_light(const Variant& variant);
-[[nodiscard]] const char* name_of(SamplerKind kind);
-[[nodiscard]] const char* name_of(Filter filter);
-[[nodiscard]] const char* name_of(TexelFormat format);
-[[nodiscard]] const char* name_of(Curve curve);
-[[nodiscard]] std::string name_of_kernel(int degree);
+[[nodiscard]] std::string columns_of_light(const Variant& variant);
 /// The skies' names, in their order.
 [[nodiscard]] std::vector<std::string> skies_of(const Measurements& all);
 

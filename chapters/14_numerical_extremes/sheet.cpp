@@ -6,8 +6,7 @@
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/picture/bitmap_font.hpp"
-#include "engine/picture/blit.hpp"
+#include "engine/picture/sheet.hpp"
 #include "engine/render/threads.hpp"
 #include "engine/system/system.hpp"
 
@@ -79,8 +78,6 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
                   const SheetLayout& layout) {
   const int index = static_cast<int>(sheet.mistakes.size());
   sheet.mistakes.emplace_back();
-  draw_text(sheet.picture, layout.left(index, 0), layout.top(index) + 2 * layout.scale,
-            exhibit.caption, {0, 0, 0}, layout.scale);
   for (std::size_t variant = 0; variant < reference; ++variant) {
     const Mistakes mistakes = mistakes_of(panels[variant], panels[reference]);
     sheet.mistakes.back()[variant] = mistakes;
@@ -93,15 +90,18 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
     sheet.table += text("%9d%8d%9s%s", mistakes.wrong, mistakes.missed, texels.c_str(),
                         first_of_line ? " " : "\n");
 
-    const int left = layout.left(index, static_cast<int>(variant));
-    const int top = layout.top(index) + layout.line;
-    const int below = top + layout.panel_height + 2 * layout.scale;
-    blit(sheet.picture, panels[variant].image, left, top);
-    draw_text(sheet.picture, left, below, variant_names[variant], {70, 70, 70}, layout.scale);
-    draw_text(
-        sheet.picture, left, below + layout.line,
+    SheetColumn column{.sheet = sheet.picture,
+                       .left = layout.left(index, static_cast<int>(variant)),
+                       .top = layout.top(index),
+                       .scale = layout.scale,
+                       .line = layout.line,
+                       .ink = {70, 70, 70}};
+    column.write(variant == 0 ? exhibit.caption : "", {0, 0, 0});
+    column.lay(panels[variant].image);
+    column.write(variant_names[variant]);
+    column.write(
         std::to_string(mistakes.wrong) + " wrong" + (texels != "-" ? ", " + texels + " tx" : ""),
-        mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20}, layout.scale);
+        mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20});
   }
 }
 
