@@ -6,8 +6,6 @@ foreach(suite
     number/test_interval
     number/test_pack
     number/test_pack_fallback
-    number/test_pack2
-    number/test_pack2_fallback
     number/test_pack_u32
     number/test_pack_u32_fallback
     engine/kernels/test_kernel_plan

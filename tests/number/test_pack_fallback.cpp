@@ -1,3 +1,3 @@
-// The tests of pack.hpp where xsimd is not installed: packs are arrays.
+// The tests of pack.hpp and pack2.hpp where xsimd is not installed: packs are arrays.
 #undef TEXMAP_HAVE_XSIMD
 #include "number/test_pack.cpp"
