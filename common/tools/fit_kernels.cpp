@@ -289,7 +289,6 @@ const std::vector<Family> families = {
       {5, "2"},
       {6, "2"},
       {7, "2"},
-      {8, "2"},
       {9, "2"},
       {10, "2"},
       {11, "2"},
@@ -336,17 +335,17 @@ std::string coefficients() {
     out << "\n" << family.comment << "template <int Terms>\nstruct " << family.name << ";\n";
     for (const auto& [count, rounding] : family.sizes) {
       const Fit fit = best(family.problem, count);
-      out << "template <>\nstruct " << family.name << "<" << count
+      out << "template <> struct " << family.name << "<" << count
           << "> {\n  static constexpr double worst = " << shown_bound(fit.worst)
-          << ";\n  static constexpr double rounding = " << rounding
-          << ";\n  static constexpr std::array<long double, " << count << "> powers = {\n";
+          << ", rounding = " << rounding << ";\n  static constexpr std::array<long double, "
+          << count << "> powers = {\n";
       for (std::size_t i = 0; i < count; ++i) {
-        const bool ends_line = i % 3 == 2 || i + 1 == count;
         out << (i % 3 == 0 ? "      " : " ")
-            << shown(fit.powers[i], std::numeric_limits<Wide>::max_digits10) << "L,"
-            << (ends_line ? "\n" : "");
+            << shown(fit.powers[i], std::numeric_limits<Wide>::max_digits10) << "L"
+            << (i + 1 == count ? "};\n};\n"
+                : i % 3 == 2   ? ",\n"
+                               : ",");
       }
-      out << "  };\n};\n";
     }
   }
   out << "\n}  // namespace texmap::fits\n// clang-format on\n";

@@ -515,6 +515,8 @@ class Tries:
         for left in folder.glob('.texmap-*'):  # a draft may stay
             left.unlink()
         self.only(folder, 'out.png')
+        for left in folder.glob('.*'):
+            left.unlink()
         return is_new
 
     # Many at once

@@ -2,7 +2,6 @@
 #include "engine/compare/difference.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -11,7 +10,6 @@
 #include <vector>
 
 #include "engine/compare/ssim.hpp"
-#include "engine/render/threads.hpp"
 
 namespace texmap {
 namespace {
@@ -19,21 +17,6 @@ namespace {
 std::string size_of(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
-
-/// Exact sums: at most 3 * 2^26 squares of 255.
-struct Sums {
-  std::uint64_t absolute = 0, squared = 0, of_a = 0, of_b = 0;
-
-  void add(Rgb8 p, Rgb8 q) {
-    for (const auto channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
-      const auto apart = static_cast<std::uint64_t>(std::abs(p.*channel - q.*channel));
-      absolute += apart;
-      squared += apart * apart;
-      of_a += p.*channel;
-      of_b += q.*channel;
-    }
-  }
-};
 
 /// A mean of the compared values. Rows come in any order, and are summed in theirs: the same bits
 /// with any number of threads, and small rounding errors.
@@ -76,48 +59,6 @@ double mean_ssim(const Image& a, const Image& b, const Image& mask) {
   return inside.count() > 0 ? inside.value() : all.value();
 }
 
-/// What the pixels of some rows say. All of it is whole numbers, so the parts make the same whole
-/// on any number of threads.
-struct Part {
-  Sums sums;
-  std::array<std::size_t, 256> pixels_by_levels{};
-  int left = 0, right = -1, top = 0, bottom = -1;
-  WorstPixel worst;
-
-  void add(const Image& a, const Image& b, const Image& mask, int row) {
-    for (int column = 0; column < a.width; ++column) {
-      if (!is_compared(mask, column, row)) continue;
-      const Rgb8 p = a.at(column, row);
-      const Rgb8 q = b.at(column, row);
-      sums.add(p, q);
-      const int levels = channel_difference(p, q);
-      ++pixels_by_levels[static_cast<std::size_t>(levels)];
-      if (levels == 0) continue;
-      if (right < 0) left = column;
-      if (bottom < 0) top = row;
-      left = std::min(left, column);
-      right = std::max(right, column);
-      bottom = row;
-      if (levels > worst.levels) worst = {column, row, levels, p, q};
-    }
-  }
-  /// Adds rows that come later.
-  void add(const Part& later) {
-    sums.absolute += later.sums.absolute;
-    sums.squared += later.sums.squared;
-    sums.of_a += later.sums.of_a;
-    sums.of_b += later.sums.of_b;
-    for (std::size_t i = 0; i < pixels_by_levels.size(); ++i)
-      pixels_by_levels[i] += later.pixels_by_levels[i];
-    if (later.right < 0) return;
-    left = right < 0 ? later.left : std::min(left, later.left);
-    if (bottom < 0) top = later.top;
-    right = std::max(right, later.right);
-    bottom = later.bottom;
-    if (later.worst.levels > worst.levels) worst = later.worst;
-  }
-};
-
 /// `b` with the pixels of `a` where the mask is black.
 Image with_left_out_equal(const Image& a, const Image& b, const Image& mask) {
   Image result = b;
@@ -157,20 +98,31 @@ Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail
   figures.width = a.width;
   figures.height = a.height;
 
-  // One pass over the pixels.
-  constexpr int rows_of_a_part = 64;
-  std::vector<Part> parts(static_cast<std::size_t>((a.height - 1) / rows_of_a_part) + 1);
-  for_each_row(static_cast<int>(parts.size()), 0, {}, [&](int i) {
-    Part part;
-    for (int k = 0; k < rows_of_a_part && i * rows_of_a_part + k < a.height; ++k)
-      part.add(a, b, mask, i * rows_of_a_part + k);
-    parts[static_cast<std::size_t>(i)] = part;
-  });
-  Part all;
-  for (const Part& part : parts) all.add(part);
-  const Sums& sums = all.sums;
-  figures.pixels_by_levels = all.pixels_by_levels;
-  figures.worst = all.worst;
+  // One pass over the pixels. The sums are exact: at most 3 * 2^26 squares of 255.
+  std::uint64_t absolute = 0, squared = 0, of_a = 0, of_b = 0;
+  int left = a.width, right = -1, top = a.height, bottom = -1;
+  for (int row = 0; row < a.height; ++row) {
+    for (int column = 0; column < a.width; ++column) {
+      if (!is_compared(mask, column, row)) continue;
+      const Rgb8 p = a.at(column, row);
+      const Rgb8 q = b.at(column, row);
+      for (const auto channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
+        const auto apart = static_cast<std::uint64_t>(std::abs(p.*channel - q.*channel));
+        absolute += apart;
+        squared += apart * apart;
+        of_a += p.*channel;
+        of_b += q.*channel;
+      }
+      const int levels = channel_difference(p, q);
+      ++figures.pixels_by_levels[static_cast<std::size_t>(levels)];
+      if (levels == 0) continue;
+      left = std::min(left, column);
+      right = std::max(right, column);
+      top = std::min(top, row);
+      bottom = row;
+      if (levels > figures.worst.levels) figures.worst = {column, row, levels, p, q};
+    }
+  }
   for (const std::size_t pixels : figures.pixels_by_levels) figures.pixels_compared += pixels;
   if (figures.pixels_compared == 0) throw DifferenceError("the mask leaves out every pixel");
 
@@ -178,15 +130,15 @@ Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail
   const auto pixels = static_cast<double>(figures.pixels_compared);
   figures.pixels_different = pixels_off_by_more_than(figures, 0);
   figures.share_different = static_cast<double>(figures.pixels_different) / pixels;
-  figures.mean_absolute_error = static_cast<double>(sums.absolute) / (3 * pixels);
-  figures.root_mean_square_error = std::sqrt(static_cast<double>(sums.squared) / (3 * pixels));
-  figures.mean_a = static_cast<double>(sums.of_a) / (3 * pixels);
-  figures.mean_b = static_cast<double>(sums.of_b) / (3 * pixels);
+  figures.mean_absolute_error = static_cast<double>(absolute) / (3 * pixels);
+  figures.root_mean_square_error = std::sqrt(static_cast<double>(squared) / (3 * pixels));
+  figures.mean_a = static_cast<double>(of_a) / (3 * pixels);
+  figures.mean_b = static_cast<double>(of_b) / (3 * pixels);
   figures.peak_signal_to_noise = std::numeric_limits<double>::infinity();
   if (figures.pixels_different == 0) return figures;  // with SSIM 1
 
   figures.peak_signal_to_noise = 20 * std::log10(255 / figures.root_mean_square_error);
-  figures.box = {all.left, all.top, all.right - all.left + 1, all.bottom - all.top + 1};
+  figures.box = {left, top, right - left + 1, bottom - top + 1};
   figures.structural_similarity = std::numeric_limits<double>::quiet_NaN();
   if (detail == Detail::pixels) return figures;
   figures.structural_similarity = mean_ssim(a, with_left_out_equal(a, b, mask), mask);

@@ -65,7 +65,7 @@ enum class Detail {
   similarity  ///< all
 };
 
-/// Compares two pictures on all cores.
+/// Compares two pictures; SSIM on all cores.
 /// How the mask and the edges enter SSIM: docs/numerics.md.
 ///
 /// @param a, b  pictures of one size, at least one pixel

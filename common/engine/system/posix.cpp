@@ -108,7 +108,8 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
   if (!S_ISREG(status.st_mode)) throw FileError("it is a device, not a file");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              std::fclose);
-  if (!file) refuse();
+  // Another file may have got the name since: the size is that of the one that is open.
+  if (!file || fstat(fileno(file.get()), &status) != 0) refuse();
   return read_whole(static_cast<std::uint64_t>(status.st_size), most_bytes,
                     [&file](std::uint8_t* to, std::size_t bytes) {
                       const std::size_t got = std::fread(to, 1, bytes, file.get());

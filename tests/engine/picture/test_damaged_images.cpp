@@ -1,5 +1,5 @@
-// PNG and JPEG files that are built wrongly, one mistake at a time, and what loading them says. Those
-// of the corpus are in test_load_image, .hdr files in test_read_hdr.
+// PNG and JPEG files that are built wrongly, one mistake at a time, and what loading them says.
+// Those of the corpus are in test_load_image, .hdr files in test_read_hdr.
 #include <doctest.h>
 
 #include <initializer_list>

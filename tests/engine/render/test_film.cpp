@@ -1,4 +1,4 @@
-// Tests of engine/render/film.hpp and of gather.hpp: the mean of films, and the error of two halves.
+// Tests of engine/render/film.hpp and of gather.hpp: means of films, and the error of two halves.
 #include <doctest.h>
 
 #include <vector>
