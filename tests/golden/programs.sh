@@ -2,7 +2,7 @@
 # The programs, as fast as the compiler makes them, draw the golden pictures to the last bit.
 # usage: programs.sh BIN [CHAPTER...]         BIN holds the chapters' programs and compare; without chapters, all that have a picture
 #        programs.sh --near BIN [CHAPTER...]  as another compiler or C library may round: 0.02 % of the pixels are free, others by one level
-#        programs.sh --collect BIN            writes the golden pictures. Look at the new ones before you commit them
+#        programs.sh --collect BIN            writes the golden pictures that have changed. Look at them before you commit them
 #        programs.sh --self-test BIN          shows that a picture drawn in another way is noticed
 set -eu
 mode=exact
@@ -35,11 +35,13 @@ check() {
   tried=$((tried + 1))
   picture=$1
   shift
-  if [ "$mode" = collect ]; then
-    draw "$folder/$picture.png" "$@"
-    return 0
-  fi
+  rm -f "$work/drawn.png"
   is_drawn "$folder/$picture.png" "$@" || {
+    if [ "$mode" = collect ]; then
+      echo "wrote tests/golden/$picture.png"
+      cp "$work/drawn.png" "$folder/$picture.png"
+      return 0
+    fi
     echo "FAIL: $1 does not draw tests/golden/$picture.png" >&2
     cat "$work/log" >&2
     failed=$((failed + 1))
