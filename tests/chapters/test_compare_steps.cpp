@@ -64,8 +64,12 @@ TEST_CASE("a step that changes what it declares, and nothing else, has nothing e
   CHECK(result.changed_inside > 5000);
   CHECK(result.stray_column == -1);
   CHECK(steps::report_json(result).find("\"only_declared_changed\": true") != std::string::npos);
-  CHECK(steps::report_page(result, "", "").find("Only what may change has changed") !=
-        std::string::npos);
+  const std::string page = steps::report_page(result, "", "");
+  CHECK(page.find("Only what may change has changed") != std::string::npos);
+  CHECK(page.find(page::inside(first().picture).address) != std::string::npos);
+  CHECK(page.find(page::inside(second().picture).address) != std::string::npos);
+  // An object that is not declared counts as elsewhere.
+  CHECK(steps::compare(first(), second(), {0, 2}).changed_elsewhere > 1000);
 }
 
 TEST_CASE("one stray pixel outside the declared objects is found, with its place") {
@@ -80,14 +84,6 @@ TEST_CASE("one stray pixel outside the declared objects is found, with its place
   CHECK(steps::report_page(result, "", "").find("1 pixels changed that should not have") !=
         std::string::npos);
   CHECK(steps::summary(result, "page").find("elsewhere  1 pixels") != std::string::npos);
-}
-
-TEST_CASE(
-    "an object that is not declared counts as elsewhere, with every pixel of it that changed") {
-  const steps::Comparison all = steps::compare(first(), second(), {0, 2, 3});
-  const steps::Comparison fewer = steps::compare(first(), second(), {0, 2});
-  CHECK(fewer.changed_elsewhere > 1000);
-  CHECK(fewer.changed_inside + fewer.changed_elsewhere == all.changed_inside);
 }
 
 TEST_CASE("an object that moved may change the pixels that it left") {
@@ -123,17 +119,6 @@ TEST_CASE("the map of texture coordinates shows |du| and |dv|, and gray where a 
   CHECK(map.at(3, 0) == Rgb8{128, 128, 128});
 }
 
-TEST_CASE("the part of a picture around a box ends at the picture's edges") {
-  Image picture(40, 30);
-  picture.at(20, 10) = {1, 2, 3};
-  const Image part = steps::crop(picture, {20, 10, 1, 2});
-  CHECK(part.width == 17);
-  CHECK(part.height == 18);
-  CHECK(part.at(8, 8) == Rgb8{1, 2, 3});
-  const Image all = steps::crop(picture, {0, 0, 40, 30});
-  CHECK((all == picture));
-}
-
 TEST_CASE("the box of changed coordinates is around all pixels that have others") {
   DrawnStep turned = second();
   const std::size_t place = 75 * 200 + 100;  // on the globe
@@ -156,21 +141,6 @@ TEST_CASE("the page has the map where both steps have texture coordinates") {
   CHECK(page_after(second()).find("they have the same.") != std::string::npos);
 }
 
-TEST_CASE("the page shows the pictures of the two steps") {
-  const std::string page = steps::report_page(steps::compare(first(), second(), {}), "", "");
-  CHECK(page.find(page::inside(first().picture).address) != std::string::npos);
-  CHECK(page.find(page::inside(second().picture).address) != std::string::npos);
-}
-
-TEST_CASE("the zoom shows the pixel in its middle and gray beyond the edge") {
-  Image picture(3, 3, {10, 20, 30});
-  picture.at(0, 0) = {200, 100, 50};
-  const Image enlarged = steps::zoom(picture, 0, 0);
-  CHECK(enlarged.at(enlarged.width / 2, enlarged.height / 2) == Rgb8{200, 100, 50});
-  CHECK(enlarged.at(enlarged.width / 2 + 20, enlarged.height / 2) == Rgb8{10, 20, 30});
-  CHECK(enlarged.at(2, 2) == Rgb8{128, 128, 128});
-}
-
 TEST_CASE("of chapters without pixels to compare the page shows the code and says why") {
   const TemporaryFolder folder;
   const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --drawn '" + folder.path() +
@@ -185,13 +155,9 @@ TEST_CASE("of chapters without pixels to compare the page shows the code and say
   constexpr std::array pairs = {
       Pair{"0 --to 01", "00-01", "00_one_file draws a scene of its own, so no pixels are compared",
            "int main(", "struct Lesson"},
-      Pair{"6 --to 07", "06-07", "07_earth_by_sampling draws a scene of its own",
-           "- namespace texmap::chapter_06 {", "+ namespace texmap::chapter_07 {"},
       Pair{"7 --to 13", "07-13",
            "07_earth_by_sampling and 13_speed_for_accuracy draw scenes of their own",
-           "- namespace texmap::chapter_07 {", "+ namespace texmap::chapter_13 {"},
-      Pair{"13 --to 14", "13-14", "draw scenes of their own", "- namespace texmap::chapter_13 {",
-           "+ namespace texmap::chapter_14 {"}};
+           "- namespace texmap::chapter_07 {", "+ namespace texmap::chapter_13 {"}};
   for (const Pair& pair : pairs) {
     CAPTURE(pair.numbers);
     const Outcome outcome = run(program + pair.numbers);
@@ -210,39 +176,22 @@ TEST_CASE("of chapters without pixels to compare the page shows the code and say
 
 TEST_CASE("pages of neighbours share the chapters' pictures, where those are what was compared") {
   const TemporaryFolder folder;
-  const auto save = [&](const DrawnStep& step) {
-    save_png(step.picture, folder / (step.chapter + ".png"));
-  };
-  save(first());
-  DrawnStep other = second();
-  other.picture.at(0, 0).r ^= 1;  // as a picture drawn with other options
-  save(other);
+  save_png(first().picture, folder / "00_same.png");  // an earlier chapter that drew the same
+  Image other = second().picture;
+  other.at(0, 0).r ^= 1;  // as a picture drawn with other options
+  save_png(other, folder / (second().chapter + ".png"));
   const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --shared --drawn '" + folder.path() +
                               "' --out '" + folder.path() +
                               "/diff' --width 200 --height 150 --from 1 --to 2";
   CHECK(run(program).status == 0);
   const std::filesystem::path place = folder / "diff/01-02";
   const std::string page = text_in(place / "index.html");
-  CHECK(page.find("src=\"../../01_plain_spheres.png\"") != std::string::npos);
+  CHECK(page.find("src=\"../../00_same.png\"") != std::string::npos);
   CHECK(page.find("src=\"after.png\"") != std::string::npos);
   CHECK(page.find("base64") == std::string::npos);
   CHECK((load_image(place / "after.png") == second().picture));
   CHECK(files_in(place) ==
         "after.png after_close.png before_close.png difference.png index.html report.json ");
-}
-
-TEST_CASE("a step that draws what an earlier chapter drew shows that chapter's picture") {
-  const TemporaryFolder folder;
-  save_png(first().picture, folder / "00_same.png");
-  save_png(second().picture, folder / "02_checkerboard_uv_000.png");  // of a turntable
-  save_png(second().picture, folder / "03_later.png");
-  const std::string program = "\"" TEXMAP_COMPARE_STEPS "\" --shared --drawn '" + folder.path() +
-                              "' --out '" + folder.path() +
-                              "/diff' --width 200 --height 150 --from 1 --to 2";
-  CHECK(run(program).status == 0);
-  const std::string page = text_in(std::filesystem::path(folder / "diff/01-02") / "index.html");
-  CHECK(page.find("src=\"../../00_same.png\"") != std::string::npos);
-  CHECK(page.find("src=\"after.png\"") != std::string::npos);
 }
 
 TEST_CASE("two pictures are compared on a page of the same kind, and the status says what it is") {
@@ -259,14 +208,9 @@ TEST_CASE("two pictures are compared on a page of the same kind, and the status 
   CHECK(different.out.find("of 30000 pixels differ") != std::string::npos);
   CHECK(different.out.find("out/diff/a.png-b.png/index.html") != std::string::npos);
   const std::string page = text_in(folder / "out/diff/a.png-b.png/index.html");
-  for (const char* const words : {"<h1>From a.png to b.png</h1>", "The pictures differ in",
-                                  "<th scope=\"row\">SSIM</th>", "Where they differ"}) {
-    CAPTURE(words);
-    CHECK(page.find(words) != std::string::npos);
-  }
-  CHECK(page.find(page::inside(first().picture).address) != std::string::npos);
+  CHECK(page.find("<h1>From a.png to b.png</h1>") != std::string::npos);
+  CHECK(page.find("<th scope=\"row\">SSIM</th>") != std::string::npos);
   CHECK(page.find("ms became") == std::string::npos);
-
   const Outcome same = compared("a.png", "a.png");
   CHECK(same.status == 0);
   CHECK(text_in(folder / "out/diff/a.png-a.png/index.html").find("The pictures are the same") !=

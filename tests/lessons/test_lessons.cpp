@@ -73,13 +73,6 @@ Image picture_of(NumberKind number = NumberKind::double_) {
   return session.draw(Lesson{}, 160, 120);
 }
 
-template <class Lesson>
-std::string help_of() {
-  CommandLine line("stripes", "");
-  const Session session("stripes", line, Lesson::about);
-  return line.help();
-}
-
 }  // namespace
 
 TEST_CASE("stripes by int and if are the stripes of every number, to the byte") {
@@ -93,15 +86,6 @@ TEST_CASE("stripes by int and if are the stripes of every number, to the byte") 
 TEST_CASE("a lesson with single numbers is drawn in float and extended too") {
   CHECK(picture_of<Single>(NumberKind::float_) == picture_of<Every>(NumberKind::float_));
   CHECK(picture_of<Single>(NumberKind::extended) == picture_of<Every>(NumberKind::extended));
-}
-
-TEST_CASE("only the numbers that a lesson can be run with are offered") {
-  CHECK(help_of<Every>().find("float|double|extended|float-pack|double-pack|interval") !=
-        std::string::npos);
-  CHECK(help_of<Every>().find("--instructions") != std::string::npos);
-  CHECK(help_of<Single>().find("--number float|double|extended") != std::string::npos);
-  CHECK(help_of<Single>().find("-pack") == std::string::npos);
-  CHECK(help_of<Plain>().find("--number") == std::string::npos);
 }
 
 namespace {
@@ -136,13 +120,4 @@ TEST_CASE("a name that promises another kind of picture is refused") {
   }
   CHECK(folder.size() == 0);
   CHECK(status_of<Plain>(folder / "jpg") == 0);
-}
-
-TEST_CASE("a plain lesson is a whole program") {
-  const test::TemporaryFolder folder;
-  const std::string file = folder / "stripes.png";
-  const char* const arguments[] = {"stripes",  "--quiet", "--width", "80",
-                                   "--height", "60",      "--out",   file.c_str()};
-  CHECK(run_chapter<Plain>("stripes", 8, arguments) == 0);
-  CHECK(load_image(file).width == 80);
 }
