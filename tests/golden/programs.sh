@@ -1,14 +1,8 @@
 #!/bin/sh
 # The programs, as fast as the compiler makes them, draw the golden pictures to the last bit.
 # usage: programs.sh BIN [CHAPTER...]   BIN holds the chapters' programs and compare; without chapters, all that have a picture
-#        programs.sh --self-test BIN    shows that a picture drawn in another way is noticed
 set -eu
-self_test=no
-if [ "${1:-}" = --self-test ]; then
-  self_test=yes
-  shift
-fi
-bin=${1:?usage: programs.sh [--self-test] BIN [CHAPTER...]}
+bin=${1:?usage: programs.sh BIN [CHAPTER...]}
 shift
 [ -x "$bin/compare" ] || {
   echo "there is no $bin/compare: build compare_program" >&2
@@ -38,16 +32,6 @@ check() {
     failed=$((failed + 1))
   }
 }
-
-if [ "$self_test" = yes ]; then
-  if is_drawn "$folder/02_checkerboard_uv.png" 02_checkerboard_uv --number float; then
-    echo "FAIL: a picture drawn in float is taken for the golden one"
-    exit 1
-  fi
-  is_drawn "$folder/02_checkerboard_uv.png" 02_checkerboard_uv
-  echo "a difference of rounding is noticed"
-  exit 0
-fi
 
 check 01_plain_spheres 01_plain_spheres
 check 02_checkerboard_uv 02_checkerboard_uv
