@@ -44,8 +44,6 @@ if(PYTHON3)
       "${CMAKE_CURRENT_BINARY_DIR}")
     target_sources(handed_in_${suite} PRIVATE ${change_headers})
   endforeach()
-  add_test(NAME changes_script COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/changed.py" --self-test)
-  set_tests_properties(changes_script PROPERTIES LABELS lessons)
 endif()
 
 # add_mistake(NAME NUMBER MESSAGE): a lesson that must not compile, and what the message must say.

@@ -5,9 +5,8 @@
 #                                          of the first; without arguments: g++ and clang++ with -O0, -O2, -O3 and -O2 -march=native
 #   determinism.sh --part                  for CI: the programs in build/release, those that there are in build/clang and build/no-xsimd,
 #                                          and chapter 06 built with -O0 -march=native
-#   determinism.sh --self-test BIN         shows that a build, or a number of threads, that draws another picture is noticed
 #
-# A build without its compiler is skipped. BIN holds the chapters' programs and compare.
+# A build without its compiler is skipped.
 # exit status: 0 one picture everywhere; 1 not so; 77 there are no two builds to compare
 set -eu
 tree=$(cd "$(dirname "$0")/../.." && pwd)
@@ -93,9 +92,9 @@ build() {
     exit 1
   fi
   # A fused a*b+c rounds once: no unit may have them, neither by the compiler's choice nor by a library's.
-  # (Header sets and work_before_main, a planted fault, are in no program.)
+  # (Header sets are in no program.)
   grep '"command":' "$builds/$name/compile_commands.json" >"$work/commands"
-  if grep -v -e ' -ffp-contract=off ' -e _verify_interface_header_sets -e work_before_main "$work/commands" >"$work/unguarded"; then
+  if grep -v -e ' -ffp-contract=off ' -e _verify_interface_header_sets "$work/commands" >"$work/unguarded"; then
     echo "FAIL: $name: units are compiled without -ffp-contract=off, such as the first of these"
     head -n 3 "$work/unguarded"
     failed=1
@@ -118,34 +117,6 @@ take_compare() {
 }
 
 case ${1:-} in
-  --self-test)
-    bin=${2:?usage: determinism.sh --self-test BIN}
-    take_compare "$bin"
-    chapters=02_checkerboard_uv
-    all_threads="1 3"
-    right=$bin
-    check_pictures right "$right" >"$work/found"
-    [ "$failed" = 0 ] || {
-      cat "$work/found"
-      exit 1
-    }
-    mkdir "$work/wrong"
-    cat >"$work/wrong/$chapters" <<END
-#!/bin/sh
-case "\$*" in *"--threads 3 "*"--number float" | *"--number extended") set -- "\$@" --samples 1 ;; esac
-exec "$right/$chapters" "\$@"
-END
-    chmod +x "$work/wrong/$chapters"
-    check_pictures wrong "$work/wrong" >"$work/found"
-    expected="$chapters-float(threads=3) $chapters-extended(threads=1) $chapters-extended(threads=3)"
-    if ! grep -qF "12 compared, differing: $expected" "$work/found" || [ "$failed" = 0 ]; then
-      echo "FAIL: not noticed as they should be: $expected"
-      cat "$work/found"
-      exit 1
-    fi
-    echo "pictures that differ are noticed"
-    exit 0
-    ;;
   --part)
     release=$tree/build/release/bin
     all_threads="1 3 8"
@@ -158,7 +129,7 @@ END
     check_pictures "g++ -O0 -march=native" "$builds/part/bin"
     ;;
   -*)
-    echo "usage: determinism.sh [--part | --self-test BIN | COMPILER[:FLAGS]...]" >&2
+    echo "usage: determinism.sh [--part | COMPILER[:FLAGS]...]" >&2
     exit 1
     ;;
   *)

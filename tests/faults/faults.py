@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Tries every fault that a chapter's program must survive, on the programs themselves, outside of the tree.
 
-usage: faults.py BIN CORPUS [PART...]   the programs; the textures, good and bad, with their manifest.tsv
-       faults.py --self-test            tries the checks on programs that are wrong on purpose
+usage: faults.py BIN CORPUS [PART...]   the programs; the textures, good and bad
 
 With TEXMAP_SANITIZED=1 the programs were built with sanitizers: no limits on memory, more time. Prints a line for each failed and
 each skipped check. Status 0: at least 100 checks ran and all passed; 1: not so.
@@ -16,7 +15,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from pathlib import Path
 
@@ -75,26 +73,14 @@ START = b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n'
 TEXELS = bytes.fromhex('80402081 90482480 a050287f b0582c82')
 GOOD_SKY = START + b'-Y 2 +X 4\n' + 2 * TEXELS
 BAD_SKIES = [
-    ('a mesh', b'v 0 0 0\n'), ('another kind of picture', b'P6 4 2 255\n'),
-    ('no format', b'#?RADIANCE\n\n-Y 2 +X 4\n' + 2 * TEXELS),
-    ('another format', b'#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 2 +X 4\n' + 2 * TEXELS),
-    ('an odd width', START + b'-Y 2 +X 3\n' + 2 * TEXELS), ('rows from below', START + b'+Y 2 +X 4\n' + 2 * TEXELS),
-    ('no rows', START + b'-Y 0 +X 4\n'), ('a height of eleven digits', START + b'-Y 99999999999 +X 4\n' + TEXELS),
-    ('the largest sides', START + b'-Y 16384 +X 16384\n' + TEXELS),
+    ('a mesh', b'v 0 0 0\n'), ('an odd width', START + b'-Y 2 +X 3\n' + 2 * TEXELS),
     ('twice as many texels as a sky may have', START + b'-Y 4096 +X 4096\n' + TEXELS),
-    ('a texel brighter than any sun', START + b'-Y 2 +X 4\n' + TEXELS + b'\xff' * 4 + TEXELS),
     ('a run longer than its row', START + b'-Y 2 +X 8\n\x02\x02\x00\x08\x89\x01'),
 ]
 CORNERS = b'v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n'
 GOOD_MESH = CORNERS + b'f 1/1 2/2 3/3\n'
 BAD_MESHES = [
-    ('no face', CORNERS), ('a point that does not exist', CORNERS + b'f 1/1 2/2 4/3\n'),
-    ('texture coordinates before the first', CORNERS + b'f 1/1 2/2 3/-4\n'), ('no texture coordinates', CORNERS + b'f 1 2 3\n'),
-    ('a face of two corners', CORNERS + b'f 1/1 2/2\n'), ('a coordinate that is no number', CORNERS + b'v 1 nan 0\nf 1/1 2/2 3/3\n'),
-    ('a coordinate that is too large', CORNERS + b'v 1e31 0 0\nf 1/1 2/2 3/3\n'),
-    ('an index of twenty digits', CORNERS + b'f 1/1 2/2 ' + b'9' * 20 + b'/3\n'),
-    ('a word that is not known', GOOD_MESH + b'from here on a text\n'),
-    ('a line of 70,000 bytes', CORNERS + b'f' + 17500 * b' 1/1' + b'\n'),
+    ('a point that does not exist', CORNERS + b'f 1/1 2/2 4/3\n'), ('a word that is not known', GOOD_MESH + b'from here on a text\n'),
     ('132 fans of 15,998 triangles, more than 2^21', CORNERS + 132 * (b'f' + 16000 * b' 1/1' + b'\n')),
 ]
 KINDS = {  # of files: the chapter that reads them, the option, the noun in messages, the ending
@@ -324,28 +310,16 @@ class Tries:
 
     def check_textures(self):
         self.files_of('texture', self.texture.read_bytes(), [])
-        for missing in ('missing.png', 'folder/missing.png'):
-            for chapter in (3, 4, 5, 6):
-                self.run([self.program(chapter), '--texture', missing, *SMALL, '--out', 'never.png'])
-                self.expect(1, "error: cannot load texture '*': ?*")
-                self.conclude(f'{NAMES[chapter]} {missing}')
+        for chapter in (3, 4, 5, 6):
+            self.run([self.program(chapter), '--texture', 'missing.png', *SMALL, '--out', 'never.png'])
+            self.expect(1, "error: cannot load texture '*': ?*")
+            self.conclude(f'{NAMES[chapter]} missing.png')
 
     def check_skies(self):
         self.files_of('sky', GOOD_SKY, BAD_SKIES)
 
     def check_meshes(self):
         self.files_of('mesh', GOOD_MESH, [('a picture', self.texture.read_bytes()), *BAD_MESHES])
-
-    def check_corpus(self):
-        rows = [line.split('\t') for line in (self.corpus / 'manifest.tsv').read_text().splitlines()[1:]]
-        for row in rows:
-            file, expected, level = row[0], row[2], row[8]
-            if level == 'may' or expected == 'load':
-                self.loads_file('texture', self.corpus / file, f'corpus/{file}', or_not=level == 'may')
-            else:
-                self.refuses_file('texture', self.corpus / file, f'corpus/{file}')
-        self.wrong(len(rows) < 50, f'at least 50 files expected in the corpus, got {len(rows)}')
-        self.conclude('the corpus')
 
     # Output
 
@@ -358,13 +332,13 @@ class Tries:
                 self.keeps_old(keeps)
             self.conclude(f'output, {NAMES[chapter]}: {what}')
 
-    def draws(self, file, what, chapter=1, out=None, **options):
-        """The chapter's reference picture, and a line about it."""
-        self.chapter(chapter, *REFERENCE, '--out', file, **options)
+    def draws(self, file, what):
+        """The first chapter's reference picture, and a line about it."""
+        self.chapter(1, *REFERENCE, '--out', file)
         self.expect(0, out=True)
         line = f'{file}: 60 x 40 pixels'
         self.wrong(not self.out.startswith(line) or self.out.count('\n') != 1, f"a line '{line}' expected, got '{self.out}'")
-        self.same(Path(out or file), self.reference[chapter])
+        self.same(file, self.reference[1])
         self.conclude(f'output: {what}')
 
     def check_output(self):
@@ -408,28 +382,20 @@ class Tries:
                 self.cannot_write(keeps / name, f'read-only {keeps.name}/{name}', keeps=keeps, **self.user)
         self.devices()
 
-        # Links, names, permissions.
         links = self.folder('links')
         (links / 'far').mkdir()
-        for link, target in (('link.png', 'far/target.png'), ('to-link.png', 'link.png'), ('fresh.png', 'far/fresh.png')):
-            shutil.copy(self.old, links / 'far/target.png')
-            (links / link).symlink_to(target)
-            self.draws(links / link, link)
-            self.wrong(not (links / link).is_symlink(), 'the link is gone')
-        odd = 'it\'s a "folder" $HOME * äöü'
-        (T / odd).mkdir()
-        for name in (f'{odd}/pic ture.png', '日本.png', 'no-ending', '-dash.png', '.png'):
-            self.draws(T / name, name)
-        self.chapter(1, '--quiet', *REFERENCE, '--out', T / 'quiet.png')
+        shutil.copy(self.old, links / 'far/target.png')
+        (links / 'link.png').symlink_to('far/target.png')
+        (links / 'fresh.png').symlink_to('far/fresh.png')
+        (T / 'it\'s a "folder" $HOME * äöü').mkdir()
+        for file in (links / 'link.png', links / 'fresh.png', T / 'it\'s a "folder" $HOME * äöü/日本 -.png'):
+            self.draws(file, file.name)
+        self.wrong(not (links / 'link.png').is_symlink(), 'the link is gone')
+        self.conclude('output: a link stays one')
+        self.chapter(1, '--quiet', *REFERENCE, '--out', T / 'quiet.png', umask=0o027)
         self.expect(0)
-        self.conclude('output: --quiet')
-        masked = T / 'masked.png'
-        for mask, mode, what in ((0o027, 0o640, 'a new file, umask 027'), (0o022, 0o604, 'a replaced file keeps its permissions')):
-            if masked.exists():
-                masked.chmod(mode)
-            self.chapter(1, *SMALL, '--out', masked, umask=mask)
-            self.wrong(masked.stat().st_mode & 0o777 != mode, f'{mode:o} expected, got {masked.stat().st_mode:o}')
-            self.conclude(f'output: {what}')
+        self.wrong((T / 'quiet.png').stat().st_mode & 0o777 != 0o640, 'another mode than the umask leaves')
+        self.conclude('output: --quiet, umask 027')
         shutil.copy(self.texture, T / 'both.png')  # a picture may be written over its own texture
         self.run([self.program(3), '--texture', T / 'both.png', *REFERENCE, '--out', T / 'both.png'])
         self.same(T / 'both.png', self.reference[3])
@@ -453,32 +419,19 @@ class Tries:
 
     def devices(self):
         """Never the real ones as root, who could rename a picture over them."""
-        full, null = Path('/dev/full'), Path('/dev/null')
+        full = Path('/dev/full')
         if os.getuid() == 0:
-            full, null = self.T / 'full', self.T / 'null'
+            full = self.T / 'full'
             try:
                 os.mknod(full, 0o20666, os.makedev(1, 7))
-                os.mknod(null, 0o20666, os.makedev(1, 3))
-                null.write_text('x')
+                full.open('wb', buffering=0).close()
             except OSError:
                 return self.skip('output: devices', 'there are none that could not come to harm')
         self.cannot_write(full, 'a full device')
-        self.chapter(1, *SMALL, '--out', null)
-        self.expect(0, out=True)
-        self.wrong(not full.is_char_device() or not null.is_char_device(), 'the device is gone')
-        self.conclude('output: the null device')
+        self.wrong(not full.is_char_device(), 'the device is gone')
         pipe = self.T / 'out-pipe'
         os.mkfifo(pipe)
         self.cannot_write(pipe, 'a pipe that nobody reads')
-        through = self.T / 'through-pipe.png'
-        reader = threading.Thread(target=lambda: through.write_bytes(pipe.read_bytes()))
-        reader.start()
-        time.sleep(0.2)
-        self.chapter(1, *REFERENCE, '--out', pipe)
-        reader.join(PATIENCE)
-        self.same(through, self.reference[1], 'another picture came through the pipe')
-        self.wrong(not pipe.is_fifo(), 'the pipe is gone')
-        self.conclude('output: a pipe with a reader')
 
     # Signals
 
@@ -519,51 +472,23 @@ class Tries:
             left.unlink()
         return is_new
 
-    # Many at once
-
-    def check_crowd(self):
-        picture = self.folder('crowd') / 'out.png'
-        self.chapter(1, '--quiet', '--width', '20', '--height', '15', '--out', picture)
-        failures = []
-
-        def write(writer):
-            size = ['--width', str(20 * writer), '--height', str(15 * writer), '--threads', '1', '--out', str(picture)]
-            for _ in range(12):
-                done = subprocess.run([self.program(1), '--quiet', *size], capture_output=True, timeout=10 * PATIENCE)
-                if done.returncode != 0:
-                    failures.append(f'writer {writer}: status {done.returncode}')
-        writers = [threading.Thread(target=write, args=(writer,)) for writer in range(1, 17)]
-        for writer in writers:
-            writer.start()
-        reads = torn = 0
-        while any(writer.is_alive() for writer in writers):
-            torn += not self.is_whole(picture)
-            reads += 1
-        self.wrong(reads <= 3, f'only {reads} reads')
-        self.wrong(torn, f'{torn} of {reads} reads found no whole picture')
-        self.wrong(failures, f'{failures[:1]}')
-        self.wrong(not self.is_whole(picture), 'what is left is not whole')
-        self.only(picture.parent, 'out.png')
-        self.conclude(f'16 writers of one file, {reads} reads')
-
     # Standard streams
 
     def check_streams(self):
         picture = self.T / 'stream.png'
-        for chapter in CHAPTERS:
-            command = [self.program(chapter), *self.needs(chapter), *REFERENCE, '--out', str(picture)]
-            gone, end = os.pipe()
-            os.close(gone)  # a pipe with a reader that has gone for certain
-            with open('/dev/full', 'wb') as full, open(end, 'wb', buffering=0) as broken:
-                for what, status, closed, stdout in [
-                        ('stdout closed', 0, [1], None), ('descriptors 0, 1 and 2 closed', 0, [0, 1, 2], None),
-                        ('descriptors 0 and 2 closed', 0, [0, 2], None), ('stdout on a full device', 1, [], full),
-                        ('stdout is a pipe that nobody reads', 1, [], broken)]:
-                    self.run_closed(command, closed, stdout)
-                    self.expect(status, 'error: ?*' if status else '', out=True)
-                    self.same(picture, self.reference[chapter])
-                    picture.unlink(missing_ok=True)
-                    self.conclude(f'{NAMES[chapter]}: {what}')
+        command = [self.program(1), *REFERENCE, '--out', str(picture)]
+        gone, end = os.pipe()
+        os.close(gone)  # a pipe with a reader that has gone for certain
+        with open('/dev/full', 'wb') as full, open(end, 'wb', buffering=0) as broken:
+            for what, status, closed, stdout in [
+                    ('stdout closed', 0, [1], None), ('descriptors 0, 1 and 2 closed', 0, [0, 1, 2], None),
+                    ('descriptors 0 and 2 closed', 0, [0, 2], None), ('stdout on a full device', 1, [], full),
+                    ('stdout is a pipe that nobody reads', 1, [], broken)]:
+                self.run_closed(command, closed, stdout)
+                self.expect(status, 'error: ?*' if status else '', out=True)
+                self.same(picture, self.reference[1])
+                picture.unlink(missing_ok=True)
+                self.conclude(what)
         # Messages must not end up in a texture or a picture that took a stream's number.
         for command, closed, status in [
                 ([self.program(1), '--samples', 'nan'], [2], 2), ([self.program(1), '--out', str(self.T / 'no/x.png')], [1, 2], 1),
@@ -605,13 +530,11 @@ class Tries:
                 self.run([self.program(chapter), '--help'], memory=middle << 10)
                 low, start = (middle, start) if self.status in (127, -signal.SIGSEGV, -signal.SIGABRT) else (low, middle)
             self.run([*command, '--out', fed])
-            for threads, more, what in [
-                    ('1', range(12, 480, 12), 'hardly enough memory to start'),
-                    ('1', [*range(500, 1700, 100), 1800, 2000, 2300, 2600, 3000, 4000, 8000], 'memory a little short'),
-                    ('64', [1000, 4000, 9000, 9500, 10000, 17500, 18000, 26000, 27000, 40000, 80000, 150000], 'short for 64 threads')]:
+            for threads, more in [('1', [*range(12, 480, 24), *range(500, 1700, 100), 2000, 2600, 4000, 8000]),
+                                  ('64', [1000, 4000, 9500, 17500, 26000, 40000, 80000, 150000])]:
                 enough = [starved(start + extra, [*command, '--threads', threads]) for extra in more]
-                self.wrong(what == 'memory a little short' and len(set(enough)) != 2, 'memory was always or never short')
-                self.conclude(f'{NAMES[chapter]}: {what} ({sum(enough)} of {len(enough)} times enough)')
+                self.wrong(len(set(enough)) != 2, 'memory was always or never short')
+                self.conclude(f'{NAMES[chapter]}: short of memory, {threads} threads ({sum(enough)} of {len(enough)} times enough)')
         huge = [self.program(1), '--width', '8192', '--height', '8192', '--threads', '1']
         self.wrong(starved(150000, huge), 'memory was enough')
         self.conclude('a picture of 2^26 pixels in 150 MB')
@@ -656,40 +579,31 @@ class Tries:
         return {'LOCPATH': str(folder), 'LC_ALL': 'de_DE.UTF-8'} if made else None
 
     def progress(self):
-        """For terminals only: a slow machine has half a minute to show it; the others then run for twice what it took."""
+        """For terminals only: a slow machine has half a minute to show it; a pipe gets none in twice the time that it took."""
         folder = self.folder('progress')
         long = [self.program(1), '--width', '40', '--height', '9000', '--samples', '16000', '--out', str(folder / 'out.png')]
         master, terminal = os.openpty()
-        drawing = subprocess.Popen(long, stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal)
         began = time.monotonic()
-        os.set_blocking(master, False)
-        shown = b''
-        while b'%' not in shown and time.monotonic() - began < 30:
-            time.sleep(0.1)
-            try:
-                shown += os.read(master, 65536)
-            except BlockingIOError:
-                pass
-        drawing.terminate()
-        drawing.wait()
+        with subprocess.Popen(long, stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal) as drawing:
+            os.set_blocking(master, False)
+            shown = b''
+            while b'%' not in shown and time.monotonic() - began < 30:
+                time.sleep(0.1)
+                try:
+                    shown += os.read(master, 65536)
+                except BlockingIOError:
+                    pass
+            drawing.terminate()
         self.wrong(b'%' not in shown, 'none came')
         self.conclude('progress on a terminal')
         enough = 2 * (time.monotonic() - began) + 1
-        for words, streams, what in ((['--quiet'], terminal, 'on a terminal with --quiet'), ([], None, 'in a pipe')):
-            kept = {} if streams is None else {'stdout': streams, 'stderr': streams}
-            drawing = subprocess.Popen([*long, *words], stdin=subprocess.DEVNULL,
-                                       **{'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **kept})
+        with subprocess.Popen(long, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as drawing:
             time.sleep(enough)
             drawing.terminate()
-            said = b''.join(text or b'' for text in drawing.communicate())
-            try:
-                said += os.read(master, 65536) if streams is not None else b''
-            except BlockingIOError:
-                pass
-            self.wrong(b'%' in said, f'got {said[:60]}')
-            self.conclude(f'no progress {what}')
+            said = drawing.stdout.read()
+        self.wrong(said, f'got {said[:60]}')
         self.only(folder)
-        self.conclude('renders cut short leave nothing')
+        self.conclude('no progress in a pipe, and renders cut short leave nothing')
 
     # All of it
 
@@ -730,7 +644,7 @@ class Tries:
         return 0 if self.failed == 0 and self.passed >= 100 else 1
 
 
-PARTS = ('numbers', 'words', 'textures', 'corpus', 'skies', 'meshes', 'output', 'signals', 'crowd', 'streams', 'memory', 'surroundings')
+PARTS = ('numbers', 'words', 'textures', 'skies', 'meshes', 'output', 'signals', 'streams', 'memory', 'surroundings')
 
 
 def merged(changes):
@@ -738,64 +652,7 @@ def merged(changes):
     return {name: value for name, value in {**os.environ, **changes}.items() if value is not None}
 
 
-# --- Does it find anything? ---------------------------------------------------------------------------------------------------------
-
-USAGE = 'echo "usage: ${0##*/} [options]" >&2; exit 2'
-FAKES = [  # a program, what is asked of it, how many checks fail
-    (f"echo \"error: --samples takes a number from 1 to 9, not 'x'\" >&2; {USAGE}", 'number', 0),
-    ("echo \"error: cannot load texture 'x': it is bad\" >&2; exit 1", 'file', 0),
-    ("echo \"error: cannot write 'x': the disk is full\" >&2; exit 1", 'write', 0),
-    ('exit 0', 'number file write load', 4), ('exit 2', 'number', 1),
-    (f"echo 'error: something is wrong' >&2; {USAGE}", 'number', 1),
-    (f'echo "error: --samples takes something else" >&2; {USAGE}', 'number', 1),
-    ('echo "error: --samples from 1 to 9" >&2; exit 2', 'number', 1),
-    (f"echo chatter; echo 'error: --samples from 1 to 9' >&2; {USAGE}", 'number', 1),
-    (f"mkdir -p out; echo half >out/x.png; echo 'error: --samples from 1 to 9' >&2; {USAGE}", 'number', 1),
-    ("echo 'ERROR: AddressSanitizer: heap-buffer-overflow' >&2; exit 99", 'file', 1),
-    ("echo \"error: cannot load texture 'x': bad\" >&2; echo 'and more' >&2; exit 1", 'file', 1),
-    ("echo half >never.png; echo \"error: cannot load texture 'x': bad\" >&2; exit 1", 'file', 1),
-    ('sleep 20', 'file', 1), ('kill -s SEGV $$', 'file', 1),
-    ('for word; do :; done; printf wh >"$word"; sleep 1; echo ole >>"$word"', 'killed', 1),
-    ('for word; do :; done; : >"${word%/*}/.draft"; sleep 1; mv "${word%/*}/.draft" "$word"', 'killed', 1),
-    ('exec sleep 1', 'killed', 0),
-]
-
-
-def self_test():
-    global PATIENCE
-    PATIENCE = 2
-    found = []
-    with tempfile.TemporaryDirectory() as folder:
-        tries = Tries(folder, folder)
-        tries.memory = 0
-        tries.old = tries.texture = Path(folder) / 'old.png'
-        new = Path(folder) / 'new.png'
-        tries.old.write_text('old')
-        new.write_text('whole')
-        signals = tries.folder('signals')
-
-        def killed():
-            tries.killed(signal.SIGTERM, 0.3, signals, [], new)
-            tries.conclude('killed')
-        asked = {'number': lambda: tries.refuses(1, ['--samples', 'x'], '--samples*from [-0-9]*to [-0-9]*'),
-                 'file': lambda: tries.refuses_file('texture', tries.texture, 'bad'), 'killed': killed,
-                 'write': lambda: tries.cannot_write(new, 'disk full'), 'load': lambda: tries.loads_file('texture', new, 'good')}
-        for script, what, failures in FAKES:
-            for name in NAMES.values():
-                (Path(folder) / name).write_text(f'#!/bin/sh\n{script}\n')
-                (Path(folder) / name).chmod(0o755)
-            tries.failed = 0
-            for one in what.split():
-                asked[one]()
-            found += [] if tries.failed == failures else [f'FAILED self-test, {script}: {failures} expected, got {tries.failed}']
-        shutil.rmtree(tries.T)
-    print('\n'.join(found) or f'self-test: {len(FAKES)} programs judged as they deserve')
-    return 1 if found else 0
-
-
 def main():
-    if sys.argv[1:] == ['--self-test']:
-        return self_test()
     if len(sys.argv) < 3 or not all(os.path.isdir(folder) for folder in sys.argv[1:3]) or not set(sys.argv[3:]) <= set(PARTS):
         sys.exit(__doc__)
     tries = Tries(*sys.argv[1:3])

@@ -2,7 +2,6 @@
 """The lessons that a page tells its reader to change, changed: the page's own code, in the chapter's own lesson.
 
 usage: changed.py PAGE CHAPTERS OUT NAME...    writes OUT/NAME.hpp for each change
-       changed.py --self-test
 
 In the page, a mark comes before each piece of a change, and then a block of code:
 
@@ -16,7 +15,6 @@ second text. `removes` takes the line away and has no block. A change has at mos
 import pathlib
 import re
 import sys
-import tempfile
 
 MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: to "([^"]*)")? -->$')
 MOST = 12
@@ -92,44 +90,10 @@ def run(page, chapters, out, names):
         (out / f'{name}.hpp').write_text(changed(lesson, name, number, pieces), encoding='utf-8')
 
 
-def self_test():
-    lesson = 'namespace texmap::chapter_02 {\nusing Paint = A;\n  a;\n  b;\n  c;\n}\n'
-    page = ('<!-- change: x 02_a above "using" -->\n```cpp\nnew\n  more\n```\n\n'
-            '<!-- change: x 02_a replaces "  a;" to "  b;" -->\n```cpp\nd;\n```\n'
-            '<!-- change: x 02_a removes "c;" -->\n')
-
-    def fails(words, call):
-        try:
-            call()
-        except Fault as fault:
-            assert words in str(fault), fault
-        else:
-            raise AssertionError(f'not noticed: {words}')
-
-    with tempfile.TemporaryDirectory() as folder:
-        root = pathlib.Path(folder)
-        (root / '02_a').mkdir()
-        (root / '02_a' / 'lesson.hpp').write_text(lesson)
-        (root / 'page.md').write_text(page)
-        run(root / 'page.md', root, root / 'out', ['x'])
-        got = (root / 'out' / 'x.hpp').read_text()
-        assert got == 'namespace texmap::change_x {\nnew\n  more\nusing Paint = A;\n  d;\n}\n', got
-        fails('tests draw y', lambda: run(root / 'page.md', root, root / 'out', ['y']))
-    fails('has no mark', lambda: pieces_of('text\n```cpp\nx\n```\n'))
-    fails('more than 12', lambda: pieces_of('<!-- change: x 02_a above "b" -->\n```cpp\n' + 'x\n' * 13 + '```\n'))
-    fails('this mark is none', lambda: pieces_of('<!-- change: x 02_a beside "b" -->\n'))
-    fails('0 lines', lambda: changed(lesson, 'x', '02', [('above', 'nowhere', None, [])]))
-    fails('4 lines', lambda: changed(lesson, 'x', '02', [('above', ';', None, [])]))
-    print('changes are applied, and what is wrong in a page is noticed')
-
-
 if __name__ == '__main__':
-    if sys.argv[1:] == ['--self-test']:
-        self_test()
-    elif len(sys.argv) < 5:
+    if len(sys.argv) < 5:
         sys.exit(__doc__)
-    else:
-        try:
-            run(*map(pathlib.Path, sys.argv[1:4]), sys.argv[4:])
-        except Fault as fault:
-            sys.exit(f'error: {fault}')
+    try:
+        run(*map(pathlib.Path, sys.argv[1:4]), sys.argv[4:])
+    except Fault as fault:
+        sys.exit(f'error: {fault}')

@@ -46,10 +46,6 @@ class Token:
         self.end = start + len(text)
         self.in_function = False
 
-    def __repr__(self):
-        return self.text
-
-
 def tokens_of(text):
     """All tokens but comments and preprocessor lines; each knows if it is inside of a function."""
     blank = PREPROCESSOR.sub(lambda found: re.sub(r'[^\n]', ' ', found[0]), text)
@@ -442,14 +438,11 @@ def arguments():
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
-    parser.add_argument('--self-test', action='store_true', help='try the changes on a text that is known')
     return parser.parse_args()
 
 
 def main():
     options = arguments()
-    if options.self_test:
-        return self_test()
     mutants = all_mutants(options.files)
     if options.only:
         mutants = [m for m in mutants if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
@@ -478,70 +471,6 @@ def main():
     except KeyboardInterrupt:
         print('\nstopped; what was done counts')
     print(', '.join(f'{count} {word}' for word, count in counts.items()))
-    return 0
-
-
-# --- Does it change what it should? ----------------------------------------------------------------
-
-SAMPLE = '''// a + b in a comment
-#include <vector>
-#define TWICE(x) ((x) * 2)
-namespace n {
-struct Point {
-  double x = 0.5;
-  bool operator==(const Point&) const = default;
-};
-template <class Real>
-Real f(const Real& a, int b) {
-  static_assert(sizeof(Real) == 8);
-  total.x += min(a, 0x1p-3F) * 10U;
-  if (const int c = g(b); !ready && c < 7) {
-    show(-b);
-  }
-  for (int i = 0; i != b; ++i) done = true;
-  return "text" + 1e3;
-}
-}
-'''
-EXPECTED = '''6: 0.5 -> 0.25
-12: total.x += min(a, 0x1p-3F) * 10U; -> ;
-12: x -> y
-12: += -> -=
-12: min -> max
-12: a, 0x1p-3F -> 0x1p-3F, a
-12: 0x1p-3F -> 0x1p-2F
-12: * -> /
-12: 10U -> 11U
-13: !ready && c < 7 -> !(!ready && c < 7)
-13: ! -> nothing
-13: && -> ||
-13: < -> <=
-13: 7 -> 8
-14: show(-b); -> ;
-14: - -> nothing
-16: 0 -> 1
-16: != -> ==
-16: ++ -> --
-16: done = true; -> ;
-16: true -> false
-17: "text" -> "text~"
-17: + -> -
-17: 1e3 -> 500.0
-'''
-
-
-def self_test():
-    found = ''.join(f'{m.line}: {m.change}\n' for m in mutants_of('sample.cpp', SAMPLE))
-    if found != EXPECTED:
-        print('FAILED: expected\n' + EXPECTED + 'found\n' + found)
-        return 1
-    mutants = all_mutants(None)
-    again = {m.difference() for m in mutants}
-    for difference, reason in read_equivalent().items():
-        if not reason or difference not in again:
-            print('FAILED: equivalent.txt gives no reason for this, or it is no longer there:\n' + difference)
-            return 1
-    print(f'{len(mutants)} mutants')
     return 0
 
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The pictures of docs/pictures are what the commands in its README draw.
-# usage: pictures.sh ROOT BIN [--self-test|--write]    BIN holds the chapters' programs, compare and mark_crops;
+# usage: pictures.sh ROOT BIN [--write]    BIN holds the chapters' programs, compare and mark_crops;
 #        --write draws the strips of marked crops that are out of date, with ImageMagick's convert
 set -eu
 root=$1
@@ -12,15 +12,6 @@ failed=0
 tried=0
 # shellcheck source=/dev/null
 . "$root/tests/support/drawn.sh"
-
-if [ "$mode" = --self-test ]; then
-  if is_drawn "$root/docs/pictures/05_turned_0.png" 05_y_rotation --degrees 1 --width 400 --height 300 --samples 16 --zoom 3; then
-    echo "FAIL: another picture is taken for the one of the page"
-    exit 1
-  fi
-  echo "another picture is noticed"
-  exit 0
-fi
 
 fail() {
   echo "FAIL: $1"

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """The pages that list things list what is there: docs/sources.md, docs/glossary.md and docs/teaching.md.
 
-usage: reference_pages.py ROOT            checks the pages of the tree ROOT
-       reference_pages.py --self-test     checks that each kind of fault is noticed
+usage: reference_pages.py ROOT     checks the pages of the tree ROOT
 
 sources.md    Each row of its maps links our files and a test: the text of the link is the title of a TEST_CASE in the linked file, or the
               name of an add_test in a .cmake file.
@@ -12,7 +11,6 @@ teaching.md   Each chapter has its row.
 import pathlib
 import re
 import sys
-import tempfile
 
 MAP = '| in the document | our file | test |'
 TERMS = '| term | meaning |'
@@ -94,45 +92,9 @@ def faults_of(root):
         ('teaching', faults_of_teaching(docs / 'teaching.md', chapters))) for fault in faults]
 
 
-def self_test():
-    head = MAP + ' what we do differently, and why |\n|---|---|---|---|\n'
-    row = '| u | [a.hpp](../common/a.hpp) | [a law](../tests/t.cpp) | |\n'
-    files = {'common/a.hpp': '', 'tests/t.cpp': 'TEST_CASE(\n    "a "\n    "law") {', 'chapters/00_a/README.md': '# 00\n',
-             'docs/sources.md': (head + row + '\n') * DOCUMENTS,
-             'docs/glossary.md': TERMS + ' chapter |\n|---|---|---|\n| (a, b) | One. | [00](../chapters/00_a/README.md) |\n'
-                                 '| Ball | Two. | [00](../chapters/00_a/README.md) |\n',
-             'docs/teaching.md': '| chapter |\n|---|\n| 00 |\n'}
-    with tempfile.TemporaryDirectory() as folder:
-        root = pathlib.Path(folder)
-
-        def faults(name='', old='', new=''):
-            for path, text in files.items():
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text(text.replace(old, new, 1) if path == name else text)
-            return ' '.join(faults_of(root))
-
-        assert faults() == '', faults()
-        for name, old, new, words in (
-                ('docs/sources.md', 'a law', 'no law', 'has no test "no law"'),
-                ('docs/sources.md', 'a.hpp)', 'b.hpp)', 'there is no ../common/b.hpp'),
-                ('docs/sources.md', '[a law](../tests/t.cpp)', 'a law', 'is missing'),
-                ('docs/sources.md', '| u |', '| u | v |', '5 cells'),
-                ('docs/sources.md', MAP, '| map |', '4 maps, not 5'),
-                ('docs/glossary.md', '(a, b)', 'cube', '"Ball" comes too late'),
-                ('docs/glossary.md', '(a, b)', 'ball', '"Ball" comes too late, or twice'),
-                ('docs/glossary.md', 'One.', '', 'lacks a sentence'),
-                ('docs/glossary.md', '00_a', '01_a', 'leads nowhere'),
-                ('docs/teaching.md', '00', '01', 'chapter 00 has no row')):
-            assert words in faults(name, old, new), (words, faults(name, old, new))
-    print('what is wrong in a list is noticed')
-
-
 if __name__ == '__main__':
-    if sys.argv[1:] == ['--self-test']:
-        self_test()
-    elif len(sys.argv) == 2:
-        found = faults_of(pathlib.Path(sys.argv[1]))
-        print('\n'.join(found) or 'all rows are in order')
-        sys.exit(1 if found else 0)
-    else:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
+    found = faults_of(pathlib.Path(sys.argv[1]))
+    print('\n'.join(found) or 'all rows are in order')
+    sys.exit(1 if found else 0)
