@@ -84,34 +84,22 @@ TEST_CASE("a bilinear sky has no seam, and goes on over the poles") {
       CHECK(over < 1e-5);
     }
   }
-  // The fault planted: rows clamped at the pole, as a picture's edge. Two sides then differ.
-  const LightImage& map = sky.map();
-  const auto clamped = [&](int column) {
-    return (static_cast<double>(map.at(column, 0).r) +
-            static_cast<double>(map.at(column + 1, 0).r)) /
-           2;
-  };
-  CHECK(std::abs(clamped(3) - clamped(11)) > 10);
-  const double both = (clamped(3) + clamped(11)) / 2;  // half of each is seen at the pole
-  CHECK(light(toward(map, 4, 1e-9)).r == doctest::Approx(both).epsilon(1e-6));
+  // At a pole half of each side is seen.
+  const auto top = [&](int column) { return static_cast<double>(sky.map().at(column, 0).r); };
+  const double both = (top(3) + top(4) + top(11) + top(12)) / 4;
+  CHECK(light(toward(sky.map(), 4, 1e-9)).r == doctest::Approx(both).epsilon(1e-6));
 }
 
 TEST_CASE("a turned sky is the sky seen in the other direction") {
   const LightImage map = patterned(16, 8);
-  const Environment still(map);
-  const Environment turned(map, TexelFilter::bilinear, 37);
+  const Environment still(map), turned(map, TexelFilter::bilinear, 37);
   for (double row = 0.2; row < 8; row += 0.7) {
     for (double column = 0.1; column < 16; column += 0.9) {
       const Vec3d d = toward(map, column, row);
-      const Vec3d moved = rotation_y(37)(d);
-      CHECK(apart(turned(Ray<double>{{}, moved}), still(Ray<double>{{}, d})) < 1e-9);
-      const Vec3d back = turned.to_map(turned.from_map(d));
-      CHECK(length(back - d) < 1e-15);
+      CHECK(apart(turned(Ray<double>{{}, rotation_y(37)(d)}), still(Ray<double>{{}, d})) < 1e-9);
+      CHECK(length(turned.to_map(turned.from_map(d)) - d) < 1e-15);
     }
   }
-  // A quarter of a turn is four columns of sixteen, exactly.
-  const Environment quarter(map, TexelFilter::nearest, 90);
-  CHECK(quarter(Ray<double>{{}, toward(map, 6.5, 2.5)}).r == static_cast<double>(map.at(2, 2).r));
 }
 
 TEST_CASE("a sky of equal texels is constant, and one channel off by a rounding is not") {
