@@ -14,6 +14,8 @@
 #include "scene/sky.hpp"
 #include "scene/triangle.hpp"
 #include "support/lanes.hpp"
+#include "support/made_light.hpp"
+#include "support/made_pictures.hpp"
 #include "support/mesh_rays.hpp"
 #include "texture/bilinear.hpp"
 #include "texture/encoded.hpp"
@@ -53,23 +55,6 @@ Vec3<Real> unit(const In<Real>& x, std::size_t first) {
 template <class Real>
 Real number_of(const Mask<Real>& mask) {
   return select(mask, Real(1), Real(0));
-}
-
-Image bytes(int width, int height) {
-  Dice dice(1);
-  Image image(width, height);
-  for (Rgb8& texel : image.pixels)
-    texel = {static_cast<std::uint8_t>(dice.below(256)), static_cast<std::uint8_t>(dice.below(256)),
-             static_cast<std::uint8_t>(128 + dice.below(128))};
-  return image;
-}
-LightImage light(int width, int height) {
-  Dice dice(2);
-  LightImage image(width, height);
-  for (Color<float>& texel : image.texels)
-    texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
-             dice.once_in(9) ? 50.0F : 0.0F};
-  return image;
 }
 
 const std::vector<Painted<Solid>> spheres = {{{{0, 0, -5}, 1}, {{0.5, 0.25, 1}}},
@@ -172,11 +157,11 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
     });
   };
   for (const VAxis axis : {VAxis::up, VAxis::down}) {
-    texture_law(ImageTexture{bytes(3, 2), axis, TexelRounding::floor});
-    texture_law(ImageTexture{bytes(3, 2), axis, TexelRounding::lecture});
-    texture_law(BilinearTexture{bytes(33, 16), axis, TexelLight::encoded});
-    texture_law(BilinearTexture{bytes(33, 16), axis, TexelLight::linear});
-    texture_law(SmoothTexture{light(8, 4), axis});
+    texture_law(ImageTexture{noise(3, 2, 1), axis, TexelRounding::floor});
+    texture_law(ImageTexture{noise(3, 2, 1), axis, TexelRounding::lecture});
+    texture_law(BilinearTexture{noise(33, 16, 1), axis, TexelLight::encoded});
+    texture_law(BilinearTexture{noise(33, 16, 1), axis, TexelLight::linear});
+    texture_law(SmoothTexture{light_noise(8, 4), axis});
   }
   texture_law(Checkerboard{{0.25, 0.5, 0.75}, {1, 0, 0.125}, 7});
   for (const double reach : {3.0, 1e6, 1e12}) {
@@ -204,7 +189,7 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
         footprint_of(Uv<Dual<Real>>{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, Real(64), Real(32));
     return std::tuple(footprint.along_u, footprint.along_v, footprint.longer, footprint.shorter);
   });
-  const Pyramid pyramid = pyramid_of(light(40, 24));
+  const Pyramid pyramid = pyramid_of(light_noise(40, 24));
   law<Many>("level_of, texel_light", [&]<class Real>(const In<Real>& x) {
     const Real inside = Real(0.99);
     const PyramidLevel<Real> level = level_of(pyramid, floor(abs(x[0]) * inside * Real(6)));

@@ -5,26 +5,11 @@
 
 #include <cmath>
 
+#include "support/made_light.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
 namespace {
-
-/// Texels that are all different, whole numbers up to 255.
-LightImage patterned(int width, int height) {
-  LightImage image(width, height);
-  std::uint32_t state = 3;
-  for (Color<float>& texel : image.texels) {
-    const auto next = [&state] {
-      state = state * 1664525U + 1013904223U;
-      return static_cast<float>(state >> 24);
-    };
-    texel.r = next();
-    texel.g = next();
-    texel.b = next();
-  }
-  return image;
-}
 
 /// The direction of a place on the map, in texels from its upper left corner.
 Vec3d toward(const LightImage& map, double column, double row) {
@@ -38,7 +23,7 @@ double apart(const Color<double>& a, const Color<double>& b) {
 }  // namespace
 
 TEST_CASE("at the centers of texels a sky has their light, between them a mix of four") {
-  const LightImage map = patterned(16, 8);
+  const LightImage map = light_noise(16, 8);
   const Environment sky(map), nearest(map, TexelFilter::nearest);
   for (double row = 0.5; row <= 7.5; row += 0.25) {
     for (double column = 0.5; column <= 15.5; column += 0.25) {
@@ -69,7 +54,7 @@ TEST_CASE("the middle of the picture is at +x, its left edge at -x, +z to the le
 }
 
 TEST_CASE("a bilinear sky has no seam, and goes on over the poles") {
-  const Environment sky(patterned(16, 8));
+  const Environment sky(light_noise(16, 8));
   const auto light = [&](const Vec3d& d) { return sky(Ray<double>{{}, d}); };
   for (double row = 0.1; row < 8; row += 0.37) {
     const double seam =
@@ -91,7 +76,7 @@ TEST_CASE("a bilinear sky has no seam, and goes on over the poles") {
 }
 
 TEST_CASE("a turned sky is the sky seen in the other direction") {
-  const LightImage map = patterned(16, 8);
+  const LightImage map = light_noise(16, 8);
   const Environment still(map), turned(map, TexelFilter::bilinear, 37);
   for (double row = 0.2; row < 8; row += 0.7) {
     for (double column = 0.1; column < 16; column += 0.9) {

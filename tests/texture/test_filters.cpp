@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/dice.hpp"
+#include "support/made_light.hpp"
 
 namespace texmap::test {
 namespace {
@@ -32,15 +32,6 @@ Pyramid coordinates(int width, int height) {
     pyramid.add(image);
   }
   return pyramid;
-}
-
-LightImage noise(int width, int height, std::uint64_t seed = 3) {
-  Dice dice(seed);
-  LightImage image(width, height);
-  for (Color<float>& texel : image.texels)
-    texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
-             static_cast<float>(dice.between(0, 1))};
-  return image;
 }
 
 template <class Real>
@@ -115,7 +106,7 @@ TEST_CASE("constant in, constant out, whatever the filter, the wrap, the size an
 }
 
 TEST_CASE("drawn one to one at its texels' centers, a picture comes back to the last bit") {
-  const LightImage image = noise(16, 8);
+  const LightImage image = light_noise(16, 8);
   for (const Filter filter :  // the others mix neighbors in, or take them by chance
        {Filter::nearest, Filter::bilinear, Filter::trilinear, Filter::anisotropic}) {
     for (const Wrap wrap : wraps) {
@@ -138,7 +129,7 @@ TEST_CASE("drawn one to one at its texels' centers, a picture comes back to the 
 TEST_CASE(
     "everywhere the bilinear filter mixes the four texels that the wrap mode shows around it") {
   constexpr int width = 6, height = 4;
-  const LightImage image = noise(width, height);
+  const LightImage image = light_noise(width, height);
   Dice dice(9);
   for (const Wrap wrap : wraps) {
     CAPTURE(static_cast<int>(wrap));
@@ -169,7 +160,7 @@ TEST_CASE(
 TEST_CASE(
     "the elliptical filter weighs texels by (1 - r^2)^2; its ellipse spreads as the footprint") {
   constexpr int size = 32;
-  const LightImage image = noise(size, size);
+  const LightImage image = light_noise(size, size);
   const FilteredTexture texture{
       .pyramid = pyramid_of(image), .filter = Filter::ewa, .v_axis = VAxis::down};
   Dice dice(14);
@@ -203,7 +194,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the stochastic filter's mean is the anisotropic filter's") {
-  const FilteredTexture full{.pyramid = pyramid_of(noise(32, 32)), .taps = 4};
+  const FilteredTexture full{.pyramid = pyramid_of(light_noise(32, 32)), .taps = 4};
   Dice dice(12);
   for (int i = 0; i < 8; ++i) {
     const double size = std::exp(dice.between(-4.5, -2));
@@ -222,7 +213,8 @@ TEST_CASE("the stochastic filter's mean is the anisotropic filter's") {
 }
 
 TEST_CASE("its random numbers come from the place alone, and differ from place to place") {
-  const FilteredTexture texture{.pyramid = pyramid_of(noise(64, 64)), .filter = Filter::stochastic};
+  const FilteredTexture texture{.pyramid = pyramid_of(light_noise(64, 64)),
+                                .filter = Filter::stochastic};
   const FilteredTexture full{.pyramid = texture.pyramid, .filter = Filter::anisotropic};
   double sum = 0, expected = 0, differences = 0;
   const int count = 20000;
@@ -244,8 +236,10 @@ TEST_CASE_TEMPLATE("no place and no footprint leaves the image or a color's rang
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 9), std::pair(16, 8)}) {
     for (const Filter filter : filters) {
       for (const Wrap wrap : wraps) {
-        const FilteredTexture texture{
-            .pyramid = pyramid_of(noise(width, height)), .filter = filter, .wrap = wrap, .taps = 4};
+        const FilteredTexture texture{.pyramid = pyramid_of(light_noise(width, height)),
+                                      .filter = filter,
+                                      .wrap = wrap,
+                                      .taps = 4};
         for (int i = 0; i < 1000; ++i) {
           const auto any = [&] {
             return dice.once_in(2) ? dice.anything<Real>() : static_cast<Real>(dice.between(-3, 3));
@@ -261,7 +255,7 @@ TEST_CASE_TEMPLATE("no place and no footprint leaves the image or a color's rang
 }
 
 TEST_CASE("a footprint as wide as the picture or wider shows its mean") {
-  const LightImage image = noise(64, 32);
+  const LightImage image = light_noise(64, 32);
   const Pyramid pyramid = pyramid_of(image);
   const double mean = pyramid.texels.back().r;
   for (const Filter filter : {Filter::trilinear, Filter::anisotropic, Filter::ewa}) {

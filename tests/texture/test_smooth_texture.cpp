@@ -6,22 +6,12 @@
 #include <cmath>
 
 #include "number/dual.hpp"
-#include "support/dice.hpp"
+#include "support/made_light.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
 
 namespace {
-
-LightImage noise(int width, int height, std::uint64_t seed) {
-  Dice dice(seed);
-  LightImage image(width, height);
-  for (auto& texel : image.texels) {
-    const auto value = static_cast<float>(dice.between(0, 1));
-    texel = {value, value / 2, 1 - value};
-  }
-  return image;
-}
 
 Dual<double> with_slopes(const SmoothTexture& texture, double u, double v) {
   return texture(Uv<Dual<double>>{{u, 1, 0}, {v, 0, 1}}).r;
@@ -48,7 +38,7 @@ TEST_CASE("a ramp of texels is a ramp, with its slope") {
 }
 
 TEST_CASE("value and slopes do not jump from texel to texel, over the seam and over the poles") {
-  const SmoothTexture texture{noise(8, 4, 3)};
+  const SmoothTexture texture{light_noise(8, 4, 3)};
   const double tiny = 1e-9;
   Dice dice(4);
   for (int i = 0; i < 400; ++i) {
@@ -72,7 +62,7 @@ TEST_CASE("value and slopes do not jump from texel to texel, over the seam and o
 }
 
 TEST_CASE("a NaN reads a texel of the image, and an empty image is black") {
-  const SmoothTexture texture{noise(8, 4, 5)};
+  const SmoothTexture texture{light_noise(8, 4, 5)};
   const double nan = std::nan("");
   CHECK(std::isnan(texture(Uv<double>{nan, nan}).r));
   CHECK(SmoothTexture{}(Uv<double>{0.5, 0.5}).r == 0);
