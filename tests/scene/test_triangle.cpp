@@ -58,6 +58,15 @@ TEST_CASE_TEMPLATE("P25: beyond a side a weight is negative, not folded back ins
   CHECK(is(barycentric({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, Vec3<Real>{-1, 0, 0}), 2, -1, 0));
 }
 
+TEST_CASE("of a triangle that is none all the weight is the first corner's, in any order") {
+  for (const Triangle& line :
+       {Triangle{{4, 5, 7}, {1, 2, 3}, {1, 2, 3}}, Triangle{{1, 0, 0}, {0, 0, 0}, {2, 0, 0}}}) {
+    const Barycentric<double> w = barycentric(line, Point{0.25, -7, 1e6});
+    CHECK(w.degenerate);
+    CHECK((w.a == 1 && w.b == 0 && w.c == 0));
+  }
+}
+
 TEST_CASE_TEMPLATE("off the plane the weights are those of the foot", Real, float, double,
                    long double) {
   for (const double height : {1e-6, 0.5, 7.0, 1e6})

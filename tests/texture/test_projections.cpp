@@ -108,6 +108,7 @@ TEST_CASE_TEMPLATE("inverse, then forward: the same place, on 401 x 401 places w
 }
 
 TEST_CASE("a zero with a minus sign is a zero") {
+  CHECK((with_sign_of(0.0, 2.0) == 2 && with_sign_of(-0.0, 2.0) == 2));
   for (const ProjectionFacts& facts : projections) {
     CAPTURE(std::string(facts.word));
     for (const Vec3<double>& p : {Vec3<double>{-1, 0.5, 0}, Vec3<double>{0, 0.5, -1},
