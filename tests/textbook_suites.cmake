@@ -2,8 +2,6 @@
 
 foreach(suite
     number/test_number
-    math/test_circle
-    math/test_srgb
     math/test_vec3
     sampling/test_alias_table
     sampling/test_directions
@@ -23,7 +21,6 @@ foreach(suite
     scene/test_sky
     scene/test_sky_path
     scene/test_sphere
-    scene/test_steps
     scene/test_triangle
     published/test_published_sphere
     support/test_dice)

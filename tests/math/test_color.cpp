@@ -11,19 +11,6 @@ bool equal(const Color<Real>& a, const Color<Real>& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b;
 }
 
-TEST_CASE_TEMPLATE("colors add, multiply and scale channel by channel", Real, float, double,
-                   long double) {
-  const Color<Real> a{Real(0.25), Real(0.5), 1};
-  const Color<Real> b{2, Real(0.5), Real(0.125)};
-  CHECK(equal(a + b, {Real(2.25), 1, Real(1.125)}));
-  CHECK(equal(a * b, {Real(0.5), Real(0.25), Real(0.125)}));
-  CHECK(equal(a * Real(4), {1, 2, 4}));
-  CHECK(equal(gray(Real(0.75)), {Real(0.75), Real(0.75), Real(0.75)}));
-  CHECK(equal(select(true, a, b), a));
-  CHECK(equal(select(false, a, b), b));
-  CHECK(equal(number_cast<Real>(Rgb{0.1, 0.2, 0.3}), {Real(0.1), Real(0.2), Real(0.3)}));
-}
-
 TEST_CASE_TEMPLATE("mix goes straight from the first color to the second", Real, float, double,
                    long double) {
   const Color<Real> a{0, Real(0.5), 1};

@@ -1,9 +1,10 @@
-// Tests of common/math/rotation.hpp: turns about the vertical axis, in degrees. How exact they are,
-// tests/extremes searches.
+// Tests of common/math/rotation.hpp, turns about the vertical axis, in degrees; of math/circle.hpp,
+// turns of the unit circle; and of texture/uv_inverse.hpp. How exact they are, tests/extremes
+// searches.
 #include <doctest.h>
 
 #include "math/rotation.hpp"
-#include "texture/uv.hpp"
+#include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
 namespace {
@@ -23,16 +24,6 @@ TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, floa
     CAPTURE(quarter);
     CHECK(angle.sine == static_cast<Real>(sines[place]));
     CHECK(angle.cosine == static_cast<Real>(cosines[place]));
-  }
-}
-
-TEST_CASE("any finite angle counts, up to the largest number there is") {
-  CHECK(rotation_y(280).sine == doctest::Approx(-0.984807753012208059).epsilon(1e-15));
-  for (const auto& [far, near] :
-       {std::pair(1e9, 280.0), {1e300, 0.0}, {std::numeric_limits<double>::max(), 128.0}}) {
-    CHECK(rotation_y(far).sine == rotation_y(near).sine);
-    CHECK(rotation_y(far).cosine == rotation_y(near).cosine);
-    CHECK(rotation_y(-far).sine == -rotation_y(near).sine);
   }
 }
 
@@ -64,18 +55,44 @@ TEST_CASE_TEMPLATE("the lecture's matrix carries the axes round: +z to +x to -z 
 }
 
 TEST_CASE("a rotation adds degrees / 360 to u and leaves v") {
-  double worst = 0;
   for (int i = 0; i < 5000; ++i) {
     const Point p{std::sin(i * 1.7), std::sin(i * 0.9) * 2, std::cos(i * 1.3)};
     const double degrees = i * 0.7919 - 1800;
     const Uv<double> before = uv_rtiow(p);
     const Uv<double> after = uv_rtiow(rotation_y(degrees)(p));
     const double off = after.u - before.u - degrees / 360;
-    worst = std::max(worst, abs(off - std::round(off)));
+    REQUIRE(abs(off - std::round(off)) <= 2e-15);  // degrees / 360 is rounded at up to 6 turns
     REQUIRE(abs(after.v - before.v) <= 4e-16);
   }
-  MESSAGE("worst: " << worst << " of a turn");
-  CHECK(worst <= 2e-15);  // degrees / 360 itself is rounded at up to 6 turns
+}
+
+TEST_CASE_TEMPLATE("cosine and sine of turns are the library's, and exact at quarters", T, float,
+                   double, long double) {
+  for (int quarter = -9; quarter <= 9; ++quarter) {
+    const OnCircle<T> at = on_circle(static_cast<T>(quarter) / 4);
+    const int wrapped = ((quarter % 4) + 4) % 4;
+    CAPTURE(quarter);
+    CHECK(at.cosine == (wrapped == 0 ? 1 : wrapped == 2 ? -1 : 0));
+    CHECK(at.sine == (wrapped == 1 ? 1 : wrapped == 3 ? -1 : 0));
+  }
+  // As far as 1 / (8 unit roundoffs), and a quarter turn beyond each whole number.
+  for (T turns = 1; turns < 1 / (8 * unit_roundoff<T>()); turns *= 2) {
+    CAPTURE(turns);
+    CHECK(on_circle(turns + T(0.25)).sine == 1);
+    CHECK(on_circle(turns + T(0.25)).cosine == 0);
+    CHECK(on_circle(-turns - T(0.25)).sine == -1);
+  }
+}
+
+TEST_CASE_TEMPLATE("the direction of (u, v) has that (u, v), poles and seam included", T, float,
+                   double, long double) {
+  struct Row {
+    double u, v;
+    Vec3<T> p;
+  };
+  for (const Row& row : {Row{0.25, 0, {0, -1, 0}}, Row{0.25, 1, {0, 1, 0}}, Row{0, 0.5, {-1, 0, 0}},
+                         Row{0.25, 0.5, {0, 0, 1}}, Row{0.5, 0.5, {1, 0, 0}}})
+    CHECK(largest(direction_rtiow(Uv<T>{T(row.u), T(row.v)}) - row.p) == 0);
 }
 
 }  // namespace

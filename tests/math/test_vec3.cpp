@@ -11,34 +11,6 @@ bool equal(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-TEST_CASE_TEMPLATE("vectors add, subtract, turn round and stretch coordinate by coordinate", Real,
-                   float, double, long double) {
-  const Vec3<Real> a{1, 2, 3};
-  const Vec3<Real> b{4, -5, 6};
-  CHECK(equal(a + b, {5, -3, 9}));
-  CHECK(equal(a - b, {-3, 7, -3}));
-  CHECK(equal(-b, {-4, 5, -6}));
-  CHECK(equal(b * Real(0.5), {2, Real(-2.5), 3}));
-  CHECK(equal(select(true, a, b), a));
-  CHECK(equal(select(false, a, b), b));
-  CHECK(equal(number_cast<Real>(Point{0.1, 0.2, 0.3}), {Real(0.1), Real(0.2), Real(0.3)}));
-}
-
-TEST_CASE_TEMPLATE("the vector product follows the right-hand rule", Real, float, double,
-                   long double) {
-  const Vec3<Real> axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (int i = 0; i < 3; ++i) {
-    const Vec3<Real>& x = axes[i];
-    const Vec3<Real>& y = axes[(i + 1) % 3];
-    CHECK(equal(cross(x, y), axes[(i + 2) % 3]));
-    CHECK(equal(cross(y, x), -axes[(i + 2) % 3]));
-    CHECK(dot(x, x) == Real(1));
-    CHECK(dot(x, y) == Real(0));
-  }
-  CHECK(dot(Vec3<Real>{1, 2, 3}, {4, -5, 6}) == Real(12));
-  CHECK(equal(cross(Vec3<Real>{1, 2, 3}, {4, -5, 6}), {27, 6, -13}));
-}
-
 TEST_CASE_TEMPLATE("lengths of whole boxes are whole", Real, float, double, long double) {
   CHECK(length(Vec3<Real>{2, 3, 6}) == Real(7));
   CHECK(length(Vec3<Real>{-1, 2, -2}) == Real(3));

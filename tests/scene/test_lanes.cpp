@@ -1,5 +1,6 @@
 // The law of packs for math, sampling, scene and texture: each lane computes what a plain number
-// computes. A row a function; to add one, make what it needs of the numbers in `In`.
+// computes. A row a function; to add one, make what it needs of the numbers in `In`. Functions with
+// an arc tangent, which packs round in their own way, tests/extremes searches with packs, too.
 #include <doctest.h>
 
 #include "number/kinds/pack2.hpp"
@@ -13,20 +14,16 @@
 #include "scene/sky.hpp"
 #include "scene/triangle.hpp"
 #include "support/lanes.hpp"
+#include "support/made_light.hpp"
+#include "support/made_pictures.hpp"
 #include "support/mesh_rays.hpp"
 #include "texture/bilinear.hpp"
-#include "texture/bump.hpp"
 #include "texture/encoded.hpp"
-#include "texture/environment.hpp"
 #include "texture/filters.hpp"
 #include "texture/floor_mapping.hpp"
-#include "texture/normal_map.hpp"
-#include "texture/projection_facts.hpp"
-#include "texture/sky_moments.hpp"
-#include "texture/sky_sampler.hpp"
 #include "texture/smooth_texture.hpp"
 #include "texture/solid_checkerboard.hpp"
-#include "texture/waves.hpp"
+#include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
 namespace {
@@ -58,23 +55,6 @@ Vec3<Real> unit(const In<Real>& x, std::size_t first) {
 template <class Real>
 Real number_of(const Mask<Real>& mask) {
   return select(mask, Real(1), Real(0));
-}
-
-Image bytes(int width, int height) {
-  Dice dice(1);
-  Image image(width, height);
-  for (Rgb8& texel : image.pixels)
-    texel = {static_cast<std::uint8_t>(dice.below(256)), static_cast<std::uint8_t>(dice.below(256)),
-             static_cast<std::uint8_t>(128 + dice.below(128))};
-  return image;
-}
-LightImage light(int width, int height) {
-  Dice dice(2);
-  LightImage image(width, height);
-  for (Color<float>& texel : image.pixels)
-    texel = {static_cast<float>(dice.between(0, 1)), static_cast<float>(dice.between(0, 1)),
-             dice.once_in(9) ? 50.0F : 0.0F};
-  return image;
 }
 
 const std::vector<Painted<Solid>> spheres = {{{{0, 0, -5}, 1}, {{0.5, 0.25, 1}}},
@@ -177,11 +157,11 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
     });
   };
   for (const VAxis axis : {VAxis::up, VAxis::down}) {
-    texture_law(ImageTexture{bytes(3, 2), axis, TexelRounding::floor});
-    texture_law(ImageTexture{bytes(3, 2), axis, TexelRounding::lecture});
-    texture_law(BilinearTexture{bytes(33, 16), axis, TexelLight::encoded});
-    texture_law(BilinearTexture{bytes(33, 16), axis, TexelLight::linear});
-    texture_law(SmoothTexture{light(8, 4), axis});
+    texture_law(ImageTexture{noise(3, 2, 1), axis, TexelRounding::floor});
+    texture_law(ImageTexture{noise(3, 2, 1), axis, TexelRounding::lecture});
+    texture_law(BilinearTexture{noise(33, 16, 1), axis, TexelLight::encoded});
+    texture_law(BilinearTexture{noise(33, 16, 1), axis, TexelLight::linear});
+    texture_law(SmoothTexture{light_noise(8, 4), axis});
   }
   texture_law(Checkerboard{{0.25, 0.5, 0.75}, {1, 0, 0.125}, 7});
   for (const double reach : {3.0, 1e6, 1e12}) {
@@ -209,7 +189,7 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
         footprint_of(Uv<Dual<Real>>{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, Real(64), Real(32));
     return std::tuple(footprint.along_u, footprint.along_v, footprint.longer, footprint.shorter);
   });
-  const Pyramid pyramid = pyramid_of(light(40, 24));
+  const Pyramid pyramid = pyramid_of(light_noise(40, 24));
   law<Many>("level_of, texel_light", [&]<class Real>(const In<Real>& x) {
     const Real inside = Real(0.99);
     const PyramidLevel<Real> level = level_of(pyramid, floor(abs(x[0]) * inside * Real(6)));
@@ -233,65 +213,6 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
       }
     }
   }
-}
-
-/// The largest difference in a lane of three numbers, over many inputs, in epsilons.
-template <class Many, class Function>
-double farthest_lane(const Function& function) {
-  Dice dice(7);
-  double worst = 0;
-  for (int i = 0; i < 200; ++i) {
-    const In<Many> in = any_numbers<Many>(dice);
-    const auto many = function(in);
-    for (std::size_t k = 0; k < lanes<Many>; ++k) {
-      const auto one = function(lane_of(in, k)), lane = lane_of(many, k);
-      worst = std::max({worst, static_cast<double>(abs(lane.x - one.x)),
-                        static_cast<double>(abs(lane.y - one.y)),
-                        static_cast<double>(abs(lane.z - one.z))});
-    }
-  }
-  return worst / static_cast<double>(std::numeric_limits<Scalar<Many>>::epsilon());
-}
-template <class Real>
-Vec3<Real> as_vector(const Color<Real>& c) {
-  return {c.r, c.g, c.b};
-}
-
-TEST_CASE_TEMPLATE("what packs compute by their own arc tangent differs by its rounding alone",
-                   Many, PACKS) {
-  for (const ProjectionFacts& facts : projections) {
-    CAPTURE(facts.word);
-    const Projection projection = facts.projection;
-    CHECK(farthest_lane<Many>([=]<class Real>(const In<Real>& x) {
-            const Uv<Real> uv = project(projection, unit(x, 0));
-            return Vec3<Real>{uv.u, uv.v, Real(0)};
-          }) <= 8);
-    CHECK(farthest_lane<Many>([=]<class Real>(const In<Real>& x) {
-            return unproject(projection, Uv<Real>{Real(0.5) + Real(0.49) * x[0], abs(x[1])});
-          }) <= 8);
-  }
-  const Environment sky(light(16, 8), TexelFilter::bilinear, 25);
-  const SkyMoments moments(sky);
-  const SkySampler sampler(sky);
-  const NormalMap<RtiowMapping, BilinearTexture> map{.mapping = {}, .texture = {bytes(16, 8)}};
-  const Bumps<SolidWaves> bumps{.height = {}, .relief = 0.1};
-  const auto hit = []<class Real>(const Vec3<Real>& p) { return Hit<Real>{p, p, p, p}; };
-  // Differences of single texels go by their light.
-  CHECK(farthest_lane<Many>([&]<class Real>(const In<Real>& x) {
-          return as_vector(sky(Ray<Real>{{}, unit(x, 0)}));
-        }) <= 1e5);
-  CHECK(farthest_lane<Many>([&]<class Real>(const In<Real>& x) {
-          return as_vector(moments.reflected(unit(x, 0)));
-        }) <= 1e3);
-  CHECK(farthest_lane<Many>([&]<class Real>(const In<Real>& x) {
-          const Real most = below_one<Real>();
-          return sampler.direction(sky, Point2<Real>{abs(x[0]) * most, abs(x[1]) * most},
-                                   Point2<Real>{abs(x[2]) * most, Real(0.3)});
-        }) <= 100);
-  CHECK(farthest_lane<Many>(
-            [&]<class Real>(const In<Real>& x) { return bumps(hit(unit(x, 0)), Real(1)); }) <= 100);
-  CHECK(farthest_lane<Many>(
-            [&]<class Real>(const In<Real>& x) { return map(hit(unit(x, 0)), Real(1)); }) <= 1e5);
 }
 
 }  // namespace

@@ -121,29 +121,3 @@ TEST_CASE("two facets have the true normal as their mean, and are seen as the su
     }
   }
 }
-
-TEST_CASE("furnace: two facets return all light of a white sky, and one bounce alone does not") {
-  Dice dice(5);
-  for (const double angle : {0.3, 0.8, 1.2}) {
-    const Vec3d normal{0, 0, 1};
-    const TwoFacets<double> facets = two_facets(normal, leaning(normal, angle, dice));
-    // The share of a facet's Lambertian light that leaves; the rest meets the other facet.
-    const auto leaving = [&](const Vec3d& facet) {
-      return 2 * mean_above(facet, [&](const Vec3d& l) {
-               return dot(facet, l) * chance_to_leave(facets, l);
-             });
-    };
-    const double bent = leaving(facets.bent);
-    const double upright = leaving(facets.upright);
-    for (const bool from_bent : {true, false}) {
-      double returned = 0, under_way = 1;
-      for (int bounce = 0; bounce < 500; ++bounce) {
-        const double now = (bounce % 2 == 0) == from_bent ? bent : upright;
-        returned += under_way * now;
-        under_way *= 1 - now;
-      }
-      CHECK(returned == doctest::Approx(1).epsilon(1e-9));
-    }
-    CHECK(std::max(bent, upright) < 0.97);  // one bounce alone
-  }
-}

@@ -94,26 +94,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a constant picture over a lone ball needs no number, in the mirror neither") {
-  struct NoNumbers {
-    Point2<double> next_2d() {
-      FAIL("a number was drawn");
-      return {};
-    }
-  } none;
-  const SkyLight sky = constant_sky(0.25F);
-  for (const bool mirrors : {false, true}) {
-    const std::vector<Painted<Coat>> ball = {{.shape = {}, .paint = {{0.5, 0.5, 0.5}, mirrors}}};
-    const auto seen = [&](const Vec3d& direction) {
-      return light_under_sky(ball, Ray<double>{{0, 0, 5}, direction}, sky, {SkyLighting::mis}, 50,
-                             none)
-          .r;
-    };
-    CHECK(seen({0, 0, -1}) == 0.125);
-    CHECK(seen({0, 1, -1}) == 0.25);
-  }
-}
-
 TEST_CASE("all ways to draw directions find the same light, under every sky and normal") {
   for (const float sun : {0.5F, 30.0F, 1000.0F}) {
     for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
@@ -158,24 +138,6 @@ TEST_CASE("a mirror shows the sky of the mirrored ray, times its color") {
     CHECK(light.r == doctest::Approx(0.5 * expected).epsilon(1e-9));
     CHECK(light.g == doctest::Approx(0.25 * expected).epsilon(1e-9));
   }
-}
-
-TEST_CASE("with shadows all ways agree too; nine coefficients know no shadow") {
-  const SkyLight sky(Environment(with_sun(200)));
-  std::vector<Painted<Coat>> balls = two_balls;
-  for (Painted<Coat>& ball : balls) ball.paint.color = {0.6, 0.6, 0.6};
-  const Ray<double> ray = {{0.55, 0, 5}, {0, 0, -1}};  // near the other ball
-  const auto light = [&](SkyLighting way) {
-    return spread(
-        [&](Numbers& numbers) { return light_under_sky(balls, ray, sky, {way}, 50, numbers).g; });
-  };
-  const Spread by_mis = light(SkyLighting::mis);
-  for (const SkyLighting way : sampled_ways) {
-    const Spread found = light(way);
-    CHECK(found.mean ==
-          doctest::Approx(by_mis.mean).epsilon(1e-3 + 3 * std::sqrt(found.variance / 16384)));
-  }
-  CHECK(std::abs(light(SkyLighting::coefficients).mean / by_mis.mean - 1) > 0.02);
 }
 
 TEST_CASE("mirrors throw light on matte balls only with caustics, and by chance alone") {

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "number/kinds/interval.hpp"
 #include "number/kinds/pack.hpp"
 #include "scene/sphere_choice.hpp"
-#include "support/exact.hpp"
 
 namespace texmap::test {
 namespace {
@@ -28,8 +26,7 @@ TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, missing
   };
   const Row table[] = {
       {"from the front", unit_sphere, {{0, 0, 5}, {0, 0, -1}}, 4},
-      {"from the front, a long direction", unit_sphere, {{0, 0, 5}, {0, 0, -2}}, 2},
-      {"from the left", unit_sphere, {{-3, 0, 0}, {1, 0, 0}}, 2},
+      {"from the left, a long direction", unit_sphere, {{-3, 0, 0}, {2, 0, 0}}, 1},
       {"from above, another sphere", {{1, 2, 3}, 2}, {{1, 10, 3}, {0, -1, 0}}, 6},
       {"from the center, P21", {{0, 0, 0}, 3}, {{0, 0, 0}, {1, 2, 2}}, 1},
       {"from inside, ahead of the center", unit_sphere, {{0, 0, Real(0.5)}, {0, 0, 1}}, Real(0.5)},
@@ -40,7 +37,6 @@ TEST_CASE_TEMPLATE("distances obey their table: outside, inside, behind, missing
       {"from the surface outward", unit_sphere, {{0, 0, 1}, {0, 0, 1}}, miss},
       {"from the surface along it", unit_sphere, {{1, 0, 0}, {0, 0, 1}}, miss},
       {"without a direction", unit_sphere, {{0, 0, 5}, {0, 0, 0}}, miss},
-      {"without a direction, from inside", unit_sphere, {{0, 0, 0}, {0, 0, 0}}, miss},
       {"with a direction that is no number", unit_sphere, {{0, 0, 5}, {0, nan, -1}}, miss},
   };
   for (const Row& row : table) {
@@ -66,12 +62,10 @@ TEST_CASE_TEMPLATE("a tangent counts as a hit", Real, float, double, long double
 TEST_CASE_TEMPLATE("a sphere without a radius is missed by every form, and from everywhere", Real,
                    float, double, long double, Pack<float>) {
   for (const SphereForm form : all_forms) {
-    for (const double radius : {0.0, -0.0, -1.0, -1e-30, std::nan("")}) {
-      for (const double away : {0.0, 0.5, 3.0}) {
-        const Ray<Real> ray{{Real(0), Real(0), Real(away)}, {Real(0), Real(0), Real(-1)}};
-        const Real distance = distance_to(Sphere<>{{0, 0, 0}, radius, form}, ray);
-        CHECK(lane(distance, 0) == infinity<Scalar<Real>>());
-      }
+    for (const double radius : {0.0, -1.0, std::nan("")}) {
+      const Ray<Real> ray{{Real(0), Real(0), Real(0.5)}, {Real(0), Real(0), Real(-1)}};
+      const Real distance = distance_to(Sphere<>{{0, 0, 0}, radius, form}, ray);
+      CHECK(lane(distance, 0) == infinity<Scalar<Real>>());
     }
   }
 }
@@ -80,9 +74,7 @@ TEST_CASE("robust gives way to hybrid where it does not hold") {
   struct Object {
     Sphere<> shape;
   };
-  const SphereForm plain = SphereForm::plain;
-  const SphereForm robust = SphereForm::robust;
-  const SphereForm hybrid = SphereForm::hybrid;
+  constexpr SphereForm plain = all_forms[0], robust = all_forms[1], hybrid = all_forms[2];
   struct Row {
     double radius, away;
     int digits;
@@ -148,27 +140,18 @@ TEST_CASE_TEMPLATE(
     float, double) {
   // Whole numbers, which every number type holds; along -z Pythagoras gives the rest.
   for (const double away : {0.0, 1e3, 1e6}) {
-    Exact worst = 0;
+    long double worst = 0;
     for (int i = -10; i <= 10; ++i) {
       const Sphere<> sphere{{away, -away, away}, 16};
       const Ray<Real> ray{{Real(away + i), Real(-away), Real(away + 64)}, {0, 0, -1}};
       const Vec3<Real> normal = hit_at(sphere, ray, distance_to(sphere, ray)).normal;
-      const Exact x = i / widened(16);
-      worst =
-          std::max({worst, abs(widened(normal.x) - x), abs(widened(normal.z) - sqrt(1 - x * x))});
+      const long double x = i / static_cast<long double>(16);
+      worst = std::max({worst, abs(static_cast<long double>(normal.x) - x),
+                        abs(static_cast<long double>(normal.z) - sqrt(1 - x * x))});
       REQUIRE(normal.y == Real(0));
     }
     CAPTURE(away);
-    CHECK(worst <= 8 * widened(unit_roundoff<Real>()));
-  }
-}
-
-TEST_CASE("the inverse of a radius as an interval holds the true one") {
-  for (const double radius : {3.0, 0.1, 7e5}) {
-    const Interval inverse = inverse_radius<Interval>(Sphere<>{{0, 0, 0}, radius});
-    CHECK(std::fma(inverse.low(), radius, -1.0) <= 0);  // exact in its sign
-    CHECK(std::fma(inverse.high(), radius, -1.0) >= 0);
-    CHECK(inverse.low() < inverse.high());
+    CHECK(worst <= 8 * static_cast<long double>(unit_roundoff<Real>()));
   }
 }
 

@@ -1,12 +1,7 @@
-// Vectors with coordinates at the limits of a number, and the law that a mapping gives each a place
-// on a texture.
+// Coordinates at the limits of a number.
 #pragma once
-#include <doctest.h>
-
 #include <limits>
 #include <vector>
-
-#include "texture/uv.hpp"
 
 namespace texmap::test {
 
@@ -20,25 +15,6 @@ template <class Real>
     all.push_back(-size);
   }
   return all;
-}
-
-/// Checks that `mapping` gives u in [0, 1) and v in [0, 1] for every vector of such coordinates.
-template <class Real, class Mapping>
-void check_every_place(const Mapping& mapping, const std::vector<Real>& coordinates) {
-  for (const Real x : coordinates) {
-    for (const Real y : coordinates) {
-      for (const Real z : coordinates) {
-        const Uv<Real> uv = mapping(Vec3<Real>{x, y, z});
-        CAPTURE(x);
-        CAPTURE(y);
-        CAPTURE(z);
-        REQUIRE(uv.u >= Real(0));
-        REQUIRE(uv.u < Real(1));
-        REQUIRE(uv.v >= Real(0));
-        REQUIRE(uv.v <= Real(1));
-      }
-    }
-  }
 }
 
 }  // namespace texmap::test

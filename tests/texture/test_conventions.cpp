@@ -99,13 +99,5 @@ TEST_CASE("the lecture's convention is the book's on a globe turned back by a qu
   CHECK(worst <= 4e-16);
 }
 
-TEST_CASE("a turned mapping turns the point before it maps it") {
-  const Rotated<RtiowMapping> turned{rotation_y(90), {}};
-  CHECK(turned(Point{0, 0, 1}).u == 0.5);
-  CHECK(turned(Point{1, 0, 0}).u == 0.75);
-  CHECK(ConventionMapping{}(Point{0, 0, 1}).u == 0.25);
-  CHECK(ConventionMapping{Convention::daily}(Point{0, 0, 1}).u == 0.75);
-}
-
 }  // namespace
 }  // namespace texmap::test

@@ -1,5 +1,5 @@
-// Tests of texture/light_tables.cpp and texture/encoded.hpp: the light of each byte, and back. That
-// linear light is the nearest number to the standard's curve, tests/extremes searches.
+// Tests of texture/light_tables.cpp, texture/encoded.hpp and math/srgb.hpp: the light of each byte,
+// and back. How near the standard's curve they are, tests/extremes searches.
 #include <doctest.h>
 
 #include <algorithm>
@@ -48,6 +48,24 @@ TEST_CASE("every byte of a file comes back, if half a byte is added before it is
   }
   CHECK(wrong == 0);
   CHECK(wrong_without > 0);
+}
+
+TEST_CASE("both pieces of the curve meet at the standard's two thresholds") {
+  const double below = srgb_decode(0.04045);
+  const double above = srgb_decode(std::nextafter(0.04045, 1.0));
+  CHECK(below == 0.04045 / 12.92);
+  CHECK(above > below);
+  CHECK(above - below < 2e-7);
+  const double dark = srgb_encode(0.0031308);
+  const double bright = srgb_encode(std::nextafter(0.0031308, 1.0));
+  CHECK(dark == 0.0031308 * 12.92);
+  CHECK(std::abs(bright - dark) < 2e-7);
+}
+
+TEST_CASE("NaN stays NaN in both curves") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(std::isnan(srgb_decode(nan)));
+  CHECK(std::isnan(srgb_encode(nan)));
 }
 
 }  // namespace

@@ -67,13 +67,9 @@ TEST_CASE(
     "the stretch by duals is the closed form to 1e-14: 1 / cos, 1 / cos^2, 1 / y, 1 / depth; near "
     "1 too") {
   std::vector<Vec3<double>> places = any_directions(20000);
-  // Near the equator, the middle of the plane and the middles of a cube's faces, stretches are 1.
-  Dice dice(10);
-  for (int i = 0; i < 3000; ++i) {
-    const auto small = [&] { return static_cast<double>(dice.power_of_ten(-12, -1)); };
-    const Vec3<double> near_x{1, small(), small()};
-    places.push_back(normalize(near_x));
-    places.push_back(normalize(Vec3<double>{near_x.y, 1, near_x.z}));
+  for (const double near : {1e-12, 1e-9, 1e-6, 1e-3}) {  // stretches are 1 at these middles
+    places.push_back(normalize(Vec3<double>{1, near, 0.7 * near}));
+    places.push_back(normalize(Vec3<double>{near, 1, 0.7 * near}));
   }
   double worst[4] = {};
   for (const Vec3<double>& n : places) {

@@ -120,16 +120,12 @@ TEST_CASE("a tent that reaches over a pole comes down on the other side") {
     const Environment sky(map);
     const SkySampler sampler(sky);
     constexpr std::uint32_t count = 16384;
-    double mean = 0, over = 0;
+    double over = 0;
     const Vec3d middle = direction_rtiow(Uv<double>{5.5 / 16, 0.5});
     for (std::uint32_t i = 0; i < count; ++i) {
       const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
-      mean += sky(Ray<double>{{}, d}).r / sampler.density(sky, d) / count;
       over += dot(d, middle) < 0 ? 1.0 / count : 0;
     }
-    CHECK(mean == doctest::Approx(integral(sky, [&](const Vec3d& d) {
-                    return sky(Ray<double>{{}, d}).r;
-                  })).epsilon(2e-3));
     CHECK(over == doctest::Approx(1.0 / 8).epsilon(0.01));  // half a texel of a tent two wide
   }
 }

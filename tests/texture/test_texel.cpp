@@ -39,8 +39,8 @@ TEST_CASE_TEMPLATE("no coordinate leaves the image: NaN gives 0 and the rest is 
     CHECK(test::texel_index(nan, n) == Real(0));
     CHECK(test::texel_index(-infinity<Real>(), n) == Real(0));
     CHECK(test::texel_index(infinity<Real>(), n) == last);
-    CHECK(test::clamp_index(nan, n) == Real(0));
-    CHECK(test::clamp_index(static_cast<Real>(n), n) == last);
+    CHECK(clamp_number(nan, n) == 0);
+    CHECK(clamp_number(static_cast<Real>(n), n) == n - 1);
   }
 }
 

@@ -15,20 +15,11 @@ int mirrored_whole(int x, int n) {
   return within < n ? within : 2 * n - 1 - within;
 }
 
-/// Sizes to try: every one up to 40, then some up to 4096.
-std::vector<int> sizes() {
-  std::vector<int> all;
-  for (int n = 1; n <= 40; ++n) all.push_back(n);
-  for (const int n : {63, 64, 65, 100, 127, 255, 256, 257, 1000, 1023, 1024, 2047, 4095, 4096})
-    all.push_back(n);
-  return all;
-}
-
 /// How many whole numbers of four periods `wrapped(x, n)` does not take to `expected(x, n)`.
 template <class Wrapped, class Expected>
 long count_wrong(const Wrapped& wrapped, const Expected& expected) {
   long wrong = 0;
-  for (const int n : sizes()) {
+  for (int n = 1; n <= 4096; n += n < 65 ? 1 : n / 4) {
     for (int x = -4 * n; x <= 4 * n; ++x) wrong += wrapped(x, n) != expected(x, n) ? 1 : 0;
   }
   return wrong;
@@ -78,10 +69,6 @@ TEST_CASE("over a pole one comes down on the other side, half a turn on; twice i
             return std::pair(texel.column, texel.row);
           };
           const auto here = at(column, row);
-          REQUIRE(here.first >= 0);
-          REQUIRE(here.first < columns);
-          REQUIRE(here.second >= 0);
-          REQUIRE(here.second < rows);
           REQUIRE(at(column + columns / 2, -1 - row) == here);
           REQUIRE(at(column + columns / 2, 2 * rows - 1 - row) == here);
           REQUIRE(at(column, row + 2 * rows) == here);
