@@ -1,10 +1,5 @@
-// References in double for functions of a float: each within 1e-14 of itself, which their own test
-// holds against long double.
+// References in double for functions of a float: each within 1e-13 of itself.
 #pragma once
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 #include "every_float.hpp"
 #include "sampling/directions.hpp"
 
@@ -18,7 +13,15 @@ void fill_exact(Block& block, const Function& function) {
   in_packs(x.data(), block.exact.data(), function);
 }
 
-using Wide = Pack<double>;
+/// A reference by a function of packs, and by a shorter one for blocks that end at `joint` or below.
+template <class Near, class Far>
+[[nodiscard]] Prepare by_parts(float joint, Near near, Far far) {
+  return [=](Block& block) {
+    block.x.back() <= joint ? fill_exact(block, near) : fill_exact(block, far);
+  };
+}
+
+inline const Wide half_turns(static_cast<double>(1 / pi_digits));
 
 /// atan(t) / t for t below 2^-10, by its series: what is left out is below 2^-60.
 [[nodiscard]] inline Wide small_arc_tangent_ratio(const Wide& t) {
@@ -27,39 +30,24 @@ using Wide = Pack<double>;
 }
 
 /// The arc tangent of t from 0 to 1, in turns.
-inline void exact_eighth_turn(Block& block) {
-  const Wide turns(static_cast<double>(0.5L / pi_digits));
-  if (block.x.back() < 0x1p-10F) {
-    fill_exact(block, [&](const Wide& t) { return t * small_arc_tangent_ratio(t) * turns; });
-  } else {
-    fill_exact(block, [&](const Wide& t) { return atan2(t, Wide(1)) * turns; });
-  }
-}
+inline const Prepare exact_eighth_turn = by_parts(
+    0x1p-10F, [](const Wide& t) { return t * small_arc_tangent_ratio(t) * Wide(0.5) * half_turns; },
+    [](const Wide& t) { return atan2(t, Wide(1)) * Wide(0.5) * half_turns; });
 
 /// The angle of (beside, x) from the equator's plane to the axis: from the pole, in half turns,
 /// for 0 <= x <= 1. Fills `beside` with the distance from the axis of a point on the sphere.
 inline void exact_from_pole(Block& block) {
-  alignas(64) std::array<double, Block::size> y, around;
   for (std::size_t i = 0; i < Block::size; ++i) {
-    y[i] = static_cast<double>(block.x[i]);
-    around[i] = std::sqrt((1 - y[i]) * (1 + y[i]));
-    block.beside[i] = static_cast<float>(around[i]);
-    around[i] = static_cast<double>(block.beside[i]);
+    const auto y = static_cast<double>(block.x[i]);
+    block.beside[i] = static_cast<float>(std::sqrt((1 - y) * (1 + y)));
   }
-  const Wide half_turns(static_cast<double>(1 / pi_digits));
   const bool small = block.x.back() < 0x1p-10F;
-  for (std::size_t i = 0; i < Block::size; i += lanes<Wide>) {
-    const Wide high(Wide::Batch::load_aligned(y.data() + i));
-    const Wide wide(Wide::Batch::load_aligned(around.data() + i));
-    Wide angle;
-    if (small) {
-      const Wide t = high / wide;
-      angle = Wide(0.5) - t * small_arc_tangent_ratio(t) * half_turns;
-    } else {
-      angle = atan2(wide, high) * half_turns;
-    }
-    angle.batch().store_unaligned(block.exact.data() + i);
-  }
+  std::size_t at = 0;
+  fill_exact(block, [&](const Wide& y) {
+    const Wide around = from_lanes<Wide>([&](std::size_t) { return double{block.beside[at++]}; });
+    if (!small) return atan2(around, y) * half_turns;
+    return Wide(0.5) - y / around * small_arc_tangent_ratio(y / around) * half_turns;
+  });
 }
 
 /// The cosine and the sine of up to an eighth of a turn.
@@ -71,17 +59,13 @@ inline void exact_sine(Block& block) {
 }
 
 /// 255 times the sRGB curve of light from 0 to 1.
-inline void exact_srgb_level(Block& block) {
-  if (block.x.back() <= 0.0031308F) {
-    fill_exact(block, [](const Wide& light) { return light * Wide(255 * 12.92); });
-    return;
-  }
-  fill_exact(block, [](const Wide& light) {
-    const Wide power = exp(log1p(light - Wide(1)) * Wide(5. / 12));
-    return select(light <= Wide(0.0031308), light * Wide(255 * 12.92),
-                  Wide(255) * (Wide(1.055) * power - Wide(0.055)));
-  });
-}
+inline const Prepare exact_srgb_level = by_parts(
+    0.0031308F, [](const Wide& light) { return light * Wide(255 * 12.92); },
+    [](const Wide& light) {
+      const Wide power = exp(log1p(light - Wide(1)) * Wide(5. / 12));
+      return select(light <= Wide(0.0031308), light * Wide(255 * 12.92),
+                    Wide(255) * (Wide(1.055) * power - Wide(0.055)));
+    });
 
 /// The byte of that level.
 inline void exact_srgb_byte(Block& block) {
@@ -90,30 +74,23 @@ inline void exact_srgb_byte(Block& block) {
 }
 
 /// The light of an encoded channel from 0 to 1.
-inline void exact_srgb_decode(Block& block) {
-  if (block.x.back() <= 0.04045F) {
-    fill_exact(block, [](const Wide& encoded) { return encoded / Wide(12.92); });
-    return;
-  }
-  fill_exact(block, [](const Wide& encoded) {
-    const Wide power = exp(log1p((encoded - Wide(1)) / Wide(1.055)) * Wide(2.4));
-    return select(encoded <= Wide(0.04045), encoded / Wide(12.92), power);
-  });
-}
+inline const Prepare exact_srgb_decode = by_parts(
+    0.04045F, [](const Wide& encoded) { return encoded / Wide(12.92); },
+    [](const Wide& encoded) {
+      const Wide power = exp(log1p((encoded - Wide(1)) / Wide(1.055)) * Wide(2.4));
+      return select(encoded <= Wide(0.04045), encoded / Wide(12.92), power);
+    });
 
 /// (1 - w)^n for w from 0 to 1.
-inline void exact_power(Block& block, double n) {
-  const double least = n * static_cast<double>(block.x.front());
-  const double most = n * static_cast<double>(block.x.back());
-  if (most < 0x1p-27) {  // the next term is below 2^-55
-    fill_exact(block, [n](const Wide& w) { return Wide(1) - Wide(n) * w; });
-  } else if (least > 60) {
-    block.exact.fill(0);
-  } else {
-    fill_exact(block, [n](const Wide& w) {
-      return select(w < Wide(1), exp(Wide(n) * log1p(-w)), Wide(0));
-    });
-  }
+[[nodiscard]] inline Prepare exact_power(double n) {
+  const Prepare any = by_parts(
+      static_cast<float>(0x1p-28 / n),  // the next term is below 2^-55
+      [n](const Wide& w) { return Wide(1) - Wide(n) * w; },
+      [n](const Wide& w) { return select(w < Wide(1), exp(Wide(n) * log1p(-w)), Wide(0)); });
+  return [n, any](Block& block) {
+    if (n * double{block.x.front()} > 60) return block.exact.fill(0);
+    any(block);
+  };
 }
 
 }  // namespace texmap::test

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "describe.hpp"
 #include "digits.hpp"
 #include "number/kinds/pack.hpp"
 #include "number/number.hpp"
@@ -27,7 +26,7 @@ struct Worst {
   }
   /// For claims that count: one more, if it happened.
   template <class Describe>
-  void count(bool happened, const Describe& describe) {
+  void see(bool happened, const Describe& describe) {
     if (!happened) return;
     off += 1;
     if (describes && where.empty()) where = describe();
@@ -42,17 +41,10 @@ struct Measurement {
   std::string how_many{};                ///< every input: what they are
 };
 
-template <class OneInput>
-[[nodiscard]] Measurement worst_over(int times, OneInput one_input) {
-  return {.one_input = one_input, .times = times};
+[[nodiscard]] inline Measurement worst_over(int times,
+                                            std::function<void(Dice&, Worst&)> one_input) {
+  return {.one_input = std::move(one_input), .times = times};
 }
-template <class OneInput>
-[[nodiscard]] Measurement worst_over(OneInput one_input) {
-  return worst_over(1, one_input);
-}
-
-/// The worst of so many inputs as they are drawn.
-[[nodiscard]] Worst sampled(const Measurement& measurement, int inputs, std::uint64_t seed);
 
 /// The worst that a search finds among so many inputs: the worst of those drawn are changed a
 /// little, again and again, and what is worse is kept. The same on every run.
@@ -70,44 +62,36 @@ void see_lanes(Worst& worst, const Draw& draw, const Function& function, const O
   const auto each = drawn<Real>(draw);
   const auto got = function(packed<Real>([&](std::size_t i) { return each[i]; }, each[0]));
   for (std::size_t k = 0; k < lanes<Real>; ++k) {
-    const auto now = off(lane_of(got, k), each[k]);
-    const auto where = [&] { return described(each[k]) + (given ? ", " + given() : ""); };
-    if constexpr (std::is_same_v<decltype(now), const bool>) {
-      worst.count(now, where);
-    } else {
-      worst.see(now, where);
-    }
+    worst.see(off(lane_of(got, k), each[k]),
+              [&] { return described(each[k]) + (given ? ", " + given() : ""); });
   }
 }
 /// A claim's measurement of such lanes that share nothing; `draw` is called with the dice.
 template <class Real, class Draw, class Function, class Off>
-[[nodiscard]] auto worst_lanes(int times, Draw draw, Function function, Off off) {
+[[nodiscard]] Measurement worst_lanes(int times, Draw draw, Function function, Off off) {
   return worst_over(times, [=](Dice& dice, Worst& worst) {
     see_lanes<Real>(
         worst, [&] { return draw(dice); }, function, off);
   });
 }
-template <class Real, class Draw, class Function, class Off>
-[[nodiscard]] auto worst_lanes(Draw draw, Function function, Off off) {
-  return worst_lanes<Real>(1, draw, function, off);
+/// How many lanes' inputs are wrong: `wrong` gives a mask.
+template <class Real, class Draw, class Wrong>
+[[nodiscard]] Measurement count_lanes(int times, Draw draw, Wrong wrong) {
+  return worst_lanes<Real>(
+      times, draw, [wrong](const auto& input) { return select(wrong(input), Real(1), Real(0)); },
+      [](Scalar<Real> is_wrong, const auto&) { return is_wrong != 0; });
 }
 
-/// The worst over the 256 bytes; `one_byte(byte, worst)` reports the error of one.
-template <class OneByte>
-[[nodiscard]] Measurement worst_byte(OneByte one_byte) {
-  const auto every = [one_byte] {
+/// The worst over the 256 bytes; `off(byte)` is the error of one, or whether it is wrong.
+template <class Off>
+[[nodiscard]] Measurement worst_byte(Off off) {
+  const auto every = [off] {
     Worst worst;
-    for (int byte = 0; byte < 256; ++byte) one_byte(byte, worst);
+    for (int byte = 0; byte < 256; ++byte)
+      worst.see(off(byte), [&] { return std::to_string(byte); });
     return worst;
   };
   return {.every_input = every, .how_many = "256 bytes"};
-}
-/// How many of the bytes are `changed(byte)`.
-template <class Changed>
-[[nodiscard]] Measurement count_bytes(Changed changed) {
-  return worst_byte([changed](int byte, Worst& worst) {
-    worst.count(changed(byte), [&] { return std::to_string(byte); });
-  });
 }
 
 /// Two programs that do the same amount of work: the function's, and that of a well-known function.
@@ -143,17 +127,19 @@ struct Claim {
 
 /// What the page calls a type.
 template <class Real>
-inline const char* const name_of = "";
-template <>
-inline const char* const name_of<float> = "float";
-template <>
-inline const char* const name_of<double> = "double";
-template <>
-inline const char* const name_of<long double> = "extended";
-template <>
-inline const char* const name_of<Pack<float>> = "pack of float";
-template <>
-inline const char* const name_of<Pack<double>> = "pack of double";
+[[nodiscard]] std::string name_of() {
+  if constexpr (lanes < Real >> 1) return "pack of " + name_of<Scalar<Real>>();
+  return std::is_same_v<Real, float>    ? "float"
+         : std::is_same_v<Real, double> ? "double"
+                                        : "extended";
+}
+
+/// What a claim says for float, for double and for long double; for a pack, what its lanes have.
+template <class Real, class Value>
+[[nodiscard]] Value by_number(Value in_float, Value in_double, Value extended) {
+  using T = Scalar<Real>;
+  return std::is_same_v<T, float> ? in_float : std::is_same_v<T, double> ? in_double : extended;
+}
 
 /// The largest error that is allowed; 0 of something counted allows none.
 struct Bound {
@@ -166,31 +152,40 @@ struct Family {
   std::string introduction;
   std::vector<Claim> claims{};
 
-  /// Adds a row: a claim about `function` in Real. Set cost and Expect::beyond on the result.
+  /// Adds a row: a claim about `function` in Real.
   template <class Real>
-  Claim& add(std::string function, std::string domain, const Bound& bound,
-             Measurement measurement) {
+  Claim& add(std::string function, std::string domain, const Bound& bound, Measurement measurement,
+             Cost cost = {}) {
     claims.push_back({.function = std::move(function),
-                      .number = name_of<Real>,
+                      .number = name_of<Real>(),
                       .domain = std::move(domain),
                       .bound = bound.most,
                       .unit = bound.unit,
-                      .measurement = std::move(measurement)});
+                      .measurement = std::move(measurement),
+                      .cost = std::move(cost)});
     return claims.back();
+  }
+  /// A row of a form that must break the bound.
+  template <class Real>
+  Claim& add_broken(std::string function, std::string domain, const Bound& bound,
+                    Measurement measurement) {
+    Claim& claim = add<Real>(std::move(function), std::move(domain), bound, std::move(measurement));
+    claim.expect = Expect::beyond;
+    return claim;
   }
 };
 
-/// Calls `each.operator()<Number>()` for every number that the course draws with.
+/// Calls `each.operator()<Number>()` for these numbers.
+template <class... Numbers, class Each>
+void for_each(const Each& each) {
+  (each.template operator()<Numbers>(), ...);
+}
+/// For every number that the course draws with.
 template <class Each>
 void for_each_number(const Each& each) {
-  each.template operator()<float>();
-  each.template operator()<double>();
-  each.template operator()<long double>();
-  each.template operator()<Pack<float>>();
-  each.template operator()<Pack<double>>();
+  for_each<float, double, long double, Pack<float>, Pack<double>>(each);
 }
 
-[[nodiscard]] Family claims_of_arithmetic();
 [[nodiscard]] Family claims_of_uv();
 [[nodiscard]] Family claims_of_spheres();
 [[nodiscard]] Family claims_of_secondary_rays();
@@ -200,9 +195,10 @@ void for_each_number(const Each& each) {
 [[nodiscard]] Family claims_of_shading();
 [[nodiscard]] Family claims_of_derivatives();
 [[nodiscard]] Family claims_of_maps();
+[[nodiscard]] Family claims_of_arithmetic();
 [[nodiscard]] Family claims_of_kernels();  ///< held by other tests: they have no measurement
 
-/// All of them, in the order of the page.
+/// All of them, in the order of the page. What is not here is neither shown nor searched.
 [[nodiscard]] inline std::vector<Family> all_claims() {
   return {claims_of_uv(),         claims_of_spheres(),     claims_of_secondary_rays(),
           claims_of_triangles(),  claims_of_rotation(),    claims_of_textures(),
@@ -220,12 +216,13 @@ template <class Inputs, class Function>
   };
 }
 
-/// Inputs for a cost: `draw(dice)` until there are 2048 numbers; a pack counts as its lanes.
+/// Inputs for a cost: `draw(dice)` in each lane until there are 2048 numbers.
 template <class Real, class Draw>
 [[nodiscard]] auto inputs_of_cost(const Draw& draw) {
   Dice dice(1);
-  std::vector<decltype(draw(dice))> inputs;
-  for (std::size_t i = 0; i < 2048 / lanes<Real>; ++i) inputs.push_back(draw(dice));
+  std::vector<decltype(drawn_pack<Real>([&] { return draw(dice); }))> inputs;
+  for (std::size_t i = 0; i < 2048 / lanes<Real>; ++i)
+    inputs.push_back(drawn_pack<Real>([&] { return draw(dice); }));
   return inputs;
 }
 

@@ -14,22 +14,24 @@ struct Scene {
   Ray<T> ray;
 };
 
-constexpr SphereForm all_forms[] = {SphereForm::plain, SphereForm::robust, SphereForm::hybrid};
-const char* const names[] = {"plain", "robust", "hybrid"};
-const char* name(SphereForm form) { return names[static_cast<std::size_t>(form)]; }
+std::string name(SphereForm form) {
+  return form == SphereForm::plain ? "plain" : form == SphereForm::robust ? "robust" : "hybrid";
+}
 
 /// How far from a sphere the rays start that meet it, as a power of ten of its radius: as far as
 /// the form holds, but the plain one, which fails at once.
 template <class T>
-long double farthest_origin(SphereForm form) {
-  if (form == SphereForm::plain) return 2;
-  return std::numeric_limits<T>::digits == 24 ? 4 : 7;
+int farthest_origin(SphereForm form) {
+  return form == SphereForm::plain ? 2 : by_number<T>(4, 7, 7);
 }
+/// How far from the origin a sphere is, as a power of ten of its radius.
+template <class T>
+constexpr int farthest_center = std::is_same_v<T, float> ? 5 : 13;
 
 template <class T>
-Scene<T> draw_scene(Dice& dice, SphereForm form, long double farthest) {
+Scene<T> draw_scene(Dice& dice, SphereForm form) {
   const long double radius = dice.power_of_ten(-6, 6);
-  const long double most = std::min(7.0L, farthest + std::log10(radius));
+  const long double most = std::min(7.0L, farthest_center<T> + std::log10(radius));
   const long double away = dice.once_in(8) ? 0 : dice.power_of_ten(most - 14, most);
   const Vec3<long double> center = dice.direction() * away;
   const long double from = dice.once_in(3)   ? 5.0L
@@ -51,44 +53,25 @@ Vec3<T> outward(Dice& dice, const Vec3<T>& normal) {
   return dot(result, normal) < T(0) ? -result : result;
 }
 
-enum class Fault { self_hit, lost };
-
 /// Of rays that leave a sphere where another ray hit it: those outward that meet it again, or those
 /// inward that find no far side.
 template <class T>
-auto count_faults(SphereForm form, long double farthest, Fault fault) {
+Measurement count_faults(SphereForm form, bool outwards) {
   return worst_over(20, [=](Dice& dice, Worst& worst) {
-    const auto [sphere, ray] = draw_scene<T>(dice, form, farthest);
+    const auto [sphere, ray] = draw_scene<T>(dice, form);
     const T distance = distance_to(sphere, ray);
     if (!(distance < infinity<T>())) return;
     const Hit<T> hit = hit_at(sphere, ray, distance);
     const Vec3<T> out = outward(dice, hit.normal);
-    const Vec3<T> onward = fault == Fault::self_hit ? out : -out;
+    const Vec3<T> onward = outwards ? out : -out;
     // Exactly along the surface is outward.
-    if (fault == Fault::lost && !(dot(hit.normal, onward) < T(0))) return;
+    if (!outwards && !(dot(hit.normal, onward) < T(0))) return;
     const bool met = distance_to(sphere, ray_from(hit, onward)) < infinity<T>();
-    worst.count(met == (fault == Fault::self_hit), [&, &sphere = sphere, &ray = ray] {
+    worst.see(met == outwards, [&, &sphere = sphere, &ray = ray] {
       return "center " + described(sphere.center) + ", radius " + described(sphere.radius) +
              ", ray " + described(ray) + ", onward " + described(onward);
     });
   });
-}
-
-template <class T>
-void add_rays(Family& family, SphereForm form, long double farthest, const std::string& far) {
-  const auto from = static_cast<int>(farthest_origin<T>(form));
-  const std::string domain = "radius 1e-6 to 1e6, center to 1e7 away, but to " + far +
-                             " radii; met from inside and from 1 to " +
-                             (from == 2 ? "100" : "1e" + std::to_string(from)) +
-                             " radii; all directions, also along the surface";
-  const auto add = [&](const char* way, const char* unit, Fault fault) {
-    family
-        .add<T>(std::string("ray_from ") + way + ", " + name(form), domain, {0, unit},
-                count_faults<T>(form, farthest, fault))
-        .expect = form == SphereForm::plain ? Expect::beyond : Expect::within;
-  };
-  add("outward", "meet their own sphere", Fault::self_hit);
-  add("inward", "find no far side", Fault::lost);
 }
 
 /// One object: the list that light.hpp asks for.
@@ -96,13 +79,10 @@ struct Ground {
   Sphere<> shape;
 };
 
-/// Where the light's ray starts.
-enum class Start { lifted, from_point };
-
 /// Points of the daily exercise's ground, seen from the stage's camera, that shadow themselves:
-/// acne.
+/// acne. The light's ray starts at the lifted point, or at the point itself.
 template <class T>
-auto count_acne(SphereForm form, Start start) {
+Measurement count_acne(SphereForm form, bool lifted) {
   const Stage stage;
   const View<> view = view_of(stage.camera, 800, 600);
   const Ground ground[] = {{{{0, -1001, 0}, 1000, form}}};
@@ -113,19 +93,19 @@ auto count_acne(SphereForm form, Start start) {
     const T distance = distance_to(ground[0].shape, ray);
     if (!(distance < infinity<T>())) return;
     Hit<T> hit = hit_at(ground[0].shape, ray, distance);
-    if (start == Start::from_point) hit.outside = ray.origin + ray.direction * distance;
+    if (!lifted) hit.outside = ray.origin + ray.direction * distance;
     const LightSample<T> light = sample_light(stage.light, ground, hit);
     // The light is clearly above the horizon of the point.
     const bool lit = dot(hit.normal, light.to_light) > T(1e-3L);
-    worst.count(lit && !(light.cosine > T(0)), [&] { return described(ray); });
+    worst.see(lit && !(light.cosine > T(0)), [&] { return described(ray); });
   });
 }
 
 /// Which way the light is, from what the hit point says.
 template <class T>
-auto worst_to_light() {
+Measurement worst_to_light() {
   const std::vector<Ground> nothing;
-  return worst_over([=](Dice& dice, Worst& worst) {
+  return worst_over(1, [=](Dice& dice, Worst& worst) {
     const Vec3<T> point = rounded<T>(dice.direction() * dice.power_of_ten(-6, 6));
     const Vec3<float> lamp = rounded<float>(dice.direction() * dice.power_of_ten(-6, 6));
     const PointLight light{number_cast<double>(lamp)};
@@ -137,12 +117,28 @@ auto worst_to_light() {
 }
 
 template <class T>
-Claim& add_acne(Family& family, SphereForm form, Start start) {
-  const std::string lift = start == Start::lifted ? "by the lift alone, " : "without the lift, ";
+void add_rays(Family& family, SphereForm form) {
+  const int from = farthest_origin<T>(form);
+  const std::string domain =
+      "radius 1e-6 to 1e6, center to 1e7 away, but to 1e" + std::to_string(farthest_center<T>) +
+      " radii; met from inside and from 1 to " + (from == 2 ? "100" : "1e" + std::to_string(from)) +
+      " radii; all directions, also along the surface";
+  for (const bool outwards : {true, false}) {
+    family
+        .add<T>((outwards ? "ray_from outward, " : "ray_from inward, ") + name(form), domain,
+                {0, outwards ? "meet their own sphere" : "find no far side"},
+                count_faults<T>(form, outwards))
+        .expect = form == SphereForm::plain ? Expect::beyond : Expect::within;
+  }
+}
+
+template <class T>
+Claim& add_acne(Family& family, SphereForm form, bool lifted) {
   return family.add<T>(
-      "sample_light " + lift + name(form),
+      (lifted ? "sample_light by the lift alone, " : "sample_light without the lift, ") +
+          name(form),
       "the daily exercise's ground (radius 1000) from its camera; the ground itself is asked",
-      {0, "points in their own shadow"}, count_acne<T>(form, start));
+      {0, "points in their own shadow"}, count_acne<T>(form, lifted));
 }
 
 }  // namespace
@@ -153,22 +149,16 @@ Family claims_of_secondary_rays() {
       "A ray that leaves a surface outward must not meet it again, or the surface shadows itself; "
       "a ray inward must find the far side. The plain form cannot do it: its c is a difference of "
       "squares. The last rows start at the point itself."};
-  for (const SphereForm form : all_forms) {
-    add_rays<float>(family, form, 5, "1e5");
-    add_rays<double>(family, form, 13, "1e13");
-    add_rays<long double>(family, form, 13, "1e13");
-    add_acne<float>(family, form, Start::lifted);
-    add_acne<double>(family, form, Start::lifted);
+  for (const SphereForm form : {SphereForm::plain, SphereForm::robust, SphereForm::hybrid}) {
+    for_each<float, double, long double>([&]<class T>() { add_rays<T>(family, form); });
+    for_each<float, double>([&]<class T>() { add_acne<T>(family, form, true); });
   }
-  const auto add_light = [&]<class T>() {
+  for_each<float, double, long double>([&]<class T>() {
     family.add<T>("sample_light, direction", "points and lamps 1e-6 to 1e6 from the origin",
                   {5.5, "u"}, worst_to_light<T>());
-  };
-  add_light.template operator()<float>();
-  add_light.template operator()<double>();
-  add_light.template operator()<long double>();
-  add_acne<float>(family, SphereForm::plain, Start::from_point).expect = Expect::beyond;
-  add_acne<double>(family, SphereForm::robust, Start::from_point).expect = Expect::beyond;
+  });
+  add_acne<float>(family, SphereForm::plain, false).expect = Expect::beyond;
+  add_acne<double>(family, SphereForm::robust, false).expect = Expect::beyond;
   return family;
 }
 

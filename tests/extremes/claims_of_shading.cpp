@@ -32,8 +32,8 @@ Gloss<T> draw_gloss(Dice& dice) {
 }
 
 template <class Real>
-Real shone(const PhongMaterial& material, const Gloss<Real>& gloss) {
-  return highlight(material, LightSample<Real>{gloss[1], Real(1)}, gloss[0], gloss[2]);
+Real shone(HighlightFormula formula, const PhongMaterial& material, const Gloss<Real>& gloss) {
+  return highlight(formula, material, LightSample<Real>{gloss[1], Real(1)}, gloss[0], gloss[2]);
 }
 
 /// Exponents of 1 and more have an end like a cosine's; below, the highlight ends steeply.
@@ -41,16 +41,16 @@ enum class End { smooth, steep };
 
 /// The highlight's difference from that of exactly normalized vectors, in u sqrt(1 + shininess).
 template <class Real>
-auto worst_highlight(End end) {
+Measurement worst_highlight(End end) {
   using T = Scalar<Real>;
-  return worst_over([end](Dice& dice, Worst& worst) {
+  return worst_over(1, [end](Dice& dice, Worst& worst) {
     const double shininess = end == End::steep ? static_cast<double>(dice.number<float>(-10, 0))
                              : dice.once_in(4) ? static_cast<double>(dice.within(1, 1000))
                                                : static_cast<double>(dice.number<float>(0, 60));
     const PhongMaterial material{{}, 1, shininess};
     see_lanes<Real>(
         worst, [&] { return draw_gloss<T>(dice); },
-        [&](const Gloss<Real>& gloss) { return shone(material, gloss); },
+        [&](const Gloss<Real>& gloss) { return shone(HighlightFormula::phong, material, gloss); },
         [&](T got, const Gloss<T>& gloss) {
           const Vec3<Digits50> n = normalize(exactly(gloss[0]));
           const Vec3<Digits50> l = normalize(exactly(gloss[1]));
@@ -68,7 +68,7 @@ auto worst_highlight(End end) {
 
 /// Highlights that are negative, above specular, or no number.
 template <class Real>
-auto count_wrong_highlights(HighlightFormula formula) {
+Measurement count_wrong_highlights(HighlightFormula formula) {
   using T = Scalar<Real>;
   return worst_over(10, [formula](Dice& dice, Worst& worst) {
     const bool ours = formula == HighlightFormula::phong;
@@ -78,18 +78,15 @@ auto count_wrong_highlights(HighlightFormula formula) {
     const PhongMaterial material{{}, specular, shininess};
     see_lanes<Real>(
         worst, [&] { return draw_gloss<T>(dice); },
-        [&](const Gloss<Real>& gloss) {
-          return highlight(formula, material, LightSample<Real>{gloss[1], Real(1)}, gloss[0],
-                           gloss[2]);
-        },
+        [&](const Gloss<Real>& gloss) { return shone(formula, material, gloss); },
         [&](T got, const Gloss<T>&) { return !(got >= 0 && got <= static_cast<T>(specular)); },
         [&] { return "shininess " + described(shininess); });
   });
 }
 
 template <class T>
-auto worst_lambert() {
-  return worst_over([](Dice& dice, Worst& worst) {
+Measurement worst_lambert() {
+  return worst_over(1, [](Dice& dice, Worst& worst) {
     const Lambertian lambertian{static_cast<double>(dice.uniform(0, 1)),
                                 static_cast<double>(dice.uniform(0, 1))};
     const T cosine = dice.once_in(8) ? T(0) : dice.number<T>(-60, 0);
@@ -100,9 +97,9 @@ auto worst_lambert() {
   });
 }
 
-/// Ends a and b, and t; `most` is the largest power of two of the ends.
-template <class T>
-std::array<T, 3> draw_mix(Dice& dice, int most) {
+/// Ends a and b, of up to 2^`most`, and t.
+template <class T, int most>
+std::array<T, 3> draw_mix(Dice& dice) {
   const T a = dice.number<T>(-most, most);
   const T b = dice.number<T>(-most, most);
   return {a, b, dice.once_in(2) ? static_cast<T>(dice.uniform(0, 1)) : dice.number<T>(-60, 0)};
@@ -114,35 +111,23 @@ Real mixed(const Real& a, const Real& b, const Real& t) {
 }
 
 template <class Real>
-auto worst_mix() {
+Measurement worst_mix() {
   using T = Scalar<Real>;
-  return worst_lanes<Real>([](Dice& dice) { return draw_mix<T>(dice, 100); },
-                           [](const std::array<Real, 3>& x) { return mixed(x[0], x[1], x[2]); },
-                           [](T got, const std::array<T, 3>& x) {
-                             const Digits50 a = x[0], b = x[1];
-                             return units_off(got, Digits50(a + x[2] * (b - a)),
-                                              std::max(a, b) * roundoff<T>());
-                           });
+  return worst_lanes<Real>(
+      1, draw_mix<T, 100>, [](const std::array<Real, 3>& x) { return mixed(x[0], x[1], x[2]); },
+      [](T got, const std::array<T, 3>& x) {
+        const Digits50 a = x[0], b = x[1];
+        return units_off(got, Digits50(a + x[2] * (b - a)), std::max(a, b) * roundoff<T>());
+      });
 }
 
 /// Mixes that miss an end, or change a color mixed with itself.
 template <class Real>
-auto count_wrong_mixes() {
-  using T = Scalar<Real>;
-  return worst_over(20, [](Dice& dice, Worst& worst) {
-    const std::array<T, 3> drawn = draw_mix<T>(dice, 120);
-    const auto& [a, b, t] = drawn;
-    const bool right = lane(mixed(Real(a), Real(b), Real(0)), 0) == a &&
-                       lane(mixed(Real(a), Real(b), Real(1)), 0) == b &&
-                       lane(mixed(Real(a), Real(a), Real(t)), 0) == a;
-    worst.count(!right, [&] { return described(drawn); });
+Measurement count_wrong_mixes() {
+  return count_lanes<Real>(20, draw_mix<Scalar<Real>, 120>, [](const std::array<Real, 3>& x) {
+    const auto& [a, b, t] = x;
+    return !(mixed(a, b, Real(0)) == a && mixed(a, b, Real(1)) == b && mixed(a, a, t) == a);
   });
-}
-
-/// The bytes that change when the lecture mixes them with themselves: (int)(a t + b (1 - t)).
-auto count_changed_bytes() {
-  const double t = 0.3;
-  return count_bytes([t](int byte) { return static_cast<int>(byte * t + byte * (1 - t)) != byte; });
 }
 
 /// A place up to 1e3 from the origin.
@@ -152,9 +137,9 @@ Point draw_place(Dice& dice) {
 
 /// The direction of a picture's ray against that of the exact sum of the view's exact vectors.
 template <class Real>
-auto worst_camera() {
+Measurement worst_camera() {
   using T = Scalar<Real>;
-  return worst_over([](Dice& dice, Worst& worst) {
+  return worst_over(1, [](Dice& dice, Worst& worst) {
     const int width = dice.within(1, 8192);
     const auto height =
         static_cast<int>(1 + static_cast<long double>(width) * dice.uniform(0.5L, 2));
@@ -177,8 +162,8 @@ auto worst_camera() {
 }
 
 /// The three vectors of a view against the exact ones: they are double in every picture.
-auto worst_view() {
-  return worst_over([](Dice& dice, Worst& worst) {
+Measurement worst_view() {
+  return worst_over(1, [](Dice& dice, Worst& worst) {
     const Camera camera{draw_place(dice), draw_place(dice),
                         static_cast<double>(dice.uniform(1, 170))};
     const View<> view = view_of(camera, 640, 480);
@@ -193,11 +178,11 @@ auto worst_view() {
 }
 
 template <class Real>
-auto worst_sky() {
+Measurement worst_sky() {
   using T = Scalar<Real>;
   const GradientSky sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   return worst_lanes<Real>(
-      [](Dice& dice) { return rounded<T>(dice.direction()); },
+      1, [](Dice& dice) { return rounded<T>(dice.direction()); },
       [sky](const Vec3<Real>& direction) {
         return sky(Ray<Real>{{}, direction}).g;
       },
@@ -210,42 +195,18 @@ auto worst_sky() {
 }
 
 template <class Real>
-auto glosses() {
-  return inputs_of_cost<Real>(
-      [](Dice& dice) { return drawn_pack<Real>([&] { return draw_gloss<Scalar<Real>>(dice); }); });
-}
-
-template <class Real>
-void add_number(Family& family) {
-  family
-      .add<Real>("highlight", "vectors of unit length but for rounding; shininess 1 to 1e18",
-                 {12, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::smooth))
-      .cost = {"the power of the cosine, double",
-               working_through(glosses<Real>(),
-                               [](const Gloss<Real>& gloss) {
-                                 return shone(PhongMaterial{{}, 1, 50}, gloss);
-                               }),
-               working_through(glosses<double>(), [](const Gloss<double>& gloss) {
-                 const auto& [normal, to_light, to_eye] = gloss;
-                 const Vec3<double> mirrored = normal * (2 * dot(normal, to_light)) - to_light;
-                 return std::pow(max(dot(mirrored, to_eye), 0.0), 50.0);
-               })};
-  family.add<Real>("highlight, below 1",
-                   "vectors of unit length but for rounding; shininess 0.001 to 1, to a cosine of "
-                   "0.1",
-                   {24, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::steep));
-  family.add<Real>(
-      "highlight, range", "vectors of unit length but for rounding; shininess 0 to 1e30",
-      {0, "outside [0, specular]"}, count_wrong_highlights<Real>(HighlightFormula::phong));
-  family.add<Real>("mix", "ends 1e-30 to 1e30, t in [0, 1]", {2, "u of the larger end"},
-                   worst_mix<Real>());
-  family.add<Real>("mix, both ends and a color with itself", "ends 1e-36 to 1e36, t in [0, 1]",
-                   {0, "not exact"}, count_wrong_mixes<Real>());
-  family.add<Real>("ray_through, direction",
-                   "any pixel of pictures 1 to 8192 wide and half to twice as high, angles of view "
-                   "of 1 to 120 degrees, the view as view_of gives it",
-                   {6, "u"}, worst_camera<Real>());
-  family.add<Real>("GradientSky", "unit directions, colors of 0 to 1", {2, "u"}, worst_sky<Real>());
+Cost cost_of_highlight() {
+  const auto power = [](const Gloss<double>& gloss) {
+    const auto& [normal, to_light, to_eye] = gloss;
+    const Vec3<double> mirrored = normal * (2 * dot(normal, to_light)) - to_light;
+    return std::pow(max(dot(mirrored, to_eye), 0.0), 50.0);
+  };
+  const auto ours = [](const Gloss<Real>& gloss) {
+    return shone(HighlightFormula::phong, PhongMaterial{{}, 1, 50}, gloss);
+  };
+  return {"the power of the cosine, double",
+          working_through(inputs_of_cost<Real>(draw_gloss<Scalar<Real>>), ours),
+          working_through(inputs_of_cost<double>(draw_gloss<double>), power)};
 }
 
 }  // namespace
@@ -254,27 +215,41 @@ Family claims_of_shading() {
   Family family{"Light, colors and the camera",
                 "Exact: the same geometry with exactly normalized vectors in 50 digits, the "
                 "highlight as the power of its cosine. The last rows are the lecture's forms."};
-  for_each_number([&]<class Real>() { add_number<Real>(family); });
-  const auto add_lambert = [&]<class T>() {
+  const std::string unit_vectors = "vectors of unit length but for rounding; shininess ";
+  const Bound in_range{0, "outside [0, specular]"};
+  for_each_number([&]<class Real>() {
+    family.add<Real>("highlight", unit_vectors + "1 to 1e18", {12, "u sqrt(1 + shininess)"},
+                     worst_highlight<Real>(End::smooth), cost_of_highlight<Real>());
+    family.add<Real>("highlight, below 1", unit_vectors + "0.001 to 1, to a cosine of 0.1",
+                     {24, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::steep));
+    family.add<Real>("highlight, range", unit_vectors + "0 to 1e30", in_range,
+                     count_wrong_highlights<Real>(HighlightFormula::phong));
+    family.add<Real>("mix", "ends 1e-30 to 1e30, t in [0, 1]", {2, "u of the larger end"},
+                     worst_mix<Real>());
+    family.add<Real>("mix, both ends and a color with itself", "ends 1e-36 to 1e36, t in [0, 1]",
+                     {0, "not exact"}, count_wrong_mixes<Real>());
+    family.add<Real>("ray_through, direction",
+                     "any pixel of pictures 1 to 8192 wide and half to twice as high, angles of "
+                     "view of 1 to 120 degrees, the view as view_of gives it",
+                     {6, "u"}, worst_camera<Real>());
+    family.add<Real>("GradientSky", "unit directions, colors of 0 to 1", {2, "u"},
+                     worst_sky<Real>());
+  });
+  for_each<float, double, long double>([&]<class T>() {
     family.add<T>("lambert", "ambient, diffuse and cosine in [0, 1]", {3, "u of itself"},
                   worst_lambert<T>());
-  };
-  add_lambert.operator()<float>();
-  add_lambert.operator()<double>();
-  add_lambert.operator()<long double>();
+  });
   family.add<double>("view_of, vectors", "eye and target 1e-3 to 1e3 from the origin",
                      {8, "u over the cosine of the camera's tilt"}, worst_view());
+  family.add_broken<double>("the lecture's highlight, range", unit_vectors + "to 1000", in_range,
+                            count_wrong_highlights<double>(HighlightFormula::lecture));
+  // (int)(a t + b (1 - t)).
+  const auto blended = [t = 0.3](int byte) { return static_cast<int>(byte * t + byte * (1 - t)); };
   family
-      .add<double>("the lecture's highlight, range",
-                   "vectors of unit length but for rounding; shininess to 1000",
-                   {0, "outside [0, specular]"},
-                   count_wrong_highlights<double>(HighlightFormula::lecture))
-      .expect = Expect::beyond;
-  Claim& blend =
-      family.add<double>("the lecture's blend of a byte with itself", "every byte, t = 0.3",
-                         {0, "bytes changed"}, count_changed_bytes());
-  blend.number = "byte";
-  blend.expect = Expect::beyond;
+      .add_broken<double>("the lecture's blend of a byte with itself", "every byte, t = 0.3",
+                          {0, "bytes changed"},
+                          worst_byte([=](int byte) { return blended(byte) != byte; }))
+      .number = "byte";
   return family;
 }
 

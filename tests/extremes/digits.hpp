@@ -1,8 +1,11 @@
-// How far a number is from one of 50 digits; vectors of such numbers; inputs for each lane.
+// How far a number is from one of 50 digits; vectors of such numbers; inputs for each lane, and as
+// text that can be pasted into a test.
 #pragma once
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include "math/vec3.hpp"
 #include "number/number.hpp"
@@ -25,9 +28,9 @@ template <class Exact>
 }
 
 /// The same vector with more digits; nothing is rounded.
-template <class Exact = Digits50, class T>
-[[nodiscard]] Vec3<Exact> exactly(const Vec3<T>& p) {
-  return {Exact(p.x), Exact(p.y), Exact(p.z)};
+template <class T>
+[[nodiscard]] Vec3<Digits50> exactly(const Vec3<T>& p) {
+  return {Digits50(p.x), Digits50(p.y), Digits50(p.z)};
 }
 
 /// Half the distance from 1 to the next T.
@@ -109,10 +112,30 @@ template <class Real, class Draw>
   const auto each = drawn<Real>(draw);
   return packed<Real>([&](std::size_t i) { return each[i]; }, each[0]);
 }
-/// A direction in each lane.
-template <class Real>
-[[nodiscard]] Vec3<Real> drawn_direction(Dice& dice) {
-  return drawn_pack<Real>([&] { return rounded<Scalar<Real>>(dice.direction()); });
+
+/// With every digit; the numbers of a vector or a ray in braces.
+template <class Thing>
+[[nodiscard]] std::string described(const Thing& x) {
+  std::ostringstream text;
+  if constexpr (HasParts<Thing>) {
+    const char* before = "{";
+    const auto show = [&](const auto& part) {
+      text << before << described(part);
+      before = ", ";
+    };
+    std::apply([&](const auto&... part) { (show(part), ...); }, parts_of(x));
+    text << "}";
+  } else {
+    text.precision(std::numeric_limits<Thing>::max_digits10);
+    text << x;
+  }
+  return text.str();
+}
+template <class One, std::size_t count>
+[[nodiscard]] std::string described(const std::array<One, count>& all) {
+  std::string text;
+  for (const One& one : all) text += (text.empty() ? "" : " ") + described(one);
+  return text;
 }
 
 }  // namespace texmap::extremes

@@ -35,14 +35,6 @@ Dice::Tape changed(const Found& found, Dice& chance) {
 
 }  // namespace
 
-Worst sampled(const Measurement& measurement, int inputs, std::uint64_t seed) {
-  if (measurement.every_input) return measurement.every_input();
-  Dice dice(seed);
-  Worst worst;
-  for (int i = 0; i < measurement.times * inputs; ++i) measurement.one_input(dice, worst);
-  return worst;
-}
-
 Worst searched(const Measurement& measurement, int inputs, std::uint64_t seed) {
   if (measurement.every_input) return measurement.every_input();
   Dice chance(seed);
