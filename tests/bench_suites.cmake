@@ -4,7 +4,7 @@
 
 # Everything that is measured: the program and its tests use it.
 add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
-  bench/measure.cpp bench/micro_groups.cpp bench/report.cpp bench/stb_alone.cpp)
+  bench/measure.cpp bench/micro_groups.cpp bench/report.cpp)
 target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
 target_link_libraries(bench_groups PUBLIC app chapters_code measure PRIVATE project_options compare stb_image stb_image_write)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -42,6 +42,7 @@ endforeach()
 
 add_executable(bench_ratios EXCLUDE_FROM_ALL bench/bench_ratios.cpp bench/processes.cpp)
 target_link_libraries(bench_ratios PRIVATE ${bench_objects} project_options)
+target_include_directories(bench_ratios PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
 set_source_files_properties(bench/processes.cpp PROPERTIES COMPILE_DEFINITIONS
   "TEXMAP_BIN_DIR=\"${CMAKE_BINARY_DIR}/bin\";TEXMAP_CHAPTER_NAMES={\"${chapter_names}\"}")
 set_source_files_properties(bench/bench_ratios.cpp PROPERTIES COMPILE_DEFINITIONS "TEXMAP_PROJECT_DIR=\"${CMAKE_SOURCE_DIR}\"")
