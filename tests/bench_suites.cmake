@@ -9,6 +9,7 @@ target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CU
 target_link_libraries(bench_groups PUBLIC app chapters_code measure PRIVATE project_options compare stb_image stb_image_write)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
+  set_source_files_properties(bench/encoding_group.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)  # and of stb_image
 endif()
 
 set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend

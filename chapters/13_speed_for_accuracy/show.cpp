@@ -65,12 +65,10 @@ struct Sheet : SheetLayout {
   /// Adds a picture with up to three lines of text.
   void add(const Image& picture, const std::string& name,
            const std::vector<std::string>& more = {}) {
-    SheetColumn column{.sheet = image,
-                       .left = gap / 2 + panels % 4 * (panel_width + gap),
-                       .top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap),
-                       .scale = scale,
-                       .line = line,
-                       .ink = {70, 70, 70}};
+    const int left = gap / 2 + panels % 4 * (panel_width + gap);
+    const int top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap);
+    SheetColumn column{image, left, top, scale, line};
+    column.ink = {70, 70, 70};
     column.lay(picture);
     column.write(name, black);
     for (const std::string& words : more) column.write(words);

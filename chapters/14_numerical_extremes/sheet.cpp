@@ -63,6 +63,7 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
                   const SheetLayout& layout) {
   const int index = static_cast<int>(sheet.mistakes.size());
   sheet.mistakes.emplace_back();
+  const int top = layout.gap / 2 + index / 2 * (layout.panel_height + 3 * layout.line + layout.gap);
   const auto& points = panels[reference].points;
   const bool has_texture =
       std::any_of(points.begin(), points.end(), [](const auto& point) { return point.mapped; });
@@ -79,14 +80,10 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
     sheet.table += text("%9d%8d%9s%s", mistakes.wrong, mistakes.missed, texels.c_str(),
                         first_of_line ? " " : "\n");
 
-    SheetColumn column{
-        .sheet = sheet.picture,
-        .left = layout.gap / 2 +
-                (index % 2 * 4 + static_cast<int>(variant)) * (layout.panel_width + layout.gap),
-        .top = index / 2 * (layout.panel_height + 3 * layout.line + layout.gap) + layout.gap / 2,
-        .scale = layout.scale,
-        .line = layout.line,
-        .ink = {70, 70, 70}};
+    const int place = index % 2 * 4 + static_cast<int>(variant);
+    const int left = layout.gap / 2 + place * (layout.panel_width + layout.gap);
+    SheetColumn column{sheet.picture, left, top, layout.scale, layout.line};
+    column.ink = {70, 70, 70};
     column.write(variant == 0 ? exhibit.caption : "", {0, 0, 0});
     column.lay(panels[variant].image);
     column.write(variant_names[variant]);
