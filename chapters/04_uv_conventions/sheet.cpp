@@ -64,7 +64,7 @@ Image sheet_of_conventions(const Session& session, const Image& earth,
   int left = gap / 2;
   for (const PublishedMapping& mapping : published_mappings) {
     const VAxis axis = v_axis_of(mapping.convention);
-    SheetColumn column{.sheet = sheet, .left = left, .top = 0, .scale = scale};
+    SheetColumn column{sheet, left, 0, scale};
     const auto map_of = [&](int map_width, const auto& color_at) {
       return flat_map(map_width,
                       [&](const Vec3<double>& p) { return color_at(mapping.formula(p)); });

@@ -42,11 +42,10 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
       label += text(": %.0f read%s, %.3f off", figures->reads, figures->reads > 1 ? "s" : "",
                     figures->error);
     }
-    SheetColumn column{.sheet = sheet,
-                       .left = panel % columns * (panel_width + gap),
-                       .top = panel / columns * (panel_height + line + gap),
-                       .scale = scale,
-                       .indent = scale};
+    const int left = panel % columns * (panel_width + gap);
+    const int top = panel / columns * (panel_height + line + gap);
+    SheetColumn column{sheet, left, top, scale};
+    column.indent = scale;
     column.write(label);
     column.lay(draw(filter, panel_width, panel_height));
     ++panel;

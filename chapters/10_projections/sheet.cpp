@@ -98,12 +98,8 @@ Image sheet_of_projections(const Session& session, const Image& picture, Project
   for (std::size_t i = 0; i < projections.size(); ++i) {
     const ProjectionFacts& facts = projections[i];
     const ClosedForms forms = closed_forms(facts.projection);
-    SheetColumn panel{.sheet = sheet,
-                      .left = static_cast<int>(i % 4) * cell + gap,
-                      .top = (i < 4 ? 0 : second_row) + gap,
-                      .scale = scale,
-                      .line = line,
-                      .above = 0};
+    const int left = static_cast<int>(i % 4) * cell + gap;
+    SheetColumn panel{sheet, left, (i < 4 ? 0 : second_row) + gap, scale, line, 0};
     panel.write(facts.word);
     panel.write("largest texel " + bound_of(forms.largest_texel));
     panel.write("stretch " + bound_of(forms.worst_stretch));
@@ -126,16 +122,11 @@ Image sheet_of_projections(const Session& session, const Image& picture, Project
     panel.lay(distortion_picture(facts.projection, size.width, size.height));
   }
 
-  SheetColumn key{.sheet = sheet,
-                  .left = 3 * cell + gap,
-                  .top = second_row + gap,
-                  .scale = scale,
-                  .line = line,
-                  .above = 0};
+  SheetColumn panel{sheet, 3 * cell + gap, second_row + gap, scale, line, 0};
   for (const char* words : {"circles on the globe", "blue: small texels", "red: large texels", ""})
-    key.write(words);
+    panel.write(words);
   const int side = std::max(1, cell - 2 * gap);
-  key.lay(draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side));
+  panel.lay(draw_globe(distortion_picture(Projection::equirect, 1024, 512, true), side, side));
   return sheet;
 }
 

@@ -154,14 +154,7 @@ Image side_by_side(const Image& left, const char* left_caption, const Image& rig
   int from = 0;
   for (const auto& [picture, caption] :
        {std::pair(&left, left_caption), std::pair(&right, right_caption)}) {
-    SheetColumn column{.sheet = sheet,
-                       .left = from,
-                       .top = 0,
-                       .scale = scale,
-                       .line = line,
-                       .above = 3 * scale,
-                       .indent = 4 * scale,
-                       .ink = ink};
+    SheetColumn column{sheet, from, 0, scale, line, 3 * scale, 4 * scale, ink};
     column.write(caption);
     column.lay(*picture);
     from += picture->width;
@@ -187,13 +180,7 @@ Image sheet_of_readings(int width) {
   const Image green_down = stud_normals(plate, Green::down);
 
   const auto column_at = [&](int i, int top, int above) {
-    return SheetColumn{.sheet = sheet,
-                       .left = gap + i * (plate + gap),
-                       .top = top,
-                       .scale = scale,
-                       .line = line,
-                       .above = above,
-                       .ink = ink};
+    return SheetColumn{sheet, gap + i * (plate + gap), top, scale, line, above, 0, ink};
   };
   int i = 0;
   for (const Reading& reading : eight_readings(TangentRule::from_uv)) {

@@ -62,62 +62,44 @@ struct PlaceBound {
 };
 
 /// How far the place that is looked up can be off; near the poles a little way is much along u. 2
-/// unit roundoffs of 1 are those of the look-up (texel.hpp, bilinear.hpp).
+/// unit roundoffs of 1 are those of the look-up (texel.hpp, bilinear.hpp), and 2 of double those of
+/// the place that is compared here.
 PlaceBound place_bound(const Globe& globe, const Variant& variant, const ReferenceHit& hit) {
   const UvError kernel = kernel_bound(variant.number, variant.degree);
   const double angle = normal_bound(globe, variant.number, hit.cosine);
   const double round = std::max(hit.round - angle, 1e-9);
-  const double look_up = 2 * roundoff_of(variant.number);
+  const double look_up = 2 * roundoff_of(variant.number) + 2 * unit_roundoff<double>();
   return {(kernel.u + angle / 2 / round + look_up) * globe.nearest.image.width,
           (kernel.v + angle + look_up) * globe.nearest.image.height};
 }
 
-/// The largest difference, in levels of 255, between a texel and those that a place can be on as
-/// well: all that the rectangle of `off` around it touches.
-int levels_between_texels(const Image& image, const Judge& x, const Judge& y,
-                          const PlaceBound& off) {
-  const auto index = [](const Judge& at) { return static_cast<int>(floor(at)); };
-  const int left = index(x - Judge(off.columns));
-  const int right = index(x + Judge(off.columns));
-  const int low = std::max(index(y - Judge(off.rows)), 0);
-  const int high = std::min(index(y + Judge(off.rows)), image.height - 1);
-  if (left == right && low == high) return 0;
-
-  const auto texel = [&image](int column, int row) {  // u wraps, v ends; v = 0 is the lowest row
-    return image.at((column + image.width) % image.width, image.height - 1 - row);
-  };
-  const Rgb8 right_one = texel(index(x), std::min(index(y), image.height - 1));
-  int levels = 0;
-  for (int row = low; row <= high; ++row) {
-    for (int column = left; column <= right; ++column)
-      levels = std::max(levels, channel_difference(texel(column, row), right_one));
-  }
-  return levels;
-}
-
-/// The largest difference, in levels of 255 after rounding to bytes, between a filtered color and
-/// those of the places around.
+/// The largest difference, in levels of 255 after rounding to bytes, between the color at a place
+/// and those of the places around.
 ///
-/// Between the lines of the texels' centers the color is bilinear: it has its least and its largest
-/// value where these lines and the sides of the rectangle of `off` cross.
-/// @param room  levels that the mixing may be off by
-int levels_between_places(const BilinearTexture& texture, double x, double y, const PlaceBound& off,
-                          double room) {
-  const auto lines = [](double at, double reach) {
+/// Texels are plain between their edges, and a filtered color is bilinear between the lines of
+/// their centers: all that there is, or the least and the largest, is where these lines and the
+/// sides of the rectangle of `off` cross.
+/// @param lines  where they lie between two whole numbers: 0 for edges, 0.5 for centers
+/// @param room   levels that mixing may be off by
+template <class Texture>
+int levels_around(const Texture& texture, double x, double y, const PlaceBound& off, double lines,
+                  double room) {
+  const auto between = [lines](double at, double reach) {
     std::vector<double> all = {at - reach};
-    const auto first = static_cast<int>(std::floor(at - reach - 0.5)) + 1;
-    for (int k = first; k + 0.5 < at + reach; ++k) all.push_back(k + 0.5);
+    const auto first = static_cast<int>(std::floor(at - reach - lines)) + 1;
+    for (int k = first; k + lines <= at + reach; ++k) all.push_back(k + 0.5);
     all.push_back(at + reach);
     return all;
   };
   const auto channels_at = [&](double column, double row) {
-    const Rgb color = texture(Uv<double>{column / texture.image.width, row / texture.image.height});
+    const double u = column / texture.image.width;
+    const Rgb color = texture(Uv<double>{u - std::floor(u), row / texture.image.height});
     return std::array{color.r * 255, color.g * 255, color.b * 255};
   };
   const auto right = channels_at(x, y);
-  const auto rows = lines(y, off.rows);
+  const auto rows = between(y, off.rows);
   int levels = 0;
-  for (const double column : lines(x, off.columns)) {
+  for (const double column : between(x, off.columns)) {
     for (const double row : rows) {
       const auto other = channels_at(column, row);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -138,12 +120,11 @@ int levels_bound(const Globe& globe, const Variant& variant, const ReferenceHit&
   const Image& image = globe.nearest.image;
   const PlaceBound off = place_bound(globe, variant, hit);
   if (off.columns >= image.width || off.rows >= image.height) return 255;
-  const Judge x = hit.uv.u * Judge(image.width);
-  const Judge y = hit.uv.v * Judge(image.height);
-  if (variant.filter == Filter::nearest) return levels_between_texels(image, x, y, off);
+  const auto x = static_cast<double>(hit.uv.u * Judge(image.width));
+  const auto y = static_cast<double>(hit.uv.v * Judge(image.height));
+  if (variant.filter == Filter::nearest) return levels_around(globe.nearest, x, y, off, 0, 0);
   const double mixing = 255 * 8 * roundoff_of(variant.number);  // 8 unit roundoffs are allowed for
-  return levels_between_places(globe.bilinear, static_cast<double>(x), static_cast<double>(y), off,
-                               mixing);
+  return levels_around(globe.bilinear, x, y, off, 0.5, mixing);
 }
 
 // What is seen.

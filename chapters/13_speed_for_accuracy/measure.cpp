@@ -15,13 +15,12 @@ namespace {
 /// Samples of the pictures that compare texel formats: there texels take more of the time.
 constexpr int format_samples = 64;
 
-/// The numbers that differ in what they make of light; packs of the widest instructions alone.
-std::vector<Variant> numbers_of_light(Instructions widest) {
-  const Instructions wide = usable_instructions(widest).back();
-  return {{NumberKind::double_},
-          {NumberKind::float_},
-          {NumberKind::double_pack, wide},
-          {NumberKind::float_pack, wide}};
+/// The (u, v) kernels that are useful for a number: beyond degree 17 rounding is all that is left
+/// of float's errors, and below degree 23 double is no better than float.
+std::vector<int> degrees_for(NumberKind number) {
+  if (number == NumberKind::extended) return {0};
+  if (is_float(number)) return {0, 5, 7, 9, 11, 13, 15, 17};
+  return {0, 23, 29, 35};
 }
 
 /// How many rounds sampled pictures are timed: they take longer, and their ratios are larger.
@@ -67,12 +66,6 @@ Rows Measurements::some_of(Part part, const std::function<bool(const Row&)>& may
   return some;
 }
 
-std::vector<int> degrees_for(NumberKind number) {
-  if (number == NumberKind::extended) return {0};
-  if (is_float(number)) return {0, 5, 7, 9, 11, 13, 15, 17};
-  return {0, 23, 29, 35};
-}
-
 std::vector<Instructions> usable_instructions(Instructions widest) {
   std::vector<Instructions> usable;
   for (const Instructions each : all_instructions) {
@@ -83,38 +76,42 @@ std::vector<Instructions> usable_instructions(Instructions widest) {
 
 std::vector<Row> rows_of(Part part, Instructions widest) {
   std::vector<Row> rows;
+  const std::vector<Instructions> usable = usable_instructions(widest);
+  if (part == Part::samplers) {
+    for (const SamplerKind kind : sampler_kinds) {
+      for (const int samples : sample_counts) rows.push_back({part, {}, kind, samples});
+    }
+    return rows;
+  }
   if (part == Part::places) {
     for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
       for (const NumberKind number : {NumberKind::double_, NumberKind::float_, NumberKind::extended,
                                       NumberKind::float_pack, NumberKind::double_pack}) {
         for (const Instructions instructions :
-             usable_instructions(is_pack(number) ? widest : Instructions::baseline)) {
+             is_pack(number) ? usable : std::vector{Instructions::baseline}) {
           for (const int degree : degrees_for(number))
             rows.push_back({part, {number, instructions, degree, filter}});
         }
       }
     }
-  } else if (part == Part::samplers) {
-    for (const SamplerKind kind : sampler_kinds) {
-      for (const int samples : sample_counts) rows.push_back({part, {}, kind, samples});
-    }
-  } else {
-    const bool one_ray = part == Part::curves;
-    const auto curves = one_ray
-                            ? std::vector{Curve::formula, Curve::exact, Curve::four, Curve::three}
-                            : std::vector{Curve::exact};
-    for (Variant variant : numbers_of_light(widest)) {
-      for (const Curve curve : curves) {
-        variant.curve = curve;
-        // Bytes and roots alternately: a picture leaves its texels in the caches for the next.
-        // Roots where the curve is at most one level off.
-        for (const TexelFormat format : {TexelFormat::bytes, TexelFormat::roots}) {
-          variant.format = format;
-          const bool one_level = curve == Curve::exact || curve == Curve::four;
-          if (format == TexelFormat::roots && !one_level) continue;
-          rows.push_back({part, variant, SamplerKind::sobol, one_ray ? 1 : format_samples});
-        }
-      }
+    return rows;
+  }
+  // Bytes and roots alternately: a picture leaves its texels in the caches for the next. Roots where
+  // the curve is at most one level off.
+  constexpr TexelFormat bytes = TexelFormat::bytes, roots = TexelFormat::roots;
+  std::vector<std::pair<Curve, TexelFormat>> ways = {{Curve::exact, bytes}, {Curve::exact, roots}};
+  if (part == Part::curves) {
+    ways.insert(ways.begin(), {Curve::formula, bytes});
+    ways.insert(ways.end(), {{Curve::four, bytes}, {Curve::four, roots}, {Curve::three, bytes}});
+  }
+  for (const NumberKind number :
+       {NumberKind::double_, NumberKind::float_, NumberKind::double_pack, NumberKind::float_pack}) {
+    const Instructions instructions = is_pack(number) ? usable.back() : Instructions::baseline;
+    for (const auto& [curve, format] : ways) {
+      rows.push_back({part,
+                      {number, instructions, 0, Filter::nearest, curve, format},
+                      SamplerKind::sobol,
+                      part == Part::curves ? 1 : format_samples});
     }
   }
   return rows;

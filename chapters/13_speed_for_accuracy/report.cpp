@@ -2,6 +2,7 @@
 // walk the rows of a part.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "12_environment_map/front.hpp"
 #include "engine/kernels/kernel_plan.hpp"
@@ -155,55 +156,46 @@ std::string table_of_skies(const Measurements& all) {
 
 // JSON.
 
+/// An object of values under names, which are words.
+Json named(const std::string& names, const std::vector<Json>& values) {
+  std::istringstream words(names);
+  Json object = nullptr;
+  object.text = "{";
+  for (const Json& value : values) {
+    std::string name;
+    words >> name;
+    object.text += (object.text == "{" ? "" : ", ") + Json(name).text + ": " + value.text;
+  }
+  object.text += "}";
+  return object;
+}
+
 Json json_of(const Row& row) {
   const Variant& v = row.variant;
   const auto& [processor, wall, spread] = row.took;
-  switch (row.part) {
-    case Part::samplers:
-      return Json::object({{"sampler", name_of(row.sampler)},
-                           {"samples", row.samples},
-                           {"rmse", row.mean},
-                           {"rmse_bound", row.bound},
-                           {"milliseconds", processor},
-                           {"wall_milliseconds", wall},
-                           {"spread", spread}});
-    case Part::filters:
-      return Json::object({{"name", row.name},
-                           {"options", options_of(row)},
-                           {"error", row.mean},
-                           {"own_error", row.own_error},
-                           {"levels", row.bound},
-                           {"reads", row.reads},
-                           {"nanoseconds", processor},
-                           {"spread", spread}});
-    case Part::skies:
-      return Json::object({{"sky", row.sky},
-                           {"way", row.name},
-                           {"auto", row.chosen},
-                           {"samples", row.samples},
-                           {"levels", row.bound},
-                           {"microseconds", processor},
-                           {"spread", spread}});
-    default:
-      const bool places = row.part == Part::places;
-      return Json::object({{"number", name_of(v.number)},
-                           {"instructions", name_of(v.instructions)},
-                           {"degree", v.degree},
-                           {"filter", name_of(v.filter)},
-                           {"curve", name_of(v.curve)},
-                           {"texels", name_of(v.format)},
-                           {"milliseconds", processor},
-                           {"wall_milliseconds", wall},
-                           {"spread", spread},
-                           {"time", row.time},
-                           {places ? "worst_texels" : "worst_unrounded", row.worst},
-                           {places ? "mean_texels" : "mean_unrounded", row.mean},
-                           {places ? "texels_bound" : "unrounded_bound", row.bound},
-                           {"changed", row.changed},
-                           {"may_change", row.may_change},
-                           {"levels", row.levels},
-                           {"levels_bound", row.levels_bound}});
+  if (row.part == Part::samplers) {
+    return named("sampler samples rmse rmse_bound milliseconds wall_milliseconds spread",
+                 {name_of(row.sampler), row.samples, row.mean, row.bound, processor, wall, spread});
   }
+  if (row.part == Part::filters) {
+    return named("name options error own_error levels reads nanoseconds spread",
+                 {row.name, options_of(row), row.mean, row.own_error, row.bound, row.reads,
+                  processor, spread});
+  }
+  if (row.part == Part::skies) {
+    return named("sky way auto samples levels microseconds spread",
+                 {row.sky, row.name, row.chosen, row.samples, row.bound, processor, spread});
+  }
+  const std::string errors = row.part == Part::places
+                                 ? "worst_texels mean_texels texels_bound"
+                                 : "worst_unrounded mean_unrounded unrounded_bound";
+  return named(
+      "number instructions degree filter curve texels milliseconds wall_milliseconds "
+      "spread time " +
+          errors + " changed may_change levels levels_bound",
+      {name_of(v.number), name_of(v.instructions), v.degree, name_of(v.filter), name_of(v.curve),
+       name_of(v.format), processor, wall, spread, row.time, row.worst, row.mean, row.bound,
+       row.changed, row.may_change, row.levels, row.levels_bound});
 }
 
 // Plots.

@@ -32,30 +32,25 @@ constexpr Rgb8 black{0, 0, 0};
 /// @param reach  each pixel is drawn as far to all sides, so that a single one is seen; the larger
 ///               difference covers others
 Image differences(const Image& a, const Image& b, int reach) {
-  std::vector<int> levels(a.pixels.size());
+  Image map(a.width, a.height);
   for (int row = 0; row < a.height; ++row) {
     for (int column = 0; column < a.width; ++column) {
-      const int apart = channel_difference(a.at(column, row), b.at(column, row));
-      if (apart == 0) continue;
+      int levels = 0;
       for (int y = std::max(row - reach, 0); y <= std::min(row + reach, a.height - 1); ++y) {
-        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x) {
-          int& largest = levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
-                                static_cast<std::size_t>(x)];
-          largest = std::max(largest, apart);
-        }
+        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x)
+          levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
       }
+      map.at(column, row) = difference_color(levels);
     }
   }
-  Image map(a.width, a.height);
-  for (std::size_t i = 0; i < levels.size(); ++i) map.pixels[i] = difference_color(levels[i]);
   return map;
 }
 
 std::string seen(const Row& errors) {
   if (errors.changed == 0) return "no pixel differs";
-  const char* levels = errors.levels == 1 ? "level" : "levels";
-  if (errors.changed == 1) return text("1 pixel differs, by %d %s", errors.levels, levels);
-  return text("%ld pixels differ, by up to %d %s", errors.changed, errors.levels, levels);
+  return text("%ld pixel%s, by %s%d level%s", errors.changed,
+              errors.changed == 1 ? " differs" : "s differ", errors.changed == 1 ? "" : "up to ",
+              errors.levels, errors.levels == 1 ? "" : "s");
 }
 
 /// A sheet that fills panel by panel.
@@ -70,12 +65,10 @@ struct Sheet : SheetLayout {
   /// Adds a picture with up to three lines of text.
   void add(const Image& picture, const std::string& name,
            const std::vector<std::string>& more = {}) {
-    SheetColumn column{.sheet = image,
-                       .left = gap / 2 + panels % 4 * (panel_width + gap),
-                       .top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap),
-                       .scale = scale,
-                       .line = line,
-                       .ink = {70, 70, 70}};
+    const int left = gap / 2 + panels % 4 * (panel_width + gap);
+    const int top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap);
+    SheetColumn column{image, left, top, scale, line};
+    column.ink = {70, 70, 70};
     column.lay(picture);
     column.write(name, black);
     for (const std::string& words : more) column.write(words);

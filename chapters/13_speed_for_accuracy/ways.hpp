@@ -98,9 +98,6 @@ struct Measurements {
 
 /// The sets of instructions that this program has packs of and this machine can run.
 [[nodiscard]] std::vector<Instructions> usable_instructions(Instructions widest);
-/// The (u, v) kernels that are useful for a number: beyond degree 17 rounding is all that is left
-/// of float's errors, and below degree 23 double is no better than float.
-[[nodiscard]] std::vector<int> degrees_for(NumberKind number);
 
 /// The row of a variant, or nullptr.
 [[nodiscard]] const Row* find_row(std::span<const Row> rows, const Variant& variant);

@@ -29,18 +29,12 @@ void draw_row(Panel& panel, const Scene& scene, Formulas formulas, int row) {
 
 template <class Scene>
 void draw_row(Panel& panel, const Scene& scene, Variant variant, int row) {
-  switch (variant) {
-    case published_float:
-      return draw_row<float>(panel, scene, Formulas::published, row);
-    case robust_float:
-      return draw_row<float>(panel, scene, Formulas::robust, row);
-    case published_double:
-      return draw_row<double>(panel, scene, Formulas::published, row);
-    case robust_double:
-      return draw_row<double>(panel, scene, Formulas::robust, row);
-    default:
-      return draw_row<Judge>(panel, scene, Formulas::robust, row);
-  }
+  if (variant == reference) return draw_row<Judge>(panel, scene, Formulas::robust, row);
+  const bool published = variant == published_float || variant == published_double;
+  const Formulas formulas = published ? Formulas::published : Formulas::robust;
+  if (variant == published_float || variant == robust_float)
+    return draw_row<float>(panel, scene, formulas, row);
+  draw_row<double>(panel, scene, formulas, row);
 }
 
 /// A scene with one of its formulas, as a lesson that a picture is drawn of.

@@ -27,14 +27,12 @@ namespace texmap::chapter_14 {
 struct Graticule {
   double sectors = 12;
   double rings = 16384;
-  Rgb light{0.95, 0.9, 0.75};
-  Rgb dark{0.15, 0.3, 0.65};
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     const Real parity =
         cell_parity(uv.u * Real(sectors), Real(1)) + cell_parity(uv.v * Real(rings), Real(1));
-    return select(parity == Real(1), number_cast<Real>(dark), number_cast<Real>(light));
+    return number_cast<Real>(parity == Real(1) ? dark_cell : light_cell);
   }
 };
 
@@ -234,11 +232,13 @@ struct OddExponent {
 /// All exhibits, in the order of the sheet.
 [[nodiscard]] inline auto exhibit_scenes(const Image& earth, const Image& labels) {
   const Sphere<> globe{{0, 0, 0}, 1};
-  const auto from = [&](const char* name, const char* caption, double radii) {
-    return Globe<ImageTexture>{name, caption, towards_origin({0, 0, radii}, 1.15), globe, {earth}};
+  const auto earth_globe = [&](const char* name, const char* caption, const Camera& camera,
+                               const Sphere<>& sphere) {
+    return Globe<ImageTexture>{name, caption, camera, sphere, {earth}};
   };
-  const Camera above_the_pole{.eye = {0, 1.1, 0.01}, .target = {0, 1, 0}, .fov_y_degrees = 1.5};
-  const Camera far_from_home{.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26};
+  const auto from = [&](const char* name, const char* caption, double radii) {
+    return earth_globe(name, caption, towards_origin({0, 0, radii}, 1.15), globe);
+  };
   return std::tuple{
       from("from-10", "a globe from 10 radii", 10),
       from("from-1e3", "a globe from 1,000 radii", 1e3),
@@ -250,16 +250,11 @@ struct OddExponent {
                        towards_origin({-3, 0, 0}, 3e-7),
                        globe,
                        {.sectors = 2, .rings = 1}},
-      Globe<ImageTexture>{"far-home",
-                          "a globe at 100,000 radii from 0",
-                          far_from_home,
-                          {{100000, 0, 0}, 1},
-                          {earth}},
-      Globe<ImageTexture>{"units",
-                          "a globe of radius 1e-25",
-                          towards_origin({0, 0, 1e-24}, 1.15e-25),
-                          {{0, 0, 0}, 1e-25},
-                          {earth}},
+      earth_globe("far-home", "a globe at 100,000 radii from 0",
+                  {.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26},
+                  {{100000, 0, 0}, 1}),
+      earth_globe("units", "a globe of radius 1e-25", towards_origin({0, 0, 1e-24}, 1.15e-25),
+                  {{0, 0, 0}, 1e-25}),
       Shadows{"acne", "shadows, ground of radius 100,000", 1, 1e5},
       Shadows{"small", "shadows, the stage 1e-4 as large", 1e-4},
       Needle{.texture = {labels}},

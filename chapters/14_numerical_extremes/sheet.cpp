@@ -44,31 +44,16 @@ Mistakes mistakes_of(const Panel& panel, const Panel& truth) {
   return mistakes;
 }
 
-/// The largest error in texels as text, - where nothing has a texture.
-std::string texels_of(const Mistakes& mistakes, const Panel& truth) {
-  if (std::none_of(truth.points.begin(), truth.points.end(), [](auto& p) { return p.mapped; }))
-    return "-";
-  return text("%.1e", static_cast<double>(mistakes.texels));
-}
-
-/// Two exhibits in a row, four pictures each.
+/// Two exhibits in a row, four pictures each, between lines of text.
 struct SheetLayout {
-  int panel_width, panel_height, line, gap, scale;
+  int scale, line, gap, panel_width, panel_height;
 
-  SheetLayout(int width, int height, int exhibits) {
-    const int rows = (exhibits + 1) / 2;
-    scale = std::max(1, width / 1640);
-    line = 11 * scale;
-    gap = std::max(1, width / 200);
-    panel_width = std::max(1, width / 8 - gap);
-    panel_height = std::max(1, height / rows - 3 * line - gap);
-  }
-  [[nodiscard]] int left(int exhibit, int variant) const {
-    return gap / 2 + (exhibit % 2 * 4 + variant) * (panel_width + gap);
-  }
-  [[nodiscard]] int top(int exhibit) const {
-    return exhibit / 2 * (panel_height + 3 * line + gap) + gap / 2;
-  }
+  SheetLayout(int width, int height, int exhibits)
+      : scale(std::max(1, width / 1640)),
+        line(11 * scale),
+        gap(std::max(1, width / 200)),
+        panel_width(std::max(1, width / 8 - gap)),
+        panel_height(std::max(1, height / ((exhibits + 1) / 2) - 3 * line - gap)) {}
 };
 
 using Panels = std::vector<Panel>;  // one for each Variant
@@ -78,10 +63,15 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
                   const SheetLayout& layout) {
   const int index = static_cast<int>(sheet.mistakes.size());
   sheet.mistakes.emplace_back();
+  const int top = layout.gap / 2 + index / 2 * (layout.panel_height + 3 * layout.line + layout.gap);
+  const auto& points = panels[reference].points;
+  const bool has_texture =
+      std::any_of(points.begin(), points.end(), [](const auto& point) { return point.mapped; });
   for (std::size_t variant = 0; variant < reference; ++variant) {
     const Mistakes mistakes = mistakes_of(panels[variant], panels[reference]);
     sheet.mistakes.back()[variant] = mistakes;
-    const std::string texels = texels_of(mistakes, panels[reference]);
+    const std::string texels =
+        has_texture ? text("%.1e", static_cast<double>(mistakes.texels)) : "-";
     const bool first_of_line = variant % 2 == 0;
     if (first_of_line) {
       sheet.table += text("%-12s%-7s", variant == 0 ? exhibit.name.c_str() : "",
@@ -90,17 +80,15 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
     sheet.table += text("%9d%8d%9s%s", mistakes.wrong, mistakes.missed, texels.c_str(),
                         first_of_line ? " " : "\n");
 
-    SheetColumn column{.sheet = sheet.picture,
-                       .left = layout.left(index, static_cast<int>(variant)),
-                       .top = layout.top(index),
-                       .scale = layout.scale,
-                       .line = layout.line,
-                       .ink = {70, 70, 70}};
+    const int place = index % 2 * 4 + static_cast<int>(variant);
+    const int left = layout.gap / 2 + place * (layout.panel_width + layout.gap);
+    SheetColumn column{sheet.picture, left, top, layout.scale, layout.line};
+    column.ink = {70, 70, 70};
     column.write(variant == 0 ? exhibit.caption : "", {0, 0, 0});
     column.lay(panels[variant].image);
     column.write(variant_names[variant]);
     column.write(
-        std::to_string(mistakes.wrong) + " wrong" + (texels != "-" ? ", " + texels + " tx" : ""),
+        std::to_string(mistakes.wrong) + " wrong" + (has_texture ? ", " + texels + " tx" : ""),
         mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20});
   }
 }

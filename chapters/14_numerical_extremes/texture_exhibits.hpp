@@ -15,6 +15,13 @@
 
 namespace texmap::chapter_14 {
 
+/// Cells that are counted, and where the pole is seen from.
+inline constexpr Rgb light_cell{0.95, 0.9, 0.75}, dark_cell{0.15, 0.3, 0.65};
+inline constexpr Camera above_the_pole{
+    .eye = {0, 1.1, 0.01}, .target = {0, 1, 0}, .fov_y_degrees = 1.5};
+/// What looks straight at a picture.
+inline constexpr Camera straight_on{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
+
 /// A turned board of triangles. Rays that pass an edge within a pixel are aimed at the edge.
 struct Cracks {
   const char* name = "cracks";
@@ -87,10 +94,8 @@ struct Cracks {
 struct MapMiddle {
   const char* name = "map-middle";
   const char* caption = "the pole of an equal-area map";
-  Camera camera{.eye = {0, 1.1, 0.01}, .target = {0, 1, 0}, .fov_y_degrees = 1.5};
+  Camera camera = above_the_pole;
   Sphere<> sphere{.center = {}, .radius = 1, .form = SphereForm::hybrid};
-  Rgb light{0.95, 0.9, 0.75};
-  Rgb dark{0.15, 0.3, 0.65};
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
@@ -102,7 +107,7 @@ struct MapMiddle {
     const Real from_middle = abs(uv.u - Real(0.5)) + abs(uv.v - Real(0.5));
     const Real ring = floor(from_middle * Real(8192) + Real(0.5));
     const bool is_number = uv.u == uv.u && uv.v == uv.v;
-    return {number_cast<Real>(is_even(ring) ? light : dark), uv, true, is_number};
+    return {number_cast<Real>(is_even(ring) ? light_cell : dark_cell), uv, true, is_number};
   }
 };
 
@@ -177,7 +182,7 @@ inline constexpr std::array<Rgb, 8> eight_texels{{{0.9, 0.2, 0.2},
 struct MirrorWrap {
   const char* name = "mirror";
   const char* caption = "8 texels, mirrored at 0";
-  Camera camera{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
+  Camera camera = straight_on;
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const Real u = ray.direction.x / -ray.direction.z;
@@ -235,7 +240,7 @@ struct OneRow {
 struct NoNumber {
   const char* name = "no-number";
   const char* caption = "squares with NaN and infinity in (u, v)";
-  Camera camera{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
+  Camera camera = straight_on;
   FilteredTexture texture{.pyramid = pyramid_of(colored_texels(8, 4)),
                           .filter = Filter::trilinear,
                           .wrap = Wrap::clamp,

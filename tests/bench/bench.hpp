@@ -2,15 +2,16 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "engine/measure/interleaved.hpp"
+#include "engine/measure/machine.hpp"
 
 namespace texmap::bench {
 
-/// A work that is timed, and its place in its group's table.
+/// A work that is timed, its place in its group's table, and what it came to.
 struct Row {
   std::string line;    ///< what is done
   std::string column;  ///< with which number, and with which instructions
@@ -18,11 +19,12 @@ struct Row {
   double items = 1;    ///< how many of the unit's items one run of the work makes, above 0
   /// Makes the work, and all that it needs; empty where this machine or this build cannot run it.
   /// Errors: std::runtime_error, where what is to be compared does not come out equal.
-  std::function<Work()> prepare;
-  std::string note =
-      {};  ///< what else is to be said about the line; the same in all rows of a line
-  std::function<std::string()> find_note =
-      {};  ///< finds the note where it is a result, too; asked after the row was timed
+  std::function<Work()> prepare = {};
+  std::string note = {};  ///< what else is to be said about the line; the same in all rows of it
+  std::function<std::string()> find_note = {};  ///< where the note is a result, too
+
+  double time = std::numeric_limits<double>::quiet_NaN();   ///< in the group's unit; NaN: not run
+  double ratio = std::numeric_limits<double>::quiet_NaN();  ///< to the base; NaN as well
 
   [[nodiscard]] std::string name() const { return line + ", " + column; }
 };
@@ -35,15 +37,17 @@ enum class Ratio {
 
 /// Rows about one subject: one table.
 struct Group {
-  std::string name;   ///< one word, for the option --only
-  std::string title;  ///< for a heading
-  std::string
-      text;  ///< what is measured, and with what it is compared: one paragraph, without line ends
-  std::string unit;  ///< "ns" for items, "ms" for pictures
+  std::string name;       ///< one word, for the option --only
+  std::string title;      ///< for a heading
+  std::string text = {};  ///< what is measured, and compared with what: one paragraph
+  std::string unit;       ///< "ns" for items, "ms" for pictures
   Ratio ratio = Ratio::speed;
   double seconds = 8;     ///< to spend on it
   std::string note = {};  ///< heading of the rows' notes; empty if they have none
   std::vector<Row> rows = {};
+
+  /// What a row is compared with: the first of its set.
+  [[nodiscard]] const Row& base_of(const Row& row) const;
 };
 
 /// Everything that is measured, in the order of the page. The rows are the same on every machine.
@@ -61,5 +65,44 @@ struct Group {
 [[nodiscard]] Group samplers_group();
 [[nodiscard]] Group colors_group();
 [[nodiscard]] Group encoding_group();
+
+/// How long and how often.
+struct Effort {
+  double part = 1;  ///< of the seconds that a group asks for
+  int least = 7;    ///< rounds, however long they take
+};
+
+/// Called with (runs done, runs in all); may be empty.
+using Report = std::function<void(int, int)>;
+
+/// Times all rows of a group alternately: fills in their times, ratios and notes.
+/// Errors: those of the rows' prepare.
+void measure(Group& group, const Effort& effort, const Report& report = {});
+
+/// Times commands of the shell alternately with the chapters' programs on one thread: wall clock
+/// and, in the same run, processor time of all their processes.
+///
+/// @param commands  1 or more, the first the base of both ratios; what they print is thrown away
+/// Errors: std::runtime_error when a command cannot be run or its exit status is not 0.
+[[nodiscard]] Group measure_beside(const std::vector<std::string>& commands, const Effort& effort,
+                                   const Report& report = {});
+
+/// On what, and when, and how.
+struct Circumstances {
+  Machine machine;
+  std::string date;  ///< year-month-day, UTC
+  Effort effort;
+};
+/// Those of this program, now.
+[[nodiscard]] Circumstances circumstances(const Effort& effort);
+
+/// A measured group as a table to be read on a terminal.
+[[nodiscard]] std::string table_of(const Group& group);
+/// Everything, as JSON; what was not run is null.
+[[nodiscard]] std::string json_of(const Circumstances& circumstances,
+                                  const std::vector<Group>& all);
+/// docs/measurements.md.
+[[nodiscard]] std::string page_of(const Circumstances& circumstances,
+                                  const std::vector<Group>& all);
 
 }  // namespace texmap::bench

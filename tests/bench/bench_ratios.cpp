@@ -1,21 +1,13 @@
 // bench_ratios: measures what things take, as ratios, and writes it down. ./course bench runs it.
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
 #include "bench.hpp"
 #include "engine/app/command_line.hpp"
 #include "engine/app/run_chapter.hpp"
+#include "engine/render/progress.hpp"
 #include "engine/system/system.hpp"
-#include "measure.hpp"
-#include "processes.hpp"
-#include "report.hpp"
 
 using namespace texmap;
 using namespace texmap::bench;
@@ -23,29 +15,6 @@ using namespace texmap::bench;
 namespace {
 
 const std::filesystem::path project = TEXMAP_PROJECT_DIR;
-
-/// Shows on stderr how far it is, where somebody is there to see it.
-class HowFar {
- public:
-  explicit HowFar(std::string name) : name_(std::move(name)) {}
-  HowFar(const HowFar&) = delete;
-  HowFar& operator=(const HowFar&) = delete;
-  ~HowFar() {
-    if (shown_ >= 0) std::fputs("\r\033[K", stderr);
-  }
-  void operator()(double part) {
-    const int percent = static_cast<int>(part * 100);
-    if (!terminal_ || percent == shown_) return;
-    shown_ = percent;
-    std::fprintf(stderr, "\r%s %3d %%", name_.c_str(), percent);
-    std::fflush(stderr);
-  }
-
- private:
-  std::string name_;
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  int shown_ = -1;
-};
 
 void write(const std::filesystem::path& path, const std::string& text) {
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
@@ -101,17 +70,8 @@ int main(int argc, char** argv) {
       throw UsageError("--beside measures its own group: leave out --only");
     const Effort effort = quick ? Effort{0.06, 3} : Effort{};
     const Circumstances where = circumstances(effort);
-    if (!beside.empty()) {
-      std::vector<Measured> programs;
-      {
-        HowFar progress("beside");
-        programs.push_back(measure_beside(beside, effort, [&](double part) { progress(part); }));
-      }
-      print(table_of(programs.back()));
-      write(json, json_of(where, programs));
-      return;
-    }
-    const std::vector<Group> groups = chosen(only);
+    std::vector<Group> groups;
+    if (beside.empty()) groups = chosen(only);
     if (list) {
       for (const Group& group : groups) {
         for (const Row& row : group.rows)
@@ -119,15 +79,22 @@ int main(int argc, char** argv) {
       }
       return;
     }
-    std::vector<Measured> all;
-    for (const Group& group : groups) {
-      {
-        HowFar progress(group.name);
-        all.push_back({group, measure(group, effort, [&](double part) { progress(part); })});
-      }
-      print(table_of(all.back()));
+    const auto shown = [](const std::string& name, const auto& work) {
+      Progress progress(true, [&name] { return ", " + name; });
+      work([&](int done, int runs) { progress.report(done, runs); });
+    };
+    if (!beside.empty()) {
+      shown("beside", [&](const Report& report) {
+        groups.push_back(measure_beside(beside, effort, report));
+      });
+      print(table_of(groups.back()));
     }
-    write(json, json_of(where, all));
-    if (writes) write(project / "docs/measurements.md", page_of(where, all));
+    for (Group& group : groups) {
+      if (!beside.empty()) break;
+      shown(group.name, [&](const Report& report) { measure(group, effort, report); });
+      print(table_of(group));
+    }
+    write(json, json_of(where, groups));
+    if (writes) write(project / "docs/measurements.md", page_of(where, groups));
   });
 }

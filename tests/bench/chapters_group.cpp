@@ -1,6 +1,4 @@
 // The group of the chapters: each one's picture, drawn with every number.
-#include <memory>
-
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -16,7 +14,6 @@
 #include "engine/compare/difference.hpp"
 #include "engine/mesh/box_tree.hpp"
 #include "lesson_work.hpp"
-#include "make_rows.hpp"
 #include "support/mesh_rays.hpp"
 
 namespace texmap::bench {
@@ -25,71 +22,57 @@ namespace {
 constexpr int samples = 100;  // a pixel of chapter 07 under a budget, as it draws by itself
 
 template <class Lesson>
-void add_chapter(Group& group, const std::string& line, int width, int height,
+void add_chapter(Group& group, const std::string& line, int height = 300,
                  const std::vector<std::string>& options = {}) {
   const auto make = [=] {
-    return std::make_shared<LessonWork<Lesson>>(prepared<Lesson>(options), width, height);
+    return std::make_shared<LessonWork<Lesson>>(prepared<Lesson>(options), 400, height);
   };
-  const auto add = [&](const Variant& variant) {
+  for (const Variant& variant : variants_of("dfeDF"))
     group.rows.push_back(row_of(line, line, variant, 1, make));
-  };
-  add(in_double);
-  add(in_float);
-  add(in_extended);
-  for (const Variant& variant : in_double_packs) add(variant);
-  for (const Variant& variant : in_float_packs) add(variant);
 }
-
-using Earth = LessonWork<chapter_07::Lesson>;
 
 /// Chapter 07 under a sky and a budget.
-[[nodiscard]] std::shared_ptr<Earth> earth(const std::string& sky, const std::string& budget) {
+[[nodiscard]] std::shared_ptr<Drawing> earth(const std::string& sky, const std::string& budget) {
   const auto lesson = prepared<chapter_07::Lesson>({"--sky", sky});
   const Image& texture = lesson.objects.front().paint.texture.image;
-  return std::make_shared<Earth>(
-      lesson, 400, 225, samples,
+  return std::make_shared<LessonWork<chapter_07::Lesson>>(
+      lesson, 400, 225, 1, samples,
       plan_surface(parse_budget(budget), texture, 400.0 * 225 * samples));
-}
-
-/// By how many levels of 255 a budget moves a byte of chapter 07's picture at most, and how many
-/// pixels it changes at all: with the number that it is made for, compared with the exact picture
-/// in double.
-[[nodiscard]] std::string moved(const std::string& sky, const std::string& budget) {
-  const Figures figures = texmap::measure(earth(sky, "exact")->picture(in_double),
-                                          earth(sky, budget)->picture(in_float));
-  return std::to_string(figures.worst.levels) + " in " + std::to_string(figures.pixels_different) +
-         " pixels";
 }
 
 void add_budget(Group& group, const std::string& sky, const std::string& budget) {
   // Made and found once for all rows: each would hold the texture twice.
-  const auto work = std::make_shared<std::shared_ptr<Earth>>();
+  const auto work = std::make_shared<std::shared_ptr<Drawing>>();
   const auto make = [=] {
     if (!*work) *work = earth(sky, budget);
     return *work;
   };
+  // By how many levels of 255 the budget moves a byte of the picture at most, and how many pixels
+  // it changes at all: with the number that it is made for, compared with the exact picture in
+  // double.
   const auto note = std::make_shared<std::string>();
-  const auto add = [&](const Variant& variant) {
-    group.rows.push_back(row_of(sky + " sky, " + budget, sky, variant, 1, make));
-    group.rows.back().find_note = [=] {
-      return note->empty() ? *note = moved(sky, budget) : *note;
-    };
+  const auto find_note = [=] {
+    if (!note->empty()) return *note;
+    const Figures figures = texmap::measure(earth(sky, "exact")->picture(in_double),
+                                            earth(sky, budget)->picture(in_float));
+    return *note = std::to_string(figures.worst.levels) + " in " +
+                   std::to_string(figures.pixels_different) + " pixels";
   };
-  add(in_double);
-  for (const Variant& variant : in_double_packs) add(variant);
-  for (const Variant& variant : in_float_packs) add(variant);
+  for (const Variant& variant : variants_of("dDF")) {
+    group.rows.push_back(row_of(sky + " sky, " + budget, sky, variant, 1, make));
+    if (variant.is_here()) group.rows.back().find_note = find_note;
+  }
 }
 
 /// Rows without and with something, in double and in packs of it; those without are the bases.
 template <class Make>
 void add_pairs(Group& group, const std::string& line, const std::string& without,
                const std::string& with, const Make& make) {
-  for (const Variant& variant : {in_double, widest_double_pack()}) {
-    const std::string number(variant.name);
+  for (const Variant& variant : double_and_widest_packs()) {
     for (const bool second : {false, true}) {
       group.rows.push_back(
-          row_of(line, line + number, variant, 1, [make, second] { return make(second); }));
-      group.rows.back().column = number + ", " + (second ? with : without);
+          row_of(line, line + variant.name, variant, 1, [make, second] { return make(second); }));
+      group.rows.back().column = variant.name + ", " + (second ? with : without);
     }
   }
 }
@@ -108,9 +91,7 @@ Group threads_group() {
   };
   const auto add = [&group]<class Lesson>(const std::string& line, std::type_identity<Lesson>) {
     add_pairs(group, line, "1 thread", "2 threads", [](bool two) {
-      const auto work = std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600);
-      work->use_threads(two ? 2 : 1);
-      return work;
+      return std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600, two ? 2 : 1);
     });
   };
   add("03", std::type_identity<chapter_03::Lesson>());
@@ -174,18 +155,18 @@ Group chapters_group() {
       .unit = "ms",
       .seconds = 70,
   };
-  add_chapter<chapter_01::Lesson>(group, "01", 400, 300);
-  add_chapter<chapter_02::Lesson>(group, "02", 400, 300);
-  add_chapter<chapter_03::Lesson>(group, "03", 400, 300);
-  add_chapter<chapter_04::Lesson>(group, "04", 400, 300);
-  add_chapter<chapter_05::Lesson>(group, "05", 400, 300);
-  add_chapter<chapter_06::Lesson>(group, "06", 400, 300);
-  add_chapter<chapter_07::Lesson>(group, "07", 400, 225);
-  add_chapter<chapter_08::Lesson>(group, "08", 400, 300);
-  add_chapter<chapter_09::Lesson>(group, "09", 400, 300);
-  add_chapter<chapter_10::Lesson>(group, "10", 400, 300, {"--projection", "equal-area"});
-  add_chapter<chapter_11::Lesson>(group, "11", 400, 300);
-  add_chapter<chapter_12::Lesson>(group, "12", 400, 225, {"--quiet"});
+  add_chapter<chapter_01::Lesson>(group, "01");
+  add_chapter<chapter_02::Lesson>(group, "02");
+  add_chapter<chapter_03::Lesson>(group, "03");
+  add_chapter<chapter_04::Lesson>(group, "04");
+  add_chapter<chapter_05::Lesson>(group, "05");
+  add_chapter<chapter_06::Lesson>(group, "06");
+  add_chapter<chapter_07::Lesson>(group, "07", 225);
+  add_chapter<chapter_08::Lesson>(group, "08");
+  add_chapter<chapter_09::Lesson>(group, "09");
+  add_chapter<chapter_10::Lesson>(group, "10", 300, {"--projection", "equal-area"});
+  add_chapter<chapter_11::Lesson>(group, "11");
+  add_chapter<chapter_12::Lesson>(group, "12", 225, {"--quiet"});
   return group;
 }
 

@@ -1,6 +1,4 @@
 // The group of files: encoding and saving a picture, loading a texture.
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -13,12 +11,19 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
 #include "pictures.hpp"
-#include "stb_alone.hpp"
+#include "support/temporary_folder.hpp"
+
+// stb_image and stb_image_write as they come, without what the project puts around them: static,
+// because its own functions are others.
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb_image_write.h>
 
 namespace texmap::bench {
 namespace {
-
-const char* const column = "one thread";
 
 /// Chapter 03's picture, drawn once.
 [[nodiscard]] const Image& picture() {
@@ -27,22 +32,26 @@ const char* const column = "one thread";
   return drawn;
 }
 
-/// A file that is removed in the end.
-struct TemporaryFile {
-  std::string path;
-  TemporaryFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "texmap-bench-XXXXXX").string();
-    const int file = mkstemp(name.data());
-    if (file < 0) throw std::runtime_error("cannot make a temporary file");
-    path = name;
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-  }
-};
+/// The bytes of a PNG file, by stb_image_write with its own compressor and its own settings.
+[[nodiscard]] std::vector<std::uint8_t> stb_encoded(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  const auto keep = [](void* context, void* data, int size) {
+    const auto* const first = static_cast<const std::uint8_t*>(data);
+    static_cast<std::vector<std::uint8_t>*>(context)->assign(first, first + size);
+  };
+  stbi_write_png_to_func(keep, &bytes, image.width, image.height, 3, image.pixels.data(),
+                         3 * image.width);
+  return bytes;
+}
+
+/// True if stb_image can read the bytes of a file.
+[[nodiscard]] bool stb_decodes(const std::vector<std::uint8_t>& file) {
+  int width = 0, height = 0, channels = 0;
+  stbi_uc* const pixels = stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &width,
+                                                &height, &channels, 3);
+  stbi_image_free(pixels);
+  return pixels != nullptr;
+}
 
 /// A work on the bytes of the Earth's file.
 template <class Function>
@@ -76,28 +85,25 @@ Group encoding_group() {
   const auto add = [&group](const std::string& line, const std::string& set,
                             std::function<Work()> prepare, std::function<std::string()> size = {}) {
     group.rows.push_back({.line = line,
-                          .column = column,
+                          .column = "one thread",
                           .set = set,
                           .prepare = std::move(prepare),
                           .find_note = std::move(size)});
   };
-  add(
-      "encode, stb_image_write", "encode",
-      [] {
-        return Work(
-            [] { expect(!stb_encoded(picture()).empty(), "stb_image_write encodes nothing"); });
-      },
-      [] { return std::to_string(stb_encoded(picture()).size()); });
-  add(
-      "encode, ours", "encode",
-      [] { return Work([] { expect(!encode_png(picture()).empty(), "nothing is encoded"); }); },
-      [] { return std::to_string(encode_png(picture()).size()); });
+  const auto add_encoder = [&](const std::string& line, auto encoded) {
+    add(
+        line, "encode",
+        [=]() -> Work { return [=] { expect(!encoded(picture()).empty(), "no file is made"); }; },
+        [=] { return std::to_string(encoded(picture()).size()); });
+  };
+  add_encoder("encode, stb_image_write", stb_encoded);
+  add_encoder("encode, ours", [](const Image& image) { return encode_png(image); });
   add("encode and save, ours", "encode", [] {
-    const auto file = std::make_shared<TemporaryFile>();
-    return Work([file] { save_png(picture(), file->path); });
+    const auto folder = std::make_shared<test::TemporaryFolder>();
+    return Work([folder] { save_png(picture(), *folder / "saved.png"); });
   });
   add("decode, stb_image", "decode", on_earth([](const auto& bytes) {
-        expect(stb_decoded_pixels(bytes) > 0, "stb_image cannot read the Earth");
+        expect(stb_decodes(bytes), "stb_image cannot read the Earth");
       }));
   add("decode with all checks, ours", "decode", on_earth([](const auto& bytes) {
         expect(!decode_image(bytes).pixels.empty(), "the Earth has no pixels");

@@ -1,8 +1,8 @@
 // The small works: one function of the course each, called for many inputs with any number.
 #pragma once
+#include <array>
 #include <atomic>
-#include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "engine/kernels/kernel_plan.hpp"
 #include "engine/kernels/srgb_kernel.hpp"
@@ -11,6 +11,7 @@
 #include "support/whole_numbers.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/mapped.hpp"
+#include "variants.hpp"
 
 namespace texmap::bench {
 
@@ -62,195 +63,191 @@ void store(const Real& value, Scalar<Real>* to) {
   }
 }
 
-/// Calls `work(row)` for each row, `repeats` times over; the compiler must take each time for a new
-/// one.
-template <class Real, class Function>
-void for_each_pack(std::size_t rows, int repeats, const Function& work) {
-  for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (std::size_t row = 0; row < rows; row += lanes<Real>) work(row);
-    std::atomic_signal_fence(std::memory_order_seq_cst);
-  }
-}
-
-/// The vector in three columns, from `first` on.
-template <class Real>
-[[nodiscard]] Vec3<Real> vector_at(Columns& columns, std::size_t first, std::size_t row) {
-  using T = Scalar<Real>;
-  return {load<Real>(columns.at<T>(first) + row), load<Real>(columns.at<T>(first + 1) + row),
-          load<Real>(columns.at<T>(first + 2) + row)};
-}
-
-/// (u, v) of unit vectors.
-struct UvJob {
-  enum Formula { next_week, stable, polynomial };
-  Formula formula;
-  int degree;      ///< of the polynomial: 5, 9, 13, 17 in float, 23, 29, 35 in double
-  Columns* input;  ///< x, y, z
-  Columns* output;
+/// A function, called for every row of its input. Function::visit<Real>(use) gives use() something
+/// that makes `outputs` numbers of `inputs` and of the row's number.
+template <class Function>
+struct Job {
+  Function function;
   int repeats;
+  mutable Columns input, output;
+
+  Job(Function wanted, std::size_t rows, int times)
+      : function(std::move(wanted)),
+        repeats(times),
+        input(Function::inputs, rows),
+        output(Function::outputs, rows) {}
+
+  template <class Real>
+  void calculate() const {
+    using T = Scalar<Real>;
+    function.template visit<Real>([&](const auto& numbers_of) {
+      for (int repeat = 0; repeat < repeats; ++repeat) {
+        for (std::size_t row = 0; row < input.rows(); row += lanes<Real>) {
+          std::array<Real, Function::inputs> in;
+          for (std::size_t i = 0; i < in.size(); ++i) in[i] = load<Real>(input.at<T>(i) + row);
+          const std::array<Real, Function::outputs> out = numbers_of(in, row);
+          for (std::size_t i = 0; i < out.size(); ++i) store(out[i], output.at<T>(i) + row);
+        }
+        // The compiler must take each time for a new one.
+        std::atomic_signal_fence(std::memory_order_seq_cst);
+      }
+    });
+  }
+  void run(const Variant& variant);
+};
+
+/// A job as a work of draw.hpp: with float, double, and single packs of them.
+template <class Function>
+struct JobWork {
+  using Result = void;
+  const Job<Function>& job;
 
   template <class Real>
   void run() const {
-    if (formula == stable) return map<Real>(RtiowMapping{});
-    if (formula == next_week) {
-      if constexpr (lanes<Real> == 1)
-        map<Real>([](const Vec3<Real>& p) { return published::uv_next_week_v4(p); });
-      return;
-    }
-    if constexpr (sizeof(Scalar<Real>) == sizeof(float)) {
-      if (degree == 5) map<Real>(FastUnitMapping<5>{});
-      if (degree == 9) map<Real>(FastUnitMapping<9>{});
-      if (degree == 13) map<Real>(FastUnitMapping<13>{});
-      if (degree == 17) map<Real>(FastUnitMapping<17>{});
-    } else {
-      if (degree == 23) map<Real>(FastUnitMapping<23>{});
-      if (degree == 29) map<Real>(FastUnitMapping<29>{});
-      if (degree == 35) map<Real>(FastUnitMapping<35>{});
+    if constexpr (requires(Real pair) { pair.second; }) {
+      job.template calculate<decltype(Real::first)>();
+    } else if constexpr (!std::is_same_v<Real, long double>) {
+      job.template calculate<Real>();
     }
   }
+};
+template <class Function>
+void Job<Function>::run(const Variant& variant) {
+  run_in_number(JobWork<Function>{*this}, variant.number, variant.instructions);
+}
 
- private:
-  template <class Real, class Mapping>
-  void map(const Mapping& mapping) const {
-    using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
-      const Uv<Real> uv = mapping(vector_at<Real>(*input, 0, row));
-      store(uv.u, output->at<T>(0) + row);
-      store(uv.v, output->at<T>(1) + row);
-    });
+/// Three of the numbers as a vector.
+template <class Real, std::size_t Count>
+[[nodiscard]] Vec3<Real> vector_in(const std::array<Real, Count>& in, std::size_t first = 0) {
+  return {in[first], in[first + 1], in[first + 2]};
+}
+
+/// (u, v) of unit vectors: by the polynomial of a degree, by trigonometry for 0, by Next Week's
+/// formula for -1.
+struct UvFunction {
+  static constexpr std::size_t inputs = 3, outputs = 2;
+  int degree;
+
+  template <class Real>
+  void visit(const auto& use) const {
+    const auto map = [&](const auto& mapping) {
+      use([&](const auto& in, std::size_t) {
+        const Uv<Real> uv = mapping(vector_in(in));
+        return std::array{uv.u, uv.v};
+      });
+    };
+    if (degree >= 0) return with_uv_mapping(degree, map);
+    if constexpr (lanes<Real> == 1)
+      map([](const Vec3<Real>& p) { return published::uv_next_week_v4(p); });
   }
 };
 
 /// Colors of a texture at given (u, v); their sum is kept.
-struct TextureJob {
-  const PlannedTexture* texture;
-  Columns* input;  ///< u, v
-  Columns* output;
+struct TextureFunction {
+  static constexpr std::size_t inputs = 2, outputs = 1;
+  std::shared_ptr<const ImageTexture> exact;
+  PlannedTexture texture;
 
   template <class Real>
-  void run() const {
-    using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), 1, [&](std::size_t row) {
-      const Uv<Real> uv = {load<Real>(input->at<T>(0) + row), load<Real>(input->at<T>(1) + row)};
-      const Color<Real> color = (*texture)(uv);
-      store(color.r + color.g + color.b, output->at<T>(0) + row);
+  void visit(const auto& use) const {
+    use([&](const auto& in, std::size_t) {
+      const Color<Real> color = texture(Uv<Real>{in[0], in[1]});
+      return std::array{color.r + color.g + color.b};
     });
   }
 };
 
-/// Distances to a sphere.
-struct SphereJob {
+/// Distances to a sphere from origins in directions.
+struct SphereFunction {
+  static constexpr std::size_t inputs = 6, outputs = 1;
   Sphere<> sphere;
-  Columns* input;  ///< origin, direction
-  Columns* output;
-  int repeats;
 
   template <class Real>
-  void run() const {
-    using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
-      const Ray<Real> ray = {vector_at<Real>(*input, 0, row), vector_at<Real>(*input, 3, row)};
-      store(distance_to(sphere, ray), output->at<T>(0) + row);
+  void visit(const auto& use) const {
+    use([&](const auto& in, std::size_t) {
+      return std::array{distance_to(sphere, Ray<Real>{vector_in(in), vector_in(in, 3)})};
     });
   }
 };
 
-/// Pairs of numbers of the samples of some pixels; their sum is kept.
-struct SamplerJob {
-  const Sampler* sampler;
-  Columns* output;  ///< a row for each pixel
+/// Pairs of numbers of the samples of a pixel for each row; their sum is kept.
+struct SamplerFunction {
+  static constexpr std::size_t inputs = 0, outputs = 1;
+  Sampler sampler;
 
   template <class Real>
-  void run() const {
-    using T = Scalar<Real>;
-    sampler->visit([&](const auto& pattern) {
-      for_each_pack<Real>(output->rows(), 1, [&](std::size_t pixel) {
+  void visit(const auto& use) const {
+    const auto samples = static_cast<std::uint32_t>(sampler.samples());
+    sampler.visit([&](const auto& pattern) {
+      use([&](const auto&, std::size_t pixel) {
         const UInt<Real> pixels = test::hash_row<Real>(static_cast<std::uint32_t>(pixel), 7);
         Real sum = Real(0);
-        for (std::uint32_t sample = 0; sample < static_cast<std::uint32_t>(sampler->samples());
-             ++sample) {
+        for (std::uint32_t sample = 0; sample < samples; ++sample) {
           const Point2<Real> pair = pattern.template pair<Real>(pixels, sample, 3);
           sum = sum + pair.u * pair.v;
         }
-        store(sum, output->at<T>(0) + pixel);
+        return std::array{sum};
       });
     });
   }
 };
 
-/// Bytes of amounts of light, by the sRGB curve.
-struct EncodeJob {
-  int terms;       ///< 3, 4 or 6 of the polynomial, 0: the exact kernel, -1: the formula's power
-  Columns* input;  ///< light, 0 to 1
-  Columns* output;
-  int repeats;
+/// Bytes of amounts of light, by the sRGB curve: a polynomial of 3, 4 or 6 terms, the exact kernel
+/// for 0, the formula's power for -1.
+struct EncodeFunction {
+  static constexpr std::size_t inputs = 1, outputs = 1;
+  int terms;
 
   template <class Real>
-  void run() const {
-    if (terms == 3) convert<Real>([](const Real& x) { return srgb_byte<3>(x); });
-    if (terms == 4) convert<Real>([](const Real& x) { return srgb_byte<4>(x); });
-    if (terms == 6) convert<Real>([](const Real& x) { return srgb_byte<6>(x); });
-    if (terms == 0) convert<Real>([](const Real& x) { return srgb_byte_exact(x); });
+  void visit(const auto& use) const {
+    const auto convert = [&](const auto& byte_of_light) {
+      use([&](const auto& in, std::size_t) { return std::array{byte_of_light(in[0])}; });
+    };
+    if (terms == 3) convert([](const Real& x) { return srgb_byte<3>(x); });
+    if (terms == 4) convert([](const Real& x) { return srgb_byte<4>(x); });
+    if (terms == 6) convert([](const Real& x) { return srgb_byte<6>(x); });
+    if (terms == 0) convert([](const Real& x) { return srgb_byte_exact(x); });
     if constexpr (lanes<Real> == 1) {
       if (terms < 0)
-        convert<Real>([](const Real& x) { return floor(srgb_encode(x) * Real(255) + Real(0.5)); });
+        convert(
+            [](const Real& x) -> Real { return floor(srgb_encode(x) * Real(255) + Real(0.5)); });
     }
-  }
-
- private:
-  template <class Real, class Function>
-  void convert(const Function& function) const {
-    using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
-      store(function(load<Real>(input->at<T>(0) + row)), output->at<T>(0) + row);
-    });
   }
 };
 
-/// Phong's power of an angle, from 1 - cos.
-struct PowerJob {
-  double exponent;
-  int terms;       ///< 3, 4, 6 or 8 of the polynomial, 0 for the formula of `highlight`
-  Columns* input;  ///< 1 - cos, 0 to 1
-  Columns* output;
-  int repeats;
+/// Phong's power of an angle, from 1 - cos: a polynomial of 3, 4, 6 or 8 terms, the formula of
+/// `highlight` for 0.
+struct PowerFunction {
+  static constexpr std::size_t inputs = 1, outputs = 1;
+  int terms;
+  double exponent = 50;
 
   template <class Real>
-  void run() const {
+  void visit(const auto& use) const {
+    const auto raise = [&](const auto& power) {
+      use([&](const auto& in, std::size_t) { return std::array<Real, 1>{power(in[0])}; });
+    };
     if (terms == 0) {
-      return raise<Real>([n = exponent](const Real& versine) {
+      raise([n = exponent](const Real& versine) {
         return exp(Real(n) * log1p(-clamp(versine, Real(0), below_one<Real>())));
       });
     }
-    if (terms == 3) raise<Real>(PowerKernel<3>(exponent));
-    if (terms == 4) raise<Real>(PowerKernel<4>(exponent));
-    if (terms == 6) raise<Real>(PowerKernel<6>(exponent));
-    if (terms == 8) raise<Real>(PowerKernel<8>(exponent));
-  }
-
- private:
-  template <class Real, class Function>
-  void raise(const Function& function) const {
-    using T = Scalar<Real>;
-    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
-      store(function(load<Real>(input->at<T>(0) + row)), output->at<T>(0) + row);
-    });
+    if (terms == 3) raise(PowerKernel<3>(exponent));
+    if (terms == 4) raise(PowerKernel<4>(exponent));
+    if (terms == 6) raise(PowerKernel<6>(exponent));
+    if (terms == 8) raise(PowerKernel<8>(exponent));
   }
 };
 
-/// The squares of a checkerboard on a globe, by uv_rtiow.
-struct CheckerJob {
-  Columns* input;  ///< unit vectors: x, y, z
-  Columns* output;
-  int repeats;
+/// The squares of a checkerboard on a globe, by uv_rtiow of unit vectors.
+struct CheckerFunction {
+  static constexpr std::size_t inputs = 3, outputs = 1;
 
   template <class Real>
-  void run() const {
-    using T = Scalar<Real>;
+  void visit(const auto& use) const {
     const Checkerboard texture{.even = {1, 1, 1}, .odd = {0, 0, 0}, .squares = 10};
-    for_each_pack<Real>(input->rows(), repeats, [&](std::size_t row) {
-      const Uv<Real> uv = uv_rtiow(vector_at<Real>(*input, 0, row));
-      store(texture(uv).r, output->at<T>(0) + row);
+    use([&](const auto& in, std::size_t) {
+      return std::array<Real, 1>{texture(uv_rtiow(vector_in(in))).r};
     });
   }
 };

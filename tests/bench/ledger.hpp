@@ -1,10 +1,7 @@
 // Lessons that compute what their scene does not require, and draw the same picture: what chapters
 // 01 to 07 leave out.
 #pragma once
-#include <optional>
-#include <utility>
 #include <variant>
-#include <vector>
 
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
@@ -20,12 +17,7 @@ namespace texmap::bench {
 /// Makes the compiler compute `value`, although nobody uses it.
 template <class Value>
 inline void keep(const Value& value) {
-#if defined(__GNUC__)
   asm volatile("" : : "m"(value));
-#else
-  static const volatile void* volatile kept;
-  kept = &value;
-#endif
 }
 
 /// The color of a paint in programs with a (u, v) in every hit: plain paint gets one, too.
@@ -108,43 +100,14 @@ struct HitOfEveryObject : Lesson {
   }
 };
 
-/// A rotation that computes its sine and cosine for every hit.
-struct RotationAnew {
-  double degrees = 0;
-  ConventionMapping mapping;
-
-  template <class Real>
-  [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
-    return mapping(rotation_y(degrees)(p));
-  }
-};
-
-/// Chapter 05's lesson with such a rotation.
-struct SineAtEveryHit {
-  using Textured = Mapped<RotationAnew, ImageTexture>;
-  using Object = Painted<AnyOf<Solid, chapter_05::Checkered, Textured>>;
-
-  Stage stage;
-  Lambertian surface;
-  std::vector<Object> objects;
-
-  explicit SineAtEveryHit(const chapter_05::Lesson& lesson)
-      : stage(lesson.stage), surface(lesson.surface) {
-    for (const chapter_05::Object& object : lesson.objects) {
-      if (const auto* globe = std::get_if<chapter_05::Textured>(&object.paint)) {
-        objects.push_back({object.shape, Textured{{lesson.turn.degrees, globe->mapping.mapping},
-                                                  globe->texture}});
-      } else if (const auto* solid = std::get_if<Solid>(&object.paint)) {
-        objects.push_back({object.shape, *solid});
-      } else {
-        objects.push_back({object.shape, std::get<chapter_05::Checkered>(object.paint)});
-      }
-    }
-  }
+/// Chapter 05's lesson, which computes sine and cosine for every hit of its globe.
+struct SineAtEveryHit : chapter_05::Lesson {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return lambertian_color_along(
-        *this, ray, [](const auto& paint, const Hit<Real>& hit) { return paint(hit); });
+    return lambertian_color_along(*this, ray, [this](const auto& paint, const Hit<Real>& hit) {
+      if (std::holds_alternative<chapter_05::Textured>(paint)) keep(rotation_y(turn.degrees));
+      return paint(hit);
+    });
   }
 };
 
@@ -162,10 +125,8 @@ struct ShadowRayAnyway : chapter_06::Lesson {
           const Mask<Real> hidden = is_occluded(
               phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.object);
           const LightSample<Real> light = {to_light, select(hidden, Real(0), cosine)};
-          const Color<Real> color = object.paint(hit);
-          const Real lambertian = lambert(object.material.lambertian, light);
-          const Real gloss = phong.highlight(object.material, light, hit.normal, -ray.direction);
-          return color * lambertian + gray(gloss);
+          return object.paint(hit) * lambert(object.material.lambertian, light) +
+                 gray(phong.highlight(object.material, light, hit.normal, -ray.direction));
         });
   }
 };
@@ -177,11 +138,9 @@ struct HighlightAnyway : chapter_06::Lesson {
     return color_along(
         objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
           const LightSample<Real> light = sample_light(stage.light, phong.casters(objects), hit);
-          const Color<Real> color = object.paint(hit);
-          const Real lambertian = lambert(object.material.lambertian, light);
           const Real gloss = texmap::highlight(object.material, light, hit.normal, -ray.direction);
           keep(gloss);
-          return color * lambertian + gray(gloss);
+          return object.paint(hit) * lambert(object.material.lambertian, light) + gray(gloss);
         });
   }
 };

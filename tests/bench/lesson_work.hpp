@@ -1,5 +1,6 @@
 // A chapter's lesson as something to be timed: its picture, on one thread or on more.
 #pragma once
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -11,24 +12,34 @@
 
 namespace texmap::bench {
 
+/// Something that draws one picture.
+struct Drawing {
+  virtual ~Drawing() = default;
+  virtual void run(const Variant& variant) = 0;
+  /// The picture that one run draws.
+  [[nodiscard]] virtual Image picture(const Variant& variant) = 0;
+};
+using MakeDrawing = std::function<std::shared_ptr<Drawing>()>;
+
 /// A lesson and all that drawing it needs.
 ///
 /// @tparam As  what its work is run as: itself, or InDouble
 template <class Lesson, template <class> class As = std::type_identity_t>
-class LessonWork {
+class LessonWork : public Drawing {
  public:
   /// @param samples, plan  of lessons that gather light
-  LessonWork(Lesson lesson, int width, int height, int samples = 8, KernelPlan plan = {})
+  LessonWork(Lesson lesson, int width, int height, int threads = 1, int samples = 8,
+             KernelPlan plan = {})
       : lesson_(std::move(lesson)),
         plan_(std::move(plan)),
         objects_(objects_of(plan_, lesson_)),
         view_(view_of(lesson_.stage.camera, width, height)),
-        sampler_(SamplerKind::sobol, samples) {}
+        sampler_(SamplerKind::sobol, samples),
+        settings_{.threads = threads} {}
   LessonWork(const LessonWork&) = delete;  // planned objects point into the lesson
   LessonWork& operator=(const LessonWork&) = delete;
 
-  void use_threads(int threads) { settings_.threads = threads; }
-  void run(const Variant& variant) {
+  void run(const Variant& variant) override {
     settings_.instructions = variant.instructions;
     if constexpr (GathersLight<Lesson>) {
       const int samples = sampler_.samples();
@@ -39,8 +50,7 @@ class LessonWork {
       run_work({lesson_, view_, settings_}, variant);
     }
   }
-  /// The picture that one run draws.
-  [[nodiscard]] Image picture(const Variant& variant) {
+  [[nodiscard]] Image picture(const Variant& variant) override {
     run(variant);
     if constexpr (GathersLight<Lesson>) {
       return develop(*result_, Transfer::srgb, plan_.srgb_terms);
@@ -68,7 +78,7 @@ class LessonWork {
   decltype(objects_of({}, std::declval<const Lesson&>())) objects_;
   View<> view_;
   Sampler sampler_;
-  RenderSettings settings_{.threads = 1};
+  RenderSettings settings_;
   std::optional<typename Work::Result> result_;
 };
 

@@ -1,7 +1,7 @@
 // Everything that is measured, and how a group is timed.
-#include "measure.hpp"
-
 #include <algorithm>
+
+#include "bench.hpp"
 
 namespace texmap::bench {
 
@@ -11,41 +11,30 @@ std::vector<Group> all_groups() {
           samplers_group(), colors_group(),  encoding_group()};
 }
 
-std::size_t base_of(const Group& group, std::size_t row) {
-  const auto in_its_set = [&](const Row& other) { return other.set == group.rows[row].set; };
-  return static_cast<std::size_t>(std::find_if(group.rows.begin(), group.rows.end(), in_its_set) -
-                                  group.rows.begin());
+const Row& Group::base_of(const Row& row) const {
+  return *std::find_if(rows.begin(), rows.end(),
+                       [&](const Row& other) { return other.set == row.set; });
 }
 
-std::vector<Timing> measure(const Group& group, const Effort& effort,
-                            const std::function<void(double)>& report) {
-  std::vector<std::size_t> timed;
+void measure(Group& group, const Effort& effort, const Report& report) {
+  std::vector<Row*> timed;
   std::vector<Work> works;
-  for (std::size_t i = 0; i < group.rows.size(); ++i) {
-    if (!group.rows[i].prepare) continue;
-    timed.push_back(i);
-    works.push_back(group.rows[i].prepare());
+  for (Row& row : group.rows) {
+    if (!row.prepare) continue;
+    timed.push_back(&row);
+    works.push_back(row.prepare());
   }
-
   const int rounds = rounds_within(1000 * group.seconds * effort.part, works, effort.least, 2000);
-  const std::vector<WorkTime> times = work_times(works, rounds, [&](int done, int runs) {
-    if (report) report(static_cast<double>(done) / runs);
-  });
-
-  std::vector<Timing> timings(group.rows.size());
+  const std::vector<WorkTime> times = work_times(works, rounds, report);
   for (std::size_t i = 0; i < timed.size(); ++i) {
-    const double milliseconds = times[i].wall / group.rows[timed[i]].items;
-    timings[timed[i]].time = group.unit == "ns" ? milliseconds * 1e6 : milliseconds;
+    Row& row = *timed[i];
+    row.time = times[i].wall / row.items * (group.unit == "ns" ? 1e6 : 1);
+    if (row.find_note) row.note = row.find_note();
   }
-  for (std::size_t i = 0; i < timings.size(); ++i) {
-    const Row& row = group.rows[i];
-    Timing& timing = timings[i];
-    timing.note = row.find_note && row.prepare ? row.find_note() : row.note;
-    timing.base = base_of(group, i);
-    const double quotient = timing.time / timings[timing.base].time;
-    timing.ratio = group.ratio == Ratio::speed ? 1 / quotient : quotient;
+  for (Row& row : group.rows) {
+    const double quotient = row.time / group.base_of(row).time;
+    row.ratio = group.ratio == Ratio::speed ? 1 / quotient : quotient;
   }
-  return timings;
 }
 
 }  // namespace texmap::bench

@@ -1,54 +1,105 @@
 // The groups of small works: (u, v), textures, spheres, samplers, colors.
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include "engine/measure/text.hpp"
-#include "make_rows.hpp"
+#include "jobs.hpp"
 
 namespace texmap::bench {
 namespace {
 
-constexpr std::size_t rows = 512;  // so few that all columns stay in the first cache
-constexpr int repeats = 32;
-constexpr double items = static_cast<double>(rows) * repeats;
+using Fill = void (*)(Columns& columns);
 
-/// Adds a line with a row for each variant.
-template <class Make, class... Variants>
-void add_line(Group& group, const std::string& line, const std::string& set, double per_run,
-              const Make& make, const std::string& note, const Variants&... variants) {
-  const auto add = [&](const Variant& variant) {
+/// Adds a line with a row for each variant: a function of columns that `fill` fills.
+///
+/// @param rows, repeats  so few rows that all columns stay in the first cache, but for a texture's
+/// @param items          made of a row
+template <class MakeFunction>
+void add_line(Group& group, const std::string& line, const std::string& set,
+              std::string_view letters, const MakeFunction& function, Fill fill,
+              const std::string& note = "", std::size_t rows = 512, int repeats = 32,
+              double items = 1) {
+  const auto make = [=] {
+    const auto job = std::make_shared<Job<decltype(function())>>(function(), rows, repeats);
+    fill(job->input);
+    return job;
+  };
+  const double per_run = items * static_cast<double>(rows) * repeats;
+  for (const Variant& variant : variants_of(letters))
     group.rows.push_back(row_of(line, set, variant, per_run, make, note));
-  };
-  const auto add_all = [&](const auto& one_or_more) {
-    if constexpr (requires { one_or_more.size(); }) {
-      for (const Variant& variant : one_or_more) add(variant);
-    } else {
-      add(one_or_more);
-    }
-  };
-  (add_all(variants), ...);
 }
 
-/// A job on `inputs` columns that `fill` fills.
-template <class Job, class Fill>
-[[nodiscard]] std::shared_ptr<WithColumns<Job>> with_columns(Job job, std::size_t inputs,
-                                                             std::size_t outputs,
-                                                             const Fill& fill) {
-  auto ready = std::make_shared<WithColumns<Job>>(
-      WithColumns<Job>{Columns(inputs, rows), Columns(outputs, rows), job});
-  fill(ready->input);
-  ready->job.input = &ready->input;
-  ready->job.output = &ready->output;
-  return ready;
+/// Unit vectors, evenly spread over the sphere and the same each time, from a column on.
+void fill_with_directions(Columns& columns, std::size_t first) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (std::size_t row = 0; row < columns.rows(); ++row) {
+    const double turn = 2 * std::numbers::pi * part(random);
+    const double height = 2 * part(random) - 1;
+    const double radius = std::sqrt(1 - height * height);
+    columns.set(first, row, radius * std::cos(turn));
+    columns.set(first + 1, row, radius * std::sin(turn));
+    columns.set(first + 2, row, height);
+  }
+}
+void directions(Columns& columns) { fill_with_directions(columns, 0); }
+
+/// Rays from 8 radii away in the direction, and then aside.
+void rays_to_a_sphere(Columns& columns) {
+  fill_with_directions(columns, 3);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> aside(-1.25, 1.25);
+  for (std::size_t row = 0; row < columns.rows(); ++row) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      columns.set(axis, row, -8 * columns.at<double>(3 + axis)[row] + aside(random));
+  }
 }
 
-std::string texels(const UvError& worst) {
-  return text("%.1e", std::max(worst.u * 8192, worst.v * 4096));
+/// Even steps from 0 to 1, in no order.
+void parts(Columns& columns) {
+  const std::size_t rows = columns.rows();
+  for (std::size_t row = 0; row < rows; ++row)
+    columns.set(0, row, static_cast<double>(row * 97 % rows) / static_cast<double>(rows - 1));
+}
+
+constexpr std::size_t walk_side = 128;  // look-ups along a row, and rows
+
+/// A walk over a picture of 4096 by 2048 texels such as a globe's picture makes: one and a half
+/// texels at a step.
+void walk(Columns& columns) {
+  for (std::size_t i = 0; i < columns.rows(); ++i) {
+    const auto along = static_cast<double>(i % walk_side);
+    const auto down = static_cast<double>(i / walk_side);
+    columns.set(0, i, 0.4 + 1.5 * (along + 0.2 * down) / 4096);
+    columns.set(1, i, 0.6 - 1.5 * (down - 0.1 * along) / 2048);
+  }
+}
+
+TextureFunction noise_texture(TexelLight light, bool as_roots) {
+  Image image(4096, 2048);
+  std::uint32_t at = 0;
+  for (Rgb8& texel : image.pixels) {
+    const std::uint32_t bits = hash_bits(at++);
+    texel = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
+             static_cast<std::uint8_t>(bits >> 16)};
+  }
+  const auto exact =
+      std::make_shared<const LightTexture>(image, light);
+  return {exact, {exact.get(), as_roots ? RootTexture(*exact) : RootTexture()}};
 }
 
 /// The stated worst case of a polynomial, as in common/engine/kernels/kernel_plan.cpp.
-template <int Degree, class T>
-std::string worst_texels() {
-  return texels(FastUnitMapping<Degree>::template worst<T>);
+template <class T>
+std::string worst_texels(int degree) {
+  return with_uv_mapping(degree, [](const auto& mapping) -> std::string {
+    using Mapping = std::decay_t<decltype(mapping)>;
+    if constexpr (requires { Mapping::template worst<T>; }) {
+      const UvError worst = Mapping::template worst<T>;
+      return text("%.1e", std::max(worst.u * 8192, worst.v * 4096));
+    }
+    return "";
+  });
 }
 
 }  // namespace
@@ -64,63 +115,19 @@ Group uv_group() {
       .unit = "ns",
       .note = "worst error in texels of 8192 × 4096",
   };
-  const auto add = [&group](const std::string& line, UvJob::Formula formula, int degree,
-                            const std::string& worst, const auto&... variants) {
-    const auto make = [=] {
-      const UvJob job{formula, degree, nullptr, nullptr, repeats};
-      return with_columns(job, 3, 2, [](Columns& columns) { fill_with_directions(columns, 0); });
-    };
-    add_line(group, line, "uv", items, make, worst, variants...);
+  const auto add = [&](const std::string& line, int degree, const char* letters,
+                       const std::string& worst) {
+    add_line(
+        group, line, "uv", letters, [=] { return UvFunction{degree}; }, directions, worst);
   };
-  add("atan2 and acos", UvJob::next_week, 0, "0.3 in float at the poles", in_double, in_float);
-  add("uv_rtiow", UvJob::stable, 0, "0.001 in float, 2e-12 in double", in_double, in_float,
-      in_double_packs, in_float_packs);
-  add("degree 5", UvJob::polynomial, 5, worst_texels<5, float>(), in_float, in_float_packs);
-  add("degree 9", UvJob::polynomial, 9, worst_texels<9, float>(), in_float, in_float_packs);
-  add("degree 13", UvJob::polynomial, 13, worst_texels<13, float>(), in_float, in_float_packs);
-  add("degree 17", UvJob::polynomial, 17, worst_texels<17, float>(), in_float, in_float_packs);
-  add("degree 23", UvJob::polynomial, 23, worst_texels<23, double>(), in_double, in_double_packs);
-  add("degree 29", UvJob::polynomial, 29, worst_texels<29, double>(), in_double, in_double_packs);
-  add("degree 35", UvJob::polynomial, 35, worst_texels<35, double>(), in_double, in_double_packs);
+  add("atan2 and acos", -1, "df", "0.3 in float at the poles");
+  add("uv_rtiow", 0, "dfDF", "0.001 in float, 2e-12 in double");
+  for (const int degree : {5, 9, 13, 17})
+    add("degree " + std::to_string(degree), degree, "fF", worst_texels<float>(degree));
+  for (const int degree : {23, 29, 35})
+    add("degree " + std::to_string(degree), degree, "dD", worst_texels<double>(degree));
   return group;
 }
-
-namespace {
-
-constexpr std::size_t walk_side = 128;  // look-ups along a row, and rows
-
-/// A picture of 4096 by 2048 texels, and a walk over it such as a globe's picture makes: one and a
-/// half texels at a step.
-struct TextureWork {
-  LightTexture exact;
-  PlannedTexture texture{&exact};
-  Columns input, output;
-
-  TextureWork(TexelLight light, bool as_roots)
-      : input(2, walk_side * walk_side), output(1, walk_side * walk_side) {
-    Image image(4096, 2048);
-    for (int row = 0; row < image.height; ++row) {
-      for (int column = 0; column < image.width; ++column) {
-        const std::uint32_t bits =
-            hash_bits(static_cast<std::uint32_t>(row * image.width + column));
-        image.at(column, row) = {static_cast<std::uint8_t>(bits),
-                                 static_cast<std::uint8_t>(bits >> 8),
-                                 static_cast<std::uint8_t>(bits >> 16)};
-      }
-    }
-    exact = {{image}, light};
-    if (as_roots) texture.roots = RootTexture(exact);
-    for (std::size_t i = 0; i < input.rows(); ++i) {
-      const auto along = static_cast<double>(i % walk_side);
-      const auto down = static_cast<double>(i / walk_side);
-      input.set(0, i, 0.4 + 1.5 * (along + 0.2 * down) / 4096);
-      input.set(1, i, 0.6 - 1.5 * (down - 0.1 * along) / 2048);
-    }
-  }
-  void run(const Variant& variant) { bench::run(TextureJob{&texture, &input, &output}, variant); }
-};
-
-}  // namespace
 
 Group texture_group() {
   Group group{
@@ -133,11 +140,10 @@ Group texture_group() {
           "time.",
       .unit = "ns",
   };
-  const auto add = [&group](const std::string& line, TexelLight light, bool as_roots) {
+  const auto add = [&](const std::string& line, TexelLight light, bool as_roots) {
     add_line(
-        group, line, "texture", static_cast<double>(walk_side * walk_side),
-        [=] { return std::make_shared<TextureWork>(light, as_roots); }, "", in_double, in_float,
-        in_double_packs, in_float_packs);
+        group, line, "texture", "dfDF", [=] { return noise_texture(light, as_roots); }, walk, "",
+        walk_side * walk_side, 1);
   };
   add("encoded", TexelLight::encoded, false);
   add("linear", TexelLight::linear, false);
@@ -155,41 +161,15 @@ Group spheres_group() {
       .unit = "ns",
       .seconds = 6,
   };
-  const auto add = [&group](const std::string& line, SphereForm form) {
-    const auto make = [form] {
-      const SphereJob job{Sphere<>{{0.1, 0.2, 0.3}, 1, form}, nullptr, nullptr, repeats};
-      return with_columns(job, 6, 1, [](Columns& columns) {
-        fill_with_directions(columns, 3);
-        std::mt19937 random(8);
-        std::uniform_real_distribution<double> aside(-1.25, 1.25);
-        for (std::size_t row = 0; row < columns.rows(); ++row) {
-          // From 8 radii away in the direction, and then aside.
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            columns.set(axis, row, -8 * columns.at<double>(3 + axis)[row] + aside(random));
-          }
-        }
-      });
-    };
-    add_line(group, line, "spheres", items, make, "", in_double, in_float, in_double_packs,
-             in_float_packs);
-  };
-  add("plain", SphereForm::plain);
-  add("robust", SphereForm::robust);
-  add("hybrid", SphereForm::hybrid);
+  for (const auto& [line, form] :
+       {std::pair{"plain", SphereForm::plain}, std::pair{"robust", SphereForm::robust},
+        std::pair{"hybrid", SphereForm::hybrid}}) {
+    const SphereFunction function{{{0.1, 0.2, 0.3}, 1, form}};
+    add_line(
+        group, line, "spheres", "dfDF", [=] { return function; }, rays_to_a_sphere);
+  }
   return group;
 }
-
-namespace {
-
-struct SamplerWork {
-  Sampler sampler;
-  Columns output{1, 64};
-
-  explicit SamplerWork(SamplerKind kind) : sampler(kind, 64) {}
-  void run(const Variant& variant) { bench::run(SamplerJob{&sampler, &output}, variant); }
-};
-
-}  // namespace
 
 Group samplers_group() {
   Group group{
@@ -199,30 +179,17 @@ Group samplers_group() {
       .unit = "ns",
       .seconds = 6,
   };
-  const auto add = [&group](const std::string& line, SamplerKind kind) {
+  for (const auto& [line, kind] :
+       {std::pair{"random", SamplerKind::random}, std::pair{"stratified", SamplerKind::stratified},
+        std::pair{"multi-jitter", SamplerKind::multi_jitter},
+        std::pair{"sobol", SamplerKind::sobol}}) {
     add_line(
-        group, line, "samplers", 64.0 * 64, [kind] { return std::make_shared<SamplerWork>(kind); },
-        "", in_float, in_double_packs, in_float_packs);
-  };
-  add("random", SamplerKind::random);
-  add("stratified", SamplerKind::stratified);
-  add("multi-jitter", SamplerKind::multi_jitter);
-  add("sobol", SamplerKind::sobol);
+        group, line, "samplers", "fDF",
+        [kind = kind] { return SamplerFunction{Sampler(kind, 64)}; }, [](Columns&) {}, "", 64, 1,
+        64);
+  }
   return group;
 }
-
-namespace {
-
-/// Even steps from 0 to 1, in no order.
-void fill_with_parts(Columns& columns) {
-  for (std::size_t row = 0; row < columns.rows(); ++row) {
-    columns.set(
-        0, row,
-        static_cast<double>(row * 97 % columns.rows()) / static_cast<double>(columns.rows() - 1));
-  }
-}
-
-}  // namespace
 
 Group colors_group() {
   Group group{
@@ -236,43 +203,34 @@ Group colors_group() {
       .seconds = 10,
       .note = "worst error",
   };
-  const auto add_encoding = [&group](const std::string& line, int terms, const std::string& worst,
-                                     const auto&... variants) {
-    const auto make = [terms] {
-      return with_columns(EncodeJob{terms, nullptr, nullptr, repeats}, 1, 1, fill_with_parts);
-    };
-    add_line(group, line, "sRGB", items, make, worst, variants...);
+  const auto add_encoding = [&](const std::string& line, int terms, const char* letters,
+                                const std::string& worst) {
+    add_line(
+        group, "sRGB byte, " + line, "sRGB", letters, [=] { return EncodeFunction{terms}; }, parts,
+        worst);
   };
-  add_encoding("sRGB byte, power", -1, "", in_double, in_float);
-  add_encoding("sRGB byte, exact", 0, "0", in_double, in_float, in_float_packs);
-  add_encoding("sRGB byte, 6 terms", 6, "1 level", in_float, in_float_packs);
-  add_encoding("sRGB byte, 4 terms", 4, "1 level", in_float, in_float_packs);
-  add_encoding("sRGB byte, 3 terms", 3, "2 levels", in_float, in_float_packs);
+  add_encoding("power", -1, "df", "");
+  add_encoding("exact", 0, "dfF", "0");
+  add_encoding("6 terms", 6, "fF", "1 level");
+  add_encoding("4 terms", 4, "fF", "1 level");
+  add_encoding("3 terms", 3, "fF", "2 levels");
 
-  const auto add_power = [&group](const std::string& line, int terms, const std::string& worst,
-                                  const auto&... variants) {
-    const auto make = [terms] {
-      return with_columns(PowerJob{50, terms, nullptr, nullptr, repeats}, 1, 1, fill_with_parts);
-    };
-    add_line(group, line, "power", items, make, worst, variants...);
+  const auto add_power = [&](const std::string& line, int terms, const char* letters,
+                             double levels) {
+    const std::string worst = levels > 0 ? text("%.2g levels", levels) : "";
+    add_line(
+        group, "Phong's power, " + line, "power", letters, [=] { return PowerFunction{terms}; },
+        parts, worst);
   };
-  const auto levels = [](double worst) { return text("%.2g levels", worst); };
-  add_power("Phong's power, formula", 0, "", in_double, in_float, in_double_packs, in_float_packs);
-  add_power("Phong's power, 8 terms", 8, levels(PowerKernel<8>::worst_levels<float>), in_float,
-            in_float_packs);
-  add_power("Phong's power, 6 terms", 6, levels(PowerKernel<6>::worst_levels<float>), in_float,
-            in_float_packs);
-  add_power("Phong's power, 4 terms", 4, levels(PowerKernel<4>::worst_levels<float>), in_float,
-            in_float_packs);
-  add_power("Phong's power, 3 terms", 3, levels(PowerKernel<3>::worst_levels<float>), in_float,
-            in_float_packs);
+  add_power("formula", 0, "dfDF", 0);
+  add_power("8 terms", 8, "fF", PowerKernel<8>::worst_levels<float>);
+  add_power("6 terms", 6, "fF", PowerKernel<6>::worst_levels<float>);
+  add_power("4 terms", 4, "fF", PowerKernel<4>::worst_levels<float>);
+  add_power("3 terms", 3, "fF", PowerKernel<3>::worst_levels<float>);
 
-  const auto checker = [] {
-    return with_columns(CheckerJob{nullptr, nullptr, repeats}, 3, 1,
-                        [](Columns& columns) { fill_with_directions(columns, 0); });
-  };
-  add_line(group, "checkerboard, trigonometry", "checkerboard", items, checker, "", in_double,
-           in_float, in_double_packs, in_float_packs);
+  add_line(
+      group, "checkerboard, trigonometry", "checkerboard", "dfDF", [] { return CheckerFunction{}; },
+      directions);
   return group;
 }
 

@@ -1,6 +1,4 @@
 // Whole programs, timed alternately.
-#include "processes.hpp"
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/resource.h>
@@ -8,38 +6,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
-#include "engine/measure/interleaved.hpp"
+#include "bench.hpp"
+#include "support/temporary_folder.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): unistd.h need not declare it
 
 namespace texmap::bench {
 namespace {
-
-/// A folder for the chapters' pictures, removed with all that is in it.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "texmap-bench-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Runs a line of the shell, its output thrown away.
 /// @return  the processor's time that it and its children took, user and system, in milliseconds
@@ -69,15 +45,15 @@ double processor_milliseconds(const std::string& command) {
 
 }  // namespace
 
-Measured measure_beside(const std::vector<std::string>& commands, const Effort& effort,
-                        const std::function<void(double)>& report) {
-  const Folder pictures;
+Group measure_beside(const std::vector<std::string>& commands, const Effort& effort,
+                     const Report& report) {
+  const test::TemporaryFolder pictures;
   std::vector<std::string> names = commands;
   std::vector<std::string> lines = commands;
   for (const std::string name : TEXMAP_CHAPTER_NAMES) {
     names.push_back(name);
     lines.push_back("'" TEXMAP_BIN_DIR "/" + name + "' --quiet --threads 1 --out '" +
-                    (pictures.path() / (name + ".png")).string() + "'");
+                    (pictures / (name + ".png")) + "'");
   }
 
   std::vector<double> processor(lines.size(), std::numeric_limits<double>::infinity());
@@ -87,31 +63,21 @@ Measured measure_beside(const std::vector<std::string>& commands, const Effort& 
         [&, i] { processor[i] = std::min(processor[i], processor_milliseconds(lines[i])); });
   }
   const int rounds = rounds_within(20e3 * effort.part, works, effort.least, 200);
-  const std::vector<WorkTime> wall = work_times(works, rounds, [&](int done, int runs) {
-    if (report) report(static_cast<double>(done) / runs);
-  });
+  const std::vector<WorkTime> wall = work_times(works, rounds, report);
 
-  Measured measured{{.name = "beside",
-                     .title = "Whole programs",
-                     .text = "",
-                     .unit = "ms",
-                     .ratio = Ratio::speed,
-                     .seconds = 20,
-                     .note = "",
-                     .rows = {}},
-                    {}};
-  for (const bool by_wall : {false, true}) {
-    const auto time_of = [&](std::size_t i) { return by_wall ? wall[i].wall : processor[i]; };
-    const std::size_t base = measured.timings.size();
+  Group group{.name = "beside", .title = "Whole programs", .unit = "ms"};
+  const auto add = [&](const std::string& column, const auto& time_of) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      const std::string column = by_wall ? "wall clock" : "user and system";
-      measured.group.rows.push_back(
-          {.line = names[i], .column = column, .set = column, .prepare = {}});
-      measured.timings.push_back(
-          {.time = time_of(i), .ratio = time_of(0) / time_of(i), .base = base});
+      group.rows.push_back({.line = names[i],
+                            .column = column,
+                            .set = column,
+                            .time = time_of(i),
+                            .ratio = time_of(0) / time_of(i)});
     }
-  }
-  return measured;
+  };
+  add("wall clock", [&](std::size_t i) { return wall[i].wall; });
+  add("user and system", [&](std::size_t i) { return processor[i]; });
+  return group;
 }
 
 }  // namespace texmap::bench

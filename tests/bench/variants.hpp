@@ -1,10 +1,12 @@
-// The numbers that works are timed with: plain ones, and packs made of each set of instructions.
+// The numbers that works are timed with: plain ones, and packs made of each set of instructions;
+// and rows of them.
 #pragma once
-#include <array>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
+#include "bench.hpp"
 #include "engine/render/draw.hpp"
 #include "engine/render/number_names.hpp"
 
@@ -12,59 +14,55 @@ namespace texmap::bench {
 
 /// A number, and the instructions that packs of it are made of: a column of a table.
 struct Variant {
-  std::string_view name;
+  std::string name;
   NumberKind number;
   Instructions instructions = Instructions::baseline;
+
+  /// True if this build has code for it and this machine can run it.
+  [[nodiscard]] bool is_here() const { return !is_pack(number) || has_packs_of(instructions); }
 };
 
-inline constexpr Variant in_float{"float", NumberKind::float_};
-inline constexpr Variant in_double{"double", NumberKind::double_};
-inline constexpr Variant in_extended{"extended", NumberKind::extended};
-inline constexpr std::array in_float_packs = {
-    Variant{"float-pack baseline", NumberKind::float_pack, Instructions::baseline},
-    Variant{"float-pack avx2", NumberKind::float_pack, Instructions::avx2},
-    Variant{"float-pack avx512", NumberKind::float_pack, Instructions::avx512},
-};
-inline constexpr std::array in_double_packs = {
-    Variant{"double-pack baseline", NumberKind::double_pack, Instructions::baseline},
-    Variant{"double-pack avx2", NumberKind::double_pack, Instructions::avx2},
-    Variant{"double-pack avx512", NumberKind::double_pack, Instructions::avx512},
-};
+inline const Variant in_double{"double", NumberKind::double_};
+inline const Variant in_float{"float", NumberKind::float_};
 
-/// True if this build has code for it and this machine can run it.
-[[nodiscard]] inline bool is_here(const Variant& variant) {
-  return !is_pack(variant.number) || has_packs_of(variant.instructions);
+/// The variants of some letters: double, float, extended, Double packs, Float packs.
+[[nodiscard]] inline std::vector<Variant> variants_of(std::string_view letters) {
+  std::vector<Variant> variants;
+  for (const char letter : letters) {
+    if (letter == 'd') variants.push_back(in_double);
+    if (letter == 'f') variants.push_back(in_float);
+    if (letter == 'e') variants.push_back({"extended", NumberKind::extended});
+    if (letter != 'D' && letter != 'F') continue;
+    const NumberKind number = letter == 'D' ? NumberKind::double_pack : NumberKind::float_pack;
+    for (const Instructions each : all_instructions)
+      variants.push_back({std::string(name_of(number)) + " " + name_of(each), number, each});
+  }
+  return variants;
 }
 
-/// The widest packs of double that can be run here.
-[[nodiscard]] inline Variant widest_double_pack() {
-  Variant widest = in_double_packs[0];
-  for (const Variant& variant : in_double_packs) {
-    if (is_here(variant)) widest = variant;
+/// Double, and the widest packs of it that can be run here.
+[[nodiscard]] inline std::vector<Variant> double_and_widest_packs() {
+  Variant widest;
+  for (const Variant& variant : variants_of("D")) {
+    if (variant.is_here()) widest = variant;
   }
-  return {"double-pack", NumberKind::double_pack, widest.instructions};
+  return {in_double, {"double-pack", NumberKind::double_pack, widest.instructions}};
 }
 
-/// A small job as a work of draw.hpp: with float, double, and single packs of them.
-template <class Job>
-struct JobWork {
-  using Result = void;
-  const Job& job;
-
-  template <class Real>
-  void run() const {
-    if constexpr (requires(Real pair) { pair.second; }) {
-      job.template run<decltype(Real::first)>();
-    } else if constexpr (!std::is_same_v<Real, long double>) {
-      job.template run<Real>();
-    }
-  }
-};
-
-/// Does a job with the number of `variant`, which is_here().
-template <class Job>
-void run(const Job& job, const Variant& variant) {
-  run_in_number(JobWork<Job>{job}, variant.number, variant.instructions);
+/// A row for a job.
+///
+/// @param make  called when the row's turn comes, makes the job and what it needs: gives a pointer
+///              to something with run(variant)
+template <class Make>
+[[nodiscard]] Row row_of(const std::string& line, const std::string& set, const Variant& variant,
+                         double items, Make make, const std::string& note = "") {
+  Row row{.line = line, .column = variant.name, .set = set, .items = items, .note = note};
+  if (!variant.is_here()) return row;
+  row.prepare = [make, variant]() -> Work {
+    auto ready = make();
+    return [ready, variant] { ready->run(variant); };
+  };
+  return row;
 }
 
 /// A work with double and packs of it: it is not compiled for other numbers.
