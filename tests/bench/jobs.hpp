@@ -145,7 +145,7 @@ struct UvFunction {
 /// Colors of a texture at given (u, v); their sum is kept.
 struct TextureFunction {
   static constexpr std::size_t inputs = 2, outputs = 1;
-  std::shared_ptr<const ImageTexture> exact;
+  std::shared_ptr<const LightTexture> exact;
   PlannedTexture texture;
 
   template <class Real>

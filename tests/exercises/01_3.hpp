@@ -5,8 +5,6 @@
 // ray: it returns the distance to the first sphere, in lengths of direction, or infinity.
 // Rounding puts the point a little above or below the sphere that it is on. So let the ray start
 // 0.001 above the point.
-//
-// Check it:  ./course check 01.3
 #include "exercise.hpp"
 
 bool in_shadow(Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit) {

@@ -3,8 +3,6 @@
 // p is a point of the unit sphere around the origin. Return its place (u, v) on the map:
 //   u grows from west to east: 1/4 on +z, 1/2 on +x, 3/4 on -z; the seam is on -x.
 //   v grows from south to north: 0 at the south pole -y, 1/2 on the equator, 1 at the pole +y.
-//
-// Check it:  ./course check 02.1
 #include "exercise.hpp"
 
 Uv uv_of(Vec3 p) {

@@ -5,8 +5,6 @@
 // true where (u, v) is in a square of the color of the lower left one, the square at (0, 0).
 // u is at least 0 and less than 1. v is 0 to 1: at the north pole v is 1, and that belongs to the
 // last row.
-//
-// Check it:  ./course check 02.2
 #include "exercise.hpp"
 
 bool is_first_color(Uv uv, int squares) {

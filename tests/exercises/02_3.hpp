@@ -5,8 +5,6 @@
 // twice, so that the squares on the equator are as wide as they are high.
 // uv is what the lesson's mapping gives. Return what the checkerboard should get in its place.
 // Its u may be more than 1: there the checkerboard goes on in the same way.
-//
-// Check it:  ./course check 02.3
 #include "exercise.hpp"
 
 Uv twice_around(Uv uv) {

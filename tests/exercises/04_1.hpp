@@ -4,8 +4,6 @@
 //   u grows from east to west: 1/4 on -z, 1/2 on +x, 3/4 on +z; the seam is on -x.
 //   v grows from north to south: 0 at the north pole +y, 1/2 on the equator, 1 at the south pole.
 // p is a point of the unit sphere around the origin. Return its u and v in this convention.
-//
-// Check it:  ./course check 04.1
 #include "exercise.hpp"
 
 Uv uv_of(Vec3 p) {

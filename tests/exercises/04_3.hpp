@@ -5,8 +5,6 @@
 // north. Return true if letters in the picture are mirrored on the globe. A picture that is only
 // turned is not mirrored. To draw the globe, the program takes 1 - u in place of u where you return
 // true: if your function is right, all letters on the globe can be read.
-//
-// Check it:  ./course check 04.3
 #include "exercise.hpp"
 
 bool is_mirrored(Uv here, Uv east, Uv north) {

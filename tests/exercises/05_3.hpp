@@ -4,8 +4,6 @@
 // angle `lean`. About this axis the globe is turned by `turn`, as in exercise 05.1. Both are in
 // degrees. p is a direction from the center as the eye sees it. Return the direction that goes into
 // the mapping. There the north pole is (0, 1, 0): first undo the lean, then turn.
-//
-// Check it:  ./course check 05.3
 #include "exercise.hpp"
 
 Vec3 looked_up(Vec3 p, double lean, double turn) {

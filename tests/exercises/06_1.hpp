@@ -3,8 +3,6 @@
 // n is the normal of a surface, and l the direction to the lamp. Both have the length 1. Return the
 // direction r in which a mirror would send the lamp's light: the same part along n as l has, and
 // the opposite part along the surface.
-//
-// Check it:  ./course check 06.1
 #include "exercise.hpp"
 
 Vec3 mirrored(Vec3 l, Vec3 n) {

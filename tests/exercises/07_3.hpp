@@ -4,8 +4,6 @@
 // i, counted from 0, is in column i % n and row i / n. Return its place, from (0, 0) to (1, 1)
 // across the pixel. a and b are random, 0 or more and less than 1: they say where in the cell the
 // sample is, across and up.
-//
-// Check it:  ./course check 07.3
 #include "exercise.hpp"
 
 Uv place_of_sample(int i, int n, double a, double b) {

@@ -5,8 +5,6 @@
 // below 0 or beyond the picture. Return the column of the picture that is seen there.
 // Example with width 4:  column  -5 -4 -3 -2 -1  0  1  2  3  4  5
 //                        seen     3  0  1  2  3  0  1  2  3  0  1
-//
-// Check it:  ./course check 09.1
 #include "exercise.hpp"
 
 int repeated_column(int column, int width) {

@@ -5,8 +5,6 @@
 // of two texels. The bilinear filter mixes both: at a center only that texel counts, halfway
 // between two centers both count 1/2, and between these the weights change evenly.
 // Return the weight of the texel on the left and the weight of the texel on the right.
-//
-// Check it:  ./course check 09.2
 #include "exercise.hpp"
 
 std::array<double, 2> weights_of(double u, int width) {

@@ -5,8 +5,6 @@
 // Then the part f of level l + 1 must be mixed in:
 //     f = ((width / 2^l)^2 - 1) / 3
 // Return l + f. No level is finer than 0: a width below 1 counts as 1.
-//
-// Check it:  ./course check 09.3
 #include "exercise.hpp"
 
 double level_of_width(double width) {

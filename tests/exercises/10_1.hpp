@@ -4,8 +4,6 @@
 // to a cylinder around the sphere. The unrolled cylinder is the picture. Return p's place on it:
 //   u runs around as on page 02: 1/4 on +z, 1/2 on +x, 3/4 on -z; the seam is on -x.
 //   v is the height on the cylinder: 0 at y = -1, 1/2 at y = 0, 1 at y = 1.
-//
-// Check it:  ./course check 10.1
 #include "exercise.hpp"
 
 Uv on_cylinder(Vec3 p) {

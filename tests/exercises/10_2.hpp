@@ -5,8 +5,6 @@
 // The lower half is folded out: where y < 0, the place becomes
 //     (sign(a) (1 - |b|), sign(b) (1 - |a|))
 // Return (u, v): a and b moved from -1 to 1 to 0 to 1. (sign is 1 for numbers above 0, -1 below.)
-//
-// Check it:  ./course check 10.2
 #include "exercise.hpp"
 
 Uv on_octahedron(Vec3 p) {

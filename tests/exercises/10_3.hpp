@@ -2,8 +2,6 @@
 //
 // To make a picture in a layout, a program asks for each texel: which direction is here? (u, v) is
 // a place on the unrolled cylinder of exercise 10.1. Return its point on the unit sphere.
-//
-// Check it:  ./course check 10.3
 #include "exercise.hpp"
 
 Vec3 direction_of(Uv uv) {

@@ -4,8 +4,6 @@
 // sign. The sign is 1 if u, v and n form a right-handed frame, and -1 on a mirrored copy of the
 // picture. Return the bitangent B, in which v grows. B, n and T are at right angles to each other.
 // The left half of the chapter's globe has the picture as it is, the right half a mirrored copy.
-//
-// Check it:  ./course check 11.3
 #include "exercise.hpp"
 
 Vec3 bitangent_of(Vec3 n, Vec3 t, double sign) {

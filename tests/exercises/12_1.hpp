@@ -4,8 +4,6 @@
 // The light of a channel with the byte m and the exponent k is
 //     (m + 1/2) 2^(k - 136),   but 0 for m = 0
 // Return the light of the texel; k is at least 1. It can be far above 1: the sun.
-//
-// Check it:  ./course check 12.1
 #include "exercise.hpp"
 
 Color light_of_texel(int red, int green, int blue, int exponent) {

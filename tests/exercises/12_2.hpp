@@ -4,8 +4,6 @@
 // Each row covers pi / height of the polar angle, and each texel of it 2 pi / width of the turn
 // around the axis. Return the solid angle of one texel of a row: 2 pi / width times the integral of
 // the sine from the row's upper edge a to its lower edge b, which is cos a - cos b.
-//
-// Check it:  ./course check 12.2
 #include "exercise.hpp"
 
 double solid_angle(int row, int width, int height) {

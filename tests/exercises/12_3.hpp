@@ -4,8 +4,6 @@
 // it. r is a random number, at least 0 and less than 1. Return the thing that r draws: the first i
 // with r < sums[i]. If rounding left no such i, return the last one.
 // Example: probabilities 0.5, 0, 0.5 have the sums 0.5, 0.5, 1. Thing 1 is never drawn.
-//
-// Check it:  ./course check 12.3
 #include "exercise.hpp"
 
 int drawn_thing(const std::vector<double>& sums, double r) {

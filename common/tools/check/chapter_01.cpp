@@ -1,70 +1,54 @@
 // The exercises of chapter 01. The lesson is the chapter's own. Its color_along and sample_light
 // are these here, which call the student's function.
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "exercises.hpp"
 #include "scene/light.hpp"
 
-namespace texmap::check {
+namespace texmap::chapter_01 {
 
-using Vector = Vec3<double>;
-using FirstHit = std::function<double(Vector, Vector)>;
+using FirstHit = std::function<double(Vec3d, Vec3d)>;
+static std::function<double(Vec3d, Vec3d, Vec3d, double)> distance_to_sphere;
+static std::function<double(Vec3d, Vec3d, Vec3d)> cosine_of;
+static std::function<bool(Vec3d, Vec3d, Vec3d, const FirstHit&)> in_shadow;
 
-static Hook<double(Vector, Vector, Vector, double)> distance_to_sphere;
-static Hook<double(Vector, Vector, Vector)> cosine_of;
-static Hook<bool(Vector, Vector, Vector, const FirstHit&)> in_shadow;
+constexpr double never = std::numeric_limits<double>::infinity();  // a ray meets nothing
 
-/// The distance to the first of `objects`, each with a `shape`, along a ray; infinity for a miss.
-template <class Objects>
-[[nodiscard]] static FirstHit first_hit_on(const Objects& objects) {
-  return [&objects](const Vector& origin, const Vector& direction) {
+/// The distance to the first of `objects`, each with a `shape`, along a ray.
+[[nodiscard]] static FirstHit first_hit_on(const auto& objects) {
+  return [&objects](const Vec3d& origin, const Vec3d& direction) {
     return find_nearest(objects, Ray<double>{origin, direction}).distance;
   };
 }
 
-}  // namespace texmap::check
-
-namespace texmap::chapter_01 {
-
 inline constexpr struct {
-  template <class Objects, class Background, class Shade>
-  Color<double> operator()(const Objects& objects, const Ray<double>& ray,
-                           const Background& background, const Shade& shade) const {
-    if (!check::distance_to_sphere) return texmap::color_along(objects, ray, background, shade);
-    auto first = infinity<double>();
-    auto found = objects.end();
-    for (auto object = objects.begin(); object != objects.end(); ++object) {
-      const double distance = check::distance_to_sphere.yours(
-          ray.origin, ray.direction, object->shape.center, object->shape.radius);
-      if (distance < first) {
-        first = distance;
-        found = object;
-      }
-    }
-    if (found == objects.end()) return background(ray);
-    return shade(*found, hit_at(found->shape, ray, first));
+  Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& background,
+                 const auto& shade) const {
+    if (!distance_to_sphere) return texmap::color_along(objects, ray, background, shade);
+    const auto distance = [&](const auto& object) {
+      const double t =
+          distance_to_sphere(ray.origin, ray.direction, object.shape.center, object.shape.radius);
+      return t < never ? t : never;  // also for NaN
+    };
+    const auto& first = *std::ranges::min_element(objects, {}, distance);
+    const double t = distance(first);
+    return t < never ? shade(first, hit_at(first.shape, ray, t)) : background(ray);
   }
 } color_along;
 
 inline constexpr struct {
-  template <class Objects>
-  LightSample<double> operator()(const PointLight& light, const Objects& objects,
+  LightSample<double> operator()(const PointLight& light, const auto& objects,
                                  const Hit<double>& hit) const {
-    const Vec3<double> path = light.position - hit.point;
-    const Vec3<double> to_light = normalize(path);
-    const double cosine = check::cosine_of
-                              ? check::cosine_of.yours(hit.point, hit.normal, light.position)
-                              : std::max(dot(hit.normal, to_light), 0.0);
-    if (cosine <= 0) return {to_light, cosine};
+    const Vec3d path = light.position - hit.point;
+    const Ray<double> ray{hit.outside, normalize(path)};
+    const double cosine = cosine_of ? cosine_of(hit.point, hit.normal, light.position)
+                                    : std::max(dot(hit.normal, ray.direction), 0.0);
+    if (cosine <= 0) return {ray.direction, cosine};
     const bool hidden =
-        check::in_shadow
-            ? check::in_shadow.yours(hit.point, hit.normal, light.position,
-                                     check::first_hit_on(objects))
-            : is_occluded(objects, Ray<double>{hit.outside, to_light}, length(path), hit.object);
-    return {to_light, hidden ? 0 : cosine};
+        in_shadow ? in_shadow(hit.point, hit.normal, light.position, first_hit_on(objects))
+                  : is_occluded(objects, ray, length(path), hit.object);
+    return {ray.direction, hidden ? 0 : cosine};
   }
 } sample_light;
 
@@ -75,50 +59,48 @@ inline constexpr struct {
 namespace texmap::check {
 namespace {
 
+using namespace chapter_01;
+
 /// The two t of a ray and a sphere, NaN if there are none.
 struct Roots {
   double entry, exit;
 };
 
 Roots roots(double a, double b, double c) {
-  const double root = std::sqrt(b * b - a * c);
+  const double root = sqrt(b * b - a * c);
   return {(b - root) / a, (b + root) / a};
 }
 
 // What to make of the roots.
-constexpr double never = std::numeric_limits<double>::infinity();
 double first_ahead(const Roots& t) { return t.entry > 0 ? t.entry : t.exit > 0 ? t.exit : never; }
 double entry_alone(const Roots& t) { return std::isnan(t.entry) ? never : t.entry; }
 double entry_ahead(const Roots& t) { return t.entry > 0 ? t.entry : never; }
 
-Slips<double> wrong_distances(Vector o, Vector d, Vector center, double r) {
-  const Vector f = o - center;
-  const Vector sum = o + center;
+Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r) {
+  const Vec3d f = o - center;
   const double ff = dot(f, f);
-  const double a = dot(d, d);
-  const double b = -dot(f, d);
-  const double c = ff - r * r;
+  const double a = dot(d, d), b = -dot(f, d), c = ff - r * r;
   const double inside = b * b - a * c;
-  const double root = std::sqrt(inside);
+  const double root = sqrt(inside);
   const auto by = [&](double other) { return Roots{(b - other) / a, (b + other) / a}; };
   // 2s and 4 that do not fit: school's formula and the page's, mixed.
   const auto mixed = [&](double of_b, double of_ac, double of_a) {
     const Roots t = roots(1, of_b * b, of_ac * a * c);
     return Roots{t.entry / (of_a * a), t.exit / (of_a * a)};
   };
-  constexpr const char* no_fit =
+  const auto* no_fit =
       "the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a";
   const Slips<Roots> wrong_roots = {
       {"the ray runs backward: f is origin - center, and b is -dot(f, direction)", roots(a, -b, c)},
       {"the direction may have any length: divide by a = dot(direction, direction)",
        roots(1, b, a * c)},
       {"this is right for directions of length 1 alone: t counts in lengths of the direction",
-       roots(1, b / std::sqrt(a), c)},
+       roots(1, b / sqrt(a), c)},
       {"this is chapter 00's formula, for directions of length 1: here a = dot(d, d) is missing",
        roots(1, b, c)},
-      {"the discriminant is b * b - a * c: you have no a there", by(std::sqrt(b * b - c))},
+      {"the discriminant is b * b - a * c: you have no a there", by(sqrt(b * b - c))},
       {"a is the square of the direction's length: dot(direction, direction)",
-       roots(std::sqrt(a), b, c)},
+       roots(sqrt(a), b, c)},
       {"divide by a, do not multiply: C++ reads x / 2 * a as (x / 2) * a; write x / (2 * a)",
        {(b - root) * a, (b + root) * a}},
       {"only the root is divided by a: write parentheses, (b - root) / a",
@@ -129,11 +111,11 @@ Slips<double> wrong_distances(Vector o, Vector d, Vector center, double r) {
         roots(a, b, (length(f) - r) * (length(f) - r))}},
       {"the center is not subtracted everywhere: f is origin - center",
        {roots(a, -dot(o, d), dot(o, o) - r * r), roots(a, -dot(o, d), c),
-        roots(a, -dot(sum, d), dot(sum, sum) - r * r)}},
+        roots(a, -dot(o + center, d), dot(o + center, o + center) - r * r)}},
       {"the square root of the discriminant is missing: std::sqrt", by(inside < 0 ? root : inside)},
       {no_fit, {mixed(2, 1, 1), mixed(2, 1, 2), mixed(2, 4, 1), mixed(1, 1, 2)}},
       {"a discriminant below 0 means that there is no point: return infinity",
-       {by(std::sqrt(std::abs(inside))), by(std::sqrt(std::max(inside, 0.0)))}},
+       {by(sqrt(abs(inside))), by(sqrt(max(inside, 0.0)))}},
   };
   const Slips<Roots> never_ahead = {
       {"the discriminant is b * b - a * c: yours has a plus", roots(a, b, -c)},
@@ -154,7 +136,7 @@ Slips<double> wrong_distances(Vector o, Vector d, Vector center, double r) {
       {"a sphere behind the origin is never met: the larger t counts only if it is above 0, too",
        entry > 0 ? entry : exit_alone},
       {"a t below 0 is behind the origin: no std::abs and no std::max makes it a distance",
-       {std::abs(entry_alone(t)), std::max(entry_alone(t), 0.0)}},
+       {abs(entry_alone(t)), max(entry_alone(t), 0.0)}},
       {"the smaller t is behind the origin if the ray starts inside: then take the larger one",
        entry_ahead(t)},
       {"the square root of a negative number is NaN: if the discriminant is below 0, return first",
@@ -173,45 +155,41 @@ Slips<double> wrong_distances(Vector o, Vector d, Vector center, double r) {
   return wrong;
 }
 
-Image picture() { return drawn<chapter_01::Lesson>(); }
-
 Exercise where_the_ray_meets_the_sphere() {
-  const Vector middle{0, 0, 0};
-  const Vector eye{0, 0, 5};
-  Law<double(Vector, Vector, Vector, double)> law{
-      .right =
-          [](Vector o, Vector d, Vector center, double r) {
-            return distance_to(Sphere<>{center, r}, Ray<double>{o, d});
-          },
-      .places = {{"from (0, 0, 5) straight at the unit sphere, t is 4",
-                  {eye, {0, 0, -1}, middle, 1}},
-                 {"from (0, 0.6, 5) in the direction (0, 0, -1), t is 4.2",
-                  {{0, 0.6, 5}, {0, 0, -1}, middle, 1}},
-                 {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
-                  {{3, 1, 4}, {0, 0, -1}, {3, 1, -2}, 0.5}},
-                 {"distances are in lengths of the direction: with (0, 0, -2), t is 2",
-                  {eye, {0, 0, -2}, middle, 1}},
-                 {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, middle, 1}},
-                 {"a sphere behind the origin is never met", {eye, {0, 0, 1}, middle, 1}},
-                 {"from inside, the ray meets the sphere where it leaves it",
-                  {{0, 0, 0.5}, {0, 0, 1}, middle, 1}}},
-      .slips = wrong_distances};
+  const Vec3d zero{0, 0, 0}, eye{0, 0, 5}, ahead{0, 0, -1};
+  const auto right = [](Vec3d o, Vec3d d, Vec3d center, double r) {
+    return distance_to(Sphere<>{center, r}, Ray<double>{o, d});
+  };
+  const Places<Vec3d, Vec3d, Vec3d, double> places = {
+      {"from (0, 0, 5) straight at the unit sphere, t is 4", {eye, ahead, zero, 1}},
+      {"from (0, 0.6, 5) in the direction (0, 0, -1), t is 4.2", {{0, 0.6, 5}, ahead, zero, 1}},
+      {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
+       {{3, 1, 4}, ahead, {3, 1, -2}, 0.5}},
+      {"distances are in lengths of the direction: with (0, 0, -2), t is 2",
+       {eye, {0, 0, -2}, zero, 1}},
+      {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1}},
+      {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1}},
+      {"from inside, the ray meets the sphere where it leaves it",
+       {{0, 0, 0.5}, {0, 0, 1}, zero, 1}},
+  };
   return exercise(
-      "01.1", "double distance_to_sphere(Vec3 origin, Vec3 direction, Vec3 center, double radius)",
-      std::move(law), distance_to_sphere, picture);
+      distance_to_sphere, "01.1",
+      "double distance_to_sphere(Vec3 origin, Vec3 direction, Vec3 center, double radius)",
+      picture<Lesson>(), {right, wrong_distances, places});
 }
 
-Slips<double> wrong_cosines(Vector p, Vector n, Vector lamp) {
-  constexpr const char* inward =
+Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
+  const auto* inward =
       "the signs are wrong: the direction or the normal points inward, so the dark side is lit";
-  constexpr const char* color = "0.2 and 0.8 come later, with the color: return the cosine alone";
-  constexpr const char* angle = "this is the angle; the dot product already is its cosine";
-  constexpr const char* cosine = "the dot product already is the cosine: take no std::cos of it";
-  const Vector to = normalize(lamp - p);
-  const Vector outward = normalize(p);
+  const auto* color = "0.2 and 0.8 come later, with the color: return the cosine alone";
+  const auto* angle = "this is the angle; the dot product already is its cosine";
+  const auto* cosine = "the dot product already is the cosine: take no std::cos of it";
+  const Vec3d to = normalize(lamp - p);
+  const Vec3d outward = normalize(p);
   const double c = dot(n, to);
   const double away = length(lamp - p);
   const double long_c = c * away;
+  const double cut = max(c, 0.0);
   const Slips<double> not_cut = {
       {inward, -long_c},
       {"lamp is a position: subtract the point to get the direction from there to the lamp",
@@ -226,84 +204,72 @@ Slips<double> wrong_cosines(Vector p, Vector n, Vector lamp) {
         dot(outward, normalize(lamp))}},
       {"divide by the length of lamp - point, not by its square", c / away},
       {"the distance of the lamp does not matter here: return the cosine alone", c / (away * away)},
-      {angle, std::acos(c)},
-      {cosine, std::cos(c)},
+      {angle, acos(c)},
+      {cosine, cos(c)},
       {"the cross product has the length of the sine: the cosine is the dot product",
        length(cross(n, to))},
       {color, {0.2 + 0.8 * c, 0.8 * c}},
   };
   Slips<double> wrong = {
-      {"the direction to the lamp does not have length 1: normalize it", std::max(long_c, 0.0)},
-      {inward, std::max(-c, 0.0)},
+      {"the direction to the lamp does not have length 1: normalize it", max(long_c, 0.0)},
+      {inward, max(-c, 0.0)},
       {"the direction to the lamp does not have length 1, and nothing is cut off at 0", long_c},
       {"the signs are wrong, and nothing is cut off at 0", -c},
   };
-  wrong += changed(not_cut, [](double value) { return std::max(value, 0.0); });
+  wrong += changed(not_cut, [](double value) { return max(value, 0.0); });
   wrong += not_cut;
-  const double cut = std::max(c, 0.0);
   wrong += {
       {"a lamp behind the surface gives negative light: nothing is cut off at 0", c},
       {"the side away from the lamp is lit, too: use std::max(c, 0.0), not the absolute value",
-       {std::abs(c), std::abs(long_c)}},
+       {abs(c), abs(long_c)}},
       {color, 0.2 + 0.8 * cut},
-      {angle, std::acos(cut)},
-      {cosine, std::cos(cut)},
+      {angle, acos(cut)},
+      {cosine, cos(cut)},
       {"this says only whether the lamp is in front: return the cosine itself", c > 0 ? 1. : 0.},
       {"std::min keeps the smaller number: std::max(c, 0.0) cuts off below 0",
-       {std::min(c, 0.0), std::min(-c, 0.0), std::min(long_c, 0.0)}},
+       {min(c, 0.0), min(-c, 0.0), min(long_c, 0.0)}},
   };
   return wrong;
 }
 
 Exercise how_straight_the_light_falls() {
-  const Vector up{0, 1, 0};
-  const Vector origin{0, 0, 0};
-  Law<double(Vector, Vector, Vector)> law{
-      .right = [](Vector point, Vector normal,
-                  Vector lamp) { return std::max(dot(normal, normalize(lamp - point)), 0.0); },
-      .places = {{"a lamp straight above, at distance 1: the cosine is 1", {origin, up, {0, 1, 0}}},
-                 {"a lamp straight above, at distance 3: the cosine is 1, too",
-                  {origin, up, {0, 3, 0}}},
-                 {"a lamp at 60 degrees from the normal: the cosine is 1/2",
-                  {origin, up, {std::sqrt(3.0), 1, 0}}},
-                 {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
-                  {{5, 0, 2}, up, {5 + std::sqrt(3.0), 1, 2}}},
-                 {"normal (1, 0, 0), point (0, 0, 0), lamp (3, 0, 4): the cosine is 0.6",
-                  {origin, {1, 0, 0}, {3, 0, 4}}},
-                 {"normal (0, 1, 0), point (0, 2, 0), lamp (3, 6, 0): the cosine is 0.8",
-                  {{0, 2, 0}, up, {3, 6, 0}}},
-                 {"a lamp behind the surface: return 0", {origin, up, {1, -2, 0}}},
-                 {"a lamp in the plane of the surface: the cosine is 0", {origin, up, {0, 0, 2}}}},
-      .slips = wrong_cosines};
-  return exercise("01.2", "double cosine_of(Vec3 point, Vec3 normal, Vec3 lamp)", std::move(law),
-                  cosine_of, picture);
-}
-
-/// The chapter's scene with the lamp between the left and the middle sphere: now spheres are
-/// behind the lamp, too.
-Image with_a_low_lamp() {
-  auto lesson = prepared<chapter_01::Lesson>();
-  lesson.stage.light.position = {-1.3, 0.8, 1.2};
-  return picture_of(lesson);
+  const Vec3d up{0, 1, 0}, origin{0, 0, 0};
+  const auto right = [](Vec3d point, Vec3d normal, Vec3d lamp) {
+    return max(dot(normal, normalize(lamp - point)), 0.0);
+  };
+  const Places<Vec3d, Vec3d, Vec3d> places = {
+      {"a lamp straight above, at distance 1: the cosine is 1", {origin, up, {0, 1, 0}}},
+      {"a lamp straight above, at distance 3: the cosine is 1, too", {origin, up, {0, 3, 0}}},
+      {"a lamp at 60 degrees from the normal: the cosine is 1/2", {origin, up, {sqrt(3.0), 1, 0}}},
+      {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
+       {{5, 0, 2}, up, {5 + sqrt(3.0), 1, 2}}},
+      {"normal (1, 0, 0), point (0, 0, 0), lamp (3, 0, 4): the cosine is 0.6",
+       {origin, {1, 0, 0}, {3, 0, 4}}},
+      {"normal (0, 1, 0), point (0, 2, 0), lamp (3, 6, 0): the cosine is 0.8",
+       {{0, 2, 0}, up, {3, 6, 0}}},
+      {"a lamp behind the surface: return 0", {origin, up, {1, -2, 0}}},
+      {"a lamp in the plane of the surface: the cosine is 0", {origin, up, {0, 0, 2}}},
+  };
+  return exercise(cosine_of, "01.2", "double cosine_of(Vec3 point, Vec3 normal, Vec3 lamp)",
+                  picture<Lesson>(), {right, wrong_cosines, places});
 }
 
 /// Whether something is nearer than the lamp along a ray that starts so far above the point.
-bool is_hidden(Vector p, Vector n, Vector lamp, const FirstHit& first_hit, double lift) {
-  const Vector start = p + n * lift;
+bool is_hidden(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hit, double lift = 0.001) {
+  const Vec3d start = p + n * lift;
   return first_hit(start, normalize(lamp - start)) < length(lamp - start);
 }
 
-Slips<bool> wrong_shadows(Vector p, Vector n, Vector lamp, const FirstHit& first_hit) {
-  constexpr const char* backward = "the ray runs away from the lamp: its direction is lamp - point";
-  constexpr const char* position = "lamp is a position: the direction is lamp - start";
-  const auto with_lift = [&](double lift) { return is_hidden(p, n, lamp, first_hit, lift); };
+Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hit) {
+  const auto* backward = "the ray runs away from the lamp: its direction is lamp - point";
+  const auto* position = "lamp is a position: the direction is lamp - start";
+  const auto lifted = [&](double lift) { return is_hidden(p, n, lamp, first_hit, lift); };
   Slips<bool> wrong = {
       {"the ray starts on the sphere, and rounding lets it meet that sphere: start 0.001 above",
-       with_lift(0)},
-      {"the ray starts below the surface: add normal * 0.001, do not subtract it",
-       with_lift(-0.001)},
+       lifted(0)},
+      {"the ray starts below the surface: add normal * 0.001, do not subtract it", lifted(-0.001)},
       {"the ray starts too far above the surface and misses what is nearer: add normal * 0.001",
-       with_lift(1)},
+       lifted(1)},
       {"this is never true: compare what first_hit returns with the distance of the lamp", false},
       {"this is true everywhere: compare what first_hit returns with the distance of the lamp",
        true},
@@ -314,12 +280,12 @@ Slips<bool> wrong_shadows(Vector p, Vector n, Vector lamp, const FirstHit& first
   };
   // Those who make another mistake often forget the 0.001, too.
   for (const double lift : {0.001, 0.0}) {
-    const Vector start = p + n * lift;
-    const Vector path = lamp - start;
-    const Vector to = normalize(path);
+    const Vec3d start = p + n * lift;
+    const Vec3d path = lamp - start;
+    const Vec3d to = normalize(path);
     const double away = length(path);
-    const auto hit = [&](Vector along, double limit) { return first_hit(start, along) < limit; };
-    const auto hits = [&](Vector along, double one = 1) {
+    const auto hit = [&](Vec3d along, double limit) { return first_hit(start, along) < limit; };
+    const auto hits = [&](Vec3d along, double one = 1) {
       return std::vector<bool>{hit(along, away), hit(along, one), hit(along, never),
                                hit(along, length(lamp))};
     };
@@ -349,62 +315,49 @@ Slips<bool> wrong_shadows(Vector p, Vector n, Vector lamp, const FirstHit& first
 }
 
 Exercise is_the_lamp_hidden() {
-  struct Ball {
-    Sphere<> shape;
+  static const std::vector<Painted<Solid>> balls = {{{{0, 0, 0}, 1}, {}},
+                                                    {{{0, 4, 0}, 0.5}, {}},
+                                                    {{{0, 20, 0}, 1}, {}},
+                                                    {{{6, 0, 0}, 1}, {}},
+                                                    {{{0, -1.5, 0}, 0.25}, {}}};
+  const FirstHit all = first_hit_on(balls);
+  const Vec3d up{0, 1, 0}, down{0, -1, 0}, left{-1, 0, 0};
+  const auto right = [](auto... at) { return is_hidden(at...); };
+  const Places<Vec3d, Vec3d, Vec3d, FirstHit> places = {
+      {"a sphere is between the point and the lamp: the lamp is hidden", {up, up, {0, 8, 0}, all}},
+      {"nothing is between the point and the lamp: the lamp is not hidden",
+       {up, up, {5, 5, 0}, all}},
+      {"rounding put the point 1e-12 below its own sphere: this sphere does not hide the lamp",
+       {{0, 1 - 1e-12, 0}, up, {5, 5, 0}, all}},
+      {"a point under a sphere, and nothing between it and the lamp below: it is not hidden",
+       {down, down, {5, -5, 0}, all}},
+      {"a sphere behind the lamp does not hide the lamp", {up, up, {0, 3, 0}, all}},
+      {"a sphere 5 times as far away as the lamp does not hide the lamp",
+       {{0, 4.5, 0}, up, {0, 7.3, 0}, all}},
+      {"a sphere on the other side of the point does not hide the lamp",
+       {{0, 7, 0}, up, {0, 10, 0}, all}},
+      {"point (5, 0, 0), normal (-1, 0, 0), lamp (1, 6, 0): nothing is in between",
+       {{5, 0, 0}, left, {1, 6, 0}, all}},
+      {"point (5, 0, 0), normal (-1, 0, 0), lamp (-2, 4, 0): nothing is in between",
+       {{5, 0, 0}, left, {-2, 4, 0}, all}},
+      {"point (6, 1, 0), normal (0, 1, 0), lamp (9, 5, 0): nothing is in between",
+       {{6, 1, 0}, up, {9, 5, 0}, all}},
+      {"a sphere that is 4 away does not hide a lamp that is 0.8 away",
+       {{5, 0, 0}, left, {4.2, 0, 0}, all}},
+      {"a sphere that is 4 away hides a lamp that is 8 away", {{5, 0, 0}, left, {-3, 0, 0}, all}},
+      {"a sphere that is 1/4 away hides the lamp", {down, down, {0, -6, 0}, all}},
+      {"a lamp behind the surface: the point's own sphere hides it",
+       {{7, 0, 0}, {1, 0, 0}, {2, 3, 0}, all}},
   };
-  static const std::vector<Ball> balls = {{{{0, 0, 0}, 1}},
-                                          {{{0, 4, 0}, 0.5}},
-                                          {{{0, 20, 0}, 1}},
-                                          {{{6, 0, 0}, 1}},
-                                          {{{0, -1.5, 0}, 0.25}}};
-  const FirstHit scene = first_hit_on(balls);
-  const Vector up{0, 1, 0};
-  const Vector left{-1, 0, 0};
-  const Vector down{0, -1, 0};
-  Law<bool(Vector, Vector, Vector, const FirstHit&)> law{
-      .right =
-          [](Vector point, Vector normal, Vector lamp, const FirstHit& first_hit) {
-            return is_hidden(point, normal, lamp, first_hit, 0.001);
-          },
-      .places =
-          {{"a sphere is between the point and the lamp: the lamp is hidden",
-            {up, up, {0, 8, 0}, scene}},
-           {"nothing is between the point and the lamp: the lamp is not hidden",
-            {up, up, {5, 5, 0}, scene}},
-           {"rounding put the point 1e-12 below its own sphere: this sphere does not hide the lamp",
-            {{0, 1 - 1e-12, 0}, up, {5, 5, 0}, scene}},
-           {"a point under a sphere, and nothing between it and the lamp below: it is not hidden",
-            {down, down, {5, -5, 0}, scene}},
-           {"a sphere behind the lamp does not hide the lamp", {up, up, {0, 3, 0}, scene}},
-           {"a sphere 5 times as far away as the lamp does not hide the lamp",
-            {{0, 4.5, 0}, up, {0, 7.3, 0}, scene}},
-           {"a sphere on the other side of the point does not hide the lamp",
-            {{0, 7, 0}, up, {0, 10, 0}, scene}},
-           {"point (5, 0, 0), normal (-1, 0, 0), lamp (1, 6, 0): nothing is in between",
-            {{5, 0, 0}, left, {1, 6, 0}, scene}},
-           {"point (5, 0, 0), normal (-1, 0, 0), lamp (-2, 4, 0): nothing is in between",
-            {{5, 0, 0}, left, {-2, 4, 0}, scene}},
-           {"point (6, 1, 0), normal (0, 1, 0), lamp (9, 5, 0): nothing is in between",
-            {{6, 1, 0}, up, {9, 5, 0}, scene}},
-           {"a sphere that is 4 away does not hide a lamp that is 0.8 away",
-            {{5, 0, 0}, left, {4.2, 0, 0}, scene}},
-           {"a sphere that is 4 away hides a lamp that is 8 away",
-            {{5, 0, 0}, left, {-3, 0, 0}, scene}},
-           {"a sphere that is 1/4 away hides the lamp", {down, down, {0, -6, 0}, scene}},
-           {"a lamp behind the surface: the point's own sphere hides it",
-            {{7, 0, 0}, {1, 0, 0}, {2, 3, 0}, scene}}},
-      .slips = wrong_shadows};
-  return exercise("01.3",
+  const auto draw = [] {
+    auto lesson = prepared<Lesson>();
+    // Between the left and the middle sphere: now spheres are behind the lamp, too.
+    lesson.stage.light.position = {-1.3, 0.8, 1.2};
+    return picture_of(lesson);
+  };
+  return exercise(in_shadow, "01.3",
                   "bool in_shadow(Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit)",
-                  std::move(law), in_shadow, with_a_low_lamp);
-}
-
-/// The angle, in degrees, at which a surface of the lesson is half as bright as where light falls
-/// straight on it.
-double half_bright_angle() {
-  const Lambertian surface = chapter_01::Lesson{}.surface;
-  const double half = (surface.ambient + surface.diffuse) / 2;
-  return std::acos((half - surface.ambient) / surface.diffuse) * 180 / std::numbers::pi;
+                  draw, {right, wrong_shadows, places});
 }
 
 }  // namespace
@@ -415,16 +368,16 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {{"01.a",
         "The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in shadow. Which "
         "number, 0 to 255, does the pixel there have for blue? Decimals are cut off.",
-        [] {
-          const chapter_01::Lesson lesson;
-          const Rgb paint = lesson.objects[chapter_01::right].paint.color;
-          return static_cast<double>(byte_of(paint.b * lesson.surface.ambient));
-        },
-        "", 0},
+        [] { return double(byte_of(blue.b * Lesson{}.surface.ambient)); }, "", 0},
        {"01.b",
         "At which angle of the light, in degrees from the normal, is a surface half as bright as "
         "where the light falls straight on it?",
-        half_bright_angle, "degrees", 0.005}},
+        [] {
+          const Lambertian surface =
+              Lesson{}.surface;  // half of (ambient + diffuse) is ambient + diffuse * cosine
+          return acos((surface.diffuse - surface.ambient) / 2 / surface.diffuse) / radian;
+        },
+        "degrees", 0.005}},
   };
   return chapter;
 }

@@ -1,30 +1,21 @@
 // The exercises of chapter 02. The lesson is the chapter's own. It uses RtiowMapping and
 // Checkerboard by name; here those names, in the lesson's namespace, mean structs that call the
 // student's function.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "exercises.hpp"
 #include "map_mistakes.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/mapped.hpp"
-#include "texture/uv.hpp"
-
-namespace texmap::check {
-
-static Hook<Uv<double>(Vec3<double>)> uv_of;
-static Hook<bool(Uv<double>, int)> is_first_color;
-static Hook<Uv<double>(Uv<double>)> twice_around;
-
-}  // namespace texmap::check
 
 namespace texmap::chapter_02 {
 
+static std::function<Uv<double>(Vec3d)> uv_of;
+static std::function<bool(Uv<double>, int)> is_first_color;
+static std::function<Uv<double>(Uv<double>)> twice_around;
+
 struct RtiowMapping {
-  Uv<double> operator()(const Vec3<double>& p) const {
-    const Uv<double> uv = check::uv_of ? check::uv_of.yours(p) : uv_rtiow(p);
-    return check::twice_around ? check::twice_around.yours(uv) : uv;
+  Uv<double> operator()(const Vec3d& p) const {
+    const Uv<double> uv = uv_of ? uv_of(p) : uv_rtiow(p);
+    return twice_around ? twice_around(uv) : uv;
   }
 };
 
@@ -32,9 +23,9 @@ struct Checkerboard {
   Rgb even, odd;
   double squares = 10;
 
-  Color<double> operator()(const Uv<double>& uv) const {
-    if (!check::is_first_color) return texmap::Checkerboard{even, odd, squares}(uv);
-    return check::is_first_color.yours(uv, static_cast<int>(squares)) ? even : odd;
+  Rgb operator()(const Uv<double>& uv) const {
+    if (!is_first_color) return texmap::Checkerboard{even, odd, squares}(uv);
+    return is_first_color(uv, static_cast<int>(squares)) ? even : odd;
   }
 };
 
@@ -45,58 +36,53 @@ struct Checkerboard {
 namespace texmap::check {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-using Vector = Vec3<double>;
-using Place2 = Uv<double>;
+using chapter_02::Lesson;
 
-Image picture() { return drawn<chapter_02::Lesson>(); }
-
-Slips<Place2> wrong_places(Vector p) {
+Slips<Place2> wrong_places(Vec3d p) {
   const auto [u, v] = uv_rtiow(p);
-  const double acos = std::acos(-p.y) / pi;  // the textbook's v
+  const double by_acos = acos(-p.y) / pi;  // the textbook's v
   Slips<Place2> wrong = {
       {"acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
        "atan2",
-       {u, acos}},
-      {"u runs the other way: your map is mirrored", {{1 - u, v}, {1 - u, acos}}},
-      {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - acos}}},
+       {u, by_acos}},
+      {"u runs the other way: your map is mirrored", {{1 - u, v}, {1 - u, by_acos}}},
+      {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
       {"u and v both run the other way: your map is turned by half a turn",
-       {{1 - u, 1 - v}, {1 - u, 1 - acos}}},
+       {{1 - u, 1 - v}, {1 - u, 1 - by_acos}}},
   };
   return wrong += map_slips(p);
 }
 
 Exercise where_on_the_map() {
-  const double r = std::sqrt(0.5);
-  Law<Place2(Vector)> law{
-      .right = uv_rtiow<double>,
-      .places = {{"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-                 {"on +z, u is 1/4", {{0, 0, 1}}},
-                 {"on -z, u is 3/4", {{0, 0, -1}}},
-                 {"halfway between +x and +z, u is 3/8", {{r, 0, r}}},
-                 {"45 degrees north of +x, v is 3/4", {{r, r, 0}}},
-                 {"45 degrees south of +x, v is 1/4", {{r, -r, 0}}},
-                 {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
-                 {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
-                 {"at the north pole v is 1, also where rounding made y a little more than 1",
-                  {{1e-12, 1 + 0x1p-52, 0}}}},
-      .slips = wrong_places,
-      .tolerance = 1e-6};
-  return exercise("02.1", "Uv uv_of(Vec3 p)", std::move(law), uv_of, picture);
+  const double r = sqrt(0.5);
+  const Places<Vec3d> places = {
+      {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
+      {"on +z, u is 1/4", {{0, 0, 1}}},
+      {"on -z, u is 3/4", {{0, 0, -1}}},
+      {"halfway between +x and +z, u is 3/8", {{r, 0, r}}},
+      {"45 degrees north of +x, v is 3/4", {{r, r, 0}}},
+      {"45 degrees south of +x, v is 1/4", {{r, -r, 0}}},
+      {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
+      {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
+      {"at the north pole v is 1, also where rounding made y a little more than 1",
+       {{1e-12, 1 + 0x1p-52, 0}}},
+  };
+  return exercise(chapter_02::uv_of, "02.1", "Uv uv_of(Vec3 p)", picture<Lesson>(),
+                  {uv_rtiow<double>, wrong_places, places, 1e-6});
 }
 
-int whole(double x) { return static_cast<int>(x); }
-int nearest(double x) { return static_cast<int>(std::lround(x)); }
-bool is_even(int n) { return n % 2 == 0; }
-
 Slips<bool> wrong_squares(Place2 uv, int n) {
-  const int c = whole(uv.u * n);
-  const int any_r = whole(uv.v * n);
+  const auto is_even = [](int number) { return number % 2 == 0; };
+  const auto [u, v] = uv;
+  const int c = cut_off(u * n);
+  const int any_r = cut_off(v * n);
   Slips<bool> wrong;
   // Those who make another mistake often forget v = 1, or exchange the colors, too.
   for (const int most : {n - 1, n}) {
-    const auto even = [&](int column, int row) { return is_even(column + std::min(row, most)); };
-    const int r = std::min(any_r, most);
+    const auto even = [&](double x, double y) {
+      return is_even(cut_off(x) + min(cut_off(y), most));
+    };
+    const int r = min(any_r, most);
     wrong += {
         {"you look at u alone: these are stripes, not squares", is_even(c)},
         {"you look at v alone: these are rings, not squares", is_even(r)},
@@ -110,64 +96,57 @@ Slips<bool> wrong_squares(Place2 uv, int n) {
         {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + r % 2 == 0},
         {"a difference of two numbers can be -1: ask for % 2 == 0, or add them", (c - r) % 2 != 1},
         {"`squares` says how many there are: not always 10",
-         {even(whole(uv.u * 10), whole(uv.v * 10)),
-          is_even(whole(uv.u * 10) + std::min(whole(uv.v * 10), 9))}},
+         {even(u * 10, v * 10), is_even(cut_off(u * 10) + min(cut_off(v * 10), 9))}},
         {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
-         even(whole(uv.u * (n - 1)), whole(uv.v * (n - 1)))},
+         even(u * (n - 1), v * (n - 1))},
         {"cut the numbers of column and row off, do not round them",
-         even(nearest(uv.u * n), nearest(uv.v * n))},
+         even(round(u * n), round(v * n))},
         {"cut off the decimals of column and row each, then add: now these are slanted stripes",
-         is_even(whole((uv.u + uv.v) * n))},
+         is_even(cut_off((u + v) * n))},
         {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
-         even(whole(uv.u) * n, whole(uv.v) * n)},
+         even(floor(u) * n, floor(v) * n)},
         {"std::max puts every row into the last one: std::min(row, squares - 1)",
-         is_even(c + std::max(r, n - 1))},
+         is_even(c + max(r, n - 1))},
     };
   }
   const Slips<bool> exchanged = changed(wrong, [](bool first) { return !first; });
   wrong += {
       {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)},
-      {"the two colors are exchanged", {!is_even(c + std::min(any_r, n - 1)), !is_even(c + any_r)}},
+      {"the two colors are exchanged", {!is_even(c + min(any_r, n - 1)), !is_even(c + any_r)}},
   };
   return wrong += exchanged;
 }
 
 Exercise which_square() {
-  Law<bool(Place2, int)> law{
-      .right =
-          [](Place2 uv, int squares) {
-            return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
-          },
-      .places =
-          {{"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
-           {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
-           {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color", {{0.05, 0.15}, 10}},
-           {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color",
-            {{0.15, 0.15}, 10}},
-           {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color", {{0.12, 0.07}, 10}},
-           {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color", {{0.55, 0.05}, 10}},
-           {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color",
-            {{0.37, 0.72}, 10}},
-           {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
-           {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color",
-            {{0.99, 0.99}, 9}},
-           {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
-           {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other "
-            "color",
-            {{0.05, 1}, 10}},
-           {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
-            {{0.15, 1}, 10}}},
-      .slips = wrong_squares};
-  return exercise("02.2", "bool is_first_color(Uv uv, int squares)", std::move(law), is_first_color,
-                  picture);
+  const auto right = [](Place2 uv, int squares) {
+    return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
+  };
+  const Places<Place2, int> places = {
+      {"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
+      {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
+      {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color", {{0.05, 0.15}, 10}},
+      {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color", {{0.15, 0.15}, 10}},
+      {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color", {{0.12, 0.07}, 10}},
+      {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color", {{0.55, 0.05}, 10}},
+      {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color", {{0.37, 0.72}, 10}},
+      {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
+      {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color", {{0.99, 0.99}, 9}},
+      {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
+      {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other "
+       "color",
+       {{0.05, 1}, 10}},
+      {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
+       {{0.15, 1}, 10}},
+  };
+  return exercise(chapter_02::is_first_color, "02.2", "bool is_first_color(Uv uv, int squares)",
+                  picture<Lesson>(), {right, wrong_squares, places});
 }
 
 Slips<Place2> wrong_twice_around(Place2 uv) {
   const auto [u, v] = uv;
-  const double rest = std::fmod(2 * u, 1.0);
-  const double rest_v = std::fmod(2 * v, 1.0);
+  const double rest = fmod(2 * u, 1.0);
   const double less = u > 0.5 ? 2 * u - 1 : 2 * u;
-  const double most = std::min(2 * u, 1.0);
+  const double most = min(2 * u, 1.0);
   return {
       {"v must stay as it is: the squares are smaller now, and still twice as wide as they are "
        "high",
@@ -191,37 +170,27 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
       {"that is four times around: u is multiplied by 2", {4 * u, v}},
       {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
       {"u may be more than 1: let it, the checkerboard goes on there",
-       {{rest, v}, {less, v}, {most, v}, {rest, rest_v}, {less, 2 * v}, {most, 2 * v}}},
+       {{rest, v}, {less, v}, {most, v}, {rest, fmod(2 * v, 1.0)}, {less, 2 * v}, {most, 2 * v}}},
       {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 1, v}, {u + 2, v}}},
       {"the second number of the result comes from v, and u is not in it",
        {{2 * u, 2 * u}, {2 * u, u}}},
       {"u and v are exchanged: u comes first, and it is multiplied by 2", {{v, 2 * u}, {2 * v, u}}},
       {"twice is 2 * u, not u * u", {u * u, v}},
-      {"the decimals of u are needed: no static_cast<int> here", {std::floor(2 * u), v}},
+      {"the decimals of u are needed: no static_cast<int> here", {floor(2 * u), v}},
   };
 }
 
-Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
-
 Exercise square_squares() {
-  Law<Place2(Place2)> law{
-      .right = right_twice_around,
-      .places = {{"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
-                 {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1",
-                  {{0.5, 0.5}}},
-                 {"after three quarters of a turn u becomes 1.5: it may be more than 1",
-                  {{0.75, 0.25}}},
-                 {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}}},
-      .slips = wrong_twice_around,
-      .tolerance = 1e-12};
-  return exercise("02.3", "Uv twice_around(Uv uv)", std::move(law), twice_around, picture);
+  const Places<Place2> places = {
+      {"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
+      {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1", {{0.5, 0.5}}},
+      {"after three quarters of a turn u becomes 1.5: it may be more than 1", {{0.75, 0.25}}},
+      {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}},
+  };
+  const auto right = [](Place2 uv) { return Place2{2 * uv.u, uv.v}; };
+  return exercise(chapter_02::twice_around, "02.3", "Uv twice_around(Uv uv)", picture<Lesson>(),
+                  {right, wrong_twice_around, places, 1e-12});
 }
-
-/// On the equator a square is twice as wide as high, and the parallels shrink with the cosine.
-double latitude_of_squares() { return std::acos(0.5) * 180 / pi; }
-
-/// 9 is odd: at the seam two squares of one color meet.
-double longest_piece_of_9() { return 2 * 360. / 9; }
 
 }  // namespace
 
@@ -231,11 +200,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {{"02.a",
         "On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
-        latitude_of_squares, "degrees"},
+        [] { return acos(0.5) / radian; }, "degrees"},
        {"02.b",
         "With 9 squares in place of 10: how long is the longest piece of one color on the equator, "
         "in degrees?",
-        longest_piece_of_9, "degrees"}},
+        [] { return 2 * 360. / 9; }, "degrees"}},
   };
   return chapter;
 }

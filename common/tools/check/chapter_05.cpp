@@ -1,7 +1,5 @@
 // The exercises of chapter 05. The lesson is the chapter's own. It uses Rotated by name; here
 // this name, in the lesson's namespace, means a struct that calls the student's function.
-#include <cmath>
-#include <numbers>
 
 #include "engine/app/layout_options.hpp"
 #include "engine/app/turntable.hpp"
@@ -9,31 +7,26 @@
 #include "texture/rotated.hpp"
 #include "texture/wrap.hpp"
 
-namespace texmap::check {
-
-static Hook<Vec3<double>(Vec3<double>, double)> turned;
-static Hook<double(double, double)> u_after;
-static Hook<Vec3<double>(Vec3<double>, double, double)> looked_up;
-constexpr double earths_lean = 23.4;               // of its axis
-constexpr double radian = std::numbers::pi / 180;  // of a degree
-
-}  // namespace texmap::check
-
 namespace texmap::chapter_05 {
+
+static std::function<Vec3d(Vec3d, double)> turned;
+static std::function<double(double, double)> u_after;
+static std::function<Vec3d(Vec3d, double, double)> looked_up;
+constexpr double earths_lean = 23.4;  // of its axis
 
 template <class Mapping>
 struct Rotated {
   RotationY rotation;
   Mapping mapping;
 
-  Uv<double> operator()(const Vec3<double>& p) const {
+  Uv<double> operator()(const Vec3d& p) const {
     // Whole degrees, as the pictures here have.
     const double degrees = std::round(std::atan2(rotation.sine, rotation.cosine) / check::radian);
-    if (check::turned) return mapping(check::turned.yours(p, degrees));
-    if (check::looked_up) return mapping(check::looked_up.yours(p, check::earths_lean, degrees));
-    if (!check::u_after) return mapping(rotation(p));
+    if (turned) return mapping(turned(p, degrees));
+    if (looked_up) return mapping(looked_up(p, earths_lean, degrees));
+    if (!u_after) return mapping(rotation(p));
     const Uv<double> uv = mapping(p);
-    return {check::u_after.yours(uv.u, degrees), uv.v};
+    return {u_after(uv.u, degrees), uv.v};
   }
 };
 
@@ -44,34 +37,29 @@ struct Rotated {
 namespace texmap::check {
 namespace {
 
-using Vector = Vec3<double>;
+using namespace chapter_05;
 
-/// The globe from near by, after these words.
-std::function<Image()> globe_after(const std::vector<std::string>& words) {
-  return [words] {
-    auto lesson = prepared<chapter_05::Lesson>(words);
-    lesson.stage.camera.fov_y_degrees = 18;
-    return picture_of(lesson);
-  };
+/// Draws the globe from near by, turned.
+std::function<Image()> globe_after(const char* degrees) {
+  return picture<Lesson>({"--degrees", degrees}, 18);
 }
 
-constexpr const char* in_degrees =
+constexpr auto in_degrees =
     "sin and cos get degrees and take them for radians: multiply by pi / 180";
 
 /// p after a turn by this sine and cosine.
-Vector turned_by(const Vector& p, double s, double c) {
+Vec3d turned_by(const Vec3d& p, double s, double c) {
   return {p.x * c + p.z * s, p.y, p.z * c - p.x * s};
 }
-Vector turned_about_y(const Vector& p, double degrees) { return rotation_y(degrees)(p); }
+Vec3d turned_about_y(const Vec3d& p, double degrees) { return rotation_y(degrees)(p); }
 
-Slips<Vector> wrong_turns(Vector p, double degrees) {
+Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
   const auto by = [&](double factor) {  // radians of a degree
-    return turned_by(p, std::sin(factor * degrees), std::cos(factor * degrees));
+    return turned_by(p, sin(factor * degrees), cos(factor * degrees));
   };
-  const double sine = std::sin(degrees * radian);
-  const double c = std::cos(degrees * radian);
+  const double sine = sin(degrees * radian), c = cos(degrees * radian);
   const auto [x, y, z] = p;
-  Slips<Vector> wrong = {
+  Slips<Vec3d> wrong = {
       {in_degrees, by(1)},
       {"pi and 180 are exchanged: radians are degrees * pi / 180", by(1 / radian)},
       {"this is half of the angle: a full turn is 2 pi, and 360 degrees", by(radian / 2)},
@@ -84,7 +72,7 @@ Slips<Vector> wrong_turns(Vector p, double degrees) {
        turned_by(p, c, sine)},
   };
   for (const double s : {sine, -sine}) {
-    const Vector q = turned_by(p, s, c);
+    const Vec3d q = turned_by(p, s, c);
     wrong += {
         {"one sine has the wrong sign: x gets z sin, z loses x sin", {q.x, y, z * c + x * s}},
         {"the new z is computed from the new x: keep the old x in a variable",
@@ -98,8 +86,8 @@ Slips<Vector> wrong_turns(Vector p, double degrees) {
         {"the cosines are missing: x turns into x cos + z sin", turned_by(p, s, 1)},
     };
   }
-  const Vector right = turned_by(p, sine, c);
-  const Vector other = turned_by({z, y, x}, sine, c);
+  const Vec3d right = turned_by(p, sine, c);
+  const Vec3d other = turned_by({z, y, x}, sine, c);
   wrong += {
       {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, c)},
       {"this is right for +z alone: add x steps along the turned x axis, (cos, -sin)",
@@ -115,54 +103,50 @@ Slips<Vector> wrong_turns(Vector p, double degrees) {
 }
 
 Exercise turn_a_direction() {
-  Law<Vector(Vector, double)> law{
-      .right = turned_about_y,
-      .places = {{"90 degrees turn +z to +x", {{0, 0, 1}, 90}},
-                 {"90 degrees turn +x to -z", {{1, 0, 0}, 90}},
-                 {"180 degrees turn +x to -x", {{1, 0, 0}, 180}},
-                 {"y does not change", {{0, 1, 0}, 60}},
-                 {"30 degrees turn +z to (1/2, 0, 0.866)", {{0, 0, 1}, 30}},
-                 {"-30 degrees turn it to (-1/2, 0, 0.866)", {{0, 0, 1}, -30}},
-                 {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
-                 {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
-                  {{-2. / 7, 3. / 7, -6. / 7}, 200}}},
-      .slips = wrong_turns,
-      .tolerance = 1e-6};
-  return exercise("05.1", "Vec3 turned(Vec3 p, double degrees)", std::move(law), turned,
-                  globe_after({"--degrees", "60"}));
+  const Places<Vec3d, double> places = {
+      {"90 degrees turn +z to +x", {{0, 0, 1}, 90}},
+      {"90 degrees turn +x to -z", {{1, 0, 0}, 90}},
+      {"180 degrees turn +x to -x", {{1, 0, 0}, 180}},
+      {"y does not change", {{0, 1, 0}, 60}},
+      {"30 degrees turn +z to (1/2, 0, 0.866)", {{0, 0, 1}, 30}},
+      {"-30 degrees turn it to (-1/2, 0, 0.866)", {{0, 0, 1}, -30}},
+      {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
+      {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
+       {{-2. / 7, 3. / 7, -6. / 7}, 200}},
+  };
+  return exercise(turned, "05.1", "Vec3 turned(Vec3 p, double degrees)", globe_after("60"),
+                  {turned_about_y, wrong_turns, places, 1e-6});
 }
 
-double fraction(double x) { return x - std::floor(x); }
 double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
 
 /// x in the range 0 to 1 as many bring it there.
-std::vector<double> forms(double x) { return {fraction(x), std::fmod(x, 1), x, moved_once(x)}; }
+std::vector<double> forms(double x) { return {fraction(x), fmod(x, 1), x, moved_once(x)}; }
 
 Slips<double> wrong_u(double u, double degrees) {
   const double turns = degrees / 360;
   const double x = u + turns;
-  const double down_to_1 = x > 0 && x == std::floor(x) ? 1 : fraction(x);
+  const double down_to_1 = x > 0 && x == floor(x) ? 1 : fraction(x);
   return {
       {"u leaves 0 to 1: only the part after the decimal point counts", x},
       {"std::fmod and static_cast<int> cut off toward 0, so a negative number stays negative: "
        "subtract std::floor",
-       std::fmod(x, 1)},
+       fmod(x, 1)},
       {"you remove one full turn, but there may be several", moved_once(x)},
       {"u = 1 is the seam again, where u is 0: u stays less than 1", down_to_1},
       {"u = 1 is the seam again, where u is 0, and there may be several full turns",
        x == 1 ? x : moved_once(x)},
-      {"you limit u where it must begin again: the seam becomes a stripe", std::clamp(x, 0., 1.)},
+      {"you limit u where it must begin again: the seam becomes a stripe", clamp(x, 0., 1.)},
       {"a negative number keeps its digits without its sign: -0.25 is 0.75. Subtract std::floor",
-       std::abs(std::fmod(x, 1))},
+       abs(fmod(x, 1))},
       {"std::round and std::remainder go to the nearest whole number: subtract std::floor",
-       {x - std::round(x), std::remainder(x, 1)}},
-      {"std::ceil is the whole number above: subtract std::floor", x - std::ceil(x)},
-      {"this is the number of full turns: subtract it, the rest is u", std::floor(x)},
+       {x - round(x), remainder(x, 1)}},
+      {"std::ceil is the whole number above: subtract std::floor", x - ceil(x)},
+      {"this is the number of full turns: subtract it, the rest is u", floor(x)},
       {"the whole turns are cut off before u is added: add first", u + fraction(turns)},
       {"the whole turns are cut off before u is added: add first, then subtract std::floor",
-       u + std::fmod(turns, 1)},
-      {"only whole degrees count in yours: stay with double",
-       fraction(u + std::trunc(degrees) / 360)},
+       u + fmod(turns, 1)},
+      {"only whole degrees count in yours: stay with double", fraction(u + trunc(degrees) / 360)},
       {"the degrees have no effect: with int, degrees / 360 is a whole number", u},
       {"the angle has the wrong sign: a turn to the east adds to u", forms(u - turns)},
       {"u counts full turns: divide the degrees by 360, not by 180", forms(u + 2 * turns)},
@@ -176,44 +160,43 @@ Slips<double> wrong_u(double u, double degrees) {
       {"the turn is added to u, not multiplied by it", forms(u * turns)},
       {"the old u is missing: the turn is added to it", forms(turns)},
       {"this is an angle in degrees: divide it by 360 to have u",
-       {360 * x, 360 * std::fmod(x, 1), 360 * fraction(x)}},
+       {360 * x, 360 * fmod(x, 1), 360 * fraction(x)}},
   };
 }
 
 Exercise u_after_a_turn() {
-  Law<double(double, double)> law{
-      .right = [](double u,
-                  double degrees) { return wrapped_coordinate(Wrap::repeat, u + degrees / 360); },
-      .places = {{"a turn by 0 degrees changes nothing", {0.25, 0.0}},
-                 {"a quarter turn to the east adds 1/4", {0.25, 90.0}},
-                 {"a quarter turn to the west subtracts 1/4", {0.5, -90.0}},
-                 {"a turn by 4.5 degrees adds 1/80", {0.5, 4.5}},
-                 {"beyond the seam u begins at 0: from 0.875 a quarter turn leads to 0.125",
-                  {0.875, 90.0}},
-                 {"on the seam u is 0, not 1: from 0.75 a quarter turn leads to 0", {0.75, 90.0}},
-                 {"to the west, too: from 0.125 to 0.875", {0.125, -90.0}},
-                 {"full turns do not count: 765 degrees are 45", {0.25, 765.0}},
-                 {"-765 degrees are -45", {0.0625, -765.0}}},
-      .slips = wrong_u};
-  return exercise("05.2", "double u_after(double u, double degrees)", std::move(law), u_after,
-                  globe_after({"--degrees", "-150"}));
+  const auto right = [](double u, double degrees) {
+    return wrapped_coordinate(Wrap::repeat, u + degrees / 360);
+  };
+  const Places<double, double> places = {
+      {"a turn by 0 degrees changes nothing", {0.25, 0.0}},
+      {"a quarter turn to the east adds 1/4", {0.25, 90.0}},
+      {"a quarter turn to the west subtracts 1/4", {0.5, -90.0}},
+      {"a turn by 4.5 degrees adds 1/80", {0.5, 4.5}},
+      {"beyond the seam u begins at 0: from 0.875 a quarter turn leads to 0.125", {0.875, 90.0}},
+      {"on the seam u is 0, not 1: from 0.75 a quarter turn leads to 0", {0.75, 90.0}},
+      {"to the west, too: from 0.125 to 0.875", {0.125, -90.0}},
+      {"full turns do not count: 765 degrees are 45", {0.25, 765.0}},
+      {"-765 degrees are -45", {0.0625, -765.0}},
+  };
+  return exercise(u_after, "05.2", "double u_after(double u, double degrees)", globe_after("-150"),
+                  {right, wrong_u, places});
 }
 
 /// p with a lean to the right undone.
-Vector upright(const Vector& p, double degrees) {
-  const double s = std::sin(degrees * radian);
-  const double c = std::cos(degrees * radian);
+Vec3d upright(const Vec3d& p, double degrees) {
+  const double s = sin(degrees * radian), c = cos(degrees * radian);
   return {p.x * c - p.y * s, p.x * s + p.y * c, p.z};
 }
 
-Vector right_look(Vector p, double lean, double turn) {
+Vec3d right_look(Vec3d p, double lean, double turn) {
   return turned_about_y(upright(p, lean), turn);
 }
 
-Slips<Vector> wrong_looks(Vector p, double lean, double turn) {
+Slips<Vec3d> wrong_looks(Vec3d p, double lean, double turn) {
   const auto look = [&](double first, double then) { return right_look(p, first, then); };
-  const auto spun = [&](const Vector& q) { return turned_about_y(q, turn); };
-  Slips<Vector> wrong = {
+  const auto spun = [&](const Vec3d& q) { return turned_about_y(q, turn); };
+  Slips<Vec3d> wrong = {
       {"the turn comes first: your pole runs around in a circle. Undo the lean first",
        upright(spun(p), lean)},
       {"the axis leans to the left: undoing the lean turns (sin, cos, 0) to (0, 1, 0)",
@@ -238,14 +221,14 @@ Slips<Vector> wrong_looks(Vector p, double lean, double turn) {
       {"sine and cosine of both angles are exchanged: without a lean and a turn p stays as it is",
        look(90 - lean, 90 - turn)},
   };
-  const Vector right = upright(p, lean);
+  const Vec3d right = upright(p, lean);
   // One part goes wrong; with `way` -1, the lean or the turn also has the wrong sign.
   for (const int way : {1, -1}) {
-    const Vector q = upright(p, way * lean);
-    const Vector back = upright(p, -way * lean);
-    const Vector deep = upright({p.z, p.y, p.x}, way * lean);
-    const Vector r = spun(q);
-    const Vector s = spun({p.x, q.y, q.z});
+    const Vec3d q = upright(p, way * lean);
+    const Vec3d back = upright(p, -way * lean);
+    const Vec3d deep = upright({p.z, p.y, p.x}, way * lean);
+    const Vec3d r = spun(q);
+    const Vec3d s = spun({p.x, q.y, q.z});
     wrong += {
         {"the axis leans to the eye or away from it: undo the lean with x and y",
          spun({deep.z, deep.y, deep.x})},
@@ -269,35 +252,24 @@ Slips<Vector> wrong_looks(Vector p, double lean, double turn) {
 }
 
 Exercise a_leaning_axis() {
-  const double s = std::sin(30 * radian);
-  const double c = std::cos(30 * radian);
-  Law<Vector(Vector, double, double)> law{
-      .right = right_look,
-      .places = {{"without a lean and without a turn nothing changes",
-                  {{2. / 7, 3. / 7, 6. / 7}, 0, 0}},
-                 {"a pole that leans by 30 degrees is the mapping's north pole",
-                  {{s, c, 0}, 30, 0}},
-                 {"it stays the north pole while the globe turns", {{s, c, 0}, 30, 50}},
-                 {"without a lean, 90 degrees turn +z to +x", {{0, 0, 1}, 0, 90}},
-                 {"with a lean of 30 degrees, too: +z lies on the equator", {{0, 0, 1}, 30, 90}},
-                 {"(2, 3, 6) / 7 after a lean of 23.4 and a turn of 70 degrees",
-                  {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}}},
-      .slips = wrong_looks,
-      .tolerance = 1e-6};
-  return exercise("05.3", "Vec3 looked_up(Vec3 p, double lean, double turn)", std::move(law),
-                  looked_up, globe_after({"--degrees", "60"}));
+  const double s = sin(30 * radian), c = cos(30 * radian);
+  const Places<Vec3d, double, double> places = {
+      {"without a lean and without a turn nothing changes", {{2. / 7, 3. / 7, 6. / 7}, 0, 0}},
+      {"a pole that leans by 30 degrees is the mapping's north pole", {{s, c, 0}, 30, 0}},
+      {"it stays the north pole while the globe turns", {{s, c, 0}, 30, 50}},
+      {"without a lean, 90 degrees turn +z to +x", {{0, 0, 1}, 0, 90}},
+      {"with a lean of 30 degrees, too: +z lies on the equator", {{0, 0, 1}, 30, 90}},
+      {"(2, 3, 6) / 7 after a lean of 23.4 and a turn of 70 degrees",
+       {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}},
+  };
+  return exercise(looked_up, "05.3", "Vec3 looked_up(Vec3 p, double lean, double turn)",
+                  globe_after("60"), {right_look, wrong_looks, places, 1e-6});
 }
 
 /// The angle of picture 21 of 24.
 double angle_of_picture() {
   const RotationY turn = Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
-  return std::atan2(turn.sine, turn.cosine) / radian;
-}
-
-/// What undoes the other convention's u, of any point.
-double degrees_like_unturned() {
-  const Vector p{1, 0, 0};
-  return 360 * (uv_of(Convention::rtiow, p).u - uv_of(Convention::lecture, p).u);
+  return atan2(turn.sine, turn.cosine) / radian;
 }
 
 }  // namespace
@@ -312,7 +284,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
        {"05.b",
         "Which --degrees, from 0 to 350, makes --convention lecture draw the picture that "
         "--convention rtiow draws without a turn?",
-        degrees_like_unturned, "degrees", 0}},
+        [] {  // what undoes the other convention's u, of any point
+          const Vec3d p{1, 0, 0};
+          return 360 * (uv_rtiow(p).u - uv_of(Convention::lecture, p).u);
+        },
+        "degrees", 0}},
   };
   return chapter;
 }

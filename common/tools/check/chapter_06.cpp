@@ -1,21 +1,17 @@
 // The exercises of chapter 06. The lesson is the chapter's own. It uses PhongOptions, mix and other
 // names; here those names, in the lesson's namespace, lead to the student's function.
-#include <cmath>
+#include <numeric>
 
 #include "engine/app/layout_options.hpp"
 #include "engine/app/phong_options.hpp"
 #include "engine/app/planned_highlight.hpp"
 #include "exercises.hpp"
 
-namespace texmap::check {
-
-static Hook<Vec3<double>(Vec3<double>, Vec3<double>)> mirrored;
-static Hook<double(Vec3<double>, Vec3<double>, Vec3<double>, double)> highlight;
-static Hook<Color<double>(Color<double>, double, double)> blended;
-
-}  // namespace texmap::check
-
 namespace texmap::chapter_06 {
+
+static std::function<Vec3d(Vec3d, Vec3d)> mirrored;
+static std::function<double(Vec3d, Vec3d, Vec3d, double)> highlight;
+static std::function<Rgb(Rgb, double, double)> blended;
 
 /// The common one, and the whole way to the lamp.
 template <class Real>
@@ -24,8 +20,7 @@ struct LightSample : texmap::LightSample<Real> {
 };
 
 inline constexpr struct {
-  template <class Objects>
-  LightSample<double> operator()(const PointLight& light, const Objects& objects,
+  LightSample<double> operator()(const PointLight& light, const auto& objects,
                                  const Hit<double>& hit) const {
     return {texmap::sample_light(light, objects, hit), light.position - hit.point};
   }
@@ -33,16 +28,15 @@ inline constexpr struct {
 
 struct PhongOptions : texmap::PhongOptions {
   double highlight(const PhongMaterial& material, const LightSample<double>& light,
-                   const Vec3<double>& normal, const Vec3<double>& to_eye) const {
-    if (!check::mirrored && !check::highlight)
+                   const Vec3d& normal, const Vec3d& to_eye) const {
+    if (!mirrored && !chapter_06::highlight)
       return texmap::PhongOptions::highlight(material, light, normal, to_eye);
     const bool behind = dot(normal, light.to_light) <= 0;
     if (material.specular == 0 || (light.cosine == 0 && !behind)) return 0;  // in a shadow
-    if (check::highlight) {
+    if (!mirrored)
       return material.specular *
-             check::highlight.yours(normal, light.to_lamp, -to_eye, material.shininess);
-    }
-    const double cosine = dot(check::mirrored.yours(light.to_light, normal), to_eye);
+             chapter_06::highlight(normal, light.to_lamp, -to_eye, material.shininess);
+    const double cosine = dot(mirrored(light.to_light, normal), to_eye);
     return behind || cosine <= 0 ? 0 : material.specular * std::pow(cosine, material.shininess);
   }
 };
@@ -50,15 +44,13 @@ struct PhongOptions : texmap::PhongOptions {
 /// The student limits the light.
 inline constexpr struct {
   double operator()(double light, double least, double most) const {
-    return check::blended ? light : texmap::clamp(light, least, most);
+    return blended ? light : texmap::clamp(light, least, most);
   }
 } clamp;
 
 inline constexpr struct {
-  Color<double> operator()(const Color<double>& light, const Color<double>& texture,
-                           double t) const {
-    return check::blended ? check::blended.yours(texture, light.r, t)
-                          : texmap::mix(light, texture, t);
+  Rgb operator()(const Rgb& light, const Rgb& texture, double t) const {
+    return blended ? blended(texture, light.r, t) : texmap::mix(light, texture, t);
   }
 } mix;
 
@@ -69,29 +61,18 @@ inline constexpr struct {
 namespace texmap::check {
 namespace {
 
-using Vector = Vec3<double>;
-using chapter_06::Lesson;
+using namespace chapter_06;
 
 /// The lecture's scene with large spots; the shininess is odd, so that a wrong sign shows.
-Image lecture_scene() {
-  auto lesson = prepared<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"});
-  lesson.stage.camera.fov_y_degrees = 36;
-  return picture_of(lesson);
+std::function<Image()> lecture_scene() {
+  return picture<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"}, 36);
 }
 
-/// The globe from near by, with a spot in which the light is more than 1. No blend of a byte and a
-/// limited light is a whole byte here: rounding would decide.
-Image blended_globe() {
-  auto lesson = prepared<Lesson>({"--blend", "0.3337", "--shininess", "5"});
-  lesson.stage.camera.fov_y_degrees = 20;
-  return picture_of(lesson);
-}
-
-Slips<Vector> wrong_mirrors(Vector l, Vector n) {
+Slips<Vec3d> wrong_mirrors(Vec3d l, Vec3d n) {
   const double c = dot(n, l);
-  const Slips<Vector> wrong = {
-      {"all signs are exchanged: r points into the surface, as if l came from the lamp",
-       -mirror(l, n)},
+  const Vec3d r = mirror(l, n);
+  Slips<Vec3d> wrong = {
+      {"all signs are exchanged: r points into the surface, as if l came from the lamp", -r},
       {"the part along n counts once: the formula has 2 (n . l) n", n * c - l},
       {"n and l are exchanged: you mirror the normal at l", mirror(n, l)},
       {"l is added where it is subtracted: r is no mirrored direction, and longer than 1",
@@ -110,26 +91,23 @@ Slips<Vector> wrong_mirrors(Vector l, Vector n) {
       {"this is right for n = +y at most: the normal may have any direction",
        {{-l.x, l.y, l.z}, {-l.x, l.y, -l.z}}},
   };
-  Slips<Vector> all = wrong;
-  return all += changed(wrong, [](const Vector& r) { return normalize(r); });
+  return wrong += changed(wrong, [](const Vec3d& v) { return normalize(v); });
 }
 
 Exercise the_mirrored_direction() {
-  const double r = std::sqrt(0.5);
-  Law<Vector(Vector, Vector)> law{
-      .right = mirror<double>,
-      .places = {{"a lamp straight above is mirrored to itself", {{0, 1, 0}, {0, 1, 0}}},
-                 {"a lamp at the horizon is mirrored to the opposite horizon",
-                  {{1, 0, 0}, {0, 1, 0}}},
-                 {"a lamp at 45 degrees on the right is mirrored to 45 degrees on the left",
-                  {{r, r, 0}, {0, 1, 0}}},
-                 {"with n = +y and l = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, {0, 1, 0}}},
-                 {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
-                 {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
-                  {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}}},
-      .slips = wrong_mirrors,
-      .tolerance = 1e-6};
-  return exercise("06.1", "Vec3 mirrored(Vec3 l, Vec3 n)", std::move(law), mirrored, lecture_scene);
+  const double r = sqrt(0.5);
+  const Places<Vec3d, Vec3d> places = {
+      {"a lamp straight above is mirrored to itself", {{0, 1, 0}, {0, 1, 0}}},
+      {"a lamp at the horizon is mirrored to the opposite horizon", {{1, 0, 0}, {0, 1, 0}}},
+      {"a lamp at 45 degrees on the right is mirrored to 45 degrees on the left",
+       {{r, r, 0}, {0, 1, 0}}},
+      {"with n = +y and l = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, {0, 1, 0}}},
+      {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
+      {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
+       {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
+  };
+  return exercise(chapter_06::mirrored, "06.1", "Vec3 mirrored(Vec3 l, Vec3 n)", lecture_scene(),
+                  {mirror<double>, wrong_mirrors, places, 1e-6});
 }
 
 /// What else is often forgotten with a highlight.
@@ -140,34 +118,33 @@ struct Care {
 };
 
 /// Highlights of one cause, with this care.
-Slips<double> careless_highlights(Vector n, Vector to_lamp, Vector d, double s, const Care& care) {
-  const Vector l = care.normalized ? normalize(to_lamp) : to_lamp;
-  const Vector e = -d;
-  const double straight = dot(n, l);
-  const double right = dot(mirror(l, n), e);
+Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, const Care& care) {
+  const Vec3d l = care.normalized ? normalize(to_lamp) : to_lamp;
+  const Vec3d e = -d;
+  const double straight = dot(n, l), right = dot(mirror(l, n), e);
   const double c = care.limits && right < 0 ? 0 : right;
-  constexpr const char* no_cosine =
+  constexpr auto no_cosine =
       "the direction to the lamp does not have the length 1: normalize it first, or the cosine is "
       "no cosine";
   Slips<double> wrong;
   if (!care.normalized) {
-    wrong += {{no_cosine, std::pow(c, s)}};
+    wrong += {{no_cosine, pow(c, s)}};
   } else if (!care.limits) {
     wrong +=
         {{"the cosine is not limited: a negative number to an even power is positive. Raise "
           "std::max(cosine, 0.0)",
-          {std::pow(c, s), std::max(std::pow(c, s), 0.)}}};
+          {pow(c, s), max(pow(c, s), 0.)}}};
   } else if (!care.tests_side) {
-    wrong += {{"there is a highlight where the lamp is behind the surface: test n . l first",
-               std::pow(c, s)}};
+    wrong += {
+        {"there is a highlight where the lamp is behind the surface: test n . l first", pow(c, s)}};
   }
   const Slips<double> cosines = {
       {"the cosine has the wrong sign: d goes away from the eye, so take dot(r, -d), r = 2 (n . l) "
        "n - l",
        -right},
       {no_cosine, {dot(n * (2 * dot(n, to_lamp)) - l, e), dot(n * (2 * straight) - to_lamp, e)}},
-      {"std::abs lights the side away from r, too: take std::max(cosine, 0.0)", std::abs(right)},
-      {"std::min keeps what is below 0: take std::max(cosine, 0.0)", std::min(right, 0.)},
+      {"std::abs lights the side away from r, too: take std::max(cosine, 0.0)", abs(right)},
+      {"std::min keeps what is below 0: take std::max(cosine, 0.0)", min(right, 0.)},
       {"this is 1 everywhere: limit the cosine to 0 or more, not to 1", 1},
       {"n . l is the cosine of the diffuse light: take r and the direction to the eye", straight},
       {"the light is not mirrored: take r = 2 (n . l) n - l and the direction to the eye",
@@ -181,31 +158,29 @@ Slips<double> careless_highlights(Vector n, Vector to_lamp, Vector d, double s, 
       {"l is missing in r: it is 2 (n . l) n - l", dot(n * (2 * straight), e)},
       {"n . l is missing in r: it is 2 (n . l) n - l", dot(n * 2. - l, e)},
   };
-  wrong += changed(
-      cosines, [&](double cosine) { return std::pow(care.limits && cosine < 0 ? 0 : cosine, s); });
+  wrong += changed(cosines,
+                   [&](double cosine) { return pow(care.limits && cosine < 0 ? 0 : cosine, s); });
   wrong += {
       {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
-      {"base and exponent are exchanged: std::pow(cosine, shininess)", std::pow(s, c)},
+      {"base and exponent are exchanged: std::pow(cosine, shininess)", pow(s, c)},
       {"this is the cosine: raise it to the power shininess", c},
-      {"you raise the angle: the dot product already is its cosine", std::pow(std::acos(c), s)},
-      {"the strength 0.3 is the lesson's: return the power alone", 0.3 * std::pow(c, s)},
+      {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
+      {"the strength 0.3 is the lesson's: return the power alone", 0.3 * pow(c, s)},
   };
   const bool nothing = care.tests_side && straight <= 0;
   return nothing ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
 
-Slips<double> wrong_highlights(Vector n, Vector to_lamp, Vector d, double s) {
+Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
   Slips<double> wrong;
-  for (const bool normalized : {true, false}) {
-    for (const bool tests_side : {true, false}) {
+  for (const bool normalized : {true, false})
+    for (const bool tests_side : {true, false})
       for (const bool limits : {true, false})
         wrong += careless_highlights(n, to_lamp, d, s, {normalized, tests_side, limits});
-    }
-  }
-  const Vector l = normalize(to_lamp);
-  const auto power = [&](const Vector& r) { return std::pow(std::max(dot(r, -d), 0.), s); };
+  const Vec3d l = normalize(to_lamp);
+  const auto power = [&](const Vec3d& r) { return pow(max(dot(r, -d), 0.), s); };
   const double anywhere = power(mirror(l, n));
-  const double front = std::max(dot(n, l), 0.);
+  const double front = max(dot(n, l), 0.);
   wrong += {
       {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
        power(n * (2 * front) - l)},
@@ -219,35 +194,34 @@ Slips<double> wrong_highlights(Vector n, Vector to_lamp, Vector d, double s) {
 }
 
 Exercise the_highlight() {
-  const double r = std::sqrt(0.5);
-  const Vector up{0, 1, 0};
-  Law<double(Vector, Vector, Vector, double)> law{
-      .right =
-          [](Vector n, Vector to_lamp, Vector d, double shininess) {
-            const Vector l = normalize(to_lamp);
-            return texmap::highlight({.lambertian = {}, .specular = 1, .shininess = shininess},
-                                     LightSample<double>{l, std::max(dot(n, l), 0.)}, n, -d);
-          },
-      .places = {{"with lamp and eye straight above, all of the light comes back: 1",
-                  {up, {0, 1, 0}, {0, -1, 0}, 3}},
-                 {"also if the lamp is 5 away", {up, {0, 5, 0}, {0, -1, 0}, 3}},
-                 {"at 60 degrees from the mirrored direction, with shininess 1, it is 1/2",
-                  {up, {0, 2, 0}, {std::sqrt(0.75), -0.5, 0}, 1}},
-                 {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {std::sqrt(0.75), -0.5, 0}, 5}},
-                 {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -r, -r}, 2}},
-                 {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
-                  {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
-                 {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},
-                 {"with the lamp behind the surface it is 0", {up, {3, -4, 0}, {0.6, 0.8, 0}, 2}},
-                 {"also if the eye is in front of it", {up, {4, -3, 0}, {0.8, -0.6, 0}, 2}},
-                 {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
-                  {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
-                 {"with a slanted normal and shininess 7",
-                  {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}}},
-      .slips = wrong_highlights,
-      .tolerance = 1e-6};
-  return exercise("06.2", "double highlight(Vec3 n, Vec3 to_lamp, Vec3 d, double shininess)",
-                  std::move(law), highlight, lecture_scene);
+  const double r = sqrt(0.5);
+  const Vec3d up{0, 1, 0};
+  const auto right = [](Vec3d n, Vec3d to_lamp, Vec3d d, double shininess) {
+    const Vec3d l = normalize(to_lamp);
+    return texmap::highlight({.lambertian = {}, .specular = 1, .shininess = shininess},
+                             texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
+  };
+  const Places<Vec3d, Vec3d, Vec3d, double> places = {
+      {"with lamp and eye straight above, all of the light comes back: 1",
+       {up, {0, 1, 0}, {0, -1, 0}, 3}},
+      {"also if the lamp is 5 away", {up, {0, 5, 0}, {0, -1, 0}, 3}},
+      {"at 60 degrees from the mirrored direction, with shininess 1, it is 1/2",
+       {up, {0, 2, 0}, {sqrt(0.75), -0.5, 0}, 1}},
+      {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {sqrt(0.75), -0.5, 0}, 5}},
+      {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -r, -r}, 2}},
+      {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
+       {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
+      {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},
+      {"with the lamp behind the surface it is 0", {up, {3, -4, 0}, {0.6, 0.8, 0}, 2}},
+      {"also if the eye is in front of it", {up, {4, -3, 0}, {0.8, -0.6, 0}, 2}},
+      {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
+       {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
+      {"with a slanted normal and shininess 7",
+       {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}},
+  };
+  return exercise(chapter_06::highlight, "06.2",
+                  "double highlight(Vec3 n, Vec3 to_lamp, Vec3 d, double shininess)",
+                  lecture_scene(), {right, wrong_highlights, places, 1e-6});
 }
 
 /// Blends as many write them, with the light limited to 1 or not.
@@ -281,15 +255,15 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
 Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
   const auto with = [&](double other) { return gray(other) * (1 - t) + texture * t; };
   const Rgb sum = with(light);
-  const double most = std::min(light, 1.);
+  const double most = min(light, 1.);
   Slips<Rgb> wrong = {
       {"the light is not limited to 1: take std::min(light, 1.0)", sum},
-      {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(std::max(light, 1.))},
-      {"light above 1 counts as 1: it does not begin again at 0", with(light - std::floor(light))},
+      {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(max(light, 1.))},
+      {"light above 1 counts as 1: it does not begin again at 0", with(light - floor(light))},
       {"light above 1 counts as 1, not as 0", with(light > 1 ? 0 : light)},
       {"the light alone is limited to 1, before you multiply it and add",
-       {gray(std::min(light * (1 - t), 1.)) + texture * t,
-        {std::min(sum.r, 1.), std::min(sum.g, 1.), std::min(sum.b, 1.)}}},
+       {gray(min(light * (1 - t), 1.)) + texture * t,
+        {min(sum.r, 1.), min(sum.g, 1.), min(sum.b, 1.)}}},
   };
   wrong += wrong_shares(texture, most, t);
   return wrong += wrong_shares(texture, light, t);
@@ -297,21 +271,24 @@ Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
 
 Exercise the_blend() {
   const Rgb sea{0.2, 0.4, 0.6};
-  Law<Rgb(Rgb, double, double)> law{
-      .right = [](Rgb texture, double light,
-                  double t) { return mix(gray(std::min(light, 1.)), texture, t); },
-      .places = {{"with t = 1 the texture alone is left", {sea, 0.5, 1}},
-                 {"with t = 0 the light alone is left", {sea, 0.5, 0}},
-                 {"with t = 1/2 it is the middle of both", {sea, 0.8, 0.5}},
-                 {"texture (0.2, 0.4, 0.6), light 0.5 and t = 0.3 give (0.41, 0.47, 0.53)",
-                  {sea, 0.5, 0.3}},
-                 {"in the dark the share of the texture is left", {sea, 0, 0.3}},
-                 {"a light of 1.3 counts as 1", {sea, 1.3, 0}},
-                 {"also where it is blended", {sea, 1.25, 0.3}}},
-      .slips = wrong_blends,
-      .tolerance = 1e-6};
-  return exercise("06.3", "Color blended(Color texture, double light, double t)", std::move(law),
-                  blended, blended_globe);
+  const auto right = [](Rgb texture, double light, double t) {
+    return texmap::mix(gray(min(light, 1.)), texture, t);
+  };
+  const Places<Rgb, double, double> places = {
+      {"with t = 1 the texture alone is left", {sea, 0.5, 1}},
+      {"with t = 0 the light alone is left", {sea, 0.5, 0}},
+      {"with t = 1/2 it is the middle of both", {sea, 0.8, 0.5}},
+      {"texture (0.2, 0.4, 0.6), light 0.5 and t = 0.3 give (0.41, 0.47, 0.53)", {sea, 0.5, 0.3}},
+      {"in the dark the share of the texture is left", {sea, 0, 0.3}},
+      {"a light of 1.3 counts as 1", {sea, 1.3, 0}},
+      {"also where it is blended", {sea, 1.25, 0.3}},
+  };
+  // From near by, with a spot in which the light is more than 1. No blend of a byte and a limited
+  // light is a whole byte here: rounding would decide.
+  const auto globe = picture<Lesson>({"--blend", "0.3337", "--shininess", "5"}, 20);
+  return exercise(chapter_06::blended, "06.3",
+                  "Color blended(Color texture, double light, double t)", globe,
+                  {right, wrong_blends, places, 1e-6});
 }
 
 Image stage_after(const std::vector<std::string>& words) {
@@ -321,13 +298,10 @@ Image stage_after(const std::vector<std::string>& words) {
 
 /// How many pixels the highlight changes.
 double size_of_spot(const std::string& shininess) {
-  const Image spot = stage_after({"--shininess", shininess});
-  const Image none = stage_after({"--shininess", "1e30"});
-  double count = 0;
-  for (std::size_t i = 0; i < spot.pixels.size(); ++i) {
-    if (spot.pixels[i] != none.pixels[i]) count += 1;
-  }
-  return count;
+  const auto spot = stage_after({"--shininess", shininess}).pixels;
+  const auto none = stage_after({"--shininess", "1e30"}).pixels;
+  return std::transform_reduce(spot.begin(), spot.end(), none.begin(), 0., std::plus<>(),
+                               std::not_equal_to<>());
 }
 
 }  // namespace

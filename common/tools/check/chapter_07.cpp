@@ -1,8 +1,6 @@
 // The exercises of chapter 07. The lesson is the chapter's own. What it gets and calls leads to the
 // student's function: the numbers of a sample, light_along, and the mean of the samples.
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "engine/app/layout_options.hpp"
 #include "engine/app/sampling_options.hpp"
@@ -12,30 +10,26 @@
 #include "sampling/samplers.hpp"
 #include "scene/path.hpp"
 
-namespace texmap::check {
-
-static Hook<int(const std::vector<int>&)> mean_byte;
-static Hook<Vec3<double>(double, double)> scattered;
-static Hook<Uv<double>(int, int, double, double)> place_of_sample;
-
-}  // namespace texmap::check
-
 namespace texmap::chapter_07 {
+
+static std::function<int(const std::vector<int>&)> mean_byte;
+static std::function<Vec3d(double, double)> scattered;
+static std::function<Uv<double>(int, int, double, double)> place_of_sample;
 
 /// The light along a ray of a scene of one globe, scattered by the student.
 inline constexpr struct {
-  Color<double> operator()(const auto& objects, const Ray<double>& ray, const auto& sky,
-                           int bounces, auto& random) const {
-    if (!check::scattered) return texmap::light_along(objects, ray, sky, bounces, random);
+  Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& sky, int bounces,
+                 auto& random) const {
+    if (!scattered) return texmap::light_along(objects, ray, sky, bounces, random);
     const auto& globe = objects.front();
     const double distance = distance_to(globe.shape, ray);
     if (distance == infinity<double>())
       return sky(Ray<double>{ray.origin, normalize(ray.direction)});
     const Hit<double> hit = hit_at(globe.shape, ray, distance);
-    const Point2<double> sample = random.next_2d();
-    const Vec3<double> way = check::scattered.yours(sample.u, sample.v);
+    const auto [a, b] = random.next_2d();
+    const Vec3d way = scattered(a, b);
     const Frame<double> frame = frame_about(hit.normal);
-    const Vec3<double> direction = frame.right * way.x + frame.up * way.y + hit.normal * way.z;
+    const Vec3d direction = frame.right * way.x + frame.up * way.y + hit.normal * way.z;
     return globe.paint(hit) * sky(Ray<double>{hit.outside, direction});
   }
 } light_along;
@@ -47,21 +41,11 @@ inline constexpr struct {
 namespace texmap::check {
 namespace {
 
-using Vector = Vec3<double>;
-using Place2 = Uv<double>;
+using namespace chapter_07;
+
 using Bytes = std::vector<int>;
-using chapter_07::Lesson;
 
-constexpr double pi = std::numbers::pi;
 constexpr int cells = 4;  // columns and rows of a pixel's samples
-constexpr int all_samples = cells * cells;
-
-/// What the lesson calls a scene.
-struct Scene {
-  View<> view;
-  const std::vector<chapter_07::Object>& objects;
-  const GradientSky& sky;
-};
 
 /// The numbers of one sample; the student says the first two, its place in the pixel.
 struct Numbers {
@@ -74,58 +58,46 @@ struct Numbers {
     const auto random =
         sampler.pair<double>(pixel, static_cast<std::uint32_t>(sample), dimension++);
     if (dimension > 1 || !place_of_sample) return random;
-    const Place2 place = place_of_sample.yours(sample, cells, random.u, random.v);
+    const Place2 place = place_of_sample(sample, cells, random.u, random.v);
     return {place.u, place.v};
   }
 };
 
-/// The byte of a channel's samples.
-int mean_of(const Bytes& bytes) {
-  double light = 0;
-  for (const int byte : bytes) light += srgb_decode(byte / 255.);
-  return static_cast<int>(
-      std::lround(255 * srgb_encode(light / static_cast<double>(bytes.size()))));
-}
-
 /// A pixel from the light of its samples.
 Rgb8 shown(const std::vector<Rgb>& samples) {
   const auto channel = [&](double Rgb::*part) {
+    const auto byte = [](double light) { return cut_off(byte_of_light(light, Transfer::srgb)); };
     double sum = 0;
     Bytes bytes;
-    bytes.reserve(samples.size());
     for (const Rgb& light : samples) {
       sum += light.*part;
-      if (mean_byte) bytes.push_back(static_cast<int>(byte_of_light(light.*part, Transfer::srgb)));
+      bytes.push_back(byte(light.*part));
     }
-    if (!mean_byte) {
-      const double mean = sum / static_cast<double>(samples.size());
-      return static_cast<std::uint8_t>(byte_of_light(mean, Transfer::srgb));
-    }
-    return static_cast<std::uint8_t>(std::clamp(mean_byte.yours(bytes), 0, 255));
+    const double mean = sum / static_cast<double>(samples.size());
+    return static_cast<std::uint8_t>(mean_byte ? clamp(mean_byte(bytes), 0, 255) : byte(mean));
   };
   return {channel(&Rgb::r), channel(&Rgb::g), channel(&Rgb::b)};
 }
 
 /// A lesson's picture in 100 x 75 pixels, each drawn as 4 x 4, so that single samples show.
 Image magnified(const Lesson& lesson) {
-  constexpr int times = 4;
-  const Scene scene{view_of(lesson.stage.camera, 100, 75), lesson.objects, lesson.stage.sky};
-  const Sampler sampler(SamplerKind::random, all_samples);
-  Image image(times * scene.view.width, times * scene.view.height);
-  for (int row = 0; row < scene.view.height; ++row) {
-    for (int column = 0; column < scene.view.width; ++column) {
-      const std::uint32_t pixel =
-          hash_pixels<double>(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-      std::vector<Rgb> samples;
-      samples.reserve(all_samples);
-      for (int sample = 0; sample < all_samples; ++sample) {
-        Numbers random{sampler, pixel, sample};
-        samples.push_back(lesson(scene, PixelPlace<double>{double(column), double(row)}, random));
-      }
-      const Rgb8 color = shown(samples);
-      for (int i = 0; i < times * times; ++i)
-        image.at(times * column + i % times, times * row + i / times) = color;
+  const struct {  // what the lesson calls a scene
+    View<> view;
+    const std::vector<chapter_07::Object>& objects;
+    const GradientSky& sky;
+  } scene{view_of(lesson.stage.camera, 100, 75), lesson.objects, lesson.stage.sky};
+  const Sampler sampler(SamplerKind::random, cells * cells);
+  Image image(400, 300);
+  for (std::uint32_t i = 0; i < 100 * 75; ++i) {
+    const std::uint32_t column = i % 100, row = i / 100;
+    std::vector<Rgb> samples;
+    for (int sample = 0; sample < cells * cells; ++sample) {
+      Numbers random{sampler, hash_pixels<double>(column, row), sample};
+      samples.push_back(lesson(scene, PixelPlace<double>{double(column), double(row)}, random));
     }
+    const Rgb8 color = shown(samples);
+    for (std::uint32_t k = 0; k < 16; ++k)
+      image.at(int(4 * column + k % 4), int(4 * row + k / 4)) = color;
   }
   return image;
 }
@@ -137,32 +109,32 @@ Lesson white_globe(const std::vector<std::string>& words = {}) {
   return lesson;
 }
 
+double sum_of(const Bytes& bytes, const auto& light_of) {
+  double sum = 0;
+  for (const int byte : bytes) sum += light_of(byte);
+  return sum;
+}
+double decoded(double byte) { return srgb_decode(byte / 255); }
+
 Slips<int> wrong_means(const Bytes& bytes) {
   const auto n = static_cast<double>(bytes.size());
-  const auto sum = [&](auto number_of) {
-    double all = 0;
-    for (const int byte : bytes) all += number_of(byte);
-    return all;
-  };
-  const auto decoded = [](double byte) { return srgb_decode(byte / 255); };
+  const auto sum = [&](auto light_of) { return sum_of(bytes, light_of); };
   const auto byte_of = [](double light) { return 255 * srgb_encode(light); };
   const double light = sum(decoded);
   const double mean = light / n;
   const double bytes_sum = sum([](int byte) { return byte; });
   const double share = bytes_sum / 255 / n;
   const double as_255 = sum([](int byte) { return srgb_decode(double(byte)); }) / n;
-  const auto without = [&](int byte) {
-    return static_cast<double>(std::lround(byte_of((light - decoded(byte)) / n)));
-  };
+  const auto without = [&](int byte) { return round(byte_of((light - decoded(byte)) / n)); };
   const auto power = [&](double p) {
-    return 255 * std::pow(sum([=](int byte) { return std::pow(byte / 255., p); }) / n, 1 / p);
+    return 255 * pow(sum([=](int byte) { return pow(byte / 255., p); }) / n, 1 / p);
   };
   const auto* not_256 = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
   const Slips<double> wrong = {
       {"this is the mean of the bytes, not of the light: decode each byte, encode the mean",
        bytes_sum / n},
       {"the byte is cut off, not rounded: take std::lround",
-       {std::floor(byte_of(mean)), std::floor(255.999 * srgb_encode(mean))}},
+       {floor(byte_of(mean)), floor(255.999 * srgb_encode(mean))}},
       {"every byte but 255 counts as 0: write byte / 255.0, and add in a double",
        byte_of(sum([](int byte) { return byte == 255 ? 1 : 0; }) / n)},
       {"the mean is light and no byte yet: encode it", 255 * mean},
@@ -185,65 +157,59 @@ Slips<int> wrong_means(const Bytes& bytes) {
       {"a byte is missing in the sum: all count, from the first to the last",
        {without(bytes.front()), without(bytes.back())}},
   };
-  const auto whole = [](double value) { return static_cast<int>(value); };
-  Slips<int> both = changed(wrong, [=](double value) { return whole(std::round(value)); });
-  both += changed(wrong, whole);
-  both += {{not_256, whole(std::round(256 * srgb_encode(mean)))}};
-  return both;
+  Slips<int> both = changed(wrong, rounded);
+  both += changed(wrong, cut_off);
+  return both += {{not_256, rounded(256 * srgb_encode(mean))}};
 }
 
 Exercise average_light() {
-  Law<int(const Bytes&)> law{
-      .right = mean_of,
-      .places = {{"the mean of one byte is this byte", {Bytes{76}}},
-                 {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
-                 {"half black and half white sends out half of the light: byte 188",
-                  {Bytes{0, 255}}},
-                 {"three quarters black", {Bytes{0, 255, 0, 0}}},
-                 {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
-                 {"a dark and a bright byte", {Bytes{40, 180}}},
-                 {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
-                 {"white stays white", {Bytes{255, 255}}}},
-      .slips = wrong_means,
-      .tolerance = 0};
-  return exercise("07.1", "int mean_byte(const std::vector<int>& bytes)", std::move(law), mean_byte,
-                  [] {
-                    return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"}));
-                  });
+  const Places<Bytes> places = {
+      {"the mean of one byte is this byte", {Bytes{76}}},
+      {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
+      {"half black and half white sends out half of the light: byte 188", {Bytes{0, 255}}},
+      {"three quarters black", {Bytes{0, 255, 0, 0}}},
+      {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
+      {"a dark and a bright byte", {Bytes{40, 180}}},
+      {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
+      {"white stays white", {Bytes{255, 255}}},
+  };
+  const auto right = [](const Bytes& bytes) {
+    return rounded(255 * srgb_encode(sum_of(bytes, decoded) / double(bytes.size())));
+  };
+  const auto draw = [] { return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"})); };
+  return exercise(mean_byte, "07.1", "int mean_byte(const std::vector<int>& bytes)", draw,
+                  {right, wrong_means, places, 0});
 }
 
-Vector right_scatter(double a, double b) {
-  const double radius = std::sqrt(a);
-  return {radius * std::cos(2 * pi * b), radius * std::sin(2 * pi * b),
-          std::sqrt(1 - radius * radius)};
+Vec3d right_scatter(double a, double b) {
+  const double radius = sqrt(a);
+  return {radius * cos(2 * pi * b), radius * sin(2 * pi * b), sqrt(1 - radius * radius)};
 }
 
-Slips<Vector> wrong_scatter(double a, double b) {
+Slips<Vec3d> wrong_scatter(double a, double b) {
   const auto point = [](double radius, double angle, double height) {
-    return Vector{radius * std::cos(angle), radius * std::sin(angle), height};
+    return Vec3d{radius * cos(angle), radius * sin(angle), height};
   };
   /// At the right height and at two wrong ones.
   const auto at = [&](double radius, double angle) {
     const double square = radius * radius;
-    return std::vector{point(radius, angle, std::sqrt(1 - square)),
-                       point(radius, angle, 1 - square), point(radius, angle, 1 - radius)};
+    return std::vector{point(radius, angle, sqrt(1 - square)), point(radius, angle, 1 - square),
+                       point(radius, angle, 1 - radius)};
   };
-  const double root = std::sqrt(a);
-  const double turn = 2 * pi * b;
+  const double root = sqrt(a), turn = 2 * pi * b;
   const auto [x, y, z] = right_scatter(a, b);
   const auto lifted = [&](double height) { return point(root, turn, height); };
-  const double to_all_sides = 1 - 2 * a;
+  const double level = 1 - 2 * a;
   return {
       {"the radius is a: too many directions are near the normal. Equal areas need sqrt(a)",
        at(a, turn)},
       {"the radius is a a: equal areas need the root, sqrt(a)", at(a * a, turn)},
       {"the radius is sqrt(1 - a): a = 0 is the middle of the disk, so take sqrt(a)",
-       at(std::sqrt(1 - a), turn)},
+       at(sqrt(1 - a), turn)},
       {"the directions cover half of the disk: a whole turn is 2 pi", at(root, pi * b)},
       {"b is taken for radians: multiply it by 2 pi", at(root, b)},
       {"b is turned into degrees: std::cos and std::sin take radians", at(root, 360 * b)},
-      {"b is turned into degrees: std::cos and std::sin take radians",
-       at(root, 360 * 180 / pi * b)},
+      {"b is turned into degrees: std::cos and std::sin take radians", at(root, 360 / radian * b)},
       {"2 pi b is in radians already: no pi / 180 is needed", at(root, pi * pi / 90 * b)},
       {"the angle runs the other way: count it from x toward y", at(root, -turn)},
       {"all points lie on the edge of the disk: multiply cos and sin by the radius", at(1, turn)},
@@ -253,17 +219,17 @@ Slips<Vector> wrong_scatter(double a, double b) {
       {"the height is 1 - radius, so the point lies below the hemisphere: x x + y y + z z is 1",
        lifted(1 - root)},
       {"the length is not 1: the height is the root of 1 - radius * radius",
-       {lifted(std::sqrt(1 - root)), lifted(std::sqrt(1 - a * a)), lifted(std::sqrt(1 + a)),
-        lifted(1), lifted(root), lifted(std::sqrt(1 - x * x))}},
+       {lifted(sqrt(1 - root)), lifted(sqrt(1 - a * a)), lifted(sqrt(1 + a)), lifted(1),
+        lifted(root), lifted(sqrt(1 - x * x))}},
       {"you make the length 1 at the end, and move x and y: the height is sqrt(1 - radius * "
        "radius)",
        normalize(lifted(1))},
       {"the points lie on the disk, not above it: lift them", lifted(0)},
       {"the points lie below the surface: the height is not negative", lifted(-z)},
       {"each height is equally likely: then light from the side counts too much",
-       point(std::sqrt(a * (2 - a)), turn, 1 - a)},
+       point(sqrt(a * (2 - a)), turn, 1 - a)},
       {"these directions go to all sides, also below the surface: lift a point of the disk",
-       point(std::sqrt(1 - to_all_sides * to_all_sides), turn, to_all_sides)},
+       point(sqrt(1 - level * level), turn, level)},
       {"a and b are exchanged: a makes the radius, b the angle", right_scatter(b, a)},
       {"a makes the radius and the angle: the angle is 2 pi b", right_scatter(a, a)},
       {"b makes the radius and the angle: the radius is sqrt(a)", right_scatter(b, b)},
@@ -273,21 +239,21 @@ Slips<Vector> wrong_scatter(double a, double b) {
 }
 
 Exercise more_light_from_above() {
-  Law<Vector(double, double)> law{
-      .right = right_scatter,
-      .places = {{"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
-                 {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
-                 {"b = 1/4 is a quarter turn from there: +y", {0.25, 0.25}},
-                 {"b = 1/2 is half a turn: -x", {0.25, 0.5}},
-                 {"half of the points have a radius below 0.71", {0.5, 0.75}},
-                 {"a = 0.81 has the radius 0.9: close to the surface", {0.81, 0.125}}},
-      .slips = wrong_scatter,
-      .tolerance = 1e-6};
-  return exercise("07.2", "Vec3 scattered(double a, double b)", std::move(law), scattered, [] {
+  const Places<double, double> places = {
+      {"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
+      {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
+      {"b = 1/4 is a quarter turn from there: +y", {0.25, 0.25}},
+      {"b = 1/2 is half a turn: -x", {0.25, 0.5}},
+      {"half of the points have a radius below 0.71", {0.5, 0.75}},
+      {"a = 0.81 has the radius 0.9: close to the surface", {0.81, 0.125}},
+  };
+  const auto draw = [] {
     auto lesson = white_globe({"--sky", "gradient"});
     lesson.stage.sky = {.below = {0, 0, 0}, .above = {1, 1, 1}};
     return magnified(lesson);
-  });
+  };
+  return exercise(scattered, "07.2", "Vec3 scattered(double a, double b)", draw,
+                  {right_scatter, wrong_scatter, places, 1e-6});
 }
 
 Place2 right_place(int i, int n, double a, double b) {
@@ -296,44 +262,41 @@ Place2 right_place(int i, int n, double a, double b) {
 }
 
 Slips<Place2> wrong_places(int i, int n, double a, double b) {
-  const double column = i % n;
-  const double row = std::floor(double(i) / n);
+  const double c = i % n, r = floor(double(i) / n);  // column and row
   const auto [u, v] = right_place(i, n, a, b);
   return {
-      {"all samples of a cell are at its corner: add a and b", {column / n, row / n}},
+      {"all samples of a cell are at its corner: add a and b", {c / n, r / n}},
       {"all samples are in the middle of their cells: the same grid in every pixel makes stripes. "
        "Add a and b",
-       {(column + 0.5) / n, (row + 0.5) / n}},
+       {(c + 0.5) / n, (r + 0.5) / n}},
       {"these are random samples, without cells: i has no effect (with int, column / n is 0)",
        {a, b}},
       {"all samples are in the first cell: column / n and row / n as int are 0", {a / n, b / n}},
       {"column / n and row / n as int are 0: add a and b first, then divide", {0, 0}},
       {"columns and rows are exchanged: sample 1 is the right neighbor of sample 0",
-       {(row + a) / n, (column + b) / n}},
-      {"a and b are exchanged: a is across, b is up", {(column + b) / n, (row + a) / n}},
-      {"a moves the sample across and up: b says how far up", {u, (row + a) / n}},
+       {(r + a) / n, (c + b) / n}},
+      {"a and b are exchanged: a is across, b is up", {(c + b) / n, (r + a) / n}},
+      {"a moves the sample across and up: b says how far up", {u, (r + a) / n}},
       {"u and v are exchanged: column and a make u, row and b make v", {v, u}},
       {"you divide by n x n: all samples are in one corner of the pixel", {u / n, v / n}},
       {"n cells are as wide as the pixel: divide by n, not by n - 1",
-       {(column + a) / (n - 1), (row + b) / (n - 1)}},
+       {(c + a) / (n - 1), (r + b) / (n - 1)}},
       {"n cells are as wide as the pixel: divide by n, not by n + 1",
-       {(column + a) / (n + 1), (row + b) / (n + 1)}},
-      {"these are cells, and the pixel goes from 0 to 1: divide by n", {column + a, row + b}},
-      {"the division comes before the sum: write (column + a) / n", {column + a / n, row + b / n}},
-      {"a and b are factors here: add them to column and row", {column * a / n, row * b / n}},
+       {(c + a) / (n + 1), (r + b) / (n + 1)}},
+      {"these are cells, and the pixel goes from 0 to 1: divide by n", {c + a, r + b}},
+      {"the division comes before the sum: write (column + a) / n", {c + a / n, r + b / n}},
+      {"a and b are factors here: add them to column and row", {c * a / n, r * b / n}},
       {"a and b count from the corner of the cell: do not subtract or add 1/2",
-       {{(column + a - 0.5) / n, (row + b - 0.5) / n},
-        {(column + a + 0.5) / n, (row + b + 0.5) / n}}},
-      {"a and b are not divided by n: the samples leave their cells",
-       {column / n + a, row / n + b}},
+       {{(c + a - 0.5) / n, (r + b - 0.5) / n}, {(c + a + 0.5) / n, (r + b + 0.5) / n}}},
+      {"a and b are not divided by n: the samples leave their cells", {c / n + a, r / n + b}},
       {"v is random: it is (row + b) / n", {u, b}},
       {"u is random: it is (column + a) / n", {a, v}},
       {"the rows are upside down: v begins at 0 with row 0",
-       {{u, (n - 1 - row + b) / n}, {u, 1 - v}}},
+       {{u, (n - 1 - r + b) / n}, {u, 1 - v}}},
       {"samples are counted from 0: column i % n and row i / n, without 1",
-       {right_place(i + 1, n, a, b), {(column - 1 + a) / n, (row - 1 + b) / n}}},
-      {"the row is i / n, without the rest: i % n is the column", {u, (column + b) / n}},
-      {"the column is the remainder i % n: i / n is the row", {(row + a) / n, v}},
+       {right_place(i + 1, n, a, b), {(c - 1 + a) / n, (r - 1 + b) / n}}},
+      {"the row is i / n, without the rest: i % n is the column", {u, (c + b) / n}},
+      {"the column is the remainder i % n: i / n is the row", {(r + a) / n, v}},
       {"the row is no whole number: divide i by n as int, and the rest is cut off",
        {u, (double(i) / n + b) / n}},
       {"the column grows beyond the pixel: it is the remainder i % n", {(i + a) / n, v}},
@@ -343,24 +306,17 @@ Slips<Place2> wrong_places(int i, int n, double a, double b) {
 }
 
 Exercise one_sample_in_each_cell() {
-  Law<Place2(int, int, double, double)> law{
-      .right = right_place,
-      .places = {{"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
-                 {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
-                 {"sample 3 is at the end of the first row", {3, 4, 0.5, 0.5}},
-                 {"sample 4 begins the second row", {4, 4, 0.5, 0.5}},
-                 {"sample 7 of 4 x 4, with a = 0.2 and b = 0.7", {7, 4, 0.2, 0.7}},
-                 {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}}},
-      .slips = wrong_places};
-  return exercise("07.3", "Uv place_of_sample(int i, int n, double a, double b)", std::move(law),
-                  place_of_sample, [] { return magnified(prepared<Lesson>()); });
-}
-
-/// Pixels of a white globe's picture that differ from the sky.
-double pixels_unlike_sky(const std::vector<std::string>& words) {
-  const Image image = magnified(white_globe(words));
-  const auto& pixels = image.pixels;
-  return double(pixels.size()) - double(std::count(pixels.begin(), pixels.end(), pixels[0]));
+  const Places<int, int, double, double> places = {
+      {"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
+      {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
+      {"sample 3 is at the end of the first row", {3, 4, 0.5, 0.5}},
+      {"sample 4 begins the second row", {4, 4, 0.5, 0.5}},
+      {"sample 7 of 4 x 4, with a = 0.2 and b = 0.7", {7, 4, 0.2, 0.7}},
+      {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}},
+  };
+  return exercise(place_of_sample, "07.3", "Uv place_of_sample(int i, int n, double a, double b)",
+                  [] { return magnified(prepared<Lesson>()); },
+                  {right_place, wrong_places, places});
 }
 
 }  // namespace
@@ -373,7 +329,12 @@ const ExercisesOfChapter& exercises_of_chapter() {
        {"07.b",
         "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
         "differ from the sky?",
-        [] { return pixels_unlike_sky({}); }, "pixels", 0}},
+        [] {
+          const auto pixels = magnified(white_globe()).pixels;
+          return double(
+              std::count_if(pixels.begin(), pixels.end(), [&](Rgb8 p) { return p != pixels[0]; }));
+        },
+        "pixels", 0}},
   };
   return chapter;
 }

@@ -1,44 +1,42 @@
 // The exercises of chapter 08. The lesson is the chapter's own. It uses first_hit and MeshMapping
 // by name; here those names, in the lesson's namespace, lead to the student's function.
-#include <cmath>
-
 #include "engine/app/mesh_options.hpp"
 #include "exercises.hpp"
 #include "texture/mesh_mapping.hpp"
 
-namespace texmap::check {
+namespace texmap::chapter_08 {
 
-static Hook<bool(Vec3<double>, Vec3<double>, Vec3<double>)> is_hit;
-static Hook<std::array<double, 3>(Vec3<double>, Vec3<double>, Vec3<double>)> weights;
-static Hook<Uv<double>(Uv<double>, Uv<double>, Uv<double>, std::array<double, 3>)> mixed;
+static std::function<bool(Vec3d, Vec3d, Vec3d)> is_hit;
+static std::function<std::array<double, 3>(Vec3d, Vec3d, Vec3d)> weights;
+static std::function<Uv<double>(Uv<double>, Uv<double>, Uv<double>, std::array<double, 3>)> mixed;
+
+static double edge(const Vec3d& a, const Vec3d& b) { return a.x * b.y - a.y * b.x; }
 
 /// The corners of a triangle as a ray sees them.
-static std::array<Vec3<double>, 3> seen(const Mesh& mesh, int triangle, const Ray<double>& ray) {
-  const RaySpace<double> space(ray);
-  const auto corner = [&](int number) { return seen_along(space, mesh.corner(triangle, number)); };
-  return {corner(0), corner(1), corner(2)};
+static std::array<Vec3d, 3> seen(const Mesh& mesh, double triangle, const Ray<double>& ray) {
+  auto corners = corners_of(mesh, triangle);
+  for (Vec3d& corner : corners) corner = seen_along(RaySpace<double>(ray), corner);
+  return corners;
 }
 
 /// The nearest triangle that the student lets the ray hit; `met` is false if there is none.
 static MeshHit<double> first_hit_by_student(const Mesh& mesh, const Ray<double>& ray) {
   MeshHit<double> nearest;
-  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
+  for (double i = 0; i < double(mesh.triangles.size()); ++i) {
     const auto [a, b, c] = seen(mesh, i, ray);
-    if (!is_hit.yours(a, b, c)) continue;
+    if (!is_hit(a, b, c)) continue;
     // The triangle alone, as wide as needed for the ray to hit it.
-    const auto corner = [&](int number) { return mesh.corner(i, number); };
-    const Point normal = cross(corner(1) - corner(0), corner(2) - corner(0));
-    const double distance = dot(corner(0) - ray.origin, normal) / dot(ray.direction, normal);
+    const auto [p, q, r] = corners_of(mesh, i);
+    const Vec3d normal = cross(q - p, r - p);
+    const double distance = dot(p - ray.origin, normal) / dot(ray.direction, normal);
     if (!(distance > 0) || (nearest.met && distance >= nearest.distance)) continue;
-    const double ab = a.x * b.y - a.y * b.x;
-    const double bc = b.x * c.y - b.y * c.x;
-    const double ca = c.x * a.y - c.y * a.x;
     nearest.met = true;
     nearest.distance = distance;
     nearest.triangle = i;
-    nearest.a = bc / (ab + bc + ca);
-    nearest.b = ca / (ab + bc + ca);
-    nearest.c = ab / (ab + bc + ca);
+    const double whole = edge(a, b) + edge(b, c) + edge(c, a);
+    nearest.a = edge(b, c) / whole;
+    nearest.b = edge(c, a) / whole;
+    nearest.c = edge(a, b) / whole;
     nearest.normal = normalize(dot(normal, ray.direction) > 0 ? -normal : normal);
     nearest.point = ray.origin + ray.direction * distance;
     nearest.outside = nearest.point + nearest.normal * 1e-9;
@@ -47,20 +45,16 @@ static MeshHit<double> first_hit_by_student(const Mesh& mesh, const Ray<double>&
   return nearest;
 }
 
-}  // namespace texmap::check
-
-namespace texmap::chapter_08 {
-
 inline constexpr struct {
   MeshHit<double> operator()(const Mesh& mesh, const Ray<double>& ray) const {
-    if (check::is_hit) return check::first_hit_by_student(mesh, ray);
+    if (is_hit) return first_hit_by_student(mesh, ray);
     MeshHit<double> hit = texmap::first_hit(mesh, ray);
-    if (check::weights && hit.met) {
-      const auto [a, b, c] = check::seen(mesh, static_cast<int>(hit.triangle), ray);
-      const auto weights = check::weights.yours(a, b, c);
-      hit.a = weights[0];
-      hit.b = weights[1];
-      hit.c = weights[2];
+    if (weights && hit.met) {
+      const auto [a, b, c] = seen(mesh, hit.triangle, ray);
+      const auto [of_a, of_b, of_c] = weights(a, b, c);
+      hit.a = of_a;
+      hit.b = of_b;
+      hit.c = of_c;
     }
     return hit;
   }
@@ -71,9 +65,9 @@ struct MeshMapping : texmap::MeshMapping {
   MeshMapping(const texmap::MeshMapping& common) : texmap::MeshMapping(common) {}
 
   Uv<double> operator()(const MeshHit<double>& hit) const {
-    if (!check::mixed) return texmap::MeshMapping::operator()(hit);
+    if (!mixed) return texmap::MeshMapping::operator()(hit);
     const auto& uv = corners[static_cast<std::size_t>(hit.triangle)];
-    return check::mixed.yours(uv[0], uv[1], uv[2], {hit.a, hit.b, hit.c});
+    return mixed(uv[0], uv[1], uv[2], {hit.a, hit.b, hit.c});
   }
 };
 
@@ -84,14 +78,9 @@ struct MeshMapping : texmap::MeshMapping {
 namespace texmap::check {
 namespace {
 
-using Vector = Vec3<double>;
-using Place2 = Uv<double>;
+using namespace chapter_08;
+
 using Weights = std::array<double, 3>;
-using chapter_08::Lesson;
-
-double edge(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
-
-Image crate() { return drawn<Lesson>(); }
 
 /// The crate on one of its edges, from the front: some rays pass exactly through the edge between
 /// the two triangles of a side.
@@ -99,43 +88,33 @@ Image crate_on_its_edge() {
   auto lesson = prepared<Lesson>({"--degrees", "0"});
   Mesh& mesh = lesson.scene.mesh;
   mesh.triangles.resize(12);  // without the floor
-  for (Point& p : mesh.points)
-    p = {(p.x - p.y) * std::sqrt(0.5), (p.x + p.y) * std::sqrt(0.5), p.z};
+  for (Point& p : mesh.points) p = {(p.x - p.y) * sqrt(0.5), (p.x + p.y) * sqrt(0.5), p.z};
   lesson.stage.camera = {
       .eye = {0, 0, 4.5}, .target = {0, 0, 0}, .fov_y_degrees = 50, .anchor = PixelAnchor::corner};
-  return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
+  return picture_of(lesson);
 }
 
 /// Is the ray on the left of all these edges, or is it on the right?
-constexpr auto on_left = [](auto... sides) { return (... && (sides >= 0)); };
-constexpr auto on_right = [](auto... sides) { return (... && (sides <= 0)); };
-constexpr auto same = [](auto... sides) { return on_left(sides...) || on_right(sides...); };
+constexpr auto left = [](auto... sides) { return (... && (sides >= 0)); };
+constexpr auto right = [](auto... sides) { return (... && (sides <= 0)); };
+constexpr auto same = [](auto... sides) { return left(sides...) || right(sides...); };
 
-bool right_hit(Vector a, Vector b, Vector c) { return same(edge(a, b), edge(b, c), edge(c, a)); }
-
-/// What many take for the edge function, with the word for it.
-struct WrongEdge {
-  const char* word;
-  double (*of)(const Vector& p, const Vector& q);
-};
-constexpr const char* sum_of_products =
-    "the two products of the edge function are subtracted, not added";
-constexpr const char* x_by_y = "the edge function multiplies x by y: a.x * b.y - a.y * b.x";
-constexpr WrongEdge wrong_edges[] = {
-    {sum_of_products, [](const Vector& p, const Vector& q) { return p.x * q.y + p.y * q.x; }},
-    {x_by_y, [](const Vector& p, const Vector& q) { return p.x * q.x - p.y * q.y; }},
-    {x_by_y, [](const Vector& p, const Vector& q) { return p.x * q.x + p.y * q.y; }},
-    {x_by_y, [](const Vector& p, const Vector& q) { return p.x * p.y - q.x * q.y; }},
+/// What many take for the edge function.
+constexpr auto x_by_y = "the edge function multiplies x by y: a.x * b.y - a.y * b.x";
+constexpr std::pair<const char*, double (*)(const Vec3d& p, const Vec3d& q)> wrong_edges[] = {
+    {"the two products of the edge function are subtracted, not added",
+     [](const Vec3d& p, const Vec3d& q) { return p.x * q.y + p.y * q.x; }},
+    {x_by_y, [](const Vec3d& p, const Vec3d& q) { return p.x * q.x - p.y * q.y; }},
+    {x_by_y, [](const Vec3d& p, const Vec3d& q) { return p.x * q.x + p.y * q.y; }},
+    {x_by_y, [](const Vec3d& p, const Vec3d& q) { return p.x * p.y - q.x * q.y; }},
 };
 
-Slips<bool> wrong_hits(Vector a, Vector b, Vector c) {
-  const double ab = edge(a, b);
-  const double bc = edge(b, c);
-  const double ca = edge(c, a);
+Slips<bool> wrong_hits(Vec3d a, Vec3d b, Vec3d c) {
+  const double ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
   const bool inside_left = ab > 0 && bc > 0 && ca > 0;
   const bool inside_right = ab < 0 && bc < 0 && ca < 0;
-  const bool all_left = on_left(ab, bc, ca);
-  const bool all_right = on_right(ab, bc, ca);
+  const bool all_left = left(ab, bc, ca);
+  const bool all_right = right(ab, bc, ca);
   Slips<bool> wrong = {
       {"triangles with clockwise corners are missed: from there the ray is right of all three "
        "edges",
@@ -153,14 +132,11 @@ Slips<bool> wrong_hits(Vector a, Vector b, Vector c) {
       {"no ray hits: it is on the left of all three edges or on the right, not both",
        all_left && all_right},
       {"hits and misses are exchanged", !all_left && !all_right},
-      {"the edge a to b is missing: two edges leave a triangle open",
-       {on_left(bc, ca), same(bc, ca)}},
-      {"the edge b to c is missing: two edges leave a triangle open",
-       {on_left(ab, ca), same(ab, ca)}},
-      {"the edge c to a is missing: two edges leave a triangle open",
-       {on_left(ab, bc), same(ab, bc)}},
+      {"the edge a to b is missing: two edges leave a triangle open", {left(bc, ca), same(bc, ca)}},
+      {"the edge b to c is missing: two edges leave a triangle open", {left(ab, ca), same(ab, ca)}},
+      {"the edge c to a is missing: two edges leave a triangle open", {left(ab, bc), same(ab, bc)}},
       {"a product is 0 on the line through an edge: compare each one with 0",
-       {on_left(ab * bc, bc * ca), on_left(bc * ca, ca * ab), on_left(ca * ab, ab * bc)}},
+       {left(ab * bc, bc * ca), left(bc * ca, ca * ab), left(ca * ab, ab * bc)}},
       {"a product of three does not say that all are on the same side: compare each one with 0",
        ab * bc * ca >= 0},
       {"p == q == r compares the answer of p == q with r: write p == q && q == r",
@@ -168,73 +144,64 @@ Slips<bool> wrong_hits(Vector a, Vector b, Vector c) {
       {"the sum says which way the corners run: compare each of the three with 0",
        {ab + bc + ca >= 0, ab + bc + ca <= 0}},
       {"one edge has the wrong direction: go around, a to b, b to c, c to a",
-       {same(ab, bc, -ca), on_left(ab, bc, -ca), same(-ab, bc, ca), on_left(-ab, bc, ca),
-        same(ab, -bc, ca), on_left(ab, -bc, ca)}},
+       {same(ab, bc, -ca), left(ab, bc, -ca), same(-ab, bc, ca), left(-ab, bc, ca),
+        same(ab, -bc, ca), left(ab, -bc, ca)}},
       {"you compare with the box around the triangle: a triangle is only half of it",
-       std::min({a.x, b.x, c.x}) <= 0 && std::max({a.x, b.x, c.x}) >= 0 &&
-           std::min({a.y, b.y, c.y}) <= 0 && std::max({a.y, b.y, c.y}) >= 0},
+       min({a.x, b.x, c.x}) <= 0 && max({a.x, b.x, c.x}) >= 0 && min({a.y, b.y, c.y}) <= 0 &&
+           max({a.y, b.y, c.y}) >= 0},
   };
-  for (const auto& [word, of] : wrong_edges) {
-    wrong += {{word, {same(of(a, b), of(b, c), of(c, a)), on_left(of(a, b), of(b, c), of(c, a))}}};
-  }
+  for (const auto& [word, of] : wrong_edges)
+    wrong += {{word, {same(of(a, b), of(b, c), of(c, a)), left(of(a, b), of(b, c), of(c, a))}}};
   return wrong;
 }
 
 Exercise hit_or_miss() {
-  using Corners = Place<Vector, Vector, Vector>;
-  const Vector a{-1, -1, 0};
-  const Vector b{2, -1, 0};
-  const Vector c{0, 3, 0};
-  const auto moved = [=](const std::string& law, double x, double y) {
-    const Vector by{x, y, 0};
-    return Corners{law, {a + by, b + by, c + by}};
+  const Vec3d a{-1, -1, 0}, b{2, -1, 0}, c{0, 3, 0};
+  const auto moved = [=](const char* law, double x, double y) {
+    const Vec3d by{x, y, 0};
+    return Place<Vec3d, Vec3d, Vec3d>{law, {a + by, b + by, c + by}};
   };
-  const Vector left{1, 0, 0};
-  const Vector right{3, 0, 0};
-  const Vector top{2, 2, 0};
-  Law<bool(Vector, Vector, Vector)> law{
-      .right = right_hit,
-      .places =
-          {{"the ray is inside, the corners run counterclockwise: a hit", {a, b, c}},
-           {"the corners run clockwise: a hit, too", {a, c, b}},
-           moved("the ray is right of the triangle: a miss", -5, 0),
-           moved("the ray is left of the triangle: a miss", 5, 0),
-           moved("the ray is above the triangle: a miss", 0, -5),
-           moved("the ray is below the triangle: a miss", 0, 5),
-           moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
-           {"clockwise, the ray is right of the triangle: a miss",
-            {{-6, -1, 0}, {-5, 3, 0}, {-3, -1, 0}}},
-           {"clockwise, the ray is below the triangle: a miss", {{-1, 4, 0}, {0, 8, 0}, {2, 4, 0}}},
-           {"exactly on the edge a to b: a hit", {{-1, 0, 0}, {2, 0, 0}, {0, 3, 0}}},
-           {"exactly on that edge of the neighbor: a hit, too",
-            {{-1, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
-           {"exactly on the edge c to a of clockwise corners: a hit",
-            {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
-           {"on the line through a and b, but outside of the triangle: a miss", {left, right, top}},
-           {"on the line through b and c, but outside of the triangle: a miss", {top, left, right}},
-           {"on the line through c and a, but outside of the triangle: a miss",
-            {right, top, left}}},
-      .slips = wrong_hits};
-  return exercise("08.1", "bool is_hit(Vec3 a, Vec3 b, Vec3 c)", std::move(law), is_hit,
-                  crate_on_its_edge);
+  const Vec3d near{1, 0, 0}, far{3, 0, 0}, top{2, 2, 0};
+  const auto is_inside = [](Vec3d p, Vec3d q, Vec3d r) {
+    return same(edge(p, q), edge(q, r), edge(r, p));
+  };
+  const Places<Vec3d, Vec3d, Vec3d> places = {
+      {"the ray is inside, the corners run counterclockwise: a hit", {a, b, c}},
+      {"the corners run clockwise: a hit, too", {a, c, b}},
+      moved("the ray is right of the triangle: a miss", -5, 0),
+      moved("the ray is left of the triangle: a miss", 5, 0),
+      moved("the ray is above the triangle: a miss", 0, -5),
+      moved("the ray is below the triangle: a miss", 0, 5),
+      moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
+      {"clockwise, the ray is right of the triangle: a miss",
+       {{-6, -1, 0}, {-5, 3, 0}, {-3, -1, 0}}},
+      {"clockwise, the ray is below the triangle: a miss", {{-1, 4, 0}, {0, 8, 0}, {2, 4, 0}}},
+      {"exactly on the edge a to b: a hit", {{-1, 0, 0}, {2, 0, 0}, {0, 3, 0}}},
+      {"exactly on that edge of the neighbor: a hit, too", {{-1, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
+      {"exactly on the edge c to a of clockwise corners: a hit",
+       {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
+      {"on the line through a and b, but outside of the triangle: a miss", {near, far, top}},
+      {"on the line through b and c, but outside of the triangle: a miss", {top, near, far}},
+      {"on the line through c and a, but outside of the triangle: a miss", {far, top, near}},
+  };
+  return exercise(is_hit, "08.1", "bool is_hit(Vec3 a, Vec3 b, Vec3 c)", crate_on_its_edge,
+                  {is_inside, wrong_hits, places});
 }
 
 /// Parts of a whole.
 Weights shares(double whole, const Weights& parts) {
   return {parts[0] / whole, parts[1] / whole, parts[2] / whole};
 }
+Weights shares(const Weights& parts) { return shares(parts[0] + parts[1] + parts[2], parts); }
 
-Slips<Weights> wrong_weights(Vector a, Vector b, Vector c) {
-  const double ab = edge(a, b);
-  const double bc = edge(b, c);
-  const double ca = edge(c, a);
+Slips<Weights> wrong_weights(Vec3d a, Vec3d b, Vec3d c) {
+  const double ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
   const double whole = ab + bc + ca;
-  const Weights areas{bc, ca, ab};
-  const Weights sizes{std::abs(bc), std::abs(ca), std::abs(ab)};
-  const auto [x, y, z] = shares(whole, areas);
   const double other = ab + bc - ca;
+  const Weights areas{bc, ca, ab};
+  const Weights sizes{abs(bc), abs(ca), abs(ab)};
   const Weights distances{length(a), length(b), length(c)};
-  const Weights nearness{1 / length(a), 1 / length(b), 1 / length(c)};
+  const auto [x, y, z] = shares(areas);
   Slips<Weights> wrong = {
       {"the weights belong to the wrong corners: that of a is the share opposite a, of b, c and "
        "the ray",
@@ -251,7 +218,7 @@ Slips<Weights> wrong_weights(Vector a, Vector b, Vector c) {
       {"/ comes before +: write bc / (ab + bc + ca), or keep the sum in a variable",
        {bc / ab + bc + ca, ca / ab + bc + ca, ab / ab + bc + ca}},
       {"clockwise corners have negative weights: leave std::abs out, the signs cancel",
-       shares(std::abs(whole), areas)},
+       shares(abs(whole), areas)},
       {"the edge from a to c has the wrong direction: go around, from c to a",
        {{bc / other, -ca / other, ab / other}, {x, -y, z}}},
       {"these are the shares of the other two corners: the weight is the share, not 1 minus it",
@@ -262,8 +229,7 @@ Slips<Weights> wrong_weights(Vector a, Vector b, Vector c) {
        {shares(whole - ab, areas), shares(whole - bc, areas), shares(whole - ca, areas)}},
       {"all weights are 1/3: that is right in the middle alone", {1. / 3, 1. / 3, 1. / 3}},
       {"weights are shares of areas, not of distances to the corners",
-       {shares(distances[0] + distances[1] + distances[2], distances),
-        shares(nearness[0] + nearness[1] + nearness[2], nearness)}},
+       {shares(distances), shares({1 / length(a), 1 / length(b), 1 / length(c)})}},
   };
   for (const auto& [word, of] : wrong_edges)
     wrong += {{word, shares(of(a, b) + of(b, c) + of(c, a), {of(b, c), of(c, a), of(a, b)})}};
@@ -271,38 +237,35 @@ Slips<Weights> wrong_weights(Vector a, Vector b, Vector c) {
 }
 
 Exercise three_weights() {
-  const auto right = [](Vector a, Vector b, Vector c) {
+  const auto right = [](Vec3d a, Vec3d b, Vec3d c) {
     const RaySpace<double> along_z(Ray<double>{{0, 0, 0}, {0, 0, 1}});
     const Crossing<double> found = crossing(along_z, a, b, c);
     return Weights{found.a, found.b, found.c};
   };
-  Law<Weights(Vector, Vector, Vector)> law{
-      .right = right,
-      .places = {{"in the middle of the triangle each weight is 1/3",
-                  {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}},
-                 {"in the middle between a and b, each has 1/2",
-                  {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}},
-                 {"close to a, a has the largest weight",
-                  {{-0.1, -0.1, 0}, {0.9, -0.1, 0}, {-0.1, 0.9, 0}}},
-                 {"close to c, c has the largest weight",
-                  {{-0.1, -0.8, 0}, {0.9, -0.8, 0}, {-0.1, 0.2, 0}}},
-                 {"with the corners (-0.6, -0.4), (0.4, -0.4) and (0.4, 0.6)",
-                  {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
-                 {"the corners may run clockwise: the weights stay positive",
-                  {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}}},
-      .slips = wrong_weights,
-      .tolerance = 1e-6};
-  return exercise("08.2", "std::array<double, 3> weights(Vec3 a, Vec3 b, Vec3 c)", std::move(law),
-                  weights, crate);
+  const Places<Vec3d, Vec3d, Vec3d> places = {
+      {"in the middle of the triangle each weight is 1/3", {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}},
+      {"in the middle between a and b, each has 1/2", {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}},
+      {"close to a, a has the largest weight", {{-0.1, -0.1, 0}, {0.9, -0.1, 0}, {-0.1, 0.9, 0}}},
+      {"close to c, c has the largest weight", {{-0.1, -0.8, 0}, {0.9, -0.8, 0}, {-0.1, 0.2, 0}}},
+      {"with the corners (-0.6, -0.4), (0.4, -0.4) and (0.4, 0.6)",
+       {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
+      {"the corners may run clockwise: the weights stay positive",
+       {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}},
+  };
+  return exercise(weights, "08.2", "std::array<double, 3> weights(Vec3 a, Vec3 b, Vec3 c)",
+                  picture<Lesson>(), {right, wrong_weights, places, 1e-6});
+}
+
+Place2 sum_of(Place2 a, Place2 b, Place2 c, const Weights& w) {
+  return {w[0] * a.u + w[1] * b.u + w[2] * c.u, w[0] * a.v + w[1] * b.v + w[2] * c.v};
 }
 
 Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
-  const auto mix = [&](double x, double y, double z) -> Place2 {
-    return {x * a.u + y * b.u + z * c.u, x * a.v + y * b.v + z * c.v};
-  };
+  const auto mix = [&](double x, double y, double z) { return sum_of(a, b, c, {x, y, z}); };
   const auto [x, y, z] = weights;
   const auto [u, v] = mix(x, y, z);
   const double sum = x + y + z;
+  const Place2 heaviest = x >= y && x >= z ? a : y >= z ? b : c;
   return {
       {"all corners count the same: multiply each by its own weight", mix(1. / 3, 1. / 3, 1. / 3)},
       {"the corners have no weights: multiply each by its own weight, then add", mix(1, 1, 1)},
@@ -311,9 +274,7 @@ Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
        mix(1 - x, 1 - y, 1 - z)},
       {"the weights are added: multiply each corner by its own weight, then add",
        {a.u + b.u + c.u + sum, a.v + b.v + c.v + sum}},
-      {"you take the corner with the largest weight: mix all three", x >= y && x >= z ? a
-                                                                     : y >= z         ? b
-                                                                                      : c},
+      {"you take the corner with the largest weight: mix all three", heaviest},
       {"the weights of b and c are exchanged", mix(x, z, y)},
       {"the weights of a and b are exchanged", mix(y, x, z)},
       {"the weights of a and c are exchanged", mix(z, y, x)},
@@ -332,48 +293,24 @@ Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
       {"the sum is divided by 3, but the weights add up to 1 already", {u / 3, v / 3}},
       {"v is turned over: the corners have the v that the texture needs", {u, 1 - v}},
       {"coordinates may leave 0 to 1: the wrap mode comes later, so leave them",
-       {{std::clamp(u, 0., 1.), std::clamp(v, 0., 1.)}, {u - std::floor(u), v - std::floor(v)}}},
+       {{clamp(u, 0., 1.), clamp(v, 0., 1.)}, {fraction(u), fraction(v)}}},
   };
 }
 
 Exercise between_corners() {
-  const Place2 a{0, 0};
-  const Place2 b{1, 0};
-  const Place2 c{1, 1};
-  Law<Place2(Place2, Place2, Place2, Weights)> law{
-      .right =
-          [](Place2 p, Place2 q, Place2 r, Weights w) {
-            const MeshMapping mapping{{{p, q, r}}};
-            MeshHit<double> hit;
-            hit.a = w[0];
-            hit.b = w[1];
-            hit.c = w[2];
-            return mapping(hit);
-          },
-      .places =
-          {{"at corner a it is a", {a, b, c, {1, 0, 0}}},
-           {"at corner b it is b", {a, b, c, {0, 1, 0}}},
-           {"at corner c it is c", {a, b, c, {0, 0, 1}}},
-           {"in the middle between a and b, u is 1/2", {a, b, c, {0.5, 0.5, 0}}},
-           {"with the weights 0.4, 0.2 and 0.4 it is (0.6, 0.4)", {a, b, c, {0.4, 0.2, 0.4}}},
-           {"with corners (0.1, 0.7), (0.9, 0.2), (0.4, 0.6), weights 0.5, 0.3, 0.2: (0.4, 0.53)",
-            {{0.1, 0.7}, {0.9, 0.2}, {0.4, 0.6}, {0.5, 0.3, 0.2}}},
-           {"coordinates may be below 0 and above 1",
-            {{-4, -4}, {5, -4}, {5, 5}, {0.3, 0.5, 0.2}}}},
-      .slips = wrong_mixes};
-  return exercise("08.3", "Uv mixed(Uv a, Uv b, Uv c, std::array<double, 3> weights)",
-                  std::move(law), mixed, crate);
-}
-
-/// The weight of an edge's far end at the point that is seen in the middle of its image.
-double weight_in_the_middle(double near, double far) {
-  const Ray<double> ray{{0, 0, 0}, {0, 0, 1}};
-  const RaySpace<double> space(ray);
-  // The image of a point is (x / z, y / z): both ends are as far from the middle.
-  return crossing(space, seen_along(space, Vector{-near, -1e-9 * near, near}),
-                  seen_along(space, Vector{far, -1e-9 * far, far}),
-                  seen_along(space, Vector{0, near, near}))
-      .b;
+  const Place2 a{0, 0}, b{1, 0}, c{1, 1};
+  const Places<Place2, Place2, Place2, Weights> places = {
+      {"at corner a it is a", {a, b, c, {1, 0, 0}}},
+      {"at corner b it is b", {a, b, c, {0, 1, 0}}},
+      {"at corner c it is c", {a, b, c, {0, 0, 1}}},
+      {"in the middle between a and b, u is 1/2", {a, b, c, {0.5, 0.5, 0}}},
+      {"with the weights 0.4, 0.2 and 0.4 it is (0.6, 0.4)", {a, b, c, {0.4, 0.2, 0.4}}},
+      {"with corners (0.1, 0.7), (0.9, 0.2), (0.4, 0.6), weights 0.5, 0.3, 0.2: (0.4, 0.53)",
+       {{0.1, 0.7}, {0.9, 0.2}, {0.4, 0.6}, {0.5, 0.3, 0.2}}},
+      {"coordinates may be below 0 and above 1", {{-4, -4}, {5, -4}, {5, 5}, {0.3, 0.5, 0.2}}},
+  };
+  return exercise(mixed, "08.3", "Uv mixed(Uv a, Uv b, Uv c, std::array<double, 3> weights)",
+                  picture<Lesson>(), {sum_of, wrong_mixes, places});
 }
 
 }  // namespace
@@ -384,7 +321,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {{"08.a",
         "An edge goes from depth 1 to depth 4. Which weight does its far end have at "
         "the point that is seen in the middle of the edge's image?",
-        [] { return weight_in_the_middle(1, 4); }, ""},
+        [] { return 1. / (1 + 4); }, ""},
        {"08.b",
         "A point of the floor has u = -2.3. With the chapter's wrap mode, "
         "which u of the texture does it show?",

@@ -1,76 +1,65 @@
 // The exercises of chapter 09. The lesson's FilteredTexture is here a struct that calls the
 // student's function where it reads the floor.
 #include <array>
-#include <cmath>
 
 #include "09_texture_filtering/sheet.hpp"
 #include "engine/app/filter_options.hpp"
 #include "exercises.hpp"
 #include "texture/environment.hpp"
 
-namespace texmap::check {
-
-static Hook<int(int, int)> repeated_column;
-static Hook<std::array<double, 2>(double, int)> weights_of;
-static Hook<double(double)> level_of_width;
-
-}  // namespace texmap::check
-
 namespace texmap::chapter_09 {
+
+static std::function<int(int, int)> repeated_column;
+static std::function<std::array<double, 2>(double, int)> weights_of;
+static std::function<double(double)> level_of_width;
 
 struct FilteredTexture : texmap::FilteredTexture {
   FilteredTexture() = default;
   FilteredTexture(texmap::FilteredTexture other) : texmap::FilteredTexture(std::move(other)) {}
 
-  Color<double> operator()(const Uv<double>& uv) const {
+  Rgb operator()(const Uv<double>& uv) const {
     const bool floor = wrap == Wrap::repeat;  // the globes' is spherical
-    if (floor && check::repeated_column) return nearest_texel({uv.u, 1 - uv.v});
-    if (floor && check::weights_of) return four_texels_mixed({uv.u, 1 - uv.v});
+    if (floor && repeated_column) return nearest_texel({uv.u, 1 - uv.v});
+    if (floor && weights_of) return four_texels_mixed({uv.u, 1 - uv.v});
     return texmap::FilteredTexture::operator()(uv);
   }
   Color<Dual<double>> operator()(const Uv<Dual<double>>& uv) const {
-    if (wrap != Wrap::repeat || !check::level_of_width)
-      return texmap::FilteredTexture::operator()(uv);
-    const Color<double> color = between_levels(uv);
+    if (wrap != Wrap::repeat || !level_of_width) return texmap::FilteredTexture::operator()(uv);
+    // As wide as the footprint is long, by the filter trilinear.
+    const double longer = footprint_of(uv, whole().width, whole().height).longer;
+    const double last = pyramid.last_level();
+    const double level = clamp(level_of_width(longer), 0.0, last);
+    const double fine = floor(level);
+    const Rgb color =
+        trilinear({uv.u.value, 1 - uv.v.value},
+                  TwoLevels<double>{level_of(pyramid, fine), level_of(pyramid, min(fine + 1, last)),
+                                    level - fine, level > fine});
     return {color.r, color.g, color.b};
   }
 
  private:
   [[nodiscard]] PyramidLevel<double> whole() const { return level_of(pyramid, 0.0); }
 
-  Color<double> nearest_texel(const Uv<double>& at) const {
+  Rgb nearest_texel(const Uv<double>& at) const {
     const int width = pyramid.levels.front().width;
-    const int column = check::repeated_column.yours(static_cast<int>(floor(at.u * width)), width);
+    const int column = repeated_column(static_cast<int>(floor(at.u * width)), width);
     if (column < 0 || column >= width) return {1, 0, 1};  // magenta: outside the picture
     const double height = whole().height;
     return texel_light(pyramid, whole(), double(column),
                        remainder_of(floor(at.v * height), height));
   }
-  Color<double> four_texels_mixed(const Uv<double>& at) const {
+  Rgb four_texels_mixed(const Uv<double>& at) const {
     const PyramidLevel<double> level = whole();
     const Uv<double> inside{wrapped_coordinate(wrap, at.u), wrapped_coordinate(wrap, at.v)};
-    const auto [left, right] = check::weights_of.yours(inside.u, static_cast<int>(level.width));
-    const auto [top, bottom] = check::weights_of.yours(inside.v, static_cast<int>(level.height));
+    const auto [left, right] = weights_of(inside.u, static_cast<int>(level.width));
+    const auto [top, bottom] = weights_of(inside.v, static_cast<int>(level.height));
     const auto columns = wrapped_neighbors(wrap, floor(inside.u * level.width - 0.5), level.width);
     const auto rows = wrapped_neighbors(wrap, floor(inside.v * level.height - 0.5), level.height);
-    const auto texel = [&](double column, double row) {
-      return texel_light(pyramid, level, column, row);
+    const auto mixed = [&, left = left, right = right](double row) {
+      return texel_light(pyramid, level, columns.first, row) * left +
+             texel_light(pyramid, level, columns.second, row) * right;
     };
-    return (texel(columns.first, rows.first) * left + texel(columns.second, rows.first) * right) *
-               top +
-           (texel(columns.first, rows.second) * left + texel(columns.second, rows.second) * right) *
-               bottom;
-  }
-  /// A read as wide as the footprint is long, by the filter trilinear.
-  Color<double> between_levels(const Uv<Dual<double>>& uv) const {
-    const Footprint<double> footprint = footprint_of(uv, whole().width, whole().height);
-    const double last = pyramid.last_level();
-    const double level = clamp(check::level_of_width.yours(footprint.longer), 0.0, last);
-    const double fine = floor(level);
-    return trilinear(
-        {uv.u.value, 1 - uv.v.value},
-        TwoLevels<double>{level_of(pyramid, fine), level_of(pyramid, min(fine + 1, last)),
-                          level - fine, level > fine});
+    return mixed(rows.first) * top + mixed(rows.second) * bottom;
   }
 };
 
@@ -85,28 +74,15 @@ inline void show_filters(Lesson&, Session&) {}
 namespace texmap::check {
 namespace {
 
-using chapter_09::Lesson;
+using namespace chapter_09;
+
 using Weights = std::array<double, 2>;
 
-Image crates() {
-  auto lesson =
-      prepared<Lesson>({"--filter", "nearest", "--scene", "plane", "--floor", "crate.png"});
-  lesson.ground.mapping.mapping.size = 3;
-  return picture_of(lesson);
-}
-
-/// A floor of 8 x 8 texels, half a unit wide.
-Image large_texels() {
-  auto lesson = prepared<Lesson>({"--filter", "bilinear", "--scene", "plane"});
-  LightImage image(8, 8);
-  for (int row = 0; row < 8; ++row) {
-    for (int column = 0; column < 8; ++column) {
-      const int kind = (column + 2 * row) % 3;
-      image.at(column, row) = number_cast<float>(kind == 0 ? blue : kind == 1 ? red : white);
-    }
-  }
-  lesson.ground.texture.pyramid = pyramid_of(image);
-  lesson.ground.mapping.mapping.size = 4;
+/// The floor drawn by this filter, its picture so wide.
+Image drawn_floor(const char* filter, double size, const LightImage* texels = nullptr) {
+  auto lesson = prepared<Lesson>({"--filter", filter, "--scene", "plane", "--floor", "crate.png"});
+  if (texels != nullptr) lesson.ground.texture.pyramid = pyramid_of(*texels);
+  lesson.ground.mapping.mapping.size = size;
   return picture_of(lesson);
 }
 
@@ -118,15 +94,14 @@ Slips<int> wrong_columns(int column, int width) {
     return other < 0 ? other + added : other;
   };
   const int from_left = column < 0 ? column + width : column;  // by one width
-  int up = column;
-  while (up < 0) up += width;
+  const int up = column < 0 ? (rest + width) % width : column;
   int down = up;
   while (down > width) down -= width;
   return {
       {"the rest is below 0 where the column is: add the width there", rest},
       {"without its sign, a column left of the picture is counted from the wrong side: the floor "
        "is mirrored there",
-       std::abs(rest)},
+       abs(rest)},
       {"you add the width to every rest below 1: 0 must stay 0", rest <= 0 ? rest + width : rest},
       {"-4 of 4 must be 0: add the width where the rest is below 0, not where the column is",
        column < 0 ? rest + width : rest},
@@ -150,66 +125,61 @@ Slips<int> wrong_columns(int column, int width) {
        column < 0 ? column : rest},
       {"columns right of the picture stay there: take the rest there, too", up},
       {"your floor shows the picture once, and then the column of its edge: that is clamp",
-       std::clamp(column, 0, width - 1)},
+       clamp(column, 0, width - 1)},
       {"your floor shows the picture once, and then always column 0: the picture is repeated",
        column < 0 || column >= width ? 0 : column},
   };
 }
 
 Exercise again_and_again() {
-  Law<int(int, int)> law{
-      .right = [](int column,
-                  int width) { return static_cast<int>(remainder_of(1.0 * column, 1.0 * width)); },
-      .places = {{"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
-                 {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
-                 {"column 5 of 4 is column 1", {5, 4}},
-                 {"the first column left of the picture, -1 of 4, is the last one, 3", {-1, 4}},
-                 {"column -3 of 4 is column 1", {-3, 4}},
-                 {"column -4 of 4 is column 0", {-4, 4}},
-                 {"column -5 of 4 is column 3", {-5, 4}},
-                 {"column 70 of 8 is column 6", {70, 8}},
-                 {"column -70 of 8 is column 2", {-70, 8}},
-                 {"column -10 of 6 is column 2", {-10, 6}}},
-      .slips = wrong_columns};
-  return exercise("09.1", "int repeated_column(int column, int width)", std::move(law),
-                  repeated_column, crates);
+  const auto right = [](int column, int width) {
+    return static_cast<int>(remainder_of(1.0 * column, 1.0 * width));
+  };
+  const Places<int, int> places = {
+      {"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
+      {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
+      {"column 5 of 4 is column 1", {5, 4}},
+      {"the first column left of the picture, -1 of 4, is the last one, 3", {-1, 4}},
+      {"column -3 of 4 is column 1", {-3, 4}},
+      {"column -4 of 4 is column 0", {-4, 4}},
+      {"column -5 of 4 is column 3", {-5, 4}},
+      {"column 70 of 8 is column 6", {70, 8}},
+      {"column -70 of 8 is column 2", {-70, 8}},
+      {"column -10 of 6 is column 2", {-10, 6}},
+  };
+  return exercise(repeated_column, "09.1", "int repeated_column(int column, int width)",
+                  [] { return drawn_floor("nearest", 3); }, {right, wrong_columns, places});
 }
 
-double part(double x) { return x - std::floor(x); }
-
-Slips<Weights> wrong_weights(double u, int width) {
-  const double x = u * width - 0.5;
-  const double right = part(x);
+Slips<Weights> wrong_weights(double u, int w) {
+  const double x = u * w - 0.5;
+  const double right = fraction(x);
   /// By the weight of the texel on the right, and with the weights exchanged.
   const auto both = [](std::initializer_list<double> weights) {
     std::vector<Weights> pairs;
-    for (const double weight : weights) {
-      pairs.push_back({1 - weight, weight});
-      pairs.push_back({weight, 1 - weight});
-    }
+    for (const double r : weights) pairs.insert(pairs.end(), {{1 - r, r}, {r, 1 - r}});
     return pairs;
   };
   return {
       {"the weights are exchanged: the closer texel must count more", {right, 1 - right}},
       {"half a texel is missing: the center of texel k is at k + 1/2, not at k (1 / 2 as int is 0)",
-       both({part(u * width)})},
-      {"half a texel is subtracted from u: write u * width - 0.5", both({part((u - 0.5) * width)})},
+       both({fraction(u * w)})},
+      {"half a texel is subtracted from u: write u * width - 0.5", both({fraction((u - 0.5) * w)})},
       {"u is multiplied by width - 1: u = 1 is the right edge of the last texel, not its center",
-       both({part(u * (width - 1)), part(u * (width - 1) - 0.5)})},
-      {"u runs from 0 to 1: multiply it by width to count texels", both({part(u - 0.5), u})},
+       both({fraction(u * (w - 1)), fraction(u * (w - 1) - 0.5)})},
+      {"u runs from 0 to 1: multiply it by width to count texels", both({fraction(u - 0.5), u})},
       {"all weight is on one side: x must be a double, and the right texel has x - std::floor(x)",
        both({0})},
-      {"the nearer texel has all the weight: this is the filter nearest",
-       both({std::round(right)})},
+      {"the nearer texel has all the weight: this is the filter nearest", both({round(right)})},
       {"the part is cut off toward 0, so it is below 0 at the left edge: use std::floor",
-       both({x - std::trunc(x)})},
+       both({x - trunc(x)})},
       {"the part is cut off toward 0 and loses its sign at the left edge: use std::floor",
-       both({std::abs(std::fmod(x, 1))})},
+       both({abs(fmod(x, 1))})},
       {"this is the distance to the nearest center: take that to the one on the left, std::floor",
-       both({std::abs(std::remainder(x, 1)), x - std::round(x)})},
+       both({abs(remainder(x, 1)), x - round(x)})},
       {"std::ceil(x) is the center on the right: the right texel has x - std::floor(x)",
-       both({std::ceil(x) - x})},
-      {"this is a place and no part: subtract std::floor(x)", both({x, std::floor(x)})},
+       both({ceil(x) - x})},
+      {"this is a place and no part: subtract std::floor(x)", both({x, floor(x)})},
       {"both texels count 1/2 everywhere: this blurs, but does not mix by distance", both({0.5})},
       {"both weights are the same: they add up to 1, so the left one is 1 - right",
        {{right, right}, {1 - right, 1 - right}}},
@@ -217,30 +187,32 @@ Slips<Weights> wrong_weights(double u, int width) {
 }
 
 Exercise mix_two_texels() {
-  Law<Weights(double, int)> law{
-      .right =
-          [](double u, int width) {
-            const double right = four_texels(Uv<double>{u, 0.5}, width, 2).across;
-            return Weights{1 - right, right};
-          },
-      .places =
-          {{"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
-           {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
-           {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4",
-            {0.4375, 4}},
-           {"u = 9/16 is three quarters of the way from center 1 to center 2 of 4: 1/4 and 3/4",
-            {0.5625, 4}},
-           {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9",
-            {0.3, 8}},
-           {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4",
-            {0.25, 5}},
-           {"on the left edge, u = 0, the texel on the left is the last one of the picture "
-            "again: 1/2 and 1/2",
-            {0, 4}},
-           {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}}},
-      .slips = wrong_weights};
-  return exercise("09.2", "std::array<double, 2> weights_of(double u, int width)", std::move(law),
-                  weights_of, large_texels);
+  const auto right = [](double u, int width) {
+    const double right = four_texels(Uv<double>{u, 0.5}, width, 2).across;
+    return Weights{1 - right, right};
+  };
+  const Places<double, int> places = {
+      {"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
+      {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
+      {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4", {0.4375, 4}},
+      {"u = 9/16 is three quarters of the way from center 1 to center 2 of 4: 1/4 and 3/4",
+       {0.5625, 4}},
+      {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9", {0.3, 8}},
+      {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4", {0.25, 5}},
+      {"on the left edge, u = 0, the texel on the left is the last one of the picture "
+       "again: 1/2 and 1/2",
+       {0, 4}},
+      {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}},
+  };
+  const auto draw = [] {  // texels half a unit wide
+    LightImage image(8, 8);
+    for (int i = 0; i < 64; ++i)
+      image.at(i % 8, i / 8) =
+          number_cast<float>(std::array{blue, red, white}[(i % 8 + i / 8 * 2) % 3]);
+    return drawn_floor("bilinear", 4, &image);
+  };
+  return exercise(weights_of, "09.2", "std::array<double, 2> weights_of(double u, int width)", draw,
+                  {right, wrong_weights, places});
 }
 
 double level_of(double width) {
@@ -249,24 +221,21 @@ double level_of(double width) {
 }
 
 Slips<double> wrong_levels(double width) {
-  const double at_least_1 = std::max(width, 1.);
-  const double at_most_1 = std::min(width, 1.);
+  const double w1 = max(width, 1.);
   const auto third = [](double scaled) { return (scaled * scaled - 1) / 3; };
   Slips<double> wrong = {
-      {"this is the logarithm log2: right at whole levels, up to 0.17 off between them",
-       std::log2(at_least_1)},
+      {"this is the logarithm log2: right at whole levels, up to 0.17 off between them", log2(w1)},
       {"widths below 1 must count as 1: there is no level below 0",
-       {std::log2(width), width < 1 ? third(width) : level_of(width)}},
-      {"this is the natural logarithm: a level is a power of 2",
-       {std::log(at_least_1), std::log(width)}},
-      {"std::min makes every width 1 or less: take std::max(width, 1.0)", third(at_most_1)},
+       {log2(width), width < 1 ? third(width) : level_of(width)}},
+      {"this is the natural logarithm: a level is a power of 2", {log(w1), log(width)}},
+      {"std::min makes every width 1 or less: take std::max(width, 1.0)", third(min(width, 1.))},
   };
-  const double l = std::floor(std::log2(at_least_1));
-  for (const double w : {at_least_1, width}) {
-    const double scaled = w / std::exp2(l);
+  const double l = floor(log2(w1));
+  for (const double w : {w1, width}) {
+    const double scaled = w / exp2(l);
     const double square = scaled * scaled;
     const double f = third(scaled);
-    const auto at = [=](double level) { return level + third(w / std::exp2(level)); };
+    const auto at = [=](double level) { return level + third(w / exp2(level)); };
     wrong += {
         {"this is the whole level alone: add f, and compute with double, not int", l},
         {"this is f alone: add the whole level l", f},
@@ -286,40 +255,26 @@ Slips<double> wrong_levels(double width) {
         {"2^l is 2 to the power l, std::exp2(l), not 2 * l", l + third(w / (2 * l))},
         {"2 ^ l is no power in C++ (it compares bits): halve the width l times",
          l + third(w / (2 ^ static_cast<int>(l)))},
-        {"l is the level below the width, by std::floor",
-         {at(std::ceil(std::log2(w))), at(std::round(std::log2(w)))}},
+        {"l is the level below the width, by std::floor", {at(ceil(log2(w))), at(round(log2(w)))}},
     };
   }
   return wrong;
 }
 
 Exercise which_level() {
-  Law<double(double)> law{
-      .right = level_of,
-      .places = {{"a read 1 texel wide is at level 0", {1}},
-                 {"a read 2 texels wide is at level 1", {2}},
-                 {"8 = 2^3 texels are at level 3", {8}},
-                 {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
-                 {"1.5 texels: l = 0, and f = (1.5^2 - 1) / 3 = 0.4167", {1.5}},
-                 {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
-                 {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
-                 {"a footprint of width 0 is at level 0", {0}}},
-      .slips = wrong_levels};
-  return exercise("09.3", "double level_of_width(double width)", std::move(law), level_of_width,
-                  [] {
-                    return drawn<Lesson>({"--filter", "trilinear", "--scene", "plane"});
-                  });
-}
-
-/// The byte that shows half of the light of white.
-double byte_of_half() {
-  const Lesson lesson;
-  return byte_of(lesson.shown(gray(0.5)).g);
-}
-
-double texels_of_pyramid() {
-  const auto lesson = prepared<Lesson>({"--scene", "plane"});
-  return static_cast<double>(lesson.ground.texture.pyramid.texels.size());
+  const Places<double> places = {
+      {"a read 1 texel wide is at level 0", {1}},
+      {"a read 2 texels wide is at level 1", {2}},
+      {"8 = 2^3 texels are at level 3", {8}},
+      {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
+      {"1.5 texels: l = 0, and f = (1.5^2 - 1) / 3 = 0.4167", {1.5}},
+      {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
+      {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
+      {"a footprint of width 0 is at level 0", {0}},
+  };
+  return exercise(level_of_width, "09.3", "double level_of_width(double width)",
+                  picture<Lesson>({"--filter", "trilinear", "--scene", "plane"}),
+                  {level_of, wrong_levels, places});
 }
 
 }  // namespace
@@ -330,11 +285,15 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {{"09.a",
         "Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean "
         "of their light?",
-        byte_of_half, "", 0},
+        [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); }, "", 0},
        {"09.b",
         "How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
         "together?",
-        texels_of_pyramid, "texels"}},
+        [] {
+          const auto lesson = prepared<Lesson>({"--scene", "plane"});
+          return double(lesson.ground.texture.pyramid.texels.size());
+        },
+        "texels"}},
   };
   return chapter;
 }

@@ -1,10 +1,5 @@
 // The exercises of chapter 11. The lesson's Bumps is here a struct that calls the student's
 // function: with heights, or with a normal map that it makes of them.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "11_bump_and_normal_maps/sheets.hpp"
 #include "engine/app/bump_options.hpp"
 #include "exercises.hpp"
@@ -12,15 +7,11 @@
 #include "texture/bump.hpp"
 #include "texture/normal_map.hpp"
 
-namespace texmap::check {
-
-static Hook<Vec3<double>(double, double, double, double)> bump_normal;
-static Hook<Vec3<double>(int, int, int)> normal_of_texel;
-static Hook<Vec3<double>(Vec3<double>, Vec3<double>, double)> bitangent_of;
-
-}  // namespace texmap::check
-
 namespace texmap::chapter_11 {
+
+static std::function<Vec3d(double, double, double, double)> bump_normal;
+static std::function<Vec3d(int, int, int)> normal_of_texel;
+static std::function<Vec3d(Vec3d, Vec3d, double)> bitangent_of;
 
 /// Members as in texmap::Bumps, in the order in which the lesson names them.
 template <class Height>
@@ -31,32 +22,29 @@ struct Bumps {
   SlopeFrom slopes = SlopeFrom::duals;
   double step = 1e-3;
 
-  Vec3<double> operator()(const Hit<double>& hit, double curvature) const {
-    const Vec3<double>& n = hit.normal;
-    const Vec3<double> east = normalize(Vec3<double>{n.z, 0, -n.x});
-    const Vec3<double> north = cross(n, east);
-    const auto sum = [&](const Vec3<double>& tangent, const Vec3<double>& bitangent,
-                         const Vec3<double>& parts) {
+  Vec3d operator()(const Hit<double>& hit, double curvature) const {
+    const Vec3d& n = hit.normal;
+    const Vec3d east = normalize(Vec3d{n.z, 0, -n.x});
+    const Vec3d north = cross(n, east);
+    const auto sum = [&](const Vec3d& tangent, const Vec3d& bitangent, const Vec3d& parts) {
       return tangent * parts.x + bitangent * parts.y + n * parts.z;
     };
-    const auto height_at = [&](const Vec3<double>& offset) {
+    const auto height_at = [&](const Vec3d& offset) {
       return relief * height(moved(hit, offset, curvature)).r;
     };
     const double here = height_at({}), right = height_at(east * step), up = height_at(north * step);
-    if (check::bump_normal)
-      return sum(east, north, check::bump_normal.yours(here, right, up, step));
+    if (bump_normal) return sum(east, north, bump_normal(here, right, up, step));
 
     const Slope<double> slope{here, (right - here) / step, (up - here) / step};
-    const Vec3<double> raised = raised_normal(n, {east, north}, slope, curvature, form);
+    const Vec3d raised = raised_normal(n, {east, north}, slope, curvature, form);
     // The right half of the globe has a mirrored copy of the map: there u grows westward.
-    const double sign = check::bitangent_of && n.x > 0 ? -1 : 1;
-    const Vec3<double> t = east * sign;
+    const double sign = bitangent_of && n.x > 0 ? -1 : 1;
+    const Vec3d t = east * sign;
     const Rgb8 texel = color_of_normal({dot(raised, t), dot(raised, north), dot(raised, n)});
-    const Vec3<double> parts =
-        check::normal_of_texel
-            ? check::normal_of_texel.yours(texel.r, texel.g, texel.b)
-            : normal_of_color(Color<double>{texel.r / 255.0, texel.g / 255.0, texel.b / 255.0});
-    const Vec3<double> b = check::bitangent_of ? check::bitangent_of.yours(n, t, sign) : north;
+    const Vec3d parts =
+        normal_of_texel ? normal_of_texel(texel.r, texel.g, texel.b)
+                        : normal_of_color(Rgb{texel.r / 255.0, texel.g / 255.0, texel.b / 255.0});
+    const Vec3d b = bitangent_of ? bitangent_of(n, t, sign) : north;
     return normalize(sum(t, b, parts));
   }
 };
@@ -80,36 +68,26 @@ inline void show_bumps(Lesson&, Session&) {}
 namespace texmap::check {
 namespace {
 
-using Vector = Vec3<double>;
+using namespace chapter_11;
 
-Image globe() {
-  auto lesson = prepared<chapter_11::Lesson>();
-  lesson.stage.camera.fov_y_degrees = 21;
-  return picture_of(lesson);
-}
+std::function<Image()> globe() { return picture<Lesson>({}, 21); }
 
 /// Both slopes by the same wrong formula.
-Slips<Vector> wrong_slopes(double here, double right, double up, double step) {
-  const double x = (right - here) / step;
-  const double y = (up - here) / step;
-  const auto both = [=](auto slope) { return Vector{slope(right), slope(up), 1}; };
-  const auto missing =
-      "here is missing: a slope is the difference of two heights, divided by the step";
-  const auto brackets = "/ comes before -: write (right - here) / step, and the same with up";
+Slips<Vec3d> wrong_slopes(double h, double right, double up, double step) {
+  const double dx = right - h, dy = up - h;
+  const double x = dx / step, y = dy / step;
   return {
-      {missing, both([=](double other) { return other / step; })},
-      {missing, {right, up, 1}},
-      {brackets, both([=](double other) { return other - here / step; })},
-      {brackets, both([=](double other) { return other / step - here; })},
-      {"divide the difference by the step: you multiply them",
-       {(right - here) * step, (up - here) * step, 1}},
+      {"here is missing: a slope is the difference of two heights, divided by the step",
+       {{right / step, up / step, 1}, {right, up, 1}}},
+      {"/ comes before -: write (right - here) / step, and the same with up",
+       {{right - h / step, up - h / step, 1}, {right / step - h, up / step - h, 1}}},
+      {"divide the difference by the step: you multiply them", {dx * step, dy * step, 1}},
       {"divide the difference by the step, not the step by the difference", {1 / x, 1 / y, 1}},
       {"here and right are one step apart, not two: your slopes are half of the right ones",
        {x / 2, y / 2, 1}},
       {"a slope has a sign: without it the normal leans to the same side everywhere",
-       {std::abs(x), std::abs(y), 1}},
-      {"this is the angle of the slope: the normal needs the slope itself",
-       {std::atan(x), std::atan(y), 1}},
+       {abs(x), abs(y), 1}},
+      {"this is the angle of the slope: the normal needs the slope itself", {atan(x), atan(y), 1}},
       {"the slope upward is up - here: yours compares up with right", {x, (up - right) / step, 1}},
       {"the slope to the right is right - here: yours compares right with up",
        {(right - up) / step, y, 1}},
@@ -117,108 +95,102 @@ Slips<Vector> wrong_slopes(double here, double right, double up, double step) {
       {"the slope upward is missing: y is its negative", {x, 0, 1}},
       {"the slope to the right is missing: x is its negative", {0, y, 1}},
       {"a slope is the difference divided by the step: here only that to the right is divided",
-       {x, up - here, 1}},
+       {x, dy, 1}},
       {"the slope to the right belongs to x, the slope upward to y: yours are exchanged",
        {y, x, 1}},
       {"the third number is missing: the flat surface's own normal is (0, 0, 1)", {x, y, 0}},
       {"the third number is 1 once the differences are divided by the step, not the step again",
        {x, y, step}},
-      {"the third number is 1: the surface is flat, and 1 + h / R is for a ball", {x, y, 1 + here}},
-      {"the third number is 1: how high the surface is does not count, only its slopes",
-       {x, y, here}},
+      {"the third number is 1: the surface is flat, and 1 + h / R is for a ball", {x, y, 1 + h}},
+      {"the third number is 1: how high the surface is does not count, only its slopes", {x, y, h}},
   };
 }
 
-Slips<Vector> wrong_normals(double here, double right, double up, double step) {
-  const double to_right = right - here;
-  const double upward = up - here;
-  const double x = to_right / step;
-  const double y = upward / step;
+Slips<Vec3d> wrong_normals(double here, double right, double up, double step) {
+  const double dx = right - here, dy = up - here;
+  const double x = dx / step, y = dy / step;
+  const auto unit = [](double a, double b, double c) { return normalize(Vec3d{a, b, c}); };
   /// As it is, and of length 1.
-  const auto any_length = [](const Vector& n) { return std::vector{normalize(n), n}; };
-  Slips<Vector> wrong = {
-      {"your normal leans uphill: bumps look like dents. Subtract the gradient",
-       normalize(Vector{x, y, 1})},
+  const auto any_length = [](const Vec3d& n) { return std::vector{normalize(n), n}; };
+  Slips<Vec3d> wrong = {
+      {"your normal leans uphill: bumps look like dents. Subtract the gradient", unit(x, y, 1)},
       {"your normal is not a unit vector: the light on slopes is too bright", {-x, -y, 1}},
-      {"your normal leans uphill, and it is not a unit vector",
-       {{x, y, 1}, {to_right, upward, step}}},
+      {"your normal leans uphill, and it is not a unit vector", {{x, y, 1}, {dx, dy, step}}},
       {"your normal has the right direction; divide it by its length, with normalize",
-       {{-to_right, -upward, step}, {-to_right * step, -upward * step, step * step}}},
+       {{-dx, -dy, step}, {-dx * step, -dy * step, step * step}}},
       {"the order matters: right x up, not up x right; and make the length 1",
-       {to_right * step, upward * step, -step * step}},
+       {dx * step, dy * step, -step * step}},
       {"the slope upward has the wrong sign: the light comes from the wrong side along y",
        any_length({-x, y, 1})},
       {"the slope to the right has the wrong sign: the light comes from the wrong side along x",
        any_length({x, -y, 1})},
       {"a slope is the difference divided by the step: your bumps are nearly flat",
-       normalize(Vector{-to_right, -upward, 1})},
+       unit(-dx, -dy, 1)},
       {"a slope is the difference divided by the step; and make the length 1, with normalize",
-       {-to_right, -upward, 1}},
+       {-dx, -dy, 1}},
       {"a slope is the difference divided by the step; and subtract the gradient",
-       any_length({to_right, upward, 1})},
+       any_length({dx, dy, 1})},
       {"divide by the length of the vector, not by its square",
-       Vector{-x, -y, 1} * (1 / (x * x + y * y + 1))},
+       Vec3d{-x, -y, 1} * (1 / (x * x + y * y + 1))},
       {"your normal points inward, away from the light: its third number must be 1, not -1",
-       normalize(Vector{-x, -y, -1})},
+       unit(-x, -y, -1)},
       {"your normal points inward: all three numbers have the other sign", any_length({x, y, -1})},
       {"do not choose z for the length 1: steeper than 45 degrees it has no root. Take 1, "
        "normalize",
-       any_length({-x, -y, std::sqrt(1 - x * x - y * y)})},
+       any_length({-x, -y, sqrt(1 - x * x - y * y)})},
       {"your vector lies along the surface: the normal is at a right angle to it",
-       {normalize(Vector{1, 0, x}), normalize(Vector{1, 1, x + y})}},
+       {unit(1, 0, x), unit(1, 1, x + y)}},
       {"z is out of the surface here, not y: return the 1 as the third number",
-       {normalize(Vector{-x, 1, -y}), normalize(Vector{x, 1, y}), Vector{-x, 1, -y}}},
+       {unit(-x, 1, -y), unit(x, 1, y), Vec3d{-x, 1, -y}}},
   };
   // Downhill and uphill, of length 1 and not.
-  const Slips<Vector> slopes = wrong_slopes(here, right, up, step);
+  const Slips<Vec3d> slopes = wrong_slopes(here, right, up, step);
   for (const double sign : {-1, 1}) {
-    const auto leaning = [=](const Vector& s) { return Vector{sign * s.x, sign * s.y, s.z}; };
-    wrong += changed(slopes, [=](const Vector& s) { return normalize(leaning(s)); });
+    const auto leaning = [=](const Vec3d& s) { return Vec3d{sign * s.x, sign * s.y, s.z}; };
+    wrong += changed(slopes, [=](const Vec3d& s) { return normalize(leaning(s)); });
     wrong += changed(slopes, leaning);
   }
   return wrong;
 }
 
 Exercise normal_of_a_bump() {
-  Law<Vector(double, double, double, double)> law{
-      .right =
-          [](double here, double right, double up, double step) {
-            const Slope<double> slope{here, (right - here) / step, (up - here) / step};
-            return raised_normal(Vector{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}}, slope, 0.0,
-                                 BumpForm::exact);
-          },
-      .places = {{"where the heights are equal, the normal is (0, 0, 1)", {2, 2, 2, 0.5}},
-                 {"the slope 1 to the right: the normal leans to the left by 45 degrees",
-                  {0, 1, 0, 1}},
-                 {"the slope 1 upward: the normal leans down by 45 degrees", {0, 0, 1, 1}},
-                 {"a height of 0.01 on a step of 0.04 is the slope 1/4", {0, 0.01, 0, 0.04}},
-                 {"the slope -3/4 to the right: the normal leans to the right", {0.3, 0, 0.3, 0.4}},
-                 {"slopes to both sides, on a hill", {1, 1.2, 0.7, 0.1}},
-                 {"the normal has the length 1, also on a steep slope", {0, 5, 3, 0.1}}},
-      .slips = wrong_normals};
-  return exercise("11.1", "Vec3 bump_normal(double here, double right, double up, double step)",
-                  std::move(law), bump_normal, globe);
+  const auto right = [](double here, double right, double up, double step) {
+    const Slope<double> slope{here, (right - here) / step, (up - here) / step};
+    return raised_normal(Vec3d{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}}, slope, 0.0, BumpForm::exact);
+  };
+  const Places<double, double, double, double> places = {
+      {"where the heights are equal, the normal is (0, 0, 1)", {2, 2, 2, 0.5}},
+      {"the slope 1 to the right: the normal leans to the left by 45 degrees", {0, 1, 0, 1}},
+      {"the slope 1 upward: the normal leans down by 45 degrees", {0, 0, 1, 1}},
+      {"a height of 0.01 on a step of 0.04 is the slope 1/4", {0, 0.01, 0, 0.04}},
+      {"the slope -3/4 to the right: the normal leans to the right", {0.3, 0, 0.3, 0.4}},
+      {"slopes to both sides, on a hill", {1, 1.2, 0.7, 0.1}},
+      {"the normal has the length 1, also on a steep slope", {0, 5, 3, 0.1}},
+  };
+  return exercise(bump_normal, "11.1",
+                  "Vec3 bump_normal(double here, double right, double up, double step)", globe(),
+                  {right, wrong_normals, places});
 }
 
 /// The three numbers from -1 to 1 that a texel means.
-Vector numbers_of(int red, int green, int blue) {
-  return normal_of_color(Color<double>{red / 255.0, green / 255.0, blue / 255.0});
+Vec3d numbers_of(int red, int green, int blue) {
+  return normal_of_color(Rgb{red / 255.0, green / 255.0, blue / 255.0});
 }
 
-constexpr const char* middle =
+constexpr auto middle =
     "the middle is 127.5, between two bytes: subtract 127.5, then divide by 127.5";
 
 /// A channel's number from -1 to 1 as many compute it.
 Slips<double> wrong_channels(int byte) {
-  const double c = byte / 255.0;
-  const double n = byte / 127.5 - 1;
-  const auto whole = [](int number) { return 1.0 * number; };
+  const double c = byte / 255.0, n = byte / 127.5 - 1;
+  const auto doubles = [](std::vector<int> all) {
+    return std::vector<double>(all.begin(), all.end());
+  };
   return {
       {"a channel means 2c - 1: your numbers run from 0 to 1 and never point left or down", c},
       {"you divide whole numbers, and the rest is lost: write 2 * (red / 255.0) - 1",
-       {whole(2 * (byte / 255) - 1), whole(2 * byte / 255 - 1), whole(byte / 255),
-        whole(byte / 128 - 1), whole(byte / 127 - 1), whole((byte - 128) / 128),
-        whole((byte - 128) / 127), whole((byte - 127) / 128)}},
+       doubles({2 * (byte / 255) - 1, 2 * byte / 255 - 1, byte / 255, byte / 128 - 1,
+                byte / 127 - 1, (byte - 128) / 128, (byte - 128) / 127, (byte - 127) / 128})},
       {middle, {(byte - 127) / 128.0, (byte - 127) / 127.5, byte / 127.0 - 1}},
       {"your numbers run from -1 to 0: double c, then subtract 1", c - 1},
       {"your numbers run from -1/2 to 3/2: subtract 1 from 2c, not 1/2", 2 * c - 0.5},
@@ -227,8 +199,8 @@ Slips<double> wrong_channels(int byte) {
       {"this goes back, from a number to its channel: the number is 2c - 1", (c + 1) / 2},
       {"/ comes before -, and divides what stands right before it: 2 * (red / 255.0) - 1",
        {2 * byte - 1 / 255.0, (2 * byte - 1) / 255.0}},
-      {"bytes below 128 mean numbers below 0: do not limit them to 0", std::max(n, 0.0)},
-      {"bytes below 128 mean numbers below 0: keep their sign", std::abs(n)},
+      {"bytes below 128 mean numbers below 0: do not limit them to 0", max(n, 0.0)},
+      {"bytes below 128 mean numbers below 0: keep their sign", abs(n)},
       {"a normal map stores numbers, not colors: leave srgb_decode out", 2 * srgb_decode(c) - 1},
   };
 }
@@ -254,15 +226,16 @@ Slips<double> wrong_scales(int byte) {
 }
 
 /// The table of a channel for all three.
-Slips<Vector> of_texel(Slips<double> (*table)(int), int red, int green, int blue) {
-  const auto vector = [](double r, double g, double b) { return Vector{r, g, b}; };
+Slips<Vec3d> of_texel(Slips<double> (*table)(int), int red, int green, int blue) {
+  const auto vector = [](double r, double g, double b) { return Vec3d{r, g, b}; };
   return combined(vector, table(red), table(green), table(blue));
 }
 
-Slips<Vector> wrong_texels(int red, int green, int blue) {
-  const Vector right = numbers_of(red, green, blue);
+Slips<Vec3d> wrong_texels(int red, int green, int blue) {
+  const Vec3d right = numbers_of(red, green, blue);
   const auto [x, y, z] = right;
-  Slips<Vector> wrong = {
+  Slips<Vec3d> channels = of_texel(wrong_channels, red, green, blue);
+  channels += {
       {"x comes from red and z from blue: yours are exchanged (BGR in place of RGB)", {z, y, x}},
       {"green points down in your function: bumps look like dents along v", {x, -y, z}},
       {"red points left in your function: bumps look like dents along u", {-x, y, z}},
@@ -274,61 +247,52 @@ Slips<Vector> wrong_texels(int red, int green, int blue) {
       {"blue means 2c - 1, too: 128 is about 0, and 255 is 1",
        {{x, y, (z + 1) / 2}, {x, y, z + 1}}},
       {"z is in the file: take 2c - 1 of blue, do not compute it from x and y",
-       {{x, y, std::sqrt(1 - x * x - y * y)},
-        {x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))},
-        {x, y, 1}}},
-      {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, std::max(z, 0.0)}},
+       {{x, y, sqrt(1 - x * x - y * y)}, {x, y, sqrt(max(0.0, 1 - x * x - y * y))}, {x, y, 1}}},
+      {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, max(z, 0.0)}},
   };
-  Slips<Vector> channels = of_texel(wrong_channels, red, green, blue);
-  channels += wrong;
   // Those who make another mistake often make a unit vector, too.
-  const auto unit = [](const Vector& n) { return normalize(n); };
-  Slips<Vector> all = {
+  const auto unit = [](const Vec3d& n) { return normalize(n); };
+  Slips<Vec3d> all = {
       {"the direction is right, but the lesson makes the sum a unit vector: return the numbers as "
        "they are",
        unit(right)},
       {"the middle is 127.5, not 128; and return the numbers as they are, not a unit vector",
-       unit(Vector{red - 128.0, green - 128.0, blue - 128.0})},
+       unit(Vec3d{red - 128.0, green - 128.0, blue - 128.0})},
   };
   all += channels;
   all += changed(channels, unit);
-  all += of_texel(wrong_scales, red, green, blue);
-  return all;
+  return all += of_texel(wrong_scales, red, green, blue);
 }
 
 Exercise normal_from_three_bytes() {
-  Law<Vector(int, int, int)> law{
-      .right = numbers_of,
-      .places = {{"red 255 means x = 1", {255, 128, 128}},
-                 {"red 0 means x = -1", {0, 128, 128}},
-                 {"green 255 means y = 1: the file is green up", {128, 255, 128}},
-                 {"the flat color (128, 128, 255) means z = 1, and x and y of 1/255",
-                  {128, 128, 255}},
-                 {"(128, 218, 218) leans by 45 degrees toward B", {128, 218, 218}},
-                 {"(51, 102, 204) means (-0.6, -0.2, 0.6)", {51, 102, 204}},
-                 {"blue 51 means z = -0.6", {204, 102, 51}}},
-      .slips = wrong_texels};
-  return exercise("11.2", "Vec3 normal_of_texel(int red, int green, int blue)", std::move(law),
-                  normal_of_texel, globe);
+  const Places<int, int, int> places = {
+      {"red 255 means x = 1", {255, 128, 128}},
+      {"red 0 means x = -1", {0, 128, 128}},
+      {"green 255 means y = 1: the file is green up", {128, 255, 128}},
+      {"the flat color (128, 128, 255) means z = 1, and x and y of 1/255", {128, 128, 255}},
+      {"(128, 218, 218) leans by 45 degrees toward B", {128, 218, 218}},
+      {"(51, 102, 204) means (-0.6, -0.2, 0.6)", {51, 102, 204}},
+      {"blue 51 means z = -0.6", {204, 102, 51}},
+  };
+  return exercise(normal_of_texel, "11.2", "Vec3 normal_of_texel(int red, int green, int blue)",
+                  globe(), {numbers_of, wrong_texels, places});
 }
 
-Slips<Vector> wrong_bitangents(Vector n, Vector t, double sign) {
-  const Vector b = cross(n, t);
-  const Vector up{0, 1, 0};
-  const Vector out{0, 0, 1};
-  Slips<Vector> wrong = {
+Slips<Vec3d> wrong_bitangents(Vec3d n, Vec3d t, double sign) {
+  const Vec3d b = cross(n, t);
+  const Vec3d up{0, 1, 0}, out{0, 0, 1};
+  Slips<Vec3d> wrong = {
       {"the sign is not used: on the mirrored copy bumps look like dents along v", b},
       {"the order matters: n x T, not T x n. Everywhere bumps look like dents along v", -b * sign},
       {"the order is n x T, and the sign is not used: only the mirrored copy looks right", -b},
-      {"on the mirrored copy your B is (0, 0, 0): it is n x T times -1 there",
-       b * std::max(sign, 0.0)},
+      {"on the mirrored copy your B is (0, 0, 0): it is n x T times -1 there", b * max(sign, 0.0)},
       {"the sign turns all three numbers of n x T around: yours turns one alone",
        {{b.x * sign, b.y, b.z}, {b.x, b.y * sign, b.z}, {b.x, b.y, b.z * sign}}},
       {"v need not grow upward: leave B as it is where its y is below 0, and use the sign",
-       {b.y < 0 ? -b : b, Vector{b.x, std::abs(b.y), b.z}}},
+       {b.y < 0 ? -b : b, Vec3d{b.x, abs(b.y), b.z}}},
       {"whether a copy is mirrored is in the sign: T alone does not say it", t.x < 0 ? -b : b},
   };
-  const Slips<Vector> vectors = {
+  const Slips<Vec3d> vectors = {
       {"+y is not along the surface where n leans up or down, and v need not grow that way", up},
       {"sums of n and T lie in their plane: cross(n, T) is at a right angle to both",
        {n + t, n - t, t - n}},
@@ -348,41 +312,34 @@ Slips<Vector> wrong_bitangents(Vector n, Vector t, double sign) {
   };
   // Without the sign and with it, as they are and of length 1.
   for (const double factor : {sign, 1.0}) {
-    wrong += changed(vectors, [=](const Vector& v) { return v * factor; });
-    wrong += changed(vectors, [=](const Vector& v) { return normalize(v * factor); });
+    wrong += changed(vectors, [=](const Vec3d& v) { return v * factor; });
+    wrong += changed(vectors, [=](const Vec3d& v) { return normalize(v * factor); });
   }
   return wrong;
 }
 
 Exercise bitangent_of_a_copy() {
-  Law<Vector(Vector, Vector, double)> law{
-      .right =
-          [](Vector n, Vector t, double sign) {
-            return tangents(TangentRule::crossed, n, {t, {}}).bitangent * sign;
-          },
-      .places = {{"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)", {{0, 0, 1}, {1, 0, 0}, 1}},
-                 {"on a mirrored copy T is (-1, 0, 0) and the sign -1, and B is still (0, 1, 0)",
-                  {{0, 0, 1}, {-1, 0, 0}, -1}},
-                 {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)", {{1, 0, 0}, {0, 0, -1}, 1}},
-                 {"on the back, n = (0, 0, -1), T = (-1, 0, 0): B is (0, 1, 0)",
-                  {{0, 0, -1}, {-1, 0, 0}, 1}},
-                 {"north of the equator, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back",
-                  {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
-                 {"the same on a mirrored copy", {{0, 0.6, 0.8}, {-1, 0, 0}, -1}},
-                 {"where the picture is turned by a quarter, T = (0, 1, 0): B is (-1, 0, 0)",
-                  {{0, 0, 1}, {0, 1, 0}, 1}},
-                 {"where it is upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)",
-                  {{0, 0, 1}, {-1, 0, 0}, 1}},
-                 {"n = (2, 1, 2) / 3, T = (-2, 2, 1) / 3, mirrored: B is (1, 2, -2) / 3",
-                  {{2 / 3., 1 / 3., 2 / 3.}, {-2 / 3., 2 / 3., 1 / 3.}, -1}}},
-      .slips = wrong_bitangents};
-  return exercise("11.3", "Vec3 bitangent_of(Vec3 n, Vec3 t, double sign)", std::move(law),
-                  bitangent_of, globe);
-}
-
-/// The angle between a vector and (0, 0, 1), in degrees.
-double leans_by(const Vector& n) {
-  return std::atan2(std::hypot(n.x, n.y), n.z) * 180 / std::numbers::pi;
+  const auto right = [](Vec3d n, Vec3d t, double sign) {
+    return tangents(TangentRule::crossed, n, {t, {}}).bitangent * sign;
+  };
+  const Places<Vec3d, Vec3d, double> places = {
+      {"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)", {{0, 0, 1}, {1, 0, 0}, 1}},
+      {"on a mirrored copy T is (-1, 0, 0) and the sign -1, and B is still (0, 1, 0)",
+       {{0, 0, 1}, {-1, 0, 0}, -1}},
+      {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)", {{1, 0, 0}, {0, 0, -1}, 1}},
+      {"on the back, n = (0, 0, -1), T = (-1, 0, 0): B is (0, 1, 0)", {{0, 0, -1}, {-1, 0, 0}, 1}},
+      {"north of the equator, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back",
+       {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
+      {"the same on a mirrored copy", {{0, 0.6, 0.8}, {-1, 0, 0}, -1}},
+      {"where the picture is turned by a quarter, T = (0, 1, 0): B is (-1, 0, 0)",
+       {{0, 0, 1}, {0, 1, 0}, 1}},
+      {"where it is upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)",
+       {{0, 0, 1}, {-1, 0, 0}, 1}},
+      {"n = (2, 1, 2) / 3, T = (-2, 2, 1) / 3, mirrored: B is (1, 2, -2) / 3",
+       {{2 / 3., 1 / 3., 2 / 3.}, {-2 / 3., 2 / 3., 1 / 3.}, -1}},
+  };
+  return exercise(bitangent_of, "11.3", "Vec3 bitangent_of(Vec3 n, Vec3 t, double sign)", globe(),
+                  {right, wrong_bitangents, places});
 }
 
 }  // namespace
@@ -391,14 +348,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       {normal_of_a_bump(), normal_from_three_bytes(), bitangent_of_a_copy()},
       {{"11.a", "A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
-        [] {
-          return leans_by(raised_normal(Vector{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}},
-                                        Slope<double>{0, 0.25, 0}, 0.0, BumpForm::exact));
-        },
-        "degrees"},
+        [] { return atan(0.25) / radian; }, "degrees"},
        {"11.b", "No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
         [] {
-          return leans_by(normal_of_color(Color<double>{128 / 255.0, 128 / 255.0, 1}));
+          const auto [x, y, z] = numbers_of(128, 128, 255);
+          return atan2(std::hypot(x, y), z) / radian;
         },
         "degrees", 0.02}},
   };

@@ -62,10 +62,17 @@ file_of() {
   exit 2
 }
 
-# start_of ID: the file as students get it.
-start_of() {
-  sed -e '/^ *\/\/ solution$/,/^ *\/\/ start: /{' -e '/^ *\/\/ start: /!d' -e '}' -e 's/\/\/ start: //' -e '/^\/\/ hint: /d' "$(whole_of "$1")"
+# shown ID PART...: the exercise without its hints and with the line that says how to check it, after these parts of a sed script.
+shown() {
+  exercise=$1
+  shift
+  sed "$@" -e '/^\/\/ hint: /d' -e "/^#include \"exercise.hpp\"/i\\
+//\\
+// Check it:  ./course check $exercise" "$(whole_of "$exercise")"
 }
+
+# start_of ID: the file as students get it.
+start_of() { shown "$1" -e '/^ *\/\/ solution$/,/^ *\/\/ start: /{' -e '/^ *\/\/ start: /!d' -e '}' -e 's/\/\/ start: //'; }
 
 # state_of ID: passed, changed (after it passed) or open.
 state_of() {
@@ -162,7 +169,7 @@ case "${1:-}" in
     ;;
   solution)
     file_of "$2"
-    sed -e '/^ *\/\/ solution$/d' -e '/^ *\/\/ start: /d' -e '/^\/\/ hint: /d' "$(whole_of "$2")"
+    shown "$2" -e '/^ *\/\/ solution$/d' -e '/^ *\/\/ start: /d'
     ;;
   reset)
     name_of "$2"

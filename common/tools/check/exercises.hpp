@@ -2,9 +2,11 @@
 // defines them.
 #pragma once
 #include <any>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <functional>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -17,12 +19,16 @@
 
 namespace texmap::check {
 
-/// The function that the lesson calls while an exercise is drawn; if none, it calls the course's.
-template <class Function>
-struct Hook {
-  std::function<Function> yours;
-  explicit operator bool() const { return yours != nullptr; }
-};
+// What the tables of mistakes compute with.
+using std::abs, std::acos, std::asin, std::atan, std::atan2, std::ceil, std::clamp, std::copysign,
+    std::cos, std::exp, std::exp2, std::floor, std::fmod, std::log, std::log2, std::max, std::min,
+    std::pow, std::remainder, std::round, std::sin, std::sqrt, std::trunc;
+using Place2 = Uv<double>;
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double radian = pi / 180;  // of a degree
+inline double fraction(double x) { return x - floor(x); }
+inline int cut_off(double x) { return static_cast<int>(x); }
+inline int rounded(double x) { return cut_off(round(x)); }
 
 /// A row of an exercise's mistakes: its word, and the verdict on it as an attempt.
 struct KnownMistake {
@@ -32,8 +38,7 @@ struct KnownMistake {
 
 /// An exercise: a function to write, its laws, and the chapter's lesson that calls it.
 struct Exercise {
-  std::string id;         ///< "02.1"
-  std::string signature;  ///< "Uv uv_of(Vec3 p)"
+  std::string id;  ///< "02.1"
   std::function<Verdict(const std::any& yours)> verdict;
   std::function<Image(const std::any& yours)> draw;  ///< an empty any: with the right function
   std::function<std::vector<KnownMistake>()> mistakes;
@@ -54,74 +59,75 @@ struct ExercisesOfChapter {
 };
 [[nodiscard]] const ExercisesOfChapter& exercises_of_chapter();
 
-/// The student's file has a function of another type than the exercise wants; what() says which.
-class WrongSignature : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// What a function returned in another process at the places of its law: Verdict::values.
 struct Replayed {
   std::string values;
 };
 
-/// The function that returns these values, call by call.
-/// Errors: std::runtime_error if it is called more often.
-template <class Out, class... Args>
-[[nodiscard]] std::function<Out(Args...)> function_of(const Replayed& replayed,
-                                                      const std::function<Out(Args...)>& /*type*/) {
+/// So many values of them. Errors: std::runtime_error if there are fewer.
+template <class Out>
+[[nodiscard]] std::vector<Out> values_of(const Replayed& replayed, std::size_t count) {
   static_assert(std::is_trivially_copyable_v<Out>);
-  return [values = replayed.values, at = std::size_t{0}](const Args&... /*where*/) mutable -> Out {
-    if (values.size() - at < sizeof(Out)) throw std::runtime_error("there are too few values");
-    Out value{};
+  if (replayed.values.size() < count * sizeof(Out))
+    throw std::runtime_error("there are too few values");
+  std::vector<Out> values;
+  for (const char* at = replayed.values.data(); values.size() < count; at += sizeof(Out)) {
     if constexpr (std::is_same_v<Out, bool>) {
-      value = values[at] != 0;  // no other byte is a bool
+      values.push_back(*at != 0);  // no other byte is a bool
     } else {
-      std::memcpy(&value, values.data() + at, sizeof value);
+      std::memcpy(&values.emplace_back(), at, sizeof(Out));
     }
-    at += sizeof value;
-    return value;
-  };
+  }
+  return values;
 }
 
-/// An exercise from its law and the lesson that calls `hook` while it is drawn.
-template <class Function>
-[[nodiscard]] Exercise exercise(std::string id, std::string signature, Law<Function> law,
-                                Hook<Function>& hook, std::function<Image()> draw) {
-  const auto function_in = [signature,
-                            right = law.right](const std::any& yours) -> std::function<Function> {
+/// An exercise from its law and from the lesson that calls `hook` while it is drawn: the student's
+/// function, or the right one. Otherwise the hook is empty. `signature`: "Uv uv_of(Vec3 p)".
+template <class Out, class... Args>
+[[nodiscard]] Exercise exercise(std::function<Out(Args...)>& hook, const char* id,
+                                const std::string& signature, std::function<Image()> draw,
+                                Law<Out(Args...)> law) {
+  using Function = std::function<Out(Args...)>;
+  const auto function_in = [=, right = law.right](const std::any& yours) -> Function {
     if (!yours.has_value()) return right;
-    if (const auto* replayed = std::any_cast<Replayed>(&yours))
-      return function_of(*replayed, right);
-    if (const auto* function = std::any_cast<Function*>(&yours)) return *function;
-    throw WrongSignature("the function must be: " + signature);
+    if (const auto* function = std::any_cast<Out (*)(Args...)>(&yours)) return *function;
+    throw std::runtime_error("the function must be: " + signature);
   };
-  return {std::move(id), signature,
-          [law, function_in](const std::any& yours) { return judge(law, function_in(yours)); },
+  return {id,
+          [law, function_in](const std::any& yours) {
+            if (const auto* replayed = std::any_cast<Replayed>(&yours))
+              return judge(law, values_of<Out>(*replayed, law.places.size()));
+            const Function function = function_in(yours);
+            std::vector<Out> values;
+            for (const auto& place : law.places) values.push_back(std::apply(function, place.at));
+            return judge(law, values);
+          },
           [&hook, draw = std::move(draw), function_in](const std::any& yours) {
-            hook.yours = function_in(yours);
+            hook = function_in(yours);
             Image image = draw();
-            hook.yours = nullptr;
+            hook = nullptr;
             return image;
           },
           [law = std::move(law)] {
             std::vector<KnownMistake> known;
-            for (const auto& mistake : functions_of(law.slips, law.places[0].at))
-              known.push_back({mistake.word, judge(law, mistake.function)});
+            for (const Slip<Out>& slip : slips_at_all_places(law))
+              known.push_back({slip.word, judge(law, slip.values)});
             return known;
           }};
 }
 
-/// A lesson's picture for an exercise, 400 x 300.
+/// A lesson's picture for an exercise, 400 x 300; from another field of view if there is one.
 template <class Lesson>
-[[nodiscard]] Image picture_of(const Lesson& lesson) {
+[[nodiscard]] Image picture_of(Lesson lesson, double fov_y_degrees = 0) {
+  if (fov_y_degrees > 0) lesson.stage.camera.fov_y_degrees = fov_y_degrees;
   return render<double>(lesson, view_of(lesson.stage.camera, 400, 300));
 }
 
-/// The chapter's picture after these words of its command line.
+/// Draws the chapter's picture after these words of its command line.
 template <class Lesson>
-[[nodiscard]] Image drawn(const std::vector<std::string>& words = {}) {
-  return picture_of(prepared<Lesson>(words));
+[[nodiscard]] std::function<Image()> picture(std::vector<std::string> words = {},
+                                             double fov_y_degrees = 0) {
+  return [=] { return picture_of(prepared<Lesson>(words), fov_y_degrees); };
 }
 
 }  // namespace texmap::check

@@ -5,7 +5,6 @@
 #include <functional>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "slips.hpp"
@@ -19,16 +18,18 @@ struct Place {
   std::string law;  ///< "on +z, (0, 0, 1), u is 1/4"
   std::tuple<Args...> at;
 };
+template <class... Args>
+using Places = std::vector<Place<Args...>>;
 
-/// What is known of a function: the right one, where to try it, and what often goes wrong.
+/// What is known of a function: the right one, what often goes wrong, and where to try it.
 template <class Function>
 struct Law;
 template <class Out, class... Args>
 struct Law<Out(Args...)> {
   std::function<Out(Args...)> right;
-  std::vector<Place<std::decay_t<Args>...>> places;  ///< in the order of teaching
-  std::function<Slips<Out>(Args...)> slips;          ///< what often comes out at a place
-  double tolerance = 1e-9;                           ///< of each part of a value
+  std::function<Slips<Out>(Args...)> slips;  ///< what often comes out at a place
+  Places<std::decay_t<Args>...> places;      ///< in the order of teaching
+  double tolerance = 1e-9;                   ///< of each part of a value
 };
 
 /// A verdict in words.
@@ -43,44 +44,50 @@ struct Verdict {
   std::string values;  ///< those of the function at all places, as bytes
 };
 
-/// Tries a function at all places.
-///
-/// A known mistake is named if its function is wrong somewhere and gives the same as `yours` at
-/// every place: of several, the first.
+/// The law's table, each mistake with its values at all places.
 template <class Out, class... Args>
-[[nodiscard]] Verdict judge(const Law<Out(Args...)>& law,
-                            const std::function<Out(Args...)>& yours) {
-  Verdict verdict;
-  verdict.places = law.places.size();
-  std::vector<Out> values;
+[[nodiscard]] Slips<Out> slips_at_all_places(const Law<Out(Args...)>& law) {
+  Slips<Out> all;
   for (const auto& place : law.places) {
-    values.push_back(std::apply(yours, place.at));
-    const Out value = values.back();
+    std::size_t row = 0;
+    for (const Slip<Out>& slip : std::apply(law.slips, place.at)) {
+      for (const Out value : slip.values) {
+        if (row == all.size()) all.push_back({slip.word, std::vector<Out>{}});
+        all[row++].values.push_back(value);
+      }
+    }
+  }
+  return all;
+}
+
+/// Judges a function's values at all places.
+///
+/// A known mistake is named if it is wrong somewhere and gives the same at every place: of several,
+/// the first.
+template <class Out, class... Args>
+[[nodiscard]] Verdict judge(const Law<Out(Args...)>& law, const std::vector<Out>& values) {
+  Verdict verdict;
+  verdict.places = values.size();
+  const auto same = [&](const Out& a, const Out& b) { return apart(a, b) <= law.tolerance; };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Out value = values[i];
     verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
-    const Out right = std::apply(law.right, place.at);
-    if (apart(right, value) <= law.tolerance) continue;
+    const Out right = std::apply(law.right, law.places[i].at);
+    if (same(right, value)) continue;
     if (verdict.right) {
       verdict.right = false;
-      verdict.law = place.law;
+      verdict.law = law.places[i].law;
       verdict.expected = in_words(right);
       verdict.got = in_words(value);
     }
     ++verdict.wrong;
   }
   if (verdict.right) return verdict;
-  std::vector<const char*> words;  // of the mistakes that give the same so far, or null
-  for (std::size_t i = 0; i < law.places.size(); ++i) {
-    std::size_t row = 0;
-    for (const Slip<Out>& slip : std::apply(law.slips, law.places[i].at)) {
-      for (const Out value : slip.values) {
-        if (i == 0) words.push_back(slip.word);
-        if (!(apart(value, values[i]) <= law.tolerance)) words[row] = nullptr;
-        ++row;
-      }
-    }
+  for (const Slip<Out>& slip : slips_at_all_places(law)) {
+    if (!std::equal(values.begin(), values.end(), slip.values.begin(), same)) continue;
+    verdict.mistake = slip.word;
+    break;
   }
-  const auto named = std::find_if(words.begin(), words.end(), [](auto* word) { return word; });
-  if (named != words.end()) verdict.mistake = *named;
   return verdict;
 }
 

@@ -1,15 +1,9 @@
 // Checks one exercise and says what it found, in words and with a picture: ./course check 02.1
 // builds and runs it.
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "attempt.hpp"
 #include "engine/app/command_line.hpp"
@@ -28,9 +22,7 @@ using namespace texmap::check;
 
 struct Request {
   std::string out = "out/exercises";
-  std::string title;
-  std::string values, exercise, judge, report;
-  std::string question, answer;
+  std::string title, values, exercise, judge, report, question, answer;
 
   void declare(CommandLine& line) {
     line.text("--out", "FOLDER", out, "where the pictures go, in a folder for each exercise");
@@ -47,98 +39,92 @@ struct Request {
   }
 };
 
-/// A share of pixels in words.
-std::string percent(std::size_t part, std::size_t all) {
-  const double share = 100 * static_cast<double>(part) / static_cast<double>(all);
-  return part > 0 && share < 0.1 ? "less than 0.1 %" : text("%.1f %%", share);
-}
+/// What a check finds: by values, and by the exercise's picture.
+struct Findings {
+  Verdict verdict;
+  std::size_t different, pixels;
 
-/// Values and picture are right; a rounding may move single pixels, as in the golden pictures.
-bool is_right(const Verdict& verdict, std::size_t different, std::size_t pixels) {
-  return verdict.right && different * 5000 <= pixels;
-}
+  Findings(Verdict of_values, const Image& yours, const Image& right)
+      : verdict(std::move(of_values)),
+        different(measure(yours, right).pixels_different),
+        pixels(right.pixels.size()) {}
 
-std::string wrong_values(const Verdict& verdict) {
-  return text("%zu of %zu values %s wrong", verdict.wrong, verdict.places,
-              verdict.wrong == 1 ? "is" : "are");
-}
+  /// A rounding may move single pixels, as in the golden pictures.
+  [[nodiscard]] bool picture_right() const { return different * 5000 <= pixels; }
+  [[nodiscard]] bool right() const { return verdict.right && picture_right(); }
 
-/// The verdict, line by line.
-std::string in_words(const Exercise& exercise, const std::string& title, const Verdict& verdict,
-                     std::size_t different, std::size_t pixels) {
-  const bool right = is_right(verdict, different, pixels);
-  std::string words = exercise.id + "  " + title + (title.ends_with('?') ? " " : ": ") +
-                      (right ? "right\n" : "not yet\n");
-  if (verdict.right) {
-    words += text("  All %zu values that were tried are right.\n", verdict.places);
-  } else {
-    words += "  tried:     " + verdict.law + "\n  expected:  " + verdict.expected +
-             "\n  yours:     " + verdict.got + "\n";
-    words.append("  ").append(wrong_values(verdict)).append(".\n");
-    if (!verdict.mistake.empty()) words += "  This is a known mistake: " + verdict.mistake + ".\n";
+  [[nodiscard]] std::string wrong_values() const {
+    return text("%zu of %zu values %s wrong", verdict.wrong, verdict.places,
+                verdict.wrong == 1 ? "is" : "are");
   }
-  if (!is_right({}, different, pixels)) {
-    words += "  In the exercise's picture " + percent(different, pixels) +
-             " of the pixels differ; none should. The pictures show where.\n";
-  } else if (!right) {
-    words += "  The exercise's picture does not show this mistake.\n";
-  } else {
-    words +=
-        "  In the exercise's picture " + percent(different, pixels) + " of the pixels differ.\n";
+  [[nodiscard]] std::string different_pixels() const {
+    const double share = 100 * static_cast<double>(different) / static_cast<double>(pixels);
+    return (different > 0 && share < 0.1 ? "less than 0.1 %" : text("%.1f %%", share)) +
+           " of the pixels";
   }
-  if (!right) words += "  For a hint: ./course check hint " + exercise.id + "\n";
-  return words;
-}
 
-/// The verdict in two lines: "right" or "not yet", and what is wrong, known mistakes first.
-std::string in_two_lines(const Verdict& verdict, std::size_t different, std::size_t pixels) {
-  if (is_right(verdict, different, pixels)) return "right\n";
-  if (verdict.right) {
-    return text("not yet\nnot yet: all %zu values that were tried are right, but ",
-                verdict.places) +
-           percent(different, pixels) + " of the pixels of the exercise's picture differ\n";
+  /// The verdict, line by line.
+  [[nodiscard]] std::string in_words(const std::string& id, const std::string& title) const {
+    std::string words = id + "  " + title + (title.ends_with('?') ? " " : ": ") +
+                        (right() ? "right\n" : "not yet\n");
+    if (verdict.right) {
+      words += text("  All %zu values that were tried are right.\n", verdict.places);
+    } else {
+      words += "  tried:     " + verdict.law + "\n  expected:  " + verdict.expected +
+               "\n  yours:     " + verdict.got + "\n  " + wrong_values() + ".\n";
+      if (!verdict.mistake.empty())
+        words += "  This is a known mistake: " + verdict.mistake + ".\n";
+    }
+    if (picture_right() && !right()) {
+      words += "  The exercise's picture does not show this mistake.\n";
+    } else {
+      words += "  In the exercise's picture " + different_pixels() + " differ" +
+               (right() ? ".\n" : "; none should. The pictures show where.\n");
+    }
+    return right() ? words : words + "  For a hint: ./course check hint " + id + "\n";
   }
-  std::string words = verdict.mistake;
-  if (words.empty()) words = "not yet: " + wrong_values(verdict);
-  return "not yet\n" + words + "; tried: " + verdict.law + "; expected: " + verdict.expected +
-         "; yours: " + verdict.got + "\n";
-}
 
-/// Saves a picture into the folder, for a page there.
-page::Picture saved(const Image& image, const std::filesystem::path& folder, const char* file) {
-  save_png(image, folder / file);
-  return {file, image.width, image.height};
-}
-
-void write_page(const std::filesystem::path& folder, const std::string& title, bool good,
-                const std::string& words, const Image& yours, const Image& right) {
-  const Image map = difference_map(yours, right);
-  std::string body = page::verdict(good, good ? "Right." : "Not yet.");
-  body += "<pre>" + page::escaped_foreign(words) + "</pre>\n";
-  body += page::side_by_side(
-      {page::figure(saved(yours, folder, "yours.png"), "drawn with your function"),
-       page::figure(saved(right, folder, "right.png"), "drawn with the right function"),
-       page::figure(saved(map, folder, "map.png"), "where they differ")});
-  const page::Frame frame{.title = title, .style = "pre { white-space: pre-wrap; }", .script = {}};
-  write_text_atomically(folder / "index.html", page::framed(frame, body));
-}
+  /// The verdict in two lines: "right" or "not yet", and what is wrong, known mistakes first.
+  [[nodiscard]] std::string in_two_lines() const {
+    if (right()) return "right\n";
+    if (verdict.right) {
+      return text("not yet\nnot yet: all %zu values that were tried are right, but ",
+                  verdict.places) +
+             different_pixels() + " of the exercise's picture differ\n";
+    }
+    return "not yet\n" +
+           (verdict.mistake.empty() ? "not yet: " + wrong_values() : verdict.mistake) +
+           "; tried: " + verdict.law + "; expected: " + verdict.expected +
+           "; yours: " + verdict.got + "\n";
+  }
+};
 
 /// Checks the student's function, draws the pictures, and writes the page. Returns the status.
 int check_exercise(const Exercise& exercise, const Request& request) {
   const Verdict verdict = exercise.verdict(attempt.function);
-  const Image yours = exercise.draw(attempt.function);
-  const Image right = exercise.draw({});
-  const std::size_t different = measure(yours, right).pixels_different;
-  const std::string words =
-      in_words(exercise, request.title, verdict, different, right.pixels.size());
+  const Image yours = exercise.draw(attempt.function), right = exercise.draw({});
+  const Findings found(verdict, yours, right);
+  const std::string words = found.in_words(exercise.id, request.title);
   print(words);
 
   const std::filesystem::path folder = path_of(request.out) / exercise.id;
   std::filesystem::create_directories(folder);
-  const bool good = is_right(verdict, different, right.pixels.size());
-  write_page(folder, exercise.id + "  " + request.title, good, words, yours, right);
+  const auto figure = [&](const Image& image, const char* file, const char* caption) {
+    save_png(image, folder / file);
+    return page::figure({file, image.width, image.height}, caption);
+  };
+  const std::string body =
+      page::verdict(found.right(), found.right() ? "Right." : "Not yet.") + "<pre>" +
+      page::escaped_foreign(words) + "</pre>\n" +
+      page::side_by_side({figure(yours, "yours.png", "drawn with your function"),
+                          figure(right, "right.png", "drawn with the right function"),
+                          figure(difference_map(yours, right), "map.png", "where they differ")});
+  const page::Frame frame{.title = exercise.id + "  " + request.title,
+                          .style = "pre { white-space: pre-wrap; }",
+                          .script = {}};
+  write_text_atomically(folder / "index.html", page::framed(frame, body));
   print("  pictures:  " + name_of(folder / "index.html") + "\n");
-  return good ? 0 : 1;
+  return found.right() ? 0 : 1;
 }
 
 /// Writes the picture of the student's function, pixel by pixel, and its values.
@@ -158,41 +144,36 @@ void judge_values(const Exercise& exercise, const Request& request) {
   const std::vector<std::uint8_t> bytes = read_file(path_of(request.judge), size + (1U << 20U));
   if (bytes.size() < size) throw std::runtime_error("there is no whole picture");
   std::memcpy(yours.pixels.data(), bytes.data(), size);
-  const Verdict verdict =
-      exercise.verdict(Replayed{{bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end()}});
-  write_text_atomically(
-      path_of(request.report),
-      in_two_lines(verdict, measure(yours, right).pixels_different, right.pixels.size()));
-}
-
-/// Which unit a prediction is in, if it is right in another one than the question's.
-std::string wrong_unit(const Question& question, double answer, double predicted) {
-  const auto means = [&](double number) {
-    return apart(answer, number) <= std::max(question.tolerance, 0.01) * std::abs(answer);
-  };
-  if (question.unit == "degrees" && means(predicted * 180 / pi<double>()))
-    return " Yours is in radians.";
-  if (question.unit == "percent" && means(predicted * 100))
-    return " Yours is a fraction: multiply by 100 for percent.";
-  return "";
+  const Replayed values{{bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end()}};
+  write_text_atomically(path_of(request.report),
+                        Findings(exercise.verdict(values), yours, right).in_two_lines());
 }
 
 /// Says how far a prediction is off. Returns the status.
 int check_answer(const Question& question, double predicted) {
   const double answer = question.answer();
   const double off = apart(answer, predicted);
-  const bool right = off <= question.tolerance * std::abs(answer);
+  const auto is_near = [&](double number, double share) {
+    return apart(answer, number) <= share * std::abs(answer);
+  };
+  const bool right = is_near(predicted, question.tolerance);
   const std::string unit = question.unit.empty() ? "" : " " + question.unit;
-  std::string words = question.id + "  " + question.text + "\n  You say " +
-                      check::in_words(predicted) + unit + ", the program finds " +
-                      check::in_words(answer) + unit + ": ";
+  std::string words = question.id + "  " + question.text + "\n  You say " + in_words(predicted) +
+                      unit + ", the program finds " + in_words(answer) + unit + ": ";
   if (right) {
     words += "right.\n";
   } else {
-    words += check::in_words(off) + (predicted > answer ? " too large" : " too small");
+    words += in_words(off) + (predicted > answer ? " too large" : " too small");
     if (answer != std::round(answer) && off < std::abs(answer))
       words += text(" (%.3g %%)", 100 * off / std::abs(answer));
-    words.append(".").append(wrong_unit(question, answer, predicted)).append("\n");
+    const double in_unit = std::max(question.tolerance, 0.01);
+    if (question.unit == "degrees" && is_near(predicted / radian, in_unit)) {
+      words += ". Yours is in radians.\n";
+    } else if (question.unit == "percent" && is_near(predicted * 100, in_unit)) {
+      words += ". Yours is a fraction: multiply by 100 for percent.\n";
+    } else {
+      words += ".\n";
+    }
   }
   print(words);
   return right ? 0 : 1;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <vector>
+#include <type_traits>
 
 #include "math/color.hpp"
 #include "math/vec3.hpp"
@@ -15,18 +15,10 @@ namespace texmap::check {
 [[nodiscard]] std::string in_words(double value);
 [[nodiscard]] std::string in_words(int value);
 [[nodiscard]] std::string in_words(bool value);
-[[nodiscard]] std::string in_words(const Uv<double>& uv);
-[[nodiscard]] std::string in_words(const Vec3<double>& v);
-[[nodiscard]] std::string in_words(const Color<double>& c);
 
 /// The largest difference of a part of two values; infinity where one of them is not a number and
 /// the other is.
 [[nodiscard]] double apart(double a, double b);
-[[nodiscard]] inline double apart(int a, int b) { return apart(double(a), double(b)); }
-[[nodiscard]] inline double apart(bool a, bool b) { return a == b ? 0 : 1; }
-[[nodiscard]] double apart(const Uv<double>& a, const Uv<double>& b);
-[[nodiscard]] double apart(const Vec3<double>& a, const Vec3<double>& b);
-[[nodiscard]] double apart(const Color<double>& a, const Color<double>& b);
 
 /// Lists, such as the weights of three corners.
 template <class T, std::size_t N>
@@ -41,6 +33,20 @@ template <class T, std::size_t N>
   for (std::size_t i = 0; i < N; ++i)
     largest = largest < apart(a[i], b[i]) ? apart(a[i], b[i]) : largest;
   return largest;
+}
+
+/// Places, vectors and colors as the lists of their parts.
+[[nodiscard]] inline std::array<double, 2> parts(const Uv<double>& uv) { return {uv.u, uv.v}; }
+[[nodiscard]] inline std::array<double, 3> parts(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
+[[nodiscard]] std::string in_words(const auto& value) { return in_words(parts(value)); }
+template <class T>
+[[nodiscard]] double apart(const T& a, const T& b) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    return apart(double(a), double(b));
+  } else {
+    return apart(parts(a), parts(b));
+  }
 }
 
 }  // namespace texmap::check
