@@ -166,7 +166,7 @@ class Folders(Course):
     def test_pictures_are_found_under_many_names(self):
         found = ['03_image_texture.png', '03.png', '3.PNG', 'out/03_image_texture.png', 'OUT/03_IMAGE_TEXTURE.PNG',
                  'homework-main/out/03-globe.png', 'Chapter 3.png', 'ch03.png', 'Kap. 03.png', 'Chapter 3 final.png', 'picture_03.png',
-                 'screenshot 03.png', '03 (1).png', '03_image_texture/03.png', '09_another/03.png']
+                 'screenshot 03.png', '03 (1).png', '03_image_texture/03.png', '09_another/03.png', 'a/b/c/03.png']
         others = {'033.png': '033.png', 'image_texture.png': 'image_texture.png', '03.1.png': '03.1.png', '03.txt': '',
                   '2 of 03 b.png': '2 of 03 b.png', 'IMG_0034.png': 'IMG_0034.png', 'x003.png': 'x003.png', 'a/b/c/d/03.png': '',
                   'tests/golden/03_image_texture.png': '', '.git/03.png': '', 'lesson.hpp': "lesson.hpp, but not in a chapter's folder"}
@@ -178,11 +178,13 @@ class Folders(Course):
                   'class/exercise/04.1.png': RIGHT, 'class/link/a.txt': 'x'})
         os.symlink(self.at / 'tree/tests/golden/03_image_texture.png', self.at / 'class/link/03.png')
         os.symlink(self.at / 'class/best', self.at / 'class/other')
+        os.symlink(self.at / 'class/best', self.at / 'class/many/best')
         rows = self.grade('--chapters', '03,4.1', 'class')
         for i, name in enumerate([*found, *others]):
             note = f'there is no picture 03_image_texture.png{"; found " if others.get(name) else ""}{others.get(name)}'
             row = rows[f'{i:02}', '03']
             self.assertEqual((row['verdict'], row['note']), ('missing', note) if name in others else ('ok', ''), name)
+        self.assertEqual(rows['many', '03']['verdict'], 'missing')
         self.assertIn('; found a.png, b.png, c.png, d.png and 2 pictures more', rows['many', '03']['note'])
         self.assertEqual([rows[name, '03']['verdict'] for name in ('best', 'top')], ['ok', 'ok'])
         self.assertEqual(rows['two', '03']['note'], '03_a.png or 03_b.png? Name the picture 03_image_texture.png')
@@ -202,6 +204,7 @@ class Folders(Course):
                 ('ada/03.png', 'class', 'ada', many.format('1 student')), ('ada/03.png', '--class class', 'ada', ''),
                 ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''), ('ada/out/03.png', 'class/ada', 'ada', ''),
                 ('03.png old/03.png', 'class', 'class', one.format('class')), ('03.png old/03.png', '--class class', 'old', ''),
+                ('03.png notes/a.txt more/b.txt', 'class', 'class', ''),
                 ('ada/03.png eve/03.png bob/a.txt', 'class/ada class/bob', 'ada bob', ''),
                 ('a/ada/03.png a/bob/03.png b/eve/03.png b/cyd/03.png', 'class/a class/b', 'ada bob eve cyd', '')]:
             with self.subTest(files, words=words):
@@ -355,9 +358,10 @@ class Results(unittest.TestCase):
                     for i in range(200)]
         for i in range(150, 187):
             students[i].all_rows[0] = Row(GLOBE, 'mirrored')
-        students[190].all_rows[0] = Row(GLOBE, 'differs 3 %')
+        for i, word in enumerate(('differs 3 %', 'black', 'gray')):
+            students[190 + i].all_rows[0] = Row(GLOBE, word)
         page = class_pages.class_page('@BODY@', [GLOBE, SHEET], students, 200)
-        self.assertIn('<td>162 right<br>37 mirrored<br>1 differ</td><td>all right</td>', page)
+        self.assertIn('<td>160 right<br>37 mirrored<br>1 black<br>1 differ<br>1 other</td><td>all right</td>', page)
         self.assertLess(page.index('student 150<'), page.index('student 0<'))
         self.assertIn('<a href="s150.html">', page)
         self.assertNotIn('<a href="s7.html">', page)
@@ -424,6 +428,7 @@ class Results(unittest.TestCase):
                          [('3.1', '03_image_texture: the picture'), ('3.2', '03_image_texture: the tests'), ('2.E1', '02.1: the exercise')])
         self.assertEqual(classroom_notices(evil), '::notice title=Autograding complete::Points 0/2\n'
                          '::notice title=Autograding report::{"totalPoints": 0, "maxPoints": 2}\n')
+        self.assertEqual(json.loads(gradescope_json(ada))['execution_time'], 3)  # a program's time is counted once
         evil.rows[0].containment = 'none'
         self.assertTrue(json.loads(gradescope_json(evil))['output'].startswith('NOT CONTAINED'))
 
