@@ -14,7 +14,6 @@ import shlex
 import signal
 import subprocess
 import tempfile
-import threading
 import time
 from pathlib import Path
 
@@ -149,9 +148,8 @@ def own_threads():
 class Boxes:
     """Runs commands in boxes of one kind."""
 
-    def __init__(self, kind, work):
-        self.kind, self.work = kind, work
-        self.stopping = threading.Event()
+    def __init__(self, kind, work, stopping):
+        self.kind, self.work, self.stopping = kind, work, stopping
         self.system = [place for place in SYSTEM if os.path.lexists(place)]
         (work / 'filter').write_bytes(uncounted.program())
 

@@ -1,14 +1,10 @@
-#!/usr/bin/env python3
-"""Builds and runs students' chapters and exercises on Linux, kept from everything else; the program grade calls it.
+"""Builds and runs students' chapters and exercises on Linux, kept from everything else.
 
-Each line of --plan is a task: id, the folder with the student's chapters/ or with the chapters themselves, and a chapter NN_name or an
-exercise NN.K, between tabs. For each task a line of COLUMNS is appended to --results when it is done. docs/grading.md says what is
-contained and what is not.
+docs/grading.md says what is contained and what is not.
 
 A student's code runs in a box (box.py), and so does the compiler that reads it. Golden pictures, results, other students and the
 home folder are not in there.
 """
-import argparse
 import concurrent.futures
 import dataclasses
 import hashlib
@@ -18,7 +14,6 @@ import random
 import re
 import shlex
 import shutil
-import signal
 import stat
 import struct
 import subprocess
@@ -28,11 +23,10 @@ import threading
 import zlib
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the tree stays as it is
-from box import BOX, CONTAINMENTS, ENVIRONMENT, Boxes, Limits  # noqa: E402
+from box import BOX, ENVIRONMENT, Boxes, Limits
+from pictures import run_to_end
+from results import GradeError
 
-COLUMNS = ('id item containment build run cpu_seconds limit_cpu_seconds picture expected hidden_picture hidden_expected '
-           'tests_passed tests_run cached note').split()
 # A chapter's suites, of which the first that reads its lesson counts. Chapter 13's times itself: a busy machine would fail it.
 SUITES = ('symptoms_{item:.2}.cpp', 'test_{item}.cpp')
 UNTESTED = ('13',)
@@ -41,10 +35,7 @@ SUSPECT = r'constructor|_[eE]xit|syscall|\basm\b|fopen|fstream|environ|/proc|che
 SUFFIXES = ('.hpp', '.cpp', '.h', '.c', '.inc', '.inl')
 MOST_FILES, MOST_FILE_BYTES = 100, 1 << 20  # taken of a student's chapter
 FLOOR_SECONDS, COMPILE_SECONDS, COURSE_SECONDS = 5, 120, 900  # of CPU: the least limit of a run; a file; the course's own lesson
-
-
-class CourseError(Exception):
-    """The course's own lesson fails, or something that must not change has changed."""
+CPU_FACTOR = 10  # the limit of a run, in times of the course's own lesson
 
 
 # --- The course's build ------------------------------------------------------------------------------------------------------------------
@@ -98,8 +89,8 @@ def exercise_in(folder, item):
 class Course:
     """The instructor's tree and its learn build."""
 
-    def __init__(self, tree, work, build):
-        self.tree, self.work, self.build = tree, work, build
+    def __init__(self, tree, work, stopping):
+        self.tree, self.work, self.build, self.stopping = tree, work, work / 'build', stopping
         self.chapters, self.tests = tree / 'chapters', tree / 'tests'
 
     def make(self, items):
@@ -112,13 +103,13 @@ class Course:
         first = '' if (self.work / 'cache').exists() else '; the first time takes minutes'
         print(f'building the course\'s own lessons{first}', file=sys.stderr, flush=True)
         if not shutil.which('cmake'):
-            raise CourseError('the course itself cannot be built: there is no cmake on your PATH')
+            raise GradeError('the course itself cannot be built: there is no cmake on your PATH')
         with open(log, 'wb') as out:
             for command in (['cmake', '-S', self.tree, '-B', self.build, '-G', 'Unix Makefiles', '-D', 'CMAKE_BUILD_TYPE=Release',
                              '-D', 'TEXMAP_LEARN=ON', '-D', 'CMAKE_EXPORT_COMPILE_COMMANDS=ON'],
                             ['cmake', '--build', self.build, '--parallel', str(os.cpu_count() or 1), '--target', 'compare', *targets]):
-                if subprocess.run(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out, check=False).returncode:
-                    raise CourseError(f'the course itself cannot be built: see {log}')
+                if run_to_end(command, self.stopping, stdout=out, stderr=out):
+                    raise GradeError(f'the course itself cannot be built: see {log}')
         self.units = {item: [] for item in [*built, *exercises.values()]}
         for entry in json.loads((self.build / 'compile_commands.json').read_text()):
             words = shlex.split(entry['command'])
@@ -131,7 +122,7 @@ class Course:
                 read = Path(made + '.d').read_text().replace('\\\n', ' ').split()[1:]
                 read = [os.path.normpath(os.path.join(entry['directory'], name)) for name in read]  # ccache writes them relative
                 if entry['file'] not in read:
-                    raise CourseError(f'{made}.d does not name {entry["file"]}: what has to be compiled again is not known')
+                    raise GradeError(f'{made}.d does not name {entry["file"]}: what has to be compiled again is not known')
             else:
                 continue
             here = str(self.folder(item)) + '/'
@@ -288,21 +279,20 @@ class Grader:
         self.cache = course.work / 'cache'
         self.cache.mkdir(exist_ok=True)
         seed = self.cache / 'seed'  # one for this folder: what was judged before stays judged
-        if options.seed is None and not seed.exists():
+        if not seed.exists():
             seed.write_text(str(random.SystemRandom().getrandbits(64)))
-        self.seed = options.seed if options.seed is not None else seed.read_text()
-        self.made_from = digest(made_from.encode(), repr((self.seed, boxes.kind, options.megabytes, options.no_tests, options.no_hidden,
-                                                          options.cpu_factor, options.seconds)).encode())
+        self.seed = seed.read_text()
+        self.made_from = digest(made_from.encode(), repr((self.seed, boxes.kind, options.megabytes, options.no_tests,
+                                                          options.no_second_picture, options.seconds)).encode())
         self.lock = threading.Lock()
         self.under_way, self.sums = {}, {}
 
     def expected(self, path):
-        """A picture to compare with; stops everything if it is not what it was at the beginning."""
+        """Stops everything if a picture to compare with is not what it was at the beginning."""
         found = digest(path.read_bytes()) if path.is_file() else ''
         with self.lock:
             if self.sums.setdefault(path, found) != found:
-                raise CourseError(f'{path} has changed while students were graded: no grade of this run counts')
-        return str(path) if found else ''
+                raise GradeError(f'{path} has changed while students were graded: no grade of this run counts')
 
     def once(self, key, work):
         """The result of work(), which runs once for each key. Returns it, and whether it was there already."""
@@ -361,15 +351,15 @@ class Grader:
         def judge():
             result = self.judge(item, own, self.cache / self.key(item, own), None)
             if result['build'] != 'ok' or result['run'] != 'ok' or is_exercise(item) and result['tests_passed'] != '1':
-                raise CourseError(f"the course's own {item}: {result['build']}, {result['run']}: {result['note']}")
+                raise GradeError(f"the course's own {item}: {result['build']}, {result['run']}: {result['note']}")
             return result
         return self.once((item, 'reference'), judge)[0]
 
     def limits(self, course, name):
-        """The course's own time for this task, times --cpu-factor."""
+        """The course's own time for this task, times CPU_FACTOR."""
         if not course:
             return Limits(COURSE_SECONDS, self.options.megabytes)
-        return Limits(self.options.seconds or max(FLOOR_SECONDS, self.options.cpu_factor * course['cpu'][name]), self.options.megabytes)
+        return Limits(self.options.seconds or max(FLOOR_SECONDS, CPU_FACTOR * course['cpu'][name]), self.options.megabytes)
 
     def compile(self, item, sources, files, tests=None):
         """Compiles and links a chapter, or its tests. What the student left as it is in the course is not compiled again."""
@@ -413,7 +403,7 @@ class Grader:
                 made.append(self.course.work / f'{source.stem}.o')
                 log = subprocess.run([*self.course.test_command(item, ''), '-o', made[-1], '-c', source], capture_output=True, check=False)
                 if log.returncode:
-                    raise CourseError(f'{source} cannot be compiled: {first_error(log.stderr.decode())}')
+                    raise GradeError(f'{source} cannot be compiled: {first_error(log.stderr.decode())}')
             return made
         return self.once('test_objects', compile_them)[0]
 
@@ -463,7 +453,7 @@ class Grader:
         texture = program.parent / f'{rng.getrandbits(64):x}.png'
         random_texture(texture, rng)
         pictures = [('picture', usual)]
-        if not self.options.no_hidden:
+        if not self.options.no_second_picture:
             offered = course['offered'] if course else self.boxes.run([str(program), '--help'], [program], self.limits(None, '')).log
             result['offered'] = offered
             pictures.append(('hidden_picture', hidden_options(item, offered, texture.name, rng)))
@@ -544,80 +534,45 @@ class Grader:
                 why = 'tests: ' + (first_failure(ended.log) or ending)
             result['note'] += ('; ' if result['note'] else '') + why
 
-    def row(self, task, item, folder):
-        """A line of the results."""
-        result, cached = self.verdict(item, folder)
-        golden = self.course.tree / 'tests' / 'golden' / f'{item}.png'
-        hidden = result.get('hidden_expected', '')
-        cells = dict(result, id=task, item=item, containment=self.boxes.kind, cached='yes' if cached else 'no',
-                     expected=self.expected(golden), hidden_expected=hidden and self.expected(Path(hidden)))
-        escaped = {'\\': '\\\\', '\t': '\\t', '\n': '\\n', '\r': ''}
-        return '\t'.join(''.join(escaped.get(letter, letter) for letter in cells.get(name, '')) for name in COLUMNS) + '\n'
+    def result(self, item, folder):
+        """What became of a student's chapter or exercise."""
+        result, _ = self.verdict(item, folder)
+        for picture in (self.course.tree / 'tests' / 'golden' / f'{item}.png', result.get('hidden_expected')):
+            if picture:
+                self.expected(Path(picture))
+        return dict(result, containment=self.boxes.kind)
 
 
-def refuse(why):
-    """Ends with the status that says: the reason has been said."""
-    print(f'error: {why}', file=sys.stderr, flush=True)
-    sys.exit(2)
-
-
-def choose_boxes(options, work):
+def choose_boxes(options, work, stopping):
     """The box in which students' code runs; without one, only students who are trusted are run."""
-    boxes = Boxes(options.containment, work)
+    boxes = Boxes(options.containment, work, stopping)
     why = 'it contains nothing' if boxes.kind == 'none' else boxes.why_not()
     if not why:
         return boxes
     if not options.trust_students:
         remedy = ('let users make namespaces (unshare --user)' if shutil.which('bwrap', path=ENVIRONMENT['PATH']) else
                   'install bubblewrap (apt-get install bubblewrap)')
-        refuse(f'students\' code cannot be contained here\n  {boxes.kind}: {why}\n{remedy}; in a container or a virtual machine that '
-               'holds nothing else,\n--trust-students runs it NOT CONTAINED')
+        raise GradeError(f'students\' code cannot be contained here\n  {boxes.kind}: {why}\n{remedy}; in a container or a virtual machine '
+                         'that holds nothing else,\n--trust-students runs it NOT CONTAINED')
     print('NOT CONTAINED: students\' programs can read and change all that you can', file=sys.stderr, flush=True)
-    return Boxes('none', work)
+    return Boxes('none', work, stopping)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    for name in ('tree', 'work', 'plan', 'results'):
-        parser.add_argument(f'--{name}', type=Path, required=True)
-    parser.add_argument('--build', type=Path, help='a learn build of the tree; else WORK/build')
-    parser.add_argument('--jobs', type=int, default=len(os.sched_getaffinity(0)), help='students side by side')
-    parser.add_argument('--trust-students', action='store_true', help='run them where nothing can contain them')
-    parser.add_argument('--containment', choices=CONTAINMENTS, default='bwrap')
-    parser.add_argument('--no-tests', action='store_true')
-    parser.add_argument('--no-hidden', action='store_true', help='no second picture')
-    parser.add_argument('--cpu-factor', type=float, default=10, help='the limit, in times of the course\'s own lesson')
-    parser.add_argument('--seconds', type=float, help='of CPU, in place of the limit that is measured')
-    parser.add_argument('--megabytes', type=int, default=2048)
-    parser.add_argument('--seed', help='of the hidden pictures')
-    options = parser.parse_args()
+def results_of(options, tasks, stopping):
+    """Builds and runs each (key, item, folder) of the tasks: yields the key and what became of it, in the order in which they end."""
     work = options.work.resolve()
-    work.mkdir(parents=True, exist_ok=True)
-    tasks = [line.split('\t') for line in options.plan.read_text(encoding='utf-8', errors='surrogateescape').splitlines()]
-    course = Course(options.tree.resolve(), work, (options.build or work / 'build').resolve())
-    boxes = choose_boxes(options, work)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    graded = {item for _, _, item in tasks if course.has(item)}
-    try:
-        grader = Grader(options, course, boxes, course.make(sorted(graded)))
-        for item in graded:
-            grader.expected(course.tree / 'tests' / 'golden' / f'{item}.png')
-        with open(options.results, 'a', encoding='utf-8', errors='surrogateescape') as results, \
-                concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
-            try:
-                rows = [pool.submit(grader.row, task, item, folder) for task, folder, item in tasks]
-                for row in concurrent.futures.as_completed(rows):
-                    results.write(row.result())
-                    results.flush()
-            except BaseException:
-                boxes.stopping.set()
-                pool.shutdown(cancel_futures=True)
-                raise
-    except CourseError as error:
-        refuse(error)
-    except KeyboardInterrupt:
-        sys.exit(130)
-
-
-if __name__ == '__main__':
-    main()
+    course = Course(options.tree, work, stopping)
+    boxes = choose_boxes(options, work, stopping)
+    graded = sorted({item for _, item, _ in tasks if course.has(item)})
+    grader = Grader(options, course, boxes, course.make(graded))
+    for item in graded:
+        grader.expected(course.tree / 'tests' / 'golden' / f'{item}.png')
+    with concurrent.futures.ThreadPoolExecutor(options.jobs or len(os.sched_getaffinity(0))) as pool:
+        under_way = {pool.submit(grader.result, item, folder): key for key, item, folder in tasks}
+        try:
+            for ended in concurrent.futures.as_completed(under_way):
+                yield under_way[ended], ended.result()
+        except BaseException:
+            stopping.set()
+            pool.shutdown(cancel_futures=True)
+            raise

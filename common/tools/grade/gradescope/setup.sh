@@ -9,4 +9,4 @@ apt-get install -q -y --no-install-recommends bubblewrap cmake doctest-dev g++ l
 cmake -P "$here/course/common/tools/grade/gradescope/enough.cmake" || pip3 install --upgrade cmake
 cd "$here/course"
 cmake --preset learn
-cmake --build build/learn --target grade draw_mistakes --parallel
+cmake --build build/learn --target judge_pictures draw_mistakes --parallel

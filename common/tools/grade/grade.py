@@ -1,0 +1,353 @@
+#!/usr/bin/env python3
+"""Students' pictures and checkouts become tables and pages: ./course grade. docs/grading.md says what an instructor sees of it."""
+import argparse
+import os
+import re
+import signal
+import sys
+import threading
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # the tree stays as it is
+import class_pages  # noqa: E402
+import results  # noqa: E402
+from pictures import Pictures  # noqa: E402
+from results import GradeError, Item, Row, Student, clean, padded  # noqa: E402
+from submissions import find_submissions  # noqa: E402
+
+TREE = Path(__file__).resolve().parents[3]
+TOGETHER = 16  # students with pictures of whom all pictures of a chapter are compared in a row: known mistakes take a while to load
+
+
+def say(text):
+    print(text, end='', file=sys.stderr, flush=True)
+
+
+# --- The command line --------------------------------------------------------------------------------------------------------------------
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        message = re.sub(r'^argument (\S+): ', r'\1 ', message)
+        self.exit(2, f'error: {clean(message)}\nusage: grade DIR... [options]     (grade --help lists them)\n')
+
+
+def whole(low, high):
+    def read(text):
+        if not re.fullmatch('-?[0-9]{1,9}', text) or not low <= int(text) <= high:
+            raise argparse.ArgumentTypeError(f'takes a whole number from {low} to {high}, not \'{text}\'')
+        return int(text)
+    return read
+
+
+def place(text):
+    if not text:
+        raise argparse.ArgumentTypeError('needs a name, and got an empty one')
+    return Path(text)
+
+
+def command_line():
+    parser = Parser(prog='grade', description="students' chapters against the golden pictures", usage='grade DIR... [options]',
+                    allow_abbrev=False,
+                    epilog='exit status: 0 all were graded, whatever the grades; 2 wrong command line, or nothing could be graded; '
+                           '130 ended by Ctrl-C, with what was done until then')
+    add = parser.add_argument
+    add('folders', metavar='DIR', nargs='*', help="a student's checkout or pictures, or a folder of such folders")
+    add('--one', action='store_true', help="each DIR is one student's, whatever is in it")
+    add('--class', action='store_true', dest='each', help="each folder in a DIR is a student's, whatever lies next to it")
+    add('--chapters', metavar='01,02.1', help='grade these chapters and exercises only; exercises: all of them')
+    add('--no-tests', action='store_true', help="compare the pictures, do not run the chapters' tests")
+    add('--no-second-picture', action='store_true', help='do not draw each chapter a second time with other settings')
+    add('--seconds', metavar='N', type=whole(0, 86400), default=0,
+        help="processor time for a program; 0, the default: ten times what the instructor's takes")
+    add('--megabytes', metavar='N', type=whole(64, 1048576), default=2048, help='memory for a program (default: %(default)s)')
+    add('--jobs', metavar='N', type=whole(0, 1024), default=0, help='programs at the same time; 0, the default: one for each processor')
+    add('--trust-students', action='store_true', help='run checkouts even where nothing can contain them')
+    add('--format', choices=['none', *results.FORMATS], default='none', help="write each student's grades for a learning system, too")
+    add('--out', metavar='FOLDER', type=place, default=TREE / 'out/grades',
+        help='where grades.csv, points.csv and index.html go (default: %(default)s)')
+    add('--work', metavar='FOLDER', type=place, default=TREE / 'build/grade',
+        help='where checkouts are built; kept for the next time (default: %(default)s)')
+    add('--programs', metavar='FOLDER', type=place, default=TREE / 'build/learn/bin',
+        help='where judge_pictures and draw_mistakes are (default: %(default)s)')
+    version = re.search(r'project\(\S+ VERSION (\S+)', (TREE / 'CMakeLists.txt').read_text(encoding='utf-8'))[1]
+    add('--version', action='version', version=f'grade {version} (Texture Mapping, Step by Step)')
+    add('--tree', type=place, default=TREE, help=argparse.SUPPRESS)  # tests name another course and other boxes
+    add('--containment', default='bwrap', help=argparse.SUPPRESS)
+    options = parser.parse_intermixed_args()
+    options.tree = options.tree.resolve()
+    if not options.folders:
+        parser.error('DIR is missing')
+    if options.one and options.each:
+        parser.error('--one and --class exclude each other')
+    for folder in options.folders:
+        if not os.path.exists(folder):
+            parser.error(f"there is no folder '{folder}'")
+    try:
+        return options, chosen_items(options)
+    except ValueError as error:
+        parser.error(str(error))
+
+
+def all_items(tree):
+    """All chapters, each with its exercises behind it."""
+    for lesson in sorted((tree / 'chapters').glob('*/lesson.hpp')):
+        name = lesson.parent.name
+        golden = tree / 'tests/golden' / f'{name}.png'
+        if golden.exists():
+            # The suite of 13 measures times, and none of that counts.
+            has_tests = not name.startswith('13') and (tree / 'tests/chapters' / f'test_{name}.cpp').exists()
+            yield Item(name, name[:2], str(golden), has_tests)
+        exercises = {f'{name[:2]}.{file.name[0]}': file for file in lesson.parent.glob('exercises/?_*.hpp')}
+        for number, file in sorted(exercises.items()):
+            yield Item(number, number, exercise=file.relative_to(tree).as_posix())
+
+
+def chosen_items(options):
+    """The items that --chapters names, by number or name; without it, the chapters."""
+    items = list(all_items(options.tree))
+    if options.chapters is None:
+        return [item for item in items if not item.exercise]
+    chosen = set()
+    for word in map(str.strip, options.chapters.split(',')):
+        if not word:
+            raise ValueError(f"--chapters '{options.chapters}' has a comma with nothing before or after it; such as 02,04 is right")
+        named = {item for item in items if word in (item.name, item.number, item.number.removeprefix('0')) or
+                 word == 'exercises' and item.exercise}
+        if not named:
+            raise ValueError(f"there is no chapter '{word}', and no exercise")
+        chosen |= named
+    return [item for item in items if item in chosen]
+
+
+# --- Grading -----------------------------------------------------------------------------------------------------------------------------
+
+def lock(folder, other):
+    """Keeps a folder for this program until it ends: the open file. Elsewhere than on POSIX it does nothing."""
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        import fcntl
+    except ImportError:
+        return None
+    file = open(folder / '.lock', 'a')
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise GradeError(f"another ./course grade is using the folder '{folder}'; wait for it, or name another folder with "
+                         f'{other}') from None
+    except OSError:
+        pass  # some network file systems have no locks
+    return file
+
+
+class Grading:
+    """One run: grades students a few at a time and writes what is known as soon as it is."""
+
+    def __init__(self, options, items):
+        self.options, self.items, self.out = options, items, options.out
+        self.stopping = threading.Event()
+        self.stopped = False  # by Ctrl-C
+        self.finished = 0
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self.stop)
+
+    def stop(self, *_):
+        self.stopped = True
+        self.stopping.set()
+
+    def run(self):
+        self.find_students()
+        self.lock = lock(self.out, '--out')
+        self.pictures = Pictures(self.options.programs.resolve(), self.stopping)
+        for item in self.items:
+            if item.golden:
+                self.pictures.ask(item.golden, item.golden)  # what a student's program makes of it later does not count
+        with open(self.out / 'grades.csv', 'w', encoding='utf-8', newline='') as self.table:
+            self.table.write(results.table([], results.COLUMNS, []))
+            try:
+                for begin in range(0, len(self.students), TOGETHER):
+                    self.compare_pictures_of(range(begin, min(begin + TOGETHER, len(self.students))))
+                self.run_checkouts()
+            except KeyboardInterrupt:
+                pass
+            except (GradeError, OSError):
+                if self.finished:
+                    self.write_class()
+                raise
+        self.write_class()
+
+    def find_students(self):
+        folders = [folder for folder in self.options.folders if os.path.isdir(folder)]
+        for other in self.options.folders:
+            if other not in folders:
+                say(f'skipped, not a folder: {clean(other)}\n')
+        if not folders:
+            raise GradeError('there is nothing to grade: none of these is a folder')
+        self.submissions, remarks = find_submissions(folders, self.items, self.options.one, self.options.each)
+        for remark in remarks:
+            say(remark + '\n')
+        if not self.submissions:
+            raise GradeError('there is nothing to grade: no folder is in there')
+        pages = results.page_names([submission.name for submission in self.submissions])
+        self.students = [Student(submission.folder, submission.name, page, submission.note, [None] * len(self.items))
+                         for submission, page in zip(self.submissions, pages)]
+        self.has_checkouts = any(submission.checkout for submission in self.submissions)
+
+    def compare(self, row, picture):
+        """Sets the picture's part of a row."""
+        answer = self.pictures.compare(picture, row.item.golden, row.item)
+        row.word, row.picture_ok, row.shown = answer['word'], answer['right'], answer['shown']
+        row.figures = answer if answer['measured'] else None
+        row.add_note(answer['note'])
+
+    def compare_hidden(self, row, picture, expected):
+        """The same for a second picture that the student does not know."""
+        second = self.pictures.ask(picture, expected)
+        row.hidden = 'yes' if second['right'] else 'no'
+        if row.picture_ok and not second['right']:
+            row.word, row.shown = 'second picture', second['shown']
+            row.add_note('the picture is right, but a second one, drawn with other settings, is not')
+
+    def compare_pictures_of(self, students):
+        """Chapter by chapter."""
+        for k in range(len(self.items)):
+            for i in students:
+                if not self.submissions[i].checkout and not self.stopped:
+                    self.put(i, k, self.row_of_picture(self.submissions[i], self.items[k]))
+
+    def row_of_picture(self, submission, item):
+        row = Row(item)
+        path, why_not = submission.pictures.get(item.name, ('', ''))
+        if not path:
+            row.word, row.note = 'missing', f'there is no {item.exercise or f"picture {item.name}.png"}'
+        elif why_not:
+            row.word, row.note = 'unreadable', why_not
+        else:
+            self.compare(row, path)
+        # In a class with checkouts all have the same points to reach.
+        row.with_tests = self.has_checkouts and item.has_tests and not self.options.no_tests
+        if row.with_tests and not row.word:
+            row.word, row.note = 'no tests', "the picture is right; the tests need the chapter's code"
+        if row.word == 'missing':
+            row.add_note(f'found {submission.seen}' if submission.seen else '')
+        return row
+
+    def row_of_result(self, result, item):
+        row = Row(item, note=result['note'], build=result['build'], run=result.get('run', ''), containment=result['containment'],
+                  cpu_seconds=result.get('cpu_seconds', ''), limit_cpu_seconds=result.get('limit_cpu_seconds', ''),
+                  tests_passed=int(result.get('tests_passed', 0)), tests_run=int(result.get('tests_run', 0)))
+        # Where a chapter is missing or does not compile, who builds it may not know about its tests.
+        has_tests = 'tests_run' in result if row.build == 'ok' else item.has_tests
+        row.with_tests = has_tests and not self.options.no_tests
+        if row.build != 'ok':
+            row.word = row.build
+        elif item.exercise:
+            # The note begins with the word: "u runs the other way: your map is mirrored; tried: ..."
+            if not row.tests_ok:
+                row.word = results.first_word(row.note) if row.run == 'ok' else row.run
+        else:
+            if result.get('picture'):
+                self.compare(row, result['picture'])
+            else:
+                row.word = 'no picture'
+            if row.run != 'ok':
+                row.word, row.picture_ok = row.run, False
+            elif result.get('hidden_expected'):
+                self.compare_hidden(row, result.get('hidden_picture', ''), result['hidden_expected'])
+            if not row.word and row.with_tests and not row.tests_ok:
+                row.word = f'tests {row.tests}'
+        return row
+
+    def run_checkouts(self):
+        tasks = [((i, k), item.name, submission.checkout) for i, submission in enumerate(self.submissions) if submission.checkout
+                 for k, item in enumerate(self.items)]
+        if not tasks or self.stopped:
+            return
+        if not sys.platform.startswith('linux'):
+            raise GradeError('checkouts need Linux. Folders of the pictures that students\' programs drew are graded everywhere')
+        from build_and_run import results_of
+        self.work_lock = lock(self.options.work, '--work')
+        warned = False
+        for ended, ((i, k), result) in enumerate(results_of(self.options, tasks, self.stopping), 1):
+            if result['containment'] == 'none' and not warned:
+                self.progress('')
+                print(results.NOT_CONTAINED, flush=True)
+                warned = True
+            self.put(i, k, self.row_of_result(result, self.items[k]))
+            self.progress(f'{ended} of {len(tasks)} done: {clean(self.students[i].name)} {self.items[k].number}')
+
+    def put(self, i, k, row):
+        """Keeps a row; with the last one of a student, writes the student's page."""
+        student = self.students[i]
+        row.word = row.word or 'ok'
+        self.table.write(results.grades_csv_line(student, row))
+        self.table.flush()
+        student.all_rows[k] = row
+        if None in student.all_rows:
+            return
+        self.finished += 1
+        if student.has_page:
+            self.write(f'{student.page}.html', class_pages.student_page(self.pictures.pages['page'], student))
+        for row in student.rows:  # a class has thousands
+            row.shown = ''
+        if self.options.format != 'none':
+            name, written = results.FORMATS[self.options.format]
+            self.write(name if len(self.students) == 1 else f'{student.page}.{name}', written(student))
+        self.progress('')
+        if self.options.format == 'classroom':
+            print(results.classroom_notices(student), end='')
+        print(self.line_of(i), flush=True)
+
+    def line_of(self, i):
+        student = self.students[i]
+        wrong = self.nothing_of(i) or ', '.join(f'{row.item.number} {clean(row.word)}' for row in student.rows if not row.right)
+        return (padded(f'[{self.finished}/{len(self.students)}]', 10) + padded(f'{student.points} of {student.of}', 10) +
+                padded(clean(student.name), 24) + ' ' + (wrong or 'all right'))
+
+    def nothing_of(self, i):
+        """In words, if nothing is there of what was asked for."""
+        student, submission = self.students[i], self.submissions[i]
+        if any(row.word != 'missing' for row in student.rows):
+            return ''
+        if student.note:
+            return clean(student.note)
+        if submission.checkout:
+            return 'nothing of what was asked for is in its chapters'
+        return f'missing; found {submission.seen}' if submission.seen else 'no chapter and no picture found'
+
+    def write_class(self):
+        """The tables and the index of all that is done."""
+        self.progress('')
+        self.table.close()
+        students = [student for student in self.students if student.rows]
+        self.write('grades.csv', results.grades_csv(students))
+        self.write('points.csv', results.points_csv(students))
+        self.write('index.html', class_pages.class_page(self.pictures.pages['page_with_script'], self.items, students, len(self.students)))
+        print(f'Look at {clean(str(self.out / "index.html"))}', flush=True)
+
+    def write(self, name, text):
+        """All at once: at any moment the name is that of the whole old or the whole new file."""
+        part = self.out / f'.{name}.part'
+        part.write_bytes(text.encode('utf-8', 'replace'))
+        os.replace(part, self.out / name)
+
+    @staticmethod
+    def progress(words):
+        if sys.stderr.isatty():
+            say('\r\033[K' + words)
+
+
+def main():
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(encoding='utf-8', errors='replace')
+    grading = Grading(*command_line())
+    try:
+        grading.run()
+    except (GradeError, OSError) as error:
+        grading.progress('')
+        say(f'error: {results.clean_lines(str(error))}\n')
+        return 2
+    return 130 if grading.stopped else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

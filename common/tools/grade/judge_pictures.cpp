@@ -1,0 +1,295 @@
+// Whether pictures are right, and if not, what is wrong with them in words: grade.py asks.
+//
+// A question is three texts, each with a zero byte at its end: a picture, the golden picture, and
+// the folder with what the chapter's known mistakes draw, empty if no word is wanted. The answer is
+// a line of JSON. Before the first question comes a line with the page that shows answers.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <list>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/app/command_line.hpp"
+#include "engine/app/run_guarded.hpp"
+#include "engine/compare/difference.hpp"
+#include "engine/compare/difference_map.hpp"
+#include "engine/compare/known_mistakes.hpp"
+#include "engine/measure/json.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/blit.hpp"
+#include "engine/picture/codecs/png_chunks.hpp"
+#include "engine/picture/codecs/read_png.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/system/system.hpp"
+#include "tools/page/page.hpp"
+
+namespace {
+
+using namespace texmap;
+
+/// Pixels across a picture on a page.
+constexpr int shown_width = 256;
+/// Answers that are kept for each golden picture: many students hand in the same bytes.
+constexpr std::size_t most_answers = 20;
+/// Chapters whose known mistakes are kept: each has 120 MB.
+constexpr std::size_t most_chapters = 4;
+
+struct Answer {
+  std::string word;  ///< empty if the picture is right
+  std::string note;
+  bool right = false;
+  bool measured = false;
+  std::size_t pixels_off = 0;  ///< by more than one level
+  double share_off = 0;        ///< of all pixels, 0 to 1
+  double rmse = 0;             ///< levels, 0 to 255
+  double ssim = 1;
+  std::string shown_html;  ///< the part that is wrong: what is there, and what should be
+
+  void add_note(const std::string& words) { note += (note.empty() ? "" : "; ") + words; }
+
+  [[nodiscard]] std::string json() const {
+    return Json::object({{"word", word},
+                         {"note", note},
+                         {"right", right},
+                         {"measured", measured},
+                         {"pixels_off", pixels_off},
+                         {"share_off", share_off},
+                         {"rmse", rmse},
+                         {"ssim", ssim},
+                         {"shown", shown_html}})
+        .text;
+  }
+};
+
+/// Each pixel becomes what `merge` makes of a square of `step` pixels a side.
+template <class Merge>
+Image in_blocks(int width, int height, int step, const Merge& merge) {
+  Image small((width + step - 1) / step, (height + step - 1) / step);
+  for (int row = 0; row < small.height; ++row) {
+    for (int column = 0; column < small.width; ++column) {
+      small.at(column, row) = merge(column * step, row * step, std::min((column + 1) * step, width),
+                                    std::min((row + 1) * step, height));
+    }
+  }
+  return small;
+}
+
+Image smaller(const Image& image, int step) {
+  return in_blocks(image.width, image.height, step, [&](int left, int top, int right, int bottom) {
+    int r = 0, g = 0, b = 0;
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) {
+        const Rgb8 p = image.at(x, y);
+        r += p.r;
+        g += p.g;
+        b += p.b;
+      }
+    }
+    const int pixels = (right - left) * (bottom - top);
+    const auto mean = [pixels](int sum) { return static_cast<std::uint8_t>(sum / pixels); };
+    return Rgb8{mean(r), mean(g), mean(b)};
+  });
+}
+
+/// The largest difference in each block, so that a single pixel stays visible.
+Image small_map(const Image& a, const Image& b, int step) {
+  return in_blocks(a.width, a.height, step, [&](int left, int top, int right, int bottom) {
+    int levels = 0;
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x)
+        levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
+    }
+    return difference_color(levels);
+  });
+}
+
+/// The part of a picture around a box, at least as large as a page shows it in full size.
+Box around(const Box& box, const Image& image) {
+  const int width = std::min(image.width, std::max(box.width, shown_width));
+  const int height = std::min(image.height, std::max(box.height, shown_width * 3 / 4));
+  const auto begin = [](int from, int size, int new_size, int all) {
+    return std::clamp(from + (size - new_size) / 2, 0, all - new_size);
+  };
+  return {begin(box.left, box.width, width, image.width),
+          begin(box.top, box.height, height, image.height), width, height};
+}
+
+std::string shown(const Image& is, const Image& should, const Box& box) {
+  const Box part = around(box, is);
+  const auto cut = [&part](const Image& image) {
+    Image result(part.width, part.height);
+    blit(result, image, -part.left, -part.top);
+    return result;
+  };
+  const Image is_there = cut(is), should_there = cut(should);
+  const int step = (part.width + shown_width - 1) / shown_width;
+  const std::string where = text("columns %d to %d, rows %d to %d", part.left,
+                                 part.left + part.width - 1, part.top, part.top + part.height - 1);
+  return page::side_by_side(
+      {page::figure(page::inside(smaller(is_there, step)), "is: " + where),
+       page::figure(page::inside(smaller(should_there, step)), "should be"),
+       page::figure(page::inside(small_map(should_there, is_there, step)),
+                    "where they differ: black nowhere, yellow most", "the map of differences")});
+}
+
+std::string percent(double share) {
+  const double p = 100 * share;
+  return text(p >= 10 ? "%.0f %%" : p >= 1 ? "%.1f %%" : "%.2g %%", p);
+}
+
+/// Names wrong pictures by what the known mistakes of a chapter draw.
+class KnownWords {
+ public:
+  /// Such as "mirrored: u runs the other way"; empty if no known mistake is sure.
+  [[nodiscard]] std::string words_for(const Image& is, const Image& should,
+                                      const std::string& folder) {
+    const auto known = std::find_if(loaded_.begin(), loaded_.end(),
+                                    [&](const Known& one) { return one.folder == folder; });
+    if (known != loaded_.end()) {
+      loaded_.splice(loaded_.begin(), loaded_, known);
+    } else {
+      if (loaded_.size() == most_chapters) loaded_.pop_back();
+      loaded_.push_front({folder, mistakes_of_the_whole(should), drawn_in(path_of(folder))});
+    }
+    const std::string words = name_mistake(is, should, loaded_.front().of_the_whole);
+    return words.empty() ? name_mistake(is, should, loaded_.front().drawn) : words;
+  }
+
+ private:
+  struct Known {
+    std::string folder;
+    std::vector<WrongPicture> of_the_whole, drawn;
+  };
+
+  /// Without these pictures the grades are the same, and less is said about them.
+  static std::vector<WrongPicture> drawn_in(const std::filesystem::path& folder) {
+    try {
+      if (std::filesystem::exists(folder / "mistakes.txt")) return load_wrong_pictures(folder);
+    } catch (const FileError&) {
+      std::fprintf(stderr, "the known mistakes in %s cannot be loaded: they are not named\n",
+                   name_of(folder).c_str());
+    }
+    return {};
+  }
+
+  std::list<Known> loaded_;
+};
+
+/// A golden picture, and the answers on the files that were compared with it. It is read once: what
+/// a student's program makes of the file later does not count.
+struct Golden {
+  std::vector<std::uint8_t> file;
+  Image picture;
+  std::map<std::pair<std::string, std::vector<std::uint8_t>>, std::string> answers = {};
+};
+
+Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
+               const std::string& mistakes, KnownWords& known) {
+  Answer answer;
+  const Image& should = golden.picture;
+  const auto has_wrong_size = [&](auto width, auto height) {
+    if (std::cmp_equal(width, should.width) && std::cmp_equal(height, should.height)) return false;
+    answer.word = "wrong size";
+    answer.add_note("the picture has " + std::to_string(width) + " x " + std::to_string(height) +
+                    " pixels and should have " + text("%d x %d", should.width, should.height));
+    return true;
+  };
+  if (looks_like_png(file)) {  // a small file can unpack to a gigabyte
+    const PngHeader header = read_png_chunks(file).header;
+    if (has_wrong_size(header.size.width, header.size.height)) return answer;
+    if (header.color_type == 4 || header.color_type == 6)
+      answer.add_note("the file has an alpha channel, which is not looked at");
+  }
+  const Image is = decode_image(file);
+  if (has_wrong_size(is.width, is.height)) return answer;
+  const Figures figures = measure(should, is, {}, Detail::similarity);
+  const std::size_t off = pixels_off_by_more_than(figures, 1);
+  answer.measured = true;
+  answer.pixels_off = off;
+  answer.share_off = static_cast<double>(off) / static_cast<double>(figures.pixels_compared);
+  answer.rmse = figures.root_mean_square_error;
+  answer.ssim = figures.structural_similarity;
+  answer.right = 5000 * off <= figures.pixels_compared;  // 0.02 % without a rounded quotient
+  const std::string off_words =
+      text("%zu pixel%s off by more than one level", off, off == 1 ? " is" : "s are");
+  if (answer.right) {
+    if (off > 0) answer.add_note("as few as the rule allows: " + off_words);
+    return answer;
+  }
+  answer.word = "differs " + percent(answer.share_off);
+  const std::string mistake = mistakes.empty() ? "" : known.words_for(is, should, mistakes);
+  if (!mistake.empty()) {
+    answer.word = mistake.substr(0, std::min(mistake.find(": "), mistake.find("; ")));
+    answer.add_note(mistake);
+  }
+  answer.add_note(off_words);
+  answer.shown_html = shown(is, should, figures.box);
+  return answer;
+}
+
+class Judge {
+ public:
+  /// Errors: FileError if the golden picture cannot be read.
+  std::string answer(const std::string& picture, const std::string& golden_picture,
+                     const std::string& mistakes) {
+    Golden& golden = golden_of(golden_picture);
+    Answer answer;
+    try {
+      std::vector<std::uint8_t> file = read_file(path_of(picture), max_file_bytes);
+      if (file == golden.file) {
+        answer.right = answer.measured = true;
+        return answer.json();
+      }
+      std::pair key(mistakes, std::move(file));
+      if (golden.answers.size() == most_answers && !golden.answers.contains(key))
+        golden.answers.clear();
+      std::string& known = golden.answers[key];
+      if (known.empty()) known = compare(key.second, golden, mistakes, words_).json();
+      return known;
+    } catch (const std::exception& error) {
+      answer.word = "unreadable";
+      answer.note = std::string("the picture cannot be read: ") + error.what();
+      return answer.json();
+    }
+  }
+
+ private:
+  Golden& golden_of(const std::string& path) {
+    const auto known = goldens_.find(path);
+    if (known != goldens_.end()) return known->second;
+    Golden golden = with_name("cannot load the golden picture", path_of(path), [&] {
+      std::vector<std::uint8_t> file = read_file(path_of(path), max_file_bytes);
+      Image picture = decode_image(file);
+      return Golden{std::move(file), std::move(picture)};
+    });
+    return goldens_.emplace(path, std::move(golden)).first->second;
+  }
+
+  std::map<std::string, Golden> goldens_;
+  KnownWords words_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line("judge_pictures", "pictures against golden ones; ./course grade asks");
+  return run_guarded(line, [&] {
+    if (!line.parse(argc, argv)) return;
+    const auto page = [](const char* script) {
+      return Json(page::framed({"@TITLE@", "@STYLE@", script}, "@BODY@"));
+    };
+    print(Json::object({{"page", page("")}, {"page_with_script", page("@SCRIPT@")}}).text + "\n");
+    Judge judge;
+    std::string picture, golden, mistakes;
+    while (std::getline(std::cin, picture, '\0') && std::getline(std::cin, golden, '\0') &&
+           std::getline(std::cin, mistakes, '\0')) {
+      print(judge.answer(picture, golden, mistakes) + "\n");
+    }
+  });
+}

@@ -1,0 +1,450 @@
+#!/usr/bin/env python3
+"""Grading from the command line on: folders of pictures, a small course, tables, pages and files for learning systems.
+
+usage: test_grading.py PROGRAMS [TEST...]    PROGRAMS: the folder of judge_pictures
+"""
+import csv
+import fcntl
+import io
+import json
+import os
+import random
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xml.dom.minidom
+import zlib
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+TESTS = Path(__file__).resolve().parents[1]
+GRADE = TESTS.parent / 'common/tools/grade'
+sys.path.insert(0, str(GRADE))
+import class_pages  # noqa: E402
+from results import (NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean, csv_cell, first_word,  # noqa: E402
+                     gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv, shown_name, with_word)
+from submissions import find_submissions  # noqa: E402
+
+GLOBE, SHEET = Item('03_image_texture', '03', 'golden'), Item('04_uv_conventions', '04', 'golden')
+EVIL = '<script>alert(1)</script>\x1b"\'& =1+1'
+# What draw_mistakes leaves: one mistake, whose picture the test puts next to it.
+DRAWS = '''#!/bin/sh
+echo $$ >>"$(dirname "$0")/drawn"
+mkdir -p "$3"
+cp "$(dirname "$0")/wrong.png" "$3"
+printf 'wrong.png\\tmirrored: u runs the other way\\n' >"$3/mistakes.txt"
+'''
+
+
+def ramps(width, height):
+    return [[[x * 255 // (width - 1), y * 255 // (height - 1), (x + y) % 256] for x in range(width)] for y in range(height)]
+
+
+def noise(width, height, seed):
+    rng = random.Random(seed)
+    return [[[rng.randrange(256) for _ in range(3)] for _ in range(width)] for _ in range(height)]
+
+
+def changed(rows, pixels, by):
+    """The picture with these pixels (column, row) changed."""
+    rows = [[list(pixel) for pixel in row] for row in rows]
+    for column, row in pixels:
+        rows[row][column][1] ^= by
+    return rows
+
+
+def png(rows, alpha=False):
+    """A picture's file, with the filters and the compression that the course's own files do not have."""
+    data = b''.join(b'\0' + b''.join(bytes(pixel) + (b'\x80' if alpha else b'') for pixel in row) for row in rows)
+
+    def chunk(name, data):
+        return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
+    head = struct.pack('>2I5B', len(rows[0]), len(rows), 8, 6 if alpha else 2, 0, 0, 0)
+    return b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', zlib.compress(data, 1)) + chunk(b'IEND', b'')
+
+
+GOLDEN, LARGE = ramps(250, 40), ramps(800, 600)  # of 10000 pixels, two may be off
+RIGHT = png(GOLDEN)
+
+
+class Course(unittest.TestCase):
+    """A course with two chapters and an exercise, and folders of students."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.at = Path(place.name)
+        self.put({'tree/chapters/03_image_texture/lesson.hpp': '', 'tree/chapters/04_uv_conventions/lesson.hpp': '',
+                  'tree/chapters/04_uv_conventions/exercises/1_a.hpp': '', 'tree/tests/chapters/test_03_image_texture.cpp': '',
+                  'tree/tests/golden/03_image_texture.png': RIGHT, 'tree/tests/golden/04_uv_conventions.png': png(LARGE),
+                  'bin/draw_mistakes': DRAWS, 'bin/wrong.png': png(noise(250, 40, 1))})
+        (self.at / 'bin/draw_mistakes').chmod(0o755)
+        os.symlink(PROGRAMS / 'judge_pictures', self.at / 'bin/judge_pictures')
+
+    def put(self, files):
+        for name, content in files.items():
+            path = self.at / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+    def command(self, *words):
+        return [sys.executable, GRADE / 'grade.py', '--tree', self.at / 'tree', '--programs', self.at / 'bin', '--out', self.at / 'out',
+                '--work', self.at / 'work', *words]
+
+    def grade(self, *words, status=0):
+        """Grades the folders that are named, from where the students' are."""
+        self.ended = subprocess.run(self.command(*words), cwd=self.at, capture_output=True, text=True, check=False)
+        self.assertEqual(self.ended.returncode, status, self.ended.stderr)
+        return self.rows() if status == 0 else None
+
+    def rows(self):
+        """The rows of grades.csv, by student and chapter."""
+        rows = csv.DictReader(io.StringIO(self.text('grades.csv').removeprefix('\ufeff')))
+        return {(row['student'], row['chapter'].partition('_')[0]): row for row in rows}
+
+    def text(self, name):
+        return (self.at / 'out' / name).read_bytes().decode()
+
+
+class Pictures(Course):
+    def test_verdicts(self):
+        mirrored = [row[::-1] for row in GOLDEN]
+        off = [(column, 3) for column in range(250)]
+        for name, (file, word, note) in (cases := {
+                'right': (png(GOLDEN, alpha=True), 'ok', 'the file has an alpha channel, which is not looked at'),
+                'last bits': (png(changed(GOLDEN, off, 1)), 'ok', ''),
+                'allowed': (png(changed(GOLDEN, off[1:3], 64)), 'ok',
+                            'as few as the rule allows: 2 pixels are off by more than one level'),
+                'not one more': (png(changed(GOLDEN, off[1:4], 64)), 'differs 0.03 %', '3 pixels are off by more than one level'),
+                'mirrored': (png(mirrored), 'the whole picture is mirrored', 'the whole picture is mirrored: columns run the other way; '),
+                'drawn': (png(noise(250, 40, 1)), 'mirrored', 'mirrored: u runs the other way; '),
+                'unknown': (png(noise(250, 40, 2)), 'differs 100 %', ' pixels are off by more than one level'),
+                'size': (png(ramps(30, 40)), 'wrong size', 'the picture has 30 x 40 pixels and should have 250 x 40'),
+                **{bad: ((TESTS / f'corpus/bad_{bad}.png').read_bytes(), 'unreadable', 'the picture cannot be read: ')
+                   for bad in ('bomb_100000x100000', 'one_byte', 'trunc_idat')}}).items():
+            self.put({f'class/{name}/03.png': file})
+        rows = self.grade('--chapters', '3', 'class')
+        for name, (_, word, note) in cases.items():
+            row = rows[name, '03']
+            self.assertEqual((row['verdict'], row['points'], row['picture_ok']),
+                             (word, *(('1', 'yes') if word == 'ok' else ('0', 'no'))), name)
+            self.assertTrue(note in row['note'] if note else row['note'] == '', row['note'])
+        self.assertEqual([rows['not one more', '03'][name] for name in ('pixels_off', 'share_off')], ['3', '0.00030000'])
+        self.assertEqual([rows['size', '03'][name] for name in ('pixels_off', 'ssim')], ['', ''])
+        # The first wrong picture has the known mistakes drawn, of this run and the next.
+        self.grade('--chapters', '3', 'class')
+        self.assertEqual((self.at / 'bin/drawn').read_text().count('\n'), 1)
+        self.assertIn('1 of 1    allowed                  all right\n', self.ended.stdout)
+        self.assertIn(f'Look at {self.at}/out/index.html\n', self.ended.stdout)
+
+    def test_page_shows_the_part_that_is_wrong_and_a_single_pixel_of_it(self):
+        corners = [(0, 0), (799, 599)]
+        for name, pixels in {'near': [(x, 599) for x in range(700, 800)], 'nearer': [(x, 599) for x in range(700, 799)],
+                             'far': corners * 65 + [(x, 0) for x in range(99)], 'farther': corners + [(x, 0) for x in range(99)]}.items():
+            self.put({f'class/{name}/04.png': png(changed(LARGE, set(pixels) | ({(400, 300)} if name == 'far' else set()), 128))})
+        self.put({'class/right/03.png': RIGHT, 'class/right/04.png': png(LARGE)})
+        self.grade('--chapters', '04', 'class')
+        pages = {name: self.text(f'{name}.html') for name in ('near', 'nearer', 'far', 'farther')}
+        maps = {name: re.findall('<img [^>]*>', page) for name, page in pages.items()}
+        self.assertEqual({len(images) for images in maps.values()}, {3})
+        self.assertIn('is: columns 544 to 799, rows 408 to 599', pages['near'])
+        self.assertIn('width="200" height="150"', maps['far'][0])
+        self.assertNotEqual(maps['near'][2], maps['nearer'][2])
+        self.assertNotEqual(maps['far'][2], maps['farther'][2])
+        self.assertFalse((self.at / 'out/right.html').exists())  # nothing is to be seen there
+        for name in pages:
+            self.assertLess(len(pages[name]), 300000)
+
+
+class Folders(Course):
+    def test_pictures_are_found_under_many_names(self):
+        found = ['03_image_texture.png', '03.png', '3.PNG', 'out/03_image_texture.png', 'OUT/03_IMAGE_TEXTURE.PNG',
+                 'homework-main/out/03-globe.png', 'Chapter 3.png', 'ch03.png', 'Kap. 03.png', 'Chapter 3 final.png', 'picture_03.png',
+                 'screenshot 03.png', '03 (1).png', '03_image_texture/03.png', '09_another/03.png', 'a/b/c/03.png']
+        others = {'033.png': '033.png', 'image_texture.png': 'image_texture.png', '03.1.png': '03.1.png', '03.txt': '',
+                  '2 of 03 b.png': '2 of 03 b.png', 'IMG_0034.png': 'IMG_0034.png', 'x003.png': 'x003.png', 'a/b/c/d/03.png': '',
+                  'tests/golden/03_image_texture.png': '', '.git/03.png': '', 'lesson.hpp': "lesson.hpp, but not in a chapter's folder"}
+        self.put({f'class/{i:02}/{name}': RIGHT for i, name in enumerate([*found, *others])})
+        self.put({f'class/many/{name}.png': 'x' for name in 'abcdef'})
+        # The best name counts, then the place nearest to the top; two of a kind are a question; links are not followed.
+        self.put({'class/best/03.png': 'x', 'class/best/old/03_image_texture.png': RIGHT,
+                  'class/top/out/03.png': 'x', 'class/top/03.png': RIGHT, 'class/two/03_a.png': RIGHT, 'class/two/03_b.png': RIGHT,
+                  'class/exercise/04.1.png': RIGHT, 'class/link/a.txt': 'x'})
+        os.symlink(self.at / 'tree/tests/golden/03_image_texture.png', self.at / 'class/link/03.png')
+        os.symlink(self.at / 'class/best', self.at / 'class/other')
+        os.symlink(self.at / 'class/best', self.at / 'class/many/best')
+        rows = self.grade('--chapters', '03,4.1', 'class')
+        for i, name in enumerate([*found, *others]):
+            note = f'there is no picture 03_image_texture.png{"; found " if others.get(name) else ""}{others.get(name)}'
+            row = rows[f'{i:02}', '03']
+            self.assertEqual((row['verdict'], row['note']), ('missing', note) if name in others else ('ok', ''), name)
+        self.assertEqual(rows['many', '03']['verdict'], 'missing')
+        self.assertIn('; found a.png, b.png, c.png, d.png and 2 pictures more', rows['many', '03']['note'])
+        self.assertEqual([rows[name, '03']['verdict'] for name in ('best', 'top')], ['ok', 'ok'])
+        self.assertEqual(rows['two', '03']['note'], '03_a.png or 03_b.png? Name the picture 03_image_texture.png')
+        self.assertEqual(rows['link', '03']['note'], '03.png is a link; links are not followed')
+        self.assertEqual(rows['exercise', '04.1']['verdict'], 'missing')  # a picture is none of an exercise
+        self.assertIn('other                    the folder is a link; links are not followed\n', self.ended.stdout)
+
+    def test_whose_they_are(self):
+        one = "{} is graded as one student's folder; --class grades each folder in it as a student's\n"
+        many = 'class is graded as a class of {}; --one grades it as one student\'s folder\n'
+        for files, words, names, remark in [
+                ('ada/03.png bob/out/03.png none/a.txt a.txt', 'class', 'ada bob none', ''),
+                ('ada/05.png bob/notes.txt', 'class', 'ada bob', many.format('2 students')),
+                ('ada/x.txt bob/notes.txt', 'class', 'ada bob', many.format('2 students')),
+                ('ada/03.png bob/03.png 03_expected.png', 'class', 'ada bob', many.format("2 students; 03_expected.png is nobody's")),
+                ('ada/03.png bob/03.png 03_expected.png', '--one class', 'class', ''),
+                ('ada/03.png', 'class', 'ada', many.format('1 student')), ('ada/03.png', '--class class', 'ada', ''),
+                ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''), ('ada/out/03.png', 'class/ada', 'ada', ''),
+                ('03.png old/03.png', 'class', 'class', one.format('class')), ('03.png old/03.png', '--class class', 'old', ''),
+                ('03.png notes/a.txt more/b.txt', 'class', 'class', ''),
+                ('ada/03.png eve/03.png bob/a.txt', 'class/ada class/bob', 'ada bob', ''),
+                ('a/ada/03.png a/bob/03.png b/eve/03.png b/cyd/03.png', 'class/a class/b', 'ada bob eve cyd', '')]:
+            with self.subTest(files, words=words):
+                shutil.rmtree(self.at / 'class', ignore_errors=True)
+                self.put({f'class/{file}': RIGHT for file in files.split()})
+                rows = self.grade('--chapters', '3', *words.split())
+                self.assertEqual({name for name, _ in rows}, set(names.split()))
+                self.assertEqual(self.ended.stderr, remark)
+
+    def test_chapters_are_found_in_several_layouts(self):
+        for i, (file, checkout) in enumerate({
+                'chapters/03_image_texture/lesson.hpp': '.', 'Chapters/03_image_texture/lesson.hpp': 'Chapters',
+                '03_image_texture/lesson.hpp': '.', 'homework/03_image_texture/lesson.hpp': 'homework',
+                'texmap-main/chapters/03_image_texture/lesson.hpp': 'texmap-main', '04_uv_conventions/exercises/1_b.hpp': '.',
+                '09_another/lesson.hpp': None}.items()):
+            self.put({f'{i}/{file}': 'x', f'{i}/ada/03.png': 'x', f'{i}/bob/03.png': 'x'})
+            found, remarks = find_submissions([f'{self.at}/{i}'], [GLOBE, Item('04.1', '04.1', exercise='/04_uv_conventions/')])
+            here = checkout in ('.', 'Chapters')  # else the others may be students, too
+            self.assertEqual((len(found), len(remarks)), (1, 1) if here else (3, 0), file)
+            checkouts = [os.path.relpath(one.checkout, self.at / str(i)) for one in found if one.checkout]
+            self.assertEqual(checkouts, [checkout] if checkout else [])
+
+    def test_names_in_any_script_stay_and_harm_nothing(self):
+        names = ['王小明', '=1+1', 'Ada', 'ada', 'index', '<script>', 'a\x1b[31mb', 'a\u202eb']
+        shown = {name: name for name in names[:6]} | {names[6]: 'a[31mb', names[7]: 'ab', '=1+1': "'=1+1"}
+        if sys.platform.startswith('linux'):  # other systems make no such names
+            names += ['M\udcfcller', 'M\udc81ller', 'tab\there']
+            shown |= {'M\udcfcller': 'Müller', 'M\udc81ller': 'M\\x81ller', 'tab\there': 'tab here'}
+        self.put({f'class/{name}/03.png': RIGHT for name in names[:-1]} | {f'class/{names[-1]}/03.png': 'x'})
+        rows = self.grade('--chapters', '3', 'class')
+        self.assertEqual({name for name, _ in rows}, {shown[name] for name in names})
+        index = self.text('index.html')
+        self.assertNotRegex(index, '<script>(?!\nconst table)|\x1b|\u202e')
+        self.assertIn('<bdi>&lt;script&gt;</bdi>', index)
+        self.assertEqual(page_names(['ada', 'Ada', '王小', '李小红', 'index', 'a/..b', 'Müller', 'Möller']),
+                         ['ada', 'Ada-2', 'student', 'student-2', 'index-2', 'a___b', 'M__ller', 'M__ller-2'])
+
+
+class Runs(Course):
+    def test_wrong_command_lines_say_what_helps(self):
+        self.put({'file': '', 'class/ada/03.png': RIGHT})
+        for words, why in {'': 'DIR is missing', 'nowhere': "there is no folder 'nowhere'", 'file': 'there is nothing to grade',
+                           '--chapters 99 class': "there is no chapter '99', and no exercise", '--chapters 04.9 class': "'04.9', and no",
+                           '--chapters 03, class': "'03,' has a comma with nothing before or", '--format pdf class': '--format ',
+                           '--one --class class': '--one and --class exclude each other', '--nope class': '--nope',
+                           '--jobs x class': "--jobs takes a whole number from 0 to 1024, not 'x'",
+                           '--megabytes 1 class': '--megabytes takes a whole number from 64 to 1048576'}.items():
+            self.grade(*words.split(), status=2)
+            self.assertRegex(self.ended.stderr, '(?m)^error: .*' + re.escape(why))
+        rows = self.grade('class/ada', '--chapters', '3, 04.1 ,exercises', 'file')  # words and folders in any order
+        self.assertEqual(list(rows), [('ada', '03'), ('ada', '04.1')])
+        self.assertEqual(self.ended.stderr, 'skipped, not a folder: file\n')
+        self.assertEqual(list(self.grade('class/ada')), [('ada', '03'), ('ada', '04')])  # no exercise if none is asked for
+
+    def test_who_has_nothing_has_one_word_for_all(self):
+        self.put({'class/bob/05.png': RIGHT, 'class/none/a.txt': ''})
+        self.grade('class')
+        self.assertIn('0 of 2    bob                      missing; found 05.png\n', self.ended.stdout)
+        self.assertIn('0 of 2    none                     no chapter and no picture found\n', self.ended.stdout)
+
+    def test_formats_leave_a_file_with_the_pages_name_where_there_are_several(self):
+        self.put({'class/ada/03.png': RIGHT, 'class/bob/03.png': RIGHT})
+        for name, file in {'gradescope': 'results.json', 'classroom': 'classroom.json', 'junit': 'junit.xml'}.items():
+            self.grade('--chapters', '3', '--format', name, 'class/ada')
+            self.assertEqual('::notice title=Autograding complete::Points 1/1\n' in self.ended.stdout, name == 'classroom')
+            self.assertTrue((self.at / 'out' / file).exists())
+            self.grade('--chapters', '3', '--format', name, 'class')
+            self.assertTrue((self.at / 'out' / f'bob.{file}').exists())
+
+    def test_one_run_at_a_time_uses_a_folder(self):
+        self.put({'class/ada/chapters/03_image_texture/lesson.hpp': '', 'class/bob/03.png': RIGHT})
+        for folder, words in {'out': ['class/bob'], 'work': ['class']}.items():
+            (self.at / folder).mkdir(exist_ok=True)
+            with open(self.at / folder / '.lock', 'w') as other:
+                fcntl.flock(other, fcntl.LOCK_EX)
+                self.grade('--chapters', '3', *words, status=2)
+            if folder == 'out' or sys.platform.startswith('linux'):
+                self.assertIn(f"another ./course grade is using the folder '{self.at}/{folder}'; wait for it, or name another folder with "
+                              f'--{folder}\n', self.ended.stderr)
+        # What was graded before stays. The tests count for all, if anyone hands in a checkout.
+        self.assertIn('"class/bob","bob","1","2","1","bob",""\r\n', self.text('points.csv'))
+        self.assertEqual(self.rows()['bob', '03']['verdict'], 'no tests')
+
+    def test_a_run_that_is_ended_keeps_what_is_done_and_ends_what_runs(self):
+        self.put({'class/ada/03.png': RIGHT, 'class/eve/03.png': png(noise(250, 40, 5)),
+                  'bin/draw_mistakes': '#!/bin/sh\necho $$ >"$(dirname "$0")/begun"\nexec sleep 1000\n'})
+        with subprocess.Popen(self.command('--chapters', '3', 'class'), cwd=self.at, stdout=subprocess.PIPE) as run:
+            begun = self.at / 'bin/begun'
+            while run.poll() is None and not (begun.exists() and begun.read_text()):
+                time.sleep(0.02)
+            run.send_signal(signal.SIGINT)
+            run.communicate()
+        self.assertEqual(run.returncode, 130)
+        with self.assertRaises(ProcessLookupError):
+            os.kill(int(begun.read_text()), 0)
+        self.assertEqual(list(self.rows()), [('ada', '03')])
+        self.assertIn('<p>1 folder graded of 2: the run was ended before the others', self.text('index.html'))
+
+
+class Results(unittest.TestCase):
+    """Tables, pages and formats of students of every kind."""
+
+    @staticmethod
+    def row(item=GLOBE, picture=True, passed=5, note='', **other):
+        row = Row(item, 'ok' if picture else 'mirrored', note, 'ok', 'ok', 'bwrap', '1.5', '5.0', None, picture, with_tests=True,
+                  tests_passed=passed, tests_run=5)
+        for name, value in other.items():
+            setattr(row, name, value)
+        return row
+
+    def students(self):
+        exercise = Item('02.1', '02.1', exercise='chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp')
+        right = self.row(exercise, tests_passed=1, tests_run=1)
+        broken = self.row(SHEET, False, 0, "lesson.hpp:7: error: expected ';'", build='does not build', tests_run=0)
+        broken.word = broken.build
+        evil = self.row(picture=False, passed=4, note=EVIL)
+        return [Student('s/ada', 'ada', 'ada', '', [self.row(), right]), Student(f's/{EVIL}', EVIL, 'evil', EVIL, [evil]),
+                Student('s/bob', 'bob', 'bob', '', [broken, self.row()]), Student('s/eve', 'eve', 'eve', '', [broken])]
+
+    def test_text_is_made_safe(self):
+        for text, cell in {'ada': 'ada', 'say "hi"': 'say ""hi""', '=1+1': "'=1+1", ' =1+1': " '=1+1", '\u3000=1': "\u3000'=1",
+                           '＝1+1': "'＝1+1", '"=1': '""\'=1', 'x\n=1': 'x =1', 'a-b = c': 'a-b = c', '\x1b@': "'@"}.items():
+            self.assertEqual(csv_cell(text), f'"{cell}"')
+        self.assertEqual(clean('a\nb\tc\x1b[31m\x7f\u202e\udcff'), 'a b c[31m\ufffd')
+        self.assertEqual(shown_name('\ufffd'), '\ufffd')
+        self.assertEqual(padded('王小明', 8), '王小明  ')
+        for note, word in {'std::fmod keeps the sign: tried -1; yours -1': 'std::fmod keeps the sign', 'not yet; tried: 1': 'not yet',
+                           'mirrored': 'mirrored'}.items():
+            self.assertEqual((first_word(note), with_word(word, note)), (word, note))
+        self.assertEqual((with_word('hang', 'it was stopped'), with_word('missing', '')), ('hang: it was stopped', 'missing'))
+
+    def test_tables(self):
+        students = self.students()
+        grades, points = grades_csv(students), points_csv(students)
+        self.assertTrue(grades.startswith(
+            '\ufeff"student","chapter","build","run","seconds","pixels_off","share_off","rmse","ssim","picture_ok","tests","note",'
+            '"verdict","points","of","second_picture_ok","limit_seconds","contained_by","folder"\r\n'
+            '"ada","03_image_texture","ok","ok","1.5","","","","","yes","5 of 5","","ok","2","2","","5.0","bwrap","s/ada"\r\n'
+            '"ada","02.1","ok","ok","1.5","","","","","","1 of 1","","ok","1","1","","5.0","bwrap","s/ada"\r\n'))
+        students[0].all_rows.append(None)
+        self.assertTrue(points_csv(students).startswith(
+            '\ufeff"folder","name","points","of","chapters","page","note"\r\n'
+            '"s/ada","ada","3","3","2","ada","ended with 2 of 3 graded"\r\n'))
+        students[2].all_rows[0].containment = 'none'
+        for table in (grades_csv(students), points_csv(students)):
+            self.assertTrue(table.startswith(f'\ufeff"{NOT_CONTAINED}"\r\n"'))
+        self.assertNotIn(NOT_CONTAINED, grades + points)
+
+    def test_class_page_has_the_worst_first_and_a_row_of_sums(self):
+        students = [Student(f's/{i}', f'student {i}', f's{i}', '', [Row(GLOBE, 'ok', picture_ok=True), Row(SHEET, 'ok', picture_ok=True)])
+                    for i in range(200)]
+        for i in range(150, 187):
+            students[i].all_rows[0] = Row(GLOBE, 'mirrored')
+        for i, word in enumerate(('differs 3 %', 'black', 'gray')):
+            students[190 + i].all_rows[0] = Row(GLOBE, word)
+        page = class_pages.class_page('@BODY@', [GLOBE, SHEET], students, 200)
+        self.assertIn('<td>160 right<br>37 mirrored<br>1 black<br>1 differ<br>1 other</td><td>all right</td>', page)
+        self.assertLess(page.index('student 150<'), page.index('student 0<'))
+        self.assertIn('<a href="s150.html">', page)
+        self.assertNotIn('<a href="s7.html">', page)
+        self.assertNotRegex(page, 'Tests|class="scroll"')  # a table to scroll would be cut on paper
+        self.assertLess(len(page), 100000)
+        students[0].all_rows = [self.row(), None]
+        self.assertRegex(class_pages.class_page('@BODY@', [GLOBE, SHEET], students, 200),
+                         'Tests</button>.*\n(.*\n)*.*>2 of 2<br>ended with 1 of 2 graded</td>')
+
+    def test_pages_have_nothing_that_a_student_wrote_and_warn_first(self):
+        students = self.students()
+        students[1].all_rows[0].containment = 'none'
+        pages = [class_pages.student_page('<title>@TITLE@</title>@BODY@', students[1]),
+                 class_pages.class_page('@BODY@', [GLOBE], [students[1]], 1)]
+        for page in pages:
+            self.assertNotRegex(page, '<script|\x1b')
+            self.assertIn('&lt;script&gt;', page)
+            self.assertRegex(page, '^(<title>.*</title>)?<p class="verdict bad">NOT CONTAINED')
+        self.assertIn('pre { white-space: pre-wrap', class_pages.student_page('@STYLE@', students[1]))
+        self.assertIn('<h2>Right</h2>\n<p>03_image_texture</p>', class_pages.student_page('@BODY@', students[2]))
+
+    def check(self, value, fields, every=()):
+        """An object of a format has these fields: kinds, or words of which it has one."""
+        self.assertLessEqual(set(value), set(fields))
+        self.assertLessEqual(set(every), set(value))
+        for name, one in value.items():
+            self.assertTrue(isinstance(one, fields[name]) if not isinstance(fields[name], list) else one in fields[name], (name, one))
+
+    def test_formats_have_the_fields_that_each_systems_description_lists(self):
+        number, formats = (int, float), ['text', 'html', 'simple_format', 'md', 'ansi']
+        visible, statuses = ['visible', 'hidden', 'after_due_date', 'after_published'], ['pass', 'fail', 'error']
+        for student in self.students():
+            scope, room = json.loads(gradescope_json(student)), json.loads(classroom_json(student))
+            self.check(scope, {'score': number, 'execution_time': number, 'output': str, 'output_format': formats,
+                               'test_output_format': formats, 'test_name_format': formats, 'visibility': visible,
+                               'stdout_visibility': visible, 'extra_data': dict, 'tests': list}, ['tests'])
+            self.check(room, {'version': [1], 'status': statuses, 'max_score': number, 'tests': list},
+                       ['version', 'status', 'max_score', 'tests'])
+            for test in scope['tests']:
+                self.check(test, {'score': number, 'max_score': number, 'status': ['passed', 'failed'], 'name': str, 'name_format': formats,
+                                  'number': str, 'output': str, 'output_format': formats, 'tags': list, 'visibility': visible,
+                                  'extra_data': dict})
+                self.assertEqual(test['status'] == 'passed', test['score'] == test['max_score'])
+            for test in room['tests']:
+                self.check(test, {'name': str, 'status': statuses, 'score': number, 'message': str, 'test_code': str, 'filename': str,
+                                  'line_no': number, 'duration': number}, ['name', 'status', 'score'])
+            self.assertEqual([sum(test[what] for test in scope['tests']) for what in ('score', 'max_score')], [student.points, student.of])
+            self.assertEqual((scope['score'], room['max_score']), (student.points, student.of))
+            suite = xml.dom.minidom.parseString(junit_xml(student)).documentElement
+            of_kind = {kind: len(suite.getElementsByTagName(kind)) for kind in ('testcase', 'failure', 'error')}
+            self.assertEqual(of_kind, {'testcase': student.of, 'failure': student.of - student.points - of_kind['error'],
+                                       'error': 2 if student.name in ('bob', 'eve') else 0})
+            self.assertEqual([int(suite.getAttribute(name)) for name in ('tests', 'failures', 'errors')], list(of_kind.values()))
+            self.assertNotIn('\x1b', junit_xml(student))
+
+    def test_formats_say_what_an_instructor_looks_for(self):
+        ada, evil, bob, eve = self.students()
+        room = {student.name: json.loads(classroom_json(student)) for student in (ada, evil, bob, eve)}
+        self.assertEqual([one['status'] for one in room.values()], ['pass', 'fail', 'fail', 'error'])  # of bob one chapter was built
+        self.assertEqual(room['eve']['tests'][0]['message'], "does not build: lesson.hpp:7: error: expected ';'")
+        self.assertEqual([test['filename'] for test in room['ada']['tests'][1:]],
+                         ['chapters/03_image_texture/lesson.hpp', ada.rows[1].item.exercise])
+        self.assertEqual([(test['number'], test['name']) for test in json.loads(gradescope_json(ada))['tests']],
+                         [('3.1', '03_image_texture: the picture'), ('3.2', '03_image_texture: the tests'), ('2.E1', '02.1: the exercise')])
+        self.assertEqual(classroom_notices(evil), '::notice title=Autograding complete::Points 0/2\n'
+                         '::notice title=Autograding report::{"totalPoints": 0, "maxPoints": 2}\n')
+        self.assertEqual(json.loads(gradescope_json(ada))['execution_time'], 3)  # a program's time is counted once
+        evil.rows[0].containment = 'none'
+        self.assertTrue(json.loads(gradescope_json(evil))['output'].startswith('NOT CONTAINED'))
+
+    def test_messages_say_the_reason_once_and_not_at_length(self):
+        mirrored = self.row(picture=False, passed=0, note="mirrored: columns run; tests: the texture's left half: is blue")
+        failed = self.row(SHEET, passed=0, note='tests: the pole: is red', word='tests 0 of 5')
+        long = self.row(picture=False, passed=0, note='x' * 100000)
+        tests = json.loads(gradescope_json(Student('s/ada', 'ada', 'ada', '', [mirrored, failed, long])))['tests']
+        self.assertEqual([test['output'] for test in tests[:4]],
+                         [mirrored.note, "0 of 5 tests passed: the texture's left half: is blue", '',
+                          '0 of 5 tests passed: the pole: is red'])
+        self.assertLess(len(tests[4]['output']), 65535)  # else a learning system refuses it
+
+
+if __name__ == '__main__':
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    PROGRAMS = Path(sys.argv[1]).resolve()
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
