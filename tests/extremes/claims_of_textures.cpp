@@ -4,7 +4,7 @@
 #include "math/srgb.hpp"
 #include "support/whole_numbers.hpp"
 #include "texture/checkerboard.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 #include "texture/solid_checkerboard.hpp"
 #include "texture/texel.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "math/srgb.hpp"
 #include "texture/encoded.hpp"
-#include "texture/image_texture.hpp"
+#include "texture/light_texture.hpp"
 
 namespace texmap::test {
 namespace {
