@@ -32,7 +32,7 @@ add_closure(closure_05 "${lessons}/05_y_rotation/lesson.hpp" HEADERS 33 LINES 19
 add_closure(closure_06 "${lessons}/06_phong_texture_blend/lesson.hpp" HEADERS 35 LINES 2100 FORBIDS ${by_07})
 add_closure(closure_07 "${lessons}/07_earth_by_sampling/lesson.hpp" HEADERS 40 LINES 2400)
 add_closure(closure_08 "${lessons}/08_triangle_uv/lesson.hpp" HEADERS 45 LINES 2800)
-add_closure(closure_09 "${lessons}/09_texture_filtering/lesson.hpp" HEADERS 45 LINES 2800)
+add_closure(closure_09 "${lessons}/09_texture_filtering/lesson.hpp" HEADERS 45 LINES 2900)
 add_closure(closure_10 "${lessons}/10_projections/lesson.hpp" HEADERS 45 LINES 2800 FORBIDS ${by_06})
 add_closure(closure_11 "${lessons}/11_bump_and_normal_maps/lesson.hpp" HEADERS 45 LINES 2800)
 add_closure(closure_12 "${lessons}/12_environment_map/lesson.hpp" HEADERS 45 LINES 2800)

@@ -15,8 +15,7 @@ struct Nearest {
 template <class Real, class Objects>
 [[nodiscard]] Nearest<Real> find_nearest(const Objects& objects, const Ray<Real>& ray) {
   Nearest<Real> nearest;
-  double index = 0;
-  for (const auto& object : objects) {
+  for (double index = 0; const auto& object : objects) {
     const Real distance = distance_to(object.shape, ray);
     const auto nearer = distance < nearest.distance;
     nearest.distance = select(nearer, distance, nearest.distance);
@@ -32,10 +31,8 @@ template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray,
                                      const Real& distance, int leaving = -1) {
   Real first = infinity<Real>();
-  int index = 0;
-  for (const auto& object : objects) {
-    if (index != leaving) first = min(distance_to(object.shape, ray), first);
-    ++index;
+  for (int index = 0; const auto& object : objects) {
+    if (index++ != leaving) first = min(distance_to(object.shape, ray), first);
   }
   return first < distance;
 }
@@ -50,8 +47,7 @@ template <class Real, class Objects, class Background, class Shade>
   const Nearest<Real> nearest = find_nearest(objects, ray);
   decltype(background(ray)) color{};
   if (any(nearest.index < Real(0))) color = background(ray);
-  int index = -1;
-  for (const auto& object : objects) {
+  for (int index = -1; const auto& object : objects) {
     ++index;
     const Mask<Real> here = nearest.index == Real(index);
     if (!any(here)) continue;

@@ -21,7 +21,7 @@ file(WRITE "${GALLERY}/index.html.new" "<!doctype html>
 <title>Texture Mapping, Step by Step</title>
 <style>
 :root { color-scheme: light dark; }
-body { font: 1rem/1.5 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 60rem; }
+body { font: 1rem/1.5 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 60rem; background: Canvas; color: CanvasText; }
 figure { margin: 0 0 2rem; }
 img { max-width: 100%; display: block; }
 </style>

@@ -90,15 +90,17 @@ USES = {
         ("", "[...document.querySelectorAll('input, button, pre[tabindex]')].filter((e) => { e.focus(); return document.activeElement === e; }).length === 5"),
     ],
     "gallery.html": [
-        ("", "document.querySelectorAll('section img').length >= 15 && document.querySelectorAll('a[href^=diff]').length > 10"),
-        ("document.querySelector('button[data-frames]').click()", "/_00[0-9].png$/.test(turning().src)"),
-        ("document.querySelector('button[data-frames]').click()", "turning().getAttribute('src') === '05_y_rotation.png'"),
+        ("", "[...document.querySelectorAll('figure img')].filter((e) => e.naturalWidth).length >= 15"),
+    ],
+    "05_y_rotation.html": [
+        ("document.querySelector('button[data-frames]').click()", "/_00[1-9].png$/.test(turning().src)"),
+        ("document.querySelector('button[data-frames]').click()", "turning().getAttribute('src') === '05_y_rotation_000.png'"),
     ],
 }
 HELPERS = """
 function find(words) { const box = document.querySelector('#search'); box.value = words; box.dispatchEvent(new Event('input')); }
 function cut() { return document.querySelector('.pair').style.getPropertyValue('--cut'); }
-function turning() { return document.querySelector('button[data-frames]').closest('section').querySelector('img'); }"""
+function turning() { return document.querySelector('button[data-frames]').closest('figure').querySelector('img'); }"""
 
 
 def run(*words):
