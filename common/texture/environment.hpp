@@ -88,31 +88,26 @@ class Environment {
   /// The light at a place on the picture.
   template <class Real>
   [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
+    const auto texels = [this](int column, int row) {
+      const Color<float>& light = map_.at(column, row);
+      return std::array{light.r, light.g, light.b};
+    };
+    const auto color = [](const std::array<Real, 3>& channels) -> Color<Real> {
+      return {channels[0], channels[1], channels[2]};
+    };
     if (filter_ == TexelFilter::nearest) {
-      const auto place = texel_place(uv, map_.width, map_.height, VAxis::up, TexelRounding::floor);
-      return color(look_up(texels(), place));
+      return color(look_up(
+          texels, texel_place(uv, map_.width, map_.height, VAxis::up, TexelRounding::floor)));
     }
     const FourTexels<Real> four = four_texels(uv, map_.width, map_.height);
     const auto texel = [&](std::size_t i) {
       const WrappedTexel<Real>& one = four.texels[i];
-      return color(look_up(texels(), one.column, Real(map_.height - 1) - one.row));
+      return color(look_up(texels, one.column, Real(map_.height - 1) - one.row));
     };
     return mix(mix(texel(0), texel(1), four.across), mix(texel(2), texel(3), four.across), four.up);
   }
 
  private:
-  /// The light of the texel in a column and a row, rows from the top, as look_up asks for it.
-  [[nodiscard]] auto texels() const {
-    return [this](int column, int row) {
-      const Color<float>& light = map_.at(column, row);
-      return std::array{light.r, light.g, light.b};
-    };
-  }
-  template <class Real>
-  [[nodiscard]] static Color<Real> color(const std::array<Real, 3>& channels) {
-    return {channels[0], channels[1], channels[2]};
-  }
-
   LightImage map_;
   TexelFilter filter_;
   RotationY to_map_;
