@@ -88,7 +88,7 @@ struct HitOfEveryObject : Lesson {
     }
     Color<Real> seen = this->stage.sky(ray);
     index = 0;
-    for (const auto& object : this->objects) {
+    for (std::size_t i = 0; i < this->objects.size(); ++i) {
       const Mask<Real> here = nearest.index == Real(index);
       index += 1;
       if (!any(here)) continue;

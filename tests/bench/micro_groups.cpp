@@ -84,8 +84,7 @@ TextureFunction noise_texture(TexelLight light, bool as_roots) {
     texel = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
              static_cast<std::uint8_t>(bits >> 16)};
   }
-  const auto exact =
-      std::make_shared<const LightTexture>(image, light);
+  const auto exact = std::make_shared<const LightTexture>(ImageTexture{image}, light);
   return {exact, {exact.get(), as_roots ? RootTexture(*exact) : RootTexture()}};
 }
 

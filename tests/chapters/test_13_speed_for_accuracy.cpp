@@ -235,7 +235,6 @@ TEST_CASE(
           levels_of(sampled(earth(), view, variant, Sampler(row.sampler, row.samples, seed++), 0));
       CAPTURE(name_of(row.sampler));
       CAPTURE(row.samples);
-      CAPTURE(east);
       CHECK(rms_difference(levels, reference) <= row.bound);
       if (up > 60 || up < -60) continue;  // the poles are plain, and their noise is small
       CHECK(rms_difference(levels, reference) > row.bound / 3);
@@ -314,8 +313,8 @@ TEST_CASE("the cheapest filter and way that keep to a budget in levels") {
         {Part::skies, "sun", 40, "cosine 4"},
         {Part::skies, "sun", 8, "mis 16"},
         {Part::skies, "sun", 7, "none"}}) {
-    CAPTURE(sky);
-    CAPTURE(levels);
+    INFO(sky);
+    INFO(levels);
     const Row* row = fastest(all, part, levels, sky);
     const std::string samples =
         part == Part::skies && row != nullptr ? text(" %d", row->samples) : "";

@@ -1,6 +1,7 @@
 // Tests of common/number/kinds/pack.hpp and pack2.hpp: in each lane a pack, or a pair of packs,
 // behaves as a single number does.
 #include <doctest.h>
+#include <string>
 
 #include <vector>
 

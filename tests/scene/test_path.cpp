@@ -1,5 +1,6 @@
 // Tests of scene/path.hpp: the light of paths with known turns.
 #include <doctest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <vector>

@@ -3,6 +3,7 @@
 #include "texture/footprint.hpp"
 
 #include <doctest.h>
+#include <algorithm>
 
 #include "support/dice.hpp"
 

@@ -2,6 +2,7 @@
 #include "texture/normal_map.hpp"
 
 #include <doctest.h>
+#include <numbers>
 
 #include <cmath>
 
