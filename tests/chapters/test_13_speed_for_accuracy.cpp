@@ -313,8 +313,6 @@ TEST_CASE("the cheapest filter and way that keep to a budget in levels") {
         {Part::skies, "sun", 40, "cosine 4"},
         {Part::skies, "sun", 8, "mis 16"},
         {Part::skies, "sun", 7, "none"}}) {
-    INFO(sky);
-    INFO(levels);
     const Row* row = fastest(all, part, levels, sky);
     const std::string samples =
         part == Part::skies && row != nullptr ? text(" %d", row->samples) : "";
@@ -353,7 +351,6 @@ TEST_CASE("a recommendation says what to take, how far off it is, and its comman
         {"levels=1", " --budget levels=1\n"},
         {"texels=0.01", "  light", false},
         {"texels=0.01", "./course run 09", false}}) {
-    CAPTURE(budget);
     CAPTURE(words);
     const std::string lines = recommendation(all, parse_budget(budget), earth().nearest.image);
     CHECK((lines.find(words) != std::string::npos) == said);

@@ -24,7 +24,7 @@ static std::function<int(const Sums&, double)> drawn_thing;
 /// A picture of the sky as the student reads its texels, each first written as in a .hdr file.
 inline LightImage read_by_student(LightImage map) {
   for (Color<float>& texel : map.pixels) {
-    const double brightest{std::max({texel.r, texel.g, texel.b})};
+    const auto brightest = static_cast<double>(std::max({texel.r, texel.g, texel.b}));
     const int k = brightest > 0 ? std::ilogb(brightest) + 129 : 0;
     const auto byte = [k](float light) {
       return static_cast<int>(std::ldexp(double(light), 136 - k));

@@ -100,7 +100,6 @@ TEST_CASE("what is no number in the range is refused with the range, in any loca
                                      {"1E-3", 0.001},
                                      {"0.1", 0.1},
                                      {"1e300", 1e300}}) {
-    INFO(word);
     CHECK(read("--weight", word).weight == number);
   }
   for (const char* bad : {"", ".", "-", "e3", "1e", "nan", "-inf", "1e400", "0x1p3", "1,5", " 1",

@@ -67,7 +67,6 @@ TEST_CASE("the tolerant rule: how far, and how many") {
                                      {"--at-most=3e-2%", 0},
                                      {"--at-most 1", 0},
                                      {"--at-most 100%", 0}}) {
-    INFO(rule);
     CHECK(desk.compare("a.png b.png --quiet " + std::string(rule)).status == status);
   }
   CHECK(desk.compare("b.png a.png --pixels-off-by-more-than 1 --at-most 0.02%")
@@ -100,7 +99,6 @@ TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
         {"a.png b.png --at-most 101%", "--at-most takes a number from 0 to 100, not '101'"},
         {"a.png b.png --at-most %", "--at-most takes a number from 0 to 100, not ''"}}) {
     const Outcome outcome = desk.compare(words);
-    INFO(words);
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.starts_with("error: " + std::string(reason) + "\n"));
