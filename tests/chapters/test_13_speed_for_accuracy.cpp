@@ -351,7 +351,6 @@ TEST_CASE("a recommendation says what to take, how far off it is, and its comman
         {"levels=1", " --budget levels=1\n"},
         {"texels=0.01", "  light", false},
         {"texels=0.01", "./course run 09", false}}) {
-    CAPTURE(words);
     const std::string lines = recommendation(all, parse_budget(budget), earth().nearest.image);
     CHECK((lines.find(words) != std::string::npos) == said);
   }

@@ -237,7 +237,7 @@ Slips<Weights> wrong_weights(Vec3d a, Vec3d b, Vec3d c) {
 }
 
 Exercise three_weights() {
-  const auto weights = [](Vec3d a, Vec3d b, Vec3d c) {
+  const auto right_weights = [](Vec3d a, Vec3d b, Vec3d c) {
     const RaySpace<double> along_z(Ray<double>{{0, 0, 0}, {0, 0, 1}});
     const Crossing<double> found = crossing(along_z, a, b, c);
     return Weights{found.a, found.b, found.c};
@@ -253,7 +253,7 @@ Exercise three_weights() {
        {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}},
   };
   return exercise(weights, "08.2", "std::array<double, 3> weights(Vec3 a, Vec3 b, Vec3 c)",
-                  picture<Lesson>(), {weights, wrong_weights, places, 1e-6});
+                  picture<Lesson>(), {right_weights, wrong_weights, places, 1e-6});
 }
 
 Place2 sum_of(Place2 a, Place2 b, Place2 c, const Weights& w) {
