@@ -128,7 +128,7 @@ Row the(const std::vector<Row>& rows, const Is& is) {
 }
 
 /// The chapter's page.
-std::string page() {
+[[maybe_unused]] std::string page() {
   std::ifstream file(TEXMAP_TESTS_DIR "/../chapters/13_speed_for_accuracy/README.md");
   std::stringstream text;
   text << file.rdbuf();
