@@ -96,8 +96,8 @@ std::vector<Row> rows_of(Part part, Instructions widest) {
     }
     return rows;
   }
-  // Bytes and roots alternately: a picture leaves its texels in the caches for the next. Roots where
-  // the curve is at most one level off.
+  // Bytes and roots take turns, because a picture leaves its texels in the caches for the next.
+  // Roots stand only where the curve is at most one level off.
   constexpr TexelFormat bytes = TexelFormat::bytes, roots = TexelFormat::roots;
   std::vector<std::pair<Curve, TexelFormat>> ways = {{Curve::exact, bytes}, {Curve::exact, roots}};
   if (part == Part::curves) {

@@ -321,7 +321,7 @@ TEST_CASE("the cheapest filter and way that keep to a budget in levels") {
 }
 
 TEST_CASE("a recommendation says what to take, how far off it is, and its command") {
-  // Packs of less than the machine's widest instructions are asked for by name.
+  // Where the machine has wider packs, the command has to name the instructions.
   const bool has_wider = usable_instructions(Instructions::avx512).size() > 1;
   const char* packs = has_wider ? "--number float-pack --instructions baseline --budget texels="
                                 : "--number float-pack --budget texels=";

@@ -13,7 +13,7 @@ void fill_exact(Block& block, const Function& function) {
   in_packs(x.data(), block.exact.data(), function);
 }
 
-/// A reference by a function of packs, and by a shorter one for blocks that end at `joint` or below.
+/// A reference by a function of packs; blocks that end at `joint` or below use a shorter one.
 template <class Near, class Far>
 [[nodiscard]] Prepare by_parts(float joint, Near near, Far far) {
   return [=](Block& block) {

@@ -119,7 +119,7 @@ bool is_in_range(const Shot<T>& shot, const ExactMeeting& exact) {
          (!exact.meets || exact.distance > Digits50(Limits::min()));
 }
 
-/// What is asked of a form, in one lane; 0 where a claim does not look.
+/// One lane's ray and what a form answers; a claim leaves what it does not check at 0.
 template <class T>
 struct Answer {
   const Shot<T>& shot;

@@ -97,7 +97,7 @@ double weights_off(const Barycentric<T>& got, const Case<T>& one) {
                    units_off(got.c, exact.z, unit)});
 }
 
-/// The weights of all lanes' points in one triangle; the last lane is judged.
+/// How far the weights are off. All lanes have the same case; the last one is checked.
 template <class Real, class Function>
 Measurement worst_weights(Function function, const Thin& thin) {
   using T = Scalar<Real>;

@@ -110,7 +110,7 @@ void check_enclosure(const std::string& name, const auto& operation, int count) 
     const Interval b = draw_interval(dice, draw_number);
     const double x = draw_in(dice, a);
     const double y = draw_in(dice, b);
-    // 50 digits are asked where double has a finite answer: their functions are slow beyond.
+    // Beyond what double holds, the functions of 50 digits are slow.
     if (!has_infinity && !(std::isfinite(x) && std::isfinite(y) && std::isfinite(operation(x, y)) &&
                            std::abs(x) < 1e300 && (x != 0 || y != 0)))
       continue;
@@ -302,7 +302,7 @@ TEST_CASE("a box that touches the negative x axis or the origin has every angle"
     CHECK(atan2(y, x).low() == -pi<Interval>().high());
     CHECK(atan2(y, x).high() == pi<Interval>().high());
   }
-  // And one beside the jump does not reach over it.
+  // An interval on one side of the jump stays there.
   CHECK(atan2(Interval(tiny, 1), Interval(-1)).high() == pi<Interval>().high());
   CHECK(atan2(Interval(tiny, 1), Interval(-1)).low() == doctest::Approx(pi<double>() * 3 / 4));
 }

@@ -8,8 +8,8 @@
 
 #include "sampling/directions.hpp"
 #include "scene/paint.hpp"
-#include "support/two_facets.hpp"
 #include "support/dice.hpp"
+#include "support/two_facets.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

@@ -1,5 +1,5 @@
-// Whole pictures with known mistakes: each gets its name; what is not sure gets none. The mistakes of
-// look-ups: pages/test_symptoms.
+// Whole pictures with known mistakes: each gets its name; what is not sure gets none. Mistakes of
+// look-ups stand in pages/test_symptoms.
 #include <doctest.h>
 
 #include "engine/compare/known_mistakes.hpp"
