@@ -188,8 +188,8 @@ Slips<Weights> wrong_weights(double u, int w) {
 
 Exercise mix_two_texels() {
   const auto right = [](double u, int width) {
-    const double right = four_texels(Uv<double>{u, 0.5}, width, 2).across;
-    return Weights{1 - right, right};
+    const double second = four_texels(Uv<double>{u, 0.5}, width, 2).across;
+    return Weights{1 - second, second};
   };
   const Places<double, int> places = {
       {"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},

@@ -154,8 +154,8 @@ Slips<Vec3d> wrong_normals(double here, double right, double up, double step) {
 }
 
 Exercise normal_of_a_bump() {
-  const auto right = [](double here, double right, double up, double step) {
-    const Slope<double> slope{here, (right - here) / step, (up - here) / step};
+  const auto right = [](double here, double beside, double above, double step) {
+    const Slope<double> slope{here, (beside - here) / step, (above - here) / step};
     return raised_normal(Vec3d{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}}, slope, 0.0, BumpForm::exact);
   };
   const Places<double, double, double, double> places = {
