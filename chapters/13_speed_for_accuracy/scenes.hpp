@@ -49,10 +49,7 @@ struct Globe {
   BilinearTexture bilinear;  ///< the same picture, filtered
 
   explicit Globe(const Image& picture)
-      : nearest{picture},
-        light(nearest),
-        roots(light),
-        bilinear{picture} {}
+      : nearest{picture}, light(nearest), roots(light), bilinear{picture} {}
 
   /// The view from a place around the globe.
   ///

@@ -1,6 +1,9 @@
 // Chapter 05: rotation about the vertical axis.
 #include <doctest.h>
 
+#include <string>
+#include <vector>
+
 #include "03_image_texture/lesson.hpp"
 #include "04_uv_conventions/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
@@ -40,4 +43,14 @@ TEST_CASE(
 
 TEST_CASE("only the middle sphere changes from chapter 04") {
   CHECK(check_step(prepared<chapter_04::Lesson>(), turned("90"), chapter_05::ground) > 3000);
+}
+
+TEST_CASE("without a turn each layout is that of chapter 04") {
+  for (const std::vector<std::string>& layout :
+       {std::vector<std::string>{"--convention", "daily"}, {"--rounding", "lecture"}}) {
+    std::vector<std::string> options = layout;
+    options.insert(options.end(), {"--degrees", "0"});
+    expect_same_picture(picture(prepared<Lesson>(options)),
+                        picture(prepared<chapter_04::Lesson>(layout)));
+  }
 }

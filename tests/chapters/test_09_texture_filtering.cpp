@@ -41,6 +41,12 @@ TEST_CASE("all numbers draw one picture, but where a texel or a byte is on its e
   }
 }
 
+TEST_CASE("one read along the footprint is the trilinear filter, and more reads are sharper") {
+  const Image one = picture(filtered("anisotropic", "1"), 403, 301);
+  expect_same_picture(one, picture(filtered("trilinear"), 403, 301));
+  CHECK(count_different(one, picture(filtered("anisotropic", "2"), 403, 301)) > 1000);
+}
+
 TEST_CASE("the errors of the filters on checkers to the horizon, and what they read for them") {
   const auto all = chapter_09::compare_filters(chapter_09::floor_of(Lesson{}), 0, false);
   const auto of = [&](const std::string& name) {
