@@ -103,7 +103,8 @@ std::string table_of_noise(const Measurements& all) {
   lines += "\nsamples ";
   for (std::size_t i = 0; i < sampler_kinds.size(); ++i) lines += "   mean at most       ms";
   for (const int samples : sample_counts) {
-    lines = table(all, Part::samplers, lines + text("\n%7d ", samples), [&](const Row& row) {
+    lines += text("\n%7d ", samples);
+    lines = table(all, Part::samplers, lines, [&](const Row& row) {
       if (row.samples != samples) return std::string();
       return text(" %7.2f %7.2f %8.2f", row.mean, row.bound, row.took.processor);
     });

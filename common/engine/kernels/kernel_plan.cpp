@@ -34,8 +34,8 @@ bool is_for_float(int degree) { return degree >= 5 && degree <= 17; }
 UvError worst_of(int degree) {
   return with_uv_mapping(degree, [degree]<class Mapping>(const Mapping&) -> UvError {
     if constexpr (requires { Mapping::template worst<float>; }) {
-      return is_for_float(degree) ? Mapping::template worst<float>
-                                  : Mapping::template worst<double>;
+      if (is_for_float(degree)) return Mapping::template worst<float>;
+      return Mapping::template worst<double>;
     } else {
       return {};
     }

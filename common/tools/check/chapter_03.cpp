@@ -264,8 +264,10 @@ double texels_read() {
     read.insert(row * width + column);
     return white;
   };
-  for (int i = 0; i < 800 * 600; ++i)
-    static_cast<void>(lesson(ray_through<double>(view, i % 800, i / 800)));
+  for (int row = 0; row < 600; ++row) {
+    for (int column = 0; column < 800; ++column)
+      static_cast<void>(lesson(ray_through<double>(view, column, row)));
+  }
   color_of = nullptr;
   return 100. * double(read.size()) / double(map_of(lesson).pixels.size());
 }

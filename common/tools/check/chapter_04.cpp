@@ -114,10 +114,12 @@ Slips<double> wrong_quarters(double u) {
     wrong += {{"where u - 1/4 is negative, add a whole turn to it: u - 1/4 + 1", q1 ? value : lo}};
   }
   wrong += {{"u is in turns, not in radians: a whole turn is 1", q1 ? lo + turn : lo}};
-  for (const double quarter : {turn / 4, 90.0})
-    for (const double whole : {0.0, 1.0, 4 * quarter})
+  for (const double quarter : {turn / 4, 90.0}) {
+    for (const double whole : {0.0, 1.0, 4 * quarter}) {
       wrong += {{"u is in turns: a quarter of a turn is 0.25",
                  u < quarter ? u - quarter + whole : u - quarter}};
+    }
+  }
   wrong += {
       {"+z is at u = 1/4, so the two differ by a quarter of a turn, not by half",
        {fraction(u + 0.5), u - 0.5, u + 0.5}},

@@ -33,9 +33,10 @@ struct PhongOptions : texmap::PhongOptions {
       return texmap::PhongOptions::highlight(material, light, normal, to_eye);
     const bool behind = dot(normal, light.to_light) <= 0;
     if (material.specular == 0 || (light.cosine == 0 && !behind)) return 0;  // in a shadow
-    if (!mirrored)
+    if (!mirrored) {
       return material.specular *
              chapter_06::highlight(normal, light.to_lamp, -to_eye, material.shininess);
+    }
     const double cosine = dot(mirrored(light.to_light, normal), to_eye);
     return behind || cosine <= 0 ? 0 : material.specular * std::pow(cosine, material.shininess);
   }
@@ -173,10 +174,12 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, con
 
 Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
   Slips<double> wrong;
-  for (const bool normalized : {true, false})
-    for (const bool tests_side : {true, false})
+  for (const bool normalized : {true, false}) {
+    for (const bool tests_side : {true, false}) {
       for (const bool limits : {true, false})
         wrong += careless_highlights(n, to_lamp, d, s, {normalized, tests_side, limits});
+    }
+  }
   const Vec3d l = normalize(to_lamp);
   const auto power = [&](const Vec3d& r) { return pow(max(dot(r, -d), 0.), s); };
   const double anywhere = power(mirror(l, n));

@@ -22,7 +22,8 @@ static std::array<Vec3d, 3> seen(const Mesh& mesh, double triangle, const Ray<do
 /// The nearest triangle that the student lets the ray hit; `met` is false if there is none.
 static MeshHit<double> first_hit_by_student(const Mesh& mesh, const Ray<double>& ray) {
   MeshHit<double> nearest;
-  for (double i = 0; i < double(mesh.triangles.size()); ++i) {
+  for (std::size_t number = 0; number < mesh.triangles.size(); ++number) {
+    const auto i = double(number);
     const auto [a, b, c] = seen(mesh, i, ray);
     if (!is_hit(a, b, c)) continue;
     // The triangle alone, as wide as needed for the ray to hit it.

@@ -206,9 +206,10 @@ Exercise mix_two_texels() {
   };
   const auto draw = [] {  // texels half a unit wide
     LightImage image(8, 8);
-    for (int i = 0; i < 64; ++i)
+    for (int i = 0; i < 64; ++i) {
       image.at(i % 8, i / 8) = number_cast<float>(
           std::array{blue, red, white}[static_cast<std::size_t>(i % 8 + i / 8 * 2) % 3]);
+    }
     return drawn_floor("bilinear", 4, &image);
   };
   return exercise(weights_of, "09.2", "std::array<double, 2> weights_of(double u, int width)", draw,

@@ -426,9 +426,11 @@ Exercise draw_one_of_many() {
 double directions_to_the_sun() {
   const Vec3d to_sun{0, 0, 1};
   int found = 0;
-  for (int i = 0; i < 1'000'000; ++i) {
-    const Point2<double> place{(i / 1000 + 0.5) / 1000, (i % 1000 + 0.5) / 1000};
-    if (dot(cosine_direction(to_sun, place), to_sun) > cos(1.4 * radian)) ++found;
+  for (int column = 0; column < 1000; ++column) {
+    for (int row = 0; row < 1000; ++row) {
+      const Point2<double> place{(column + 0.5) / 1000, (row + 0.5) / 1000};
+      if (dot(cosine_direction(to_sun, place), to_sun) > cos(1.4 * radian)) ++found;
+    }
   }
   return found;
 }

@@ -65,9 +65,11 @@ inline Slips<Place2> map_slips(double x, double y, double z) {
 /// The same for those who have a sign wrong or do not limit y, for acos and asin, too.
 inline Slips<Place2> map_slips(const Vec3d& p) {
   Slips<Place2> table;
-  for (const double y : {p.y, -p.y})
-    for (const double z : {p.z, -p.z})
+  for (const double y : {p.y, -p.y}) {
+    for (const double z : {p.z, -p.z}) {
       for (const double limited : {clamp(y, -1.0, 1.0), y}) table += map_slips(p.x, limited, z);
+    }
+  }
   return table;
 }
 

@@ -272,9 +272,10 @@ class Reader {
       const std::uint32_t kind = take(data, 1)[0];
       require_jpeg(kind >> 4 <= 1 && (kind & 15) <= 3,
                    "a Huffman table has a number that does not exist");
-      if (++tables_ > max_tables)
+      if (++tables_ > max_tables) {
         throw FileError("the JPEG file has more than " + std::to_string(max_tables) +
                         " Huffman tables");
+      }
       codes_[kind >> 4][kind & 15] = JpegCodes(data, kind >> 4 == 0 ? 15 : 255);
     }
   }
