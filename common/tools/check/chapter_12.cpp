@@ -441,8 +441,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       {light_from_four_bytes(), angle_of_a_texel(), draw_one_of_many()},
       {{"12.a",
-        "The sun is 2.8 degrees wide. Of a million directions drawn by the cosine on a surface "
-        "that faces the sun, how many find it?",
+        "The bright core of the sun is 2.8 degrees wide. Of a million directions drawn by the "
+        "cosine on a surface that faces the sun, how many find it?",
         directions_to_the_sun, "directions", 0.1},
        {"12.b",
         "The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at "
