@@ -51,13 +51,20 @@ template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
                                       const Vec3<Real>& normal, const Point2<Real>& place,
                                       const Point2<Real>& choice) {
-  if (lighting == SkyLighting::cosine) return {cosine_direction(normal, place), Real(1)};
-  if (lighting == SkyLighting::uniform) {
-    const OnCircle<Real> around = on_circle(place.u);
-    const Real y = Real(1) - Real(2) * place.v;
-    const Real radius = Real(2) * sqrt(place.v * (Real(1) - place.v));
-    const Vec3<Real> direction = {radius * around.cosine, y, radius * around.sine};
-    return {direction, Real(4) * max(dot(normal, direction), Real(0))};
+  switch (lighting) {
+    case SkyLighting::cosine:
+      return {cosine_direction(normal, place), Real(1)};
+    case SkyLighting::uniform: {
+      const OnCircle<Real> around = on_circle(place.u);
+      const Real y = Real(1) - Real(2) * place.v;
+      const Real radius = Real(2) * sqrt(place.v * (Real(1) - place.v));
+      const Vec3<Real> direction = {radius * around.cosine, y, radius * around.sine};
+      return {direction, Real(4) * max(dot(normal, direction), Real(0))};
+    }
+    case SkyLighting::importance:
+    case SkyLighting::mis:
+    case SkyLighting::coefficients:
+      break;
   }
   const bool by_half = lighting == SkyLighting::mis;
   const Real share = Real(by_half ? 0.5 : 0.125);  // of directions that the cosine draws
