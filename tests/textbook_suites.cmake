@@ -18,6 +18,7 @@ foreach(suite
     scene/test_path
     scene/test_phong
     scene/test_shading_normal
+    scene/test_shapes
     scene/test_sky
     scene/test_sky_path
     scene/test_sphere

@@ -87,7 +87,8 @@ template <class Real, class Sky>
 template <class Real, class Objects, class Sky, class Random>
 [[nodiscard]] Color<Real> light_under_sky(const Objects& objects, Ray<Real> ray, const Sky& sky,
                                           const MatteLight& matte, int bounces, Random& random) {
-  if (std::empty(objects) || (sky.is_constant() && std::size(objects) == 1))
+  if (std::empty(objects) ||
+      (sky.is_constant() && std::size(objects) == 1 && std::begin(objects)->shape.convex()))
     return light_along(objects, ray, sky, bounces, random);
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
