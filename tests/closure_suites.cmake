@@ -38,10 +38,9 @@ add_closure(closure_11 "${lessons}/11_bump_and_normal_maps/lesson.hpp" HEADERS 4
 add_closure(closure_12 "${lessons}/12_environment_map/lesson.hpp" HEADERS 45 LINES 2800)
 
 # The rooms of common/: a header that climbs is refused with its name and its room.
-add_test(NAME layers COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_SOURCE_DIR}/common" -P "${CMAKE_SOURCE_DIR}/common/layers.cmake")
-add_test(NAME architecture_page COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" -P
+add_check(layers "closure;reader" "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_SOURCE_DIR}/common" -P "${CMAKE_SOURCE_DIR}/common/layers.cmake")
+add_check(architecture_page "closure;reader" "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" -P
   "${CMAKE_CURRENT_SOURCE_DIR}/closure/architecture.cmake")
-set_tests_properties(layers architecture_page PROPERTIES LABELS "closure;reader")
 
 # No work before main, in the libraries and in the chapters.
 if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)

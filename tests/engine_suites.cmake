@@ -4,7 +4,7 @@ file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" number
   engine/render/test_*.cpp engine/measure/test_*.cpp engine/system/test_*.cpp engine/mesh/test_*.cpp engine/picture/test_*.cpp
   engine/app/test_*.cpp)
 list(TRANSFORM suites REPLACE "[.]cpp$" "")
-list(FILTER suites EXCLUDE REGEX "number/test_number|test_fetched|test_certainty_map")
+list(FILTER suites EXCLUDE REGEX "number/test_number|test_fetched|test_certainty_map|test_session_line")
 if(NOT WIN32)
   list(REMOVE_ITEM suites engine/system/test_windows_files)
 endif()
@@ -29,10 +29,9 @@ if(NOT TEXMAP_LEARN)  # budgets and intervals need all numbers
   add_test(NAME show_without_interval COMMAND 02_checkerboard_uv --show uv --number interval --out /dev/null)
   set_tests_properties(show_without_interval PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "which bounds colors")
 endif()
-target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
-  TEXMAP_VERSION="${PROJECT_VERSION}")
-add_dependencies(test_session_line 05_y_rotation)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
+add_suite(engine/app/test_session_line ON picture RUNS CHAPTER 05_y_rotation LABELS common)
+target_compile_definitions(test_session_line PRIVATE TEXMAP_VERSION="${PROJECT_VERSION}")
 
 # The kernels' coefficients against the program that fits them.
 if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library

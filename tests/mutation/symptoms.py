@@ -6,7 +6,6 @@ the copy, the libraries those of a build. The first failure must have the mistak
 """
 import argparse
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
