@@ -12,14 +12,12 @@ import random
 import re
 import shutil
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 import xml.dom.minidom
-import zlib
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -27,6 +25,7 @@ TESTS = Path(__file__).resolve().parents[1]
 GRADE = TESTS.parent / 'common/tools/grade'
 sys.path.insert(0, str(GRADE))
 import class_pages  # noqa: E402
+import pictures  # noqa: E402
 from results import (NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean, csv_cell, first_word,  # noqa: E402
                      gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv, shown_name, with_word)
 from submissions import find_submissions  # noqa: E402
@@ -61,12 +60,7 @@ def changed(rows, pixels, by):
 
 def png(rows, alpha=False):
     """A picture's file, with the filters and the compression that the course's own files do not have."""
-    data = b''.join(b'\0' + b''.join(bytes(pixel) + (b'\x80' if alpha else b'') for pixel in row) for row in rows)
-
-    def chunk(name, data):
-        return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
-    head = struct.pack('>2I5B', len(rows[0]), len(rows), 8, 6 if alpha else 2, 0, 0, 0)
-    return b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', zlib.compress(data, 1)) + chunk(b'IEND', b'')
+    return pictures.png(len(rows[0]), len(rows), b''.join(bytes(pixel) + (b'\x80' if alpha else b'') for row in rows for pixel in row))
 
 
 GOLDEN, LARGE = ramps(250, 40), ramps(800, 600)  # of 10000 pixels, two may be off

@@ -18,8 +18,10 @@ import time
 import zlib
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "browser"))
+sys.dont_write_bytecode = True
+sys.path += [str(Path(__file__).resolve().parents[2] / folder) for folder in ("tests/browser", "common/tools/grade")]
 from browser import Browser, Fault, installed  # noqa: E402
+from pictures import png  # noqa: E402
 
 # The default picture of each chapter comes first; then what a reader sets on its page, from the default each.
 SETTINGS = {
@@ -82,18 +84,6 @@ class Place:
 
     def open(self, browser, page):
         browser.open(f"file://{self.folder}/{page}")
-
-
-def png(columns, rows, data):
-    """A PNG file of RGB or RGBA bytes, as small as it takes no time to make."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    line = len(data) // rows
-    lines = b"".join(b"\0" + data[line * row:line * (row + 1)] for row in range(rows))
-    kind = 6 if line == 4 * columns else 2
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, kind, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(lines, 1)) + chunk(b"IEND", b""))
 
 
 def settle(browser, also="true"):
