@@ -137,29 +137,6 @@ def check_pixels(place, browser):
                 yield from place.unlike(small, words, *small[:2])
 
 
-def check_rate(place, browser):
-    """A slider that moves without rest shows a picture for each place."""
-    place.open(browser, "06.html")
-    browser.wait(f"{CANVAS} && !{CANVAS}.hidden")
-    shown, seconds = browser.run("""(async () => {
-      const section = document.querySelector(".live");
-      const field = document.getElementById("live--degrees");
-      const began = performance.now();
-      const first = Number(section.dataset.pictures);
-      for (let i = 0; i < 60 && performance.now() - began < 20000; ++i) {
-        const before = section.dataset.pictures;
-        field.value = i;
-        field.dispatchEvent(new Event("input"));
-        const end = performance.now() + 3000;
-        while (section.dataset.pictures === before && performance.now() < end) await new Promise((done) => setTimeout(done, 1));
-      }
-      return [Number(section.dataset.pictures) - first, (performance.now() - began) / 1000];
-    })()""")
-    print(f"  {shown / seconds:.1f} pictures a second, each shown before the slider moves on")
-    if shown < 20:
-        yield f"only {shown} pictures arrived"
-
-
 def check_files(place, browser):
     """A bad file is refused in words, and the picture before stays; a good one, chosen or dropped, is drawn as the program draws it."""
     def file(name, data):
