@@ -1,52 +1,25 @@
 # The suites of what makes lessons fast, safe and measurable: kinds of numbers and the rooms under engine/. Included by CMakeLists.txt here.
 
-foreach(suite
-    number/test_double_pair
-    number/test_dual
-    number/test_interval
-    number/test_pack
-    number/test_pack_fallback
-    number/test_pack_u32
-    number/test_pack_u32_fallback
-    engine/kernels/test_kernel_plan
-    engine/kernels/test_power_kernel
-    engine/kernels/test_root_texture
-    engine/kernels/test_srgb_kernel
-    engine/kernels/test_turns
-    engine/render/test_convert_projection
-    engine/render/test_develop
-    engine/render/test_film
-    engine/render/test_pixel_patch
-    engine/render/test_render
-    engine/render/test_screen_bounds
-    engine/render/test_threads)
-  add_suite(${suite} ON render LABELS common)
-endforeach()
-foreach(suite interleaved json plot text)
-  add_suite(engine/measure/test_${suite} ON measure LABELS common)
-endforeach()
-add_suite(engine/system/test_files ON system LABELS common)
-if(WIN32)
-  add_suite(engine/system/test_windows_files ON system LABELS common)
+file(GLOB suites CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" number/test_*.cpp engine/kernels/test_*.cpp
+  engine/render/test_*.cpp engine/measure/test_*.cpp engine/system/test_*.cpp engine/mesh/test_*.cpp engine/picture/test_*.cpp
+  engine/app/test_*.cpp)
+list(TRANSFORM suites REPLACE "[.]cpp$" "")
+list(FILTER suites EXCLUDE REGEX "number/test_number|test_fetched|test_certainty_map|test_session_line")
+if(NOT WIN32)
+  list(REMOVE_ITEM suites engine/system/test_windows_files)
 endif()
-add_suite(engine/system/test_posix_files POSIX ON picture LABELS common)
-add_suite(engine/picture/test_find_texture POSIX ON picture LABELS common)  # changes the environment, makes links
-add_suite(engine/mesh/test_box_tree ON mesh LABELS common)
-add_suite(engine/mesh/test_read_obj ON mesh LABELS common)
-foreach(suite bitmap_font damaged_images load_image save_png)
-  add_suite(engine/picture/test_${suite} ON picture LABELS common)
+foreach(suite IN LISTS suites)
+  set(posix "")
+  if(suite MATCHES "posix_files|find_texture")  # changes the environment, makes links
+    set(posix POSIX)
+  endif()
+  add_suite(${suite} ${posix} ON app LABELS common)
 endforeach()
-add_suite(engine/picture/test_read_hdr ON picture LABELS common)
 target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
 target_link_libraries(test_save_png PRIVATE stb_image)
-add_suite(engine/app/test_command_line ON app LABELS common)
-add_suite(engine/app/test_gather_session ON app LABELS common)
-add_suite(engine/app/test_lesson ON app LABELS common)
-add_suite(engine/app/test_sampling_options ON app LABELS common)
-add_suite(engine/app/test_close_up ON app chapters_code LABELS common)
-add_suite(engine/app/test_surfaces ON app chapters_code LABELS common)
 # Lessons with one number: the number is not their subject, and all of them would take four times as long to compile.
 foreach(suite test_close_up test_surfaces)
+  target_link_libraries(${suite} PRIVATE chapters_code)
   target_compile_definitions(${suite} PRIVATE TEXMAP_LEARN)
   set_target_properties(${suite} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
@@ -56,14 +29,11 @@ if(NOT TEXMAP_LEARN)  # budgets and intervals need all numbers
   add_test(NAME show_without_interval COMMAND 02_checkerboard_uv --show uv --number interval --out /dev/null)
   set_tests_properties(show_without_interval PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "which bounds colors")
 endif()
-add_suite(engine/app/test_session_line ON picture LABELS common)
-target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
-  TEXMAP_VERSION="${PROJECT_VERSION}")
-add_dependencies(test_session_line 05_y_rotation)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
+add_suite(engine/app/test_session_line ON picture RUNS CHAPTER 05_y_rotation LABELS common)
+target_compile_definitions(test_session_line PRIVATE TEXMAP_VERSION="${PROJECT_VERSION}")
 
-# The kernels against more digits, and their coefficients against the program that fits them.
-judge_by_more_digits(double_pair interval kernel_plan power_kernel srgb_kernel)
+# The kernels' coefficients against the program that fits them.
 if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
   target_link_libraries(check_kernels PRIVATE project_options)

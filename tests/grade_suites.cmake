@@ -4,8 +4,7 @@
 if(UNIX AND PYTHON3)
   add_custom_target(test_grading ALL)
   add_dependencies(test_grading judge_pictures)
-  add_test(NAME test_grading COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_grading.py" "$<TARGET_FILE_DIR:judge_pictures>")
-  set_tests_properties(test_grading PROPERTIES LABELS "grading;posix")
+  add_check(test_grading "grading;posix" "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_grading.py" "$<TARGET_FILE_DIR:judge_pictures>")
 endif()
 
 # Checkouts: the course is built once more, as students' programs are built. What is contained, limited and kept: attacks, loops and
@@ -13,5 +12,5 @@ endif()
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
   add_test(NAME grade_checkouts COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_checkouts.py"
     "$<TARGET_FILE_DIR:judge_pictures>" "${CMAKE_BINARY_DIR}/grade")
-  set_tests_properties(grade_checkouts PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1800 ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
+  set_tests_properties(grade_checkouts PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1800)
 endif()

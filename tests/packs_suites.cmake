@@ -3,10 +3,9 @@
 if(UNIX AND SH AND xsimd_INCLUDE_DIR AND NOT TEXMAP_INSTRUMENT)  # instrumented programs have packs of one width
   get_property(chapters GLOBAL PROPERTY CHAPTERS)
   list(FILTER chapters EXCLUDE REGEX "^(00|13|14)_")  # 00 and 14 are not drawn with packs
-  add_test(NAME packs COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" "$<TARGET_FILE_DIR:01_plain_spheres>"
+  add_check(packs laws "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" "$<TARGET_FILE_DIR:01_plain_spheres>"
     ${chapters}
     13_speed_for_accuracy:functions)  # its sheet is the same for all packs by design; what it draws with them, its own tests compare
-  set_tests_properties(packs PROPERTIES LABELS laws)
 endif()
 
 # The order in which the files of wide instructions are linked: a program with files that share a function of plain numbers must keep

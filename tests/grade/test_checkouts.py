@@ -5,6 +5,7 @@ usage: test_checkouts.py PROGRAMS WORK [TEST...]    PROGRAMS: the folder of judg
 
 Each attack is also run without a box, where it must succeed: else the test would show nothing. Status 77 where there are no boxes.
 """
+import base64
 import csv
 import json
 import os
@@ -23,8 +24,7 @@ from pathlib import Path
 from unittest import mock
 
 sys.dont_write_bytecode = True
-HERE = Path(__file__).resolve().parent
-TREE = HERE.parents[1]
+TREE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TREE / 'common/tools/grade'))
 import build_and_run  # noqa: E402
 from box import Boxes, Limits  # noqa: E402
@@ -42,92 +42,32 @@ void touch(int megabytes) {
   volatile char* block = new char[megabytes << 20];
   for (int i = 0; i < megabytes << 20; i += 4096) block[i] = 1;
 }
+void wait() { for (;;) sleep(1000); }
 '''
-# Each of its processes has little memory; all of them have too much.
-CROWD = TOUCH + '''int main() {
-  for (int i = 0; i < 20; ++i) {
-    if (fork() == 0) {
-      touch(100);
-      for (;;) sleep(1000);
-    }
-  }
-  for (;;) sleep(1000);
-}
-'''
-# Fills the box, and says how much went in.
-FILL = '''#include <cstdio>
-#include <cstring>
-#include <string>
-int main() {
-  static char block[1 << 20];
-  std::memset(block, 1, sizeof block);
-  int written = 0;
-  for (int name = 0; name < 100; ++name) {
-    std::FILE* file = std::fopen(std::to_string(name).c_str(), "wb");
-    for (int i = 0; file != nullptr && i < 32 && std::fwrite(block, sizeof block, 1, file) == 1; ++i) ++written;
-    if (file != nullptr) std::fclose(file);
-  }
-  std::printf("%d MB\\n", written);
-  return 1;
-}
-'''
-# Before main() it leaves the bytes of the golden picture, which are in the program.
-COPYCAT = '''#include <cstdio>
-#include <cstdlib>
-static const unsigned char golden[] = {@bytes@};
-struct Cheat {
-  Cheat() {
-    std::FILE* file = std::fopen("picture.png", "wb");
-    std::fwrite(golden, sizeof golden, 1, file);
-    std::fclose(file);
-    std::_Exit(0);
-  }
-} cheat;
-int main() {}
-'''
-# Writes a letter for each child that it gets, out of 300. They wait, a minute at most.
-CHILDREN = '''#include <unistd.h>
-int main() {
-  for (int i = 0; i < 300; ++i) {
-    const pid_t child = fork();
-    if (child == 0) {
-      sleep(60);
-      _exit(0);
-    }
-    if (child > 0 && write(1, "c", 1) != 1) return 1;
-  }
-}
-'''
-# Names each way to memory that no process is seen to have.
-UNCOUNTED = '''#include <sys/ipc.h>
-#include <sys/mman.h>
-#include <sys/msg.h>
-#include <sys/sem.h>
-#include <sys/shm.h>
-#include <sys/socket.h>
-#include <sys/syscall.h>
-#include <fcntl.h>
-#include <unistd.h>
-#include <cstdio>
-int main() {
-  int ends[2];
-  const auto got = [](const char* name, bool is) { if (is) std::puts(name); };
-  const auto shared = [](int flags, int file) {
-    return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | flags, file, 0) != MAP_FAILED;
-  };
-  got("memfd", memfd_create("", 0) >= 0);
-  const int segment = shmget(IPC_PRIVATE, 4096, 0600), semaphores = semget(IPC_PRIVATE, 1, 0600), queue = msgget(IPC_PRIVATE, 0600);
-  got("segment", segment >= 0);
-  got("semaphores", semaphores >= 0);
-  got("queue", queue >= 0);
-  shmctl(segment, IPC_RMID, nullptr);
-  semctl(semaphores, 0, IPC_RMID);
-  msgctl(queue, IPC_RMID, nullptr);
-  got("pages", shared(MAP_ANONYMOUS, -1));
-  got("zero", shared(0, open("/dev/zero", O_RDWR)));
-  got("pair", socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
-  got("socket", socket(AF_UNIX, SOCK_STREAM, 0) >= 0);
-}
+# What a program of the student's could do, done by a shell in its place.
+SHELL = '#include <unistd.h>\nint main() { return execl("/bin/sh", "sh", "-c", R"~(%s)~", nullptr); }\n'
+# Says first what it could read: a file, and of every process the environment.
+ATTACKS = '''exec 2>/dev/null
+echo $(cat @secret@; cat /proc/[0-9]*/environ | grep -aq @word@ && echo environment:@word@; env | grep -q @word@ && echo own:@word@)
+: >>@golden@ && touch @golden@
+echo forged >>@results@
+echo changed >>@neighbor@
+rm -r @removable@
+bash -c ': >/dev/tcp/127.0.0.1/@port@'
+setsid sleep @sleep@ </dev/null >/dev/null &
+kill -KILL @victim@
+exit 3'''
+# Tries each way to memory that no process is seen to have, and names those that are open.
+UNCOUNTED = '''import ctypes, mmap, os, socket
+c = ctypes.CDLL(None)
+for name, way in {'memfd': lambda: os.memfd_create(''), 'segment': lambda: c.shmctl(c.shmget(0, 4096, 0o600), 0, None),
+                  'semaphores': lambda: c.semctl(c.semget(0, 1, 0o600), 0, 0), 'queue': lambda: c.msgctl(c.msgget(0, 0o600), 0, None),
+                  'pages': lambda: mmap.mmap(-1, 4096), 'zero': lambda: mmap.mmap(os.open('/dev/zero', os.O_RDWR), 4096),
+                  'pair': socket.socketpair, 'socket': lambda: socket.socket(socket.AF_UNIX)}.items():
+    try:
+        if way() != -1: print(name)
+    except (OSError, ValueError):
+        pass
 '''
 # Writes to all files that its command line could name, before main(), and ends.
 FORGED = '''#include <cstdio>
@@ -206,15 +146,17 @@ class Case(unittest.TestCase):
 
 class Chapters(Case):
     def test_pictures_of_programs_that_end_and_do_not_end(self):
-        bytes_of_golden = ','.join(map(str, GOLDEN.read_bytes()))
-        for name, main in {'spin': 'int main() { for (volatile int i = 0;; i = 1 - i) {} }\n',
-                           'sleep': '#include <unistd.h>\nint main() { for (;;) sleep(1000); }\n',
+        picture = base64.b64encode(GOLDEN.read_bytes()).decode()
+        for name, main in {'spin': SHELL % 'while :; do :; done', 'sleep': SHELL % 'exec sleep 1000',
                            'crash': 'int main() { volatile int* nothing = nullptr; return *nothing; }\n',
-                           'hoard': TOUCH + 'int main() { for (;;) touch(16); }\n', 'crowd': CROWD, 'fill': FILL,
+                           'hoard': TOUCH + 'int main() { for (;;) touch(16); }\n',
+                           # Each of its processes has little memory; all of them have too much.
+                           'crowd': TOUCH + 'int main() { for (int i = 0; i < 20; ++i) if (fork() == 0) touch(100), wait(); wait(); }\n',
+                           # Fills the box, and says how much went in.
+                           'fill': SHELL % 'for i in $(seq 100); do head -c 4M /dev/urandom >$i 2>/dev/null || break; done; echo $(du -sm .) MB; exit 1',
                            'forks': '#include <unistd.h>\nint main() { for (;;) fork(); }\n',
-                           'linked': '#include <unistd.h>\nint main() { return symlink("/usr/include/stdio.h", "picture.png"); }\n',
-                           'copycat': COPYCAT.replace('@bytes@', bytes_of_golden),
-                           'loud': '#include <cstdio>\nint main() { for (int i = 0; i < 50000000; ++i) std::puts("x"); }\n'}.items():
+                           'linked': SHELL % 'ln -s /usr/include/stdio.h picture.png',
+                           'copycat': SHELL % f'echo {picture} | base64 -d >picture.png', 'loud': SHELL % 'yes'}.items():
             self.student(name, main)
         self.student('honest', lesson=LESSON + '// mine\n')
         private = self.student('private', lesson=LESSON + '// for me alone\n')
@@ -233,7 +175,7 @@ class Chapters(Case):
             'crash': ('crashed SIGSEGV', 'crashed SIGSEGV', '', 'it ended by signal SIGSEGV'),
             'hoard': ('too much memory', 'too much memory', '', '.*'), 'crowd': ('too much memory', 'too much memory', '', '.*'),
             'forks': ('hang|too many processes', 'hang|too many processes', '', '.*'),
-            'fill': (r'failed \(1\)', r'failed \(1\)', '', '^([0-9]|[1-5][0-9]|6[0-4]) MB'),
+            'fill': (r'failed \(1\)', r'failed \(1\)', '', r'^([0-9]|[1-5][0-9]|6[0-4]) \. MB'),
             'linked': ('ok', 'no picture', 'no', '^it left no picture'),
             'loud': ('ok|hang', 'no picture|hang', rows['loud']['second_picture_ok'], '.*'),
             # One that carries the golden picture is right in the first alone.
@@ -342,7 +284,7 @@ class Attacks(Case):
         victim = subprocess.Popen(['sleep', '1000'])
         sleep = f'{1000 + os.getpid()}.{time.monotonic_ns() % 1000000}'
         before = GOLDEN.stat()
-        text = (HERE / 'attacks.cpp.in').read_text()
+        text = SHELL % ATTACKS
         for name, value in {'golden': GOLDEN, 'results': results, 'neighbor': aims / 'neighbor.html', 'removable': aims / 'removable',
                             'secret': aims / 'secret', 'word': WORD, 'sleep': sleep, 'port': listener.getsockname()[1],
                             'victim': victim.pid}.items():
@@ -425,20 +367,16 @@ class Boxed(Case):
         with mock.patch('box.usage', return_value=(0.0, 0, 1)):
             return Boxes(kind, WORK, threading.Event()).run(argv, visible, Limits(10, 1024), product)
 
-    def program(self, text):
-        subprocess.run([os.environ.get('CXX', 'c++'), '-x', 'c++', '-', '-o', self.at / 'program'], input=text, text=True, check=True)
-        return [str(self.at / 'program')], self.at / 'program'
-
     def test_gets_no_more_processes_than_it_may(self):
-        ended = self.run_in('bwrap', *self.program(CHILDREN))
-        self.assertRegex(ended.log, '^c{32,63}$')
+        # A letter for each child that waits.
+        ended = self.run_in('bwrap', ['sh', '-c', '(for i in $(seq 300); do sleep 60 2>&1 & printf c; done); :'])
+        self.assertRegex(ended.log, '^c{32,63}(?!c)')
         self.assertEqual(ended.how, 'left processes')
 
     @unittest.skipIf(os.uname().machine not in ('x86_64', 'aarch64'), 'no filter of system calls for this machine')
     def test_gets_no_memory_that_is_not_counted(self):
-        program = self.program(UNCOUNTED)
         for kind, ways in {'bwrap': [], 'none': 'memfd segment semaphores queue pages zero pair socket'.split()}.items():
-            ended = self.run_in(kind, *program)
+            ended = self.run_in(kind, [os.path.realpath(sys.executable), '-c', UNCOUNTED], sys.base_prefix)
             self.assertEqual((ended.how, ended.log.split()), ('ok', ways))
 
     def test_is_found_where_the_system_has_it_and_says_why_it_is_not(self):

@@ -16,7 +16,8 @@ import pathlib
 import re
 import sys
 
-MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: to "([^"]*)")? -->$')
+MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: to "([^"]*)")? -->\n'
+                  r'(?:```cpp\n(.*?)^```$)?', re.MULTILINE | re.DOTALL)
 MOST = 12
 
 
@@ -25,31 +26,19 @@ class Fault(Exception):
 
 
 def pieces_of(page):
-    """Each change's name with its chapter and its pieces: verb, text, last text, lines."""
-    changes = {}
-    lines = iter(page.split('\n'))
-    before = ''
-    for line in lines:
-        if line.startswith('```cpp') and not before.startswith('<!-- code:'):
-            raise Fault(f'this code has no mark, so nothing tries it; it comes after: {before}')
-        if line.startswith('<!-- change:'):
-            mark = MARK.match(line)
-            if not mark:
-                raise Fault(f'this mark is none: {line}')
-            name, chapter, number, verb, text, last = mark.groups()
-            block = []
-            if verb != 'removes':
-                if next(lines, '') != '```cpp':
-                    raise Fault(f'after this mark comes a line with ```cpp: {line}')
-                for code in lines:
-                    if code == '```':
-                        break
-                    block.append(code)
-            change = changes.setdefault(name, (chapter, number, []))
-            if change[0] != chapter:
-                raise Fault(f'{name} changes two chapters')
-            change[2].append((verb, text, last, block))
-        before = line or before
+    """Each change's name with its chapter, the chapter's number and its pieces: verb, text, last text, lines."""
+    changes, blocks = {}, page.count('<!-- code:')
+    for mark in MARK.finditer(page):
+        name, chapter, number, verb, text, last, block = mark.groups()
+        if (block is None) != (verb == 'removes'):
+            raise Fault(f'after this mark comes a line with ```cpp, unless it removes: {mark[0]}')
+        blocks += block is not None
+        change = changes.setdefault(name, (chapter, number, []))
+        if change[0] != chapter:
+            raise Fault(f'{name} changes two chapters')
+        change[2].append((verb, text, last, (block or '').splitlines()))
+    if sum(len(pieces) for *_, pieces in changes.values()) != page.count('<!-- change:') or blocks != page.count('```cpp'):
+        raise Fault('a mark is none, or code has no mark, so that nothing tries it')
     for name, (_, _, pieces) in changes.items():
         count = sum(len(block) for *_, block in pieces)
         if count > MOST:
@@ -70,13 +59,8 @@ def changed(lesson, name, number, pieces):
             if end < 0:
                 raise Fault(f'{name}: no line after "{text}" has "{last}"')
         indent = lines[first][:len(lines[first]) - len(lines[first].lstrip())]
-        new = [indent + line if line else line for line in block]
-        if verb == 'above':
-            lines[first:first] = new
-        elif verb == 'below':
-            lines[end + 1:end + 1] = new
-        else:
-            lines[first:end + 1] = new
+        begin, end = {'above': (first, first), 'below': (end + 1, end + 1)}.get(verb, (first, end + 1))
+        lines[begin:end] = [indent + line if line else line for line in block]
     return '\n'.join(lines).replace(f'texmap::chapter_{number}', f'texmap::change_{name}')
 
 

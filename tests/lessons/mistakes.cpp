@@ -17,12 +17,7 @@ struct Base {
   }
 };
 
-#if MISTAKE == 0  // none: the twin that compiles
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "a sky"};
-  void prepare(Session&) override {}
-};
-#elif MISTAKE == 1
+#if MISTAKE == 1
 struct Lesson : LessonHooks, Base {
   static constexpr About about{.idea = "a sky"};
   void prepair(Session&) override {}
@@ -37,11 +32,6 @@ struct Lesson : Base {
 };
 #elif MISTAKE == 4
 struct Lesson : LessonHooks, Base {};
-#elif MISTAKE == 5
-struct Lesson : LessonHooks, Base {
-  static constexpr About about{.idea = "a sky"};
-  void prepare() override {}
-};
 #endif
 
 }  // namespace texmap

@@ -1,4 +1,4 @@
-// Live lessons without a browser: what a page's modules are made of.
+// Live lessons without a browser: what no program draws. test_live.py compares the rest.
 #include "live.hpp"
 
 #include <doctest.h>
@@ -26,57 +26,11 @@ constexpr int widest = 120;
 
 Image whole(const LiveLesson& lesson) { return lesson.rows(0, lesson.size().height); }
 
-Image in_strips(const LiveLesson& lesson, int rows) {
-  const Size size = lesson.size();
-  Image image(size.width, size.height);
-  for (int first = 0; first < size.height; first += rows) {
-    const Image strip = lesson.rows(first, std::min(rows, size.height - first));
-    for (int row = 0; row < strip.height; ++row) {
-      for (int column = 0; column < size.width; ++column)
-        image.at(column, first + row) = strip.at(column, row);
-    }
-  }
-  return image;
-}
-
-template <class Lesson>
-Image live_picture(const Words& words) {
-  Live<Lesson> lesson;
-  lesson.set(words, widest);
-  return whole(lesson);
-}
-
-/// The chapter's picture in a page's size, drawn with double.
-template <class Lesson>
-Image chapter_picture(const Words& words, int width, int height) {
-  return test::picture(prepared<Lesson>(words), width, height);
-}
-
 nlohmann::json seen(const LiveLesson& lesson, int column, int row) {
   return nlohmann::json::parse(lesson.look(column, row));
 }
 
 }  // namespace
-
-TEST_CASE("a live picture is the chapter's, in the size of the page") {
-  test::expect_same_picture(live_picture<chapter_02::Lesson>({}),
-                            chapter_picture<chapter_02::Lesson>({}, 120, 90));
-  const Words lecture{"--convention", "lecture", "--rounding", "lecture"};
-  test::expect_same_picture(live_picture<chapter_04::Lesson>(lecture),
-                            chapter_picture<chapter_04::Lesson>(lecture, 120, 60));
-  const Words blended{"--degrees", "200", "--blend", "0.5", "--shininess", "9"};
-  test::expect_same_picture(live_picture<chapter_06::Lesson>(blended),
-                            chapter_picture<chapter_06::Lesson>(blended, 120, 90));
-}
-
-TEST_CASE("strips of rows have the pixels of the whole picture") {
-  Live<chapter_06::Lesson> lesson;
-  for (const Words& words : {Words{}, Words{"--errors"}, Words{"--show", "uv"},
-                             Words{"--number", "float", "--samples", "4", "--zoom", "3"}}) {
-    lesson.set(words, widest);
-    test::expect_same_picture(in_strips(lesson, 7), whole(lesson));
-  }
-}
 
 TEST_CASE("wrong words are refused, and the picture before stays") {
   Live<chapter_02::Lesson> lesson;
@@ -94,7 +48,9 @@ TEST_CASE("--squares changes every checkerboard") {
     if (auto* checkered = std::get_if<chapter_02::Checkered>(&object.paint))
       checkered->texture.squares = 4;
   }
-  const Image drawn = live_picture<chapter_02::Lesson>({"--squares", "4"});
+  Live<chapter_02::Lesson> lesson;
+  lesson.set({"--squares", "4"}, widest);
+  const Image drawn = whole(lesson);
   test::expect_same_picture(drawn, test::picture(four, 120, 90));
   CHECK(test::count_different(drawn, test::picture(ten, 120, 90)) > 1000);
 }
@@ -134,47 +90,6 @@ TEST_CASE("look tells what the published formulas give") {
     const int from_zero = static_cast<int>(uv.v * 1024);
     CHECK(pixel["texel"]["row"] == (one.down ? from_zero : 1023 - from_zero));
   }
-}
-
-TEST_CASE("look's light, paint and highlight make the pixel's color") {
-  int lit = 0, shiny = 0, blended = 0;
-  Live<chapter_06::Lesson> lesson;
-  for (const Words& words : {Words{}, Words{"--blend", "0.6"}, Words{"--scene", "lecture"},
-                             Words{"--scene", "lecture", "--highlight", "lecture"}}) {
-    lesson.set(words, 200);
-    const Image drawn = whole(lesson);
-    for (int row = 0; row < drawn.height; row += 3) {
-      for (int column = 0; column < drawn.width; column += 3) {
-        const auto pixel = seen(lesson, column, row);
-        if (!pixel.contains("ambient")) continue;
-        const auto number = [&](const char* name) { return pixel.value(name, 0.0); };
-        const double light = number("ambient") + number("diffuse") * number("cosine");
-        const double highlight = number("highlight");
-        const double paint = pixel["paint"][0];
-        const bool blends = pixel.contains("blend") && pixel.contains("texel");
-        const double gray = 255 * std::clamp(light + highlight, 0.0, 1.0);
-        const double made = blends ? gray * (1 - number("blend")) + paint * number("blend")
-                                   : paint * light + 255 * highlight;
-        CHECK(std::abs(drawn.at(column, row).r + 0.5 - std::clamp(made, 0.0, 255.5)) < 0.502);
-        lit += number("cosine") > 0 ? 1 : 0;
-        shiny += highlight > 0 ? 1 : 0;
-        blended += blends ? 1 : 0;
-      }
-    }
-  }
-  CHECK(std::min({lit, shiny, blended}) > 50);
-}
-
-TEST_CASE("where nothing casts a shadow, look sees none") {
-  Live<chapter_06::Lesson> lesson;
-  lesson.set({"--scene", "lecture"}, 800);
-  const auto pixel = seen(lesson, 320, 280);  // ground that the globe would shade
-  const auto& n = pixel["normal"];
-  const auto& l = pixel["to_light"];
-  const double cosine =
-      double(n[0]) * double(l[0]) + double(n[1]) * double(l[1]) + double(n[2]) * double(l[2]);
-  CHECK(cosine > 0.5);
-  CHECK(pixel["cosine"].get<double>() == doctest::Approx(cosine).epsilon(1e-12));
 }
 
 TEST_CASE("in float, look tells what float meets and how far its place is off") {

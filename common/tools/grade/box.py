@@ -93,29 +93,6 @@ class Users:
         return self.enter, [*self.BECOME, '--reuid', user, '--regid', user]
 
 
-def bwrap(visible, limits, argv, work, enter, become):
-    # It makes a socket itself, and filters afterwards.
-    command = ['sh', '-c', 'exec "$@" 9<"$0"', str(work / 'filter'), *enter, 'bwrap', '--seccomp', '9', '--unshare-ipc',
-               '--unshare-pid', '--unshare-net', '--unshare-uts', '--unshare-cgroup-try', '--die-with-parent', '--cap-drop', 'ALL']
-    if enter:
-        for power in ('SETUID', 'SETGID', 'SETPCAP', 'DAC_OVERRIDE'):
-            command += ['--cap-add', f'CAP_{power}']
-    else:
-        command += ['--unshare-user', '--disable-userns']
-    for place in visible:
-        command += ['--symlink', os.readlink(place), place] if os.path.islink(place) else ['--ro-bind', place, place]
-    # Shared pages of /dev/zero would be memory without a process.
-    return command + ['--dev', '/dev', '--ro-bind', '/dev/null', '/dev/zero', '--size', str(limits.disk_megabytes << 20),
-                      '--perms', '1777', '--tmpfs', BOX, '--remount-ro', '/', '--remount-ro', '/dev', '--chdir', BOX, *become, *argv]
-
-
-def none(_visible, _limits, argv, *_):
-    return argv
-
-
-CONTAINMENTS = {'bwrap': bwrap, 'none': none}
-
-
 def usage(pid, most):
     """CPU seconds, bytes of memory and number of the processes below and with this one, or of `most` of them."""
     ticks = pages = count = 0
@@ -134,17 +111,6 @@ def usage(pid, most):
     return ticks / os.sysconf('SC_CLK_TCK'), pages * os.sysconf('SC_PAGE_SIZE'), count
 
 
-def own_threads():
-    """How many threads this user has. They count for the kernel's limit on processes where no box is."""
-    count = 0
-    for process in Path('/proc').glob('[0-9]*'):
-        try:
-            count += len(os.listdir(process / 'task')) if process.stat().st_uid == os.getuid() else 0
-        except OSError:
-            pass  # it has just ended
-    return count
-
-
 class Boxes:
     """Runs commands in boxes of one kind."""
 
@@ -155,7 +121,7 @@ class Boxes:
 
     @functools.cached_property
     def users(self):
-        return Users() if self.kind != 'none' and exempt() else None
+        return Users() if exempt() else None
 
     def why_not(self):
         """Why this machine makes no such boxes, or none that keep what they should; empty if it does."""
@@ -166,16 +132,31 @@ class Boxes:
             return str(error)
         return '' if ended.product == b'kept\n' else ' '.join(ended.log.split()) or ended.why or 'it keeps nothing'
 
+    def boxed(self, argv, visible, limits):
+        """The command that runs argv in a box of bwrap's, which makes a socket itself, and filters system calls afterwards."""
+        enter, become = self.users.next() if self.users else ([], [])
+        command = ['sh', '-c', 'exec "$@" 9<"$0"', str(self.work / 'filter'), *enter, 'bwrap', '--seccomp', '9', '--unshare-ipc',
+                   '--unshare-pid', '--unshare-net', '--unshare-uts', '--unshare-cgroup-try', '--die-with-parent', '--cap-drop', 'ALL']
+        if enter:
+            for power in ('SETUID', 'SETGID', 'SETPCAP', 'DAC_OVERRIDE'):
+                command += ['--cap-add', f'CAP_{power}']
+        else:
+            command += ['--unshare-user', '--disable-userns']
+        for place in [*self.system, *map(str, visible)]:
+            command += ['--symlink', os.readlink(place), place] if os.path.islink(place) else ['--ro-bind', place, place]
+        # Shared pages of /dev/zero would be memory without a process.
+        return command + ['--dev', '/dev', '--ro-bind', '/dev/null', '/dev/zero', '--size', str(limits.disk_megabytes << 20),
+                          '--perms', '1777', '--tmpfs', BOX, '--remount-ro', '/', '--remount-ro', '/dev', '--chdir', BOX, *become, *argv]
+
     def run(self, argv, visible, limits, product=''):
         """Runs argv where only `visible` and the system are seen; `product` is the file that it leaves in the box."""
-        alone = 'no' if self.kind == 'none' else 'yes'
-        processes = limits.processes + (own_threads() + 1000 if self.kind == 'none' else 0)  # this user may begin others, too
+        contained = self.kind != 'none'
+        processes = limits.processes + (0 if contained else 4000)  # where no box is, the kernel counts all of this user's
         argv = ['sh', '-c', INSIDE, 'sh', str(int(limits.cpu) + 2), str(limits.megabytes << 10), str(limits.disk_megabytes << 11),
-                str(processes), product, alone, *argv]
-        enter, become = self.users.next() if self.users else ([], [])
-        command = CONTAINMENTS[self.kind](self.system + [str(place) for place in visible], limits, argv, self.work, enter, become)
+                str(processes), product, 'yes' if contained else 'no', *argv]
+        command = self.boxed(argv, visible, limits) if contained else argv
         with tempfile.TemporaryFile() as handed_over, tempfile.TemporaryDirectory() as place:
-            environment = dict(ENVIRONMENT, **({'HOME': place, 'TMPDIR': place} if self.kind == 'none' else {}))
+            environment = dict(ENVIRONMENT, **({} if contained else {'HOME': place, 'TMPDIR': place}))
             process = subprocess.Popen(command, stdin=handed_over, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=place,
                                        env=environment, start_new_session=True)
             log, cpu, why = self.watch(process, limits)
@@ -183,7 +164,7 @@ class Boxes:
             process.stdout.close()
             handed_over.seek(0)
             left, _, times, made = [*handed_over.read().split(b'\n', 3), b'', b'', b'', b''][:4]
-            if self.kind == 'none' and self.kill_group(process):
+            if not contained and self.kill_group(process):
                 left = b'left'
         if self.stopping.is_set():
             raise KeyboardInterrupt

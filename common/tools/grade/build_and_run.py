@@ -15,16 +15,14 @@ import re
 import shlex
 import shutil
 import stat
-import struct
 import subprocess
 import sys
 import tempfile
 import threading
-import zlib
 from pathlib import Path
 
 from box import BOX, ENVIRONMENT, Boxes, Limits
-from pictures import run_to_end
+from pictures import png, run_to_end
 from results import GradeError
 
 # A chapter's suites, of which the first that reads its lesson counts. Chapter 13's times itself: a busy machine would fail it.
@@ -191,13 +189,7 @@ class Course:
 def random_texture(path, rng):
     """Writes a PNG of 128 x 64 texels in blocks of random colors."""
     colors = [bytes(rng.randrange(256) for _ in range(3)) for _ in range(16 * 8)]
-    rows = b''.join(b'\0' + b''.join(colors[row // 8 * 16 + column // 8] for column in range(128)) for row in range(64))
-
-    def chunk(name, data):
-        return struct.pack('>I', len(data)) + name + data + struct.pack('>I', zlib.crc32(name + data))
-
-    path.write_bytes(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>2I5B', 128, 64, 8, 2, 0, 0, 0)) +
-                     chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b''))
+    path.write_bytes(png(128, 64, b''.join(colors[row // 8 * 16 + column // 8] for row in range(64) for column in range(128))))
 
 
 def hidden_options(item, offered, texture, rng):
@@ -295,7 +287,7 @@ class Grader:
                 raise GradeError(f'{path} has changed while students were graded: no grade of this run counts')
 
     def once(self, key, work):
-        """The result of work(), which runs once for each key. Returns it, and whether it was there already."""
+        """The result of work(), which runs once for each key."""
         with self.lock:
             mine = key not in self.under_way
             future = self.under_way.setdefault(key, concurrent.futures.Future())
@@ -304,14 +296,14 @@ class Grader:
                 future.set_result(work())
             except BaseException as error:
                 future.set_exception(error)
-        return future.result(), not mine
+        return future.result()
 
     def key(self, item, files):
         """A hash of all that the verdict on these files depends on."""
         return digest(self.made_from.encode(), item.encode(), *(piece for name in sorted(files) for piece in (name.encode(), files[name])))
 
     def verdict(self, item, folder):
-        """What is known of a student's chapter, and whether it was known before."""
+        """What is known of a student's chapter or exercise."""
         own = self.course.own(item)
         if is_exercise(item):
             file = exercise_in(folder, item)
@@ -327,22 +319,21 @@ class Grader:
                 at = next(chapters_in(folder).glob(f'{item[:2]}_*/exercises/{item[3]}_*.hpp'), at)
             linked = any(os.path.islink(Path(folder, *at.relative_to(folder).parts[:depth])) for depth in (1, 2, 3, 4))
             why = f'{needed} is a symbolic link or behind one, and links are not followed' if linked else f'there is no {needed}'
-            return {'build': 'missing', 'note': why}, False
+            return {'build': 'missing', 'note': why}
         files = own | found
         key = self.key(item, files)
         place = self.cache / key
-        known = (place / 'verdict.json').exists()
 
         def judge():
-            if known:
+            if (place / 'verdict.json').exists():
                 return json.loads((place / 'verdict.json').read_text())
             course = self.reference(item)
             return course if files == own else self.judge(item, files, place, course)
-        result, again = self.once(key, judge)
+        result = self.once(key, judge)
         if result['build'] == 'does not build':
             why = cause(folder, found, self.course.tree / 'common')
             result = dict(result, note=why + ('; ' if why else '') + result['note'])
-        return result, known or again
+        return result
 
     def reference(self, item):
         """The course's own lesson or solution, judged in this session: its times are the limits' measure."""
@@ -353,7 +344,7 @@ class Grader:
             if result['build'] != 'ok' or result['run'] != 'ok' or is_exercise(item) and result['tests_passed'] != '1':
                 raise GradeError(f"the course's own {item}: {result['build']}, {result['run']}: {result['note']}")
             return result
-        return self.once((item, 'reference'), judge)[0]
+        return self.once((item, 'reference'), judge)
 
     def limits(self, course, name):
         """The course's own time for this task, times CPU_FACTOR."""
@@ -405,7 +396,7 @@ class Grader:
                 if log.returncode:
                     raise GradeError(f'{source} cannot be compiled: {first_error(log.stderr.decode())}')
             return made
-        return self.once('test_objects', compile_them)[0]
+        return self.once('test_objects', compile_them)
 
     def judge(self, item, files, place, course):
         """Builds, draws, draws the hidden picture, tests. `course` is the verdict on the course's own lesson, None for that one."""
@@ -536,7 +527,7 @@ class Grader:
 
     def result(self, item, folder):
         """What became of a student's chapter or exercise."""
-        result, _ = self.verdict(item, folder)
+        result = self.verdict(item, folder)
         for picture in (self.course.tree / 'tests' / 'golden' / f'{item}.png', result.get('hidden_expected')):
             if picture:
                 self.expected(Path(picture))

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <list>
 #include <map>
 #include <string>
 #include <utility>
@@ -149,24 +148,17 @@ class KnownWords {
   /// Such as "mirrored: u runs the other way"; empty if no known mistake is sure.
   [[nodiscard]] std::string words_for(const Image& is, const Image& should,
                                       const std::string& folder) {
-    const auto known = std::find_if(loaded_.begin(), loaded_.end(),
-                                    [&](const Known& one) { return one.folder == folder; });
-    if (known != loaded_.end()) {
-      loaded_.splice(loaded_.begin(), loaded_, known);
-    } else {
-      if (loaded_.size() == most_chapters) loaded_.pop_back();
-      loaded_.push_front({folder, mistakes_of_the_whole(should), drawn_in(path_of(folder))});
+    if (loaded_.size() == most_chapters && !loaded_.contains(folder)) loaded_.clear();
+    auto& [of_the_whole, drawn] = loaded_[folder];
+    if (of_the_whole.empty()) {
+      of_the_whole = mistakes_of_the_whole(should);
+      drawn = drawn_in(path_of(folder));
     }
-    const std::string words = name_mistake(is, should, loaded_.front().of_the_whole);
-    return words.empty() ? name_mistake(is, should, loaded_.front().drawn) : words;
+    const std::string words = name_mistake(is, should, of_the_whole);
+    return words.empty() ? name_mistake(is, should, drawn) : words;
   }
 
  private:
-  struct Known {
-    std::string folder;
-    std::vector<WrongPicture> of_the_whole, drawn;
-  };
-
   /// Without these pictures the grades are the same, and less is said about them.
   static std::vector<WrongPicture> drawn_in(const std::filesystem::path& folder) {
     try {
@@ -178,7 +170,8 @@ class KnownWords {
     return {};
   }
 
-  std::list<Known> loaded_;
+  /// By folder: what is wrong with the whole picture, and what is drawn there.
+  std::map<std::string, std::pair<std::vector<WrongPicture>, std::vector<WrongPicture>>> loaded_;
 };
 
 /// A golden picture, and the answers on the files that were compared with it. It is read once: what

@@ -2,14 +2,9 @@
 // command line go in, rows of pixels come out.
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
@@ -42,17 +37,6 @@ class LiveLesson {
   [[nodiscard]] virtual std::string look(int column, int row) const = 0;
 };
 
-/// Calls `change` with every paint of a kind that has it.
-template <class Paint, class Change>
-void change_paint(Paint& paint, const Change& change) {
-  if constexpr (requires { change(paint); }) change(paint);
-}
-template <class... Paints, class Change>
-void change_paint(AnyOf<Paints...>& paint, const Change& change) {
-  std::visit([&change](auto& one) { change_paint(one, change); },
-             static_cast<std::variant<Paints...>&>(paint));
-}
-
 /// The choices that a page offers and a chapter's program does not.
 template <class Lesson>
 struct Knobs {
@@ -78,10 +62,9 @@ struct Knobs {
   void apply(Lesson& lesson) const {
     if constexpr (has_squares) {
       for (auto& object : lesson.objects) {
-        change_paint(
-            object.paint, [this](auto& paint) requires requires { paint.texture.squares; } {
-              paint.texture.squares = squares;
-            });
+        with_paint(object.paint, [this](auto& paint) {
+          if constexpr (requires { paint.texture.squares; }) paint.texture.squares = squares;
+        });
       }
     }
     Camera& camera = lesson.stage.camera;
@@ -116,7 +99,20 @@ class Live final : public LiveLesson {
     View<> strip = state_->whole;
     strip.height = count;
     strip.center_row -= first;  // a half or a whole number: exact
-    return state_->draw(strip);
+    const Lesson& lesson = state_->lesson;
+    const Settings& settings = state_->session.settings;
+    const RenderSettings how{.samples = settings.samples, .threads = 1};
+    if constexpr (HasSpheres<Lesson>) {
+      if (state_->knobs.errors) return draw_errors(lesson, strip);
+    }
+    if constexpr (HasSurfaces<Lesson>) {
+      if (settings.show != Shown::color) {
+        return render<double>(SurfaceColors<Lesson>{lesson, settings.show}, strip,
+                              {.samples = 1, .threads = 1});
+      }
+    }
+    if (settings.number == NumberKind::float_) return render<float>(lesson, strip, how);
+    return render<double>(lesson, strip, how);
   }
 
   [[nodiscard]] std::string look(int column, int row) const override {
@@ -171,23 +167,6 @@ class Live final : public LiveLesson {
       }
       settings.zoom *= knobs.eye;
       whole = session.view(lesson.stage.camera, settings.width, settings.height);
-    }
-
-    [[nodiscard]] Image draw(const View<>& view) const { return draw_lesson(lesson, view); }
-    [[nodiscard]] Image draw_lesson(const Lesson& seen, const View<>& view) const {
-      const Settings& settings = session.settings;
-      const RenderSettings how{.samples = settings.samples, .threads = 1};
-      if constexpr (HasSpheres<Lesson>) {
-        if (knobs.errors) return draw_errors(seen, view);
-      }
-      if constexpr (HasSurfaces<Lesson>) {
-        if (settings.show != Shown::color) {
-          return render<double>(SurfaceColors<Lesson>{seen, settings.show}, view,
-                                {.samples = 1, .threads = 1});
-        }
-      }
-      if (settings.number == NumberKind::float_) return render<float>(seen, view, how);
-      return render<double>(seen, view, how);
     }
   };
   std::unique_ptr<State> state_ = std::make_unique<State>();

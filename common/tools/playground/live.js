@@ -387,7 +387,6 @@ function live(main, packed) {
     paper.drawImage(small, 0, 0, canvas.width, canvas.height);
     canvas.hidden = false;
     if (still) still.style.display = "none";
-    section.dataset.pictures = 1 + Number(section.dataset.pictures || 0);
     if (turning) requestAnimationFrame(turn);
     if (turning && pixel) look(pixel);
   }

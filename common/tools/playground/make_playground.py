@@ -50,7 +50,7 @@ def file_script(path, name, as_text):
 
 
 def page(module):
-    # The chapters ask for earth.png; the bytes say that it is a JPEG.
+    # The chapters ask for earth.png; the bytes say that it is a JPEG. To make it again: convert assets/earth.png -scale 25% -quality 78
     scripts = [module_script(module, in_base64), file_script(os.path.join(HERE, "small_earth.jpg"), "earth.png", in_base64)]
     parts = {
         "colors": source("../book/book.css").split("* {")[0].strip(),  # the book's, light and dark

@@ -13,6 +13,16 @@
 
 namespace texmap::live {
 
+/// Calls `use` with a paint, or with the one that an AnyOf holds.
+template <class Paint, class Use>
+auto with_paint(Paint& paint, const Use& use) {
+  if constexpr (requires { paint.index(); }) {
+    return std::visit(use, paint);
+  } else {
+    return use(paint);
+  }
+}
+
 /// The texels of a paint's picture, columns and rows; the Earth's where it has none.
 template <class Paint>
 [[nodiscard]] Size texels_of(const Paint& paint) {
@@ -21,11 +31,6 @@ template <class Paint>
   } else {
     return {2048, 1024};
   }
-}
-template <class... Paints>
-[[nodiscard]] Size texels_of(const AnyOf<Paints...>& paint) {
-  return std::visit([](const auto& one) { return texels_of(one); },
-                    static_cast<const std::variant<Paints...>&>(paint));
 }
 
 /// How far two places on a picture are apart, in texels; u = 0 and u = 1 are the same place.
@@ -61,7 +66,8 @@ template <class Lesson>
   error.has_uv = true;
   error.uv = {double(drawn.uv.u), double(drawn.uv.v)};
   const auto& paint = lesson.objects[static_cast<std::size_t>(right.object)].paint;
-  error.apart = texels_apart(error.uv, right.uv, texels_of(paint));
+  const Size texels = with_paint(paint, [](const auto& one) { return texels_of(one); });
+  error.apart = texels_apart(error.uv, right.uv, texels);
   return error;
 }
 

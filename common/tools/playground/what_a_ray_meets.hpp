@@ -2,7 +2,6 @@
 #pragma once
 #include <cmath>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "engine/measure/json.hpp"
@@ -41,11 +40,6 @@ void add_texel(const Paint& paint, const Uv<double>& uv, Members& members) {
     members.emplace_back("squares", paint.texture.squares);
   }
 }
-template <class... Paints>
-void add_texel(const AnyOf<Paints...>& paint, const Uv<double>& uv, Members& members) {
-  std::visit([&](const auto& one) { add_texel(one, uv, members); },
-             static_cast<const std::variant<Paints...>&>(paint));
-}
 
 /// The rotation of a paint's mapping, as sine and cosine, and the normal after it.
 template <class Paint>
@@ -56,20 +50,17 @@ void add_rotation(const Paint& paint, const Vec3d& normal, Members& members) {
     members.emplace_back("rotated", list_of(rotation(normal)));
   }
 }
-template <class... Paints>
-void add_rotation(const AnyOf<Paints...>& paint, const Vec3d& normal, Members& members) {
-  std::visit([&](const auto& one) { add_rotation(one, normal, members); },
-             static_cast<const std::variant<Paints...>&>(paint));
-}
 
 /// Where a paint is read: (u, v), texel and, if the mapping turns with its object, the normal.
 template <class Paint, class AnyHit>
 void add_place(const Paint& paint, const AnyHit& hit, Members& members) {
   const Uv<double> uv = uv_of_paint(paint, hit);
   if (std::isnan(uv.u)) return;
-  add_rotation(paint, hit.normal, members);
   members.emplace_back("uv", Json::list({uv.u, uv.v}));
-  add_texel(paint, uv, members);
+  with_paint(paint, [&](const auto& one) {
+    add_rotation(one, hit.normal, members);
+    add_texel(one, uv, members);
+  });
 }
 
 /// The light that arrives.
