@@ -84,7 +84,7 @@ Group threads_group() {
       .name = "threads",
       .title = "One thread and two",
       .text =
-          "Drawing alone, at 800 × 600 pixels, chapter 07 with 8 samples per pixel. The base of "
+          "Drawing alone, at 800 × 600 pixels, chapter 07 with 8 samples per pixel. The base of\n"
           "each line is one thread with the same number.",
       .unit = "ms",
       .seconds = 12,
@@ -105,7 +105,7 @@ Group meshes_group() {
       .name = "meshes",
       .title = "A tree of boxes, and every triangle for every ray",
       .text =
-          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread. "
+          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread.\n"
           "The base of each line tries every triangle with the same number.",
       .unit = "ms",
       .seconds = 20,
@@ -128,9 +128,9 @@ Group budgets_group() {
       .name = "budgets",
       .title = "Chapter 07 under a budget",
       .text =
-          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels "
-          "pays for the curve to bytes, roots of light, a polynomial for (u, v), and patches: "
-          "nine looks for all samples of a smooth pixel. The base is the exact picture in "
+          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels\n"
+          "pays for the curve to bytes, roots of light, a polynomial for (u, v), and patches:\n"
+          "nine looks for all samples of a smooth pixel. The base is the exact picture in\n"
           "double, with which the last column compares the picture in float.",
       .unit = "ms",
       .seconds = 30,
@@ -148,9 +148,9 @@ Group chapters_group() {
       .name = "chapters",
       .title = "The chapters' pictures",
       .text =
-          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapters 07 "
-          "and 12 at 400 × 225 with 8 samples per pixel, chapter 09 with its anisotropic filter, "
-          "chapter 10 with the equal-area map. The base of each chapter is its picture in "
+          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapters 07\n"
+          "and 12 at 400 × 225 with 8 samples per pixel, chapter 09 with its anisotropic filter,\n"
+          "chapter 10 with the equal-area map. The base of each chapter is its picture in\n"
           "double.",
       .unit = "ms",
       .seconds = 70,
