@@ -57,9 +57,8 @@ double texels_bound(const Globe& globe, NumberKind number, int degree) {
 }
 
 /// How far the place that is looked up can be off, in texels along u and along v; near the poles a
-/// little way is much along u. 2
-/// unit roundoffs of 1 are those of the look-up (texel.hpp, bilinear.hpp), and 2 of double those of
-/// the place that is compared here.
+/// little way is much along u. 2 unit roundoffs of 1 are those of the look-up (texel.hpp,
+/// bilinear.hpp), and 2 of double those of the place that is compared here.
 UvError place_bound(const Globe& globe, const Variant& variant, const ReferenceHit& hit) {
   const UvError kernel = kernel_bound(variant.number, variant.degree);
   const double angle = normal_bound(globe, variant.number, hit.cosine);
@@ -331,17 +330,14 @@ View<> noise_view(const Globe& globe, int view) {
 }
 
 UvError kernel_bound(NumberKind number, int degree) {
-  const double roundoff = roundoff_of(number);
+  // The reference formula's is stated in texels of 8192 by 4096.
+  const double texels = is_float(number) ? 0.001 : number == NumberKind::extended ? 1e-15 : 2e-12;
   return with_uv_mapping(degree, [&](const auto& mapping) -> UvError {
     using Mapping = std::decay_t<decltype(mapping)>;
     if constexpr (requires { Mapping::template worst<double>; }) {
-      if (is_float(number)) return Mapping::template worst<float>;
-      return Mapping::template worst<double>;
+      return is_float(number) ? Mapping::template worst<float> : Mapping::template worst<double>;
     } else {
-      const double texels = is_float(number)                               ? 0.001
-                            : roundoff == roundoff_of(NumberKind::double_) ? 2e-12
-                                                                           : 1e-15;
-      return {texels / 8192, texels / 4096};  // stated in texels of 8192 by 4096
+      return {texels / 8192, texels / 4096};
     }
   });
 }

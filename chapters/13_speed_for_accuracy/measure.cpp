@@ -1,7 +1,6 @@
 // Which ways are tried, how long they take, and which is best.
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "engine/measure/text.hpp"
 #include "ways.hpp"
@@ -105,17 +104,15 @@ std::string disagreement(const WorkTime& alone, const WorkTime& among) {
 
 void time_rows_beside(WorkTime alone, std::span<Row> rows, const Globe& globe, const View<>& view,
                       Timing& timing) {
-  time_rows(rows, globe, view, timing);
-  const Tick tick = std::exchange(timing.tick, {});  // the progress is not set back
-  for (int more = 2; !disagreement(alone, rows[0].took).empty(); --more) {
+  std::string wrong;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    time_rows(rows, globe, view, timing);
+    wrong = disagreement(alone, rows[0].took);
+    if (wrong.empty()) return;
     // The machine may have been slow at the start. What wide code does to plain numbers lasts.
     alone.processor = std::min(alone.processor, time_alone(globe, view).processor);
-    const std::string wrong = disagreement(alone, rows[0].took);
-    if (wrong.empty()) break;
-    if (more == 0) throw std::runtime_error(wrong);
-    time_rows(rows, globe, view, timing);
   }
-  timing.tick = tick;
+  throw std::runtime_error(wrong);
 }
 
 // Which is best.

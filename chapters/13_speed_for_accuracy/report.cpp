@@ -81,8 +81,7 @@ PlotPoint point_of(const Row& row) {
   const int degree = row.variant.degree;
   const std::string label = degree == 0 ? "atan2" : std::to_string(degree);
   return {time, row.bound + (row.part == Part::curves ? 0.5 : 0),
-          row.part == Part::places ? label : "", time * row.took.spread,
-          series_of(row) + ", " + choice_of(row)};
+          row.part == Part::places ? label : "", time * row.took.spread};
 }
 
 /// A plot with rows as points: a series for each number or sampler, and the front with its
@@ -186,8 +185,8 @@ std::string busy_text(const Measurements& all) {
   std::string lines;
   if (all.skipped > 0) {
     lines = text(
-        "\nThe machine is busy or slow: timing took longer than --seconds allows, and %d rounds "
-        "were left out.\nFewer rounds make times less sure; errors have no part in it.\n",
+        "\nTiming took longer than --seconds allows, and %d rounds were left out. Errors have no "
+        "part in it.\n",
         all.skipped);
   }
   long busy = 0, tried = 0;

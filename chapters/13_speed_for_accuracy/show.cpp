@@ -35,33 +35,35 @@ Image differences(const Image& a, const Image& b, int reach) {
   return map;
 }
 
-std::string seen(const Row& errors) {
-  if (errors.changed == 0) return "no pixel differs";
-  return text("%ld pixel%s, by %s%d level%s", errors.changed,
-              errors.changed == 1 ? " differs" : "s differ", errors.changed == 1 ? "" : "up to ",
-              errors.levels, errors.levels == 1 ? "" : "s");
+/// "1 pixel", "2 pixels".
+std::string counted(long count, const char* what) {
+  return text("%ld %s%s", count, what, count == 1 ? "" : "s");
 }
 
 /// Four rows of four pictures, each above three lines of text, and a line above all; filled panel
 /// by panel.
 struct Sheet {
-  int scale, line, gap, panel_width, panel_height;
+  const Globe& globe;
+  int threads, scale, line, gap, panel_width, panel_height;
+  View<> view;  ///< of a panel
   Image image;
   Tick tick;
   int panels = 0;
 
-  Sheet(int width, int height, Tick after_each)
-      : scale(std::max(1, width / 1640)),
+  Sheet(const Globe& drawn, int width, int height, int with_threads, Tick after_each)
+      : globe(drawn),
+        threads(with_threads),
+        scale(std::max(1, width / 1640)),
         line(11 * scale),
         gap(std::max(1, width / 120)),
         panel_width(std::max(1, width / 4 - gap)),
         panel_height(std::max(1, (height - 2 * line) / 4 - 3 * line - gap)),
+        view(globe.view(panel_width, panel_height)),
         image(width, height, {255, 255, 255}),
         tick(std::move(after_each)) {}
 
   /// Adds a picture with up to three lines of text.
-  void add(const Image& picture, const std::string& name,
-           const std::vector<std::string>& more = {}) {
+  void add(const Image& picture, const std::string& name, const std::vector<std::string>& more) {
     const int left = gap / 2 + panels % 4 * (panel_width + gap);
     const int top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap);
     SheetColumn column{image, left, top, scale, line};
@@ -70,6 +72,60 @@ struct Sheet {
     column.write(name, black);
     for (const std::string& words : more) column.write(words);
     tick(++panels, 16);
+  }
+  /// Adds what ways to draw change in a picture.
+  void add_differences(std::vector<Row> rows, const Image& reference) {
+    find_errors(rows, globe, view, threads, [](int, int) {});
+    for (const Row& row : rows) {
+      const bool is_place = row.part == Part::places;
+      const std::string way =
+          is_place && row.variant.degree == 0 ? "reference formula" : choice_of(row);
+      const char* seen = row.changed == 1 ? " differs, by " : " differ, by up to ";
+      add(differences(picture_of(globe, view, row.variant, threads), reference, is_place ? 1 : 0),
+          (is_place ? name_of(row.variant.number) + std::string(", ") : "sRGB by ") + way,
+          {row.changed == 0 ? "no pixel differs"
+                            : counted(row.changed, "pixel") + seen + counted(row.levels, "level"),
+           is_place ? text("%.1e texels off, at most %.1e", row.worst, row.bound)
+                    : "at most " + counted(row.levels_bound, "level")});
+    }
+  }
+  /// The picture, and what numbers and kernels change in it.
+  void add_places(Filter filter, const std::vector<std::pair<NumberKind, int>>& ways) {
+    const Image reference = reference_picture(globe, view, filter);
+    const Image& texture = globe.nearest.image;
+    add(reference,
+        filter == Filter::nearest ? "nearest texel, extended" : "bilinear filter, extended",
+        {text("the picture, %d x %d pixels", reference.width, reference.height),
+         text("of a texture of %d x %d", texture.width, texture.height)});
+    std::vector<Row> rows;
+    for (const auto& [number, degree] : ways)
+      rows.push_back({Part::places, {.number = number, .degree = degree, .filter = filter}});
+    add_differences(rows, reference);
+  }
+  /// The picture under the sky, and what shorter curves change in it.
+  void add_curves() {
+    const Image reference = picture_of(globe, view, {.curve = Curve::exact}, threads);
+    add(reference, "under the sky's light, sRGB exact", {"one ray a pixel"});
+    add_differences(
+        {{Part::curves, {.curve = Curve::four}}, {Part::curves, {.curve = Curve::three}}},
+        reference);
+  }
+  /// The picture that all samplers converge to, and how far off 16 samples are.
+  void add_samplers() {
+    const Variant variant{.number = NumberKind::double_pack};
+    const auto drawn = [&](const Sampler& sampler) {
+      return sampled(globe, view, variant, sampler, threads);
+    };
+    const Film converged = drawn(Sampler(SamplerKind::sobol, 256, 1));
+    const Image smooth = develop(converged, Transfer::srgb);
+    add(smooth, "sobol, 256 rays a pixel", {"what all samplers go to"});
+    for (const SamplerKind kind : sampler_kinds) {
+      const Film film = drawn(Sampler(kind, 16));
+      const double off = rms_difference(levels_of(film), levels_of(converged));
+      add(differences(develop(film, Transfer::srgb), smooth, 0),
+          std::string(name_of(kind)) + ", 16 rays a pixel",
+          {text("%.2f levels off, root mean square", off)});
+    }
   }
   /// Writes above all panels what the colors mean.
   void add_legend() {
@@ -89,65 +145,6 @@ struct Sheet {
   }
 };
 
-/// What ways to draw change in a picture.
-void add_differences(Sheet& sheet, const Globe& globe, const View<>& view, std::vector<Row> rows,
-                     const Image& reference, int threads) {
-  find_errors(rows, globe, view, threads, [](int, int) {});
-  for (const Row& row : rows) {
-    const bool is_place = row.part == Part::places;
-    const std::string way =
-        row.variant.degree == 0 && is_place ? "reference formula" : choice_of(row);
-    sheet.add(
-        differences(picture_of(globe, view, row.variant, threads), reference, is_place ? 1 : 0),
-        (is_place ? name_of(row.variant.number) + std::string(", ") : "sRGB by ") + way,
-        {seen(row),
-         is_place ? text("%.1e texels off, at most %.1e", row.worst, row.bound)
-                  : text("at most %d level%s", row.levels_bound, row.levels_bound > 1 ? "s" : "")});
-  }
-}
-
-/// The picture, and what numbers and kernels change in it.
-void add_places(Sheet& sheet, const Globe& globe, const View<>& view, Filter filter, int threads) {
-  const bool nearest = filter == Filter::nearest;
-  const Image reference = reference_picture(globe, view, filter);
-  const Image& texture = globe.nearest.image;
-  sheet.add(reference, nearest ? "nearest texel, extended" : "bilinear filter, extended",
-            {text("the picture, %d x %d pixels", reference.width, reference.height),
-             text("of a texture of %d x %d", texture.width, texture.height)});
-  std::vector<Row> rows;
-  for (const auto& [number, degree] :
-       {std::pair{NumberKind::float_, nearest ? 0 : 5},
-        std::pair{NumberKind::float_, nearest ? 5 : 9},
-        std::pair{nearest ? NumberKind::float_ : NumberKind::double_, nearest ? 9 : 23}})
-    rows.push_back({Part::places, {.number = number, .degree = degree, .filter = filter}});
-  add_differences(sheet, globe, view, rows, reference, threads);
-}
-
-/// The picture under the sky, and what shorter curves change in it.
-void add_curves(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
-  const Image reference = picture_of(globe, view, {.curve = Curve::exact}, threads);
-  sheet.add(reference, "under the sky's light, sRGB exact", {"one ray a pixel"});
-  add_differences(sheet, globe, view,
-                  {{Part::curves, {.curve = Curve::four}}, {Part::curves, {.curve = Curve::three}}},
-                  reference, threads);
-}
-
-/// The picture that all samplers converge to, and how far off 16 samples are.
-void add_samplers(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
-  const Variant variant{.number = NumberKind::double_pack};
-  const Film converged =
-      sampled(globe, view, variant, Sampler(SamplerKind::sobol, 256, 1), threads);
-  const Image smooth = develop(converged, Transfer::srgb);
-  sheet.add(smooth, "sobol, 256 rays a pixel", {"what all samplers go to"});
-  for (const SamplerKind kind : sampler_kinds) {
-    const Film film = sampled(globe, view, variant, Sampler(kind, 16), threads);
-    const double off = rms_difference(levels_of(film), levels_of(converged));
-    sheet.add(differences(develop(film, Transfer::srgb), smooth, 0),
-              std::string(name_of(kind)) + ", 16 rays a pixel",
-              {text("%.2f levels off, root mean square", off)});
-  }
-}
-
 /// How far a run is.
 struct Phases {
   /// What each phase takes of the time, about: three of errors and times each, and the sheet.
@@ -165,17 +162,16 @@ struct Phases {
 }  // namespace
 
 View<> view_of_sheet(const Globe& globe, int width, int height) {
-  const Sheet sheet(width, height, {});
-  return globe.view(sheet.panel_width, sheet.panel_height);
+  return Sheet(globe, width, height, 0, {}).view;
 }
 
 Image draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
-  const View<> view = view_of_sheet(globe, width, height);
-  Sheet sheet(width, height, tick);
-  add_places(sheet, globe, view, Filter::nearest, threads);
-  add_places(sheet, globe, view, Filter::bilinear, threads);
-  add_curves(sheet, globe, view, threads);
-  add_samplers(sheet, globe, view, threads);
+  using enum NumberKind;
+  Sheet sheet(globe, width, height, threads, tick);
+  sheet.add_places(Filter::nearest, {{float_, 0}, {float_, 5}, {float_, 9}});
+  sheet.add_places(Filter::bilinear, {{float_, 5}, {float_, 9}, {double_, 23}});
+  sheet.add_curves();
+  sheet.add_samplers();
   sheet.add_legend();
   return sheet.image;
 }

@@ -83,8 +83,7 @@ struct Measurements {
   }
 };
 
-/// Called with how many parts of a phase of the run are done, and how many it has; the call after
-/// the last part of a phase is the next one's first.
+/// Called with how many parts of a phase of the run are done, and how many it has.
 using Tick = std::function<void(int done, int total)>;
 
 // Which ways are tried, and how long they take (measure.cpp).
@@ -117,11 +116,10 @@ void time_rows(std::span<Row> rows, const Globe& globe, const View<>& view, Timi
 /// What plain double takes when nothing else is timed.
 [[nodiscard]] WorkTime time_alone(const Globe& globe, const View<>& view);
 /// Says that every ratio would be wrong; nothing if two times of plain double, alone and among
-/// others, could be the same on a busy machine: within a quarter. Those below a millisecond depend
-/// on what the caches hold, and say nothing.
+/// others, are within a quarter, or so short that they depend on what the caches hold.
 [[nodiscard]] std::string disagreement(const WorkTime& alone, const WorkTime& among);
-/// The same as time_rows, and a check of it: the first row, plain double, must take as long among
-/// the others as it took `alone` before any wide instructions ran in this process.
+/// The same as time_rows, and a check of it: the first row, plain double, must take as long as it
+/// took `alone` before any wide instructions ran in this process.
 /// Errors: std::runtime_error with the disagreement, after three timings.
 void time_rows_beside(WorkTime alone, std::span<Row> rows, const Globe& globe, const View<>& view,
                       Timing& timing);
@@ -138,16 +136,12 @@ inline constexpr double least_cosine = 0.141;
 [[nodiscard]] UvError kernel_bound(NumberKind number, int degree);
 
 /// What another view by another seed does not exceed: the mean of those seen and 6 standard
-/// deviations.
-///
-/// For normally distributed errors one more than `noise_views` = 8 exceeds it with a chance of 1 in
-/// 2600: Student's distribution with 7 degrees of freedom at 6 / sqrt(1 + 1/8).
+/// deviations. Of normally distributed errors one more than `noise_views` exceeds it with a chance
+/// of 1 in 2600: Student's distribution with 7 degrees of freedom at 6 / sqrt(1 + 1/8).
 [[nodiscard]] double noise_bound(const std::vector<double>& errors);
 
-/// The views of samplers, each of another part of the globe.
-inline constexpr int noise_views = 8;
-inline constexpr int noise_width = 80;
-inline constexpr int noise_height = 60;
+/// The views of samplers, each of another part of the globe, and their size.
+inline constexpr int noise_views = 8, noise_width = 80, noise_height = 60;
 [[nodiscard]] View<> noise_view(const Globe& globe, int view);
 
 /// The picture of a variant, one ray per pixel.
@@ -176,17 +170,13 @@ inline constexpr double same_time = 1.05;
 /// A time with a larger spread was taken on a busy machine.
 inline constexpr double quiet_spread = 1.1;
 
-/// True if a row of places or curves keeps to a budget by its bounds, whatever was measured.
-///
-/// `exact` is what plain double draws with the reference formula; others draw the same if no
-/// rounding can change a byte. Levels are the most that any pixel can change, outline and edges of
-/// texels included.
+/// True if a row of places or curves keeps to a budget by its bounds, whatever was measured. It is
+/// `exact` if it is plain double with the reference formula, or if no rounding can change a byte.
 [[nodiscard]] bool keeps_to(const Budget& budget, const Row& row);
 
 /// Of rows the fastest, and of those that could be as fast, as far as the times' spread tells, the
-/// most exact; nullptr of none.
+/// most exact; nullptr of none. Or of the places with a filter that keep to a budget.
 [[nodiscard]] const Row* fastest(const Rows& rows);
-/// The fastest of the places with a filter that keep to a budget.
 [[nodiscard]] const Row* fastest(const Measurements& all, Filter filter, const Budget& budget);
 /// The same of the curves, for a budget in levels: only of numbers that find every texel, since a
 /// wrong one may be any number of levels off.

@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "engine/measure/stopwatch.hpp"
 #include "engine/system/system.hpp"
 
 TEST_CASE("works alternate, and each is run once more than it is timed") {
@@ -83,21 +84,6 @@ TEST_CASE(
   CHECK(asked == std::vector<int>{1, 2, 3});
   CHECK(runs == 2 * (1 + 3));
   for (const texmap::WorkTime& time : times) CHECK(time.wall < 1e9);
-}
-
-TEST_CASE(
-    "a time limit is reached when its time is over, but not before the least number of rounds") {
-  double now = 0;
-  const texmap::TimeLimit enough(100, 3, [&now] { return now; });
-  CHECK_FALSE(enough(7));
-  now = 99;
-  CHECK_FALSE(enough(7));
-  now = 100;
-  CHECK(enough(7));
-  CHECK(enough(3));
-  CHECK_FALSE(enough(2));
-  CHECK_FALSE(texmap::TimeLimit(1e9)(1));  // by the clock
-  CHECK(texmap::TimeLimit(0)(1));
 }
 
 TEST_CASE("as many rounds as fit into the time, within their limits") {
