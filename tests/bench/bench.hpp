@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/measure/interleaved.hpp"
+#include "engine/measure/machine.hpp"
 
 namespace texmap::bench {
 
@@ -52,7 +53,6 @@ struct Group {
 
 // The groups, each declared here and made in a file of its own subject.
 [[nodiscard]] Group chapters_group();
-[[nodiscard]] Group threads_group();
 [[nodiscard]] Group meshes_group();
 [[nodiscard]] Group budgets_group();
 [[nodiscard]] Group ledger_group();
@@ -77,7 +77,10 @@ void measure(Group& group, const Effort& effort, const Report& report = {});
 
 /// A group as a section of the page, in Markdown; what was not run is "–".
 [[nodiscard]] std::string section_of(const Group& group);
+/// The machine as it is now.
+[[nodiscard]] Machine measuring_machine();
 /// docs/measurements.md.
-[[nodiscard]] std::string page_of(const Effort& effort, const std::vector<Group>& all);
+[[nodiscard]] std::string page_of(const Machine& machine, const Effort& effort,
+                                  const std::vector<Group>& all);
 
 }  // namespace texmap::bench

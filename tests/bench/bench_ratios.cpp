@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
     if (!line.parse(argc, argv)) return;
     if (writes && !only.empty()) throw UsageError("--write needs all groups: leave out --only");
     const Effort effort = quick ? Effort{0.06, 3} : Effort{};
+    const Machine machine = measuring_machine();
     std::vector<Group> groups = chosen(only);
     for (Group& group : groups) {
       if (list) {
@@ -60,7 +61,7 @@ int main(int argc, char** argv) {
     }
     if (!writes || list) return;
     const std::filesystem::path page = TEXMAP_PROJECT_DIR "/docs/measurements.md";
-    write_text_atomically(page, page_of(effort, groups));
+    write_text_atomically(page, page_of(machine, effort, groups));
     print("wrote " + page.string() + "\n");
   });
 }

@@ -1,4 +1,4 @@
-// The group of the chapters: each one's picture, drawn with every number.
+// The groups of pictures: each chapter's with every number, 08's by a tree, 07's under budgets.
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -36,7 +36,7 @@ void add_chapter(Group& group, const std::string& line, int height = 300,
   const auto lesson = prepared<chapter_07::Lesson>({"--sky", sky});
   const Image& texture = lesson.objects.front().paint.texture.image;
   return std::make_shared<LessonWork<chapter_07::Lesson>>(
-      lesson, 400, 225, 1, samples,
+      lesson, 400, 225, samples,
       plan_surface(parse_budget(budget), texture, 400.0 * 225 * samples));
 }
 
@@ -64,41 +64,7 @@ void add_budget(Group& group, const std::string& sky, const std::string& budget)
   }
 }
 
-/// Rows without and with something, in double and in packs of it; those without are the bases.
-template <class Make>
-void add_pairs(Group& group, const std::string& line, const std::string& without,
-               const std::string& with, const Make& make) {
-  for (const Variant& variant : double_and_widest_packs()) {
-    for (const bool second : {false, true}) {
-      group.rows.push_back(
-          row_of(line, line + variant.name, variant, 1, [make, second] { return make(second); }));
-      group.rows.back().column = variant.name + ", " + (second ? with : without);
-    }
-  }
-}
-
 }  // namespace
-
-Group threads_group() {
-  Group group{
-      .name = "threads",
-      .title = "One thread and two",
-      .text =
-          "Drawing alone, at 800 × 600 pixels, chapter 07 with 8 samples per pixel. The base of\n"
-          "each line is one thread with the same number.",
-      .unit = "ms",
-      .seconds = 12,
-  };
-  const auto add = [&group]<class Lesson>(const std::string& line, std::type_identity<Lesson>) {
-    add_pairs(group, line, "1 thread", "2 threads", [](bool two) {
-      return std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600, two ? 2 : 1);
-    });
-  };
-  add("03", std::type_identity<chapter_03::Lesson>());
-  add("07", std::type_identity<chapter_07::Lesson>());
-  add("08", std::type_identity<chapter_08::Lesson>());
-  return group;
-}
 
 Group meshes_group() {
   Group group{
@@ -112,13 +78,18 @@ Group meshes_group() {
   };
   for (const int sides : {6, 12, 40}) {
     const std::string line = std::to_string(2 * sides * sides) + " triangles";
-    add_pairs(group, line, "every triangle", "tree of boxes", [sides](bool tree) {
-      auto lesson = prepared<chapter_08::Lesson>({});
-      lesson.scene = test::torus(sides, sides);
-      lesson.paint.mapping = lesson.scene.mapping;
-      if (tree) build_box_tree(lesson.scene.mesh);
-      return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
-    });
+    for (const Variant& variant : double_and_widest_packs()) {
+      for (const bool tree : {false, true}) {
+        group.rows.push_back(row_of(line, line + variant.name, variant, 1, [sides, tree] {
+          auto lesson = prepared<chapter_08::Lesson>({});
+          lesson.scene = test::torus(sides, sides);
+          lesson.paint.mapping = lesson.scene.mapping;
+          if (tree) build_box_tree(lesson.scene.mesh);
+          return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
+        }));
+        group.rows.back().column = variant.name + (tree ? ", tree of boxes" : ", every triangle");
+      }
+    }
   }
   return group;
 }

@@ -182,7 +182,7 @@ struct Job {
     if constexpr (requires(Real pair) { pair.second; }) {
       run<decltype(Real::first)>();
     } else if constexpr (!std::is_same_v<Real, long double>) {
-      std::visit([this](const auto& one) { calculate<Real>(one); }, function);
+      std::visit([this](const auto& one) { this->calculate<Real>(one); }, function);
     }
   }
   void run(const Variant& variant) const;  ///< not inline: files of wide packs would compile it

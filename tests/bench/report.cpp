@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/measure/machine.hpp"
+#include "bench.hpp"
 #include "engine/measure/text.hpp"
-#include "variants.hpp"
+#include "engine/render/number_names.hpp"
 
 namespace texmap::bench {
 namespace {
@@ -72,22 +72,26 @@ std::string section_of(const Group& group) {
   return section + "\n";
 }
 
-std::string page_of(const Effort& effort, const std::vector<Group>& all) {
-  std::string instructions;
-  for (const Variant& variant : variants_of("D")) {
-    if (variant.is_here())
-      instructions +=
-          (instructions.empty() ? "" : ", ") + std::string(name_of(variant.instructions));
+Machine measuring_machine() {
+  std::vector<std::string> instructions;
+  for (const Instructions each : all_instructions) {
+    if (has_packs_of(each)) instructions.emplace_back(name_of(each));
   }
-  const Machine machine = this_machine("", {});
+  return this_machine("", instructions);
+}
+
+std::string page_of(const Machine& machine, const Effort& effort, const std::vector<Group>& all) {
+  std::string instructions;
+  for (const std::string& each : machine.instructions)
+    instructions += (instructions.empty() ? "" : ", ") + each;
   const std::chrono::year_month_day date =
       std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
   std::string page =
       "# Measurements\n\n"
-      "How long things take, as ratios. `./course bench --write` measures everything again and "
-      "writes "
-      "this page; a test holds its\ntables against the list of what is measured (`./course bench "
-      "--list`).\n\n| | |\n|---|---|\n" +
+      "How long things take, as ratios. `./course bench --write` measures everything again and\n"
+      "writes this page; a test holds its tables against the list of what is measured\n"
+      "(`./course bench --list`).\n\n"
+      "| | |\n|---|---|\n" +
       line_of({"processor", text("%s, %d of them; load before: %.1f", machine.processor.c_str(),
                                  machine.processors, machine.load)}) +
       line_of({"compiler", machine.compiler + ", `cmake --preset release`"}) +
@@ -96,13 +100,11 @@ std::string page_of(const Effort& effort, const std::vector<Group>& all) {
           {"date", text("%04d-%02u-%02u", static_cast<int>(date.year()),
                         static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()))}) +
       line_of({"rounds", text("at least %d", effort.least)}) +
-      "\nWorks that are compared are timed alternately, and the shortest time of each counts "
-      "(`common/engine/measure/interleaved.cpp`). A\ncell has a time, in the unit at the table's "
-      "corner, and in brackets how many times as fast as the base that is. Ratios change\nfrom run "
-      "to "
-      "run by some hundredths, on a busy machine by a tenth. All on one thread, unless a table "
-      "says "
-      "otherwise. \"–\": not on\nthis machine.\n\n";
+      "\nWorks that are compared are timed alternately, and the shortest time of each counts\n"
+      "(`common/engine/measure/interleaved.cpp`). A cell has a time, in the unit at the table's\n"
+      "corner, and in brackets how many times as fast as the base that is. Ratios change from\n"
+      "run to run by some hundredths, on a busy machine by a tenth. All on one thread. \"–\": not\n"
+      "on this machine.\n\n";
   for (const Group& group : all) page += section_of(group);
   page.pop_back();  // the last empty line
   return page;

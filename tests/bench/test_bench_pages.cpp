@@ -54,11 +54,11 @@ TEST_CASE("no row is there twice, and each has something to be compared with") {
 TEST_CASE("docs/measurements.md has what is measured, and nothing else") {
   std::vector<Group> all = all_groups();
   const auto on_page = unmeasured(contents(TEXMAP_TESTS_DIR "/../docs/measurements.md"));
-  const auto written = unmeasured(page_of({}, all));
+  const auto written = unmeasured(page_of({}, {}, all));
   REQUIRE(on_page.size() == written.size());
   for (std::size_t i = 0; i < on_page.size(); ++i) CHECK(on_page[i] == written[i]);
   all.front().rows.pop_back();  // which must be noticed
-  CHECK(unmeasured(page_of({}, all)) != on_page);
+  CHECK(unmeasured(page_of({}, {}, all)) != on_page);
 }
 
 TEST_CASE("bench_ratios measures, lists, and refuses what it does not know") {
