@@ -305,6 +305,7 @@ void find_errors_of_samplers(std::span<Row> rows, const Globe& globe, int thread
   }
   for (Row& row : rows) {
     std::vector<double> errors;
+    errors.reserve(noise_views);
     for (std::uint32_t i = 0; i < noise_views; ++i) {
       const Sampler sampler(row.sampler, row.samples, i);
       errors.push_back(rms_difference(levels(row, static_cast<int>(i), sampler), references[i]));

@@ -119,12 +119,13 @@ std::string times_as_fast(const Row& plain, const Row& row) {
 
 /// How fast a row of places or curves is and how far off at most, and the command that draws
 /// chapter 07 with its number and for a budget.
-std::string about_picture(const Measurements& all, const Row& row, const std::string& budget) {
+///
+/// @param note  what else is to be known of a budget that is not exact
+std::string about_picture(const Measurements& all, const Row& row, const std::string& budget,
+                          const char* note) {
   const Variant& variant = row.variant;
-  const Row& plain =
-      *all.some_of(row.part,
-                   [&](const Row& other) { return other.variant.filter == variant.filter; })
-           .front();
+  const auto is_alike = [&](const Row& other) { return other.variant.filter == variant.filter; };
+  const Row& plain = *all.some_of(row.part, is_alike).front();
   const bool is_place = row.part == Part::places;
   std::string lines = number_of(row) + ", " + choice_of(row) + ": " + times_as_fast(plain, row) +
                       " times as fast as plain double" + (is_place ? " with this filter" : "") +
@@ -137,15 +138,7 @@ std::string about_picture(const Measurements& all, const Row& row, const std::st
   if (is_pack(variant.number) &&
       variant.instructions != usable_instructions(Instructions::avx512).back())
     lines.append(" --instructions ").append(name_of(variant.instructions));
-  return lines + (budget == "exact" ? "" : " --budget " + budget);
-}
-
-std::string about_place(const Measurements& all, const Row& row, const Image& texture) {
-  const std::string lines = about_picture(all, row, budget_for(row.variant.degree, texture));
-  if (row.variant.filter != Filter::nearest || row.variant.degree == 0) return lines;
-  return lines + next_line +
-         "(chapter 07's --budget is the polynomial's share alone; rounding adds the rest of the "
-         "bound)";
+  return budget == "exact" ? lines : lines + " --budget " + budget + next_line + note;
 }
 
 }  // namespace
@@ -256,13 +249,16 @@ std::string recommendation(const Measurements& all, const Budget& budget, const 
              (row == nullptr ? "nothing that was tried keeps to it" : what(*row)) + "\n";
   };
   for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    advise(name_of(filter), fastest(all, filter, budget),
-           [&](const Row& row) { return about_place(all, row, texture); });
+    advise(name_of(filter), fastest(all, filter, budget), [&](const Row& row) {
+      return about_picture(all, row, budget_for(row.variant.degree, texture),
+                           "(chapter 07's --budget is the polynomial's share alone; rounding adds "
+                           "the rest of the bound)");
+    });
   }
   if (budget.unit != Budget::Unit::levels) return lines;
   advise("light", fastest_light(all, budget), [&](const Row& row) {
-    return about_picture(all, row, to_text(budget)) + next_line +
-           "(float is left out where its places may take the neighboring texel)";
+    return about_picture(all, row, to_text(budget),
+                         "(float is left out where its places may take the neighboring texel)");
   });
   advise("samples",
          fastest(all.some_of(Part::samplers,

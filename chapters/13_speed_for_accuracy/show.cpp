@@ -98,6 +98,7 @@ struct Sheet {
         {text("the picture, %d x %d pixels", reference.width, reference.height),
          text("of a texture of %d x %d", texture.width, texture.height)});
     std::vector<Row> rows;
+    rows.reserve(ways.size());
     for (const auto& [number, degree] : ways)
       rows.push_back({Part::places, {.number = number, .degree = degree, .filter = filter}});
     add_differences(rows, reference);
