@@ -8,6 +8,7 @@ namespace texmap::check {
 struct Attempt {
   std::string id;  ///< "02.1", or empty for a program that only answers questions
   std::any function;
+  std::string signature;  ///< that it must have: "Uv uv_of(Vec3 p)"
 };
 extern const Attempt attempt;
 

@@ -1,5 +1,5 @@
-// Values in words.
-#include "words.hpp"
+// Values in words, and how far apart two of them are.
+#include "judge.hpp"
 
 #include <algorithm>
 #include <cmath>
