@@ -65,7 +65,6 @@ using namespace chapter_01;
 struct Roots {
   double entry, exit;
 };
-
 Roots roots(double a, double b, double c) {
   const double root = sqrt(b * b - a * c);
   return {(b - root) / a, (b + root) / a};
@@ -144,9 +143,9 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r) {
   };
   // Those who return another number for a miss do so in one place or in both, or in another way.
   for (const double miss : {0, -1}) {
-    wrong += {{"the task wants infinity for a miss, and you return another number",
-               {missed ? miss : first_ahead(t), exit > 0 ? first_ahead(t) : miss,
-                missed ? miss : entry, entry > 0 ? entry : miss}}};
+    wrong += {"the task wants infinity for a miss, and you return another number",
+              {missed ? miss : first_ahead(t), exit > 0 ? first_ahead(t) : miss,
+               missed ? miss : entry, entry > 0 ? entry : miss}};
   }
   // Those who make another mistake often take the first root alone, too.
   for (const auto pick : {first_ahead, entry_alone}) wrong += changed(never_ahead, pick);
@@ -171,11 +170,6 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double> distance_to_sphere_places[] = {
 };
 
 Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
-  const auto* inward =
-      "the signs are wrong: the direction or the normal points inward, so the dark side is lit";
-  const auto* color = "0.2 and 0.8 come later, with the color: return the cosine alone";
-  const auto* angle = "this is the angle; the dot product already is its cosine";
-  const auto* cosine = "the dot product already is the cosine: take no std::cos of it";
   const Vec3d to = normalize(lamp - p);
   const Vec3d outward = normalize(p);
   const double c = dot(n, to);
@@ -183,7 +177,8 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
   const double long_c = c * away;
   const double cut = max(c, 0.0);
   const Slips<double> not_cut = {
-      {inward, -long_c},
+      {"the signs are wrong: the direction or the normal points inward, so the dark side is lit",
+       {-long_c, max(-c, 0.0)}},
       {"lamp is a position: subtract the point to get the direction from there to the lamp",
        {dot(n, normalize(lamp)), dot(n, lamp)}},
       {"between point and lamp is lamp - point, not their sum", dot(n, normalize(lamp + p))},
@@ -196,32 +191,26 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
         dot(outward, normalize(lamp))}},
       {"divide by the length of lamp - point, not by its square", c / away},
       {"the distance of the lamp does not matter here: return the cosine alone", c / (away * away)},
-      {angle, acos(c)},
-      {cosine, cos(c)},
+      {"this is the angle; the dot product already is its cosine", {acos(c), acos(cut)}},
+      {"the dot product already is the cosine: take no std::cos of it", {cos(c), cos(cut)}},
       {"the cross product has the length of the sine: the cosine is the dot product",
        length(cross(n, to))},
-      {color, {0.2 + 0.8 * c, 0.8 * c}},
+      {"0.2 and 0.8 come later, with the color: return the cosine alone",
+       {0.2 + 0.8 * c, 0.8 * c, 0.2 + 0.8 * cut}},
   };
-  Slips<double> wrong = {
+  return {
       {"the direction to the lamp does not have length 1: normalize it", max(long_c, 0.0)},
-      {inward, max(-c, 0.0)},
       {"the direction to the lamp does not have length 1, and nothing is cut off at 0", long_c},
       {"the signs are wrong, and nothing is cut off at 0", -c},
-  };
-  wrong += changed(not_cut, [](double value) { return max(value, 0.0); });
-  wrong += not_cut;
-  wrong += {
+      changed(not_cut, [](double value) { return max(value, 0.0); }),
+      not_cut,
       {"a lamp behind the surface gives negative light: nothing is cut off at 0", c},
       {"the side away from the lamp is lit, too: use std::max(c, 0.0), not the absolute value",
        {abs(c), abs(long_c)}},
-      {color, 0.2 + 0.8 * cut},
-      {angle, acos(cut)},
-      {cosine, cos(cut)},
       {"this says only whether the lamp is in front: return the cosine itself", c > 0 ? 1. : 0.},
       {"std::min keeps the smaller number: std::max(c, 0.0) cuts off below 0",
        {min(c, 0.0), min(-c, 0.0), min(long_c, 0.0)}},
   };
-  return wrong;
 }
 
 constexpr Place<Vec3d, Vec3d, Vec3d> cosine_of_places[] = {
@@ -360,9 +349,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
        {"At which angle of the light, in degrees from the normal, is a surface half as bright as "
         "where the light falls straight on it?",
         [] {
-          const Lambertian surface =
-              Lesson{}.surface;  // half of (ambient + diffuse) is ambient + diffuse * cosine
-          return acos((surface.diffuse - surface.ambient) / 2 / surface.diffuse) / radian;
+          // Half of (ambient + diffuse) is ambient + diffuse * cosine.
+          const auto [ambient, diffuse] = Lesson{}.surface;
+          return acos((diffuse - ambient) / 2 / diffuse) / radian;
         },
         "degrees", 0.005}},
   };

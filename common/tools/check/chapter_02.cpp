@@ -123,8 +123,7 @@ constexpr Place<Place2, int> is_first_color_places[] = {
     {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
     {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color", {{0.99, 0.99}, 9}},
     {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
-    {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other "
-     "color",
+    {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other color",
      {{0.05, 1}, 10}},
     {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color", {{0.15, 1}, 10}},
 };

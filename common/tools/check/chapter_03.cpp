@@ -86,25 +86,22 @@ Slips<int> wrong_columns(double u, int n) {
        {cut_off(u) * n, cut_off(u) * (n - 1)}},
       {"multiply u by width: a column is 1 / width wide", cut_off(u / n)},
   };
-  Slips<int> wrong = limited(table, n);
-  return wrong += {
-             {"nothing limits the number: at u = 1 it is width, one too many", c},
-             {"the number can be less than 0: limit it there, too", min(c, n - 1)},
-             {"the number can be less than 0: limit it there; std::abs makes another column of it",
-              min(abs(c), n - 1)},
-             {"at u = 1 the number is width, one too many: limit it to width - 1",
-              {max(c, 0), cut_off(clamp(u, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n),
-               u > 1 ? n - 1 : max(c, 0), u > 1 ? n - 1 : c}},
-             {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits "
-              "all",
-              {u == 1 ? n - 1 : c, u == 1 ? n - 1 : max(c, 0)}},
-             {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) "
-              "stays",
-              {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(u) * n)}},
-             {"this is the last column for every u: std::min(column, width - 1) limits it, not "
-              "std::max",
-              n - 1},
-         };
+  return {
+      limited(table, n),
+      {"nothing limits the number: at u = 1 it is width, one too many", c},
+      {"the number can be less than 0: limit it there, too", min(c, n - 1)},
+      {"the number can be less than 0: limit it there; std::abs makes another column of it",
+       min(abs(c), n - 1)},
+      {"at u = 1 the number is width, one too many: limit it to width - 1",
+       {max(c, 0), cut_off(clamp(u, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n),
+        u > 1 ? n - 1 : max(c, 0), u > 1 ? n - 1 : c}},
+      {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all",
+       {u == 1 ? n - 1 : c, u == 1 ? n - 1 : max(c, 0)}},
+      {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
+       {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(u) * n)}},
+      {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
+       n - 1},
+  };
 }
 
 constexpr Place<double, int> column_of_places[] = {
@@ -140,22 +137,19 @@ Slips<int> wrong_rows(double v, int n) {
        {n - 1 - cut_off(v) * n, cut_off(1 - v) * n, n - 1 - last(cut_off(v) * n)}},
       {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height", cut_off(1 - v * n)},
   };
-  Slips<int> wrong = limited(table, n);
-  return wrong += {
-             {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
-             {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
-             {"the number can be more than height - 1: limit it to height - 1",
-              {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n),
-               clamp(down, 0, n)}},
-             {"the number can be less than 0, at v = 1: limit it to 0 there",
-              {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n),
-               n - 1 - clamp(up, 0, n)}},
-             {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
-              v == 1 ? 0 : row},
-             {"beyond the ends you begin again at the other end: std::clamp stays in the last row "
-              "there",
-              {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
-         };
+  return {
+      limited(table, n),
+      {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
+      {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
+      {"the number can be more than height - 1: limit it to height - 1",
+       {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n), clamp(down, 0, n)}},
+      {"the number can be less than 0, at v = 1: limit it to 0 there",
+       {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n), n - 1 - clamp(up, 0, n)}},
+      {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
+       v == 1 ? 0 : row},
+      {"beyond the ends you begin again at the other end: std::clamp stays in the last row there",
+       {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
+  };
 }
 
 constexpr Place<double, int> row_of_places[] = {

@@ -89,7 +89,11 @@ constexpr Place<Vec3d> uv_of_places[] = {
 Slips<double> wrong_quarters(double u) {
   const bool q1 = u < 0.25;  // the first quarter
   const double lo = u - 0.25, hi = u + 0.75;
-  Slips<double> wrong = {
+  const auto in_q1 = [=](double value) { return q1 ? value : lo; };
+  const auto less = [=](double quarter, double whole) {
+    return u - quarter + (u < quarter ? whole : 0);
+  };
+  return {
       {"below 0 a whole turn is missing: add 1 there (std::fmod does not)", lo},
       {"from 1 on a whole turn is too much: subtract 1 there", hi},
       {"this turns the other way: +z has to get u = 0, not 1/2", fraction(u + 0.25)},
@@ -103,25 +107,19 @@ Slips<double> wrong_quarters(double u) {
       {"you reflect where u - 1/4 is negative: add a whole turn there, no absolute value", abs(lo)},
       {"you cut off at 0: the first quarter comes after the others, at u + 3/4", max(lo, 0.0)},
       {"you cut off at 1: the other quarters come before the first one, at u - 1/4", min(hi, 1.0)},
-  };
-  for (const double value : {u + 1, u + 0.25, lo + 0.5, 0.75, 1.0, 0.75 - u, 1 - u, 1 - lo}) {
-    wrong += {{"where u - 1/4 is negative, add a whole turn to it: u - 1/4 + 1", q1 ? value : lo}};
-  }
-  wrong += {{"u is in turns, not in radians: a whole turn is 1", q1 ? lo + turn : lo}};
-  for (const double quarter : {turn / 4, 90.0}) {
-    for (const double whole : {0.0, 1.0, 4 * quarter}) {
-      wrong += {{"u is in turns: a quarter of a turn is 0.25",
-                 u < quarter ? u - quarter + whole : u - quarter}};
-    }
-  }
-  wrong += {
+      {"where u - 1/4 is negative, add a whole turn to it: u - 1/4 + 1",
+       {in_q1(u + 1), in_q1(u + 0.25), in_q1(lo + 0.5), in_q1(0.75), in_q1(1), in_q1(0.75 - u),
+        in_q1(1 - u), in_q1(1 - lo)}},
+      {"u is in turns, not in radians: a whole turn is 1", in_q1(lo + turn)},
+      {"u is in turns: a quarter of a turn is 0.25",
+       {less(turn / 4, 0), less(turn / 4, 1), less(turn / 4, turn), less(90, 0), less(90, 1),
+        less(90, 360)}},
       {"+z is at u = 1/4, so the two differ by a quarter of a turn, not by half",
        {fraction(u + 0.5), u - 0.5, u + 0.5}},
       {"u moves by a quarter of a turn: subtract it, do not multiply or divide", {u * 0.25, u * 4}},
       {"u runs the other way: both conventions run east",
        {fraction(-lo), -lo, 1 - lo, fraction(0.75 - u), 0.75 - u, fraction(1 - u), 1 - u}},
   };
-  return wrong;
 }
 
 constexpr Place<double> lecture_u_places[] = {
@@ -142,7 +140,7 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
   const double u_e = east.u - here.u, v_e = east.v - here.v;
   const double u_n = north.u - here.u, v_n = north.v - here.v;
   const double product = u_e * v_n;
-  Slips<bool> wrong = {
+  return {
       {"this is never true: multiply the signs of east - here and north - here, or take all four",
        false},
       {"this is always true: only a negative determinant means mirrored", true},
@@ -175,12 +173,12 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
       {"the signs are multiplied, not added", u_e + v_n < 0},
       {"a product of 0 says that the picture is turned by a quarter: take the whole determinant",
        product <= 0},
+      // Those who do not subtract `here` from both do so from none or from one.
+      {"these are places, not steps: subtract here from east and from north first",
+       signs({east.u * north.v - north.u * east.v, u_e * north.v - north.u * v_e,
+              u_e * north.v + north.u * v_e, east.u * v_n - u_n * east.v,
+              east.u * v_n + u_n * east.v})},
   };
-  // Those who do not subtract `here` from both do so from none or from one.
-  return wrong += {{"these are places, not steps: subtract here from east and from north first",
-                    signs({east.u * north.v - north.u * east.v, u_e * north.v - north.u * v_e,
-                           u_e * north.v + north.u * v_e, east.u * v_n - u_n * east.v,
-                           east.u * v_n + u_n * east.v})}};
 }
 
 /// From (0.5, 0.5), in hundredths.

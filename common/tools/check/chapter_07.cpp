@@ -320,8 +320,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {right_place, wrong_places, place_of_sample_places})},
       {{"Which byte does a pixel get that is a quarter white, the rest black?",
         [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
-       {"Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
-        "differ from the sky?",
+       {"Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels differ "
+        "from the sky?",
         [] {
           const auto pixels = magnified(white_globe()).pixels;
           return double(

@@ -309,11 +309,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
                  },
                  wrong_weights, weights_places, 1e-6}),
        exercise(mixed, picture<Lesson>(), {sum_of, wrong_mixes, mixed_places})},
-      {{"An edge goes from depth 1 to depth 4. Which weight does its far end have at "
-        "the point that is seen in the middle of the edge's image?",
+      {{"An edge goes from depth 1 to depth 4. Which weight does its far end have at the point "
+        "that is seen in the middle of the edge's image?",
         [] { return 1. / (1 + 4); }, ""},
-       {"A point of the floor has u = -2.3. With the chapter's wrap mode, "
-        "which u of the texture does it show?",
+       {"A point of the floor has u = -2.3. With the chapter's wrap mode, which u of the texture "
+        "does it show?",
         [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); }, "", 1e-9}},
   };
   return chapter;

@@ -197,8 +197,8 @@ constexpr Place<double, int> weights_of_places[] = {
      {0.5625, 4}},
     {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9", {0.3, 8}},
     {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4", {0.25, 5}},
-    {"on the left edge, u = 0, the texel on the left is the last one of the picture "
-     "again: 1/2 and 1/2",
+    {"on the left edge, u = 0, the texel on the left is the last one of the picture again: 1/2 and "
+     "1/2",
      {0, 4}},
     {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}},
 };
@@ -278,8 +278,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
                  wrong_weights, weights_of_places}),
        exercise(level_of_width, picture<Lesson>({"--filter", "trilinear", "--scene", "plane"}),
                 {level_of, wrong_levels, level_of_width_places})},
-      {{"Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean "
-        "of their light?",
+      {{"Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean of "
+        "their light?",
         [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); }, "", 0},
        {"How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
         "together?",

@@ -60,8 +60,7 @@ Slips<Place2> wrong_cylinders(Vec3d p) {
   const double turn = 2 * pi, angle = atan2(p.z, p.x), share = angle / turn;  // of a turn
   const double other = atan2(p.x, p.z) / turn;
   const Slips<double> wrong_v = {
-      {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a "
-       "height",
+      {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a height",
        {asin(y) / pi + 0.5, acos(y) / pi}},
       {"v runs the other way: your map is upside down", (1 - y) / 2},
       {"y runs from -1 to 1 and v from 0 to 1: the lower half is missing", {y, abs(y), max(y, 0.)}},
@@ -261,8 +260,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {[](Place2 uv) { return unproject(Projection::cylinder, uv); }, wrong_directions,
                  direction_of_places})},
       {{"An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
-        "equirectangular picture have, if its largest texel may cover no more of the globe "
-        "than one texel of the first picture?",
+        "equirectangular picture have, if its largest texel may cover no more of the globe than "
+        "one texel of the first picture?",
         [] {  // its largest texels are on the equator
           return ceil(1024 * 1024 * distortion(Projection::equirect, Vec3d{0.8, 0, 0.6}).area);
         },
