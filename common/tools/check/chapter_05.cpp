@@ -47,7 +47,7 @@ std::function<Image()> globe_after(const char* degrees) {
 constexpr auto in_degrees =
     "sin and cos get degrees and take them for radians: multiply by pi / 180";
 
-/// p after a turn by this sine and cosine.
+/// After a turn by this sine and cosine.
 Vec3d turned_by(const Vec3d& p, double s, double c) {
   return {p.x * c + p.z * s, p.y, p.z * c - p.x * s};
 }
@@ -59,6 +59,8 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
   };
   const double sine = sin(degrees * radian), c = cos(degrees * radian);
   const auto [x, y, z] = p;
+  const Vec3d right = turned_by(p, sine, c);
+  const Vec3d other = turned_by({z, y, x}, sine, c);
   Slips<Vec3d> wrong = {
       {in_degrees, by(1)},
       {"pi and 180 are exchanged: radians are degrees * pi / 180", by(1 / radian)},
@@ -86,9 +88,8 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
         {"the cosines are missing: x turns into x cos + z sin", turned_by(p, s, 1)},
     };
   }
-  const Vec3d right = turned_by(p, sine, c);
-  const Vec3d other = turned_by({z, y, x}, sine, c);
-  wrong += {
+  return {
+      wrong,
       {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, c)},
       {"this is right for +z alone: add x steps along the turned x axis, (cos, -sin)",
        {{z * sine, 0, z * c}, {sine, 0, c}, {z * sine, y, z * c}, {sine, y, c}}},
@@ -99,7 +100,6 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
       {"x and z are exchanged: each of them keeps its cosine, and gets the sine of the other",
        other},
   };
-  return wrong;
 }
 
 constexpr Place<Vec3d, double> turned_places[] = {
@@ -251,12 +251,6 @@ constexpr Place<Vec3d, double, double> looked_up_places[] = {
      {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}},
 };
 
-/// The angle of picture 21 of 24.
-double angle_of_picture() {
-  const RotationY turn = Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
-  return atan2(turn.sine, turn.cosine) / radian;
-}
-
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
@@ -271,7 +265,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
        exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places, 1e-6})},
       {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",
-        angle_of_picture, "degrees", 1e-9},
+        [] {
+          const RotationY turn = Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
+          return atan2(turn.sine, turn.cosine) / radian;
+        },
+        "degrees", 1e-9},
        {"Which --degrees, from 0 to 350, makes --convention lecture draw the picture that "
         "--convention rtiow draws without a turn?",
         [] {  // what undoes the other convention's u, of any point

@@ -106,33 +106,29 @@ constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
      {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
 };
 
-/// What else is often forgotten with a highlight.
-struct Care {
-  bool normalized = true;  ///< the light
-  bool tests_side = true;  ///< n . l > 0
-  bool limits = true;      ///< the cosine
-};
-
-/// Highlights of one cause, with this care.
-Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, const Care& care) {
-  const Vec3d l = care.normalized ? normalize(to_lamp) : to_lamp;
+/// Highlights of one cause, of those who remember, too, to normalize the light, to test n . l > 0
+/// and to limit the cosine, or do not.
+Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, bool normalizes,
+                                  bool tests_side, bool limits) {
+  const Vec3d l = normalizes ? normalize(to_lamp) : to_lamp;
   const Vec3d e = -d;
   const double straight = dot(n, l), right = dot(mirror(l, n), e);
-  const double c = care.limits && right < 0 ? 0 : right;
+  const auto limited = [=](double cosine) { return limits && cosine < 0 ? 0 : cosine; };
+  const double c = limited(right);
   constexpr auto no_cosine =
       "the direction to the lamp does not have the length 1: normalize it first, or the cosine is "
       "no cosine";
+  constexpr auto negative =
+      "the cosine is not limited: a negative number to an even power is positive. Raise "
+      "std::max(cosine, 0.0)";
+  constexpr auto behind =
+      "there is a highlight where the lamp is behind the surface: test n . l first";
   Slips<double> wrong;
-  if (!care.normalized) {
-    wrong += {{no_cosine, pow(c, s)}};
-  } else if (!care.limits) {
-    wrong +=
-        {{"the cosine is not limited: a negative number to an even power is positive. Raise "
-          "std::max(cosine, 0.0)",
-          {pow(c, s), max(pow(c, s), 0.)}}};
-  } else if (!care.tests_side) {
-    wrong += {
-        {"there is a highlight where the lamp is behind the surface: test n . l first", pow(c, s)}};
+  if (!normalizes || !limits || !tests_side) {
+    wrong += {!normalizes ? no_cosine
+              : !limits   ? negative
+                          : behind,
+              {pow(c, s), max(pow(c, s), 0.)}};
   }
   const Slips<double> cosines = {
       {"the cosine has the wrong sign: d goes away from the eye, so take dot(r, -d), r = 2 (n . l) "
@@ -154,32 +150,27 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, con
       {"l is missing in r: it is 2 (n . l) n - l", dot(n * (2 * straight), e)},
       {"n . l is missing in r: it is 2 (n . l) n - l", dot(n * 2. - l, e)},
   };
-  wrong += changed(cosines,
-                   [&](double cosine) { return pow(care.limits && cosine < 0 ? 0 : cosine, s); });
   wrong += {
+      changed(cosines, [&](double cosine) { return pow(limited(cosine), s); }),
       {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
       {"base and exponent are exchanged: std::pow(cosine, shininess)", pow(s, c)},
       {"this is the cosine: raise it to the power shininess", c},
       {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
       {"the strength 0.3 is the lesson's: return the power alone", 0.3 * pow(c, s)},
   };
-  const bool nothing = care.tests_side && straight <= 0;
-  return nothing ? changed(wrong, [](double) { return 0.; }) : wrong;
+  return tests_side && straight <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
 
 Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
   Slips<double> wrong;
-  for (const bool normalized : {true, false}) {
-    for (const bool tests_side : {true, false}) {
-      for (const bool limits : {true, false})
-        wrong += careless_highlights(n, to_lamp, d, s, {normalized, tests_side, limits});
-    }
-  }
+  for (int care = 7; care >= 0; --care)
+    wrong += careless_highlights(n, to_lamp, d, s, care > 3, care % 4 > 1, care % 2 > 0);
   const Vec3d l = normalize(to_lamp);
   const auto power = [&](const Vec3d& r) { return pow(max(dot(r, -d), 0.), s); };
   const double anywhere = power(mirror(l, n));
   const double front = max(dot(n, l), 0.);
-  wrong += {
+  return {
+      wrong,
       {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
        power(n * (2 * front) - l)},
       {"n . d says where the eye is: test n . l, on which side the lamp is",
@@ -188,7 +179,6 @@ Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
        dot(n, to_lamp) >= 0 ? 0 : anywhere},
       {"n . l is a factor of the diffuse light: return the power alone", anywhere * front},
   };
-  return wrong;
 }
 
 constexpr Vec3d up{0, 1, 0};
@@ -242,8 +232,7 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
 Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
   const auto with = [&](double other) { return gray(other) * (1 - t) + texture * t; };
   const Rgb sum = with(light);
-  const double most = min(light, 1.);
-  Slips<Rgb> wrong = {
+  return {
       {"the light is not limited to 1: take std::min(light, 1.0)", sum},
       {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(max(light, 1.))},
       {"light above 1 counts as 1: it does not begin again at 0", with(light - floor(light))},
@@ -251,9 +240,9 @@ Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
       {"the light alone is limited to 1, before you multiply it and add",
        {gray(min(light * (1 - t), 1.)) + texture * t,
         {min(sum.r, 1.), min(sum.g, 1.), min(sum.b, 1.)}}},
+      wrong_shares(texture, min(light, 1.), t),
+      wrong_shares(texture, light, t),
   };
-  wrong += wrong_shares(texture, most, t);
-  return wrong += wrong_shares(texture, light, t);
 }
 
 constexpr Rgb sea{0.2, 0.4, 0.6};
@@ -271,7 +260,6 @@ Image stage_after(const std::vector<std::string>& words) {
   const auto lesson = prepared<Lesson>(words);
   return render<double>(lesson, view_of(lesson.stage.camera, 800, 600));
 }
-
 /// How many pixels the highlight changes.
 double size_of_spot(const std::string& shininess) {
   const auto spot = stage_after({"--shininess", shininess}).pixels;

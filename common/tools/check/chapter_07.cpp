@@ -1,6 +1,6 @@
 // The exercises of chapter 07. The lesson is the chapter's own. What it gets and calls leads to the
 // student's function: the numbers of a sample, light_along, and the mean of the samples.
-#include <array>
+#include <numeric>
 
 #include "engine/app/layout_options.hpp"
 #include "engine/app/sampling_options.hpp"
@@ -110,9 +110,7 @@ Lesson white_globe(const std::vector<std::string>& words = {}) {
 }
 
 double sum_of(const Bytes& bytes, const auto& light_of) {
-  double sum = 0;
-  for (const int byte : bytes) sum += light_of(byte);
-  return sum;
+  return std::transform_reduce(bytes.begin(), bytes.end(), 0., std::plus<>(), light_of);
 }
 double decoded(double byte) { return srgb_decode(byte / 255); }
 
@@ -157,9 +155,11 @@ Slips<int> wrong_means(const Bytes& bytes) {
       {"a byte is missing in the sum: all count, from the first to the last",
        {without(bytes.front()), without(bytes.back())}},
   };
-  Slips<int> both = changed(wrong, rounded);
-  both += changed(wrong, cut_off);
-  return both += {{not_256, rounded(256 * srgb_encode(mean))}};
+  return {
+      changed(wrong, rounded),
+      changed(wrong, cut_off),
+      {not_256, rounded(256 * srgb_encode(mean))},
+  };
 }
 
 Vec3d right_scatter(double a, double b) {
@@ -171,14 +171,14 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
   const auto point = [](double radius, double angle, double height) {
     return Vec3d{radius * cos(angle), radius * sin(angle), height};
   };
-  /// At the right height and at two wrong ones.
-  const auto at = [&](double radius, double angle) {
-    const double square = radius * radius;
-    return std::vector{point(radius, angle, sqrt(1 - square)), point(radius, angle, 1 - square),
-                       point(radius, angle, 1 - radius)};
-  };
   const double root = sqrt(a), turn = 2 * pi * b;
   const auto [x, y, z] = right_scatter(a, b);
+  /// At the height of the radius and at three wrong ones.
+  const auto at = [&, z = z](double radius, double angle) {
+    const double square = radius * radius;
+    return std::vector{point(radius, angle, sqrt(1 - square)), point(radius, angle, 1 - square),
+                       point(radius, angle, 1 - radius), point(radius, angle, z)};
+  };
   const auto lifted = [&](double height) { return point(root, turn, height); };
   const double level = 1 - 2 * a;
   return {
@@ -194,8 +194,6 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
       {"2 pi b is in radians already: no pi / 180 is needed", at(root, pi * pi / 90 * b)},
       {"the angle runs the other way: count it from x toward y", at(root, -turn)},
       {"all points lie on the edge of the disk: multiply cos and sin by the radius", at(1, turn)},
-      {"all points lie on the edge of the disk: multiply cos and sin by the radius",
-       point(1, turn, z)},
       {"the height needs a root: x x + y y + z z is 1", lifted(1 - root * root)},
       {"the height is 1 - radius, so the point lies below the hemisphere: x x + y y + z z is 1",
        lifted(1 - root)},
