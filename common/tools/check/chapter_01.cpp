@@ -213,6 +213,7 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
   };
 }
 
+double right_cosine(Vec3d p, Vec3d n, Vec3d lamp) { return max(dot(n, normalize(lamp - p)), 0.0); }
 constexpr Place<Vec3d, Vec3d, Vec3d> cosine_of_places[] = {
     {"a lamp straight above, at distance 1: the cosine is 1", {zero, up, {0, 1, 0}}},
     {"a lamp straight above, at distance 3: the cosine is 1, too", {zero, up, {0, 3, 0}}},
@@ -330,11 +331,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                    return distance_to(Sphere<>{center, r}, Ray<double>{o, d});
                  },
                  wrong_distances, distance_to_sphere_places}),
-       exercise(cosine_of, picture<Lesson>(),
-                {[](Vec3d point, Vec3d normal, Vec3d lamp) {
-                   return max(dot(normal, normalize(lamp - point)), 0.0);
-                 },
-                 wrong_cosines, cosine_of_places}),
+       exercise(cosine_of, picture<Lesson>(), {right_cosine, wrong_cosines, cosine_of_places}),
        exercise(in_shadow,
                 [] {
                   auto lesson = prepared<Lesson>();

@@ -112,6 +112,7 @@ Slips<bool> wrong_squares(Place2 uv, int n) {
   return wrong += exchanged;
 }
 
+bool right_color(Place2 uv, int n) { return texmap::Checkerboard{white, blue, 1. * n}(uv).r > 0.5; }
 constexpr Place<Place2, int> is_first_color_places[] = {
     {"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
     {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
@@ -181,10 +182,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {exercise(chapter_02::uv_of, picture<Lesson>(),
                 {uv_rtiow<double>, wrong_places, uv_of_places, 1e-6}),
        exercise(is_first_color, picture<Lesson>(),
-                {[](Place2 uv, int squares) {
-                   return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
-                 },
-                 wrong_squares, is_first_color_places}),
+                {right_color, wrong_squares, is_first_color_places}),
        exercise(twice_around, picture<Lesson>(),
                 {[](Place2 uv) {
                    return Place2{2 * uv.u, uv.v};

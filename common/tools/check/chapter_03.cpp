@@ -104,6 +104,7 @@ Slips<int> wrong_columns(double u, int n) {
   };
 }
 
+int right_column(double u, int n) { return texel_number(u, n, TexelRounding::floor); }
 constexpr Place<double, int> column_of_places[] = {
     {"of 8 columns, u = 0.4 is in number 3", {0.4, 8}},
     {"u = 0 is in the first column, number 0", {0.0, 8}},
@@ -249,9 +250,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   };
   static const ExercisesOfChapter chapter{
       "03",
-      {exercise(column_of, globe(32),
-                {[](double u, int n) { return texel_number(u, n, TexelRounding::floor); },
-                 wrong_columns, column_of_places}),
+      {exercise(column_of, globe(32), {right_column, wrong_columns, column_of_places}),
        exercise(row_of, globe(32),
                 {[](double v, int n) {
                    return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;

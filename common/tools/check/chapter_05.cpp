@@ -160,6 +160,7 @@ Slips<double> wrong_u(double u, double degrees) {
   };
 }
 
+double right_u(double u, double by) { return wrapped_coordinate(Wrap::repeat, u + by / 360); }
 constexpr Place<double, double> u_after_places[] = {
     {"a turn by 0 degrees changes nothing", {0.25, 0.0}},
     {"a quarter turn to the east adds 1/4", {0.25, 90.0}},
@@ -257,11 +258,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "05",
       {exercise(turned, globe_after("60"), {turned_about_y, wrong_turns, turned_places, 1e-6}),
-       exercise(u_after, globe_after("-150"),
-                {[](double u, double degrees) {
-                   return wrapped_coordinate(Wrap::repeat, u + degrees / 360);
-                 },
-                 wrong_u, u_after_places}),
+       exercise(u_after, globe_after("-150"), {right_u, wrong_u, u_after_places}),
        exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places, 1e-6})},
       {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",

@@ -245,6 +245,7 @@ Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
   };
 }
 
+Rgb right_blend(Rgb c, double light, double t) { return texmap::mix(gray(min(light, 1.)), c, t); }
 constexpr Rgb sea{0.2, 0.4, 0.6};
 constexpr Place<Rgb, double, double> blended_places[] = {
     {"with t = 1 the texture alone is left", {sea, 0.5, 1}},
@@ -283,13 +284,10 @@ const ExercisesOfChapter& exercises_of_chapter() {
                        texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
                  },
                  wrong_highlights, highlight_places, 1e-6}),
-       // From near by, with a spot in which the light is more than 1. No blend of a byte and a limited
-       // light is a whole byte here: rounding would decide.
+       // From near by, with a spot in which the light is more than 1. No blend of a byte and a
+       // limited light is a whole byte here: rounding would decide.
        exercise(chapter_06::blended, picture<Lesson>({"--blend", "0.3337", "--shininess", "5"}, 20),
-                {[](Rgb texture, double light, double t) {
-                   return texmap::mix(gray(min(light, 1.)), texture, t);
-                 },
-                 wrong_blends, blended_places, 1e-6})},
+                {right_blend, wrong_blends, blended_places, 1e-6})},
       {{"The highlight changes some pixels of the picture. By what factor are there more of them "
         "with --shininess 50 than with --shininess 500?",
         [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},

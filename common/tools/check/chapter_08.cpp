@@ -156,6 +156,7 @@ Slips<bool> wrong_hits(Vec3d a, Vec3d b, Vec3d c) {
   return wrong;
 }
 
+bool is_inside(Vec3d p, Vec3d q, Vec3d r) { return same(edge(p, q), edge(q, r), edge(r, p)); }
 /// A triangle around the ray, moved.
 constexpr Place<Vec3d, Vec3d, Vec3d> moved(const char* law, double x, double y) {
   return {law, {{x - 1, y - 1, 0}, {x + 2, y - 1, 0}, {x, y + 3, 0}}};
@@ -298,9 +299,7 @@ constexpr Place<Place2, Place2, Place2, Weights> mixed_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "08",
-      {exercise(is_hit, crate_on_its_edge,
-                {[](Vec3d p, Vec3d q, Vec3d r) { return same(edge(p, q), edge(q, r), edge(r, p)); },
-                 wrong_hits, is_hit_places}),
+      {exercise(is_hit, crate_on_its_edge, {is_inside, wrong_hits, is_hit_places}),
        exercise(weights, picture<Lesson>(),
                 {[](Vec3d a, Vec3d b, Vec3d c) {
                    const RaySpace<double> along_z(Ray<double>{{0, 0, 0}, {0, 0, 1}});

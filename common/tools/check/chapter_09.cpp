@@ -131,6 +131,7 @@ Slips<int> wrong_columns(int column, int width) {
   };
 }
 
+int right_column(int column, int width) { return int(remainder_of(1. * column, 1. * width)); }
 constexpr Place<int, int> repeated_column_places[] = {
     {"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
     {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
@@ -266,10 +267,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "09",
       {exercise(repeated_column, [] { return drawn_floor("nearest", 3); },
-                {[](int column, int width) {
-                   return static_cast<int>(remainder_of(1.0 * column, 1.0 * width));
-                 },
-                 wrong_columns, repeated_column_places}),
+                {right_column, wrong_columns, repeated_column_places}),
        exercise(weights_of, floor_of_three_colors,
                 {[](double u, int width) {
                    const double second = four_texels(Uv<double>{u, 0.5}, width, 2).across;

@@ -236,6 +236,7 @@ Slips<Vec3d> wrong_directions(Place2 uv) {
   };
 }
 
+Vec3d right_direction(Place2 uv) { return unproject(Projection::cylinder, uv); }
 constexpr Place<Place2> direction_of_places[] = {
     {"at (1/2, 1/2) is +x", {{0.5, 0.5}}},
     {"at (1/4, 1/2) is +z", {{0.25, 0.5}}},
@@ -257,8 +258,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
        exercise(on_octahedron, globe("octahedral"),
                 {uv_octahedral<double>, wrong_octahedra, on_octahedron_places}),
        exercise(direction_of, globe("cylinder"),
-                {[](Place2 uv) { return unproject(Projection::cylinder, uv); }, wrong_directions,
-                 direction_of_places})},
+                {right_direction, wrong_directions, direction_of_places})},
       {{"An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
         "equirectangular picture have, if its largest texel may cover no more of the globe than "
         "one texel of the first picture?",

@@ -241,18 +241,17 @@ Slips<Vec3d> wrong_texels(int red, int green, int blue) {
        {{x, y, sqrt(1 - x * x - y * y)}, {x, y, sqrt(max(0.0, 1 - x * x - y * y))}, {x, y, 1}}},
       {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, max(z, 0.0)}},
   };
-  // Those who make another mistake often make a unit vector, too.
-  const auto unit = [](const Vec3d& n) { return normalize(n); };
-  Slips<Vec3d> all = {
+  return {
       {"the direction is right, but the lesson makes the sum a unit vector: return the numbers as "
        "they are",
-       unit(right)},
+       normalize(right)},
       {"the middle is 127.5, not 128; and return the numbers as they are, not a unit vector",
-       unit(Vec3d{red - 128.0, green - 128.0, blue - 128.0})},
+       normalize(Vec3d{red - 128.0, green - 128.0, blue - 128.0})},
+      channels,
+      // Those who make another mistake often make a unit vector, too.
+      changed(channels, normalize<double>),
+      of_texel(wrong_scales, red, green, blue),
   };
-  all += channels;
-  all += changed(channels, unit);
-  return all += of_texel(wrong_scales, red, green, blue);
 }
 
 constexpr Place<int, int, int> normal_of_texel_places[] = {

@@ -310,6 +310,7 @@ Slips<double> wrong_solid_angles(int row_number, int width_in_texels, int height
   return wrong;
 }
 
+double right_angle(int row, int w, int h) { return SkyBand(row, w, h).solid_angle; }
 constexpr Place<int, int, int> solid_angle_places[] = {
     {"two rows of one texel: each is half of the sphere, 2 pi", {0, 1, 2}},
     {"the lower half is as large", {1, 1, 2}},
@@ -422,10 +423,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       "12",
       {exercise(light_of_texel, without_noise,
                 {light_of_bytes, wrong_lights, light_of_texel_places}),
-       exercise(
-           solid_angle, without_noise,
-           {[](int row, int width, int height) { return SkyBand(row, width, height).solid_angle; },
-            wrong_solid_angles, solid_angle_places}),
+       exercise(solid_angle, without_noise, {right_angle, wrong_solid_angles, solid_angle_places}),
        exercise(drawn_thing, [] { return scene("importance", 2); },
                 {[](const Sums& sums, double r) {
                    return static_cast<int>(std::upper_bound(sums.begin(), sums.end() - 1, r) -
