@@ -82,11 +82,9 @@ template <class Out>
     throw std::runtime_error("there are too few values");
   std::vector<Out> values;
   for (const char* at = replayed.values.data(); values.size() < count; at += sizeof(Out)) {
-    if constexpr (std::is_same_v<Out, bool>) {
-      values.push_back(*at != 0);  // no other byte is a bool
-    } else {
-      std::memcpy(&values.emplace_back(), at, sizeof(Out));
-    }
+    std::conditional_t<std::is_same_v<Out, bool>, char, Out> value{};  // no other byte is a bool
+    std::memcpy(&value, at, sizeof value);
+    values.push_back(static_cast<Out>(value));
   }
   return values;
 }
@@ -99,6 +97,7 @@ template <class Out, class... Args>
   using Function = std::function<Out(Args...)>;
   const auto function_in = [right = law.right](const std::any& yours) -> Function {
     if (!yours.has_value()) return right;
+    if (const auto* function = std::any_cast<Function>(&yours)) return *function;
     return std::any_cast<Out (*)(Args...)>(yours);
   };
   return {.verdict =
