@@ -1,8 +1,5 @@
 // The exercises of chapter 01. The lesson is the chapter's own. Its color_along and sample_light
 // are these here, which call the student's function.
-#include <algorithm>
-#include <limits>
-
 #include "exercises.hpp"
 #include "scene/light.hpp"
 
@@ -13,7 +10,7 @@ static std::function<double(Vec3d, Vec3d, Vec3d, double)> distance_to_sphere;
 static std::function<double(Vec3d, Vec3d, Vec3d)> cosine_of;
 static std::function<bool(Vec3d, Vec3d, Vec3d, const FirstHit&)> in_shadow;
 
-constexpr double never = std::numeric_limits<double>::infinity();  // a ray meets nothing
+static const double never = infinity<double>();  // a ray meets nothing
 
 /// The distance to the first of `objects`, each with a `shape`, along a ray.
 [[nodiscard]] static FirstHit first_hit_on(const auto& objects) {

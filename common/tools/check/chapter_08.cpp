@@ -41,7 +41,6 @@ static MeshHit<double> first_hit_by_student(const Mesh& mesh, const Ray<double>&
     nearest.normal = normalize(dot(normal, ray.direction) > 0 ? -normal : normal);
     nearest.point = ray.origin + ray.direction * distance;
     nearest.outside = nearest.point + nearest.normal * 1e-9;
-    nearest.inside = nearest.point - nearest.normal * 1e-9;
   }
   return nearest;
 }
@@ -62,9 +61,6 @@ inline constexpr struct {
 } first_hit;
 
 struct MeshMapping : texmap::MeshMapping {
-  MeshMapping() = default;
-  MeshMapping(const texmap::MeshMapping& common) : texmap::MeshMapping(common) {}
-
   Uv<double> operator()(const MeshHit<double>& hit) const {
     if (!mixed) return texmap::MeshMapping::operator()(hit);
     const auto& uv = corners[static_cast<std::size_t>(hit.triangle)];

@@ -1,7 +1,5 @@
 // The exercises of chapter 09. The lesson's FilteredTexture is here a struct that calls the
 // student's function where it reads the floor.
-#include <array>
-
 #include "09_texture_filtering/sheet.hpp"
 #include "engine/app/filter_options.hpp"
 #include "exercises.hpp"
@@ -14,8 +12,7 @@ static std::function<std::array<double, 2>(double, int)> weights_of;
 static std::function<double(double)> level_of_width;
 
 struct FilteredTexture : texmap::FilteredTexture {
-  FilteredTexture() = default;
-  FilteredTexture(texmap::FilteredTexture other) : texmap::FilteredTexture(std::move(other)) {}
+  using texmap::FilteredTexture::operator=;
 
   Rgb operator()(const Uv<double>& uv) const {
     const bool floor = wrap == Wrap::repeat;  // the globes' is spherical

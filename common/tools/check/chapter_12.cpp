@@ -1,8 +1,6 @@
 // The exercises of chapter 12. The lesson's SkyOptions and SkyLight are here structs that call the
 // student's functions: when the sky is loaded, and when a direction is drawn.
-#include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "engine/app/sampling_options.hpp"
 #include "engine/app/sky_options.hpp"
@@ -237,10 +235,7 @@ Slips<double> wrong_edges(double i, double h) {
   };
 }
 
-Slips<double> wrong_solid_angles(int row_number, int width_in_texels, int height_in_texels) {
-  const double row = row_number;
-  const double w = width_in_texels;
-  const double h = height_in_texels;
+Slips<double> wrong_solid_angles(double row, double w, double h) {
   const double a = pi * row / h;
   const double b = pi * (row + 1) / h;
   const double ca = cos(a), cb = cos(b), sa = sin(a), sb = sin(b);
@@ -391,11 +386,10 @@ Slips<int> wrong_things(const Sums& sums, double r) {
 double directions_to_the_sun() {
   const Vec3d to_sun{0, 0, 1};
   int found = 0;
-  for (int column = 0; column < 1000; ++column) {
-    for (int row = 0; row < 1000; ++row) {
-      const Point2<double> place{(column + 0.5) / 1000, (row + 0.5) / 1000};
-      if (dot(cosine_direction(to_sun, place), to_sun) > cos(1.4 * radian)) ++found;
-    }
+  for (int i = 0; i < 1000 * 1000; ++i) {
+    const int column = i / 1000, row = i % 1000;
+    const Point2<double> place{(column + 0.5) / 1000, (row + 0.5) / 1000};
+    if (dot(cosine_direction(to_sun, place), to_sun) > cos(1.4 * radian)) ++found;
   }
   return found;
 }
