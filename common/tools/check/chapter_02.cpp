@@ -41,7 +41,7 @@ using namespace chapter_02;
 Slips<Place2> wrong_places(Vec3d p) {
   const auto [u, v] = uv_rtiow(p);
   const double by_acos = acos(-p.y) / pi;  // the textbook's v
-  Slips<Place2> wrong = {
+  return {
       {"acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
        "atan2",
        {u, by_acos}},
@@ -49,8 +49,8 @@ Slips<Place2> wrong_places(Vec3d p) {
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
       {"u and v both run the other way: your map is turned by half a turn",
        {{1 - u, 1 - v}, {1 - u, 1 - by_acos}}},
+      map_slips(p),
   };
-  return wrong += map_slips(p);
 }
 
 constexpr Place<Vec3d> uv_of_places[] = {
@@ -104,12 +104,12 @@ Slips<bool> wrong_squares(Place2 uv, int n) {
          is_even(c + max(r, n - 1))},
     };
   }
-  const Slips<bool> exchanged = changed(wrong, [](bool first) { return !first; });
-  wrong += {
+  return {
+      wrong,
       {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)},
       {"the two colors are exchanged", {!is_even(c + min(any_r, n - 1)), !is_even(c + any_r)}},
+      changed(wrong, [](bool first) { return !first; }),
   };
-  return wrong += exchanged;
 }
 
 bool right_color(Place2 uv, int n) { return texmap::Checkerboard{white, blue, 1. * n}(uv).r > 0.5; }
@@ -167,6 +167,7 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
   };
 }
 
+Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
 constexpr Place<Place2> twice_around_places[] = {
     {"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
     {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1", {{0.5, 0.5}}},
@@ -184,10 +185,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
        exercise(is_first_color, picture<Lesson>(),
                 {right_color, wrong_squares, is_first_color_places}),
        exercise(twice_around, picture<Lesson>(),
-                {[](Place2 uv) {
-                   return Place2{2 * uv.u, uv.v};
-                 },
-                 wrong_twice_around, twice_around_places, 1e-12})},
+                {right_twice_around, wrong_twice_around, twice_around_places, 1e-12})},
       {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
         [] { return acos(0.5) / radian; }, "degrees"},

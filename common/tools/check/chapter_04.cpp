@@ -74,6 +74,7 @@ Slips<Place2> wrong_places(Vec3d p) {
   return wrong += map_slips({p.x, -p.y, -p.z});
 }
 
+Place2 right_place(const Vec3d& p) { return texmap::uv_of(Convention::daily, p); }
 constexpr Place<Vec3d> uv_of_places[] = {
     {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
     {"on +z, u is 3/4", {{0, 0, 1}}},
@@ -122,6 +123,7 @@ Slips<double> wrong_quarters(double u) {
   };
 }
 
+double right_u(double u) { return in_convention(Convention::lecture, Place2{u, 0.5}).u; }
 constexpr Place<double> lecture_u_places[] = {
     {"on +z, u goes from 1/4 to 0", {0.25}},   {"on +x, u goes from 1/2 to 1/4", {0.5}},
     {"on -z, u goes from 3/4 to 1/2", {0.75}}, {"on -x, u goes from 0 to 3/4", {0.0}},
@@ -208,13 +210,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "04",
       {exercise(chapter_04::uv_of, globe_in("daily"),
-                {[](const Vec3d& p) { return texmap::uv_of(Convention::daily, p); }, wrong_places,
-                 uv_of_places, 1e-6}),
-       exercise(lecture_u, globe_in("lecture"),
-                {[](double u) {
-                   return in_convention(Convention::lecture, Place2{u, 0.5}).u;
-                 },
-                 wrong_quarters, lecture_u_places}),
+                {right_place, wrong_places, uv_of_places, 1e-6}),
+       exercise(lecture_u, globe_in("lecture"), {right_u, wrong_quarters, lecture_u_places}),
        exercise(is_mirrored, globe_in("daily", "uv_map.png"),
                 {[](Place2 here, Place2 east, Place2 north) {
                    const auto flat = [&](Place2 p) { return Vec3d{p.u - here.u, p.v - here.v, 0}; };

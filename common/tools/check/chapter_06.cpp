@@ -13,7 +13,18 @@ static std::function<Vec3d(Vec3d, Vec3d)> mirrored;
 static std::function<double(Vec3d, Vec3d, Vec3d, double)> highlight;
 static std::function<Rgb(Rgb, double, double)> blended;
 
-constexpr double way_to_lamp = 8;  // its length; to_light has the length 1
+/// The common one, and the whole way to the lamp.
+template <class Real>
+struct LightSample : texmap::LightSample<Real> {
+  Vec3<Real> to_lamp;
+};
+
+inline constexpr struct {
+  LightSample<double> operator()(const PointLight& light, const auto& objects,
+                                 const Hit<double>& hit) const {
+    return {texmap::sample_light(light, objects, hit), light.position - hit.point};
+  }
+} sample_light;
 
 struct PhongOptions : texmap::PhongOptions {
   double highlight(const PhongMaterial& material, const LightSample<double>& light,
@@ -23,8 +34,8 @@ struct PhongOptions : texmap::PhongOptions {
     const bool behind = dot(normal, light.to_light) <= 0;
     if (material.specular == 0 || (light.cosine == 0 && !behind)) return 0;  // in a shadow
     if (!mirrored) {
-      return material.specular * chapter_06::highlight(normal, light.to_light * way_to_lamp,
-                                                       -to_eye, material.shininess);
+      return material.specular *
+             chapter_06::highlight(normal, light.to_lamp, -to_eye, material.shininess);
     }
     const double cosine = dot(mirrored(light.to_light, normal), to_eye);
     return behind || cosine <= 0 ? 0 : material.specular * std::pow(cosine, material.shininess);
@@ -270,7 +281,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                    const Vec3d l = normalize(to_lamp);
                    return texmap::highlight(
                        {.lambertian = {}, .specular = 1, .shininess = shininess},
-                       LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
+                       texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
                  },
                  wrong_highlights, highlight_places, 1e-6}),
        // From near by, with a spot in which the light is more than 1. No blend of a byte and a

@@ -142,9 +142,8 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
   };
   const auto by = [&](double sum) { return folded({x / sum, -z / sum}, y); };
   const auto [u, v] = uv_octahedral(p);
-  Slips<Place2> wrong =
-      changed(folds, [&](const Place2& fold) { return in_square(y < 0 ? fold : from_above); });
-  wrong += {
+  return {
+      changed(folds, [&](const Place2& fold) { return in_square(y < 0 ? fold : from_above); }),
       {"b is -z / s: yours is z / s, and north and south edges are exchanged",
        uv_octahedral(Vec3d{x, y, -z})},
       {"a is x / s: yours is -x / s, so west and east are exchanged",
@@ -166,7 +165,6 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
       {"/ comes before +: write (1 + a) / 2 and (1 + b) / 2", {u + 0.5, v + 0.5}},
       {"u and v are exchanged: u comes from a, v from b", {v, u}},
   };
-  return wrong;
 }
 
 constexpr Place<Vec3d> on_octahedron_places[] = {

@@ -151,23 +151,19 @@ Slips<double> wrong_powers(int k) {
 Slips<double> wrong_channels(int m, int k) {
   const double power = exp2(k - 136);
   const double right = light_of(m, k);
-  const bool dark = m == 0;
-  Slips<double> wrong;
-  // With the right factor, without the half, and with the half also where the byte is 0.
-  for (const double half : {0.5, 0.0}) {
-    wrong += changed(wrong_powers(k), [=](double other) { return dark ? 0 : (m + half) * other; });
-    wrong += changed(wrong_powers(k), [=](double other) { return (m + half) * other; });
-  }
-  /// Also where the byte is 0, and not.
-  const auto any = [=](double light) { return std::vector{light, dark ? 0 : light}; };
-  wrong += {
-      {"the half is missing: the file's writer cuts m off, and m + 1/2 is the middle", m * power},
-      {"* comes before +: write (m + 0.5) * the power", any(m * power + 0.5)},
-      {"* comes before +: write (m + 0.5) * the power", any(m + 0.5 * power)},
+  const Slips<double> lights = {
+      changed(wrong_powers(k), [=](double other) { return (m + 0.5) * other; }),
+      changed(wrong_powers(k), [=](double other) { return m * other; }),
+      {"* comes before +: write (m + 0.5) * the power", {m * power + 0.5, m + 0.5 * power}},
       {"the base of the power is 2, not m + 1/2: multiply that by std::exp2(exponent - 136)",
-       any(pow(m + 0.5, k - 136))},
-      {"it is m + 1/2: the middle between m and m + 1", any((m - 0.5) * power)},
-      {"it is m + 1/2: the middle between m and m + 1", any((m + 1) * power)},
+       pow(m + 0.5, k - 136)},
+      {"it is m + 1/2: the middle between m and m + 1", {(m - 0.5) * power, (m + 1) * power}},
+  };
+  return {
+      // Also where the byte is 0, and not.
+      changed(lights, [=](double light) { return m == 0 ? 0 : light; }),
+      lights,
+      {"the half is missing: the file's writer cuts m off, and m + 1/2 is the middle", m * power},
       {"light may be far above 1, as the sun's is: do not limit it",
        {min(right, 1.), min((m + 0.5) * power, 1.), min(m * power, 1.)}},
       {"the light of a channel is no whole number: keep it in a double", floor(right)},
@@ -176,7 +172,6 @@ Slips<double> wrong_channels(int m, int k) {
       {"the numbers of this file are light: leave srgb_decode out", srgb_decode(right)},
       {"the picture's program encodes the light: leave srgb_encode out", srgb_encode(right)},
   };
-  return wrong;
 }
 
 Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
@@ -188,9 +183,9 @@ Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
   Slips<Rgb> wrong =
       combined(color, wrong_channels(red, k), wrong_channels(green, k), wrong_channels(blue, k));
   for (int guarded = 0; guarded < 7; ++guarded) {  // a bit for each channel where 0 is no light
-    wrong += {{"a byte 0 has no light: here the half must not be added",
-               {(guarded & 1) != 0 ? right.r : halves.r, (guarded & 2) != 0 ? right.g : halves.g,
-                (guarded & 4) != 0 ? right.b : halves.b}}};
+    wrong += {"a byte 0 has no light: here the half must not be added",
+              Rgb{(guarded & 1) != 0 ? right.r : halves.r, (guarded & 2) != 0 ? right.g : halves.g,
+                  (guarded & 4) != 0 ? right.b : halves.b}};
   }
   wrong += {
       {"red and blue are exchanged (BGR in place of RGB)", light(blue, green, red)},
