@@ -18,7 +18,7 @@ if(SH AND NOT TEXMAP_INSTRUMENT)  # students' mistakes divide by zero and conver
       string(APPEND functions "namespace start_${k} {\n#include \"starts/${number}_${k}.hpp\"\n}\n")
       string(APPEND functions "namespace solution_${k} {\n#include \"exercises/${number}_${k}.hpp\"\n}\n")
       string(APPEND functions "static const auto ${name} = strangers_to(${k}, solution_${k}::${name});\n")
-      string(APPEND rows "\n    {&start_${k}::${name}, &solution_${k}::${name}},")
+      string(APPEND rows "\n    {std::function(start_${k}::${name}), std::function(solution_${k}::${name})},")
     endforeach()
     configure_file(exercises/starts.hpp.in starts/${number}.hpp @ONLY)
     add_suite(exercises/test_exercises_${number} ON exercises_${number} compare LABELS chapter-${number} exercises)

@@ -38,13 +38,13 @@ struct KnownMistake {
   Verdict verdict;
 };
 
-/// An exercise: a function to write, its laws, and the chapter's lesson that calls it. Errors:
-/// std::bad_any_cast if `yours` has other arguments, or returns something else.
+/// An exercise: a function to write, its laws, and the chapter's lesson that calls it. `yours` is
+/// a std::function. Errors: std::bad_any_cast if it has other arguments or another result.
 struct Exercise {
   std::function<Verdict(const std::any& yours)> verdict;
   std::function<Image(const std::any& yours)> draw;  ///< an empty any: with the right function
   std::function<std::vector<KnownMistake>()> mistakes;
-  std::string id{};  ///< "02.1"
+  std::string id;  ///< "02.1"
 };
 
 /// A question to predict: the student types a number, the program knows it.
@@ -63,8 +63,9 @@ struct ExercisesOfChapter {
   ExercisesOfChapter(const std::string& chapter, std::vector<Exercise> all_exercises,
                      std::vector<Question> all_questions)
       : exercises(std::move(all_exercises)), questions(std::move(all_questions)) {
-    for (char k = '1'; Exercise & one : exercises) one.id = chapter + "." + k++;
-    for (char k = 'a'; Question & one : questions) one.id = chapter + "." + k++;
+    char number = '1', letter = 'a';
+    for (Exercise& one : exercises) one.id = chapter + "." + number++;
+    for (Question& one : questions) one.id = chapter + "." + letter++;
   }
 };
 [[nodiscard]] const ExercisesOfChapter& exercises_of_chapter();
@@ -95,35 +96,31 @@ template <class Out, class... Args>
 [[nodiscard]] Exercise exercise(std::function<Out(Args...)>& hook, std::function<Image()> draw,
                                 Law<Out, Args...> law) {
   using Function = std::function<Out(Args...)>;
-  const auto function_in = [right = law.right](const std::any& yours) -> Function {
-    if (!yours.has_value()) return right;
-    if (const auto* function = std::any_cast<Function>(&yours)) return *function;
-    return std::any_cast<Out (*)(Args...)>(yours);
+  const auto function_in = [right = law.right](const std::any& yours) {
+    return yours.has_value() ? std::any_cast<Function>(yours) : right;
   };
-  return {.verdict =
-              [law, function_in](const std::any& yours) {
-                if (const auto* replayed = std::any_cast<Replayed>(&yours))
-                  return judge(law, values_of<Out>(*replayed, law.places.size()));
-                const Function function = function_in(yours);
-                std::vector<Out> values;
-                for (const auto& place : law.places)
-                  values.push_back(std::apply(function, place.at));
-                return judge(law, values);
-              },
-          .draw =
-              [&hook, draw = std::move(draw), function_in](const std::any& yours) {
-                hook = function_in(yours);
-                Image image = draw();
-                hook = nullptr;
-                return image;
-              },
-          .mistakes =
-              [law] {
-                std::vector<KnownMistake> known;
-                for (const Slip<Out>& slip : slips_at_all_places(law).rows)
-                  known.push_back({slip.word, judge(law, slip.values)});
-                return known;
-              }};
+  Exercise made;
+  made.verdict = [law, function_in](const std::any& yours) {
+    if (const auto* replayed = std::any_cast<Replayed>(&yours))
+      return judge(law, values_of<Out>(*replayed, law.places.size()));
+    const Function function = function_in(yours);
+    std::vector<Out> values;
+    for (const auto& place : law.places) values.push_back(std::apply(function, place.at));
+    return judge(law, values);
+  };
+  made.draw = [&hook, draw = std::move(draw), function_in](const std::any& yours) {
+    hook = function_in(yours);
+    Image image = draw();
+    hook = nullptr;
+    return image;
+  };
+  made.mistakes = [law = std::move(law)] {
+    std::vector<KnownMistake> known;
+    for (const Slip<Out>& slip : slips_at_all_places(law).rows)
+      known.push_back({slip.word, judge(law, slip.values)});
+    return known;
+  };
+  return made;
 }
 
 /// A lesson's picture for an exercise, 400 x 300; from another field of view if there is one.

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/measure/text.hpp"
 #include "math/color.hpp"
 #include "math/vec3.hpp"
 #include "texture/uv.hpp"
@@ -29,9 +31,15 @@ template <std::size_t N>
 [[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 /// A value as the verdict prints it: "0.25", "(0.25, 0.5)", "yes".
-[[nodiscard]] std::string in_words(double value);
-[[nodiscard]] std::string in_words(int value);
-[[nodiscard]] std::string in_words(bool value);
+[[nodiscard]] inline std::string in_words(double value) {
+  if (std::isnan(value)) return "no number (NaN)";
+  if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+  if (std::abs(value) < 1e-15) return "0";  // -0, or what rounding leaves of 0
+  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+  return whole ? text("%.0f", value) : text("%.6g", value);
+}
+[[nodiscard]] inline std::string in_words(int value) { return std::to_string(value); }
+[[nodiscard]] inline std::string in_words(bool value) { return value ? "yes" : "no"; }
 [[nodiscard]] std::string in_words(const auto& value) {
   std::string words;
   for (const double part : parts(value)) words += (words.empty() ? "(" : ", ") + in_words(part);
@@ -40,7 +48,11 @@ template <std::size_t N>
 
 /// The largest difference of a part of two values; infinity where one of them is not a number and
 /// the other is.
-[[nodiscard]] double apart(double a, double b);
+[[nodiscard]] inline double apart(double a, double b) {
+  if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+  const double difference = std::abs(a - b);
+  return std::isnan(difference) ? infinity<double>() : difference;
+}
 template <class T>
 [[nodiscard]] double apart(const T& a, const T& b) {
   if constexpr (std::is_arithmetic_v<T>) {
