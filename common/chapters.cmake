@@ -129,17 +129,16 @@ function(add_one_file name source)
   endif()
 endfunction()
 
-# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [SOURCES ...] [CODE_OF ...]): the program
+# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [SOURCES ...]): the program
 # bin/NN_name from NN_name/main.cpp in TEXMAP_CHAPTERS, and its picture.
 # ON names further libraries; `app` is always linked. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
 # ALL_NUMBERS: it needs them all, also when it is built for learning.
 # SOURCES names further sources; main.cpp is always one. `chapters_code` holds those of all chapters, for programs that include lessons;
 # those of a chapter with PACKS, which link wide packs, are NN_name_code.
 # PACKS names what packs draw where it is not the lesson: a header of the chapter's, and the types in it.
-# CODE_OF: earlier chapters; their SOURCES are linked, too; what links its own NN_name_code links theirs as well.
 # DRAWN_WITH: options for the gallery's picture. ALSO_DRAWS adds a second picture: its name and the options that draw it.
 function(add_chapter name)
-  cmake_parse_arguments(ARG "SINGLE_NUMBERS;ALL_NUMBERS" "" "ON;PACKS;CODE_OF;DRAWN_WITH;ALSO_DRAWS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "SINGLE_NUMBERS;ALL_NUMBERS" "" "ON;PACKS;DRAWN_WITH;ALSO_DRAWS;SOURCES" ${ARGN})
   add_executable(${name} "${TEXMAP_CHAPTERS}/${name}/main.cpp")
   target_compile_definitions(${name} PRIVATE TEXMAP_CHAPTER="${name}")
   target_link_libraries(${name} PRIVATE project_options app ${ARG_ON})
@@ -147,7 +146,7 @@ function(add_chapter name)
     set(sources "")
     foreach(source IN LISTS ARG_SOURCES)  # the course's own where a student's folder has none
       set(folder "${TEXMAP_CHAPTERS}")
-      if(NOT EXISTS "${folder}/${name}/${source}" OR source MATCHES "^\\.\\./")  # another chapter's: never a student's
+      if(NOT EXISTS "${folder}/${name}/${source}")
         set(folder "${CMAKE_SOURCE_DIR}/chapters")
       endif()
       list(APPEND sources "${folder}/${name}/${source}")
@@ -158,13 +157,6 @@ function(add_chapter name)
       target_compile_options(${name}_code PRIVATE ${learn_options})
     endif()
     target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_code>)
-    foreach(other IN LISTS ARG_CODE_OF)
-      target_sources(${name} PRIVATE $<TARGET_OBJECTS:${other}_code>)
-    endforeach()
-    if(ARG_CODE_OF)
-      target_include_directories(${name}_code PUBLIC "${CMAKE_SOURCE_DIR}/chapters")
-      target_include_directories(${name} PRIVATE "${CMAKE_SOURCE_DIR}/chapters")
-    endif()
   endif()
   target_link_options(${name} PRIVATE ${with_own_library})
   if(TEXMAP_LEARN AND NOT ARG_ALL_NUMBERS)

@@ -12,10 +12,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set_source_files_properties(bench/encoding_group.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)  # and of stb_image
 endif()
 
-set(chapter_programs 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend
-  07_earth_by_sampling 08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map)
-list(JOIN chapter_programs "\", \"" chapter_names)
-
 # Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as
 # common/engine/render/wide/wide_packs.hpp explains.
 set(wide_sets ${WIDE_PACKS})
@@ -27,27 +23,24 @@ if(wide_sets)
   target_compile_definitions(bench_wide PRIVATE TEXMAP_WIDE_PACKS)
   target_compile_definitions(bench_groups PUBLIC TEXMAP_WIDE_PACKS)
   list(APPEND bench_objects bench_wide)  # after the others
-  foreach(chapter IN LISTS chapter_programs)
+  get_property(chapters GLOBAL PROPERTY CHAPTERS)
+  list(FILTER chapters EXCLUDE REGEX "^(00|13|14)_")  # which nothing here draws
+  foreach(chapter IN LISTS chapters)
     list(APPEND bench_objects ${chapter}_wide)
   endforeach()
 endif()
 foreach(instructions IN LISTS wide_sets)
   set(wide_options ${wide_${instructions}})
-  foreach(kind jobs ledger)
-    set(file "${CMAKE_CURRENT_BINARY_DIR}/bench_wide_${kind}_${instructions}.cpp")
-    configure_file(bench/wide_${kind}.cpp.in "${file}" @ONLY)
-    set_source_files_properties("${file}" PROPERTIES COMPILE_OPTIONS "${wide_options}")
-    target_sources(bench_wide PRIVATE "${file}")
-  endforeach()
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/bench_wide_${instructions}.cpp")
+  configure_file(bench/wide.cpp.in "${file}" @ONLY)
+  set_source_files_properties("${file}" PROPERTIES COMPILE_OPTIONS "${wide_options}")
+  target_sources(bench_wide PRIVATE "${file}")
 endforeach()
 
-add_executable(bench_ratios EXCLUDE_FROM_ALL bench/bench_ratios.cpp bench/processes.cpp)
+add_executable(bench_ratios EXCLUDE_FROM_ALL bench/bench_ratios.cpp)
 target_link_libraries(bench_ratios PRIVATE ${bench_objects} project_options)
 target_include_directories(bench_ratios PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
-set_source_files_properties(bench/processes.cpp PROPERTIES COMPILE_DEFINITIONS
-  "TEXMAP_BIN_DIR=\"${CMAKE_BINARY_DIR}/bin\";TEXMAP_CHAPTER_NAMES={\"${chapter_names}\"}")
 set_source_files_properties(bench/bench_ratios.cpp PROPERTIES COMPILE_DEFINITIONS "TEXMAP_PROJECT_DIR=\"${CMAKE_SOURCE_DIR}\"")
-add_dependencies(bench_ratios ${chapter_programs})  # --beside runs them
 
 # To test them and not to time anything, they need not be fast: half the time to compile.
 option(TEXMAP_BENCH_UNTIMED "Compile the benchmarks quickly; their times then mean nothing" OFF)
@@ -64,15 +57,12 @@ endif()
 add_suite(bench/test_bench_pages ON ${bench_objects} LABELS bench)
 target_include_directories(test_bench_pages PRIVATE bench)
 target_compile_definitions(test_bench_pages PRIVATE TEXMAP_PROGRAM="$<TARGET_FILE:bench_ratios>")
-if(nlohmann_json_INCLUDE_DIR)
-  target_compile_definitions(test_bench_pages PRIVATE TEXMAP_HAVE_JSON)
-  target_include_directories(test_bench_pages SYSTEM PRIVATE "${nlohmann_json_INCLUDE_DIR}")
-endif()
 add_dependencies(test_bench_pages bench_ratios)
 set_target_properties(test_bench_pages PROPERTIES EXCLUDE_FROM_ALL ON)
 add_custom_target(bench DEPENDS test_bench_pages)
 if(SH AND wide_sets)
-  add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/bench/wide.sh" "$<TARGET_FILE:bench_ratios>")
+  add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" --functions
+    "$<TARGET_FILE:bench_ratios>")
   set_tests_properties(bench_wide_functions PROPERTIES LABELS bench SKIP_RETURN_CODE 77)
 endif()
 if(PYTHON3 AND wide_sets AND NOT TEXMAP_BENCH_UNTIMED)  # what is timed next to packs

@@ -2,10 +2,7 @@
 
 if(SH AND NOT TEXMAP_INSTRUMENT)
   # What the program says of a mistake that its picture does not show, and of an answer in another unit.
-  set(id 01.1)
-  set(function distance_to_sphere)
-  set(file "${CMAKE_CURRENT_SOURCE_DIR}/exercises/almost_01_1.hpp")
-  configure_file("${CMAKE_SOURCE_DIR}/common/tools/check/attempt.cpp.in" almost_01_1.cpp @ONLY)
+  write_attempt(almost_01_1 01.1 "#include \"${CMAKE_CURRENT_SOURCE_DIR}/exercises/almost_01_1.hpp\"\n" "std::function(&::distance_to_sphere)" "")
   add_executable(almost_01_1 "${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp")
   target_link_libraries(almost_01_1 PRIVATE check_main exercises_01 project_options)
   set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/almost_01_1.cpp" PROPERTIES COMPILE_OPTIONS "-Wno-missing-declarations")

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 #include "engine/app/filter_options.hpp"
@@ -97,58 +96,43 @@ Texture texture_for(const FilterFigures& figures, const Pyramid& pyramid) {
 
 }  // namespace
 
-void FilterComparison::note_times(const std::vector<WorkTime>& times) {
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    figures[i].nanoseconds = times[i].processor * 1e6 / static_cast<double>(look_ups);
-    figures[i].spread = times[i].spread;
-  }
-}
-
-FilterComparison filter_comparison(const FloorView& scene, int threads) {
-  const auto pixels = std::make_shared<const std::vector<FloorPixel>>(floor_pixels(scene, threads));
-  FilterComparison all{.figures = {{Filter::nearest, 1, "nearest"},
-                                   {Filter::bilinear, 1, "bilinear"},
-                                   {Filter::trilinear, 1, "trilinear"},
-                                   {Filter::anisotropic, 2, "anisotropic 2"},
-                                   {Filter::anisotropic, 4, "anisotropic 4"},
-                                   {Filter::anisotropic, 8, "anisotropic 8"},
-                                   {Filter::anisotropic, 16, "anisotropic"},
-                                   {Filter::ewa, 16, "ewa"},
-                                   {Filter::stochastic, 16, "stochastic"}},
-                       .works = {},
-                       .look_ups = pixels->size(),
-                       .rays = static_cast<double>(pixels->size()) * (1 + places)};
+std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
+  const std::vector<FloorPixel> pixels = floor_pixels(scene, threads);
+  std::vector<FilterFigures> all = {
+      {Filter::nearest, 1, "nearest"},           {Filter::bilinear, 1, "bilinear"},
+      {Filter::trilinear, 1, "trilinear"},       {Filter::anisotropic, 2, "anisotropic 2"},
+      {Filter::anisotropic, 4, "anisotropic 4"}, {Filter::anisotropic, 8, "anisotropic 8"},
+      {Filter::anisotropic, 16, "anisotropic"},  {Filter::ewa, 16, "ewa"},
+      {Filter::stochastic, 16, "stochastic"}};
   const Pyramid pyramid = pyramid_of(light_of(checkers_image(1024, squares), TexelLight::linear));
-  const auto count = static_cast<double>(pixels->size());
-  for (FilterFigures& figures : all.figures) {
+  const auto count = static_cast<double>(pixels.size());
+  std::vector<Work> works;
+  for (FilterFigures& figures : all) {
     long reads = 0;
     auto counted = texture_for<Filtered<CountedPyramid>>(figures, pyramid);
     counted.pyramid.count = &reads;
     const auto texture = texture_for<FilteredTexture>(figures, pyramid);
-    const std::vector<double> ideals = ideal_lights(texture, *pixels, threads);
+    const std::vector<double> ideals = ideal_lights(texture, pixels, threads);
     double sum = 0, own_sum = 0;
-    for (std::size_t i = 0; i < pixels->size(); ++i) {
-      const FloorPixel& pixel = (*pixels)[i];
-      const double light = counted.filtered(pixel.uv).r;
-      sum += square(light - pixel.light);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const double light = counted.filtered(pixels[i].uv).r;
+      sum += square(light - pixels[i].light);
       own_sum += square(light - ideals[i]);
     }
     figures.error = std::sqrt(sum / count);
     figures.own_error = std::sqrt(own_sum / count);
     figures.reads = static_cast<double>(reads) / count;
-    all.works.emplace_back([pixels, texture] {
+    works.emplace_back([&pixels, texture] {
       double light = 0;
-      for (const FloorPixel& pixel : *pixels) light += texture.filtered(pixel.uv).r;
+      for (const FloorPixel& pixel : pixels) light += texture.filtered(pixel.uv).r;
       if (!(light > 0)) throw std::logic_error("the floor is black");
     });
   }
+  if (!timed) return all;
+  const std::vector<WorkTime> times = work_times(works, 3);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].nanoseconds = times[i].processor * 1e6 / count;
   return all;
-}
-
-std::vector<FilterFigures> compare_filters(const FloorView& scene, int threads, bool timed) {
-  FilterComparison all = filter_comparison(scene, threads);
-  if (timed) all.note_times(work_times(all.works, 3));
-  return all.figures;
 }
 
 std::string table_of_filters(const std::vector<FilterFigures>& figures) {

@@ -56,15 +56,10 @@ double texels_bound(const Globe& globe, NumberKind number, int degree) {
                   (kernel.v + angle) * globe.nearest.image.height);
 }
 
-/// How far a place on the texture can be off, in texels along u and along v.
-struct PlaceBound {
-  double columns = 0, rows = 0;
-};
-
-/// How far the place that is looked up can be off; near the poles a little way is much along u. 2
-/// unit roundoffs of 1 are those of the look-up (texel.hpp, bilinear.hpp), and 2 of double those of
-/// the place that is compared here.
-PlaceBound place_bound(const Globe& globe, const Variant& variant, const ReferenceHit& hit) {
+/// How far the place that is looked up can be off, in texels along u and along v; near the poles a
+/// little way is much along u. 2 unit roundoffs of 1 are those of the look-up (texel.hpp,
+/// bilinear.hpp), and 2 of double those of the place that is compared here.
+UvError place_bound(const Globe& globe, const Variant& variant, const ReferenceHit& hit) {
   const UvError kernel = kernel_bound(variant.number, variant.degree);
   const double angle = normal_bound(globe, variant.number, hit.cosine);
   const double round = std::max(hit.round - angle, 1e-9);
@@ -82,7 +77,7 @@ PlaceBound place_bound(const Globe& globe, const Variant& variant, const Referen
 /// @param lines  where they lie between two whole numbers: 0 for edges, 0.5 for centers
 /// @param room   levels that mixing may be off by
 template <class Texture>
-int levels_around(const Texture& texture, double x, double y, const PlaceBound& off, double lines,
+int levels_around(const Texture& texture, double x, double y, const UvError& off, double lines,
                   double room) {
   const auto between = [lines](double at, double reach) {
     std::vector<double> all = {at - reach};
@@ -97,9 +92,9 @@ int levels_around(const Texture& texture, double x, double y, const PlaceBound& 
     return std::array{color.r * 255, color.g * 255, color.b * 255};
   };
   const auto right = channels_at(x, y);
-  const auto rows = between(y, off.rows);
+  const auto rows = between(y, off.v);
   int levels = 0;
-  for (const double column : between(x, off.columns)) {
+  for (const double column : between(x, off.u)) {
     for (const double row : rows) {
       const auto other = channels_at(column, row);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -118,8 +113,8 @@ int levels_bound(const Globe& globe, const Variant& variant, const ReferenceHit&
   if (hit.from_rim <= ray_bound(globe, variant.number)) return 255;
   if (!hit.met) return 0;
   const Image& image = globe.nearest.image;
-  const PlaceBound off = place_bound(globe, variant, hit);
-  if (off.columns >= image.width || off.rows >= image.height) return 255;
+  const UvError off = place_bound(globe, variant, hit);
+  if (off.u >= image.width || off.v >= image.height) return 255;
   const auto x = static_cast<double>(hit.uv.u * Judge(image.width));
   const auto y = static_cast<double>(hit.uv.v * Judge(image.height));
   if (variant.filter == Filter::nearest) return levels_around(globe.nearest, x, y, off, 0, 0);
@@ -130,222 +125,194 @@ int levels_bound(const Globe& globe, const Variant& variant, const ReferenceHit&
 // What is seen.
 
 OneRayScene scene_of(const Globe& globe, const Variant& variant) {
-  return {&globe, {variant.degree}, variant.filter, variant.curve, variant.format};
+  return {&globe, {variant.degree}, variant.filter, variant.curve};
 }
 
-/// work(std::type_identity<Real>{}) with the type of a number. Packs of all widths calculate the
-/// same (tests/packs): errors are found with those that every machine has.
-template <class Work>
-void with_real(NumberKind number, const Work& work) {
-  switch (number) {
-    case NumberKind::float_:
-      return work(std::type_identity<float>{});
-    case NumberKind::extended:
-      return work(std::type_identity<long double>{});
-    case NumberKind::float_pack:
-      return work(std::type_identity<Pack<float>>{});
-    case NumberKind::double_pack:
-      return work(std::type_identity<Pack<double>>{});
-    default:
-      return work(std::type_identity<double>{});
-  }
-}
-
-/// visit(pixel, at) for all pixels: at(k) is the number k of those that `numbers_along` makes of
-/// the pixel's ray.
+/// The three numbers that `along` makes of each pixel's ray, calculated with a number, row by row.
+/// Packs of all widths calculate the same (tests/packs): those that every machine has are used.
 ///
-/// @param numbers_along  called with rays of Real; gives an array of Reals
-template <class Real, class NumbersAlong, class Visit>
-void for_each_pixel(const View<>& view, const NumbersAlong& numbers_along, const Visit& visit) {
-  for (int row = 0; row < view.height; ++row) {
-    for (int column = 0; column < view.width; column += static_cast<int>(lanes<Real>)) {
-      const auto first = static_cast<Scalar<Real>>(column);
-      const Real columns =
-          from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
-      const auto numbers = numbers_along(ray_through(view, columns, Real(row)));
-      for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i) {
-        visit(static_cast<std::size_t>(row * view.width + column) + i,
-              [&](std::size_t k) { return lane(numbers[k], i); });
+/// @param along  called with rays of any Real; gives an array of Reals
+template <class Along>
+std::vector<std::array<Judge, 3>> along_rays(NumberKind number, const View<>& view,
+                                             const Along& along) {
+  std::vector<std::array<Judge, 3>> pixels;
+  const auto visit = [&]<class Real>(std::type_identity<Real>) {
+    for (int row = 0; row < view.height; ++row) {
+      for (int column = 0; column < view.width; column += static_cast<int>(lanes<Real>)) {
+        const auto first = static_cast<Scalar<Real>>(column);
+        const Real columns = from_lanes<Real>(
+            [first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
+        const std::array<Real, 3> three = along(ray_through(view, columns, Real(row)));
+        for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i)
+          pixels.push_back(
+              {Judge(lane(three[0], i)), Judge(lane(three[1], i)), Judge(lane(three[2], i))});
       }
     }
-  }
+  };
+  if (number == NumberKind::float_) visit(std::type_identity<float>{});
+  if (number == NumberKind::double_) visit(std::type_identity<double>{});
+  if (number == NumberKind::extended) visit(std::type_identity<long double>{});
+  if (number == NumberKind::float_pack) visit(std::type_identity<Pack<float>>{});
+  if (number == NumberKind::double_pack) visit(std::type_identity<Pack<double>>{});
+  return pixels;
 }
 
 /// The reference of places: where each pixel's ray meets the globe, by the reference formula.
 std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view) {
   std::vector<ReferenceHit> hits;
-  const auto along = [&](const Ray<Judge>& ray) {
-    const Vec3<Judge> moment =
-        cross(ray.origin - number_cast<Judge>(globe.sphere.center), ray.direction);
-    const Judge passes = length(moment) / Judge(globe.sphere.radius);
-    const Judge distance = distance_to(globe.sphere, ray);
-    ReferenceHit& hit = hits.emplace_back();
-    hit.met = distance < infinity<Judge>();
-    hit.from_rim = static_cast<double>(abs(passes - Judge(1)));
-    if (hit.met) {
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const Ray<Judge> ray = ray_through(view, Judge(column), Judge(row));
+      const Vec3<Judge> moment =
+          cross(ray.origin - number_cast<Judge>(globe.sphere.center), ray.direction);
+      const Judge passes = length(moment) / Judge(globe.sphere.radius);
+      const Judge distance = distance_to(globe.sphere, ray);
+      ReferenceHit& hit = hits.emplace_back();
+      hit.met = distance < infinity<Judge>();
+      hit.from_rim = static_cast<double>(abs(passes - Judge(1)));
+      if (!hit.met) continue;
       const Vec3<Judge> normal = normal_at(globe.sphere, ray, distance);
       hit.cosine = static_cast<double>(-dot(normal, ray.direction));
       hit.round = static_cast<double>(sqrt(square(normal.x) + square(normal.z)));
       hit.uv = uv_rtiow(normal);
     }
-    return std::array<Judge, 0>{};
-  };
-  for_each_pixel<Judge>(view, along, [](std::size_t, const auto&) {});
+  }
   return hits;
 }
 
-/// Compares the places that numbers of type Real find with the reference's.
-template <class Real>
-void measure_places(Row& row, const Globe& globe, const View<>& view,
-                    const std::vector<ReferenceHit>& hits) {
+/// The picture of the reference's places.
+Image picture_of_hits(const Globe& globe, const View<>& view, Filter filter,
+                      const std::vector<ReferenceHit>& hits) {
+  Image image(view.width, view.height);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    Color<Judge> color = number_cast<Judge>(globe.sky);
+    if (hits[i].met) {
+      const Uv<Judge>& uv = hits[i].uv;
+      color = filter == Filter::nearest ? globe.nearest(uv) : globe.bilinear(uv);
+    }
+    const auto byte = [](const Judge& channel) {  // the middle of it: see OneRayScene
+      return byte_of(static_cast<double>(channel + Judge(0.5 / 255)));
+    };
+    image.pixels[i] = {byte(color.r), byte(color.g), byte(color.b)};
+  }
+  return image;
+}
+
+/// Counts the pixels that differ between a picture and its reference, and their largest difference.
+void compare_bytes(const Image& image, const Image& reference, Row& row) {
+  const Figures figures = texmap::measure(image, reference, {}, Detail::pixels);
+  row.changed = static_cast<long>(figures.pixels_different);
+  row.levels = figures.worst.levels;
+}
+
+void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
+                          const std::vector<ReferenceHit>& hits) {
   const PlannedMapping mapping{row.variant.degree};
-  double sum = 0;
-  long count = 0;
-  const auto place_along = [&](const Ray<Real>& ray) {
+  const auto places = along_rays(row.variant.number, view, [&]<class Real>(const Ray<Real>& ray) {
     const Real distance = distance_to(globe.sphere, ray);
     const Mask<Real> met = distance < infinity<Real>();
     const Uv<Real> uv = mapping(normal_at(globe.sphere, ray, select(met, distance, Real(1))));
-    return std::array{uv.u, uv.v};
-  };
-  for_each_pixel<Real>(view, place_along, [&](std::size_t pixel, const auto& at) {
-    const ReferenceHit& hit = hits[pixel];
-    if (!hit.met || hit.cosine < least_cosine) return;
-    const Judge across = abs(Judge(at(0)) - hit.uv.u);  // u = 0 and u = 1 are one place
-    const Judge along_u =
-        min(across, Judge(1) - across) * Judge(hit.round) * Judge(globe.nearest.image.width);
-    const Judge along_v = abs(Judge(at(1)) - hit.uv.v) * Judge(globe.nearest.image.height);
-    const auto texels = static_cast<double>(max(along_u, along_v));
-    row.worst = std::max(row.worst, texels);
-    sum += texels;
-    ++count;
+    return std::array<Real, 3>{uv.u, uv.v, Real(0)};
   });
-  row.mean = count > 0 ? sum / static_cast<double>(count) : 0;
-}
-
-/// Errors of places and their bytes.
-void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
-                          const std::vector<ReferenceHit>& hits, const Image& reference) {
   row.bound = texels_bound(globe, row.variant.number, row.variant.degree);
-  for (const ReferenceHit& hit : hits) {
+  long count = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const ReferenceHit& hit = hits[i];
     const int levels = levels_bound(globe, row.variant, hit);
     row.may_change += levels > 0 ? 1 : 0;
     row.levels_bound = std::max(row.levels_bound, levels);
+    if (!hit.met || hit.cosine < least_cosine) continue;
+    const Judge across = abs(places[i][0] - hit.uv.u);  // u = 0 and u = 1 are one place
+    const Judge along_u =
+        min(across, Judge(1) - across) * Judge(hit.round) * Judge(globe.nearest.image.width);
+    const Judge along_v = abs(places[i][1] - hit.uv.v) * Judge(globe.nearest.image.height);
+    const auto texels = static_cast<double>(max(along_u, along_v));
+    row.worst = std::max(row.worst, texels);
+    row.mean += texels;
+    ++count;
   }
-  with_real(row.variant.number, [&]<class Real>(std::type_identity<Real>) {
-    measure_places<Real>(row, globe, view, hits);
-  });
-  compare_bytes(picture_of(globe, view, row.variant, 0), reference, row);
+  if (count > 0) row.mean /= static_cast<double>(count);
+  compare_bytes(picture_of(globe, view, row.variant, 0),
+                picture_of_hits(globe, view, row.variant.filter, hits), row);
 }
 
-/// States how far off a row's levels can be, and compares them before they are bytes: each pixel's
-/// red, green and blue. A pixel may change if the bound takes a level of the reference across an
-/// edge between two bytes.
-void compare_levels(Row& row, const std::vector<double>& levels,
-                    const std::vector<double>& reference) {
-  row.bound = unrounded_bound(row.variant, row.samples);
-  row.levels_bound = rounded_bound(row.bound);
-  bool may_change = false;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const double off = std::abs(levels[i] - reference[i]);
-    row.worst = std::max(row.worst, off);
-    row.mean += off;
-    may_change = may_change || std::floor(reference[i] - row.bound + 0.5) <
-                                   std::floor(reference[i] + row.bound + 0.5);
-    if (i % 3 != 2) continue;
-    row.may_change += may_change ? 1 : 0;
-    may_change = false;
-  }
-  row.mean /= static_cast<double>(levels.size());
+/// By how many levels a channel can be off before it is rounded to a byte, compared with the exact
+/// curve in the same number.
+double unrounded_bound(const Variant& variant) {
+  if (variant.curve == Curve::exact) return 0;
+  const double polynomial = variant.curve == Curve::three  ? fits::SrgbCurve<3>::worst
+                            : variant.curve == Curve::four ? fits::SrgbCurve<4>::worst
+                                                           : 0;
+  // Light has 10 unit roundoffs of table, root, square and sky, and each of its own is at most 112
+  // levels (255 * 1.055 / 2.4); the curve has 6 of 255 levels, in the variant and in the reference:
+  // 5000 are enough.
+  return polynomial + 5000 * roundoff_of(variant.number);
 }
 
-/// The levels of a picture with one ray per pixel, before they are rounded to bytes.
-std::vector<double> unrounded_levels(const Globe& globe, const View<>& view,
-                                     const Variant& variant) {
-  const OneRayScene scene = scene_of(globe, variant);
-  std::vector<double> levels;
-  with_real(variant.number, [&]<class Real>(std::type_identity<Real>) {
-    const auto levels_along = [&](const Ray<Real>& ray) {
+/// States how far off a row's levels can be, and compares each pixel's red, green and blue before
+/// and after they are bytes. A pixel may change if the bound takes a level of the reference across
+/// an edge between two bytes. The reference is the exact curve, drawn with the same number: where a
+/// place is off, both are.
+void find_errors_of_curve(Row& row, const Globe& globe, const View<>& view) {
+  Variant exact = row.variant;
+  exact.curve = Curve::exact;
+  const auto levels_of = [&](const Variant& variant) {
+    const OneRayScene scene = scene_of(globe, variant);
+    return along_rays(variant.number, view, [&]<class Real>(const Ray<Real>& ray) {
       const Color<Real> light = scene.color_along(ray);
       return std::array{scene.level_of_light(light.r), scene.level_of_light(light.g),
                         scene.level_of_light(light.b)};
-    };
-    for_each_pixel<Real>(view, levels_along, [&](std::size_t, const auto& at) {
-      for (std::size_t k = 0; k < 3; ++k) levels.push_back(static_cast<double>(at(k)));
     });
-  });
-  return levels;
-}
-
-/// The reference is the exact curve of the texels' bytes, drawn with the same number: where a place
-/// is off, both are.
-void find_errors_of_light(Row& row, const Globe& globe, const View<>& view) {
-  Variant variant = row.variant;
-  variant.instructions = Instructions::baseline;
-  Variant exact = variant;
-  exact.curve = Curve::exact;
-  exact.format = TexelFormat::bytes;
-  compare_levels(row, unrounded_levels(globe, view, variant), unrounded_levels(globe, view, exact));
-  compare_bytes(picture_of(globe, view, variant, 0), picture_of(globe, view, exact, 0), row);
-}
-
-/// The same of the mean of many rays.
-void find_errors_of_samples(Row& row, const Globe& globe, const View<>& view, std::uint32_t seed,
-                            int threads) {
-  const Sampler sampler(row.sampler, row.samples, seed);
-  Variant of_bytes = row.variant;
-  of_bytes.format = TexelFormat::bytes;
-  const Film film = sampled(globe, view, row.variant, sampler, threads);
-  const Film reference = sampled(globe, view, of_bytes, sampler, threads);
-  compare_levels(row, levels_of(film), levels_of(reference));
-  compare_bytes(develop(film, Transfer::srgb), develop(reference, Transfer::srgb), row);
+  };
+  const auto levels = levels_of(row.variant), reference = levels_of(exact);
+  row.bound = unrounded_bound(row.variant);
+  row.levels_bound = static_cast<int>(std::ceil(row.bound));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    bool may_change = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto right = static_cast<double>(reference[i][k]);
+      const double off = std::abs(static_cast<double>(levels[i][k]) - right);
+      row.worst = std::max(row.worst, off);
+      row.mean += off / (3 * static_cast<double>(levels.size()));
+      may_change =
+          may_change || std::floor(right - row.bound + 0.5) < std::floor(right + row.bound + 0.5);
+    }
+    row.may_change += may_change ? 1 : 0;
+  }
+  compare_bytes(picture_of(globe, view, row.variant, 0), picture_of(globe, view, exact, 0), row);
 }
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-void find_errors_of_places(std::span<Row> rows, const Globe& globe, const View<>& view,
-                           const Tick& tick) {
-  const auto hits = reference_hits(globe, view);
-  const std::array references = {reference_picture(globe, view, Filter::nearest),
-                                 reference_picture(globe, view, Filter::bilinear)};
-  for (Row& row : rows) {
-    Variant first = row.variant;
-    first.instructions = Instructions::baseline;
-    if (row.variant == first) {
-      const auto& reference = references[static_cast<std::size_t>(first.filter)];
-      find_errors_of_place(row, globe, view, hits, reference);
-    } else {
-      const Variant own = row.variant;
-      row = *find_row(rows, first);
-      row.variant = own;
-    }
-    tick();
-  }
-}
+/// Samples of the samplers' references. Their own noise is in all figures, and makes them larger.
+constexpr int converged_samples = 1024;
 
 /// The errors of samplers, each view with a seed of its own.
 void find_errors_of_samplers(std::span<Row> rows, const Globe& globe, int threads,
                              const Tick& tick) {
-  const auto levels = [&](const Row& row, int view, SamplerKind kind, int samples, int seed) {
-    const Sampler sampler(kind, samples, static_cast<std::uint32_t>(seed));
+  int done = 0;
+  const auto told = [&] { tick(++done, noise_views + static_cast<int>(rows.size())); };
+  const auto levels = [&](const Row& row, int view, const Sampler& sampler) {
     return levels_of(sampled(globe, noise_view(globe, view), row.variant, sampler, threads));
   };
   std::vector<std::vector<double>> references;
   for (int i = 0; i < noise_views; ++i) {
-    references.push_back(levels(rows[0], i, SamplerKind::sobol, converged_samples, 1000 + i));
-    tick();
+    const auto seed = static_cast<std::uint32_t>(1000 + i);
+    references.push_back(levels(rows[0], i, Sampler(SamplerKind::sobol, converged_samples, seed)));
+    told();
   }
   for (Row& row : rows) {
     std::vector<double> errors;
     errors.reserve(noise_views);
-    for (int i = 0; i < noise_views; ++i) {
-      errors.push_back(rms_difference(levels(row, i, row.sampler, row.samples, i),
-                                      references[static_cast<std::size_t>(i)]));
+    for (std::uint32_t i = 0; i < noise_views; ++i) {
+      const Sampler sampler(row.sampler, row.samples, i);
+      errors.push_back(rms_difference(levels(row, static_cast<int>(i), sampler), references[i]));
     }
     row.mean = mean_of(errors);
     row.bound = noise_bound(errors);
-    tick();
+    told();
   }
 }
 
@@ -364,36 +331,17 @@ View<> noise_view(const Globe& globe, int view) {
 }
 
 UvError kernel_bound(NumberKind number, int degree) {
-  const double roundoff = roundoff_of(number);
+  // The reference formula's is stated in texels of 8192 by 4096.
+  const double texels = is_float(number) ? 0.001 : number == NumberKind::extended ? 1e-15 : 2e-12;
   return with_uv_mapping(degree, [&](const auto& mapping) -> UvError {
     using Mapping = std::decay_t<decltype(mapping)>;
     if constexpr (requires { Mapping::template worst<double>; }) {
-      if (is_float(number)) return Mapping::template worst<float>;
-      return Mapping::template worst<double>;
+      return is_float(number) ? Mapping::template worst<float> : Mapping::template worst<double>;
     } else {
-      const double texels = is_float(number)                               ? 0.001
-                            : roundoff == roundoff_of(NumberKind::double_) ? 2e-12
-                                                                           : 1e-15;
-      return {texels / 8192, texels / 4096};  // stated in texels of 8192 by 4096
+      return {texels / 8192, texels / 4096};
     }
   });
 }
-
-double unrounded_bound(const Variant& variant, int rays) {
-  if (variant.curve == Curve::exact && variant.format == TexelFormat::bytes) return 0;
-  const double polynomial = variant.curve == Curve::three  ? fits::SrgbCurve<3>::worst
-                            : variant.curve == Curve::four ? fits::SrgbCurve<4>::worst
-                                                           : 0;
-  const double roots = variant.format == TexelFormat::roots ? RootTexture::worst_levels : 0;
-  // Light has 10 unit roundoffs of table, root, square and sky, and each of its own is at most 112
-  // levels (255 * 1.055 / 2.4); the curve has 6 of 255 levels, in the variant and in the reference:
-  // 5000 are enough. Both sums of a mean have 250 for each ray but the first, and both films round
-  // light to 2^-32 of itself.
-  const double film = rays > 1 ? 2 * 112 * 0x1p-32 : 0;
-  return polynomial + roots + film + (5000 + 250.0 * (rays - 1)) * roundoff_of(variant.number);
-}
-
-int rounded_bound(double unrounded) { return static_cast<int>(std::ceil(unrounded)); }
 
 double noise_bound(const std::vector<double>& errors) {
   const double mean = mean_of(errors);
@@ -409,13 +357,13 @@ Image picture_of(const Globe& globe, const View<>& view, const Variant& variant,
                        variant.instructions);
 }
 
-Image reference_picture(const Globe& globe, const View<>& view, Filter filter, int threads) {
-  return render<Judge>(ReferenceScene{&globe, filter}, view, {.threads = threads});
+Image reference_picture(const Globe& globe, const View<>& view, Filter filter) {
+  return picture_of_hits(globe, view, filter, reference_hits(globe, view));
 }
 
 Film sampled(const Globe& globe, const View<>& view, const Variant& variant, const Sampler& sampler,
              int threads) {
-  const ManyRayScene scene{{{globe.sphere, {{variant.degree}, {&globe, variant.format}}}},
+  const ManyRayScene scene{{{globe.sphere, {&globe, {variant.degree}}}},
                            {.sky = {.below = globe.sky, .above = globe.sky}}};
   return gather(scene, scene.objects, view, {sampler}, {}, variant.number,
                 {.threads = threads, .instructions = variant.instructions});
@@ -439,23 +387,16 @@ double rms_difference(const std::vector<double>& a, const std::vector<double>& b
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-void compare_bytes(const Image& image, const Image& reference, Row& row) {
-  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
-    const int levels = channel_difference(image.pixels[i], reference.pixels[i]);
-    row.changed += levels > 0 ? 1 : 0;
-    row.levels = std::max(row.levels, levels);
-  }
-}
-
 void find_errors(std::span<Row> rows, const Globe& globe, const View<>& view, int threads,
-                 const Tick& tick, std::uint32_t seed) {
+                 const Tick& tick) {
   const Part part = rows.front().part;
-  if (part == Part::places) return find_errors_of_places(rows, globe, view, tick);
   if (part == Part::samplers) return find_errors_of_samplers(rows, globe, threads, tick);
+  const auto hits = reference_hits(globe, view);
+  int done = 0;
   for (Row& row : rows) {
-    if (part == Part::curves) find_errors_of_light(row, globe, view);
-    if (part == Part::formats) find_errors_of_samples(row, globe, view, seed, threads);
-    tick();
+    if (part == Part::places) find_errors_of_place(row, globe, view, hits);
+    if (part == Part::curves) find_errors_of_curve(row, globe, view);
+    tick(++done, static_cast<int>(rows.size()));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/kernels/kernel_plan.hpp"
-#include "engine/kernels/root_texture.hpp"
 #include "engine/kernels/srgb_kernel.hpp"
 #include "engine/render/draw.hpp"
 #include "scene/camera.hpp"
@@ -31,12 +30,6 @@ enum class Curve {
   three,    ///< a polynomial of 3 terms: at most 2 levels off
 };
 
-/// How the light of texels is stored.
-enum class TexelFormat {
-  bytes,  ///< the picture's bytes; a table decodes them
-  roots,  ///< ten-bit roots: root_texture.hpp
-};
-
 /// The globe under a uniform sky, seen from 6 radii as in chapter 07, so near that it fills the
 /// picture.
 struct Globe {
@@ -45,11 +38,9 @@ struct Globe {
   Rgb sky{0.72, 0.8, 1};     ///< no channel lies on the edge between two bytes
   ImageTexture nearest;      ///< the picture's bytes as they are
   LightTexture light;        ///< the same picture, decoded to light
-  RootTexture roots;         ///< that light, stored as its roots
   BilinearTexture bilinear;  ///< the same picture, filtered
 
-  explicit Globe(const Image& picture)
-      : nearest{picture}, light(nearest), roots(light), bilinear{picture} {}
+  explicit Globe(const Image& picture) : nearest{picture}, light(nearest), bilinear{picture} {}
 
   /// The view from a place around the globe.
   ///
@@ -59,24 +50,12 @@ struct Globe {
   [[nodiscard]] View<> view(int width, int height, double east = 12, double up = 17) const;
 };
 
-/// The globe's light at a place on the texture.
-struct StoredLight {
-  const Globe* globe;
-  TexelFormat format = TexelFormat::bytes;
-
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
-    return format == TexelFormat::roots ? globe->roots(uv) : globe->light(uv);
-  }
-};
-
 /// One ray a pixel: a globe that shines by itself, or, with a curve, one under the sky's light.
 struct OneRayScene {
   const Globe* globe;
   PlannedMapping mapping;
   Filter filter = Filter::nearest;
   Curve curve = Curve::none;
-  TexelFormat format = TexelFormat::bytes;
 
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
@@ -92,7 +71,7 @@ struct OneRayScene {
     const Mask<Real> met = distance < infinity<Real>();
     if (!any(met)) return sky;
     const Uv<Real> uv = mapping(normal_at(globe->sphere, ray, select(met, distance, Real(1))));
-    if (curve != Curve::none) return select(met, StoredLight{globe, format}(uv)*sky, sky);
+    if (curve != Curve::none) return select(met, globe->light(uv) * sky, sky);
     return select(met, filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv), sky);
   }
 
@@ -123,33 +102,16 @@ struct OneRayScene {
   }
 };
 
-/// One ray a pixel without a curve, by the reference formula: what variants are compared with.
-struct ReferenceScene {
-  const Globe* globe;
-  Filter filter;
-
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    const Real distance = distance_to(globe->sphere, ray);
-    Color<Real> color = number_cast<Real>(globe->sky);
-    if (distance < infinity<Real>()) {
-      const Uv<Real> uv = uv_rtiow(normal_at(globe->sphere, ray, distance));
-      color = filter == Filter::nearest ? globe->nearest(uv) : globe->bilinear(uv);
-    }
-    return color + gray(Real(0.5 / 255));  // the middle of its byte: see OneRayScene
-  }
-};
-
 /// Many rays per pixel, spread by a sampler, under the sky's light.
 struct ManyRayScene {
   /// A paint that hides its mapping: no patches are compiled for it.
   struct Surface {
+    const Globe* globe;
     PlannedMapping uv_of;
-    StoredLight light;
 
     template <class Real>
     [[nodiscard]] Color<Real> operator()(const Hit<Real>& hit) const {
-      return light(uv_of(hit.normal));
+      return globe->light(uv_of(hit.normal));
     }
   };
 

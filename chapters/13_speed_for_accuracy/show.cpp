@@ -1,5 +1,6 @@
 // Runs the lesson: says how far it is, prints the tables, and writes plots, figures and the sheet.
 #include <algorithm>
+#include <utility>
 
 #include "engine/app/budget_options.hpp"
 #include "engine/compare/difference_map.hpp"
@@ -12,18 +13,6 @@
 
 namespace texmap::chapter_13 {
 namespace {
-
-/// Four rows of four pictures, each above three lines of text, and a line above all.
-struct SheetLayout {
-  int scale, line, gap, panel_width, panel_height;
-
-  SheetLayout(int width, int height)
-      : scale(std::max(1, width / 1640)),
-        line(11 * scale),
-        gap(std::max(1, width / 120)),
-        panel_width(std::max(1, width / 4 - gap)),
-        panel_height(std::max(1, (height - 2 * line) / 4 - 3 * line - gap)) {}
-};
 
 constexpr Rgb8 black{0, 0, 0};
 
@@ -46,25 +35,35 @@ Image differences(const Image& a, const Image& b, int reach) {
   return map;
 }
 
-std::string seen(const Row& errors) {
-  if (errors.changed == 0) return "no pixel differs";
-  return text("%ld pixel%s, by %s%d level%s", errors.changed,
-              errors.changed == 1 ? " differs" : "s differ", errors.changed == 1 ? "" : "up to ",
-              errors.levels, errors.levels == 1 ? "" : "s");
+/// "1 pixel", "2 pixels".
+std::string counted(long count, const char* what) {
+  return text("%ld %s%s", count, what, count == 1 ? "" : "s");
 }
 
-/// A sheet that fills panel by panel.
-struct Sheet : SheetLayout {
+/// Four rows of four pictures, each above three lines of text, and a line above all; filled panel
+/// by panel.
+struct Sheet {
+  const Globe& globe;
+  int threads, scale, line, gap, panel_width, panel_height;
+  View<> view;  ///< of a panel
   Image image;
-  const Tick& tick;
+  Tick tick;
   int panels = 0;
 
-  Sheet(int width, int height, const Tick& after_each)
-      : SheetLayout(width, height), image(width, height, {255, 255, 255}), tick(after_each) {}
+  Sheet(const Globe& drawn, int width, int height, int with_threads, Tick after_each)
+      : globe(drawn),
+        threads(with_threads),
+        scale(std::max(1, width / 1640)),
+        line(11 * scale),
+        gap(std::max(1, width / 120)),
+        panel_width(std::max(1, width / 4 - gap)),
+        panel_height(std::max(1, (height - 2 * line) / 4 - 3 * line - gap)),
+        view(globe.view(panel_width, panel_height)),
+        image(width, height, {255, 255, 255}),
+        tick(std::move(after_each)) {}
 
   /// Adds a picture with up to three lines of text.
-  void add(const Image& picture, const std::string& name,
-           const std::vector<std::string>& more = {}) {
+  void add(const Image& picture, const std::string& name, const std::vector<std::string>& more) {
     const int left = gap / 2 + panels % 4 * (panel_width + gap);
     const int top = 2 * line + gap / 2 + panels / 4 * (panel_height + 3 * line + gap);
     SheetColumn column{image, left, top, scale, line};
@@ -72,8 +71,62 @@ struct Sheet : SheetLayout {
     column.lay(picture);
     column.write(name, black);
     for (const std::string& words : more) column.write(words);
-    ++panels;
-    tick();
+    tick(++panels, 16);
+  }
+  /// Adds what ways to draw change in a picture.
+  void add_differences(std::vector<Row> rows, const Image& reference) {
+    find_errors(rows, globe, view, threads, [](int, int) {});
+    for (const Row& row : rows) {
+      const bool is_place = row.part == Part::places;
+      const std::string way =
+          is_place && row.variant.degree == 0 ? "reference formula" : choice_of(row);
+      const char* seen = row.changed == 1 ? " differs, by " : " differ, by up to ";
+      add(differences(picture_of(globe, view, row.variant, threads), reference, is_place ? 1 : 0),
+          (is_place ? name_of(row.variant.number) + std::string(", ") : "sRGB by ") + way,
+          {row.changed == 0 ? "no pixel differs"
+                            : counted(row.changed, "pixel") + seen + counted(row.levels, "level"),
+           is_place ? text("%.1e texels off, at most %.1e", row.worst, row.bound)
+                    : "at most " + counted(row.levels_bound, "level")});
+    }
+  }
+  /// The picture, and what numbers and kernels change in it.
+  void add_places(Filter filter, const std::vector<std::pair<NumberKind, int>>& ways) {
+    const Image reference = reference_picture(globe, view, filter);
+    const Image& texture = globe.nearest.image;
+    add(reference,
+        filter == Filter::nearest ? "nearest texel, extended" : "bilinear filter, extended",
+        {text("the picture, %d x %d pixels", reference.width, reference.height),
+         text("of a texture of %d x %d", texture.width, texture.height)});
+    std::vector<Row> rows;
+    rows.reserve(ways.size());
+    for (const auto& [number, degree] : ways)
+      rows.push_back({Part::places, {.number = number, .degree = degree, .filter = filter}});
+    add_differences(rows, reference);
+  }
+  /// The picture under the sky, and what shorter curves change in it.
+  void add_curves() {
+    const Image reference = picture_of(globe, view, {.curve = Curve::exact}, threads);
+    add(reference, "under the sky's light, sRGB exact", {"one ray a pixel"});
+    add_differences(
+        {{Part::curves, {.curve = Curve::four}}, {Part::curves, {.curve = Curve::three}}},
+        reference);
+  }
+  /// The picture that all samplers converge to, and how far off 16 samples are.
+  void add_samplers() {
+    const Variant variant{.number = NumberKind::double_pack};
+    const auto drawn = [&](const Sampler& sampler) {
+      return sampled(globe, view, variant, sampler, threads);
+    };
+    const Film converged = drawn(Sampler(SamplerKind::sobol, 256, 1));
+    const Image smooth = develop(converged, Transfer::srgb);
+    add(smooth, "sobol, 256 rays a pixel", {"what all samplers go to"});
+    for (const SamplerKind kind : sampler_kinds) {
+      const Film film = drawn(Sampler(kind, 16));
+      const double off = rms_difference(levels_of(film), levels_of(converged));
+      add(differences(develop(film, Transfer::srgb), smooth, 0),
+          std::string(name_of(kind)) + ", 16 rays a pixel",
+          {text("%.2f levels off, root mean square", off)});
+    }
   }
   /// Writes above all panels what the colors mean.
   void add_legend() {
@@ -93,71 +146,33 @@ struct Sheet : SheetLayout {
   }
 };
 
-/// The picture, and what numbers and kernels change in it.
-void add_places(Sheet& sheet, const Globe& globe, const View<>& view, Filter filter, int threads) {
-  const bool nearest = filter == Filter::nearest;
-  const Image reference = reference_picture(globe, view, filter, threads);
-  const Image& texture = globe.nearest.image;
-  sheet.add(reference, nearest ? "nearest texel, extended" : "bilinear filter, extended",
-            {text("the picture, %d x %d pixels", reference.width, reference.height),
-             text("of a texture of %d x %d", texture.width, texture.height)});
-  for (const auto& [number, degree] :
-       {std::pair{NumberKind::float_, nearest ? 0 : 5},
-        std::pair{NumberKind::float_, nearest ? 5 : 9},
-        std::pair{nearest ? NumberKind::float_ : NumberKind::double_, nearest ? 9 : 23}}) {
-    Row row{Part::places, {.number = number, .degree = degree, .filter = filter}};
-    find_errors({&row, 1}, globe, view, threads, [] {});
-    sheet.add(differences(picture_of(globe, view, row.variant, threads), reference, 1),
-              std::string(name_of(number)) +
-                  (degree == 0 ? ", reference formula" : ", " + name_of_kernel(degree)),
-              {seen(row), text("%.1e texels off, at most %.1e", row.worst, row.bound)});
-  }
-}
+/// How far a run is.
+struct Phases {
+  /// What each phase takes of the time, about: three of errors and times each, and the sheet.
+  std::array<int, 7> percents = {10, 5, 45, 10, 15, 10, 5};
+  std::size_t phase = 0;
+  int before = 0;  ///< percent
 
-/// The picture under the sky, and what shorter curves change in it.
-void add_curves(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
-  const Image reference = picture_of(globe, view, {.curve = Curve::exact}, threads);
-  sheet.add(reference, "under the sky's light, sRGB exact", {"one ray a pixel"});
-  for (const Curve curve : {Curve::four, Curve::three}) {
-    const Image image = picture_of(globe, view, {.curve = curve}, threads);
-    Row row{Part::curves};
-    compare_bytes(image, reference, row);
-    const int bound = rounded_bound(unrounded_bound({.curve = curve}));
-    sheet.add(differences(image, reference, 0), std::string("sRGB by ") + name_of(curve),
-              {seen(row), text("at most %d level%s", bound, bound > 1 ? "s" : "")});
+  void told(const RenderSettings& settings, int done, int total) {
+    if (settings.progress) settings.progress(before + percents[phase] * done / total, 100);
+    if (done < total || phase + 1 == percents.size()) return;
+    before += percents[phase++];
   }
-}
-
-/// The picture that all samplers converge to, and how far off 16 samples are.
-void add_samplers(Sheet& sheet, const Globe& globe, const View<>& view, int threads) {
-  const Variant variant{.number = NumberKind::double_pack};
-  const Film converged =
-      sampled(globe, view, variant, Sampler(SamplerKind::sobol, 256, 1), threads);
-  const Image smooth = develop(converged, Transfer::srgb);
-  sheet.add(smooth, "sobol, 256 rays a pixel", {"what all samplers go to"});
-  for (const SamplerKind kind : sampler_kinds) {
-    const Film film = sampled(globe, view, variant, Sampler(kind, 16), threads);
-    const double off = rms_difference(levels_of(film), levels_of(converged));
-    sheet.add(differences(develop(film, Transfer::srgb), smooth, 0),
-              std::string(name_of(kind)) + ", 16 rays a pixel",
-              {text("%.2f levels off, root mean square", off)});
-  }
-}
+};
 
 }  // namespace
 
 View<> view_of_sheet(const Globe& globe, int width, int height) {
-  const SheetLayout layout(width, height);
-  return globe.view(layout.panel_width, layout.panel_height);
+  return Sheet(globe, width, height, 0, {}).view;
 }
 
 Image draw_sheet(const Globe& globe, int width, int height, int threads, const Tick& tick) {
-  const View<> view = view_of_sheet(globe, width, height);
-  Sheet sheet(width, height, tick);
-  add_places(sheet, globe, view, Filter::nearest, threads);
-  add_places(sheet, globe, view, Filter::bilinear, threads);
-  add_curves(sheet, globe, view, threads);
-  add_samplers(sheet, globe, view, threads);
+  using enum NumberKind;
+  Sheet sheet(globe, width, height, threads, tick);
+  sheet.add_places(Filter::nearest, {{float_, 0}, {float_, 5}, {float_, 9}});
+  sheet.add_places(Filter::bilinear, {{float_, 5}, {float_, 9}, {double_, 23}});
+  sheet.add_curves();
+  sheet.add_samplers();
   sheet.add_legend();
   return sheet.image;
 }
@@ -168,10 +183,8 @@ std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& 
     return {};
   std::vector<std::filesystem::path> names;
   for (const char* const ending :
-       {"_speed_error.svg", "_speed_levels.svg", "_error_samples.svg", "_error_seconds.svg",
-        "_filter_error.svg", "_sky_error.svg", ".json"}) {
+       {"_speed_error.svg", "_speed_levels.svg", "_error_seconds.svg", ".json"})
     names.push_back(std::filesystem::path(out).replace_extension() += ending);
-  }
   return names;
 }
 
@@ -186,16 +199,14 @@ void Lesson::draw_all(Session& session) {
   const View<> view = view_of_sheet(globe, settings.width, settings.height);
 
   Measurements all;
-  Ticks ticks{phases_of(rounds, widest)};
-  session.remark = [&ticks] { return ticks.remark(); };
-  (void)session.timed(0, [&](const RenderSettings& render) {
-    all = measure(globe, view, render.threads, [&] { ticks(render); });
-    return Image();
+  Phases phases;
+  const Image sheet = session.timed(0, [&](const RenderSettings& render) {
+    const Tick tick = [&](int done, int total) { phases.told(render, done, total); };
+    all = measure(globe, view, render.threads, tick);
+    return draw_sheet(globe, settings.width, settings.height, render.threads, tick);
   });
-  const Image sheet = session.timed(rays_of(all), [&](const RenderSettings& render) {
-    return draw_sheet(globe, settings.width, settings.height, render.threads,
-                      [&] { ticks(render); });
-  });
+
+  session.count_rays(all.rays);
 
   if (!report.empty()) {
     std::vector<std::string> contents;

@@ -25,8 +25,6 @@ struct Row {
 
   double time = std::numeric_limits<double>::quiet_NaN();   ///< in the group's unit; NaN: not run
   double ratio = std::numeric_limits<double>::quiet_NaN();  ///< to the base; NaN as well
-
-  [[nodiscard]] std::string name() const { return line + ", " + column; }
 };
 
 /// What the ratio of a row to the base of its set says.
@@ -39,7 +37,7 @@ enum class Ratio {
 struct Group {
   std::string name;       ///< one word, for the option --only
   std::string title;      ///< for a heading
-  std::string text = {};  ///< what is measured, and compared with what: one paragraph
+  std::string text = {};  ///< what is measured, and compared with what: a paragraph in lines
   std::string unit;       ///< "ns" for items, "ms" for pictures
   Ratio ratio = Ratio::speed;
   double seconds = 8;     ///< to spend on it
@@ -55,14 +53,12 @@ struct Group {
 
 // The groups, each declared here and made in a file of its own subject.
 [[nodiscard]] Group chapters_group();
-[[nodiscard]] Group threads_group();
 [[nodiscard]] Group meshes_group();
 [[nodiscard]] Group budgets_group();
 [[nodiscard]] Group ledger_group();
 [[nodiscard]] Group uv_group();
 [[nodiscard]] Group texture_group();
 [[nodiscard]] Group spheres_group();
-[[nodiscard]] Group samplers_group();
 [[nodiscard]] Group colors_group();
 [[nodiscard]] Group encoding_group();
 
@@ -79,30 +75,12 @@ using Report = std::function<void(int, int)>;
 /// Errors: those of the rows' prepare.
 void measure(Group& group, const Effort& effort, const Report& report = {});
 
-/// Times commands of the shell alternately with the chapters' programs on one thread: wall clock
-/// and, in the same run, processor time of all their processes.
-///
-/// @param commands  1 or more, the first the base of both ratios; what they print is thrown away
-/// Errors: std::runtime_error when a command cannot be run or its exit status is not 0.
-[[nodiscard]] Group measure_beside(const std::vector<std::string>& commands, const Effort& effort,
-                                   const Report& report = {});
-
-/// On what, and when, and how.
-struct Circumstances {
-  Machine machine;
-  std::string date;  ///< year-month-day, UTC
-  Effort effort;
-};
-/// Those of this program, now.
-[[nodiscard]] Circumstances circumstances(const Effort& effort);
-
-/// A measured group as a table to be read on a terminal.
-[[nodiscard]] std::string table_of(const Group& group);
-/// Everything, as JSON; what was not run is null.
-[[nodiscard]] std::string json_of(const Circumstances& circumstances,
-                                  const std::vector<Group>& all);
+/// A group as a section of the page, in Markdown; what was not run is "–".
+[[nodiscard]] std::string section_of(const Group& group);
+/// The machine as it is now.
+[[nodiscard]] Machine measuring_machine();
 /// docs/measurements.md.
-[[nodiscard]] std::string page_of(const Circumstances& circumstances,
+[[nodiscard]] std::string page_of(const Machine& machine, const Effort& effort,
                                   const std::vector<Group>& all);
 
 }  // namespace texmap::bench

@@ -1,4 +1,4 @@
-// The group of the chapters: each one's picture, drawn with every number.
+// The groups of pictures: each chapter's with every number, 08's by a tree, 07's under budgets.
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -36,7 +36,7 @@ void add_chapter(Group& group, const std::string& line, int height = 300,
   const auto lesson = prepared<chapter_07::Lesson>({"--sky", sky});
   const Image& texture = lesson.objects.front().paint.texture.image;
   return std::make_shared<LessonWork<chapter_07::Lesson>>(
-      lesson, 400, 225, 1, samples,
+      lesson, 400, 225, samples,
       plan_surface(parse_budget(budget), texture, 400.0 * 225 * samples));
 }
 
@@ -64,61 +64,32 @@ void add_budget(Group& group, const std::string& sky, const std::string& budget)
   }
 }
 
-/// Rows without and with something, in double and in packs of it; those without are the bases.
-template <class Make>
-void add_pairs(Group& group, const std::string& line, const std::string& without,
-               const std::string& with, const Make& make) {
-  for (const Variant& variant : double_and_widest_packs()) {
-    for (const bool second : {false, true}) {
-      group.rows.push_back(
-          row_of(line, line + variant.name, variant, 1, [make, second] { return make(second); }));
-      group.rows.back().column = variant.name + ", " + (second ? with : without);
-    }
-  }
-}
-
 }  // namespace
-
-Group threads_group() {
-  Group group{
-      .name = "threads",
-      .title = "One thread and two",
-      .text =
-          "Drawing alone, at 800 × 600 pixels, chapter 07 with 8 samples per pixel. The base of "
-          "each line is one thread with the same number.",
-      .unit = "ms",
-      .seconds = 12,
-  };
-  const auto add = [&group]<class Lesson>(const std::string& line, std::type_identity<Lesson>) {
-    add_pairs(group, line, "1 thread", "2 threads", [](bool two) {
-      return std::make_shared<LessonWork<Lesson>>(prepared<Lesson>({}), 800, 600, two ? 2 : 1);
-    });
-  };
-  add("03", std::type_identity<chapter_03::Lesson>());
-  add("07", std::type_identity<chapter_07::Lesson>());
-  add("08", std::type_identity<chapter_08::Lesson>());
-  return group;
-}
 
 Group meshes_group() {
   Group group{
       .name = "meshes",
       .title = "A tree of boxes, and every triangle for every ray",
       .text =
-          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread. "
+          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread.\n"
           "The base of each line tries every triangle with the same number.",
       .unit = "ms",
       .seconds = 20,
   };
   for (const int sides : {6, 12, 40}) {
     const std::string line = std::to_string(2 * sides * sides) + " triangles";
-    add_pairs(group, line, "every triangle", "tree of boxes", [sides](bool tree) {
-      auto lesson = prepared<chapter_08::Lesson>({});
-      lesson.scene = test::torus(sides, sides);
-      lesson.paint.mapping = lesson.scene.mapping;
-      if (tree) build_box_tree(lesson.scene.mesh);
-      return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
-    });
+    for (const Variant& variant : double_and_widest_packs()) {
+      for (const bool tree : {false, true}) {
+        group.rows.push_back(row_of(line, line + variant.name, variant, 1, [sides, tree] {
+          auto lesson = prepared<chapter_08::Lesson>({});
+          lesson.scene = test::torus(sides, sides);
+          lesson.paint.mapping = lesson.scene.mapping;
+          if (tree) build_box_tree(lesson.scene.mesh);
+          return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
+        }));
+        group.rows.back().column = variant.name + (tree ? ", tree of boxes" : ", every triangle");
+      }
+    }
   }
   return group;
 }
@@ -128,9 +99,9 @@ Group budgets_group() {
       .name = "budgets",
       .title = "Chapter 07 under a budget",
       .text =
-          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels "
-          "pays for the curve to bytes, roots of light, a polynomial for (u, v), and patches: "
-          "nine looks for all samples of a smooth pixel. The base is the exact picture in "
+          "Drawing alone, at 400 × 225 pixels with 100 samples per pixel. A budget in levels\n"
+          "pays for the curve to bytes, roots of light, a polynomial for (u, v), and patches:\n"
+          "nine looks for all samples of a smooth pixel. The base is the exact picture in\n"
           "double, with which the last column compares the picture in float.",
       .unit = "ms",
       .seconds = 30,
@@ -148,9 +119,9 @@ Group chapters_group() {
       .name = "chapters",
       .title = "The chapters' pictures",
       .text =
-          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapters 07 "
-          "and 12 at 400 × 225 with 8 samples per pixel, chapter 09 with its anisotropic filter, "
-          "chapter 10 with the equal-area map. The base of each chapter is its picture in "
+          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; chapters 07\n"
+          "and 12 at 400 × 225 with 8 samples per pixel, chapter 09 with its anisotropic filter,\n"
+          "chapter 10 with the equal-area map. The base of each chapter is its picture in\n"
           "double.",
       .unit = "ms",
       .seconds = 70,

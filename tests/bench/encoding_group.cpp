@@ -1,4 +1,4 @@
-// The group of files: encoding and saving a picture, loading a texture.
+// The group of files: encoding a picture, loading a texture.
 #include <memory>
 #include <stdexcept>
 
@@ -11,7 +11,6 @@
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
 #include "pictures.hpp"
-#include "support/temporary_folder.hpp"
 
 // stb_image and stb_image_write as they come, without what the project puts around them: static,
 // because its own functions are others.
@@ -74,34 +73,24 @@ Group encoding_group() {
       .name = "encoding",
       .title = "Files",
       .text =
-          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as "
-          "pixels. The bases are stb_image_write and stb_image as they come. Our encoder tries "
-          "one filter instead of five and compresses by libdeflate ([packages](packages.md)); our "
-          "decoder checks every byte of the file, and makes the pixels of plain rows itself: "
+          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024, as\n"
+          "pixels. The bases are stb_image_write and stb_image as they come. Our encoder tries\n"
+          "one filter instead of five and compresses by libdeflate ([packages](packages.md)); our\n"
+          "decoder checks every byte of the file, and makes the pixels of plain rows itself:\n"
           "libdeflate only inflates them.",
       .unit = "ms",
-      .note = "size in bytes",
   };
   const auto add = [&group](const std::string& line, const std::string& set,
-                            std::function<Work()> prepare, std::function<std::string()> size = {}) {
-    group.rows.push_back({.line = line,
-                          .column = "one thread",
-                          .set = set,
-                          .prepare = std::move(prepare),
-                          .find_note = std::move(size)});
+                            std::function<Work()> prepare) {
+    group.rows.push_back(
+        {.line = line, .column = "one thread", .set = set, .prepare = std::move(prepare)});
   };
   const auto add_encoder = [&](const std::string& line, auto encoded) {
-    add(
-        line, "encode",
-        [=]() -> Work { return [=] { expect(!encoded(picture()).empty(), "no file is made"); }; },
-        [=] { return std::to_string(encoded(picture()).size()); });
+    add(line, "encode",
+        [=]() -> Work { return [=] { expect(!encoded(picture()).empty(), "no file is made"); }; });
   };
   add_encoder("encode, stb_image_write", stb_encoded);
   add_encoder("encode, ours", [](const Image& image) { return encode_png(image); });
-  add("encode and save, ours", "encode", [] {
-    const auto folder = std::make_shared<test::TemporaryFolder>();
-    return Work([folder] { save_png(picture(), *folder / "saved.png"); });
-  });
   add("decode, stb_image", "decode", on_earth([](const auto& bytes) {
         expect(stb_decodes(bytes), "stb_image cannot read the Earth");
       }));

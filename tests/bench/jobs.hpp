@@ -3,14 +3,11 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <variant>
 
 #include "engine/kernels/kernel_plan.hpp"
 #include "engine/kernels/srgb_kernel.hpp"
 #include "published/uv.hpp"
-#include "sampling/samplers.hpp"
-#include "support/whole_numbers.hpp"
-#include "texture/checkerboard.hpp"
-#include "texture/mapped.hpp"
 #include "variants.hpp"
 
 namespace texmap::bench {
@@ -61,59 +58,6 @@ void store(const Real& value, Scalar<Real>* to) {
   } else {
     value.batch().store_unaligned(to);
   }
-}
-
-/// A function, called for every row of its input. Function::visit<Real>(use) gives use() something
-/// that makes `outputs` numbers of `inputs` and of the row's number.
-template <class Function>
-struct Job {
-  Function function;
-  int repeats;
-  mutable Columns input, output;
-
-  Job(Function wanted, std::size_t rows, int times)
-      : function(std::move(wanted)),
-        repeats(times),
-        input(Function::inputs, rows),
-        output(Function::outputs, rows) {}
-
-  template <class Real>
-  void calculate() const {
-    using T = Scalar<Real>;
-    function.template visit<Real>([&](const auto& numbers_of) {
-      for (int repeat = 0; repeat < repeats; ++repeat) {
-        for (std::size_t row = 0; row < input.rows(); row += lanes<Real>) {
-          std::array<Real, Function::inputs> in;
-          for (std::size_t i = 0; i < in.size(); ++i) in[i] = load<Real>(input.at<T>(i) + row);
-          const std::array<Real, Function::outputs> out = numbers_of(in, row);
-          for (std::size_t i = 0; i < out.size(); ++i) store(out[i], output.at<T>(i) + row);
-        }
-        // The compiler must take each time for a new one.
-        std::atomic_signal_fence(std::memory_order_seq_cst);
-      }
-    });
-  }
-  void run(const Variant& variant);
-};
-
-/// A job as a work of draw.hpp: with float, double, and single packs of them.
-template <class Function>
-struct JobWork {
-  using Result = void;
-  const Job<Function>& job;
-
-  template <class Real>
-  void run() const {
-    if constexpr (requires(Real pair) { pair.second; }) {
-      job.template calculate<decltype(Real::first)>();
-    } else if constexpr (!std::is_same_v<Real, long double>) {
-      job.template calculate<Real>();
-    }
-  }
-};
-template <class Function>
-void Job<Function>::run(const Variant& variant) {
-  run_in_number(JobWork<Function>{*this}, variant.number, variant.instructions);
 }
 
 /// Three of the numbers as a vector.
@@ -170,28 +114,6 @@ struct SphereFunction {
   }
 };
 
-/// Pairs of numbers of the samples of a pixel for each row; their sum is kept.
-struct SamplerFunction {
-  static constexpr std::size_t inputs = 0, outputs = 1;
-  Sampler sampler;
-
-  template <class Real>
-  void visit(const auto& use) const {
-    const auto samples = static_cast<std::uint32_t>(sampler.samples());
-    sampler.visit([&](const auto& pattern) {
-      use([&](const auto&, std::size_t pixel) {
-        const UInt<Real> pixels = test::hash_row<Real>(static_cast<std::uint32_t>(pixel), 7);
-        Real sum = Real(0);
-        for (std::uint32_t sample = 0; sample < samples; ++sample) {
-          const Point2<Real> pair = pattern.template pair<Real>(pixels, sample, 3);
-          sum = sum + pair.u * pair.v;
-        }
-        return std::array{sum};
-      });
-    });
-  }
-};
-
 /// Bytes of amounts of light, by the sRGB curve: a polynomial of 3, 4 or 6 terms, the exact kernel
 /// for 0, the formula's power for -1.
 struct EncodeFunction {
@@ -239,15 +161,49 @@ struct PowerFunction {
   }
 };
 
-/// The squares of a checkerboard on a globe, by uv_rtiow of unit vectors.
-struct CheckerFunction {
-  static constexpr std::size_t inputs = 3, outputs = 1;
+/// What is called for every row of an input. Each has visit<Real>(use), which gives use() something
+/// that makes `outputs` numbers of `inputs` and of the row's number.
+using Function =
+    std::variant<UvFunction, TextureFunction, SphereFunction, EncodeFunction, PowerFunction>;
+
+/// A function and its input: a work of draw.hpp with float, double, and single packs of them.
+struct Job {
+  using Result = void;
+
+  Function function;
+  int repeats;
+  mutable Columns input, output;
+
+  Job(Function wanted, std::size_t rows, int times)
+      : function(std::move(wanted)), repeats(times), input(most_inputs, rows), output(2, rows) {}
 
   template <class Real>
-  void visit(const auto& use) const {
-    const Checkerboard texture{.even = {1, 1, 1}, .odd = {0, 0, 0}, .squares = 10};
-    use([&](const auto& in, std::size_t) {
-      return std::array<Real, 1>{texture(uv_rtiow(vector_in(in))).r};
+  void run() const {
+    if constexpr (requires(Real pair) { pair.second; }) {
+      run<decltype(Real::first)>();
+    } else if constexpr (!std::is_same_v<Real, long double>) {
+      std::visit([this](const auto& one) { this->calculate<Real>(one); }, function);
+    }
+  }
+  void run(const Variant& variant) const;  ///< not inline: files of wide packs would compile it
+
+ private:
+  static constexpr std::size_t most_inputs = 6;
+
+  template <class Real, class One>
+  void calculate(const One& one) const {
+    using T = Scalar<Real>;
+    one.template visit<Real>([&](const auto& numbers_of) {
+      for (int repeat = 0; repeat < repeats; ++repeat) {
+        for (std::size_t row = 0; row < input.rows(); row += lanes<Real>) {
+          std::array<Real, One::inputs> in;
+          for (std::size_t i = 0; i < in.size(); ++i) in[i] = load<Real>(input.at<T>(i) + row);
+          const std::array<Real, One::outputs> out = numbers_of(in, row);
+          for (std::size_t i = 0; i < out.size(); ++i) store(out[i], output.at<T>(i) + row);
+        }
+        // The compiler must take each time for a new one.
+        std::atomic_signal_fence(std::memory_order_seq_cst);
+      }
     });
   }
 };

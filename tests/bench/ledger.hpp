@@ -4,10 +4,7 @@
 #include <variant>
 
 #include "01_plain_spheres/lesson.hpp"
-#include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
-#include "04_uv_conventions/lesson.hpp"
-#include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
 #include "lesson_work.hpp"
@@ -37,30 +34,18 @@ template <class... Paints, class Real>
                     static_cast<const std::variant<Paints...>&>(paint));
 }
 
-/// The picture of a lesson of chapters 01 to 05, with another way to the color of its paints:
-/// color_of(paint, hit).
-template <class Lesson, class Real, class ColorOf>
-[[nodiscard]] Color<Real> lambertian_color_along(const Lesson& lesson, const Ray<Real>& ray,
-                                                 const ColorOf& color_of) {
-  return color_along(
-      lesson.objects, ray, lesson.stage.sky, [&](const auto& object, const Hit<Real>& hit) {
-        const LightSample<Real> light = sample_light(lesson.stage.light, lesson.objects, hit);
-        return color_of(object.paint, hit) * lambert(lesson.surface, light);
-      });
-}
-
-/// A lesson of chapters 01 to 05, with a (u, v) in every hit.
-template <class Lesson>
-struct UvAtEveryHit : Lesson {
+/// Chapter 01's lesson, with a (u, v) in every hit.
+struct UvAtEveryHit : chapter_01::Lesson {
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return lambertian_color_along(*this, ray, [](const auto& paint, const Hit<Real>& hit) {
-      return color_with_uv(paint, hit);
+    return color_along(objects, ray, stage.sky, [&](const auto& object, const Hit<Real>& hit) {
+      return color_with_uv(object.paint, hit) *
+             lambert(surface, sample_light(stage.light, objects, hit));
     });
   }
 };
 
-/// A lesson of chapters 01 to 05 that makes the whole hit of every object that a ray meets, with
+/// A lesson of chapter 01 or 03 that makes the whole hit of every object that a ray meets, with
 /// its (u, v) and its color, and forgets all but the nearest.
 template <class Lesson>
 struct HitOfEveryObject : Lesson {
@@ -97,37 +82,6 @@ struct HitOfEveryObject : Lesson {
       seen = select(here, paint * lambert(this->surface, light), seen);
     }
     return seen;
-  }
-};
-
-/// Chapter 05's lesson, which computes sine and cosine for every hit of its globe.
-struct SineAtEveryHit : chapter_05::Lesson {
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return lambertian_color_along(*this, ray, [this](const auto& paint, const Hit<Real>& hit) {
-      if (std::holds_alternative<chapter_05::Textured>(paint)) keep(rotation_y(turn.degrees));
-      return paint(hit);
-    });
-  }
-};
-
-/// Chapter 06's lesson with a shadow ray from every hit, also from surfaces that face away from the
-/// light.
-struct ShadowRayAnyway : chapter_06::Lesson {
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return color_along(
-        objects, ray, stage.sky, [&](const chapter_06::Object& object, const Hit<Real>& hit) {
-          const Vec3<Real> path = number_cast<Real>(stage.light.position) - hit.point;
-          const Real distance = length(path);
-          const Vec3<Real> to_light = path * (Real(1) / distance);
-          const Real cosine = max(dot(hit.normal, to_light), Real(0));
-          const Mask<Real> hidden = is_occluded(
-              phong.casters(objects), Ray<Real>{hit.outside, to_light}, distance, hit.object);
-          const LightSample<Real> light = {to_light, select(hidden, Real(0), cosine)};
-          return object.paint(hit) * lambert(object.material.lambertian, light) +
-                 gray(phong.highlight(object.material, light, hit.normal, -ray.direction));
-        });
   }
 };
 

@@ -1,4 +1,4 @@
-// A chapter's lesson as something to be timed: its picture, on one thread or on more.
+// A chapter's lesson as something to be timed: its picture, on one thread.
 #pragma once
 #include <memory>
 #include <optional>
@@ -28,14 +28,13 @@ template <class Lesson, template <class> class As = std::type_identity_t>
 class LessonWork : public Drawing {
  public:
   /// @param samples, plan  of lessons that gather light
-  LessonWork(Lesson lesson, int width, int height, int threads = 1, int samples = 8,
-             KernelPlan plan = {})
+  LessonWork(Lesson lesson, int width, int height, int samples = 8, KernelPlan plan = {})
       : lesson_(std::move(lesson)),
         plan_(std::move(plan)),
         objects_(objects_of(plan_, lesson_)),
         view_(view_of(lesson_.stage.camera, width, height)),
         sampler_(SamplerKind::sobol, samples),
-        settings_{.threads = threads} {}
+        settings_{.threads = 1} {}
   LessonWork(const LessonWork&) = delete;  // planned objects point into the lesson
   LessonWork& operator=(const LessonWork&) = delete;
 

@@ -1,4 +1,4 @@
-// The groups of small works: (u, v), textures, spheres, samplers, colors.
+// The groups of small works: (u, v), textures, spheres, colors.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -14,18 +14,15 @@ using Fill = void (*)(Columns& columns);
 /// Adds a line with a row for each variant: a function of columns that `fill` fills.
 ///
 /// @param rows, repeats  so few rows that all columns stay in the first cache, but for a texture's
-/// @param items          made of a row
-template <class MakeFunction>
 void add_line(Group& group, const std::string& line, const std::string& set,
-              std::string_view letters, const MakeFunction& function, Fill fill,
-              const std::string& note = "", std::size_t rows = 512, int repeats = 32,
-              double items = 1) {
+              std::string_view letters, const std::function<Function()>& function, Fill fill,
+              const std::string& note = "", std::size_t rows = 512, int repeats = 32) {
   const auto make = [=] {
-    const auto job = std::make_shared<Job<decltype(function())>>(function(), rows, repeats);
+    const auto job = std::make_shared<Job>(function(), rows, repeats);
     fill(job->input);
     return job;
   };
-  const double per_run = items * static_cast<double>(rows) * repeats;
+  const double per_run = static_cast<double>(rows) * repeats;
   for (const Variant& variant : variants_of(letters))
     group.rows.push_back(row_of(line, set, variant, per_run, make, note));
 }
@@ -103,13 +100,17 @@ std::string worst_texels(int degree) {
 
 }  // namespace
 
+void Job::run(const Variant& variant) const {
+  run_in_number(*this, variant.number, variant.instructions);
+}
+
 Group uv_group() {
   Group group{
       .name = "uv",
       .title = "(u, v) of unit vectors",
       .text =
-          "The base is Next Week's formula in double: std::atan2 and std::acos of the C library, "
-          "one vector at a time. `uv_rtiow` is the chapters' own, safe at the poles; the "
+          "The base is Next Week's formula in double: std::atan2 and std::acos of the C library,\n"
+          "one vector at a time. `uv_rtiow` is the chapters' own, safe at the poles; the\n"
           "polynomials are those of `--budget`.",
       .unit = "ns",
       .note = "worst error in texels of 8192 × 4096",
@@ -133,9 +134,9 @@ Group texture_group() {
       .name = "texture",
       .title = "Look-ups in a texture",
       .text =
-          "The nearest texel of a picture of 4096 × 2048, at 128 × 128 places one and a half "
-          "texels apart. Encoded: bytes / 255; linear: light by the sRGB curve; roots: the same "
-          "light, kept as its root in ten bits. The base is encoded, in double, one place at a "
+          "The nearest texel of a picture of 4096 × 2048, at 128 × 128 places one and a half\n"
+          "texels apart. Encoded: bytes / 255; linear: light by the sRGB curve; roots: the same\n"
+          "light, kept as its root in ten bits. The base is encoded, in double, one place at a\n"
           "time.",
       .unit = "ns",
   };
@@ -155,7 +156,7 @@ Group spheres_group() {
       .name = "spheres",
       .title = "The first point of a sphere along a ray",
       .text =
-          "Rays from 8 radii away, of which about half meet the sphere, in no order. The base is "
+          "Rays from 8 radii away, of which about half meet the sphere, in no order. The base is\n"
           "the plain form in double, one ray at a time; `--spheres` chooses.",
       .unit = "ns",
       .seconds = 6,
@@ -170,50 +171,17 @@ Group spheres_group() {
   return group;
 }
 
-Group samplers_group() {
-  Group group{
-      .name = "samplers",
-      .title = "Pairs of numbers from the samplers",
-      .text = "64 samples per pixel. The base is `random` in float, one pixel at a time.",
-      .unit = "ns",
-      .seconds = 6,
-  };
-  for (const auto& [line, kind] :
-       {std::pair{"random", SamplerKind::random}, std::pair{"stratified", SamplerKind::stratified},
-        std::pair{"multi-jitter", SamplerKind::multi_jitter},
-        std::pair{"sobol", SamplerKind::sobol}}) {
-    add_line(
-        group, line, "samplers", "fDF",
-        [kind = kind] { return SamplerFunction{Sampler(kind, 64)}; }, [](Columns&) {}, "", 64, 1,
-        64);
-  }
-  return group;
-}
-
 Group colors_group() {
   Group group{
       .name = "colors",
-      .title = "Colors and squares",
+      .title = "Colors",
       .text =
-          "Three subjects, the base of each its first row: bytes of light by the sRGB curve; "
-          "Phong's power with exponent 50, against exp and log1p as in `highlight`; the squares "
-          "of a checkerboard on a globe, with (u, v) by trigonometry.",
+          "Two subjects, the base of each its first row: Phong's power with exponent 50, against\n"
+          "exp and log1p as in `highlight`; bytes of light by the sRGB curve.",
       .unit = "ns",
       .seconds = 10,
       .note = "worst error",
   };
-  const auto add_encoding = [&](const std::string& line, int terms, const char* letters,
-                                const std::string& worst) {
-    add_line(
-        group, "sRGB byte, " + line, "sRGB", letters, [=] { return EncodeFunction{terms}; }, parts,
-        worst);
-  };
-  add_encoding("power", -1, "df", "");
-  add_encoding("exact", 0, "dfF", "0");
-  add_encoding("6 terms", 6, "fF", "1 level");
-  add_encoding("4 terms", 4, "fF", "1 level");
-  add_encoding("3 terms", 3, "fF", "2 levels");
-
   const auto add_power = [&](const std::string& line, int terms, const char* letters,
                              double levels) {
     const std::string worst = levels > 0 ? text("%.2g levels", levels) : "";
@@ -227,9 +195,17 @@ Group colors_group() {
   add_power("4 terms", 4, "fF", PowerKernel<4>::worst_levels<float>);
   add_power("3 terms", 3, "fF", PowerKernel<3>::worst_levels<float>);
 
-  add_line(
-      group, "checkerboard, trigonometry", "checkerboard", "dfDF", [] { return CheckerFunction{}; },
-      directions);
+  const auto add_encoding = [&](const std::string& line, int terms, const char* letters,
+                                const std::string& worst) {
+    add_line(
+        group, "sRGB byte, " + line, "sRGB", letters, [=] { return EncodeFunction{terms}; }, parts,
+        worst);
+  };
+  add_encoding("power", -1, "df", "");
+  add_encoding("exact", 0, "dfF", "0");
+  add_encoding("6 terms", 6, "fF", "1 level");
+  add_encoding("4 terms", 4, "fF", "1 level");
+  add_encoding("3 terms", 3, "fF", "2 levels");
   return group;
 }
 

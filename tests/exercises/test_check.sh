@@ -47,8 +47,11 @@ chmod +x "build/learn/bin/$3"
 END
 chmod +x course
 
-passed=0
 failed=0
+fail() {
+  failed=$((failed + 1))
+  printf 'FAIL: %s\n' "$1"
+}
 # expect NAME STATUS TEXT ARGUMENT...: ./course check ARGUMENT... ends with the status and says the text.
 expect() {
   name=$1 wanted=$2 text=$3
@@ -56,22 +59,15 @@ expect() {
   status=0
   said=$(TEXMAP_CHECK_SECONDS=1 sh "$script" "$@" 2>&1) || status=$?
   case "$status:$said" in
-    "$wanted":*"$text"*) passed=$((passed + 1)) ;;
-    *)
-      failed=$((failed + 1))
-      printf "FAIL: %s: status %s, not %s, or it does not say '%s':\n%s\n" "$name" "$status" "$wanted" "$text" "$said"
-      ;;
+    "$wanted":*"$text"*) ;;
+    *) fail "$name: status $status, not $wanted, or it does not say '$text':
+$said" ;;
   esac
 }
 holds() { # NAME COMMAND...
   name=$1
   shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAIL: $name"
-  fi
+  "$@" || fail "$name"
 }
 
 expect "a file that is gone is named" 2 "02.1 is gone; ./course check reset 02.1" 02.1
@@ -126,5 +122,5 @@ expect "a word" 2 "'twelve' is no exercise" twelve
 expect "reset of a word" 2 "'../x' is no exercise" reset ../x
 expect "help" 0 "usage: ./course check" --help
 
-printf '%s passed, %s failed\n' "$passed" "$failed"
+printf '%s failed\n' "$failed"
 [ "$failed" = 0 ]

@@ -1,7 +1,7 @@
 // The exercises of chapter 01, and what strangers write for them.
 #include "starts/01.hpp"
 
-const std::vector<Answer> texmap::test::answers{{"01.a", 40}, {"01.b", acos(0.375) * 180 / ::pi}};
+const std::vector<double> texmap::test::answers{40, acos(0.375) * 180 / ::pi};
 
 TEST_CASE("01: strangers' answers get their words") {
   distance_to_sphere("", [](V o, V d, V s, D r) { return o.z; });
@@ -19,9 +19,7 @@ TEST_CASE("01: strangers' answers get their words") {
 
   cosine_of("", [](V p, V n, V l) { return 0.4; });
   cosine_of("lamp is a position", [](V p, V n, V l) { return max(dot(n, l), 0.0); });
-  cosine_of("not their sum", [](V p, V n, V l) { return max(dot(n, normalize(p + l)), 0.0); });
   cosine_of("cross product", [](V p, V n, V l) { return length(cross(normalize(l - p), n)); });
-  cosine_of("only whether", [](V p, V n, V l) { return dot(n, l - p) > 0 ? 1.0 : 0.0; });
 
   using Hit = const FirstHit&;
   in_shadow("behind the surface", [](V p, V n, V l, Hit) { return dot(n, normalize(l - p)) <= 0; });

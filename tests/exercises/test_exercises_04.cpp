@@ -2,12 +2,11 @@
 #include "published/uv.hpp"
 #include "starts/04.hpp"
 
-const std::vector<Answer> texmap::test::answers{{"04.a", 0.25}, {"04.b", 0.65}};
+const std::vector<double> texmap::test::answers{0.25, 0.65};
 
 TEST_CASE("04: strangers' answers get their words") {
   // The daily exercise's own formula normalizes its point first, so it is right at the pole.
   uv_of.right([](V p) { return texmap::published::uv_daily(p); });
-  uv_of("", [](V p) { return Uv{p.x, p.z}; });
   const auto by_u = [](const char* text, auto u_of) {  // v is one that the judge's tables have not
     uv_of(text, [=](V p) { return Uv{u_of(p), 0.5 - asin(p.y) / pi}; });
   };
@@ -18,14 +17,11 @@ TEST_CASE("04: strangers' answers get their words") {
 
   lecture_u.right([](D u) { return u + 0.75 - floor(u + 0.75); });
   lecture_u("1 / 4 is 0", [](D u) { return fmod(u + 3 / 4, 1.0); });
-  lecture_u("reflect", [](D u) { return abs(u - 0.25); });
   lecture_u("not <=", [](D u) { return u > 0.25 ? u - 0.25 : u + 0.75; });
   lecture_u("runs the other way", [](D u) { return u > 0.25 ? 1.25 - u : 0.25 - u; });
   lecture_u("a quarter of a turn is 0.25", [](D u) { return u - pi / 2; });
 
   is_mirrored("north alone", [](Uv o, Uv e, Uv n) { return n.v < o.v; });
   is_mirrored("always true", [](Uv o, Uv e, Uv n) { return e.u != o.u || e.v != o.v; });
-  is_mirrored("places, not steps", [](Uv o, Uv e, Uv n) { return e.u * n.v - n.u * e.v < 0; });
-  is_mirrored("a product of 0", [](Uv o, Uv e, Uv n) { return (e.u - o.u) * (n.v - o.v) <= 0; });
   is_mirrored("not added", [](Uv o, Uv e, Uv n) { return e.u - o.u + n.v - o.v < 0; });
 }

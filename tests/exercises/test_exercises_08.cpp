@@ -1,27 +1,21 @@
 // The exercises of chapter 08, and what strangers write for them.
 #include "starts/08.hpp"
 
-const std::vector<Answer> texmap::test::answers{{"08.a", 0.2}, {"08.b", 0.3}};
+const std::vector<double> texmap::test::answers{0.2, 0.3};
 
 static D edge(V a, V b) { return a.x * b.y - a.y * b.x; }
 
 TEST_CASE("08: strangers' answers get their words") {
-  is_hit("", [](V a, V b, V c) { return a.x + b.y + c.x > 1; });
   const auto by_edges = [](const char* text, auto of) {
     is_hit(text, [=](V a, V b, V c) { return of(edge(a, b), edge(b, c), edge(c, a)); });
   };
   by_edges("clockwise corners are missed", [](D ab, D bc, D ca) { return min({ab, bc, ca}) > 0; });
   by_edges("on the line through", [](D ab, D bc, D ca) { return ab * bc >= 0 && bc * ca >= 0; });
-  by_edges("product of three", [](D ab, D bc, D ca) { return ab * bc * ca >= 0; });
-  by_edges("p == q == r", [](D ab, D bc, D ca) { return ((ab >= 0) == (bc >= 0)) == (ca >= 0); });
   by_edges("the sum says", [](D ab, D bc, D ca) { return ab + bc + ca < 0; });
 
   using W = std::array<D, 3>;
-  weights("", [](V a, V b, V c) { return W{length(a), length(b), length(c)}; });
   weights("areas", [](V a, V b, V c) { return W{edge(b, c), edge(c, a), edge(a, b)}; });
-  weights("all weights are 1/3", [](V, V, V) { return W{1 / 3., 1 / 3., 1 / 3.}; });
 
-  mixed("", [](Uv a, Uv b, Uv c, W w) { return Uv{w[0] + b.u, w[1] + a.v + c.u}; });
   const auto by_mix = [](const char* text, auto of) {  // the same line for u and for v
     mixed(text, [=](Uv a, Uv b, Uv c, W w) {
       return Uv{of(a.u, b.u, c.u, w), of(a.v, b.v, c.v, w)};

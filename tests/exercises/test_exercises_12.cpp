@@ -1,10 +1,9 @@
 // The exercises of chapter 12, and what strangers write for them.
 #include "starts/12.hpp"
 
-const std::vector<Answer> texmap::test::answers{{"12.a", 600}, {"12.b", 122}};
+const std::vector<double> texmap::test::answers{600, 122};
 
 TEST_CASE("12: strangers' answers get their words") {
-  light_of_texel("", [](int r, int g, int b, int k) { return Color{1, 1, 1}; });
   const auto by_channel = [](const char* text, auto light) {  // the same line three times
     light_of_texel(text, [=](int r, int g, int b, int k) {
       return Color{light(r, k), light(g, k), light(b, k)};
@@ -14,9 +13,7 @@ TEST_CASE("12: strangers' answers get their words") {
   by_channel("no power", [](int m, int k) { return m == 0 ? 0 : (m + 0.5) * (2 ^ (k - 136)); });
   by_channel("PNG", [](int m, int) { return m > 0 ? (m + 0.5) / 256 : 0; });
   by_channel("base first", [](int m, int k) { return m > 0 ? (m + 0.5) * pow(k - 136., 2.) : 0; });
-  by_channel("do not limit", [](int m, int k) { return clamp(m * exp2(k - 136), 0., 1.); });
 
-  solid_angle("", [](int, int, int) { return 1.0; });
   solid_angle("not on the sphere", [](int, int w, int h) { return 4 * pi / (w * h); });
   const auto by_edges = [](const char* text, auto edge) {  // the row's own and the next one's
     solid_angle(text, [=](int i, int w, int h) {
@@ -28,7 +25,6 @@ TEST_CASE("12: strangers' answers get their words") {
   by_edges("not by height - 1", [](int i, int h) { return pi * i / (h - 1); });
 
   using Sums = const std::vector<D>&;
-  drawn_thing("", [](Sums, D) { return 1; });
   drawn_thing("not used", [](Sums sums, D r) { return round(r * (sums.size() - 1)); });
   drawn_thing("limit the index", [](Sums sums, D r) {
     return std::upper_bound(sums.begin(), sums.end(), r) - sums.begin();

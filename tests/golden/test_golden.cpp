@@ -14,7 +14,7 @@ using namespace texmap;
 
 TEST_CASE("chapter 13 draws its golden sheet") {
   const chapter_13::Globe globe(chapter_13::Lesson{}.texture.load());
-  const Image drawn = chapter_13::draw_sheet(globe, 1312, 1090, 0, [] {});
+  const Image drawn = chapter_13::draw_sheet(globe, 1312, 1090, 0, [](int, int) {});
   const std::string file = TEXMAP_TESTS_DIR "/golden/13_speed_for_accuracy.png";
   if (std::getenv("TEXMAP_COLLECT") != nullptr) save_png(drawn, file);
   const Image golden = load_image(file);

@@ -7,16 +7,11 @@
 #include "engine/measure/interleaved.hpp"
 
 #include <algorithm>
-#include <utility>
 
+#include "engine/measure/stopwatch.hpp"
 #include "engine/system/system.hpp"
 
 namespace texmap {
-
-TimeLimit::TimeLimit(double milliseconds, int least_rounds, std::function<double()> elapsed)
-    : milliseconds_(milliseconds), least_rounds_(least_rounds), elapsed_(std::move(elapsed)) {
-  if (!elapsed_) elapsed_ = [watch = Stopwatch()] { return watch.milliseconds(); };
-}
 
 std::vector<WorkTime> work_times(const std::vector<Work>& works, int rounds,
                                  const std::function<void(int, int)>& report,

@@ -4,32 +4,10 @@
 #include <limits>
 #include <vector>
 
-#include "engine/measure/stopwatch.hpp"
-
 namespace texmap {
 
 /// Something to be timed: does its work once, from beginning to end.
 using Work = std::function<void()>;
-
-/// When timing has gone on for long enough: on a busy machine a round may take ten times as long.
-class TimeLimit {
- public:
-  /// @param milliseconds  after these no further round begins,
-  /// @param least_rounds  unless there were fewer than these
-  /// @param elapsed       the clock, milliseconds; without one, a clock that starts now
-  explicit TimeLimit(double milliseconds, int least_rounds = 1,
-                     std::function<double()> elapsed = {});
-
-  /// True if so many rounds are enough.
-  [[nodiscard]] bool operator()(int rounds) const {
-    return rounds >= least_rounds_ && elapsed_() >= milliseconds_;
-  }
-
- private:
-  double milliseconds_;
-  int least_rounds_;
-  std::function<double()> elapsed_;
-};
 
 /// How long a work took, over all rounds; milliseconds.
 struct WorkTime {

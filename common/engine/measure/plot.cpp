@@ -31,36 +31,52 @@ std::string marker(int style, double x, double y) {
   }
 }
 
-}  // namespace
-
-namespace plotting {
-
-std::vector<double> Axis::ticks() const {
-  std::vector<double> marked;
-  const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9));
-  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
-  const int step = std::max(1, (last - first + 9) / 10);
-  for (int exponent = first; exponent <= last; exponent += step) {
-    for (const int digit : {1, 2, 5}) {
-      const double value = digit * std::pow(10.0, exponent);
-      if (digit > 1 && last - first > 3) continue;
-      if (value >= low * 0.999 && value <= high * 1.001) marked.push_back(value);
-    }
+/// A rectangle that is taken.
+struct Taken {
+  double left, top, right, bottom;
+  [[nodiscard]] bool meets(const Taken& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
   }
-  return marked;
-}
+};
 
-Axis axis_for(double least, double most, double from, double to) {
-  const double span = std::max(std::log10(most / least), 0.3);
-  return {least * std::pow(10.0, -0.08 * span), most * std::pow(10.0, 0.08 * span), from, to};
-}
+/// A logarithmic axis: from values to pixels.
+struct Axis {
+  double low, high;  ///< the ends of the values, with a little room
+  double from, to;   ///< where they are drawn
 
+  Axis(double least, double most, double first, double last) : from(first), to(last) {
+    const double room = std::pow(10.0, 0.08 * std::max(std::log10(most / least), 0.3));
+    low = least / room;
+    high = most * room;
+  }
+  [[nodiscard]] double place(double value) const {
+    return from + (to - from) * std::log10(value / low) / std::log10(high / low);
+  }
+  /// Values to be marked: 1, 2 and 5 of each decade, or at most ten powers of ten.
+  [[nodiscard]] std::vector<double> ticks() const {
+    std::vector<double> marked;
+    const int first = static_cast<int>(std::floor(std::log10(low)));
+    const int last = static_cast<int>(std::ceil(std::log10(high)));
+    const int step = std::max(1, (last - first + 9) / 10);
+    for (int exponent = first; exponent <= last; exponent += step) {
+      for (const int digit : {1, 2, 5}) {
+        const double value = digit * std::pow(10.0, exponent);
+        if ((digit == 1 || last - first <= 3) && value >= low && value <= high)
+          marked.push_back(value);
+      }
+    }
+    return marked;
+  }
+};
+
+/// The number at a mark: 0.001 to 1000 written out, others as 1e-5.
 std::string tick_text(double value) {
   if (value > 0.0009 && value < 10000) return text("%g", value);
   const double exponent = std::floor(std::log10(value) + 1e-9);
   return text("%.0fe%.0f", value / std::pow(10.0, exponent), exponent);
 }
 
+/// Where a label goes: the nearest free place round its point.
 Taken place_label(double x, double y, const std::string& label, const std::vector<Taken>& taken,
                   const Taken& inside) {
   const double width = 6.3 * static_cast<double>(label.size()) + 2;
@@ -84,10 +100,7 @@ Taken place_label(double x, double y, const std::string& label, const std::vecto
   return {x + 9, y - 6, x + 9 + width, y + 7};
 }
 
-}  // namespace plotting
-
-using plotting::Axis, plotting::Taken, plotting::axis_for, plotting::place_label,
-    plotting::tick_text;
+}  // namespace
 
 std::string svg_of(const Plot& plot) {
   const Taken frame{80, 50, 740, 535};
@@ -101,8 +114,8 @@ std::string svg_of(const Plot& plot) {
       most_y = std::max(most_y, point.y);
     }
   }
-  const Axis across = axis_for(least_x, most_x, frame.left, frame.right);
-  const Axis up = axis_for(least_y, most_y, frame.bottom, frame.top);
+  const Axis across(least_x, most_x, frame.left, frame.right);
+  const Axis up(least_y, most_y, frame.bottom, frame.top);
 
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 940 600\" width=\"940\" "
@@ -113,7 +126,7 @@ std::string svg_of(const Plot& plot) {
   svg += "<text x=\"80\" y=\"30\" font-size=\"17\">" + escaped_markup(plot.title) + "</text>\n";
 
   // The axes, with a line of the grid at every mark.
-  for (const double value : plot.x_ticks.empty() ? across.ticks() : plot.x_ticks) {
+  for (const double value : across.ticks()) {
     const double x = across.place(value);
     svg += text(
         "<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" "
@@ -158,9 +171,8 @@ std::string svg_of(const Plot& plot) {
   };
   for (const PlotSeries& series : plot.series) {
     if (!series.joined) continue;
-    svg += line(series.points, text("stroke=\"%s\" stroke-width=\"1.5\"%s",
-                                    colors[static_cast<std::size_t>(series.style)],
-                                    series.dashed ? " stroke-dasharray=\"4 4\"" : ""));
+    svg += line(series.points, text("stroke=\"%s\" stroke-width=\"1.5\"",
+                                    colors[static_cast<std::size_t>(series.style)]));
   }
   if (!plot.front.empty()) {  // stairs: between two points there is nothing
     std::vector<PlotPoint> stairs = {plot.front.front()};
@@ -173,7 +185,6 @@ std::string svg_of(const Plot& plot) {
 
   // Points, and then the labels that find room between them.
   for (const PlotSeries& series : plot.series) {
-    if (series.dashed) continue;
     for (const PlotPoint& point : series.points) {
       const double x = across.place(point.x);
       const double y = up.place(point.y);
@@ -182,9 +193,7 @@ std::string svg_of(const Plot& plot) {
         svg += text("<path d=\"M%.1f %.1fH%.1fm0 -3v6\" stroke=\"%s\" fill=\"none\"/>\n", x, y, to,
                     colors[static_cast<std::size_t>(series.style)]);
       }
-      if (!point.name.empty()) svg += "<g><title>" + escaped_markup(point.name) + "</title>\n";
       svg += marker(series.style, x, y);
-      if (!point.name.empty()) svg += "</g>\n";
       taken.push_back({x - 5, y - 5, to + 5, y + 5});
     }
   }
@@ -212,11 +221,7 @@ std::string svg_of(const Plot& plot) {
   double y = frame.top + 10;
   for (const PlotSeries& series : plot.series) {
     if (series.name.empty()) continue;
-    svg += series.dashed ? text(
-                               "<path d=\"M752 %.1fh16\" stroke=\"%s\" stroke-width=\"1.5\" "
-                               "stroke-dasharray=\"4 4\"/>\n",
-                               y, colors[static_cast<std::size_t>(series.style)])
-                         : marker(series.style, 760, y);
+    svg += marker(series.style, 760, y);
     svg +=
         text("<text x=\"774\" y=\"%.1f\">%s</text>\n", y + 4, escaped_markup(series.name).c_str());
     y += 20;

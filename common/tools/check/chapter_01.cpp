@@ -1,8 +1,5 @@
 // The exercises of chapter 01. The lesson is the chapter's own. Its color_along and sample_light
 // are these here, which call the student's function.
-#include <algorithm>
-#include <limits>
-
 #include "exercises.hpp"
 #include "scene/light.hpp"
 
@@ -13,7 +10,7 @@ static std::function<double(Vec3d, Vec3d, Vec3d, double)> distance_to_sphere;
 static std::function<double(Vec3d, Vec3d, Vec3d)> cosine_of;
 static std::function<bool(Vec3d, Vec3d, Vec3d, const FirstHit&)> in_shadow;
 
-constexpr double never = std::numeric_limits<double>::infinity();  // a ray meets nothing
+static const double never = infinity<double>();  // a ray meets nothing
 
 /// The distance to the first of `objects`, each with a `shape`, along a ray.
 [[nodiscard]] static FirstHit first_hit_on(const auto& objects) {
@@ -65,7 +62,6 @@ using namespace chapter_01;
 struct Roots {
   double entry, exit;
 };
-
 Roots roots(double a, double b, double c) {
   const double root = sqrt(b * b - a * c);
   return {(b - root) / a, (b + root) / a};
@@ -144,9 +140,9 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r) {
   };
   // Those who return another number for a miss do so in one place or in both, or in another way.
   for (const double miss : {0, -1}) {
-    wrong += {{"the task wants infinity for a miss, and you return another number",
-               {missed ? miss : first_ahead(t), exit > 0 ? first_ahead(t) : miss,
-                missed ? miss : entry, entry > 0 ? entry : miss}}};
+    wrong += {"the task wants infinity for a miss, and you return another number",
+              {missed ? miss : first_ahead(t), exit > 0 ? first_ahead(t) : miss,
+               missed ? miss : entry, entry > 0 ? entry : miss}};
   }
   // Those who make another mistake often take the first root alone, too.
   for (const auto pick : {first_ahead, entry_alone}) wrong += changed(never_ahead, pick);
@@ -155,35 +151,22 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r) {
   return wrong;
 }
 
-Exercise where_the_ray_meets_the_sphere() {
-  const Vec3d zero{0, 0, 0}, eye{0, 0, 5}, ahead{0, 0, -1};
-  const auto right = [](Vec3d o, Vec3d d, Vec3d center, double r) {
-    return distance_to(Sphere<>{center, r}, Ray<double>{o, d});
-  };
-  const Places<Vec3d, Vec3d, Vec3d, double> places = {
-      {"from (0, 0, 5) straight at the unit sphere, t is 4", {eye, ahead, zero, 1}},
-      {"from (0, 0.6, 5) in the direction (0, 0, -1), t is 4.2", {{0, 0.6, 5}, ahead, zero, 1}},
-      {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
-       {{3, 1, 4}, ahead, {3, 1, -2}, 0.5}},
-      {"distances are in lengths of the direction: with (0, 0, -2), t is 2",
-       {eye, {0, 0, -2}, zero, 1}},
-      {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1}},
-      {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1}},
-      {"from inside, the ray meets the sphere where it leaves it",
-       {{0, 0, 0.5}, {0, 0, 1}, zero, 1}},
-  };
-  return exercise(
-      distance_to_sphere, "01.1",
-      "double distance_to_sphere(Vec3 origin, Vec3 direction, Vec3 center, double radius)",
-      picture<Lesson>(), {right, wrong_distances, places});
-}
+constexpr Vec3d zero{0, 0, 0}, eye{0, 0, 5}, ahead{0, 0, -1}, up{0, 1, 0}, down{0, -1, 0},
+    left{-1, 0, 0};
+
+constexpr Place<Vec3d, Vec3d, Vec3d, double> distance_to_sphere_places[] = {
+    {"from (0, 0, 5) straight at the unit sphere, t is 4", {eye, ahead, zero, 1}},
+    {"from (0, 0.6, 5) in the direction (0, 0, -1), t is 4.2", {{0, 0.6, 5}, ahead, zero, 1}},
+    {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
+     {{3, 1, 4}, ahead, {3, 1, -2}, 0.5}},
+    {"distances are in lengths of the direction: with (0, 0, -2), t is 2",
+     {eye, {0, 0, -2}, zero, 1}},
+    {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1}},
+    {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1}},
+    {"from inside, the ray meets the sphere where it leaves it", {{0, 0, 0.5}, {0, 0, 1}, zero, 1}},
+};
 
 Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
-  const auto* inward =
-      "the signs are wrong: the direction or the normal points inward, so the dark side is lit";
-  const auto* color = "0.2 and 0.8 come later, with the color: return the cosine alone";
-  const auto* angle = "this is the angle; the dot product already is its cosine";
-  const auto* cosine = "the dot product already is the cosine: take no std::cos of it";
   const Vec3d to = normalize(lamp - p);
   const Vec3d outward = normalize(p);
   const double c = dot(n, to);
@@ -191,7 +174,8 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
   const double long_c = c * away;
   const double cut = max(c, 0.0);
   const Slips<double> not_cut = {
-      {inward, -long_c},
+      {"the signs are wrong: the direction or the normal points inward, so the dark side is lit",
+       {-long_c, max(-c, 0.0)}},
       {"lamp is a position: subtract the point to get the direction from there to the lamp",
        {dot(n, normalize(lamp)), dot(n, lamp)}},
       {"between point and lamp is lamp - point, not their sum", dot(n, normalize(lamp + p))},
@@ -204,55 +188,43 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
         dot(outward, normalize(lamp))}},
       {"divide by the length of lamp - point, not by its square", c / away},
       {"the distance of the lamp does not matter here: return the cosine alone", c / (away * away)},
-      {angle, acos(c)},
-      {cosine, cos(c)},
+      {"this is the angle; the dot product already is its cosine", {acos(c), acos(cut)}},
+      {"the dot product already is the cosine: take no std::cos of it", {cos(c), cos(cut)}},
       {"the cross product has the length of the sine: the cosine is the dot product",
        length(cross(n, to))},
-      {color, {0.2 + 0.8 * c, 0.8 * c}},
+      {"0.2 and 0.8 come later, with the color: return the cosine alone",
+       {0.2 + 0.8 * c, 0.8 * c, 0.2 + 0.8 * cut}},
   };
-  Slips<double> wrong = {
+  return {
       {"the direction to the lamp does not have length 1: normalize it", max(long_c, 0.0)},
-      {inward, max(-c, 0.0)},
       {"the direction to the lamp does not have length 1, and nothing is cut off at 0", long_c},
       {"the signs are wrong, and nothing is cut off at 0", -c},
-  };
-  wrong += changed(not_cut, [](double value) { return max(value, 0.0); });
-  wrong += not_cut;
-  wrong += {
+      changed(not_cut, [](double value) { return max(value, 0.0); }),
+      not_cut,
       {"a lamp behind the surface gives negative light: nothing is cut off at 0", c},
       {"the side away from the lamp is lit, too: use std::max(c, 0.0), not the absolute value",
        {abs(c), abs(long_c)}},
-      {color, 0.2 + 0.8 * cut},
-      {angle, acos(cut)},
-      {cosine, cos(cut)},
       {"this says only whether the lamp is in front: return the cosine itself", c > 0 ? 1. : 0.},
       {"std::min keeps the smaller number: std::max(c, 0.0) cuts off below 0",
        {min(c, 0.0), min(-c, 0.0), min(long_c, 0.0)}},
   };
-  return wrong;
 }
 
-Exercise how_straight_the_light_falls() {
-  const Vec3d up{0, 1, 0}, origin{0, 0, 0};
-  const auto right = [](Vec3d point, Vec3d normal, Vec3d lamp) {
-    return max(dot(normal, normalize(lamp - point)), 0.0);
-  };
-  const Places<Vec3d, Vec3d, Vec3d> places = {
-      {"a lamp straight above, at distance 1: the cosine is 1", {origin, up, {0, 1, 0}}},
-      {"a lamp straight above, at distance 3: the cosine is 1, too", {origin, up, {0, 3, 0}}},
-      {"a lamp at 60 degrees from the normal: the cosine is 1/2", {origin, up, {sqrt(3.0), 1, 0}}},
-      {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
-       {{5, 0, 2}, up, {5 + sqrt(3.0), 1, 2}}},
-      {"normal (1, 0, 0), point (0, 0, 0), lamp (3, 0, 4): the cosine is 0.6",
-       {origin, {1, 0, 0}, {3, 0, 4}}},
-      {"normal (0, 1, 0), point (0, 2, 0), lamp (3, 6, 0): the cosine is 0.8",
-       {{0, 2, 0}, up, {3, 6, 0}}},
-      {"a lamp behind the surface: return 0", {origin, up, {1, -2, 0}}},
-      {"a lamp in the plane of the surface: the cosine is 0", {origin, up, {0, 0, 2}}},
-  };
-  return exercise(cosine_of, "01.2", "double cosine_of(Vec3 point, Vec3 normal, Vec3 lamp)",
-                  picture<Lesson>(), {right, wrong_cosines, places});
-}
+double right_cosine(Vec3d p, Vec3d n, Vec3d lamp) { return max(dot(n, normalize(lamp - p)), 0.0); }
+constexpr Place<Vec3d, Vec3d, Vec3d> cosine_of_places[] = {
+    {"a lamp straight above, at distance 1: the cosine is 1", {zero, up, {0, 1, 0}}},
+    {"a lamp straight above, at distance 3: the cosine is 1, too", {zero, up, {0, 3, 0}}},
+    {"a lamp at 60 degrees from the normal: the cosine is 1/2",
+     {zero, up, {std::numbers::sqrt3, 1, 0}}},
+    {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
+     {{5, 0, 2}, up, {5 + std::numbers::sqrt3, 1, 2}}},
+    {"normal (1, 0, 0), point (0, 0, 0), lamp (3, 0, 4): the cosine is 0.6",
+     {zero, {1, 0, 0}, {3, 0, 4}}},
+    {"normal (0, 1, 0), point (0, 2, 0), lamp (3, 6, 0): the cosine is 0.8",
+     {{0, 2, 0}, up, {3, 6, 0}}},
+    {"a lamp behind the surface: return 0", {zero, up, {1, -2, 0}}},
+    {"a lamp in the plane of the surface: the cosine is 0", {zero, up, {0, 0, 2}}},
+};
 
 /// Whether something is nearer than the lamp along a ray that starts so far above the point.
 bool is_hidden(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hit, double lift = 0.001) {
@@ -314,16 +286,16 @@ Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hi
   return wrong;
 }
 
-Exercise is_the_lamp_hidden() {
+}  // namespace
+
+const ExercisesOfChapter& exercises_of_chapter() {
   static const std::vector<Painted<Solid>> balls = {{{{0, 0, 0}, 1}, {}},
                                                     {{{0, 4, 0}, 0.5}, {}},
                                                     {{{0, 20, 0}, 1}, {}},
                                                     {{{6, 0, 0}, 1}, {}},
                                                     {{{0, -1.5, 0}, 0.25}, {}}};
-  const FirstHit all = first_hit_on(balls);
-  const Vec3d up{0, 1, 0}, down{0, -1, 0}, left{-1, 0, 0};
-  const auto right = [](auto... at) { return is_hidden(at...); };
-  const Places<Vec3d, Vec3d, Vec3d, FirstHit> places = {
+  static const FirstHit all = first_hit_on(balls);
+  static const Place<Vec3d, Vec3d, Vec3d, FirstHit> in_shadow_places[] = {
       {"a sphere is between the point and the lamp: the lamp is hidden", {up, up, {0, 8, 0}, all}},
       {"nothing is between the point and the lamp: the lamp is not hidden",
        {up, up, {5, 5, 0}, all}},
@@ -349,33 +321,31 @@ Exercise is_the_lamp_hidden() {
       {"a lamp behind the surface: the point's own sphere hides it",
        {{7, 0, 0}, {1, 0, 0}, {2, 3, 0}, all}},
   };
-  const auto draw = [] {
-    auto lesson = prepared<Lesson>();
-    // Between the left and the middle sphere: now spheres are behind the lamp, too.
-    lesson.stage.light.position = {-1.3, 0.8, 1.2};
-    return picture_of(lesson);
-  };
-  return exercise(in_shadow, "01.3",
-                  "bool in_shadow(Vec3 point, Vec3 normal, Vec3 lamp, const FirstHit& first_hit)",
-                  draw, {right, wrong_shadows, places});
-}
-
-}  // namespace
-
-const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {where_the_ray_meets_the_sphere(), how_straight_the_light_falls(), is_the_lamp_hidden()},
-      {{"01.a",
-        "The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in shadow. Which "
+      "01",
+      {exercise(distance_to_sphere, picture<Lesson>(),
+                {[](Vec3d o, Vec3d d, Vec3d center, double r) {
+                   return distance_to(Sphere<>{center, r}, Ray<double>{o, d});
+                 },
+                 wrong_distances, distance_to_sphere_places}),
+       exercise(cosine_of, picture<Lesson>(), {right_cosine, wrong_cosines, cosine_of_places}),
+       exercise(in_shadow,
+                [] {
+                  auto lesson = prepared<Lesson>();
+                  // Between the left and the middle sphere: now spheres are behind the lamp, too.
+                  lesson.stage.light.position = {-1.3, 0.8, 1.2};
+                  return picture_of(lesson);
+                },
+                {[](auto... at) { return is_hidden(at...); }, wrong_shadows, in_shadow_places})},
+      {{"The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in shadow. Which "
         "number, 0 to 255, does the pixel there have for blue? Decimals are cut off.",
         [] { return double(byte_of(blue.b * Lesson{}.surface.ambient)); }, "", 0},
-       {"01.b",
-        "At which angle of the light, in degrees from the normal, is a surface half as bright as "
+       {"At which angle of the light, in degrees from the normal, is a surface half as bright as "
         "where the light falls straight on it?",
         [] {
-          const Lambertian surface =
-              Lesson{}.surface;  // half of (ambient + diffuse) is ambient + diffuse * cosine
-          return acos((surface.diffuse - surface.ambient) / 2 / surface.diffuse) / radian;
+          // Half of (ambient + diffuse) is ambient + diffuse * cosine.
+          const auto [ambient, diffuse] = Lesson{}.surface;
+          return acos((diffuse - ambient) / 2 / diffuse) / radian;
         },
         "degrees", 0.005}},
   };

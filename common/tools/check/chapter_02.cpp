@@ -36,12 +36,12 @@ struct Checkerboard {
 namespace texmap::check {
 namespace {
 
-using chapter_02::Lesson;
+using namespace chapter_02;
 
 Slips<Place2> wrong_places(Vec3d p) {
   const auto [u, v] = uv_rtiow(p);
   const double by_acos = acos(-p.y) / pi;  // the textbook's v
-  Slips<Place2> wrong = {
+  return {
       {"acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
        "atan2",
        {u, by_acos}},
@@ -49,27 +49,22 @@ Slips<Place2> wrong_places(Vec3d p) {
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
       {"u and v both run the other way: your map is turned by half a turn",
        {{1 - u, 1 - v}, {1 - u, 1 - by_acos}}},
+      map_slips(p),
   };
-  return wrong += map_slips(p);
 }
 
-Exercise where_on_the_map() {
-  const double r = sqrt(0.5);
-  const Places<Vec3d> places = {
-      {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-      {"on +z, u is 1/4", {{0, 0, 1}}},
-      {"on -z, u is 3/4", {{0, 0, -1}}},
-      {"halfway between +x and +z, u is 3/8", {{r, 0, r}}},
-      {"45 degrees north of +x, v is 3/4", {{r, r, 0}}},
-      {"45 degrees south of +x, v is 1/4", {{r, -r, 0}}},
-      {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
-      {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
-      {"at the north pole v is 1, also where rounding made y a little more than 1",
-       {{1e-12, 1 + 0x1p-52, 0}}},
-  };
-  return exercise(chapter_02::uv_of, "02.1", "Uv uv_of(Vec3 p)", picture<Lesson>(),
-                  {uv_rtiow<double>, wrong_places, places, 1e-6});
-}
+constexpr Place<Vec3d> uv_of_places[] = {
+    {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
+    {"on +z, u is 1/4", {{0, 0, 1}}},
+    {"on -z, u is 3/4", {{0, 0, -1}}},
+    {"halfway between +x and +z, u is 3/8", {{half_root, 0, half_root}}},
+    {"45 degrees north of +x, v is 3/4", {{half_root, half_root, 0}}},
+    {"45 degrees south of +x, v is 1/4", {{half_root, -half_root, 0}}},
+    {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
+    {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
+    {"at the north pole v is 1, also where rounding made y a little more than 1",
+     {{1e-12, 1 + 0x1p-52, 0}}},
+};
 
 Slips<bool> wrong_squares(Place2 uv, int n) {
   const auto is_even = [](int number) { return number % 2 == 0; };
@@ -109,48 +104,38 @@ Slips<bool> wrong_squares(Place2 uv, int n) {
          is_even(c + max(r, n - 1))},
     };
   }
-  const Slips<bool> exchanged = changed(wrong, [](bool first) { return !first; });
-  wrong += {
+  return {
+      wrong,
       {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)},
       {"the two colors are exchanged", {!is_even(c + min(any_r, n - 1)), !is_even(c + any_r)}},
+      changed(wrong, [](bool first) { return !first; }),
   };
-  return wrong += exchanged;
 }
 
-Exercise which_square() {
-  const auto right = [](Place2 uv, int squares) {
-    return texmap::Checkerboard{white, blue, double(squares)}(uv).r > 0.5;
-  };
-  const Places<Place2, int> places = {
-      {"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
-      {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
-      {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color", {{0.05, 0.15}, 10}},
-      {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color", {{0.15, 0.15}, 10}},
-      {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color", {{0.12, 0.07}, 10}},
-      {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color", {{0.55, 0.05}, 10}},
-      {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color", {{0.37, 0.72}, 10}},
-      {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
-      {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color", {{0.99, 0.99}, 9}},
-      {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
-      {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other "
-       "color",
-       {{0.05, 1}, 10}},
-      {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color",
-       {{0.15, 1}, 10}},
-  };
-  return exercise(chapter_02::is_first_color, "02.2", "bool is_first_color(Uv uv, int squares)",
-                  picture<Lesson>(), {right, wrong_squares, places});
-}
+bool right_color(Place2 uv, int n) { return texmap::Checkerboard{white, blue, 1. * n}(uv).r > 0.5; }
+constexpr Place<Place2, int> is_first_color_places[] = {
+    {"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
+    {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
+    {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color", {{0.05, 0.15}, 10}},
+    {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color", {{0.15, 0.15}, 10}},
+    {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color", {{0.12, 0.07}, 10}},
+    {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color", {{0.55, 0.05}, 10}},
+    {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color", {{0.37, 0.72}, 10}},
+    {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
+    {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color", {{0.99, 0.99}, 9}},
+    {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
+    {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other color",
+     {{0.05, 1}, 10}},
+    {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color", {{0.15, 1}, 10}},
+};
 
 Slips<Place2> wrong_twice_around(Place2 uv) {
   const auto [u, v] = uv;
-  const double rest = fmod(2 * u, 1.0);
-  const double less = u > 0.5 ? 2 * u - 1 : 2 * u;
   const double most = min(2 * u, 1.0);
   return {
       {"v must stay as it is: the squares are smaller now, and still twice as wide as they are "
        "high",
-       {2 * u, 2 * v}},
+       {{2 * u, 2 * v}, {2 * u, fmod(2 * v, 1.0)}}},
       {"v is doubled and u is not: now the squares are four times as wide as they are high",
        {u, 2 * v}},
       {"the pattern goes around once in two turns: multiply u, do not divide it", {u / 2, v}},
@@ -169,8 +154,7 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
        {{20 * u, v}, {20 * u, 10 * v}, {20 * u, 20 * v}}},
       {"that is four times around: u is multiplied by 2", {4 * u, v}},
       {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
-      {"u may be more than 1: let it, the checkerboard goes on there",
-       {{rest, v}, {less, v}, {most, v}, {rest, fmod(2 * v, 1.0)}, {less, 2 * v}, {most, 2 * v}}},
+      {"u may be more than 1: let it, the checkerboard goes on there", {{most, v}, {most, 2 * v}}},
       {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 1, v}, {u + 2, v}}},
       {"the second number of the result comes from v, and u is not in it",
        {{2 * u, 2 * u}, {2 * u, u}}},
@@ -180,29 +164,33 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
   };
 }
 
-Exercise square_squares() {
-  const Places<Place2> places = {
-      {"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
-      {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1", {{0.5, 0.5}}},
-      {"after three quarters of a turn u becomes 1.5: it may be more than 1", {{0.75, 0.25}}},
-      {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}},
-  };
-  const auto right = [](Place2 uv) { return Place2{2 * uv.u, uv.v}; };
-  return exercise(chapter_02::twice_around, "02.3", "Uv twice_around(Uv uv)", picture<Lesson>(),
-                  {right, wrong_twice_around, places, 1e-12});
-}
+Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
+/// The pattern is the same one turn further.
+Place2 within_a_turn(const Place2& uv) { return {fraction(uv.u), uv.v}; }
+constexpr Place<Place2> twice_around_places[] = {
+    {"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
+    {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1", {{0.5, 0.5}}},
+    {"after three quarters of a turn u becomes 1.5: it may be more than 1", {{0.75, 0.25}}},
+    {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}},
+    {"u = 1/8 becomes 1/4", {{0.125, 0.5}}},
+    {"u = 1/10 becomes 1/5", {{0.1, 0.5}}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {where_on_the_map(), which_square(), square_squares()},
-      {{"02.a",
-        "On the equator a square of the checkerboard is twice as wide as it is high. At which "
+      "02",
+      {exercise(chapter_02::uv_of, picture<Lesson>(),
+                {uv_rtiow<double>, wrong_places, uv_of_places}),
+       exercise(is_first_color, picture<Lesson>(),
+                {right_color, wrong_squares, is_first_color_places}),
+       exercise(twice_around, picture<Lesson>(),
+                {right_twice_around, wrong_twice_around, twice_around_places, within_a_turn})},
+      {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
         [] { return acos(0.5) / radian; }, "degrees"},
-       {"02.b",
-        "With 9 squares in place of 10: how long is the longest piece of one color on the equator, "
+       {"With 9 squares in place of 10: how long is the longest piece of one color on the equator, "
         "in degrees?",
         [] { return 2 * 360. / 9; }, "degrees"}},
   };

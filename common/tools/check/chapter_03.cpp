@@ -1,9 +1,8 @@
 // The exercises of chapter 03. The lesson is the chapter's own. Its ImageTexture is this one here,
 // which calls the student's functions.
-#include <algorithm>
 #include <set>
 
-#include "bytes.hpp"
+#include "exercise.hpp"
 #include "exercises.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
@@ -86,43 +85,36 @@ Slips<int> wrong_columns(double u, int n) {
        {cut_off(u) * n, cut_off(u) * (n - 1)}},
       {"multiply u by width: a column is 1 / width wide", cut_off(u / n)},
   };
-  Slips<int> wrong = limited(table, n);
-  return wrong += {
-             {"nothing limits the number: at u = 1 it is width, one too many", c},
-             {"the number can be less than 0: limit it there, too", min(c, n - 1)},
-             {"the number can be less than 0: limit it there; std::abs makes another column of it",
-              min(abs(c), n - 1)},
-             {"at u = 1 the number is width, one too many: limit it to width - 1",
-              {max(c, 0), cut_off(clamp(u, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n),
-               u > 1 ? n - 1 : max(c, 0), u > 1 ? n - 1 : c}},
-             {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits "
-              "all",
-              {u == 1 ? n - 1 : c, u == 1 ? n - 1 : max(c, 0)}},
-             {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) "
-              "stays",
-              {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(u) * n)}},
-             {"this is the last column for every u: std::min(column, width - 1) limits it, not "
-              "std::max",
-              n - 1},
-         };
+  return {
+      limited(table, n),
+      {"nothing limits the number: at u = 1 it is width, one too many", c},
+      {"the number can be less than 0: limit it there, too", min(c, n - 1)},
+      {"the number can be less than 0: limit it there; std::abs makes another column of it",
+       min(abs(c), n - 1)},
+      {"at u = 1 the number is width, one too many: limit it to width - 1",
+       {max(c, 0), cut_off(clamp(u, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n),
+        u > 1 ? n - 1 : max(c, 0), u > 1 ? n - 1 : c}},
+      {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all",
+       {u == 1 ? n - 1 : c, u == 1 ? n - 1 : max(c, 0)}},
+      {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
+       {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(u) * n)}},
+      {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
+       n - 1},
+  };
 }
 
-Exercise which_column() {
-  const auto right = [](double u, int n) { return texel_number(u, n, TexelRounding::floor); };
-  const Places<double, int> places = {
-      {"of 8 columns, u = 0.4 is in number 3", {0.4, 8}},
-      {"u = 0 is in the first column, number 0", {0.0, 8}},
-      {"of 2048 columns, u = 1/4 is in number 512", {0.25, 2048}},
-      {"of 10 columns, u = 0.06 is in number 0", {0.06, 10}},
-      {"of 10 columns, u = 0.38 is in number 3", {0.38, 10}},
-      {"of 10 columns, u = 0.96 is in number 9", {0.96, 10}},
-      {"of 8 columns, u = 1 is in the last one, number 7", {1.0, 8}},
-      {"of 8 columns, a u above 1 gives the last one, number 7", {1.3, 8}},
-      {"a u below 0 gives the first column, number 0", {-0.2, 8}},
-  };
-  return exercise(column_of, "03.1", "int column_of(double u, int width)", globe(32),
-                  {right, wrong_columns, places});
-}
+int right_column(double u, int n) { return texel_number(u, n, TexelRounding::floor); }
+constexpr Place<double, int> column_of_places[] = {
+    {"of 8 columns, u = 0.4 is in number 3", {0.4, 8}},
+    {"u = 0 is in the first column, number 0", {0.0, 8}},
+    {"of 2048 columns, u = 1/4 is in number 512", {0.25, 2048}},
+    {"of 10 columns, u = 0.06 is in number 0", {0.06, 10}},
+    {"of 10 columns, u = 0.38 is in number 3", {0.38, 10}},
+    {"of 10 columns, u = 0.96 is in number 9", {0.96, 10}},
+    {"of 8 columns, u = 1 is in the last one, number 7", {1.0, 8}},
+    {"of 8 columns, a u above 1 gives the last one, number 7", {1.3, 8}},
+    {"a u below 0 gives the first column, number 0", {-0.2, 8}},
+};
 
 Slips<int> wrong_rows(double v, int n) {
   const int up = cut_off(v * n);
@@ -145,43 +137,33 @@ Slips<int> wrong_rows(double v, int n) {
        {n - 1 - cut_off(v) * n, cut_off(1 - v) * n, n - 1 - last(cut_off(v) * n)}},
       {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height", cut_off(1 - v * n)},
   };
-  Slips<int> wrong = limited(table, n);
-  return wrong += {
-             {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
-             {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
-             {"the number can be more than height - 1: limit it to height - 1",
-              {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n),
-               clamp(down, 0, n)}},
-             {"the number can be less than 0, at v = 1: limit it to 0 there",
-              {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n),
-               n - 1 - clamp(up, 0, n)}},
-             {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
-              v == 1 ? 0 : row},
-             {"beyond the ends you begin again at the other end: std::clamp stays in the last row "
-              "there",
-              {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
-         };
+  return {
+      limited(table, n),
+      {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
+      {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
+      {"the number can be more than height - 1: limit it to height - 1",
+       {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n), clamp(down, 0, n)}},
+      {"the number can be less than 0, at v = 1: limit it to 0 there",
+       {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n), n - 1 - clamp(up, 0, n)}},
+      {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
+       v == 1 ? 0 : row},
+      {"beyond the ends you begin again at the other end: std::clamp stays in the last row there",
+       {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
+  };
 }
 
-Exercise which_row() {
-  const auto right = [](double v, int n) {
-    return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;
-  };
-  const Places<double, int> places = {
-      {"of 4 rows, v = 0.8 is in the top row, number 0", {0.8, 4}},
-      {"of 4 rows, v = 0.6 is in number 1, below the top row", {0.6, 4}},
-      {"of 4 rows, v = 0 is in the bottom row, number 3", {0.0, 4}},
-      {"of 1024 rows, the Sahara at v = 0.63 is in number 378", {0.63, 1024}},
-      {"of 10 rows, v = 0.06 is in number 9", {0.06, 10}},
-      {"of 10 rows, v = 0.12 is in number 8", {0.12, 10}},
-      {"of 10 rows, v = 0.38 is in number 6", {0.38, 10}},
-      {"v = 1 is in the top row, number 0", {1.0, 4}},
-      {"a v above 1 gives the top row, number 0", {1.3, 4}},
-      {"of 4 rows, a v below 0 gives the bottom row, number 3", {-0.3, 4}},
-  };
-  return exercise(row_of, "03.2", "int row_of(double v, int height)", globe(32),
-                  {right, wrong_rows, places});
-}
+constexpr Place<double, int> row_of_places[] = {
+    {"of 4 rows, v = 0.8 is in the top row, number 0", {0.8, 4}},
+    {"of 4 rows, v = 0.6 is in number 1, below the top row", {0.6, 4}},
+    {"of 4 rows, v = 0 is in the bottom row, number 3", {0.0, 4}},
+    {"of 1024 rows, the Sahara at v = 0.63 is in number 378", {0.63, 1024}},
+    {"of 10 rows, v = 0.06 is in number 9", {0.06, 10}},
+    {"of 10 rows, v = 0.12 is in number 8", {0.12, 10}},
+    {"of 10 rows, v = 0.38 is in number 6", {0.38, 10}},
+    {"v = 1 is in the top row, number 0", {1.0, 4}},
+    {"a v above 1 gives the top row, number 0", {1.3, 4}},
+    {"of 4 rows, a v below 0 gives the bottom row, number 3", {-0.3, 4}},
+};
 
 /// The color whose red, green and blue have these numbers.
 Rgb color_from(const Bytes& b, int red, int green, int blue, double divisor) {
@@ -230,31 +212,6 @@ Slips<Rgb> wrong_texels(const Bytes& b, int w, int column, int row) {
   return wrong;
 }
 
-Exercise color_of_a_texel() {
-  // 5 x 2 texels, all bytes different; some of them are 0 and 255.
-  static const Image image = [] {
-    Image made(5, 2);
-    made.pixels = {{255, 0, 51},    {10, 20, 30},    {40, 60, 80},    {90, 102, 110},
-                   {120, 140, 160}, {170, 180, 190}, {200, 210, 220}, {240, 245, 235},
-                   {204, 230, 250}, {5, 15, 25}};
-    return made;
-  }();
-  const Bytes bytes(image);
-  const auto right = [](const Bytes& b, int width, int column, int row) {
-    const int first = 3 * (row * width + column);
-    return color_from(b, first, first + 1, first + 2, 255);
-  };
-  const Places<Bytes, int, int, int> places = {
-      {"the first texel, 255 0 51, is (1, 0, 0.2)", {bytes, 5, 0, 0}},
-      {"the right neighbor of the first texel begins three bytes later", {bytes, 5, 1, 0}},
-      {"the second row begins after the 5 texels of the first row", {bytes, 5, 0, 1}},
-      {"the fourth texel of the second row is 204 230 250", {bytes, 5, 3, 1}},
-  };
-  return exercise(color_of, "03.3",
-                  "Color color_of(const Bytes& bytes, int width, int column, int row)", globe(512),
-                  {right, wrong_texels, places});
-}
-
 /// The share of the map's texels that the chapter's picture reads, in percent.
 double texels_read() {
   auto lesson = prepared<Lesson>();
@@ -264,10 +221,8 @@ double texels_read() {
     read.insert(row * width + column);
     return white;
   };
-  for (int row = 0; row < 600; ++row) {
-    for (int column = 0; column < 800; ++column)
-      static_cast<void>(lesson(ray_through<double>(view, column, row)));
-  }
+  for (int i = 0; i < 800 * 600; ++i)
+    static_cast<void>(lesson(ray_through<double>(view, i % 800, i / 800)));
   color_of = nullptr;
   return 100. * double(read.size()) / double(map_of(lesson).pixels.size());
 }
@@ -275,13 +230,38 @@ double texels_read() {
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
+  // 5 x 2 texels, all bytes different; some of them are 0 and 255.
+  static const Image image = [] {
+    Image made(5, 2);
+    made.pixels = {{255, 0, 51},    {10, 20, 30},    {40, 60, 80},    {90, 102, 110},
+                   {120, 140, 160}, {170, 180, 190}, {200, 210, 220}, {240, 245, 235},
+                   {204, 230, 250}, {5, 15, 25}};
+    return made;
+  }();
+  static const Bytes bytes(image);
+  static const Place<Bytes, int, int, int> color_of_places[] = {
+      {"the first texel, 255 0 51, is (1, 0, 0.2)", {bytes, 5, 0, 0}},
+      {"the right neighbor of the first texel begins three bytes later", {bytes, 5, 1, 0}},
+      {"the second row begins after the 5 texels of the first row", {bytes, 5, 0, 1}},
+      {"the fourth texel of the second row is 204 230 250", {bytes, 5, 3, 1}},
+  };
   static const ExercisesOfChapter chapter{
-      {which_column(), which_row(), color_of_a_texel()},
-      {{"03.a",
-        "Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns is it?",
+      "03",
+      {exercise(column_of, globe(32), {right_column, wrong_columns, column_of_places}),
+       exercise(row_of, globe(32),
+                {[](double v, int n) {
+                   return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;
+                 },
+                 wrong_rows, row_of_places}),
+       exercise(color_of, globe(512),
+                {[](const Bytes& b, int width, int column, int row) {
+                   const int first = 3 * (row * width + column);
+                   return color_from(b, first, first + 1, first + 2, 255);
+                 },
+                 wrong_texels, color_of_places})},
+      {{"Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns is it?",
         [] { return double(texel_number((180 + 13.4) / 360, 2048, TexelRounding::floor)); }, "", 0},
-       {"03.b",
-        "The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "
+       {"The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "
         "with one ray a pixel?",
         texels_read, "percent", 0.05}},
   };

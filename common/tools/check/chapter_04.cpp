@@ -74,28 +74,27 @@ Slips<Place2> wrong_places(Vec3d p) {
   return wrong += map_slips({p.x, -p.y, -p.z});
 }
 
-Exercise another_convention() {
-  const double r = sqrt(0.5);
-  const auto right = [](const Vec3d& p) { return texmap::uv_of(Convention::daily, p); };
-  const Places<Vec3d> places = {
-      {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-      {"on +z, u is 3/4", {{0, 0, 1}}},
-      {"on -z, u is 1/4", {{0, 0, -1}}},
-      {"45 degrees north of +x, v is 1/4", {{r, r, 0}}},
-      {"45 degrees south of +x, v is 3/4", {{r, -r, 0}}},
-      {"halfway between +x and +z, u is 5/8", {{r, 0, r}}},
-      {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
-      {"at the north pole v is 0, also where rounding made y a little more than 1",
-       {{1e-12, 1 + 0x1p-52, 0}}},
-  };
-  return exercise(chapter_04::uv_of, "04.1", "Uv uv_of(Vec3 p)", globe_in("daily"),
-                  {right, wrong_places, places, 1e-6});
-}
+Place2 right_place(const Vec3d& p) { return texmap::uv_of(Convention::daily, p); }
+constexpr Place<Vec3d> uv_of_places[] = {
+    {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
+    {"on +z, u is 3/4", {{0, 0, 1}}},
+    {"on -z, u is 1/4", {{0, 0, -1}}},
+    {"45 degrees north of +x, v is 1/4", {{half_root, half_root, 0}}},
+    {"45 degrees south of +x, v is 3/4", {{half_root, -half_root, 0}}},
+    {"halfway between +x and +z, u is 5/8", {{half_root, 0, half_root}}},
+    {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
+    {"at the north pole v is 0, also where rounding made y a little more than 1",
+     {{1e-12, 1 + 0x1p-52, 0}}},
+};
 
 Slips<double> wrong_quarters(double u) {
   const bool q1 = u < 0.25;  // the first quarter
   const double lo = u - 0.25, hi = u + 0.75;
-  Slips<double> wrong = {
+  const auto in_q1 = [=](double value) { return q1 ? value : lo; };
+  const auto less = [=](double quarter, double whole) {
+    return u - quarter + (u < quarter ? whole : 0);
+  };
+  return {
       {"below 0 a whole turn is missing: add 1 there (std::fmod does not)", lo},
       {"from 1 on a whole turn is too much: subtract 1 there", hi},
       {"this turns the other way: +z has to get u = 0, not 1/2", fraction(u + 0.25)},
@@ -109,37 +108,27 @@ Slips<double> wrong_quarters(double u) {
       {"you reflect where u - 1/4 is negative: add a whole turn there, no absolute value", abs(lo)},
       {"you cut off at 0: the first quarter comes after the others, at u + 3/4", max(lo, 0.0)},
       {"you cut off at 1: the other quarters come before the first one, at u - 1/4", min(hi, 1.0)},
-  };
-  for (const double value : {u + 1, u + 0.25, lo + 0.5, 0.75, 1.0, 0.75 - u, 1 - u, 1 - lo}) {
-    wrong += {{"where u - 1/4 is negative, add a whole turn to it: u - 1/4 + 1", q1 ? value : lo}};
-  }
-  wrong += {{"u is in turns, not in radians: a whole turn is 1", q1 ? lo + turn : lo}};
-  for (const double quarter : {turn / 4, 90.0}) {
-    for (const double whole : {0.0, 1.0, 4 * quarter}) {
-      wrong += {{"u is in turns: a quarter of a turn is 0.25",
-                 u < quarter ? u - quarter + whole : u - quarter}};
-    }
-  }
-  wrong += {
+      {"where u - 1/4 is negative, add a whole turn to it: u - 1/4 + 1",
+       {in_q1(u + 1), in_q1(u + 0.25), in_q1(lo + 0.5), in_q1(0.75), in_q1(1), in_q1(0.75 - u),
+        in_q1(1 - u), in_q1(1 - lo)}},
+      {"u is in turns, not in radians: a whole turn is 1", in_q1(lo + turn)},
+      {"u is in turns: a quarter of a turn is 0.25",
+       {less(turn / 4, 0), less(turn / 4, 1), less(turn / 4, turn), less(90, 0), less(90, 1),
+        less(90, 360)}},
       {"+z is at u = 1/4, so the two differ by a quarter of a turn, not by half",
        {fraction(u + 0.5), u - 0.5, u + 0.5}},
       {"u moves by a quarter of a turn: subtract it, do not multiply or divide", {u * 0.25, u * 4}},
       {"u runs the other way: both conventions run east",
        {fraction(-lo), -lo, 1 - lo, fraction(0.75 - u), 0.75 - u, fraction(1 - u), 1 - u}},
   };
-  return wrong;
 }
 
-Exercise from_one_to_another() {
-  const auto right = [](double u) { return in_convention(Convention::lecture, Place2{u, 0.5}).u; };
-  const Places<double> places = {
-      {"on +z, u goes from 1/4 to 0", {0.25}},   {"on +x, u goes from 1/2 to 1/4", {0.5}},
-      {"on -z, u goes from 3/4 to 1/2", {0.75}}, {"on -x, u goes from 0 to 3/4", {0.0}},
-      {"u = 0.1 becomes 0.85", {0.1}},           {"u = 0.95 becomes 0.7", {0.95}},
-  };
-  return exercise(lecture_u, "04.2", "double lecture_u(double u)", globe_in("lecture"),
-                  {right, wrong_quarters, places});
-}
+double right_u(double u) { return in_convention(Convention::lecture, Place2{u, 0.5}).u; }
+constexpr Place<double> lecture_u_places[] = {
+    {"on +z, u goes from 1/4 to 0", {0.25}},   {"on +x, u goes from 1/2 to 1/4", {0.5}},
+    {"on -z, u goes from 3/4 to 1/2", {0.75}}, {"on -x, u goes from 0 to 3/4", {0.0}},
+    {"u = 0.1 becomes 0.85", {0.1}},           {"u = 0.95 becomes 0.7", {0.95}},
+};
 
 /// Whether each number is below 0, which means mirrored for a determinant; and above 0, as those
 /// ask who have exchanged yes and no, too.
@@ -153,7 +142,7 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
   const double u_e = east.u - here.u, v_e = east.v - here.v;
   const double u_n = north.u - here.u, v_n = north.v - here.v;
   const double product = u_e * v_n;
-  Slips<bool> wrong = {
+  return {
       {"this is never true: multiply the signs of east - here and north - here, or take all four",
        false},
       {"this is always true: only a negative determinant means mirrored", true},
@@ -186,56 +175,52 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
       {"the signs are multiplied, not added", u_e + v_n < 0},
       {"a product of 0 says that the picture is turned by a quarter: take the whole determinant",
        product <= 0},
+      // Those who do not subtract `here` from both do so from none or from one.
+      {"these are places, not steps: subtract here from east and from north first",
+       signs({east.u * north.v - north.u * east.v, u_e * north.v - north.u * v_e,
+              u_e * north.v + north.u * v_e, east.u * v_n - u_n * east.v,
+              east.u * v_n + u_n * east.v})},
   };
-  // Those who do not subtract `here` from both do so from none or from one.
-  return wrong += {{"these are places, not steps: subtract here from east and from north first",
-                    signs({east.u * north.v - north.u * east.v, u_e * north.v - north.u * v_e,
-                           u_e * north.v + north.u * v_e, east.u * v_n - u_n * east.v,
-                           east.u * v_n + u_n * east.v})}};
 }
 
-Exercise is_it_mirrored() {
-  /// From (0.5, 0.5), in hundredths.
-  const auto to = [](double right_e, double up_e, double right_n, double up_n) {
-    const auto at = [](double x, double y) { return Place2{0.5 + x * 0.01, 0.5 + y * 0.01}; };
-    return std::tuple{at(0, 0), at(right_e, up_e), at(right_n, up_n)};
-  };
-  const auto right = [](Place2 here, Place2 east, Place2 north) {
-    const auto flat = [&](Place2 p) { return Vec3d{p.u - here.u, p.v - here.v, 0}; };
-    return cross(flat(east), flat(north)).z < 0;
-  };
-  const Places<Place2, Place2, Place2> places = {
-      {"east is to the right, north is up: as printed", to(1, 0, 0, 1)},
-      {"east is to the left, north is up: mirrored", to(-1, 0, 0, 1)},
-      {"east is to the right, north is down: upside down, and mirrored", to(1, 0, 0, -1)},
-      {"east is to the left, north is down: turned by half a turn, not mirrored", to(-1, 0, 0, -1)},
-      {"east is up, north is to the left: turned by a quarter, not mirrored", to(0, 1, -1, 0)},
-      {"east is up, north is to the right: turned by a quarter, and mirrored", to(0, 1, 1, 0)},
-      {"both slanted: turned by an eighth, not mirrored", to(1, -2, 2, 1)},
-      {"east is at (+0.01, +0.02), north at (+0.01, +0.01) from here: mirrored", to(1, 2, 1, 1)},
-      {"east is at (-0.02, +0.01), north at (-0.01, +0.01) from here: mirrored", to(-2, 1, -1, 1)},
-      {"east is at (+0.02, +0.01), north at (-0.01, +0.01) from here: not mirrored",
-       to(2, 1, -1, 1)},
-      {"east is at (+0.01, +0.02), north at (-0.01, +0.01) from here: not mirrored",
-       to(1, 2, -1, 1)},
-      {"east is at (+0.01, +0.02), north at (-0.02, -0.01) from here: not mirrored",
-       to(1, 2, -2, -1)},
-  };
-  return exercise(is_mirrored, "04.3", "bool is_mirrored(Uv here, Uv east, Uv north)",
-                  globe_in("daily", "uv_map.png"), {right, wrong_mirrors, places});
+/// From (0.5, 0.5), in hundredths.
+constexpr std::tuple<Place2, Place2, Place2> to(int right_e, int up_e, int right_n, int up_n) {
+  const auto at = [](int x, int y) { return Place2{0.5 + x * 0.01, 0.5 + y * 0.01}; };
+  return {at(0, 0), at(right_e, up_e), at(right_n, up_n)};
 }
+constexpr Place<Place2, Place2, Place2> is_mirrored_places[] = {
+    {"east is to the right, north is up: as printed", to(1, 0, 0, 1)},
+    {"east is to the left, north is up: mirrored", to(-1, 0, 0, 1)},
+    {"east is to the right, north is down: upside down, and mirrored", to(1, 0, 0, -1)},
+    {"east is to the left, north is down: turned by half a turn, not mirrored", to(-1, 0, 0, -1)},
+    {"east is up, north is to the left: turned by a quarter, not mirrored", to(0, 1, -1, 0)},
+    {"east is up, north is to the right: turned by a quarter, and mirrored", to(0, 1, 1, 0)},
+    {"both slanted: turned by an eighth, not mirrored", to(1, -2, 2, 1)},
+    {"east is at (+0.01, +0.02), north at (+0.01, +0.01) from here: mirrored", to(1, 2, 1, 1)},
+    {"east is at (-0.02, +0.01), north at (-0.01, +0.01) from here: mirrored", to(-2, 1, -1, 1)},
+    {"east is at (+0.02, +0.01), north at (-0.01, +0.01) from here: not mirrored", to(2, 1, -1, 1)},
+    {"east is at (+0.01, +0.02), north at (-0.01, +0.01) from here: not mirrored", to(1, 2, -1, 1)},
+    {"east is at (+0.01, +0.02), north at (-0.02, -0.01) from here: not mirrored",
+     to(1, 2, -2, -1)},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {another_convention(), from_one_to_another(), is_it_mirrored()},
-      {{"04.a",
-        "The Earth's map has 2048 columns. By how many columns does the lecture's rounding shift "
+      "04",
+      {exercise(chapter_04::uv_of, globe_in("daily"), {right_place, wrong_places, uv_of_places}),
+       exercise(lecture_u, globe_in("lecture"), {right_u, wrong_quarters, lecture_u_places}),
+       exercise(is_mirrored, globe_in("daily", "uv_map.png"),
+                {[](Place2 here, Place2 east, Place2 north) {
+                   const auto flat = [&](Place2 p) { return Vec3d{p.u - here.u, p.v - here.v, 0}; };
+                   return cross(flat(east), flat(north)).z < 0;
+                 },
+                 wrong_mirrors, is_mirrored_places})},
+      {{"The Earth's map has 2048 columns. By how many columns does the lecture's rounding shift "
         "it at America, where u is 1/4?",
         [] { return 0.25 * 2048 - 0.25 * 2047; }, "columns"},
-       {"04.b",
-        "A place has u = 0.1 in the lecture's convention. What is its u in the daily exercise's?",
+       {"A place has u = 0.1 in the lecture's convention. What is its u in the daily exercise's?",
         [] {
           return in_convention(Convention::daily, Place2{0.1 + 0.25, 0.5}).u;
         },

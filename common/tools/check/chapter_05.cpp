@@ -47,7 +47,7 @@ std::function<Image()> globe_after(const char* degrees) {
 constexpr auto in_degrees =
     "sin and cos get degrees and take them for radians: multiply by pi / 180";
 
-/// p after a turn by this sine and cosine.
+/// After a turn by this sine and cosine.
 Vec3d turned_by(const Vec3d& p, double s, double c) {
   return {p.x * c + p.z * s, p.y, p.z * c - p.x * s};
 }
@@ -59,6 +59,8 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
   };
   const double sine = sin(degrees * radian), c = cos(degrees * radian);
   const auto [x, y, z] = p;
+  const Vec3d right = turned_by(p, sine, c);
+  const Vec3d other = turned_by({z, y, x}, sine, c);
   Slips<Vec3d> wrong = {
       {in_degrees, by(1)},
       {"pi and 180 are exchanged: radians are degrees * pi / 180", by(1 / radian)},
@@ -86,9 +88,8 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
         {"the cosines are missing: x turns into x cos + z sin", turned_by(p, s, 1)},
     };
   }
-  const Vec3d right = turned_by(p, sine, c);
-  const Vec3d other = turned_by({z, y, x}, sine, c);
-  wrong += {
+  return {
+      wrong,
       {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, c)},
       {"this is right for +z alone: add x steps along the turned x axis, (cos, -sin)",
        {{z * sine, 0, z * c}, {sine, 0, c}, {z * sine, y, z * c}, {sine, y, c}}},
@@ -99,24 +100,19 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
       {"x and z are exchanged: each of them keeps its cosine, and gets the sine of the other",
        other},
   };
-  return wrong;
 }
 
-Exercise turn_a_direction() {
-  const Places<Vec3d, double> places = {
-      {"90 degrees turn +z to +x", {{0, 0, 1}, 90}},
-      {"90 degrees turn +x to -z", {{1, 0, 0}, 90}},
-      {"180 degrees turn +x to -x", {{1, 0, 0}, 180}},
-      {"y does not change", {{0, 1, 0}, 60}},
-      {"30 degrees turn +z to (1/2, 0, 0.866)", {{0, 0, 1}, 30}},
-      {"-30 degrees turn it to (-1/2, 0, 0.866)", {{0, 0, 1}, -30}},
-      {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
-      {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
-       {{-2. / 7, 3. / 7, -6. / 7}, 200}},
-  };
-  return exercise(turned, "05.1", "Vec3 turned(Vec3 p, double degrees)", globe_after("60"),
-                  {turned_about_y, wrong_turns, places, 1e-6});
-}
+constexpr Place<Vec3d, double> turned_places[] = {
+    {"90 degrees turn +z to +x", {{0, 0, 1}, 90}},
+    {"90 degrees turn +x to -z", {{1, 0, 0}, 90}},
+    {"180 degrees turn +x to -x", {{1, 0, 0}, 180}},
+    {"y does not change", {{0, 1, 0}, 60}},
+    {"30 degrees turn +z to (1/2, 0, 0.866)", {{0, 0, 1}, 30}},
+    {"-30 degrees turn it to (-1/2, 0, 0.866)", {{0, 0, 1}, -30}},
+    {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
+    {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
+     {{-2. / 7, 3. / 7, -6. / 7}, 200}},
+};
 
 double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
 
@@ -164,24 +160,18 @@ Slips<double> wrong_u(double u, double degrees) {
   };
 }
 
-Exercise u_after_a_turn() {
-  const auto right = [](double u, double degrees) {
-    return wrapped_coordinate(Wrap::repeat, u + degrees / 360);
-  };
-  const Places<double, double> places = {
-      {"a turn by 0 degrees changes nothing", {0.25, 0.0}},
-      {"a quarter turn to the east adds 1/4", {0.25, 90.0}},
-      {"a quarter turn to the west subtracts 1/4", {0.5, -90.0}},
-      {"a turn by 4.5 degrees adds 1/80", {0.5, 4.5}},
-      {"beyond the seam u begins at 0: from 0.875 a quarter turn leads to 0.125", {0.875, 90.0}},
-      {"on the seam u is 0, not 1: from 0.75 a quarter turn leads to 0", {0.75, 90.0}},
-      {"to the west, too: from 0.125 to 0.875", {0.125, -90.0}},
-      {"full turns do not count: 765 degrees are 45", {0.25, 765.0}},
-      {"-765 degrees are -45", {0.0625, -765.0}},
-  };
-  return exercise(u_after, "05.2", "double u_after(double u, double degrees)", globe_after("-150"),
-                  {right, wrong_u, places});
-}
+double right_u(double u, double by) { return wrapped_coordinate(Wrap::repeat, u + by / 360); }
+constexpr Place<double, double> u_after_places[] = {
+    {"a turn by 0 degrees changes nothing", {0.25, 0.0}},
+    {"a quarter turn to the east adds 1/4", {0.25, 90.0}},
+    {"a quarter turn to the west subtracts 1/4", {0.5, -90.0}},
+    {"a turn by 4.5 degrees adds 1/80", {0.5, 4.5}},
+    {"beyond the seam u begins at 0: from 0.875 a quarter turn leads to 0.125", {0.875, 90.0}},
+    {"on the seam u is 0, not 1: from 0.75 a quarter turn leads to 0", {0.75, 90.0}},
+    {"to the west, too: from 0.125 to 0.875", {0.125, -90.0}},
+    {"full turns do not count: 765 degrees are 45", {0.25, 765.0}},
+    {"-765 degrees are -45", {0.0625, -765.0}},
+};
 
 /// p with a lean to the right undone.
 Vec3d upright(const Vec3d& p, double degrees) {
@@ -251,38 +241,34 @@ Slips<Vec3d> wrong_looks(Vec3d p, double lean, double turn) {
   return wrong;
 }
 
-Exercise a_leaning_axis() {
-  const double s = sin(30 * radian), c = cos(30 * radian);
-  const Places<Vec3d, double, double> places = {
-      {"without a lean and without a turn nothing changes", {{2. / 7, 3. / 7, 6. / 7}, 0, 0}},
-      {"a pole that leans by 30 degrees is the mapping's north pole", {{s, c, 0}, 30, 0}},
-      {"it stays the north pole while the globe turns", {{s, c, 0}, 30, 50}},
-      {"without a lean, 90 degrees turn +z to +x", {{0, 0, 1}, 0, 90}},
-      {"with a lean of 30 degrees, too: +z lies on the equator", {{0, 0, 1}, 30, 90}},
-      {"(2, 3, 6) / 7 after a lean of 23.4 and a turn of 70 degrees",
-       {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}},
-  };
-  return exercise(looked_up, "05.3", "Vec3 looked_up(Vec3 p, double lean, double turn)",
-                  globe_after("60"), {right_look, wrong_looks, places, 1e-6});
-}
-
-/// The angle of picture 21 of 24.
-double angle_of_picture() {
-  const RotationY turn = Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
-  return atan2(turn.sine, turn.cosine) / radian;
-}
+constexpr Place<Vec3d, double, double> looked_up_places[] = {
+    {"without a lean and without a turn nothing changes", {{2. / 7, 3. / 7, 6. / 7}, 0, 0}},
+    {"a pole that leans by 30 degrees is the mapping's north pole",
+     {{0.5, std::numbers::sqrt3 / 2, 0}, 30, 0}},
+    {"it stays the north pole while the globe turns", {{0.5, std::numbers::sqrt3 / 2, 0}, 30, 50}},
+    {"without a lean, 90 degrees turn +z to +x", {{0, 0, 1}, 0, 90}},
+    {"with a lean of 30 degrees, too: +z lies on the equator", {{0, 0, 1}, 30, 90}},
+    {"(2, 3, 6) / 7 after a lean of 23.4 and a turn of 70 degrees",
+     {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {turn_a_direction(), u_after_a_turn(), a_leaning_axis()},
-      {{"05.a",
-        "--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
+      "05",
+      {exercise(turned, globe_after("60"), {turned_about_y, wrong_turns, turned_places}),
+       exercise(u_after, globe_after("-150"), {right_u, wrong_u, u_after_places}),
+       exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places})},
+      {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",
-        angle_of_picture, "degrees", 1e-9},
-       {"05.b",
-        "Which --degrees, from 0 to 350, makes --convention lecture draw the picture that "
+        [] {
+          const RotationY turn = Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
+          return atan2(turn.sine, turn.cosine) / radian;
+        },
+        "degrees", 1e-9},
+       {"Which --degrees, at least 0 and less than 360, makes --convention lecture draw the "
+        "picture that "
         "--convention rtiow draws without a turn?",
         [] {  // what undoes the other convention's u, of any point
           const Vec3d p{1, 0, 0};

@@ -95,49 +95,40 @@ Slips<Vec3d> wrong_mirrors(Vec3d l, Vec3d n) {
   return wrong += changed(wrong, [](const Vec3d& v) { return normalize(v); });
 }
 
-Exercise the_mirrored_direction() {
-  const double r = sqrt(0.5);
-  const Places<Vec3d, Vec3d> places = {
-      {"a lamp straight above is mirrored to itself", {{0, 1, 0}, {0, 1, 0}}},
-      {"a lamp at the horizon is mirrored to the opposite horizon", {{1, 0, 0}, {0, 1, 0}}},
-      {"a lamp at 45 degrees on the right is mirrored to 45 degrees on the left",
-       {{r, r, 0}, {0, 1, 0}}},
-      {"with n = +y and l = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, {0, 1, 0}}},
-      {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
-      {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
-       {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
-  };
-  return exercise(chapter_06::mirrored, "06.1", "Vec3 mirrored(Vec3 l, Vec3 n)", lecture_scene(),
-                  {mirror<double>, wrong_mirrors, places, 1e-6});
-}
-
-/// What else is often forgotten with a highlight.
-struct Care {
-  bool normalized = true;  ///< the light
-  bool tests_side = true;  ///< n . l > 0
-  bool limits = true;      ///< the cosine
+constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
+    {"a lamp straight above is mirrored to itself", {{0, 1, 0}, {0, 1, 0}}},
+    {"a lamp at the horizon is mirrored to the opposite horizon", {{1, 0, 0}, {0, 1, 0}}},
+    {"a lamp at 45 degrees on the right is mirrored to 45 degrees on the left",
+     {{half_root, half_root, 0}, {0, 1, 0}}},
+    {"with n = +y and l = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, {0, 1, 0}}},
+    {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
+    {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
+     {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
 };
 
-/// Highlights of one cause, with this care.
-Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, const Care& care) {
-  const Vec3d l = care.normalized ? normalize(to_lamp) : to_lamp;
+/// Highlights of one cause, of those who remember, too, to normalize the light, to test n . l > 0
+/// and to limit the cosine, or do not.
+Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, bool normalizes,
+                                  bool tests_side, bool limits) {
+  const Vec3d l = normalizes ? normalize(to_lamp) : to_lamp;
   const Vec3d e = -d;
   const double straight = dot(n, l), right = dot(mirror(l, n), e);
-  const double c = care.limits && right < 0 ? 0 : right;
+  const auto limited = [=](double cosine) { return limits && cosine < 0 ? 0 : cosine; };
+  const double c = limited(right);
   constexpr auto no_cosine =
       "the direction to the lamp does not have the length 1: normalize it first, or the cosine is "
       "no cosine";
+  constexpr auto negative =
+      "the cosine is not limited: a negative number to an even power is positive. Raise "
+      "std::max(cosine, 0.0)";
+  constexpr auto behind =
+      "there is a highlight where the lamp is behind the surface: test n . l first";
   Slips<double> wrong;
-  if (!care.normalized) {
-    wrong += {{no_cosine, pow(c, s)}};
-  } else if (!care.limits) {
-    wrong +=
-        {{"the cosine is not limited: a negative number to an even power is positive. Raise "
-          "std::max(cosine, 0.0)",
-          {pow(c, s), max(pow(c, s), 0.)}}};
-  } else if (!care.tests_side) {
-    wrong += {
-        {"there is a highlight where the lamp is behind the surface: test n . l first", pow(c, s)}};
+  if (!normalizes || !limits || !tests_side) {
+    wrong += {!normalizes ? no_cosine
+              : !limits   ? negative
+                          : behind,
+              {pow(c, s), max(pow(c, s), 0.)}};
   }
   const Slips<double> cosines = {
       {"the cosine has the wrong sign: d goes away from the eye, so take dot(r, -d), r = 2 (n . l) "
@@ -159,32 +150,27 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, con
       {"l is missing in r: it is 2 (n . l) n - l", dot(n * (2 * straight), e)},
       {"n . l is missing in r: it is 2 (n . l) n - l", dot(n * 2. - l, e)},
   };
-  wrong += changed(cosines,
-                   [&](double cosine) { return pow(care.limits && cosine < 0 ? 0 : cosine, s); });
   wrong += {
+      changed(cosines, [&](double cosine) { return pow(limited(cosine), s); }),
       {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
       {"base and exponent are exchanged: std::pow(cosine, shininess)", pow(s, c)},
       {"this is the cosine: raise it to the power shininess", c},
       {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
       {"the strength 0.3 is the lesson's: return the power alone", 0.3 * pow(c, s)},
   };
-  const bool nothing = care.tests_side && straight <= 0;
-  return nothing ? changed(wrong, [](double) { return 0.; }) : wrong;
+  return tests_side && straight <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
 
 Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
   Slips<double> wrong;
-  for (const bool normalized : {true, false}) {
-    for (const bool tests_side : {true, false}) {
-      for (const bool limits : {true, false})
-        wrong += careless_highlights(n, to_lamp, d, s, {normalized, tests_side, limits});
-    }
-  }
+  for (int care = 7; care >= 0; --care)
+    wrong += careless_highlights(n, to_lamp, d, s, care > 3, care % 4 > 1, care % 2 > 0);
   const Vec3d l = normalize(to_lamp);
   const auto power = [&](const Vec3d& r) { return pow(max(dot(r, -d), 0.), s); };
   const double anywhere = power(mirror(l, n));
   const double front = max(dot(n, l), 0.);
-  wrong += {
+  return {
+      wrong,
       {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
        power(n * (2 * front) - l)},
       {"n . d says where the eye is: test n . l, on which side the lamp is",
@@ -193,39 +179,27 @@ Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
        dot(n, to_lamp) >= 0 ? 0 : anywhere},
       {"n . l is a factor of the diffuse light: return the power alone", anywhere * front},
   };
-  return wrong;
 }
 
-Exercise the_highlight() {
-  const double r = sqrt(0.5);
-  const Vec3d up{0, 1, 0};
-  const auto right = [](Vec3d n, Vec3d to_lamp, Vec3d d, double shininess) {
-    const Vec3d l = normalize(to_lamp);
-    return texmap::highlight({.lambertian = {}, .specular = 1, .shininess = shininess},
-                             texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
-  };
-  const Places<Vec3d, Vec3d, Vec3d, double> places = {
-      {"with lamp and eye straight above, all of the light comes back: 1",
-       {up, {0, 1, 0}, {0, -1, 0}, 3}},
-      {"also if the lamp is 5 away", {up, {0, 5, 0}, {0, -1, 0}, 3}},
-      {"at 60 degrees from the mirrored direction, with shininess 1, it is 1/2",
-       {up, {0, 2, 0}, {sqrt(0.75), -0.5, 0}, 1}},
-      {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {sqrt(0.75), -0.5, 0}, 5}},
-      {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -r, -r}, 2}},
-      {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
-       {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
-      {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},
-      {"with the lamp behind the surface it is 0", {up, {3, -4, 0}, {0.6, 0.8, 0}, 2}},
-      {"also if the eye is in front of it", {up, {4, -3, 0}, {0.8, -0.6, 0}, 2}},
-      {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
-       {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
-      {"with a slanted normal and shininess 7",
-       {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}},
-  };
-  return exercise(chapter_06::highlight, "06.2",
-                  "double highlight(Vec3 n, Vec3 to_lamp, Vec3 d, double shininess)",
-                  lecture_scene(), {right, wrong_highlights, places, 1e-6});
-}
+constexpr Vec3d up{0, 1, 0};
+constexpr double sine_of_60 = std::numbers::sqrt3 / 2;
+constexpr Place<Vec3d, Vec3d, Vec3d, double> highlight_places[] = {
+    {"with lamp and eye straight above, all of the light comes back: 1",
+     {up, {0, 1, 0}, {0, -1, 0}, 3}},
+    {"also if the lamp is 5 away", {up, {0, 5, 0}, {0, -1, 0}, 3}},
+    {"at 60 degrees from the mirrored direction, with shininess 1, it is 1/2",
+     {up, {0, 2, 0}, {sine_of_60, -0.5, 0}, 1}},
+    {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {sine_of_60, -0.5, 0}, 5}},
+    {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -half_root, -half_root}, 2}},
+    {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
+     {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
+    {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},
+    {"with the lamp behind the surface it is 0", {up, {3, -4, 0}, {0.6, 0.8, 0}, 2}},
+    {"also if the eye is in front of it", {up, {4, -3, 0}, {0.8, -0.6, 0}, 2}},
+    {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
+     {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
+    {"with a slanted normal and shininess 7", {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}},
+};
 
 /// Blends as many write them, with the light limited to 1 or not.
 Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
@@ -258,8 +232,7 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
 Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
   const auto with = [&](double other) { return gray(other) * (1 - t) + texture * t; };
   const Rgb sum = with(light);
-  const double most = min(light, 1.);
-  Slips<Rgb> wrong = {
+  return {
       {"the light is not limited to 1: take std::min(light, 1.0)", sum},
       {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(max(light, 1.))},
       {"light above 1 counts as 1: it does not begin again at 0", with(light - floor(light))},
@@ -267,38 +240,27 @@ Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
       {"the light alone is limited to 1, before you multiply it and add",
        {gray(min(light * (1 - t), 1.)) + texture * t,
         {min(sum.r, 1.), min(sum.g, 1.), min(sum.b, 1.)}}},
+      wrong_shares(texture, min(light, 1.), t),
+      wrong_shares(texture, light, t),
   };
-  wrong += wrong_shares(texture, most, t);
-  return wrong += wrong_shares(texture, light, t);
 }
 
-Exercise the_blend() {
-  const Rgb sea{0.2, 0.4, 0.6};
-  const auto right = [](Rgb texture, double light, double t) {
-    return texmap::mix(gray(min(light, 1.)), texture, t);
-  };
-  const Places<Rgb, double, double> places = {
-      {"with t = 1 the texture alone is left", {sea, 0.5, 1}},
-      {"with t = 0 the light alone is left", {sea, 0.5, 0}},
-      {"with t = 1/2 it is the middle of both", {sea, 0.8, 0.5}},
-      {"texture (0.2, 0.4, 0.6), light 0.5 and t = 0.3 give (0.41, 0.47, 0.53)", {sea, 0.5, 0.3}},
-      {"in the dark the share of the texture is left", {sea, 0, 0.3}},
-      {"a light of 1.3 counts as 1", {sea, 1.3, 0}},
-      {"also where it is blended", {sea, 1.25, 0.3}},
-  };
-  // From near by, with a spot in which the light is more than 1. No blend of a byte and a limited
-  // light is a whole byte here: rounding would decide.
-  const auto globe = picture<Lesson>({"--blend", "0.3337", "--shininess", "5"}, 20);
-  return exercise(chapter_06::blended, "06.3",
-                  "Color blended(Color texture, double light, double t)", globe,
-                  {right, wrong_blends, places, 1e-6});
-}
+Rgb right_blend(Rgb c, double light, double t) { return texmap::mix(gray(min(light, 1.)), c, t); }
+constexpr Rgb sea{0.2, 0.4, 0.6};
+constexpr Place<Rgb, double, double> blended_places[] = {
+    {"with t = 1 the texture alone is left", {sea, 0.5, 1}},
+    {"with t = 0 the light alone is left", {sea, 0.5, 0}},
+    {"with t = 1/2 it is the middle of both", {sea, 0.8, 0.5}},
+    {"texture (0.2, 0.4, 0.6), light 0.5 and t = 0.3 give (0.41, 0.47, 0.53)", {sea, 0.5, 0.3}},
+    {"in the dark the share of the texture is left", {sea, 0, 0.3}},
+    {"a light of 1.3 counts as 1", {sea, 1.3, 0}},
+    {"also where it is blended", {sea, 1.25, 0.3}},
+};
 
 Image stage_after(const std::vector<std::string>& words) {
   const auto lesson = prepared<Lesson>(words);
   return render<double>(lesson, view_of(lesson.stage.camera, 800, 600));
 }
-
 /// How many pixels the highlight changes.
 double size_of_spot(const std::string& shininess) {
   const auto spot = stage_after({"--shininess", shininess}).pixels;
@@ -311,13 +273,25 @@ double size_of_spot(const std::string& shininess) {
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {the_mirrored_direction(), the_highlight(), the_blend()},
-      {{"06.a",
-        "The highlight changes some pixels of the picture. By what factor are there more of them "
+      "06",
+      {exercise(chapter_06::mirrored, lecture_scene(),
+                {mirror<double>, wrong_mirrors, mirrored_places}),
+       exercise(chapter_06::highlight, lecture_scene(),
+                {[](Vec3d n, Vec3d to_lamp, Vec3d d, double shininess) {
+                   const Vec3d l = normalize(to_lamp);
+                   return texmap::highlight(
+                       {.lambertian = {}, .specular = 1, .shininess = shininess},
+                       texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
+                 },
+                 wrong_highlights, highlight_places}),
+       // From near by, with a spot in which the light is more than 1. No blend of a byte and a
+       // limited light is a whole byte here: rounding would decide.
+       exercise(chapter_06::blended, picture<Lesson>({"--blend", "0.3337", "--shininess", "5"}, 20),
+                {right_blend, wrong_blends, blended_places})},
+      {{"The highlight changes some pixels of the picture. By what factor are there more of them "
         "with --shininess 50 than with --shininess 500?",
         [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
-       {"06.b",
-        "Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the light is the "
+       {"Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the light is the "
         "ambient 0.2. Which byte of green does --blend 0.5 draw?",
         [] {
           return double(stage_after({"--blend", "0.5"}).at(346, 320).g);

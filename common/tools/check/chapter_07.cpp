@@ -1,6 +1,6 @@
 // The exercises of chapter 07. The lesson is the chapter's own. What it gets and calls leads to the
 // student's function: the numbers of a sample, light_along, and the mean of the samples.
-#include <array>
+#include <numeric>
 
 #include "engine/app/layout_options.hpp"
 #include "engine/app/sampling_options.hpp"
@@ -110,9 +110,7 @@ Lesson white_globe(const std::vector<std::string>& words = {}) {
 }
 
 double sum_of(const Bytes& bytes, const auto& light_of) {
-  double sum = 0;
-  for (const int byte : bytes) sum += light_of(byte);
-  return sum;
+  return std::transform_reduce(bytes.begin(), bytes.end(), 0., std::plus<>(), light_of);
 }
 double decoded(double byte) { return srgb_decode(byte / 255); }
 
@@ -157,28 +155,11 @@ Slips<int> wrong_means(const Bytes& bytes) {
       {"a byte is missing in the sum: all count, from the first to the last",
        {without(bytes.front()), without(bytes.back())}},
   };
-  Slips<int> both = changed(wrong, rounded);
-  both += changed(wrong, cut_off);
-  return both += {{not_256, rounded(256 * srgb_encode(mean))}};
-}
-
-Exercise average_light() {
-  const Places<Bytes> places = {
-      {"the mean of one byte is this byte", {Bytes{76}}},
-      {"the mean of equal bytes is this byte", {Bytes{200, 200, 200}}},
-      {"half black and half white sends out half of the light: byte 188", {Bytes{0, 255}}},
-      {"three quarters black", {Bytes{0, 255, 0, 0}}},
-      {"two dark bytes, 20 and 40: 31.55, so byte 32", {Bytes{20, 40}}},
-      {"a dark and a bright byte", {Bytes{40, 180}}},
-      {"many bytes", {Bytes{10, 20, 40, 80, 160, 250, 130, 70}}},
-      {"white stays white", {Bytes{255, 255}}},
+  return {
+      changed(wrong, rounded),
+      changed(wrong, cut_off),
+      {not_256, rounded(256 * srgb_encode(mean))},
   };
-  const auto right = [](const Bytes& bytes) {
-    return rounded(255 * srgb_encode(sum_of(bytes, decoded) / double(bytes.size())));
-  };
-  const auto draw = [] { return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"})); };
-  return exercise(mean_byte, "07.1", "int mean_byte(const std::vector<int>& bytes)", draw,
-                  {right, wrong_means, places, 0});
 }
 
 Vec3d right_scatter(double a, double b) {
@@ -190,14 +171,14 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
   const auto point = [](double radius, double angle, double height) {
     return Vec3d{radius * cos(angle), radius * sin(angle), height};
   };
-  /// At the right height and at two wrong ones.
-  const auto at = [&](double radius, double angle) {
-    const double square = radius * radius;
-    return std::vector{point(radius, angle, sqrt(1 - square)), point(radius, angle, 1 - square),
-                       point(radius, angle, 1 - radius)};
-  };
   const double root = sqrt(a), turn = 2 * pi * b;
   const auto [x, y, z] = right_scatter(a, b);
+  /// At the height of the radius and at three wrong ones.
+  const auto at = [&, z = z](double radius, double angle) {
+    const double square = radius * radius;
+    return std::vector{point(radius, angle, sqrt(1 - square)), point(radius, angle, 1 - square),
+                       point(radius, angle, 1 - radius), point(radius, angle, z)};
+  };
   const auto lifted = [&](double height) { return point(root, turn, height); };
   const double level = 1 - 2 * a;
   return {
@@ -213,8 +194,6 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
       {"2 pi b is in radians already: no pi / 180 is needed", at(root, pi * pi / 90 * b)},
       {"the angle runs the other way: count it from x toward y", at(root, -turn)},
       {"all points lie on the edge of the disk: multiply cos and sin by the radius", at(1, turn)},
-      {"all points lie on the edge of the disk: multiply cos and sin by the radius",
-       point(1, turn, z)},
       {"the height needs a root: x x + y y + z z is 1", lifted(1 - root * root)},
       {"the height is 1 - radius, so the point lies below the hemisphere: x x + y y + z z is 1",
        lifted(1 - root)},
@@ -238,23 +217,14 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
   };
 }
 
-Exercise more_light_from_above() {
-  const Places<double, double> places = {
-      {"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
-      {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
-      {"b = 1/4 is a quarter turn from there: +y", {0.25, 0.25}},
-      {"b = 1/2 is half a turn: -x", {0.25, 0.5}},
-      {"half of the points have a radius below 0.71", {0.5, 0.75}},
-      {"a = 0.81 has the radius 0.9: close to the surface", {0.81, 0.125}},
-  };
-  const auto draw = [] {
-    auto lesson = white_globe({"--sky", "gradient"});
-    lesson.stage.sky = {.below = {0, 0, 0}, .above = {1, 1, 1}};
-    return magnified(lesson);
-  };
-  return exercise(scattered, "07.2", "Vec3 scattered(double a, double b)", draw,
-                  {right_scatter, wrong_scatter, places, 1e-6});
-}
+constexpr Place<double, double> scattered_places[] = {
+    {"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
+    {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
+    {"b = 1/4 is a quarter turn from there: +y", {0.25, 0.25}},
+    {"b = 1/2 is half a turn: -x", {0.25, 0.5}},
+    {"half of the points have a radius below 0.71", {0.5, 0.75}},
+    {"a = 0.81 has the radius 0.9: close to the surface", {0.81, 0.125}},
+};
 
 Place2 right_place(int i, int n, double a, double b) {
   const int row = i / n;
@@ -305,30 +275,51 @@ Slips<Place2> wrong_places(int i, int n, double a, double b) {
   };
 }
 
-Exercise one_sample_in_each_cell() {
-  const Places<int, int, double, double> places = {
-      {"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
-      {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
-      {"sample 3 is at the end of the first row", {3, 4, 0.5, 0.5}},
-      {"sample 4 begins the second row", {4, 4, 0.5, 0.5}},
-      {"sample 7 of 4 x 4, with a = 0.2 and b = 0.7", {7, 4, 0.2, 0.7}},
-      {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}},
-  };
-  return exercise(place_of_sample, "07.3", "Uv place_of_sample(int i, int n, double a, double b)",
-                  [] { return magnified(prepared<Lesson>()); },
-                  {right_place, wrong_places, places});
-}
+constexpr Place<int, int, double, double> place_of_sample_places[] = {
+    {"of 1 cell, the sample is at (a, b)", {0, 1, 0.25, 0.75}},
+    {"sample 0 of 4 x 4 is in the corner at (0, 0)", {0, 4, 0.5, 0.5}},
+    {"sample 3 is at the end of the first row", {3, 4, 0.5, 0.5}},
+    {"sample 4 begins the second row", {4, 4, 0.5, 0.5}},
+    {"sample 7 of 4 x 4, with a = 0.2 and b = 0.7", {7, 4, 0.2, 0.7}},
+    {"sample 8 of 3 x 3, with a = 0.9 and b = 0.1", {8, 3, 0.9, 0.1}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
+  static const Place<Bytes> mean_byte_places[] = {
+      {"the mean of one byte is this byte", {Bytes{76}}},
+      {"the mean of equal bytes is this byte", {{200, 200, 200}}},
+      {"half black and half white sends out half of the light: byte 188", {{0, 255}}},
+      {"three quarters black", {{0, 255, 0, 0}}},
+      {"two dark bytes, 20 and 40: 31.55, so byte 32", {{20, 40}}},
+      {"a dark and a bright byte", {{40, 180}}},
+      {"many bytes", {{10, 20, 40, 80, 160, 250, 130, 70}}},
+      {"white stays white", {{255, 255}}},
+  };
   static const ExercisesOfChapter chapter{
-      {average_light(), more_light_from_above(), one_sample_in_each_cell()},
-      {{"07.a", "Which byte does a pixel get that is a quarter white, the rest black?",
+      "07",
+      {exercise(mean_byte,
+                [] {
+                  return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"}));
+                },
+                {[](const Bytes& bytes) {
+                   return rounded(255 * srgb_encode(sum_of(bytes, decoded) / double(bytes.size())));
+                 },
+                 wrong_means, mean_byte_places, 0}),
+       exercise(scattered,
+                [] {
+                  auto lesson = white_globe({"--sky", "gradient"});
+                  lesson.stage.sky = {.below = {0, 0, 0}, .above = {1, 1, 1}};
+                  return magnified(lesson);
+                },
+                {right_scatter, wrong_scatter, scattered_places}),
+       exercise(place_of_sample, [] { return magnified(prepared<Lesson>()); },
+                {right_place, wrong_places, place_of_sample_places})},
+      {{"Which byte does a pixel get that is a quarter white, the rest black?",
         [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
-       {"07.b",
-        "Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels "
-        "differ from the sky?",
+       {"Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels differ "
+        "from the sky?",
         [] {
           const auto pixels = magnified(white_globe()).pixels;
           return double(

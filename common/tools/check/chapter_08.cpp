@@ -41,7 +41,6 @@ static MeshHit<double> first_hit_by_student(const Mesh& mesh, const Ray<double>&
     nearest.normal = normalize(dot(normal, ray.direction) > 0 ? -normal : normal);
     nearest.point = ray.origin + ray.direction * distance;
     nearest.outside = nearest.point + nearest.normal * 1e-9;
-    nearest.inside = nearest.point - nearest.normal * 1e-9;
   }
   return nearest;
 }
@@ -62,9 +61,6 @@ inline constexpr struct {
 } first_hit;
 
 struct MeshMapping : texmap::MeshMapping {
-  MeshMapping() = default;
-  MeshMapping(const texmap::MeshMapping& common) : texmap::MeshMapping(common) {}
-
   Uv<double> operator()(const MeshHit<double>& hit) const {
     if (!mixed) return texmap::MeshMapping::operator()(hit);
     const auto& uv = corners[static_cast<std::size_t>(hit.triangle)];
@@ -156,38 +152,31 @@ Slips<bool> wrong_hits(Vec3d a, Vec3d b, Vec3d c) {
   return wrong;
 }
 
-Exercise hit_or_miss() {
-  const Vec3d a{-1, -1, 0}, b{2, -1, 0}, c{0, 3, 0};
-  const auto moved = [=](const char* law, double x, double y) {
-    const Vec3d by{x, y, 0};
-    return Place<Vec3d, Vec3d, Vec3d>{law, {a + by, b + by, c + by}};
-  };
-  const Vec3d near{1, 0, 0}, far{3, 0, 0}, top{2, 2, 0};
-  const auto is_inside = [](Vec3d p, Vec3d q, Vec3d r) {
-    return same(edge(p, q), edge(q, r), edge(r, p));
-  };
-  const Places<Vec3d, Vec3d, Vec3d> places = {
-      {"the ray is inside, the corners run counterclockwise: a hit", {a, b, c}},
-      {"the corners run clockwise: a hit, too", {a, c, b}},
-      moved("the ray is right of the triangle: a miss", -5, 0),
-      moved("the ray is left of the triangle: a miss", 5, 0),
-      moved("the ray is above the triangle: a miss", 0, -5),
-      moved("the ray is below the triangle: a miss", 0, 5),
-      moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
-      {"clockwise, the ray is right of the triangle: a miss",
-       {{-6, -1, 0}, {-5, 3, 0}, {-3, -1, 0}}},
-      {"clockwise, the ray is below the triangle: a miss", {{-1, 4, 0}, {0, 8, 0}, {2, 4, 0}}},
-      {"exactly on the edge a to b: a hit", {{-1, 0, 0}, {2, 0, 0}, {0, 3, 0}}},
-      {"exactly on that edge of the neighbor: a hit, too", {{-1, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
-      {"exactly on the edge c to a of clockwise corners: a hit",
-       {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
-      {"on the line through a and b, but outside of the triangle: a miss", {near, far, top}},
-      {"on the line through b and c, but outside of the triangle: a miss", {top, near, far}},
-      {"on the line through c and a, but outside of the triangle: a miss", {far, top, near}},
-  };
-  return exercise(is_hit, "08.1", "bool is_hit(Vec3 a, Vec3 b, Vec3 c)", crate_on_its_edge,
-                  {is_inside, wrong_hits, places});
+bool is_inside(Vec3d p, Vec3d q, Vec3d r) { return same(edge(p, q), edge(q, r), edge(r, p)); }
+/// A triangle around the ray, moved.
+constexpr Place<Vec3d, Vec3d, Vec3d> moved(const char* law, double x, double y) {
+  return {law, {{x - 1, y - 1, 0}, {x + 2, y - 1, 0}, {x, y + 3, 0}}};
 }
+constexpr Vec3d near{1, 0, 0}, far{3, 0, 0}, top{2, 2, 0};
+constexpr Place<Vec3d, Vec3d, Vec3d> is_hit_places[] = {
+    {"the ray is inside, the corners run counterclockwise: a hit",
+     {{-1, -1, 0}, {2, -1, 0}, {0, 3, 0}}},
+    {"the corners run clockwise: a hit, too", {{-1, -1, 0}, {0, 3, 0}, {2, -1, 0}}},
+    moved("the ray is right of the triangle: a miss", -5, 0),
+    moved("the ray is left of the triangle: a miss", 5, 0),
+    moved("the ray is above the triangle: a miss", 0, -5),
+    moved("the ray is below the triangle: a miss", 0, 5),
+    moved("above an edge, but in the box around the triangle: a miss", -1.5, -2),
+    {"clockwise, the ray is right of the triangle: a miss", {{-6, -1, 0}, {-5, 3, 0}, {-3, -1, 0}}},
+    {"clockwise, the ray is below the triangle: a miss", {{-1, 4, 0}, {0, 8, 0}, {2, 4, 0}}},
+    {"exactly on the edge a to b: a hit", {{-1, 0, 0}, {2, 0, 0}, {0, 3, 0}}},
+    {"exactly on that edge of the neighbor: a hit, too", {{-1, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
+    {"exactly on the edge c to a of clockwise corners: a hit",
+     {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
+    {"on the line through a and b, but outside of the triangle: a miss", {near, far, top}},
+    {"on the line through b and c, but outside of the triangle: a miss", {top, near, far}},
+    {"on the line through c and a, but outside of the triangle: a miss", {far, top, near}},
+};
 
 /// Parts of a whole.
 Weights shares(double whole, const Weights& parts) {
@@ -237,25 +226,16 @@ Slips<Weights> wrong_weights(Vec3d a, Vec3d b, Vec3d c) {
   return wrong;
 }
 
-Exercise three_weights() {
-  const auto right_weights = [](Vec3d a, Vec3d b, Vec3d c) {
-    const RaySpace<double> along_z(Ray<double>{{0, 0, 0}, {0, 0, 1}});
-    const Crossing<double> found = crossing(along_z, a, b, c);
-    return Weights{found.a, found.b, found.c};
-  };
-  const Places<Vec3d, Vec3d, Vec3d> places = {
-      {"in the middle of the triangle each weight is 1/3", {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}},
-      {"in the middle between a and b, each has 1/2", {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}},
-      {"close to a, a has the largest weight", {{-0.1, -0.1, 0}, {0.9, -0.1, 0}, {-0.1, 0.9, 0}}},
-      {"close to c, c has the largest weight", {{-0.1, -0.8, 0}, {0.9, -0.8, 0}, {-0.1, 0.2, 0}}},
-      {"with the corners (-0.6, -0.4), (0.4, -0.4) and (0.4, 0.6)",
-       {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
-      {"the corners may run clockwise: the weights stay positive",
-       {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}},
-  };
-  return exercise(weights, "08.2", "std::array<double, 3> weights(Vec3 a, Vec3 b, Vec3 c)",
-                  picture<Lesson>(), {right_weights, wrong_weights, places, 1e-6});
-}
+constexpr Place<Vec3d, Vec3d, Vec3d> weights_places[] = {
+    {"in the middle of the triangle each weight is 1/3", {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}},
+    {"in the middle between a and b, each has 1/2", {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}},
+    {"close to a, a has the largest weight", {{-0.1, -0.1, 0}, {0.9, -0.1, 0}, {-0.1, 0.9, 0}}},
+    {"close to c, c has the largest weight", {{-0.1, -0.8, 0}, {0.9, -0.8, 0}, {-0.1, 0.2, 0}}},
+    {"with the corners (-0.6, -0.4), (0.4, -0.4) and (0.4, 0.6)",
+     {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
+    {"the corners may run clockwise: the weights stay positive",
+     {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}},
+};
 
 Place2 sum_of(Place2 a, Place2 b, Place2 c, const Weights& w) {
   return {w[0] * a.u + w[1] * b.u + w[2] * c.u, w[0] * a.v + w[1] * b.v + w[2] * c.v};
@@ -298,34 +278,37 @@ Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
   };
 }
 
-Exercise between_corners() {
-  const Place2 a{0, 0}, b{1, 0}, c{1, 1};
-  const Places<Place2, Place2, Place2, Weights> places = {
-      {"at corner a it is a", {a, b, c, {1, 0, 0}}},
-      {"at corner b it is b", {a, b, c, {0, 1, 0}}},
-      {"at corner c it is c", {a, b, c, {0, 0, 1}}},
-      {"in the middle between a and b, u is 1/2", {a, b, c, {0.5, 0.5, 0}}},
-      {"with the weights 0.4, 0.2 and 0.4 it is (0.6, 0.4)", {a, b, c, {0.4, 0.2, 0.4}}},
-      {"with corners (0.1, 0.7), (0.9, 0.2), (0.4, 0.6), weights 0.5, 0.3, 0.2: (0.4, 0.53)",
-       {{0.1, 0.7}, {0.9, 0.2}, {0.4, 0.6}, {0.5, 0.3, 0.2}}},
-      {"coordinates may be below 0 and above 1", {{-4, -4}, {5, -4}, {5, 5}, {0.3, 0.5, 0.2}}},
-  };
-  return exercise(mixed, "08.3", "Uv mixed(Uv a, Uv b, Uv c, std::array<double, 3> weights)",
-                  picture<Lesson>(), {sum_of, wrong_mixes, places});
-}
+constexpr Place2 first{0, 0}, second{1, 0}, third{1, 1};
+constexpr Place<Place2, Place2, Place2, Weights> mixed_places[] = {
+    {"at corner a it is a", {first, second, third, {1, 0, 0}}},
+    {"at corner b it is b", {first, second, third, {0, 1, 0}}},
+    {"at corner c it is c", {first, second, third, {0, 0, 1}}},
+    {"in the middle between a and b, u is 1/2", {first, second, third, {0.5, 0.5, 0}}},
+    {"with the weights 0.4, 0.2 and 0.4 it is (0.6, 0.4)", {first, second, third, {0.4, 0.2, 0.4}}},
+    {"with corners (0.1, 0.7), (0.9, 0.2), (0.4, 0.6), weights 0.5, 0.3, 0.2: (0.4, 0.53)",
+     {{0.1, 0.7}, {0.9, 0.2}, {0.4, 0.6}, {0.5, 0.3, 0.2}}},
+    {"coordinates may be below 0 and above 1", {{-4, -4}, {5, -4}, {5, 5}, {0.3, 0.5, 0.2}}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {hit_or_miss(), three_weights(), between_corners()},
-      {{"08.a",
-        "An edge goes from depth 1 to depth 4. Which weight does its far end have at "
-        "the point that is seen in the middle of the edge's image?",
+      "08",
+      {exercise(is_hit, crate_on_its_edge, {is_inside, wrong_hits, is_hit_places}),
+       exercise(weights, picture<Lesson>(),
+                {[](Vec3d a, Vec3d b, Vec3d c) {
+                   const RaySpace<double> along_z(Ray<double>{{0, 0, 0}, {0, 0, 1}});
+                   const Crossing<double> found = crossing(along_z, a, b, c);
+                   return Weights{found.a, found.b, found.c};
+                 },
+                 wrong_weights, weights_places}),
+       exercise(mixed, picture<Lesson>(), {sum_of, wrong_mixes, mixed_places})},
+      {{"An edge goes from depth 1 to depth 4. Which weight does its far end have at the point "
+        "that is seen in the middle of the edge's image?",
         [] { return 1. / (1 + 4); }, ""},
-       {"08.b",
-        "A point of the floor has u = -2.3. With the chapter's wrap mode, "
-        "which u of the texture does it show?",
+       {"A point of the floor has u = -2.3. With the chapter's wrap mode, which u of the texture "
+        "does it show?",
         [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); }, "", 1e-9}},
   };
   return chapter;

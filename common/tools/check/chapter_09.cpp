@@ -1,7 +1,5 @@
 // The exercises of chapter 09. The lesson's FilteredTexture is here a struct that calls the
 // student's function where it reads the floor.
-#include <array>
-
 #include "09_texture_filtering/sheet.hpp"
 #include "engine/app/filter_options.hpp"
 #include "exercises.hpp"
@@ -14,8 +12,7 @@ static std::function<std::array<double, 2>(double, int)> weights_of;
 static std::function<double(double)> level_of_width;
 
 struct FilteredTexture : texmap::FilteredTexture {
-  FilteredTexture() = default;
-  FilteredTexture(texmap::FilteredTexture other) : texmap::FilteredTexture(std::move(other)) {}
+  using texmap::FilteredTexture::operator=;
 
   Rgb operator()(const Uv<double>& uv) const {
     const bool floor = wrap == Wrap::repeat;  // the globes' is spherical
@@ -131,24 +128,28 @@ Slips<int> wrong_columns(int column, int width) {
   };
 }
 
-Exercise again_and_again() {
-  const auto right = [](int column, int width) {
-    return static_cast<int>(remainder_of(1.0 * column, 1.0 * width));
-  };
-  const Places<int, int> places = {
-      {"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
-      {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
-      {"column 5 of 4 is column 1", {5, 4}},
-      {"the first column left of the picture, -1 of 4, is the last one, 3", {-1, 4}},
-      {"column -3 of 4 is column 1", {-3, 4}},
-      {"column -4 of 4 is column 0", {-4, 4}},
-      {"column -5 of 4 is column 3", {-5, 4}},
-      {"column 70 of 8 is column 6", {70, 8}},
-      {"column -70 of 8 is column 2", {-70, 8}},
-      {"column -10 of 6 is column 2", {-10, 6}},
-  };
-  return exercise(repeated_column, "09.1", "int repeated_column(int column, int width)",
-                  [] { return drawn_floor("nearest", 3); }, {right, wrong_columns, places});
+int right_column(int column, int width) { return int(remainder_of(1. * column, 1. * width)); }
+constexpr Place<int, int> repeated_column_places[] = {
+    {"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
+    {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
+    {"column 5 of 4 is column 1", {5, 4}},
+    {"the first column left of the picture, -1 of 4, is the last one, 3", {-1, 4}},
+    {"column -3 of 4 is column 1", {-3, 4}},
+    {"column -4 of 4 is column 0", {-4, 4}},
+    {"column -5 of 4 is column 3", {-5, 4}},
+    {"column 70 of 8 is column 6", {70, 8}},
+    {"column -70 of 8 is column 2", {-70, 8}},
+    {"column -10 of 6 is column 2", {-10, 6}},
+};
+
+/// Texels half a unit wide.
+Image floor_of_three_colors() {
+  LightImage image(8, 8);
+  for (int i = 0; i < 64; ++i) {
+    image.at(i % 8, i / 8) = number_cast<float>(
+        std::array{blue, red, white}[static_cast<std::size_t>(i % 8 + i / 8 * 2) % 3]);
+  }
+  return drawn_floor("bilinear", 4, &image);
 }
 
 Slips<Weights> wrong_weights(double u, int w) {
@@ -186,35 +187,19 @@ Slips<Weights> wrong_weights(double u, int w) {
   };
 }
 
-Exercise mix_two_texels() {
-  const auto right = [](double u, int width) {
-    const double second = four_texels(Uv<double>{u, 0.5}, width, 2).across;
-    return Weights{1 - second, second};
-  };
-  const Places<double, int> places = {
-      {"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
-      {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
-      {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4", {0.4375, 4}},
-      {"u = 9/16 is three quarters of the way from center 1 to center 2 of 4: 1/4 and 3/4",
-       {0.5625, 4}},
-      {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9", {0.3, 8}},
-      {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4", {0.25, 5}},
-      {"on the left edge, u = 0, the texel on the left is the last one of the picture "
-       "again: 1/2 and 1/2",
-       {0, 4}},
-      {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}},
-  };
-  const auto draw = [] {  // texels half a unit wide
-    LightImage image(8, 8);
-    for (int i = 0; i < 64; ++i) {
-      image.at(i % 8, i / 8) = number_cast<float>(
-          std::array{blue, red, white}[static_cast<std::size_t>(i % 8 + i / 8 * 2) % 3]);
-    }
-    return drawn_floor("bilinear", 4, &image);
-  };
-  return exercise(weights_of, "09.2", "std::array<double, 2> weights_of(double u, int width)", draw,
-                  {right, wrong_weights, places});
-}
+constexpr Place<double, int> weights_of_places[] = {
+    {"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
+    {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
+    {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4", {0.4375, 4}},
+    {"u = 9/16 is three quarters of the way from center 1 to center 2 of 4: 1/4 and 3/4",
+     {0.5625, 4}},
+    {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9", {0.3, 8}},
+    {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4", {0.25, 5}},
+    {"on the left edge, u = 0, the texel on the left is the last one of the picture again: 1/2 and "
+     "1/2",
+     {0, 4}},
+    {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}},
+};
 
 double level_of(double width) {
   const LevelPlace<double> place = level_place(width, 30);
@@ -262,33 +247,36 @@ Slips<double> wrong_levels(double width) {
   return wrong;
 }
 
-Exercise which_level() {
-  const Places<double> places = {
-      {"a read 1 texel wide is at level 0", {1}},
-      {"a read 2 texels wide is at level 1", {2}},
-      {"8 = 2^3 texels are at level 3", {8}},
-      {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
-      {"1.5 texels: l = 0, and f = (1.5^2 - 1) / 3 = 0.4167", {1.5}},
-      {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
-      {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
-      {"a footprint of width 0 is at level 0", {0}},
-  };
-  return exercise(level_of_width, "09.3", "double level_of_width(double width)",
-                  picture<Lesson>({"--filter", "trilinear", "--scene", "plane"}),
-                  {level_of, wrong_levels, places});
-}
+constexpr Place<double> level_of_width_places[] = {
+    {"a read 1 texel wide is at level 0", {1}},
+    {"a read 2 texels wide is at level 1", {2}},
+    {"8 = 2^3 texels are at level 3", {8}},
+    {"3 texels: l = 1, and f = ((3/2)^2 - 1) / 3 = 0.4167", {3}},
+    {"1.5 texels: l = 0, and f = (1.5^2 - 1) / 3 = 0.4167", {1.5}},
+    {"100 texels: l = 6, and f = ((100/64)^2 - 1) / 3 = 0.4805", {100}},
+    {"no level is finer than 0: 1/2 of a texel is at level 0", {0.5}},
+    {"a footprint of width 0 is at level 0", {0}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {again_and_again(), mix_two_texels(), which_level()},
-      {{"09.a",
-        "Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean "
-        "of their light?",
+      "09",
+      {exercise(repeated_column, [] { return drawn_floor("nearest", 3); },
+                {right_column, wrong_columns, repeated_column_places}),
+       exercise(weights_of, floor_of_three_colors,
+                {[](double u, int width) {
+                   const double second = four_texels(Uv<double>{u, 0.5}, width, 2).across;
+                   return Weights{1 - second, second};
+                 },
+                 wrong_weights, weights_of_places}),
+       exercise(level_of_width, picture<Lesson>({"--filter", "trilinear", "--scene", "plane"}),
+                {level_of, wrong_levels, level_of_width_places})},
+      {{"Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean of "
+        "their light?",
         [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); }, "", 0},
-       {"09.b",
-        "How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
+       {"How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
         "together?",
         [] {
           const auto lesson = prepared<Lesson>({"--scene", "plane"});

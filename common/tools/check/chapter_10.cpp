@@ -60,8 +60,7 @@ Slips<Place2> wrong_cylinders(Vec3d p) {
   const double turn = 2 * pi, angle = atan2(p.z, p.x), share = angle / turn;  // of a turn
   const double other = atan2(p.x, p.z) / turn;
   const Slips<double> wrong_v = {
-      {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a "
-       "height",
+      {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a height",
        {asin(y) / pi + 0.5, acos(y) / pi}},
       {"v runs the other way: your map is upside down", (1 - y) / 2},
       {"y runs from -1 to 1 and v from 0 to 1: the lower half is missing", {y, abs(y), max(y, 0.)}},
@@ -93,21 +92,16 @@ Slips<Place2> wrong_cylinders(Vec3d p) {
   return wrong += {{"u and v are exchanged: u goes around, v up", {v, u}}};
 }
 
-Exercise onto_a_cylinder() {
-  const double r = sqrt(0.5);
-  const Places<Vec3d> places = {
-      {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-      {"on +z, u is 1/4", {{0, 0, 1}}},
-      {"on -z, u is 3/4", {{0, 0, -1}}},
-      {"halfway between +x and +z, u is 3/8", {{r, 0, r}}},
-      {"at the height 0.6, (0.8, 0.6, 0), v is 0.8", {{0.8, 0.6, 0}}},
-      {"at the height -0.6 v is 0.2", {{0.8, -0.6, 0}}},
-      {"at the north pole v is 1", {{0, 1, 0}}},
-      {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
-  };
-  return exercise(on_cylinder, "10.1", "Uv on_cylinder(Vec3 p)", globe("cylinder"),
-                  {uv_cylinder<double>, wrong_cylinders, places});
-}
+constexpr Place<Vec3d> on_cylinder_places[] = {
+    {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
+    {"on +z, u is 1/4", {{0, 0, 1}}},
+    {"on -z, u is 3/4", {{0, 0, -1}}},
+    {"halfway between +x and +z, u is 3/8", {{half_root, 0, half_root}}},
+    {"at the height 0.6, (0.8, 0.6, 0), v is 0.8", {{0.8, 0.6, 0}}},
+    {"at the height -0.6 v is 0.2", {{0.8, -0.6, 0}}},
+    {"at the north pole v is 1", {{0, 1, 0}}},
+    {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
+};
 
 Place2 in_square(const Place2& at) { return {(1 + at.u) / 2, (1 + at.v) / 2}; }
 /// (a, b) with its fold, as for the lower half.
@@ -148,9 +142,8 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
   };
   const auto by = [&](double sum) { return folded({x / sum, -z / sum}, y); };
   const auto [u, v] = uv_octahedral(p);
-  Slips<Place2> wrong =
-      changed(folds, [&](const Place2& fold) { return in_square(y < 0 ? fold : from_above); });
-  wrong += {
+  return {
+      changed(folds, [&](const Place2& fold) { return in_square(y < 0 ? fold : from_above); }),
       {"b is -z / s: yours is z / s, and north and south edges are exchanged",
        uv_octahedral(Vec3d{x, y, -z})},
       {"a is x / s: yours is -x / s, so west and east are exchanged",
@@ -172,25 +165,20 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
       {"/ comes before +: write (1 + a) / 2 and (1 + b) / 2", {u + 0.5, v + 0.5}},
       {"u and v are exchanged: u comes from a, v from b", {v, u}},
   };
-  return wrong;
 }
 
-Exercise fold_an_octahedron() {
-  const Places<Vec3d> places = {
-      {"the north pole +y is in the middle, (1/2, 1/2)", {{0, 1, 0}}},
-      {"+x is in the middle of the right edge, (1, 1/2)", {{1, 0, 0}}},
-      {"+z is in the middle of the lower edge, (1/2, 0)", {{0, 0, 1}}},
-      {"halfway between +x and +y, at (1, 1, 0), u is 3/4", {{1, 1, 0}}},
-      {"(1, 2, 1): |x| + |y| + |z| is 4, so u is 5/8 and v is 3/8", {{1, 2, 1}}},
-      {"(-3, 4, -5), still on the upper half", {{-3, 4, -5}}},
-      {"(4, -2, 2) is on the lower half: a = 1/2 and b = -1/4 become 3/4 and -1/2", {{4, -2, 2}}},
-      {"(-4, -2, 2) is mirrored to the left: a becomes -3/4", {{-4, -2, 2}}},
-      {"(1, -2, -5), on the lower half behind", {{1, -2, -5}}},
-      {"(-1, -8, 3), close to the south pole: close to a corner", {{-1, -8, 3}}},
-  };
-  return exercise(on_octahedron, "10.2", "Uv on_octahedron(Vec3 p)", globe("octahedral"),
-                  {uv_octahedral<double>, wrong_octahedra, places});
-}
+constexpr Place<Vec3d> on_octahedron_places[] = {
+    {"the north pole +y is in the middle, (1/2, 1/2)", {{0, 1, 0}}},
+    {"+x is in the middle of the right edge, (1, 1/2)", {{1, 0, 0}}},
+    {"+z is in the middle of the lower edge, (1/2, 0)", {{0, 0, 1}}},
+    {"halfway between +x and +y, at (1, 1, 0), u is 3/4", {{1, 1, 0}}},
+    {"(1, 2, 1): |x| + |y| + |z| is 4, so u is 5/8 and v is 3/8", {{1, 2, 1}}},
+    {"(-3, 4, -5), still on the upper half", {{-3, 4, -5}}},
+    {"(4, -2, 2) is on the lower half: a = 1/2 and b = -1/4 become 3/4 and -1/2", {{4, -2, 2}}},
+    {"(-4, -2, 2) is mirrored to the left: a becomes -3/4", {{-4, -2, 2}}},
+    {"(1, -2, -5), on the lower half behind", {{1, -2, -5}}},
+    {"(-1, -8, 3), close to the south pole: close to a corner", {{-1, -8, 3}}},
+};
 
 Slips<Vec3d> wrong_directions(Place2 uv) {
   const auto at = [](double angle, double radius, double y) {
@@ -246,37 +234,37 @@ Slips<Vec3d> wrong_directions(Place2 uv) {
   };
 }
 
-Exercise back_from_the_cylinder() {
-  const auto right = [](Place2 uv) { return unproject(Projection::cylinder, uv); };
-  const Places<Place2> places = {
-      {"at (1/2, 1/2) is +x", {{0.5, 0.5}}},
-      {"at (1/4, 1/2) is +z", {{0.25, 0.5}}},
-      {"at (3/4, 1/2) is -z", {{0.75, 0.5}}},
-      {"at (3/8, 1/2) is the point halfway between +x and +z", {{0.375, 0.5}}},
-      {"the upper edge, v = 1, is the north pole everywhere", {{0.25, 1}}},
-      {"at (1/2, 0.8) the height is 0.6 and x is 0.8", {{0.5, 0.8}}},
-      {"at (1/2, 0.2) the height is -0.6", {{0.5, 0.2}}},
-      {"at (0.1, 0.9)", {{0.1, 0.9}}},
-  };
-  return exercise(direction_of, "10.3", "Vec3 direction_of(Uv uv)", globe("cylinder"),
-                  {right, wrong_directions, places});
-}
+Vec3d right_direction(Place2 uv) { return unproject(Projection::cylinder, uv); }
+constexpr Place<Place2> direction_of_places[] = {
+    {"at (1/2, 1/2) is +x", {{0.5, 0.5}}},
+    {"at (1/4, 1/2) is +z", {{0.25, 0.5}}},
+    {"at (3/4, 1/2) is -z", {{0.75, 0.5}}},
+    {"at (3/8, 1/2) is the point halfway between +x and +z", {{0.375, 0.5}}},
+    {"the upper edge, v = 1, is the north pole everywhere", {{0.25, 1}}},
+    {"at (1/2, 0.8) the height is 0.6 and x is 0.8", {{0.5, 0.8}}},
+    {"at (1/2, 0.2) the height is -0.6", {{0.5, 0.2}}},
+    {"at (0.1, 0.9)", {{0.1, 0.9}}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {onto_a_cylinder(), fold_an_octahedron(), back_from_the_cylinder()},
-      {{"10.a",
-        "An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
-        "equirectangular picture have, if its largest texel may cover no more of the globe "
-        "than one texel of the first picture?",
+      "10",
+      {exercise(on_cylinder, globe("cylinder"),
+                {uv_cylinder<double>, wrong_cylinders, on_cylinder_places}),
+       exercise(on_octahedron, globe("octahedral"),
+                {uv_octahedral<double>, wrong_octahedra, on_octahedron_places}),
+       exercise(direction_of, globe("cylinder"),
+                {right_direction, wrong_directions, direction_of_places})},
+      {{"An equal-area octahedral picture has 1024 x 1024 texels. How many texels must an "
+        "equirectangular picture have, if its largest texel may cover no more of the globe than "
+        "one texel of the first picture?",
         [] {  // its largest texels are on the equator
           return ceil(1024 * 1024 * distortion(Projection::equirect, Vec3d{0.8, 0, 0.6}).area);
         },
         "texels", 2e-3},
-       {"10.b",
-        "You read an equirectangular file as if it were a cylinder's. At which latitude of the "
+       {"You read an equirectangular file as if it were a cylinder's. At which latitude of the "
         "globe do you see what the file has at 45 degrees north?",
         [] {
           const double v = uv_rtiow(Vec3d{1, 1, 0}).v;

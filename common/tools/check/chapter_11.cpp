@@ -70,7 +70,7 @@ namespace {
 
 using namespace chapter_11;
 
-std::function<Image()> globe() { return picture<Lesson>({}, 21); }
+Image globe() { return picture_of(prepared<Lesson>(), 21); }
 
 /// Both slopes by the same wrong formula.
 Slips<Vec3d> wrong_slopes(double h, double right, double up, double step) {
@@ -153,24 +153,15 @@ Slips<Vec3d> wrong_normals(double here, double right, double up, double step) {
   return wrong;
 }
 
-Exercise normal_of_a_bump() {
-  const auto right = [](double here, double beside, double above, double step) {
-    const Slope<double> slope{here, (beside - here) / step, (above - here) / step};
-    return raised_normal(Vec3d{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}}, slope, 0.0, BumpForm::exact);
-  };
-  const Places<double, double, double, double> places = {
-      {"where the heights are equal, the normal is (0, 0, 1)", {2, 2, 2, 0.5}},
-      {"the slope 1 to the right: the normal leans to the left by 45 degrees", {0, 1, 0, 1}},
-      {"the slope 1 upward: the normal leans down by 45 degrees", {0, 0, 1, 1}},
-      {"a height of 0.01 on a step of 0.04 is the slope 1/4", {0, 0.01, 0, 0.04}},
-      {"the slope -3/4 to the right: the normal leans to the right", {0.3, 0, 0.3, 0.4}},
-      {"slopes to both sides, on a hill", {1, 1.2, 0.7, 0.1}},
-      {"the normal has the length 1, also on a steep slope", {0, 5, 3, 0.1}},
-  };
-  return exercise(bump_normal, "11.1",
-                  "Vec3 bump_normal(double here, double right, double up, double step)", globe(),
-                  {right, wrong_normals, places});
-}
+constexpr Place<double, double, double, double> bump_normal_places[] = {
+    {"where the heights are equal, the normal is (0, 0, 1)", {2, 2, 2, 0.5}},
+    {"the slope 1 to the right: the normal leans to the left by 45 degrees", {0, 1, 0, 1}},
+    {"the slope 1 upward: the normal leans down by 45 degrees", {0, 0, 1, 1}},
+    {"a height of 0.01 on a step of 0.04 is the slope 1/4", {0, 0.01, 0, 0.04}},
+    {"the slope -3/4 to the right: the normal leans to the right", {0.3, 0, 0.3, 0.4}},
+    {"slopes to both sides, on a hill", {1, 1.2, 0.7, 0.1}},
+    {"the normal has the length 1, also on a steep slope", {0, 5, 3, 0.1}},
+};
 
 /// The three numbers from -1 to 1 that a texel means.
 Vec3d numbers_of(int red, int green, int blue) {
@@ -250,33 +241,28 @@ Slips<Vec3d> wrong_texels(int red, int green, int blue) {
        {{x, y, sqrt(1 - x * x - y * y)}, {x, y, sqrt(max(0.0, 1 - x * x - y * y))}, {x, y, 1}}},
       {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, max(z, 0.0)}},
   };
-  // Those who make another mistake often make a unit vector, too.
-  const auto unit = [](const Vec3d& n) { return normalize(n); };
-  Slips<Vec3d> all = {
+  return {
       {"the direction is right, but the lesson makes the sum a unit vector: return the numbers as "
        "they are",
-       unit(right)},
+       normalize(right)},
       {"the middle is 127.5, not 128; and return the numbers as they are, not a unit vector",
-       unit(Vec3d{red - 128.0, green - 128.0, blue - 128.0})},
+       normalize(Vec3d{red - 128.0, green - 128.0, blue - 128.0})},
+      channels,
+      // Those who make another mistake often make a unit vector, too.
+      changed(channels, normalize<double>),
+      of_texel(wrong_scales, red, green, blue),
   };
-  all += channels;
-  all += changed(channels, unit);
-  return all += of_texel(wrong_scales, red, green, blue);
 }
 
-Exercise normal_from_three_bytes() {
-  const Places<int, int, int> places = {
-      {"red 255 means x = 1", {255, 128, 128}},
-      {"red 0 means x = -1", {0, 128, 128}},
-      {"green 255 means y = 1: the file is green up", {128, 255, 128}},
-      {"the flat color (128, 128, 255) means z = 1, and x and y of 1/255", {128, 128, 255}},
-      {"(128, 218, 218) leans by 45 degrees toward B", {128, 218, 218}},
-      {"(51, 102, 204) means (-0.6, -0.2, 0.6)", {51, 102, 204}},
-      {"blue 51 means z = -0.6", {204, 102, 51}},
-  };
-  return exercise(normal_of_texel, "11.2", "Vec3 normal_of_texel(int red, int green, int blue)",
-                  globe(), {numbers_of, wrong_texels, places});
-}
+constexpr Place<int, int, int> normal_of_texel_places[] = {
+    {"red 255 means x = 1", {255, 128, 128}},
+    {"red 0 means x = -1", {0, 128, 128}},
+    {"green 255 means y = 1: the file is green up", {128, 255, 128}},
+    {"the flat color (128, 128, 255) means z = 1, and x and y of 1/255", {128, 128, 255}},
+    {"(128, 218, 218) leans by 45 degrees toward B", {128, 218, 218}},
+    {"(51, 102, 204) means (-0.6, -0.2, 0.6)", {51, 102, 204}},
+    {"blue 51 means z = -0.6", {204, 102, 51}},
+};
 
 Slips<Vec3d> wrong_bitangents(Vec3d n, Vec3d t, double sign) {
   const Vec3d b = cross(n, t);
@@ -318,38 +304,44 @@ Slips<Vec3d> wrong_bitangents(Vec3d n, Vec3d t, double sign) {
   return wrong;
 }
 
-Exercise bitangent_of_a_copy() {
-  const auto right = [](Vec3d n, Vec3d t, double sign) {
-    return tangents(TangentRule::crossed, n, {t, {}}).bitangent * sign;
-  };
-  const Places<Vec3d, Vec3d, double> places = {
-      {"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)", {{0, 0, 1}, {1, 0, 0}, 1}},
-      {"on a mirrored copy T is (-1, 0, 0) and the sign -1, and B is still (0, 1, 0)",
-       {{0, 0, 1}, {-1, 0, 0}, -1}},
-      {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)", {{1, 0, 0}, {0, 0, -1}, 1}},
-      {"on the back, n = (0, 0, -1), T = (-1, 0, 0): B is (0, 1, 0)", {{0, 0, -1}, {-1, 0, 0}, 1}},
-      {"north of the equator, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back",
-       {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
-      {"the same on a mirrored copy", {{0, 0.6, 0.8}, {-1, 0, 0}, -1}},
-      {"where the picture is turned by a quarter, T = (0, 1, 0): B is (-1, 0, 0)",
-       {{0, 0, 1}, {0, 1, 0}, 1}},
-      {"where it is upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)",
-       {{0, 0, 1}, {-1, 0, 0}, 1}},
-      {"n = (2, 1, 2) / 3, T = (-2, 2, 1) / 3, mirrored: B is (1, 2, -2) / 3",
-       {{2 / 3., 1 / 3., 2 / 3.}, {-2 / 3., 2 / 3., 1 / 3.}, -1}},
-  };
-  return exercise(bitangent_of, "11.3", "Vec3 bitangent_of(Vec3 n, Vec3 t, double sign)", globe(),
-                  {right, wrong_bitangents, places});
-}
+constexpr Place<Vec3d, Vec3d, double> bitangent_of_places[] = {
+    {"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)", {{0, 0, 1}, {1, 0, 0}, 1}},
+    {"on a mirrored copy T is (-1, 0, 0) and the sign -1, and B is still (0, 1, 0)",
+     {{0, 0, 1}, {-1, 0, 0}, -1}},
+    {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)", {{1, 0, 0}, {0, 0, -1}, 1}},
+    {"on the back, n = (0, 0, -1), T = (-1, 0, 0): B is (0, 1, 0)", {{0, 0, -1}, {-1, 0, 0}, 1}},
+    {"north of the equator, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back",
+     {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
+    {"the same on a mirrored copy", {{0, 0.6, 0.8}, {-1, 0, 0}, -1}},
+    {"where the picture is turned by a quarter, T = (0, 1, 0): B is (-1, 0, 0)",
+     {{0, 0, 1}, {0, 1, 0}, 1}},
+    {"where it is upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)",
+     {{0, 0, 1}, {-1, 0, 0}, 1}},
+    {"n = (2, 1, 2) / 3, T = (-2, 2, 1) / 3, mirrored: B is (1, 2, -2) / 3",
+     {{2 / 3., 1 / 3., 2 / 3.}, {-2 / 3., 2 / 3., 1 / 3.}, -1}},
+};
 
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
-      {normal_of_a_bump(), normal_from_three_bytes(), bitangent_of_a_copy()},
-      {{"11.a", "A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
+      "11",
+      {exercise(bump_normal, globe,
+                {[](double here, double beside, double above, double step) {
+                   const Slope<double> slope{here, (beside - here) / step, (above - here) / step};
+                   return raised_normal(Vec3d{0, 0, 1}, {{1, 0, 0}, {0, 1, 0}}, slope, 0.0,
+                                        BumpForm::exact);
+                 },
+                 wrong_normals, bump_normal_places}),
+       exercise(normal_of_texel, globe, {numbers_of, wrong_texels, normal_of_texel_places}),
+       exercise(bitangent_of, globe,
+                {[](Vec3d n, Vec3d t, double sign) {
+                   return tangents(TangentRule::crossed, n, {t, {}}).bitangent * sign;
+                 },
+                 wrong_bitangents, bitangent_of_places})},
+      {{"A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
         [] { return atan(0.25) / radian; }, "degrees"},
-       {"11.b", "No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
+       {"No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
         [] {
           const auto [x, y, z] = numbers_of(128, 128, 255);
           return atan2(std::hypot(x, y), z) / radian;

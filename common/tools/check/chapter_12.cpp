@@ -1,8 +1,6 @@
 // The exercises of chapter 12. The lesson's SkyOptions and SkyLight are here structs that call the
 // student's functions: when the sky is loaded, and when a direction is drawn.
-#include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "engine/app/sampling_options.hpp"
 #include "engine/app/sky_options.hpp"
@@ -153,23 +151,19 @@ Slips<double> wrong_powers(int k) {
 Slips<double> wrong_channels(int m, int k) {
   const double power = exp2(k - 136);
   const double right = light_of(m, k);
-  const bool dark = m == 0;
-  Slips<double> wrong;
-  // With the right factor, without the half, and with the half also where the byte is 0.
-  for (const double half : {0.5, 0.0}) {
-    wrong += changed(wrong_powers(k), [=](double other) { return dark ? 0 : (m + half) * other; });
-    wrong += changed(wrong_powers(k), [=](double other) { return (m + half) * other; });
-  }
-  /// Also where the byte is 0, and not.
-  const auto any = [=](double light) { return std::vector{light, dark ? 0 : light}; };
-  wrong += {
-      {"the half is missing: the file's writer cuts m off, and m + 1/2 is the middle", m * power},
-      {"* comes before +: write (m + 0.5) * the power", any(m * power + 0.5)},
-      {"* comes before +: write (m + 0.5) * the power", any(m + 0.5 * power)},
+  const Slips<double> lights = {
+      changed(wrong_powers(k), [=](double other) { return (m + 0.5) * other; }),
+      changed(wrong_powers(k), [=](double other) { return m * other; }),
+      {"* comes before +: write (m + 0.5) * the power", {m * power + 0.5, m + 0.5 * power}},
       {"the base of the power is 2, not m + 1/2: multiply that by std::exp2(exponent - 136)",
-       any(pow(m + 0.5, k - 136))},
-      {"it is m + 1/2: the middle between m and m + 1", any((m - 0.5) * power)},
-      {"it is m + 1/2: the middle between m and m + 1", any((m + 1) * power)},
+       pow(m + 0.5, k - 136)},
+      {"it is m + 1/2: the middle between m and m + 1", {(m - 0.5) * power, (m + 1) * power}},
+  };
+  return {
+      // Also where the byte is 0, and not.
+      changed(lights, [=](double light) { return m == 0 ? 0 : light; }),
+      lights,
+      {"the half is missing: the file's writer cuts m off, and m + 1/2 is the middle", m * power},
       {"light may be far above 1, as the sun's is: do not limit it",
        {min(right, 1.), min((m + 0.5) * power, 1.), min(m * power, 1.)}},
       {"the light of a channel is no whole number: keep it in a double", floor(right)},
@@ -178,7 +172,6 @@ Slips<double> wrong_channels(int m, int k) {
       {"the numbers of this file are light: leave srgb_decode out", srgb_decode(right)},
       {"the picture's program encodes the light: leave srgb_encode out", srgb_encode(right)},
   };
-  return wrong;
 }
 
 Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
@@ -190,9 +183,9 @@ Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
   Slips<Rgb> wrong =
       combined(color, wrong_channels(red, k), wrong_channels(green, k), wrong_channels(blue, k));
   for (int guarded = 0; guarded < 7; ++guarded) {  // a bit for each channel where 0 is no light
-    wrong += {{"a byte 0 has no light: here the half must not be added",
-               {(guarded & 1) != 0 ? right.r : halves.r, (guarded & 2) != 0 ? right.g : halves.g,
-                (guarded & 4) != 0 ? right.b : halves.b}}};
+    wrong += {"a byte 0 has no light: here the half must not be added",
+              Rgb{(guarded & 1) != 0 ? right.r : halves.r, (guarded & 2) != 0 ? right.g : halves.g,
+                  (guarded & 4) != 0 ? right.b : halves.b}};
   }
   wrong += {
       {"red and blue are exchanged (BGR in place of RGB)", light(blue, green, red)},
@@ -206,20 +199,15 @@ Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
   return wrong;
 }
 
-Exercise light_from_four_bytes() {
-  const Places<int, int, int, int> places = {
-      {"with the exponent 136 a byte m means m + 1/2", {200, 100, 50, 136}},
-      {"a byte 0 has no light", {200, 0, 0, 136}},
-      {"a byte 0 in red alone: the others have their light", {0, 120, 60, 132}},
-      {"one less in the exponent is half of the light", {200, 100, 50, 135}},
-      {"a gray of about 1/2: the byte 127 with the exponent 128", {127, 127, 127, 128}},
-      {"the sun: the exponent 138", {225, 195, 147, 138}},
-      {"a very dark blue", {130, 140, 160, 120}},
-  };
-  return exercise(light_of_texel, "12.1",
-                  "Color light_of_texel(int red, int green, int blue, int exponent)", without_noise,
-                  {light_of_bytes, wrong_lights, places});
-}
+constexpr Place<int, int, int, int> light_of_texel_places[] = {
+    {"with the exponent 136 a byte m means m + 1/2", {200, 100, 50, 136}},
+    {"a byte 0 has no light", {200, 0, 0, 136}},
+    {"a byte 0 in red alone: the others have their light", {0, 120, 60, 132}},
+    {"one less in the exponent is half of the light", {200, 100, 50, 135}},
+    {"a gray of about 1/2: the byte 127 with the exponent 128", {127, 127, 127, 128}},
+    {"the sun: the exponent 138", {225, 195, 147, 138}},
+    {"a very dark blue", {130, 140, 160, 120}},
+};
 
 /// Edges of a row as many compute them, with the lower edge of row + 1.
 Slips<double> wrong_edges(double i, double h) {
@@ -242,10 +230,7 @@ Slips<double> wrong_edges(double i, double h) {
   };
 }
 
-Slips<double> wrong_solid_angles(int row_number, int width_in_texels, int height_in_texels) {
-  const double row = row_number;
-  const double w = width_in_texels;
-  const double h = height_in_texels;
+Slips<double> wrong_solid_angles(double row, double w, double h) {
   const double a = pi * row / h;
   const double b = pi * (row + 1) / h;
   const double ca = cos(a), cb = cos(b), sa = sin(a), sb = sin(b);
@@ -315,23 +300,17 @@ Slips<double> wrong_solid_angles(int row_number, int width_in_texels, int height
   return wrong;
 }
 
-Exercise angle_of_a_texel() {
-  const auto right = [](int row, int width, int height) {
-    return SkyBand(row, width, height).solid_angle;
-  };
-  const Places<int, int, int> places = {
-      {"two rows of one texel: each is half of the sphere, 2 pi", {0, 1, 2}},
-      {"the lower half is as large", {1, 1, 2}},
-      {"8 texels in each of two rows: pi / 4", {0, 8, 2}},
-      {"of 4 rows the first ends at 45 degrees: a narrow texel", {0, 8, 4}},
-      {"of 4 rows the second reaches from 45 degrees to the equator", {1, 8, 4}},
-      {"the last of 4 rows is as large as the first", {3, 8, 4}},
-      {"the first row of the chapter's sky", {0, 384, 192}},
-      {"its row at the equator", {96, 384, 192}},
-  };
-  return exercise(solid_angle, "12.2", "double solid_angle(int row, int width, int height)",
-                  without_noise, {right, wrong_solid_angles, places});
-}
+double right_angle(int row, int w, int h) { return SkyBand(row, w, h).solid_angle; }
+constexpr Place<int, int, int> solid_angle_places[] = {
+    {"two rows of one texel: each is half of the sphere, 2 pi", {0, 1, 2}},
+    {"the lower half is as large", {1, 1, 2}},
+    {"8 texels in each of two rows: pi / 4", {0, 8, 2}},
+    {"of 4 rows the first ends at 45 degrees: a narrow texel", {0, 8, 4}},
+    {"of 4 rows the second reaches from 45 degrees to the equator", {1, 8, 4}},
+    {"the last of 4 rows is as large as the first", {3, 8, 4}},
+    {"the first row of the chapter's sky", {0, 384, 192}},
+    {"its row at the equator", {96, 384, 192}},
+};
 
 Slips<int> wrong_things(const Sums& sums, double r) {
   const auto size = static_cast<int>(sums.size());
@@ -398,39 +377,14 @@ Slips<int> wrong_things(const Sums& sums, double r) {
   };
 }
 
-Exercise draw_one_of_many() {
-  const Sums three{0.5, 0.5, 1}, sun{0.1, 0.2, 0.9, 1}, dark{0, 0.25, 1}, rounded{0.4, 0.8, 0.999};
-  const auto right = [](const Sums& sums, double r) {
-    return static_cast<int>(std::upper_bound(sums.begin(), sums.end() - 1, r) - sums.begin());
-  };
-  const Places<Sums, double> places = {
-      {"of the sums 0.1, 0.2, 0.9, 1 the number 0.05 draws thing 0", {sun, 0.05}},
-      {"0.15 draws thing 1", {sun, 0.15}},
-      {"0.5 draws thing 2: its probability is 0.7", {sun, 0.5}},
-      {"0.95 draws the last thing, 3", {sun, 0.95}},
-      {"of the sums 0.02, 0.04, 0.06, 0.08, 1 the number 0.07 draws thing 3",
-       {{0.02, 0.04, 0.06, 0.08, 1}, 0.07}},
-      {"of the sums 0.25, 0.5, 1 the number 0.5 draws thing 2, not 1: thing 1 ends below it",
-       {{0.25, 0.5, 1}, 0.5}},
-      {"of the sums 0.5, 0.5, 1 the number 0.5 draws thing 2: thing 1 has the probability 0",
-       {three, 0.5}},
-      {"of the sums 0, 0.25, 1 the number 0 draws thing 1: thing 0 has the probability 0",
-       {dark, 0}},
-      {"of the sums 0.4, 0.8, 0.999 the number 0.9995 draws the last thing, 2", {rounded, 0.9995}},
-  };
-  return exercise(drawn_thing, "12.3", "int drawn_thing(const std::vector<double>& sums, double r)",
-                  [] { return scene("importance", 2); }, {right, wrong_things, places});
-}
-
 /// Of a million directions drawn by the cosine on a surface that faces the sun, how many find it.
 double directions_to_the_sun() {
   const Vec3d to_sun{0, 0, 1};
   int found = 0;
-  for (int column = 0; column < 1000; ++column) {
-    for (int row = 0; row < 1000; ++row) {
-      const Point2<double> place{(column + 0.5) / 1000, (row + 0.5) / 1000};
-      if (dot(cosine_direction(to_sun, place), to_sun) > cos(1.4 * radian)) ++found;
-    }
+  for (int i = 0; i < 1000 * 1000; ++i) {
+    const int column = i / 1000, row = i % 1000;
+    const Point2<double> place{(column + 0.5) / 1000, (row + 0.5) / 1000};
+    if (dot(cosine_direction(to_sun, place), to_sun) > cos(1.4 * radian)) ++found;
   }
   return found;
 }
@@ -438,15 +392,38 @@ double directions_to_the_sun() {
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
+  static const Place<Sums, double> drawn_thing_places[] = {
+      {"of the sums 0.1, 0.2, 0.9, 1 the number 0.05 draws thing 0", {{0.1, 0.2, 0.9, 1}, 0.05}},
+      {"0.15 draws thing 1", {{0.1, 0.2, 0.9, 1}, 0.15}},
+      {"0.5 draws thing 2: its probability is 0.7", {{0.1, 0.2, 0.9, 1}, 0.5}},
+      {"0.95 draws the last thing, 3", {{0.1, 0.2, 0.9, 1}, 0.95}},
+      {"of the sums 0.02, 0.04, 0.06, 0.08, 1 the number 0.07 draws thing 3",
+       {{0.02, 0.04, 0.06, 0.08, 1}, 0.07}},
+      {"of the sums 0.25, 0.5, 1 the number 0.5 draws thing 2, not 1: thing 1 ends below it",
+       {{0.25, 0.5, 1}, 0.5}},
+      {"of the sums 0.5, 0.5, 1 the number 0.5 draws thing 2: thing 1 has the probability 0",
+       {{0.5, 0.5, 1}, 0.5}},
+      {"of the sums 0, 0.25, 1 the number 0 draws thing 1: thing 0 has the probability 0",
+       {{0, 0.25, 1}, 0}},
+      {"of the sums 0.4, 0.8, 0.999 the number 0.9995 draws the last thing, 2",
+       {{0.4, 0.8, 0.999}, 0.9995}},
+  };
   static const ExercisesOfChapter chapter{
-      {light_from_four_bytes(), angle_of_a_texel(), draw_one_of_many()},
-      {{"12.a",
-        "The bright core of the sun is 2.8 degrees wide. Of a million directions drawn by the "
+      "12",
+      {exercise(light_of_texel, without_noise,
+                {light_of_bytes, wrong_lights, light_of_texel_places}),
+       exercise(solid_angle, without_noise, {right_angle, wrong_solid_angles, solid_angle_places}),
+       exercise(drawn_thing, [] { return scene("importance", 2); },
+                {[](const Sums& sums, double r) {
+                   return static_cast<int>(std::upper_bound(sums.begin(), sums.end() - 1, r) -
+                                           sums.begin());
+                 },
+                 wrong_things, drawn_thing_places})},
+      {{"The bright core of the sun is 2.8 degrees wide. Of a million directions drawn by the "
         "cosine on a surface that faces the sun, how many find it?",
         directions_to_the_sun, "directions", 0.1},
-       {"12.b",
-        "The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at "
-        "the equator as one at a pole?",
+       {"The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at the "
+        "equator as one at a pole?",
         [] { return SkyBand(96, 384, 192).solid_angle / SkyBand(0, 384, 192).solid_angle; },
         "times", 0.02}},
   };

@@ -74,16 +74,7 @@ shown() {
 # start_of ID: the file as students get it.
 start_of() { shown "$1" -e '/^ *\/\/ solution$/,/^ *\/\/ start: /{' -e '/^ *\/\/ start: /!d' -e '}' -e 's/\/\/ start: //'; }
 
-# state_of ID: passed, changed (after it passed) or open.
-state_of() {
-  state=open
-  was=$(grep "^$1 " "$passed" 2>/dev/null || :)
-  [ -z "$was" ] && return
-  state=changed
-  file_of "$1"
-  [ "$was" != "$1 $(cksum <"$file")" ] || state=passed
-}
-
+# remember ID STATUS: whether it is right, and for which lines.
 remember() {
   mkdir -p out/exercises
   { grep -v "^$1 " "$passed" 2>/dev/null || :; } >"$passed.new"
@@ -97,13 +88,13 @@ list() {
   next=
   for id in $(ids); do
     count=$((count + 1))
-    state_of "$id"
-    case $state in
-      passed) mark='[x]' done=$((done + 1)) ;;
-      changed) mark='[?]' ;;
-      *) mark='[ ]' ;;
-    esac
-    [ "$state" = passed ] || next=${next:-$id}
+    mark='[ ]'
+    if was=$(grep "^$id " "$passed" 2>/dev/null); then
+      file_of "$id"
+      mark='[?]'
+      [ "$was" != "$id $(cksum <"$file")" ] || mark='[x]' done=$((done + 1))
+    fi
+    [ "$mark" = '[x]' ] || next=${next:-$id}
     printf '%s %s  %s\n' "$mark" "$id" "$(title_of "$id")"
   done
   printf '%s of %s right.' "$done" "$count"
@@ -191,14 +182,12 @@ case "${1:-}" in
     question "$@"
     ;;
   [0-9][0-9])
+    all=$(ids | grep "^$1") || wrong "chapter '$1' has no exercises"
     worst=0
-    any=
-    for id in $(ids | grep "^$1"); do
-      any=yes
+    for id in $all; do
       check "$id"
       [ "$status" = 0 ] || worst=1
     done
-    [ -n "$any" ] || wrong "chapter '$1' has no exercises"
     exit "$worst"
     ;;
   *)

@@ -3,16 +3,37 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
 
-#include "bytes.hpp"
 #include "math/color.hpp"
 #include "math/srgb.hpp"
 #include "math/vec3.hpp"
+#include "texture/image.hpp"
 #include "texture/uv.hpp"
+
+namespace texmap::check {
+
+/// Red, green and blue of each texel, row after row from the top: bytes[0] is the first one's red.
+/// Beyond its ends there are zeros, so that a wrong number is a wrong color and no crash.
+class Bytes {
+ public:
+  explicit Bytes(const Image& image) : image_(&image) {}
+
+  int operator[](long long i) const {
+    if (i < 0 || i >= 3 * static_cast<long long>(image_->pixels.size())) return 0;
+    const Rgb8& texel = image_->pixels[static_cast<std::size_t>(i / 3)];
+    return i % 3 == 0 ? texel.r : i % 3 == 1 ? texel.g : texel.b;
+  }
+
+ private:
+  const Image* image_;
+};
+
+}  // namespace texmap::check
 
 using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalize
 using Uv = texmap::Uv<double>;        // .u .v
@@ -29,6 +50,8 @@ using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
 inline Vec3 operator*(double factor, const Vec3& v) { return v * factor; }
 inline Vec3 operator/(const Vec3& v, double divisor) { return v * (1 / divisor); }
 inline Color operator*(double factor, const Color& c) { return c * factor; }
+inline Color operator/(const Color& c, double divisor) { return c * (1 / divisor); }
+inline Color operator-(const Color& a, const Color& b) { return a + b * -1.0; }
 
 // From an encoded number to light, both 0 to 1; and back.
 inline double srgb_decode(double encoded) { return texmap::srgb_decode(encoded); }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/app/prepared.hpp"
@@ -25,7 +26,8 @@ using std::abs, std::acos, std::asin, std::atan, std::atan2, std::ceil, std::cla
     std::pow, std::remainder, std::round, std::sin, std::sqrt, std::trunc;
 using Place2 = Uv<double>;
 inline constexpr double pi = std::numbers::pi;
-inline constexpr double radian = pi / 180;  // of a degree
+inline constexpr double radian = pi / 180;                    // of a degree
+inline constexpr double half_root = std::numbers::sqrt2 / 2;  // the sine of 45 degrees
 inline double fraction(double x) { return x - floor(x); }
 inline int cut_off(double x) { return static_cast<int>(x); }
 inline int rounded(double x) { return cut_off(round(x)); }
@@ -36,26 +38,35 @@ struct KnownMistake {
   Verdict verdict;
 };
 
-/// An exercise: a function to write, its laws, and the chapter's lesson that calls it.
+/// An exercise: a function to write, its laws, and the chapter's lesson that calls it. `yours` is
+/// a std::function. Errors: std::bad_any_cast if it has other arguments or another result.
 struct Exercise {
-  std::string id;  ///< "02.1"
   std::function<Verdict(const std::any& yours)> verdict;
   std::function<Image(const std::any& yours)> draw;  ///< an empty any: with the right function
   std::function<std::vector<KnownMistake>()> mistakes;
+  std::string id;  ///< "02.1"
 };
 
 /// A question to predict: the student types a number, the program knows it.
 struct Question {
-  std::string id;    ///< "02.a"
   std::string text;  ///< ends with a question mark
   std::function<double()> answer;
   std::string unit;         ///< "pixels", or nothing
   double tolerance = 1e-3;  ///< of the answer: what counts as right, 0 for an exact number
+  std::string id{};         ///< "02.a"
 };
 
 struct ExercisesOfChapter {
   std::vector<Exercise> exercises;
   std::vector<Question> questions;
+
+  ExercisesOfChapter(const std::string& chapter, std::vector<Exercise> all_exercises,
+                     std::vector<Question> all_questions)
+      : exercises(std::move(all_exercises)), questions(std::move(all_questions)) {
+    char number = '1', letter = 'a';
+    for (Exercise& one : exercises) one.id = chapter + "." + number++;
+    for (Question& one : questions) one.id = chapter + "." + letter++;
+  }
 };
 [[nodiscard]] const ExercisesOfChapter& exercises_of_chapter();
 
@@ -72,48 +83,44 @@ template <class Out>
     throw std::runtime_error("there are too few values");
   std::vector<Out> values;
   for (const char* at = replayed.values.data(); values.size() < count; at += sizeof(Out)) {
-    if constexpr (std::is_same_v<Out, bool>) {
-      values.push_back(*at != 0);  // no other byte is a bool
-    } else {
-      std::memcpy(&values.emplace_back(), at, sizeof(Out));
-    }
+    std::conditional_t<std::is_same_v<Out, bool>, char, Out> value{};  // no other byte is a bool
+    std::memcpy(&value, at, sizeof value);
+    values.push_back(static_cast<Out>(value));
   }
   return values;
 }
 
 /// An exercise from its law and from the lesson that calls `hook` while it is drawn: the student's
-/// function, or the right one. Otherwise the hook is empty. `signature`: "Uv uv_of(Vec3 p)".
+/// function, or the right one. Otherwise the hook is empty.
 template <class Out, class... Args>
-[[nodiscard]] Exercise exercise(std::function<Out(Args...)>& hook, const char* id,
-                                const std::string& signature, std::function<Image()> draw,
-                                Law<Out(Args...)> law) {
+[[nodiscard]] Exercise exercise(std::function<Out(Args...)>& hook, std::function<Image()> draw,
+                                Law<Out, Args...> law) {
   using Function = std::function<Out(Args...)>;
-  const auto function_in = [=, right = law.right](const std::any& yours) -> Function {
-    if (!yours.has_value()) return right;
-    if (const auto* function = std::any_cast<Out (*)(Args...)>(&yours)) return *function;
-    throw std::runtime_error("the function must be: " + signature);
+  const auto function_in = [right = law.right](const std::any& yours) {
+    return yours.has_value() ? std::any_cast<Function>(yours) : right;
   };
-  return {id,
-          [law, function_in](const std::any& yours) {
-            if (const auto* replayed = std::any_cast<Replayed>(&yours))
-              return judge(law, values_of<Out>(*replayed, law.places.size()));
-            const Function function = function_in(yours);
-            std::vector<Out> values;
-            for (const auto& place : law.places) values.push_back(std::apply(function, place.at));
-            return judge(law, values);
-          },
-          [&hook, draw = std::move(draw), function_in](const std::any& yours) {
-            hook = function_in(yours);
-            Image image = draw();
-            hook = nullptr;
-            return image;
-          },
-          [law = std::move(law)] {
-            std::vector<KnownMistake> known;
-            for (const Slip<Out>& slip : slips_at_all_places(law))
-              known.push_back({slip.word, judge(law, slip.values)});
-            return known;
-          }};
+  Exercise made;
+  made.verdict = [law, function_in](const std::any& yours) {
+    if (const auto* replayed = std::any_cast<Replayed>(&yours))
+      return judge(law, values_of<Out>(*replayed, law.places.size()));
+    const Function function = function_in(yours);
+    std::vector<Out> values;
+    for (const auto& place : law.places) values.push_back(std::apply(function, place.at));
+    return judge(law, values);
+  };
+  made.draw = [&hook, draw = std::move(draw), function_in](const std::any& yours) {
+    hook = function_in(yours);
+    Image image = draw();
+    hook = nullptr;
+    return image;
+  };
+  made.mistakes = [law = std::move(law)] {
+    std::vector<KnownMistake> known;
+    for (const Slip<Out>& slip : slips_at_all_places(law).rows)
+      known.push_back({slip.word, judge(law, slip.values)});
+    return known;
+  };
+  return made;
 }
 
 /// A lesson's picture for an exercise, 400 x 300; from another field of view if there is one.

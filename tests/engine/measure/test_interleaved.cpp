@@ -8,18 +8,35 @@
 #include <string>
 #include <thread>
 
+#include "engine/measure/stopwatch.hpp"
 #include "engine/system/system.hpp"
 
-TEST_CASE("works alternate, and each is run once more than it is timed") {
+TEST_CASE(
+    "works alternate, each once more than it is timed; every run is told, and after every round it "
+    "is asked whether that is enough") {
   std::string order;
-  const auto times = texmap::work_times({[&] { order += 'a'; }, [&] { order += 'b'; }}, 3);
-  CHECK(order == "abababab");
+  std::vector<std::pair<int, int>> told;
+  std::vector<int> asked;
+  const auto times = texmap::work_times(
+      {[&] { order += 'a'; }, [&] { order += 'b'; }}, 9,
+      [&](int done, int total) { told.emplace_back(done, total); },
+      [&](int rounds) {
+        asked.push_back(rounds);
+        return rounds == 2;
+      });
+  CHECK(order == "ababab");
+  CHECK(told.size() == 6);
+  CHECK(told.back() == std::pair{6, 20});
+  CHECK(asked == std::vector<int>{1, 2});
   REQUIRE(times.size() == 2);
   for (const texmap::WorkTime& time : times) {  // clocks that go forward, and no infinity left
     CHECK((time.wall >= 0 && time.wall < 1e9));
     CHECK((time.processor >= 0 && time.processor < 1e9));
     CHECK(time.spread >= 1);
   }
+  order.clear();
+  (void)texmap::work_times({[&] { order += 'a'; }}, 3);
+  CHECK(order == "aaaa");
 }
 
 TEST_CASE("the run before the first round is not timed, and the shortest time stays") {
@@ -63,41 +80,6 @@ TEST_CASE(
 #endif
   CHECK(times[1].processor >= 2);
   CHECK(times[1].spread >= doctest::Approx(20 / times[1].processor));
-}
-
-TEST_CASE("progress is told after every run, up to the whole") {
-  std::vector<std::pair<int, int>> told;
-  (void)texmap::work_times({[] {}, [] {}}, 1,
-                           [&](int done, int total) { told.emplace_back(done, total); });
-  CHECK(told == std::vector<std::pair<int, int>>{{1, 4}, {2, 4}, {3, 4}, {4, 4}});
-}
-
-TEST_CASE(
-    "after each timed round it is asked whether that is enough, and then the rest is skipped") {
-  std::vector<int> asked;
-  int runs = 0;
-  const auto times = texmap::work_times({[&] { ++runs; }, [&] { ++runs; }}, 9, {}, [&](int rounds) {
-    asked.push_back(rounds);
-    return rounds == 3;
-  });
-  CHECK(asked == std::vector<int>{1, 2, 3});
-  CHECK(runs == 2 * (1 + 3));
-  for (const texmap::WorkTime& time : times) CHECK(time.wall < 1e9);
-}
-
-TEST_CASE(
-    "a time limit is reached when its time is over, but not before the least number of rounds") {
-  double now = 0;
-  const texmap::TimeLimit enough(100, 3, [&now] { return now; });
-  CHECK_FALSE(enough(7));
-  now = 99;
-  CHECK_FALSE(enough(7));
-  now = 100;
-  CHECK(enough(7));
-  CHECK(enough(3));
-  CHECK_FALSE(enough(2));
-  CHECK_FALSE(texmap::TimeLimit(1e9)(1));  // by the clock
-  CHECK(texmap::TimeLimit(0)(1));
 }
 
 TEST_CASE("as many rounds as fit into the time, within their limits") {
