@@ -145,7 +145,10 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
       {"the squares are square, but larger and not twice around: multiply u, and leave v",
        {u, v / 2}},
       {"v must stay as it is: now the squares are twice as high as they are wide", {2 * u, v / 2}},
-      {"u is 0 everywhere, because 1 / 2 is 0 in C++; and it has to be multiplied by 2", {0, v}},
+      {"u is a whole number everywhere: 1 / 2 is 0 in C++, and static_cast<int> drops the "
+       "decimals; "
+       "multiply u by 2",
+       {0, v}},
       {"v must stay as it is: you lose it", {{2 * u, 0}, {u, 0}}},
       {"u and v stay as they were: the pattern goes around twice with 2 * u", uv},
       {"that is more than twice around: the checkerboard itself multiplies by its 10 squares",
@@ -155,12 +158,11 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
       {"that is four times around: u is multiplied by 2", {4 * u, v}},
       {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
       {"u may be more than 1: let it, the checkerboard goes on there", {{most, v}, {most, 2 * v}}},
-      {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 1, v}, {u + 2, v}}},
+      {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 0.25, v}}},
       {"the second number of the result comes from v, and u is not in it",
        {{2 * u, 2 * u}, {2 * u, u}}},
       {"u and v are exchanged: u comes first, and it is multiplied by 2", {{v, 2 * u}, {2 * v, u}}},
       {"twice is 2 * u, not u * u", {u * u, v}},
-      {"the decimals of u are needed: no static_cast<int> here", {floor(2 * u), v}},
   };
 }
 
