@@ -17,8 +17,6 @@ const Vec3d above = normalize(Vec3d{0.3, 0.8, 0.4});
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 10");
-
 TEST_CASE("the maps that look from above have the north pole in the middle and +x on the right") {
   for (const std::size_t i : {1U, 5U, 6U}) {
     const Uv<double> pole = project(all_projections[i], Vec3d{0, 1, 0});
@@ -58,5 +56,3 @@ TEST_CASE("the inverse leads back to where a direction was") {
                   "the inverse belongs to another map");
   }
 }
-
-TEST_SUITE_END();
