@@ -17,7 +17,8 @@ MOST_FAILURES = 10
 
 def tried(fault, tree, arguments, words):
     """What is wrong with how a planted mistake is noticed, or None."""
-    suite = f'symptoms_{fault.fields["chapter"]}'
+    chapter, word = fault.name.split(' ', 1)
+    suite = f'symptoms_{chapter}'
     program = tree / suite
     compiled = planted.run([
         *arguments.compiler.split(), '-std=c++20', '-O0', '-w', '-pthread', '-DTEXMAP_LEARN', '-DTEXMAP_NO_FLATTEN',
@@ -27,28 +28,27 @@ def tried(fault, tree, arguments, words):
         return 'does not compile:\n' + compiled.stderr[-3000:]
     tested = planted.run([str(program)], timeout=120)
     failures = [line.partition('ERROR: ')[2] for line in tested.stdout.splitlines() if 'ERROR: ' in line]
-    named = {word for word in words if failures and word in failures[0]}
-    if named != {fault.name} or len(failures) > MOST_FAILURES:
+    if {other for other in words if failures and other in failures[0]} != {word} or len(failures) > MOST_FAILURES:
         return f'{suite} shows {len(failures)} failures, the first says {failures[:1]}'
     return None
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('words', nargs='*', help='mistakes to plant; without words, all of them')
+    parser.add_argument('names', nargs='*', help='mistakes to plant; without names, all of them')
     parser.add_argument('--compiler', default='c++')
     parser.add_argument('--include', action='append', default=[], metavar='FOLDER', help='where doctest.h is')
     parser.add_argument('--link', action='append', default=[], metavar='FILE', help="doctest's main program, libraries")
     arguments = parser.parse_args()
-    faults = planted.faults_of(planted.PROJECT / 'tests' / 'mutation' / 'symptoms.txt', ('chapter',))
-    words = [fault.name for fault in faults]
+    faults = planted.faults_of(planted.PROJECT / 'tests' / 'mutation' / 'symptoms.txt', ())
+    words = [fault.name.split(' ', 1)[1] for fault in faults]
     wrong = 0
     with tempfile.TemporaryDirectory(prefix='texmap-symptoms-') as folder:
         tree = Path(folder)
         for name in ('common', 'chapters', 'tests/chapters', 'tests/support'):
             shutil.copytree(planted.PROJECT / name, tree / name)
         for fault in faults:
-            if arguments.words and fault.name not in arguments.words:
+            if arguments.names and fault.name not in arguments.names:
                 continue
             path, text = fault.plant(tree)
             trouble = tried(fault, tree, arguments, words)
