@@ -160,11 +160,8 @@ bool compare_chapters(const std::string& from, const std::string& to, const Choi
 
 DrawnStep picture_in(const std::string& typed) {
   const std::filesystem::path path = path_of(typed);
-  return {
-      typed,
-      with_name("cannot load", path, [&] { return decode_image(read_file(path, max_file_bytes)); }),
-      {},
-      {}};
+  const auto decoded = [&] { return decode_image(read_file(path, max_file_bytes)); };
+  return {typed, with_name("cannot load", path, decoded), {}, {}};
 }
 
 /// Compares two picture files and writes the page; true if they are the same.
@@ -188,12 +185,9 @@ bool is_picture(const std::string& typed) { return path_of(typed).has_extension(
 /// The chapter of a number: "7" and "07" are that of 07_earth_by_sampling.
 /// Errors: UsageError if there is none.
 std::string chapter_of(const std::string& typed, const std::vector<std::string>& chapters) {
-  const bool is_number =
-      !typed.empty() && typed.size() <= 2 && std::all_of(typed.begin(), typed.end(), is_digit);
-  std::string number = typed;
-  if (typed.size() == 1) number.insert(0, 1, '0');
+  const std::string number = typed.size() == 1 ? "0" + typed : typed;
   for (const std::string& chapter : chapters) {
-    if (is_number && number_of(chapter) == number) return chapter;
+    if (number_of(chapter) == number) return chapter;
   }
   throw UsageError("there is no chapter '" + typed + "': name two of " +
                    number_of(chapters.front()) + " to " + number_of(chapters.back()) +
