@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -83,7 +84,7 @@ TEST_CASE("one stray pixel outside the declared objects is found, with its place
   const std::string said = said_of(steps::compare(first(), stray, declared));
   for (const char* part : {"\"first_changed_elsewhere\": {\"column\": 7, \"row\": 3}",
                            "1 pixels changed that should not have", "at column 7, row 3.",
-                           "elsewhere  1 pixels changed"})
+                           "elsewhere  1 pixels changed", "elsewhere</th><td>1</td>"})
     CHECK(has(said, part));
   // An object that moved may change the pixels that it left.
   stray.objects[3 * 200 + 7] = chapter_02::middle;
@@ -100,9 +101,11 @@ TEST_CASE(
   CHECK(result.largest_dv < 1e-12);
   CHECK(result.pixels_with_uv > 10000);
   CHECK(has(said_of(result), "<td>0.25 of a turn, "));
-  DrawnStep upside_down = second();
-  for (Uv<double>& uv : upside_down.uv) uv.v = 1 - uv.v;
-  CHECK(steps::compare(second(), upside_down).largest_dv > 0.9);
+  // Turned by 0.9, which is 0.1 the short way round, and upside down.
+  DrawnStep moved = second();
+  for (Uv<double>& uv : moved.uv) uv = {std::fmod(uv.u + 0.9, 1), 1 - uv.v};
+  CHECK(steps::compare(second(), moved).largest_du == doctest::Approx(0.1));
+  CHECK(steps::compare(second(), moved).largest_dv > 0.9);
 }
 
 TEST_CASE("of chapters without pixels to compare the page shows the code and says why") {
