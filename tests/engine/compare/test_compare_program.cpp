@@ -20,7 +20,7 @@ const std::string program = "'" TEXMAP_COMPARE "' ";
 /// and another one of 99 x 100.
 struct Desk {
   TemporaryFolder folder;
-  Image a = Image(100, 100, {100, 150, 200});
+  Image a = Image(100, 100, {31, 20, 9});
   Image b = a;
 
   Desk() {
@@ -119,19 +119,19 @@ TEST_CASE("what is printed is the table and the verdict to the byte, without lin
         "RMSE                 0 levels\n"
         "PSNR                 infinite dB\n"
         "SSIM                 1 (1: equal)\n"
-        "mean value           150 and 150 levels\n"
+        "mean value           20 and 20 levels\n"
         "off by more than 0: 0 pixels, 0 of all allowed: the same\n");
   CHECK_FALSE(has(desk.compare("a.png b.png").out, "SSIM"));
   CHECK(desk.compare("a.png b.png --all").out ==
         "size                 100 x 100 pixels, 10000 compared\n"
         "different            3 pixels (0.03 %)\n"
         "within               columns 10 to 50, rows 20 to 25\n"
-        "largest difference   5 levels at column 10, row 20: (100, 150, 200) and (105, 150, 200)\n"
+        "largest difference   5 levels at column 10, row 20: (31, 20, 9) and (36, 20, 9)\n"
         "mean absolute error  0.000366667 levels\n"
         "RMSE                 0.0412311 levels\n"
         "PSNR                 75.8263 dB\n"
-        "SSIM                 0.9999658785 (1: equal)\n"
-        "mean value           150 and 150 levels\n"
+        "SSIM                 0.9999658092 (1: equal)\n"
+        "mean value           20 and 20 levels\n"
         "off by more than 0: 3 pixels, 0 of all allowed: they differ\n");
 }
 
@@ -154,14 +154,14 @@ TEST_CASE("the map, the figures as JSON and the mask are those of the library") 
   "pixels_different": 2,
   "share_different": 0.00020002000200020003,
   "box": {"left": 12, "top": 21, "width": 39, "height": 5},
-  "largest_difference": {"levels": 5, "column": 12, "row": 25, "a": [100, 150, 200], "b": [100, 145, 200]},
+  "largest_difference": {"levels": 5, "column": 12, "row": 25, "a": [31, 20, 9], "b": [31, 15, 9]},
   "mean_absolute_error": 0.00020002000200020003,
   "root_mean_square_error": 0.029440674958310088,
   "psnr": "finite",
   "psnr_db": 78.75184835996947,
-  "ssim": 0.9999826005856537,
-  "mean_a": 150,
-  "mean_b": 149.999866653332
+  "ssim": 0.999982547970944,
+  "mean_a": 20,
+  "mean_b": 19.999866653332
 }
 )");
   // With all that differs left out, the pictures are the same.
