@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/compare/show_figures.hpp"
 #include "engine/measure/text.hpp"

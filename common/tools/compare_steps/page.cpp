@@ -1,5 +1,6 @@
 // The pages that show what changed between two steps, two chapters or two pictures.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
