@@ -28,8 +28,6 @@ Hit<double> front_of(const Objects& objects) {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 01");
-
 TEST_CASE("a ray goes through the middle of its pixel") {
   const View<> view = view_of({.eye = {0, 0, 5}, .target = {0, 0, 0}, .fov_y_degrees = 90}, 4, 2);
   const auto slope = [&](double column, double row) {
@@ -52,13 +50,10 @@ TEST_CASE("a ray meets the near side of a sphere") {
 }
 
 TEST_CASE("the normal points outward and has length 1") {
-  for (const double radius : {1.0, 2.0}) {
-    expect_number("z of the normal in front of a sphere of radius " + digits_of(radius),
-                  front_of(globe(radius)).normal.z, 1,
-                  {{-1, "the normal points inward"},
-                   {-radius, "the normal points inward"},
-                   {radius, "the normal was not divided by the radius"}});
-  }
+  expect_number("z of the normal in front of a sphere of radius 2", front_of(globe(2)).normal.z, 1,
+                {{-1, "the normal points inward"},
+                 {-2, "the normal points inward"},
+                 {2, "the normal was not divided by the radius"}});
 }
 
 TEST_CASE("light is the cosine between the normal and the unit vector to the lamp") {
@@ -68,9 +63,6 @@ TEST_CASE("light is the cosine between the normal and the unit vector to the lam
   expect_number("the cosine under a lamp straight above, 8 away", cosine({0, 0, 9}), 1,
                 {{8, "the vector to the lamp was not divided by its length (not normalized)"},
                  {64, "the vector to the lamp was not divided by its length (not normalized)"},
-                 {0, "the normal points inward, or the point is in its own shadow"}});
-  expect_number("the cosine under a lamp at 60 degrees", cosine({std::sqrt(3.0), 0, 2}), 0.5,
-                {{1, "the vector to the lamp was not divided by its length (not normalized)"},
                  {0, "the normal points inward, or the point is in its own shadow"}});
   expect_number(
       "the cosine on the side away from the lamp", cosine({0, 0, -9}), 0,
@@ -109,8 +101,6 @@ TEST_CASE("another object casts a shadow if it is between the point and the lamp
 
 TEST_CASE("brightness is ambient + diffuse times the cosine, and the sky is blue above") {
   const Lambertian surface{.ambient = 0.2, .diffuse = 0.8};
-  expect_number("the brightness at a cosine of 0", lambert<double>(surface, {{}, 0}), 0.2,
-                {{0, "the ambient light is missing"}});
   expect_number(
       "the brightness at a cosine of 1/2", lambert<double>(surface, {{}, 0.5}), 0.6,
       {{0.5, "ambient and diffuse are exchanged"}, {0.4, "the ambient light is missing"}});
@@ -118,5 +108,3 @@ TEST_CASE("brightness is ambient + diffuse times the cosine, and the sky is blue
   expect_number("red straight up in the sky", stage.sky(Ray<double>{{}, {0, 1, 0}}).r, 0.5,
                 {{1, "the sky is upside down"}});
 }
-
-TEST_SUITE_END();

@@ -9,18 +9,17 @@
 using namespace texmap;
 using namespace texmap::test;
 
-TEST_SUITE_BEGIN("symptoms of chapter 02");
-
 TEST_CASE("u grows from -x through +z, +x and -z") {
   const struct {
-    NamedDirection at;
+    const char* name;
+    Vec3d direction;
     double u;
-  } places[] = {{{"+x", {1, 0, 0}}, 0.5},
-                {{"+z", {0, 0, 1}}, 0.25},
-                {{"-z", {0, 0, -1}}, 0.75},
-                {{"-x", {-1, 0, 0}}, 0}};
-  for (const auto& [at, u] : places) {
-    expect_number(std::string("u at ") + at.name, uv_rtiow(at.direction).u, u,
+  } places[] = {{"+x", {1, 0, 0}, 0.5},
+                {"+z", {0, 0, 1}, 0.25},
+                {"-z", {0, 0, -1}, 0.75},
+                {"-x", {-1, 0, 0}, 0}};
+  for (const auto& [name, direction, u] : places) {
+    expect_number(std::string("u at ") + name, uv_rtiow(direction).u, u,
                   {{1 - u, "u runs the other way (mirrored)"},
                    {u - 0.5, "u begins at -1/2: the 1/2 is missing"},
                    {u == 0 ? 1.0 : -1.0, "u must stay below 1"}},
@@ -29,10 +28,6 @@ TEST_CASE("u grows from -x through +z, +x and -z") {
 }
 
 TEST_CASE("v grows from the south pole to the north pole, by the angle") {
-  expect_number("v at the south pole", uv_rtiow(Vec3d{0, -1, 0}).v, 0,
-                {{1, "v runs the other way (flipped)"}});
-  expect_number("v at the north pole", uv_rtiow(Vec3d{0, 1, 0}).v, 1,
-                {{0, "v runs the other way (flipped)"}});
   const double degrees = std::numbers::pi / 180;
   const Vec3d north{0, std::sin(30 * degrees), std::cos(30 * degrees)};
   expect_number("v at 30 degrees north", uv_rtiow(north).v, 2 / 3.0,
@@ -71,5 +66,3 @@ TEST_CASE("the checkerboard's squares begin at (0, 0) and alternate both ways") 
   expect_number("red at (0.95, 1)", red(0.95, 1), 1,
                 {{0, "v = 1 belongs to the last row: there is no row 10"}});
 }
-
-TEST_SUITE_END();

@@ -1,6 +1,5 @@
 // Chapter 03's symptoms: from (u, v) to a texel and its color, with the word for a mistake.
 #include <cmath>
-#include <initializer_list>
 
 #include "scene/sphere.hpp"
 #include "support/symptoms.hpp"
@@ -20,13 +19,9 @@ TexelPlace<double> place_of(double u, double v) {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 03");
-
 TEST_CASE("u runs to the right: columns are counted from the left") {
   expect_number("of 4 columns, the one at u = 0.1", place_of(0.1, 0.1).column, 0,
                 {{3, "u runs the other way (mirrored)"}});
-  expect_that(uv_rtiow(Vec3d{0.1, 0, 1}).u > uv_rtiow(Vec3d{0, 0, 1}).u,
-              "seen from +z, u grows to the right", "u runs the other way (mirrored)");
 }
 
 TEST_CASE("v runs up: row 0 of a file is its upper edge") {
@@ -39,8 +34,6 @@ TEST_CASE("each of n columns is 1/n wide") {
   expect_number("of 4 columns, the one at u = 0.9", place_of(0.9, 0.5).column, 3,
                 {{2, "(n - 1) u in place of n u: the last column is met at u = 1 alone"},
                  {4, "n u was rounded and not cut off (half a texel)"}});
-  expect_number("of 4 columns, the one at u = 0.26", place_of(0.26, 0.5).column, 1,
-                {{0, "(n - 1) u in place of n u: the last column is met at u = 1 alone"}});
   expect_number("of 4 columns, the one at u = 0.2", place_of(0.2, 0.5).column, 0,
                 {{1, "n u was rounded and not cut off (half a texel)"}});
 }
@@ -48,10 +41,7 @@ TEST_CASE("each of n columns is 1/n wide") {
 TEST_CASE("no coordinate leads out of the image") {
   const char* word = "this is outside the image: limit it (no clamp)";
   expect_number("of 4 columns, the one at u = 1", place_of(1, 0.5).column, 3, {{4, word}});
-  expect_number("of 4 rows, the one at v = 1", place_of(0.5, 1).row, 0, {{-1, word}});
   expect_number("of 4 columns, the one at u = -0.5", place_of(-0.5, 0.5).column, 0, {{-2, word}},
-                word);
-  expect_number("of 4 columns, the one at u = 1.5", place_of(1.5, 0.5).column, 3, {{6, word}},
                 word);
 }
 
@@ -61,9 +51,6 @@ TEST_CASE("a color is red, green, blue, and 255 is 1") {
                 {{0.2, "red and blue are exchanged (BGR)"},
                  {204, "bytes are not divided by 255"},
                  {204 / 256.0, "255 must become 1: divide by 255, not 256"}});
-  expect_number("blue of the texel (204, 102, 51)", color.b, 0.2,
-                {{0.8, "red and blue are exchanged (BGR)"}});
-  expect_number("green of the texel (204, 102, 51)", color.g, 0.4, {});
 }
 
 TEST_CASE("the map's upper left corner is north, just east of the line at -x") {
@@ -81,5 +68,3 @@ TEST_CASE("the map's upper left corner is north, just east of the line at -x") {
                 : seen({-1, -2, -0.1}) > 0 ? "both u and v run the other way"
                                            : "the map begins at another place");
 }
-
-TEST_SUITE_END();

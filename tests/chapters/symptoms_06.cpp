@@ -20,25 +20,15 @@ double highlight_towards(const Vec3d& eye, double cosine = 0.8) {
   return highlight(shiny, LightSample<double>{from_left, cosine}, up, eye);
 }
 
-/// A point of the globe under the lamp, with its light computed without the course's functions of
-/// light.
+/// A point of the globe, with its light computed without the course's functions of light.
 struct GlobePoint {
   Vec3d normal;  ///< of length 1; the globe has radius 1 about (0, 0, 0)
-  Vec3d to_lamp;
-  double cosine;
-  Vec3d reflected;
-
-  explicit GlobePoint(const Vec3d& place) : normal(place) {
-    const Vec3d path{5 - place.x, 5 - place.y, 5 - place.z};
-    to_lamp = path * (1 / std::sqrt(inner(path, path)));
-    cosine = inner(to_lamp, normal);
-    reflected = normal * (2 * cosine) - to_lamp;
-  }
-
-  static double inner(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  Vec3d to_lamp = normalize(Vec3d{5, 5, 5} - normal);
+  double cosine = dot(to_lamp, normal);
+  Vec3d reflected = normal * (2 * cosine) - to_lamp;
 };
 
-const GlobePoint top({0, 1, 0});
+const GlobePoint top{{0, 1, 0}};
 const Rgb globe_color{0.9, 0.6, 0.3};
 constexpr double strength = 0.3;  // of the highlight
 
@@ -64,22 +54,16 @@ Vec3d beside_the_highlight(double degrees) {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 06");
-
 TEST_CASE("the reflected light leaves on the other side, at the same height") {
   const Vec3d mirrored = mirror(from_left, up);
   expect_number("x of the reflected light", mirrored.x, 0.6,
                 {{-0.6, "the reflected direction has the wrong sign (highlight sign)"}});
-  expect_number("y of the reflected light", mirrored.y, 0.8,
-                {{-0.8, "the reflected direction has the wrong sign (highlight sign)"}});
 }
 
 TEST_CASE("the highlight is brightest toward the eye in the mirror's direction") {
   expect_number("the highlight seen along the reflected light", highlight_towards(to_right), 0.5,
                 {{0, "it shines away from the eye: r . e has the wrong sign (highlight sign)"},
                  {1, "the strength of the highlight is missing"}});
-  expect_number("the highlight seen from the opposite side", highlight_towards(-to_right), 0,
-                {{0.5, "it shines away from the eye: r . e has the wrong sign (highlight sign)"}});
 }
 
 TEST_CASE("the exponent narrows the highlight, and shadow has none") {
@@ -101,7 +85,7 @@ TEST_CASE("the lesson's light is ambient + diffuse, and its globe is not blended
        {0.7 * bright + 0.3 * own_red, "texture and light are always blended: only if phong.blends"},
        {own_red, "the light is missing"}},
       "not color times (ambient + diffuse)");
-  const GlobePoint dark({-0.6, 0, -0.8});  // the lamp is below its horizon
+  const GlobePoint dark{{-0.6, 0, -0.8}};  // the lamp is below its horizon
   expect_number("red of a point on the dark side", seen_from(plain_globe(), dark, dark.normal).r,
                 own_red * 0.2,
                 {{0, "the ambient light is missing"},
@@ -134,7 +118,7 @@ TEST_CASE("the lesson's highlight has the exponent 50, about the reflected light
                 with(50),
                 {{with(1), "its exponent is missing"},
                  {with(10), "it is too wide: its exponent is 10, and not 50"},
-                 {strength * std::pow(GlobePoint::inner(half, top.normal), 50),
+                 {strength * std::pow(dot(half, top.normal), 50),
                   "it is too wide: this is Blinn's half vector, and not the reflected light"},
                  {0, "no highlight, or the direction to the eye has the wrong sign"}},
                 "another exponent, or another formula");
@@ -153,7 +137,7 @@ TEST_CASE("half a blend is the mean of the texture and of its light, which ends 
        {(bright - 0.2 + own_red) / 2, "the ambient light is missing"}});
   // Near the lamp's foot the light is almost 1; with the highlight it is more.
   const double third = 1 / std::sqrt(3.0);
-  const GlobePoint foot({third, third, third});
+  const GlobePoint foot{{third, third, third}};
   expect_number("red in the highlight under the lamp, at half a blend",
                 seen_from(lesson, foot, foot.normal).r, (1 + own_red) / 2,
                 {{(1 + strength + own_red) / 2, "light above 1 was not limited to 1"},
@@ -164,16 +148,10 @@ TEST_CASE("the blend weighs the texture, and the rest is light") {
   chapter_06::Lesson lesson;
   lesson.phong.blends = true;
   lesson.objects[chapter_06::middle].paint = Solid{{0.9, 0.2, 0.2}};
-  const Ray<double> ray{{0, 0, 8}, {0, 0, -1}};
-  for (const double weight : {0.3, 1.0, 0.0}) {
-    lesson.phong.blend = weight;
-    const Rgb seen = lesson(ray);
-    // Light is gray: red less green comes from the texture alone.
-    expect_number("red less green of a texture of 0.7 with the blend " + digits_of(weight),
-                  seen.r - seen.g, weight * 0.7,
-                  {{(1 - weight) * 0.7, "the weights of texture and light are exchanged (blend)"},
-                   {0.7, "the texture is not blended"}});
-  }
+  lesson.phong.blend = 0.3;
+  const Rgb seen = lesson(Ray<double>{{0, 0, 8}, {0, 0, -1}});
+  // Light is gray: red less green comes from the texture alone.
+  expect_number("red less green of a texture of 0.7 with the blend 0.3", seen.r - seen.g, 0.3 * 0.7,
+                {{0.7 * 0.7, "the weights of texture and light are exchanged (blend)"},
+                 {0.7, "the texture is not blended"}});
 }
-
-TEST_SUITE_END();

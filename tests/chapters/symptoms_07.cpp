@@ -26,8 +26,6 @@ struct GridOfSamples {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 07");
-
 TEST_CASE("bytes are light on a curve: decode before averaging, encode before writing") {
   expect_number("the light of the byte 188 / 255", srgb_decode(188 / 255.0), 0.5028864580,
                 {{188 / 255.0, "the curve of image files is missing"},
@@ -69,5 +67,3 @@ TEST_CASE("a white sphere under a white sky is white: no light is lost and none 
                 {{0, "paths end at the sphere: the first bounce is missing"},
                  {0.5, "half of the light is lost at each bounce"}});
 }
-
-TEST_SUITE_END();

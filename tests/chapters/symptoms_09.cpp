@@ -18,8 +18,6 @@ LightImage steps() {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 09");
-
 TEST_CASE("a texel's center is half a texel from its edge") {
   const FilteredTexture texture{.pyramid = pyramid_of(steps()), .filter = Filter::bilinear};
   const auto red = [&](double u) { return texture(Uv<double>{u, 0.5}).r; };
@@ -43,8 +41,6 @@ TEST_CASE("the footprint is as long as the derivative says, in texels") {
 }
 
 TEST_CASE("a level is twice as coarse as the one before") {
-  expect_number("the level for texels of width 1", level_place(1.0, 5).number, 0,
-                {{1, "one level too high: everything is blurred"}});
   expect_number("the level for texels of width 4", level_place(4.0, 5).number, 2,
                 {{3, "one level too high: everything is blurred"},
                  {1, "one level too low: far away it flickers"},
@@ -57,5 +53,3 @@ TEST_CASE("a level is twice as coarse as the one before") {
                  {0.75, "the sum was not divided"},
                  {1.5, "the sum was not divided"}});
 }
-
-TEST_SUITE_END();

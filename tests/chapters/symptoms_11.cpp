@@ -34,8 +34,6 @@ Vec3d normal_from(const Rgb& color, Green green) {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 11");
-
 TEST_CASE("the normal of a slope leans downhill") {
   const Vec3d normal =
       raised_normal(towards_us, frame, Slope<double>{0, 1, 0}, 0.0, BumpForm::exact);
@@ -69,5 +67,3 @@ TEST_CASE("red leans to the right, green leans up, or down where the file says s
               "more green leans down in a file whose green points down",
               "green counts the other way: dents in place of bumps");
 }
-
-TEST_SUITE_END();

@@ -23,8 +23,6 @@ double seen(const Environment& sky, const Vec3d& direction) {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("symptoms of chapter 12");
-
 TEST_CASE("the sky's middle is at +x, +z lies to its left, and row 0 is above") {
   expect_number("column 4 of 8 just behind +x", seen(with_one_white(4, 1), {1, 0.1, -0.1}), 1, {},
                 seen(with_one_white(4, 1), {1, 0.1, 0.1}) > 0
@@ -69,5 +67,3 @@ TEST_CASE("directions toward a lamp in the sky are as likely as it is bright") {
   expect_number("the light in a direction that was drawn", seen(sky, drawn), 1,
                 {{0, "drawn away from the light: half a texel off, mirrored or flipped"}});
 }
-
-TEST_SUITE_END();

@@ -3,11 +3,10 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <string>
 
-#include "math/vec3.hpp"
+#include "engine/measure/text.hpp"
 #include "support/call_place.hpp"
 
 namespace texmap::test {
@@ -17,13 +16,6 @@ struct Suspect {
   double value;
   const char* word;  ///< such as "u runs the other way (mirrored)"
 };
-
-/// A number for a reader: 10 digits, without zeros at the end.
-[[nodiscard]] inline std::string digits_of(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.10g", value);
-  return digits;
-}
 
 inline constexpr double beyond_doubt = 1e-9;
 
@@ -50,7 +42,7 @@ inline void expect_number(const std::string& what, double is, double should,
     }
   }
   std::string report = what;
-  report += " is " + digits_of(is) + " here and should be " + digits_of(should);
+  report += " is " + shown(is, 10) + " here and should be " + shown(should, 10);
   if (!word.empty()) report += ": " + word;
   ADD_FAIL_CHECK_AT(place.file, place.line, report);
 }
@@ -64,11 +56,5 @@ inline void expect_that(bool so, const std::string& law, const char* word,
   }
   ADD_FAIL_CHECK_AT(place.file, place.line, law << ": " << word);
 }
-
-/// A direction with the name that a message gives it.
-struct NamedDirection {
-  const char* name;
-  Vec3d direction;
-};
 
 }  // namespace texmap::test

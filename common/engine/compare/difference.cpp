@@ -18,58 +18,6 @@ std::string size_of(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-/// A mean of the compared values. Rows come in any order, and are summed in theirs: the same bits
-/// with any number of threads, and small rounding errors.
-class Mean {
- public:
-  explicit Mean(int rows)
-      : sums_(static_cast<std::size_t>(rows)), counts_(static_cast<std::size_t>(rows)) {}
-
-  /// Adds the compared values from column `first` up to, not including, `end`.
-  void add(const Image& mask, int row, std::span<const double> values, int first, int end) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (int x = first; x < end; ++x) {
-      if (!is_compared(mask, x, row)) continue;
-      sum += values[static_cast<std::size_t>(x)];
-      ++count;
-    }
-    sums_[static_cast<std::size_t>(row)] = sum;
-    counts_[static_cast<std::size_t>(row)] = count;
-  }
-  [[nodiscard]] std::size_t count() const {
-    return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0});
-  }
-  [[nodiscard]] double value() const {
-    return std::accumulate(sums_.begin(), sums_.end(), 0.0) / static_cast<double>(count());
-  }
-
- private:
-  std::vector<double> sums_;
-  std::vector<std::size_t> counts_;
-};
-
-double mean_ssim(const Image& a, const Image& b, const Image& mask) {
-  Mean all(a.height), inside(a.height);
-  ssim_rows(a, b, [&](int row, std::span<const double> values) {
-    all.add(mask, row, values, 0, a.width);
-    if (row < ssim_window_radius || row >= a.height - ssim_window_radius) return;
-    inside.add(mask, row, values, ssim_window_radius, a.width - ssim_window_radius);
-  });
-  return inside.count() > 0 ? inside.value() : all.value();
-}
-
-/// `b` with the pixels of `a` where the mask is black.
-Image with_left_out_equal(const Image& a, const Image& b, const Image& mask) {
-  Image result = b;
-  for (int row = 0; row < a.height; ++row) {
-    for (int column = 0; column < a.width; ++column) {
-      if (!is_compared(mask, column, row)) result.at(column, row) = a.at(column, row);
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 int channel_difference(Rgb8 p, Rgb8 q) {
@@ -141,7 +89,7 @@ Figures measure(const Image& a, const Image& b, const Image& mask, Detail detail
   figures.box = {left, top, right - left + 1, bottom - top + 1};
   figures.structural_similarity = std::numeric_limits<double>::quiet_NaN();
   if (detail == Detail::pixels) return figures;
-  figures.structural_similarity = mean_ssim(a, with_left_out_equal(a, b, mask), mask);
+  figures.structural_similarity = mean_ssim(a, b, mask);
   return figures;
 }
 

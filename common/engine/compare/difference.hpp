@@ -41,7 +41,7 @@ struct Figures {
   double mean_absolute_error = 0;     ///< levels, mean of |a - b| over pixels and channels
   double root_mean_square_error = 0;  ///< levels, over pixels and channels
   double peak_signal_to_noise = 0;    ///< dB; infinity if the pictures are equal
-  double structural_similarity = 1;   ///< mean of ssim_rows, -1 to 1; 1 if equal
+  double structural_similarity = 1;   ///< mean_ssim, -1 to 1; 1 if equal
   double mean_a = 0, mean_b = 0;      ///< levels, mean over pixels and channels of each picture
 
   /// How many of the compared pixels have a channel_difference of 0, 1, ... 255 levels.

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <string_view>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -77,11 +77,10 @@ Image changed_pixels(Image image, const Change& change) {
   return image;
 }
 
-Image with_columns_reversed(const Image& image) {
-  return placed(image, [&](int x, int y) { return Place(image.width - 1 - x, y); });
-}
-Image with_rows_reversed(const Image& image) {
-  return placed(image, [&](int x, int y) { return Place(x, image.height - 1 - y); });
+Image flipped(const Image& image, bool columns, bool rows) {
+  return placed(image, [&](int x, int y) {
+    return Place(columns ? image.width - 1 - x : x, rows ? image.height - 1 - y : y);
+  });
 }
 /// Red, green and blue taken from other channels.
 template <auto red, auto green, auto blue>
@@ -92,26 +91,15 @@ constexpr auto with_red_and_blue_exchanged = with_channels<&Rgb8::b, &Rgb8::g, &
 
 /// The picture moved to the right and down; columns come in again at the other side, rows do not.
 ///
-/// @param right, down  at most the width or the height
-Image moved_by(const Image& image, int right, int down) {
-  return placed(image, [&](int x, int y) {
-    return Place((x - right + image.width) % image.width,
-                 std::clamp(y - down, 0, image.height - 1));
-  });
-}
-
-/// Pictures that are right but for their place, which is a pixel off; whatever fills the edge.
-void add_shifted(std::vector<WrongPicture>& wrong, const std::string& name,
-                 const std::string& words, const Image& right, const Place& by) {
-  const auto [columns, rows] = by;
-  wrong.push_back({name, words, moved_by(right, columns, rows)});
-  const auto black = [by](int x, int y) { return Place(x - by.first, y - by.second); };
-  wrong.push_back({name + "_black", words, placed(right, black)});
-  if (rows == 0) return;
-  const auto around = [by, w = right.width, h = right.height](int x, int y) {
-    return Place((x - by.first + w) % w, (y - by.second + h) % h);
+/// @param right, down  in pixels, at most the width or the height
+/// @param parts        of a pixel, such as 2 for halves: it is drawn as so many along each move
+Image moved_by(const Image& image, int right, int down, int parts = 1) {
+  const int across = right == 0 ? 1 : parts, along = down == 0 ? 1 : parts;
+  const int columns = across * image.width;
+  const auto from = [=, last = image.height - 1](int x, int y) {
+    return Place((x - right + columns) % columns / across, std::clamp((y - down) / along, 0, last));
   };
-  wrong.push_back({name + "_rolled", words, placed(right, around)});
+  return placed(image, from, columns, along * image.height);
 }
 
 /// Weights of red, green and blue whose sum is 1.
@@ -133,23 +121,6 @@ Image through_curve(const Image& image, double (*curve)(double)) {
   }
   return changed_pixels(image, [&](Rgb8 p) { return Rgb8{table[p.r], table[p.g], table[p.b]}; });
 }
-double square_root(double x) { return std::sqrt(x); }
-double squared(double x) { return x * x; }
-double inverted(double x) { return 1 - x; }
-
-/// Each texel drawn as two columns, and all of them moved to the right by so many of these.
-Image moved_by_half_a_texel(const Image& map, int right) {
-  const int columns = 2 * map.width;
-  const auto from = [=](int x, int y) { return Place((x - right + columns) % columns / 2, y); };
-  return placed(map, from, columns, map.height);
-}
-/// The same for rows, which stop at the edges.
-Image moved_down_by_half_a_texel(const Image& map, int down) {
-  const int last = map.height - 1;
-  const auto from = [=](int x, int y) { return Place(x, std::clamp((y - down) / 2, 0, last)); };
-  return placed(map, from, map.width, 2 * map.height);
-}
-
 /// u and v exchanged: the map's column is taken by v, its row by u.
 Image transposed(const Image& map) {
   const auto from = [&](int x, int y) { return Place(map.width - 1 - y, map.height - 1 - x); };
@@ -221,49 +192,62 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
   const std::string order = "the channels of the whole picture are in the wrong order";
   std::vector<WrongPicture> wrong{
       {"picture_mirrored", "the whole picture is mirrored: columns run the other way",
-       with_columns_reversed(right)},
+       flipped(right, true, false)},
       {"picture_upside_down", "the whole picture is upside down: rows run the other way",
-       with_rows_reversed(right)},
+       flipped(right, false, true)},
       {"picture_half_turn",
        "the whole picture is turned by half: columns and rows run the other way",
-       with_rows_reversed(with_columns_reversed(right))},
+       flipped(right, true, true)},
       {"picture_bgr", "red and blue are exchanged in the whole picture",
        with_red_and_blue_exchanged(right)},
       {"picture_gray", gray, grayed(right, equal_weights)},
       {"picture_gray_601", gray, grayed(right, weights_of_1982)},
       {"picture_gray_709", gray, grayed(right, weights_of_1990)},
       {"picture_dark", dark, through_curve(right, srgb_decode<double>)},
-      {"picture_dark_squared", dark, through_curve(right, squared)},
+      {"picture_dark_squared", dark, through_curve(right, [](double x) { return x * x; })},
       {"picture_pale", pale, through_curve(right, srgb_encode<double>)},
-      {"picture_pale_root", pale, through_curve(right, square_root)},
+      {"picture_pale_root", pale, through_curve(right, [](double x) { return std::sqrt(x); })},
       {"picture_gbr", order + ": green, blue, red",
        with_channels<&Rgb8::g, &Rgb8::b, &Rgb8::r>(right)},
       {"picture_brg", order + ": blue, red, green",
        with_channels<&Rgb8::b, &Rgb8::r, &Rgb8::g>(right)},
       {"picture_mirrored_bgr", "the whole picture is mirrored, and red and blue are exchanged",
-       with_red_and_blue_exchanged(with_columns_reversed(right))},
+       with_red_and_blue_exchanged(flipped(right, true, false))},
       {"picture_upside_down_bgr",
        "the whole picture is upside down, and red and blue are exchanged",
-       with_red_and_blue_exchanged(with_rows_reversed(right))},
+       with_red_and_blue_exchanged(flipped(right, false, true))},
       {"picture_inverted", "inverted: each channel is 255 minus what it should be",
-       through_curve(right, inverted)},
+       through_curve(right, [](double x) { return 1 - x; })},
       {"picture_black", "black: nothing was drawn", Image(right.width, right.height)},
       {"picture_white", "white: every channel of every pixel is 255",
        Image(right.width, right.height, {255, 255, 255})},
   };
-  add_shifted(wrong, "picture_left", "the whole picture is one pixel too far to the left", right,
-              {-1, 0});
-  add_shifted(wrong, "picture_right", "the whole picture is one pixel too far to the right", right,
-              {1, 0});
-  add_shifted(wrong, "picture_up", "the whole picture is one pixel too high", right, {0, -1});
-  add_shifted(wrong, "picture_down", "the whole picture is one pixel too low", right, {0, 1});
-  const std::string both = "the whole picture is one pixel off, in columns and in rows";
-  for (const int columns : {-1, 1}) {
-    for (const int rows : {-1, 1}) {
-      const std::string name =
-          std::string("picture_") + (rows < 0 ? "up" : "down") + (columns < 0 ? "_left" : "_right");
-      add_shifted(wrong, name, both, right, {columns, rows});
-    }
+  // A pixel off, whatever fills the edge.
+  const char* const both = "off, in columns and in rows";
+  const struct {
+    const char *name, *words;
+    int columns, rows;
+  } shifts[] = {
+      {"left", "too far to the left", -1, 0},
+      {"right", "too far to the right", 1, 0},
+      {"up", "too high", 0, -1},
+      {"down", "too low", 0, 1},
+      {"up_left", both, -1, -1},
+      {"down_left", both, -1, 1},
+      {"up_right", both, 1, -1},
+      {"down_right", both, 1, 1},
+  };
+  for (const auto& by : shifts) {
+    const std::string name = std::string("picture_") + by.name;
+    const std::string words = std::string("the whole picture is one pixel ") + by.words;
+    const auto black = [&](int x, int y) { return Place(x - by.columns, y - by.rows); };
+    const auto around = [&](int x, int y) {
+      return Place((x - by.columns + right.width) % right.width,
+                   (y - by.rows + right.height) % right.height);
+    };
+    wrong.push_back({name, words, moved_by(right, by.columns, by.rows)});
+    wrong.push_back({name + "_black", words, placed(right, black)});
+    if (by.rows != 0) wrong.push_back({name + "_rolled", words, placed(right, around)});
   }
   return wrong;
 }
@@ -273,10 +257,9 @@ std::vector<WrongPicture> mistaken_maps(const Image& map) {
   const std::string gray = "gray: the texture's colors are lost";
   const int half = map.width / 2, fourth = map.width / 4;
   return {
-      {"mirrored", "mirrored: u runs the other way", with_columns_reversed(map)},
-      {"upside_down", "upside down: v runs the other way", with_rows_reversed(map)},
-      {"half_turn", "turned by half: u and v run the other way",
-       with_rows_reversed(with_columns_reversed(map))},
+      {"mirrored", "mirrored: u runs the other way", flipped(map, true, false)},
+      {"upside_down", "upside down: v runs the other way", flipped(map, false, true)},
+      {"half_turn", "turned by half: u and v run the other way", flipped(map, true, true)},
       {"quarter_east", quarter, moved_by(map, fourth, 0)},
       {"quarter_west", quarter, moved_by(map, -fourth, 0)},
       {"opposite", "half a turn off: u begins on the other side", moved_by(map, half, 0)},
@@ -286,10 +269,10 @@ std::vector<WrongPicture> mistaken_maps(const Image& map) {
       {"by_height", "squeezed at the poles: v was taken from the height, without the angle",
        by_height(map)},
       {"half_texel_left", "half a texel to the left: u n was rounded and not cut off",
-       moved_by_half_a_texel(map, -1)},
-      {"half_texel_right", "half a texel to the right", moved_by_half_a_texel(map, 1)},
-      {"half_texel_up", "half a texel up", moved_down_by_half_a_texel(map, -1)},
-      {"half_texel_down", "half a texel down", moved_down_by_half_a_texel(map, 1)},
+       moved_by(map, -1, 0, 2)},
+      {"half_texel_right", "half a texel to the right", moved_by(map, 1, 0, 2)},
+      {"half_texel_up", "half a texel up", moved_by(map, 0, -1, 2)},
+      {"half_texel_down", "half a texel down", moved_by(map, 0, 1, 2)},
       {"texel_left", "one texel to the left: columns were counted from 1", moved_by(map, -1, 0)},
       {"texel_right", "one texel to the right", moved_by(map, 1, 0)},
       {"texel_up", "one texel up: rows were counted from 1", moved_by(map, 0, -1)},
@@ -311,20 +294,16 @@ std::vector<WrongPicture> load_wrong_pictures(const std::filesystem::path& folde
   const std::filesystem::path table = folder / "mistakes.txt";
   const std::vector<std::uint8_t> bytes =
       with_name("cannot read", table, [&] { return read_file(table, max_file_of_words); });
-  std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::istringstream lines(std::string(bytes.begin(), bytes.end()));
   std::vector<WrongPicture> wrong;
-  while (!rest.empty()) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  for (std::string line; std::getline(lines, line);) {
     if (line.empty()) continue;
     const std::size_t tab = line.find('\t');
-    if (tab == std::string_view::npos) {
-      throw FileError("cannot read '" + name_of(table) +
-                      "': a line without a tab: " + std::string(line));
-    }
+    if (tab == std::string::npos)
+      throw FileError("cannot read '" + name_of(table) + "': a line without a tab: " + line);
     const std::filesystem::path file = path_of(line.substr(0, tab));
-    wrong.push_back({name_of(file.stem()), std::string(line.substr(tab + 1)),
-                     load_image(folder / file.filename())});
+    wrong.push_back(
+        {name_of(file.stem()), line.substr(tab + 1), load_image(folder / file.filename())});
   }
   return wrong;
 }

@@ -5,20 +5,20 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <numeric>
 #include <vector>
 
+#include "engine/compare/difference.hpp"
 #include "engine/render/threads.hpp"
 
 namespace texmap {
 namespace {
 
 constexpr double window_sigma = 1.5;  // pixels
-constexpr int radius = ssim_window_radius;
+constexpr int radius = 5;             // from the center of a window to its edge
 constexpr double stabilizer_1 = (0.01 * 255) * (0.01 * 255);
 constexpr double stabilizer_2 = (0.03 * 255) * (0.03 * 255);
 constexpr int rows_of_a_band = 64;
-constexpr std::array<std::uint8_t Rgb8::*, 3> channels = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
 
 constexpr std::size_t border = 2 * static_cast<std::size_t>(radius);  // without a whole window
 using Window = std::array<double, 2 * radius + 1>;
@@ -66,25 +66,43 @@ Plane blurred(const Plane& plane, const Window& window) {
 
 }  // namespace
 
-void ssim_rows(const Image& a, const Image& b, const TakeRow& take) {
+double mean_ssim(const Image& a, const Image& b, const Image& mask) {
   const Window window = window_weights();
+  // The windows inside the picture count; all of them, if none of those is compared.
+  int margin = radius;
+  const auto counts = [&](int column, int row) {
+    return column >= margin && column < a.width - margin && row >= margin &&
+           row < a.height - margin && is_compared(mask, column, row);
+  };
+  const auto counted = [&] {
+    std::size_t count = 0;
+    for (int row = 0; row < a.height; ++row) {
+      for (int column = 0; column < a.width; ++column) count += counts(column, row) ? 1U : 0U;
+    }
+    return count;
+  };
+  std::size_t count = counted();
+  if (count == 0) {
+    margin = 0;
+    count = counted();
+  }
   const auto width = static_cast<std::size_t>(a.width);
-  const int bands = (a.height + rows_of_a_band - 1) / rows_of_a_band;
-  for_each_row(bands, 0, {}, [&](int band) {
+  std::vector<double> sums(static_cast<std::size_t>(a.height));
+  for_each_row((a.height + rows_of_a_band - 1) / rows_of_a_band, 0, {}, [&](int band) {
     const int first = band * rows_of_a_band;
     const auto rows = static_cast<std::size_t>(std::min(rows_of_a_band, a.height - first));
     const std::size_t wide = width + border, high = rows + border;
     Plane similarity{width, rows};
     Plane of_a{wide, high}, of_b{wide, high}, of_aa{wide, high}, of_bb{wide, high},
         of_ab{wide, high};
-    for (const auto channel : channels) {
+    for (const auto channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
       for (std::size_t y = 0; y < high; ++y) {
         // Outside the picture, the pixels at its edge repeat.
         const int row = std::clamp(first + static_cast<int>(y) - radius, 0, a.height - 1);
         for (std::size_t x = 0; x < wide; ++x) {
           const int column = std::clamp(static_cast<int>(x) - radius, 0, a.width - 1);
           const double level_a = a.at(column, row).*channel;
-          const double level_b = b.at(column, row).*channel;
+          const double level_b = (is_compared(mask, column, row) ? b : a).at(column, row).*channel;
           of_a.row(y)[x] = level_a;
           of_b.row(y)[x] = level_b;
           of_aa.row(y)[x] = level_a * level_a;
@@ -106,9 +124,15 @@ void ssim_rows(const Image& a, const Image& b, const TakeRow& take) {
             ((m_a * m_a + m_b * m_b + stabilizer_1) * (variance_a + variance_b + stabilizer_2)) / 3;
       }
     }
-    for (std::size_t y = 0; y < rows; ++y)
-      take(first + static_cast<int>(y), {similarity.row(y), width});
+    for (std::size_t y = 0; y < rows; ++y) {
+      const int row = first + static_cast<int>(y);
+      for (int x = 0; x < a.width; ++x) {
+        if (counts(x, row))
+          sums[static_cast<std::size_t>(row)] += similarity.row(y)[static_cast<std::size_t>(x)];
+      }
+    }
   });
+  return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(count);
 }
 
 }  // namespace texmap

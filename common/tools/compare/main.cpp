@@ -1,9 +1,6 @@
 // The program compare: how two pictures differ, in figures, as a picture, and as an exit status.
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,12 +8,11 @@
 #include "engine/app/run_guarded.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/difference_map.hpp"
-#include "engine/compare/figures_json.hpp"
+#include "engine/compare/show_figures.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/save_png.hpp"
-#include "engine/render/threads.hpp"
 #include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
 
@@ -68,66 +64,19 @@ struct Request {
   }
 };
 
+/// The picture in a file; an empty one where there is no name.
 Image load(const std::string& typed) {
+  if (typed.empty()) return {};
   const std::filesystem::path path = path_of(typed);
   return with_name("cannot load", path,
                    [&] { return decode_image(read_file(path, max_file_bytes)); });
 }
 
-/// The pictures, decoded at the same time; an empty one where there is no name.
-/// Errors: those of the first that cannot be loaded.
-std::array<Image, 3> load_all(const std::array<std::string, 3>& typed) {
-  std::array<Image, 3> images;
-  std::array<std::exception_ptr, 3> failures;
-  for_each_row(3, 3, {}, [&](int row) {
-    const auto i = static_cast<std::size_t>(row);
-    try {
-      if (!typed[i].empty()) images[i] = load(typed[i]);
-    } catch (...) {
-      failures[i] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
-  return images;
-}
-
-void save_json(const std::string& json, const std::string& typed) {
-  const std::filesystem::path path = path_of(typed);
-  with_name("cannot write", path, [&] { write_text_atomically(path, json); });
-}
-
-std::string text_of(Rgb8 color) { return text("(%d, %d, %d)", color.r, color.g, color.b); }
-
-std::string table(const Figures& f) {
+std::string table(const Figures& figures) {
   std::string lines;
-  const auto line = [&lines](const char* name, const std::string& value) {
-    lines += text("%-21s%s\n", name, value.c_str());
-  };
-  line("size", text("%d x %d pixels, %zu compared", f.width, f.height, f.pixels_compared));
-  line("different", text("%zu pixels (%g %%)", f.pixels_different, 100 * f.share_different));
-  if (f.pixels_different > 0) {
-    line("within", text("columns %d to %d, rows %d to %d", f.box.left, f.box.left + f.box.width - 1,
-                        f.box.top, f.box.top + f.box.height - 1));
-    line("largest difference",
-         text("%d levels at column %d, row %d: %s and %s", f.worst.levels, f.worst.column,
-              f.worst.row, text_of(f.worst.a).c_str(), text_of(f.worst.b).c_str()));
-  }
-  line("mean absolute error", text("%g levels", f.mean_absolute_error));
-  line("RMSE", text("%g levels", f.root_mean_square_error));
-  const double psnr = f.peak_signal_to_noise;
-  line("PSNR", std::isinf(psnr) ? "infinite dB" : text("%g dB", psnr));
-  if (!std::isnan(f.structural_similarity))
-    line("SSIM", text("%.10g (1: equal)", f.structural_similarity));
-  line("mean value", text("%g and %g levels", f.mean_a, f.mean_b));
+  for (const std::vector<std::string>& row : figure_rows(figures))
+    lines += text("%-21s%s\n", row[0].c_str(), row[1].c_str());
   return lines;
-}
-
-/// The last line: the rule, what it found, and the verdict.
-std::string verdict(const Request& request, std::size_t off, bool same) {
-  return text("off by more than %d: %zu pixels, %s of all allowed: %s\n", request.levels, off,
-              request.at_most.c_str(), same ? "the same" : "they differ");
 }
 
 /// Does all that was asked for. Returns whether the pictures are the same by the chosen rule.
@@ -136,15 +85,23 @@ bool compare(const Request& request) {
   if (!request.map.empty()) check_output(path_of(request.map));
   if (!request.json.empty()) check_output(path_of(request.json));
 
-  const auto [a, b, mask] = load_all({request.a, request.b, request.mask});
+  const Image a = load(request.a), b = load(request.b), mask = load(request.mask);
   const Detail detail = request.all || !request.json.empty() ? Detail::similarity : Detail::pixels;
   const Figures figures = measure(a, b, mask, detail);
   const std::size_t off = pixels_off_by_more_than(figures, request.levels);
   const bool same = at_most.holds(off, figures.pixels_compared);
 
   if (!request.map.empty()) save_png(difference_map(a, b, mask), path_of(request.map));
-  if (!request.json.empty()) save_json(figures_json(figures), request.json);
-  if (!request.quiet) print(table(figures) + verdict(request, off, same));
+  if (!request.json.empty()) {
+    const std::filesystem::path path = path_of(request.json);
+    const std::string json = json_of(figures).text + "\n";
+    with_name("cannot write", path, [&] { write_text_atomically(path, json); });
+  }
+  if (!request.quiet) {
+    print(table(figures) + text("off by more than %d: %zu pixels, %s of all allowed: %s\n",
+                                request.levels, off, request.at_most.c_str(),
+                                same ? "the same" : "they differ"));
+  }
   return same;
 }
 

@@ -4,46 +4,83 @@
 #include <string>
 #include <vector>
 
-#include "drawn_step.hpp"
+#include "engine/app/run_chapter.hpp"
 #include "engine/compare/difference.hpp"
+#include "texture/uv.hpp"
 #include "tools/page/page.hpp"
 
 namespace texmap::steps {
 
+/// A lesson's picture of the stage with everything that a comparison asks about it; or a picture
+/// alone, with nothing at its pixels.
+struct DrawnStep {
+  std::string name;  ///< the chapter's folder, such as 02_checkerboard_uv, and the options
+  Image picture;
+  std::vector<int> objects;    ///< index of the object at each pixel's center, -1 for the sky
+  std::vector<Uv<double>> uv;  ///< texture coordinates there; u is NaN where there are none
+};
+
+/// What the user chose about pictures.
+struct Drawing {
+  int width = 800;
+  int height = 600;
+  int threads = 0;
+};
+
+/// Draws a lesson's stage as its program does.
+///
+/// @param options  as they are typed; chapter 04 needs none: its stage is not its sheet
+template <class Lesson>
+[[nodiscard]] DrawnStep draw_step(const std::string& chapter, const Drawing& drawing,
+                                  const std::vector<std::string>& options = {}) {
+  Lesson lesson;
+  CommandLine line(chapter, "");
+  lesson.options(line);
+  Session session(chapter, line, Lesson::about, offers_for(lesson));
+  static_cast<void>(line.parse(options));
+  session.settings.quiet = true;
+  session.settings.width = drawing.width;
+  session.settings.height = drawing.height;
+  session.settings.threads = drawing.threads;
+  lesson.prepare(session);
+
+  DrawnStep step{chapter, session.draw(lesson), {}, {}};
+  for (const std::string& word : options) step.name += " " + word;
+  const View<> view = view_of(lesson.stage.camera, drawing.width, drawing.height);
+  for (int row = 0; row < drawing.height; ++row) {
+    for (int column = 0; column < drawing.width; ++column) {
+      const Surface<double> seen = surface_along(lesson, ray_through<double>(view, column, row));
+      step.objects.push_back(seen.object);
+      step.uv.push_back(seen.uv);
+    }
+  }
+  return step;
+}
+
 /// Two steps compared.
 struct Comparison {
   DrawnStep before, after;
-  std::vector<int> may_change;  ///< indices of the objects that the steps in between declare
+  ObjectSet may_change;  ///< what the steps in between declare
   Figures figures;
-  std::size_t changed_inside =
-      0;  ///< changed pixels that show, before or after, an object that may change
+  std::size_t changed_inside = 0;  ///< pixels that show, before or after, what may change
   std::size_t changed_elsewhere = 0;
-  int stray_column = -1;  ///< the first pixel that changed elsewhere, -1 if there is none
-  int stray_row = -1;
-  std::size_t pixels_with_uv = 0;  ///< where both steps have texture coordinates
-  double largest_du = 0;           ///< turns, the short way round, 0 to 1/2
-  double largest_dv = 0;           ///< 0 to 1
-  Box uv_box;                      ///< around the pixels of these that have other coordinates
+  int stray_column = -1, stray_row = -1;  ///< the first that changed elsewhere; -1: there is none
+  std::size_t pixels_with_uv = 0;         ///< where both steps have texture coordinates
+  double largest_du = 0;                  ///< turns, the short way round, 0 to 1/2
+  double largest_dv = 0;                  ///< 0 to 1
 };
 
-/// Names of the stage's objects by index; the sky is -1.
-[[nodiscard]] std::string object_name(int index);
-
 /// Errors: DifferenceError if the sizes differ.
-[[nodiscard]] Comparison compare(DrawnStep before, DrawnStep after, std::vector<int> may_change);
+[[nodiscard]] Comparison compare(DrawnStep before, DrawnStep after, ObjectSet may_change = {});
 
-/// |du| and |dv| next to each other, as difference maps with 255 for half a turn and for the whole
-/// height; gray where a step has no texture coordinates.
-[[nodiscard]] Image uv_difference_map(const Comparison& comparison);
-
-/// A part of a picture with a few pixels around it.
-[[nodiscard]] Image crop(const Image& picture, const Box& box);
-
-/// The pixels around a place, each enlarged to a square, with a frame round the one in the middle.
-[[nodiscard]] Image zoom(const Image& picture, int column, int row);
+/// Names of the stage's objects, with commas.
+[[nodiscard]] std::string names_of(ObjectSet objects, const std::string& if_empty);
 
 /// All figures as JSON.
 [[nodiscard]] std::string report_json(const Comparison& comparison);
+
+/// Lines for the terminal.
+[[nodiscard]] std::string summary(const Comparison& comparison, const std::string& page);
 
 /// Where the pictures of a page go.
 struct Pictures {
@@ -65,22 +102,13 @@ struct Code {
   std::filesystem::path picture;  ///< that it drew; empty if there is none
 };
 
-/// The page of two steps on the same stage.
-[[nodiscard]] std::string report_page(const Comparison& comparison, const std::string& before_code,
-                                      const std::string& after_code, const Pictures& pictures = {});
+/// The page of two steps on the same stage, with their code; or of two pictures, without.
+[[nodiscard]] std::string report_page(const Comparison& comparison, const Code& before,
+                                      const Code& after, const Pictures& pictures);
 
 /// The page of two chapters with no pixels to compare.
 /// @param why  there are none; the page says so
 [[nodiscard]] std::string code_page(const Code& before, const Code& after, const std::string& why,
-                                    const Pictures& pictures = {});
-
-/// The page of two pictures of one size.
-/// @param a_name, b_name  as the user typed them
-[[nodiscard]] std::string picture_page(const std::string& a_name, const Image& a,
-                                       const std::string& b_name, const Image& b,
-                                       const Figures& figures, const Pictures& pictures = {});
-
-/// Lines for the terminal.
-[[nodiscard]] std::string summary(const Comparison& comparison, const std::string& page);
+                                    const Pictures& pictures);
 
 }  // namespace texmap::steps

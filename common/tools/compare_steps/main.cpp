@@ -2,9 +2,8 @@
 // only what may change has changed.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,13 +24,7 @@
 namespace {
 
 using namespace texmap;
-using steps::DrawnStep;
-
-struct Drawing {
-  int width = 800;
-  int height = 600;
-  int threads = 0;
-};
+using steps::Code, steps::Comparison, steps::DrawnStep, steps::Drawing, steps::Pictures;
 
 /// What the user chose.
 struct Choices {
@@ -45,19 +38,15 @@ struct Choices {
 
 /// A chapter that draws the stage: its pixels can be compared with those of another.
 struct OnStage {
-  const char* name;
-  DrawnStep (*draw)(const char* name, const Drawing&, const std::vector<std::string>& options);
+  std::string_view name;
+  DrawnStep (*draw)(const std::string& chapter, const Drawing&,
+                    const std::vector<std::string>& options);
+  ObjectSet changed_objects;
 };
-
 template <class Lesson>
-constexpr OnStage on_stage(const char* name) {
-  return {name,
-          [](const char* chapter, const Drawing& drawing, const std::vector<std::string>& options) {
-            return steps::draw_step<Lesson>(chapter, drawing.width, drawing.height, drawing.threads,
-                                            options);
-          }};
+constexpr OnStage on_stage(std::string_view name) {
+  return {name, steps::draw_step<Lesson>, Lesson::about.changed_objects};
 }
-
 constexpr std::array stages = {
     on_stage<chapter_01::Lesson>("01_plain_spheres"),
     on_stage<chapter_02::Lesson>("02_checkerboard_uv"),
@@ -85,14 +74,6 @@ std::vector<std::string> options_of(const std::string& chapter, const std::strin
   return {};
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw std::runtime_error("cannot read '" + name_of(path) + "'");
-  return text.str();
-}
-
 void write_text(const std::filesystem::path& path, const std::string& text) {
   with_name("cannot write", path, [&] { write_text_atomically(path, text); });
 }
@@ -111,103 +92,89 @@ std::vector<std::string> chapters_in(const std::filesystem::path& source) {
 
 /// The chapter's code, which is lesson.hpp or a single file, and the picture that it drew last or
 /// should draw.
-steps::Code code_of(const std::string& chapter, const Choices& choices) {
+Code code_of(const std::string& chapter, const Choices& choices) {
   const std::filesystem::path source = path_of(choices.source);
-  const std::filesystem::path folder = source / chapter;
-  const std::filesystem::path lesson = folder / "lesson.hpp";
-  steps::Code code{chapter, text_of(exists(lesson) ? lesson : folder / "main.cpp"), {}};
-  for (const std::filesystem::path& place :
-       {path_of(choices.drawn), source.parent_path() / "tests" / "golden"}) {
-    if (code.picture.empty() && exists(place / (chapter + ".png")))
-      code.picture = place / (chapter + ".png");
-  }
+  const std::filesystem::path lesson = source / chapter / "lesson.hpp";
+  const std::filesystem::path file = exists(lesson) ? lesson : source / chapter / "main.cpp";
+  const std::vector<std::uint8_t> text =
+      with_name("cannot read", file, [&] { return read_file(file, max_file_bytes); });
+  Code code{chapter, {text.begin(), text.end()}, path_of(choices.drawn) / (chapter + ".png")};
+  if (!exists(code.picture))
+    code.picture = source.parent_path() / "tests" / "golden" / (chapter + ".png");
+  if (!exists(code.picture)) code.picture.clear();
   return code;
 }
 
-/// The folder of a page, made; and where its pictures go.
-steps::Pictures place_for(const std::string& name, const Choices& choices) {
-  const std::filesystem::path folder = path_of(choices.folder) / path_of(name);
-  std::filesystem::create_directories(folder);
-  return {choices.shared ? folder : std::filesystem::path(), path_of(choices.drawn)};
-}
+/// A page in a folder of its own, which is made.
+struct Place {
+  std::filesystem::path folder;
+  Pictures pictures;
+
+  Place(const std::string& name, const Choices& choices)
+      : folder(path_of(choices.folder) / path_of(name)),
+        pictures{choices.shared ? folder : std::filesystem::path(), path_of(choices.drawn)} {
+    create_directories(folder);
+  }
+  [[nodiscard]] std::filesystem::path page() const { return folder / "index.html"; }
+};
 
 /// The page of two chapters that have no pixels to compare.
-void show_code(const steps::Code& before, const steps::Code& after, const steps::Pictures& pictures,
-               const std::filesystem::path& page, bool quiet) {
-  std::string own;
-  int scenes = 0;
-  for (const std::string& chapter : {before.chapter, after.chapter}) {
-    if (stage_of(chapter) != nullptr) continue;
-    own.append(own.empty() ? "" : " and ").append(chapter);
-    scenes += 1;
-  }
+void show_code(const std::string& from, const std::string& to, const Place& place,
+               const Choices& choices) {
+  const bool of_from = stage_of(from) == nullptr, of_to = stage_of(to) == nullptr;
   const std::string why =
-      own + (scenes == 2 ? " draw scenes of their own" : " draws a scene of its own") +
+      (of_from ? from : "") + (of_from && of_to ? " and " : "") + (of_to ? to : "") +
+      (of_from && of_to ? " draw scenes of their own" : " draws a scene of its own") +
       ", so no pixels are compared.";
-  write_text(page, steps::code_page(before, after, why, pictures));
-  if (!quiet) {
-    print("from " + before.chapter + " to " + after.chapter + ": the code; " + why + " Look at " +
-          name_of(page) + "\n");
+  write_text(place.page(),
+             steps::code_page(code_of(from, choices), code_of(to, choices), why, place.pictures));
+  if (!choices.quiet) {
+    print("from " + from + " to " + to + ": the code; " + why + " Look at " +
+          name_of(place.page()) + "\n");
   }
 }
 
 /// Compares two chapters and writes the page; true if nothing else changed.
 bool compare_chapters(const std::string& from, const std::string& to, const Choices& choices) {
-  const std::string name = number_of(from) + "-" + number_of(to);
-  const steps::Pictures pictures = place_for(name, choices);
-  const std::filesystem::path place = path_of(choices.folder) / name;
-  const std::filesystem::path page = place / "index.html";
-  const steps::Code before_code = code_of(from, choices);
-  const steps::Code after_code = code_of(to, choices);
+  const Place place(number_of(from) + "-" + number_of(to), choices);
   if (stage_of(from) == nullptr || stage_of(to) == nullptr) {
-    show_code(before_code, after_code, pictures, page, choices.quiet);
+    show_code(from, to, place, choices);
     return true;
   }
-  const auto draw = [](const std::string& chapter, const Drawing& drawing,
-                       const std::string& other) {
-    const OnStage& stage = *stage_of(chapter);
-    return stage.draw(stage.name, drawing, options_of(chapter, other));
+  const auto draw = [&](const std::string& chapter, const std::string& other) {
+    return stage_of(chapter)->draw(chapter, choices.drawing, options_of(chapter, other));
   };
-  DrawnStep before = draw(from, choices.drawing, to);
-  DrawnStep after = draw(to, choices.drawing, from);
-  std::vector<int> may_change;
+  ObjectSet may_change;
   for (const OnStage& stage : stages) {
-    if (stage.name <= std::min(from, to) || stage.name > std::max(from, to)) continue;
-    const DrawnStep step = stage.name == to     ? after
-                           : stage.name == from ? before
-                                                : draw(stage.name, {8, 6, 1}, stage.name);
-    may_change.insert(may_change.end(), step.may_change.begin(), step.may_change.end());
+    if (stage.name > std::min(from, to) && stage.name <= std::max(from, to))
+      may_change.bits |= stage.changed_objects.bits;
   }
-  std::sort(may_change.begin(), may_change.end());
-  may_change.erase(std::unique(may_change.begin(), may_change.end()), may_change.end());
-
-  const steps::Comparison result = steps::compare(std::move(before), std::move(after), may_change);
-  write_text(place / "report.json", steps::report_json(result));
-  write_text(page, steps::report_page(result, before_code.text, after_code.text, pictures));
-  if (!choices.quiet || result.changed_elsewhere > 0) print(steps::summary(result, name_of(page)));
+  const Comparison result = steps::compare(draw(from, to), draw(to, from), may_change);
+  write_text(place.folder / "report.json", steps::report_json(result));
+  write_text(place.page(), steps::report_page(result, code_of(from, choices), code_of(to, choices),
+                                              place.pictures));
+  if (!choices.quiet || result.changed_elsewhere > 0)
+    print(steps::summary(result, name_of(place.page())));
   return result.changed_elsewhere == 0;
 }
 
-Image picture_in(const std::string& typed) {
+DrawnStep picture_in(const std::string& typed) {
   const std::filesystem::path path = path_of(typed);
-  return with_name("cannot load", path,
-                   [&] { return decode_image(read_file(path, max_file_bytes)); });
+  const auto decoded = [&] { return decode_image(read_file(path, max_file_bytes)); };
+  return {typed, with_name("cannot load", path, decoded), {}, {}};
 }
 
 /// Compares two picture files and writes the page; true if they are the same.
 bool compare_pictures(const std::string& from, const std::string& to, const Choices& choices) {
-  const Image a = picture_in(from);
-  const Image b = picture_in(to);
-  const Figures figures = measure(a, b);
-  std::string name = name_of(path_of(from).filename());
-  name.append("-").append(name_of(path_of(to).filename()));
-  const steps::Pictures pictures = place_for(name, choices);
-  const std::filesystem::path page = path_of(choices.folder) / path_of(name) / "index.html";
-  write_text(page, steps::picture_page(from, a, to, b, figures, pictures));
+  const Comparison result = steps::compare(picture_in(from), picture_in(to));
+  const Place place(name_of(path_of(from).filename()) + "-" + name_of(path_of(to).filename()),
+                    choices);
+  write_text(place.page(), steps::report_page(result, {}, {}, place.pictures));
+  const Figures& figures = result.figures;
   if (!choices.quiet) {
     print(text("%zu of %zu pixels differ (%.2f %%); look at ", figures.pixels_different,
                figures.pixels_compared, 100 * figures.share_different) +
-          name_of(page) + "\n");
+          name_of(place.page()) + "\n");
   }
   return figures.pixels_different == 0;
 }
@@ -218,12 +185,9 @@ bool is_picture(const std::string& typed) { return path_of(typed).has_extension(
 /// The chapter of a number: "7" and "07" are that of 07_earth_by_sampling.
 /// Errors: UsageError if there is none.
 std::string chapter_of(const std::string& typed, const std::vector<std::string>& chapters) {
-  const bool is_number =
-      !typed.empty() && typed.size() <= 2 && std::all_of(typed.begin(), typed.end(), is_digit);
-  std::string number = typed;
-  if (typed.size() == 1) number.insert(0, 1, '0');
+  const std::string number = typed.size() == 1 ? "0" + typed : typed;
   for (const std::string& chapter : chapters) {
-    if (is_number && number_of(chapter) == number) return chapter;
+    if (number_of(chapter) == number) return chapter;
   }
   throw UsageError("there is no chapter '" + typed + "': name two of " +
                    number_of(chapters.front()) + " to " + number_of(chapters.back()) +

@@ -28,7 +28,6 @@
 #include "engine/app/run_chapter.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/render.hpp"
@@ -61,16 +60,6 @@ Image drawn(const Request& request, const Words& more, const std::filesystem::pa
   session.settings.out = name_of(file);
   draw_and_save(session, lesson);
   return load_image(file);
-}
-
-/// The name of the texture that the chapter's program would load.
-template <class Lesson>
-std::string texture_of(const Words& options) {
-  for (std::size_t i = options.size(); i-- > 0;) {
-    if (options[i] == "--texture" && i + 1 < options.size()) return options[i + 1];
-    if (options[i].starts_with("--texture=")) return options[i].substr(10);
-  }
-  return Lesson{}.texture.name;
 }
 
 /// A mistake that the chapter's own options draw.
@@ -115,11 +104,6 @@ concept DrawsStage = !draws_itself<Lesson> && requires(const Lesson& lesson) {
   requires mistakes::HasHighlight<Lesson> || requires { lesson.surface; };
 };
 
-/// The paint of the turned globe.
-template <class Lesson>
-using TexturedGlobe = std::conditional_t<std::is_same_v<Lesson, chapter_05::Lesson>,
-                                         chapter_05::Textured, chapter_06::Textured>;
-
 /// Draws a chapter with every mistake that it can show.
 template <class Lesson>
 std::vector<WrongPicture> draw_all(const Request& request) {
@@ -138,9 +122,9 @@ std::vector<WrongPicture> draw_all(const Request& request) {
   const std::filesystem::path draft = request.folder / "draft.png";
 
   // A wrong look-up is a right look-up on another map.
-  if constexpr (requires { Lesson{}.texture.name; }) {
+  if constexpr (requires { Lesson{}.texture.load(); }) {
     const std::filesystem::path map_file = request.folder / "map.png";
-    const Image map = load_image(find_texture(texture_of<Lesson>(request.options)));
+    const Image map = prepared<Lesson>(request.options).texture.load();
     for (const WrongPicture& mistaken : mistaken_maps(map)) {
       save_png(mistaken.picture, map_file);
       add(mistaken.name, mistaken.words,
@@ -166,55 +150,74 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     const View<> view = view_of(lesson.stage.camera, settings.width, settings.height);
     using Object = typename decltype(lesson.objects)::value_type;
     // The picture with another color at each hit: shade(object, hit, ray).
-    const auto shaded = [&](const auto& shade) {
-      return render<double>(
-          mistakes::WithShade<Lesson, std::remove_cvref_t<decltype(shade)>>{lesson, shade}, view);
+    const auto add_shaded = [&](const std::string& name, const std::string& words,
+                                const auto& shade) {
+      add_own(name, words,
+              render<double>(
+                  [&](const Ray<double>& ray) {
+                    return color_along(lesson.objects, ray, lesson.stage.sky,
+                                       [&](const Object& object, const Hit<double>& hit) {
+                                         return shade(object, hit, ray);
+                                       });
+                  },
+                  view));
     };
-    const auto add_shaded = [&](const char* name, const char* words, const auto& shade) {
-      add_own(name, words, shaded(shade));
+    const auto add_all = [&](const auto& light_mistakes) {
+      for (const mistakes::LightMistake& one : light_mistakes) {
+        add_shaded(one.name, one.words, [&](const auto& object, const auto& hit, const auto& ray) {
+          return one.shade(mistakes::Lit(lesson, object, object.paint(hit), hit, ray));
+        });
+      }
     };
-    mistakes::for_each_light_mistake(lesson, add_shaded);
-    if constexpr (mistakes::HasHighlight<Lesson>)
-      mistakes::for_each_highlight_mistake(lesson, add_shaded);
+    add_all(mistakes::of_light);
+    add_shaded("normal_inward", "dark where the lamp shines: the normal points inward",
+               [&](const Object& object, Hit<double> hit, const auto& ray) {
+                 const Rgb color = object.paint(hit);
+                 hit.normal = -hit.normal;
+                 return mistakes::Lit(lesson, object, color, hit, ray).right();
+               });
+    if constexpr (mistakes::HasHighlight<Lesson>) add_all(mistakes::of_highlight);
     if constexpr (requires { lesson.turn; }) {
       // The globe turned by a function of its normal, and its light by another.
-      const auto turned = [&](const auto& of_texture, const auto& of_light) {
-        return shaded([&](const Object& object, Hit<double> hit, const auto& ray) {
+      Words not_turned = request.options;
+      not_turned.insert(not_turned.end(), {"--degrees", "0"});
+      const auto map = prepared<Lesson>(not_turned).objects.front().paint;
+      const auto add_turned = [&](const std::string& name, const std::string& words,
+                                  const auto& of_texture, const auto& of_light) {
+        add_shaded(name, words, [&](const Object& object, Hit<double> hit, const auto& ray) {
           Rgb color = object.paint(hit);
           if (&object == &lesson.objects.front()) {
-            auto globe = std::get<TexturedGlobe<Lesson>>(object.paint);
-            globe.mapping.rotation = {};
             Hit<double> from = hit;
             from.normal = of_texture(hit.normal);
-            color = globe(from);
+            color = map(from);
             hit.normal = of_light(hit.normal);
           }
-          return mistakes::lit(lesson, object, color, mistakes::light_at(lesson, hit), hit.normal,
-                               ray);
+          return mistakes::Lit(lesson, object, color, hit, ray).right();
         });
       };
       const RotationY turn = lesson.turn.rotation();
       const auto alone = [](const Vec3d& normal) { return normal; };
-      add_own("light_turned",
-              "light and shade turned with the globe: the normal was rotated for the light, too",
-              turned(turn, turn));
+      add_turned("light_turned",
+                 "light and shade turned with the globe: the normal was rotated for the light, too",
+                 turn, turn);
       const std::string about = "turned about a horizontal axis: y must stay as it is";
-      for (const bool back : {false, true}) {
-        const double s = back ? -turn.sine : turn.sine;
-        const double c = turn.cosine;
-        const std::string way = back ? "_back" : "";
-        add_own("about_x" + way, about,
-                turned(
-                    [&](const Vec3d& p) {
-                      return Vec3d{p.x, p.y * c - p.z * s, p.y * s + p.z * c};
-                    },
-                    alone));
-        add_own("about_z" + way, about,
-                turned(
-                    [&](const Vec3d& p) {
-                      return Vec3d{p.x * c - p.y * s, p.x * s + p.y * c, p.z};
-                    },
-                    alone));
+      for (const auto& [way, rotation] :
+           {std::pair{"", turn}, {"_back", RotationY{turn.cosine, -turn.sine}}}) {
+        // With the coordinates exchanged in a ring, y is another axis.
+        add_turned(
+            std::string("about_x") + way, about,
+            [rotation = rotation](const Vec3d& p) {
+              const Vec3d turned = rotation(Vec3d{p.z, p.x, p.y});
+              return Vec3d{turned.y, turned.z, turned.x};
+            },
+            alone);
+        add_turned(
+            std::string("about_z") + way, about,
+            [rotation = rotation](const Vec3d& p) {
+              const Vec3d turned = rotation(Vec3d{p.y, p.z, p.x});
+              return Vec3d{turned.z, turned.x, turned.y};
+            },
+            alone);
       }
     }
     if constexpr (std::is_same_v<Lesson, chapter_02::Lesson>) {

@@ -20,28 +20,15 @@ namespace {
 constexpr int width = 240;
 constexpr int height = 180;
 
-/// A lesson that gives a hit its color by a student's function.
-template <class Lesson, class Shade>
-Image drawn(const Lesson& lesson, const Shade& shade) {
-  struct Student {
-    const Lesson& lesson;
-    const Shade& shade;
-    Rgb operator()(const Ray<double>& ray) const {
-      return color_along(
-          lesson.objects, ray, lesson.stage.sky,
-          [&](const auto& object, const Hit<double>& hit) { return shade(object, hit, ray); });
-    }
-  };
-  return render<double>(Student{lesson, shade}, view_of(lesson.stage.camera, width, height));
-}
-
-/// What an instructor has of a chapter.
+/// A chapter as an instructor has it: its right picture, and what draw_mistakes draws.
+template <class Lesson>
 struct Key {
-  TemporaryFolder folder;
-  Image right;
+  Lesson lesson = prepared<Lesson>();
+  Image right = picture(lesson, width, height);
   std::vector<WrongPicture> wrong;
 
-  Key(const std::string& chapter, Image right_picture) : right(std::move(right_picture)) {
+  explicit Key(const std::string& chapter) {
+    const TemporaryFolder folder;
     const std::string size =
         " --width " + std::to_string(width) + " --height " + std::to_string(height);
     const Outcome outcome = run("\"" TEXMAP_DRAW_MISTAKES "\" " + chapter + " --out \"" +
@@ -49,137 +36,130 @@ struct Key {
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
     wrong = load_wrong_pictures(folder / "made");
   }
-  [[nodiscard]] std::string name_of(const Image& image) const {
-    return name_mistake(image, right, wrong);
+  /// The picture with a student's color at each hit gets these words, or how they begin.
+  template <class Shade>
+  void expect(const std::string& words, const Shade& shade) const {
+    const auto look = [&](const Ray<double>& ray) {
+      return color_along(
+          lesson.objects, ray, lesson.stage.sky,
+          [&](const auto& object, const Hit<double>& hit) { return shade(object, hit, ray); });
+    };
+    const Image drawn = render<double>(look, view_of(lesson.stage.camera, width, height));
+    const std::string named = name_mistake(drawn, right, wrong);
+    CHECK_MESSAGE((named.starts_with(words) && named.empty() == words.empty()), words, ": ", named);
   }
 };
 
 }  // namespace
 
 TEST_CASE("chapter 02: four mistakes draw the other squares, and have one word") {
-  const chapter_02::Lesson lesson;
-  const Key key("02", picture(lesson, width, height));
-  const auto with = [&](const auto& uv_of_normal, const Rgb& even, const Rgb& odd) {
-    return key.name_of(drawn(lesson, [&](const auto& object, const Hit<double>& hit, const auto&) {
-      const auto& n = hit.normal;
-      const Uv<double> uv = uv_of_normal(std::atan2(-n.z, n.x) / (2 * std::numbers::pi),
-                                         std::asin(n.y) / std::numbers::pi);
-      const int column = static_cast<int>(std::floor(10 * uv.u));
-      const int row = static_cast<int>(std::floor(10 * uv.v));
+  const Key<chapter_02::Lesson> key("02");
+  const chapter_02::Lesson& lesson = key.lesson;
+  const char* const word = "every square has the other color";
+  // (u, v) is `from` and so many of the angles; in turns, 0 at +x and at the equator.
+  const struct {
+    const char* words;
+    Uv<double> from, angles;
+    Rgb even, odd;
+  } rows[] = {
+      {"", {0.5, 0.5}, {1, 1}, blue, white},  // right
+      {word, {0.5, 0.5}, {-1, 1}, blue, white},
+      {word, {0.5, 0.5}, {1, -1}, blue, white},
+      {word, {0, 0.5}, {1, 1}, blue, white},
+      {word, {0.5, 0}, {1, 1}, blue, white},
+      {word, {0.5, 0.5}, {1, 1}, white, blue},
+      // The neighbors: other colors, and half a square off.
+      {"", {0.5, 0.5}, {1, 1}, red, white},
+      {"", {0.55, 0.5}, {1, 1}, blue, white},
+  };
+  for (const auto& row : rows) {
+    key.expect(row.words, [&](const auto& object, const Hit<double>& hit, const auto&) {
+      const Vec3d& n = hit.normal;
+      const double u = std::atan2(-n.z, n.x) / (2 * std::numbers::pi);
+      const double v = std::asin(n.y) / std::numbers::pi;
+      const auto square = static_cast<int>(std::floor(10 * (row.from.u + row.angles.u * u)) +
+                                           std::floor(10 * (row.from.v + row.angles.v * v)));
       const bool checkered = &object != &lesson.objects[chapter_02::left];
-      const Rgb color = !checkered ? red : (column + row) % 2 == 0 ? even : odd;
+      const Rgb color = !checkered ? red : square % 2 == 0 ? row.even : row.odd;
       return color * lambert(lesson.surface, sample_light(lesson.stage.light, lesson.objects, hit));
-    }));
-  };
-  const char* word = "every square has the other color";
-  const auto in = [&](double (*u)(double), double (*v)(double)) {
-    return with([=](double a, double b) { return Uv<double>{u(a), v(b)}; }, blue, white);
-  };
-  const auto plus_half = [](double x) { return x + 0.5; };
-  const auto half_minus = [](double x) { return 0.5 - x; };
-  const auto alone = [](double x) { return x; };
-  CHECK(in(plus_half, plus_half).empty());  // right
-  CHECK(in(half_minus, plus_half).starts_with(word));
-  CHECK(in(plus_half, half_minus).starts_with(word));
-  CHECK(in(alone, plus_half).starts_with(word));
-  CHECK(in(plus_half, alone).starts_with(word));
-  CHECK(with(
-            [](double u, double v) {
-              return Uv<double>{u + 0.5, v + 0.5};
-            },
-            white, blue)
-            .starts_with(word));
-  // The neighbors: other colors, and half a square off.
-  CHECK(with([](double u, double v) { return Uv<double>{u + 0.5, v + 0.5}; }, red, white).empty());
-  CHECK(in([](double x) { return x + 0.55; }, plus_half).empty());
+    });
+  }
 }
 
 TEST_CASE("chapter 05: a turned light and another axis have their words") {
-  const auto lesson = prepared<chapter_05::Lesson>();
-  const Key key("05", picture(lesson, width, height));
+  const Key<chapter_05::Lesson> key("05");
+  const chapter_05::Lesson& lesson = key.lesson;
+  struct Turn {
+    Vec3d x, y, z;  // the rows of its matrix
+    Vec3d operator()(const Vec3d& p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
+  };
+  constexpr Turn alone{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  constexpr Turn right{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};  // by 90 degrees
+  constexpr Turn back{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  const char* const axis = "turned about a horizontal axis";
+  const struct {
+    const char* words;
+    Turn of_texture, of_light;
+  } rows[] = {
+      {"", right, alone},
+      {"light and shade turned with the globe", right, right},
+      {"", right, back},
+      {"turned the other way", back, alone},
+      {axis, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, alone},
+      {axis, {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, alone},
+      {axis, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, alone},
+      // x and y exchanged are a mirror, and no turn.
+      {"", {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, alone},
+  };
   const auto& globe = lesson.objects[chapter_05::middle];
-  const auto with = [&](const auto& of_texture, const auto& of_light) {
-    return key.name_of(drawn(lesson, [&](const auto& object, Hit<double> hit, const auto&) {
+  for (const auto& row : rows) {
+    key.expect(row.words, [&](const auto& object, Hit<double> hit, const auto&) {
       Rgb color = object.paint(hit);
       if (&object == &globe) {
         const auto& paint = std::get<chapter_05::Textured>(globe.paint);
-        color = paint.texture(uv_rtiow(of_texture(hit.normal)));
-        hit.normal = of_light(hit.normal);
+        color = paint.texture(uv_rtiow(row.of_texture(hit.normal)));
+        hit.normal = row.of_light(hit.normal);
       }
       return color * lambert(lesson.surface, sample_light(lesson.stage.light, lesson.objects, hit));
-    }));
-  };
-  const auto alone = [](const Vec3d& p) { return p; };
-  const auto right = [](const Vec3d& p) { return Vec3d{p.z, p.y, -p.x}; };  // by 90 degrees
-  const auto back = [](const Vec3d& p) { return Vec3d{-p.z, p.y, p.x}; };
-  CHECK(with(right, alone).empty());
-  CHECK(with(right, right).starts_with("light and shade turned with the globe"));
-  CHECK(with(right, back).empty());
-  CHECK(with(back, alone).starts_with("turned the other way"));
-  const char* axis = "turned about a horizontal axis";
-  CHECK(with([](const Vec3d& p) { return Vec3d{p.x, -p.z, p.y}; }, alone).starts_with(axis));
-  CHECK(with([](const Vec3d& p) { return Vec3d{p.x, p.z, -p.y}; }, alone).starts_with(axis));
-  CHECK(with([](const Vec3d& p) { return Vec3d{-p.y, p.x, p.z}; }, alone).starts_with(axis));
-  // x and y exchanged are a mirror, and no turn.
-  CHECK(with([](const Vec3d& p) { return Vec3d{p.y, p.x, p.z}; }, alone).empty());
+    });
+  }
 }
 
 TEST_CASE("chapter 06: mistakes of the light and of the highlight have their words") {
-  const auto lesson = prepared<chapter_06::Lesson>();
-  const Key key("06", picture(lesson, width, height));
-  const auto& globe = lesson.objects[chapter_06::middle];
-  struct Parts {
-    Rgb color;
-    double cosine;
-    Vec3d to_lamp, normal, to_eye;
-    bool on_globe;
-    [[nodiscard]] double shine(double exponent, const Vec3d& eye) const {
-      const Vec3d reflected = normal * (2 * dot(normal, to_lamp)) - to_lamp;
-      const double along = dot(reflected, eye);
-      const bool shines = on_globe && cosine > 0 && along > 0;
-      return shines ? 0.3 * std::pow(along, exponent) : 0;
-    }
-    [[nodiscard]] double shine_by_half(double exponent) const {
-      const bool shines = on_globe && cosine > 0;
-      return shines ? 0.3 * std::pow(dot(normal, normalize(to_lamp + to_eye)), exponent) : 0;
-    }
-    [[nodiscard]] double diffuse() const { return 0.2 + 0.8 * cosine; }
+  const Key<chapter_06::Lesson> key("06");
+  const chapter_06::Lesson& lesson = key.lesson;
+  struct Student {
+    const char* words;
+    double exponent = 50, ambient = 0.2, toward_eye = 1;
+    bool half_vector = false, colored = false, blended = false;
   };
-  const auto with = [&](const auto& color_of) {
-    return key.name_of(drawn(lesson, [&](const auto& object, const auto& hit, const auto& ray) {
+  const Student rows[] = {
+      {.words = ""},  // right
+      {.words = "black in the shadow: the ambient light is missing", .ambient = 0},
+      {.words = "without a highlight, or the direction to the eye has the wrong sign",
+       .toward_eye = -1},
+      {.words = "the highlight has the color of the surface", .colored = true},
+      {.words = "the globe's texture is blended", .blended = true},
+      {.words = "the highlight is too wide: it takes Blinn's half vector", .half_vector = true},
+      // With four times the exponent the half vector draws almost the right picture.
+      {.words = "", .exponent = 200, .half_vector = true},
+      {.words = "the highlight is too wide: its exponent is too small", .exponent = 10},
+      {.words = "", .exponent = 40},
+      {.words = "", .exponent = 80},
+  };
+  for (const Student& row : rows) {
+    key.expect(row.words, [&](const auto& object, const auto& hit, const auto& ray) {
       const auto light = sample_light(lesson.stage.light, lesson.objects, hit);
-      return Rgb(color_of(Parts{object.paint(hit), light.cosine, light.to_light, hit.normal,
-                                -ray.direction, &object == &globe}));
-    }));
-  };
-  CHECK(with([](const Parts& p) {
-          return p.color * p.diffuse() + gray(p.shine(50, p.to_eye));
-        }).empty());  // right
-  CHECK(with([](const Parts& p) {
-          return p.color * (0.8 * p.cosine) + gray(p.shine(50, p.to_eye));
-        }).starts_with("black in the shadow: the ambient light is missing"));
-  CHECK(with([](const Parts& p) {
-          return p.color * p.diffuse() + gray(p.shine(50, -p.to_eye));
-        }).ends_with("or the direction to the eye has the wrong sign"));
-  CHECK(with([](const Parts& p) {
-          return p.color * (p.diffuse() + p.shine(50, p.to_eye));
-        }).starts_with("the highlight has the color of the surface"));
-  CHECK(with([](const Parts& p) {
-          const double light = p.diffuse() + p.shine(50, p.to_eye);
-          if (!p.on_globe) return p.color * light;
-          return mix(gray(std::min(light, 1.0)), p.color, 0.3);
-        }).starts_with("the globe's texture is blended"));
-  const auto half = [&](double exponent) {
-    return with(
-        [=](const Parts& p) { return p.color * p.diffuse() + gray(p.shine_by_half(exponent)); });
-  };
-  CHECK(half(50).ends_with("Blinn's half vector and not the reflected light"));
-  // With four times the exponent the half vector draws almost the right picture.
-  CHECK(half(200).empty());
-  const auto exponent = [&](double n) {
-    return with([=](const Parts& p) { return p.color * p.diffuse() + gray(p.shine(n, p.to_eye)); });
-  };
-  CHECK(exponent(10) == "the highlight is too wide: its exponent is too small");
-  CHECK(exponent(40).empty());
-  CHECK(exponent(80).empty());
+      const bool on_globe = &object == &lesson.objects[chapter_06::middle];
+      const Vec3d &n = hit.normal, &l = light.to_light, eye = ray.direction * -row.toward_eye;
+      const double cosine =
+          row.half_vector ? dot(n, normalize(l + eye)) : dot(n * (2 * dot(n, l)) - l, eye);
+      const bool shines = on_globe && light.cosine > 0 && cosine > 0;
+      const double shine = shines ? 0.3 * std::pow(cosine, row.exponent) : 0;
+      const double diffuse = row.ambient + 0.8 * light.cosine;
+      const Rgb color = object.paint(hit);
+      if (row.blended && on_globe) return mix(gray(std::min(diffuse + shine, 1.0)), color, 0.3);
+      return row.colored ? color * (diffuse + shine) : color * diffuse + gray(shine);
+    });
+  }
 }

@@ -15,105 +15,92 @@ using namespace texmap::test;
 
 namespace {
 
-/// What an instructor draws once: the right picture, and all wrong ones.
-struct Key {
-  Image right = load_image(TEXMAP_TESTS_DIR "/golden/08_repeat.png");
-  std::vector<WrongPicture> wrong = mistakes_of_the_whole(right);
-
-  [[nodiscard]] std::string name_of(const Image& drawn) const {
-    return name_mistake(drawn, right, wrong);
-  }
-};
-const Key& usual_key() {
-  static const Key key;
-  return key;
-}
 constexpr int width = 240, height = 180;
+
+/// Each pixel changed.
+Image each(Image image, Rgb8 (*change)(Rgb8)) {
+  for (Rgb8& pixel : image.pixels) pixel = change(pixel);
+  return image;
+}
+Rgb8 bgr(Rgb8 p) { return {p.b, p.g, p.r}; }
+Rgb8 inverted(Rgb8 p) {
+  const auto inverse = [](std::uint8_t x) { return static_cast<std::uint8_t>(255 - x); };
+  return {inverse(p.r), inverse(p.g), inverse(p.b)};
+}
+
+/// The picture moved, with its other side at the edge, or black.
+Image moved(const Image& picture, int right, int down, bool around) {
+  Image image(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int x = column - right, y = row - down;
+      if (around || (x >= 0 && x < width && y >= 0 && y < height))
+        image.at(column, row) = picture.at((x + width) % width, (y + height) % height);
+    }
+  }
+  return image;
+}
 
 }  // namespace
 
 TEST_CASE("a whole picture with its channels, its colors or its place wrong is named") {
-  const Key& key = usual_key();
-  const auto each = [](Image image, const auto& change) {
-    for (Rgb8& p : image.pixels) change(p.r, p.g, p.b);
-    return image;
-  };
-  using Byte = std::uint8_t;
-  const auto exchange = [](Byte& r, Byte&, Byte& b) { std::swap(r, b); };
-  const auto order = [](Byte& r, Byte& g, Byte& b) {
-    std::swap(r, g);
-    std::swap(g, b);
-  };
-  const std::string wrong_order = "the channels of the whole picture are in the wrong order";
-  CHECK(key.name_of(each(key.right, order)) == wrong_order + ": green, blue, red");
-  CHECK(key.name_of(each(each(key.right, order), order)) == wrong_order + ": blue, red, green");
-  CHECK(key.name_of(mirrored(key.right)).starts_with("the whole picture is mirrored"));
-  CHECK(key.name_of(upside_down(key.right)).starts_with("the whole picture is upside down"));
-  CHECK(key.name_of(each(mirrored(key.right), exchange)) ==
-        "the whole picture is mirrored, and red and blue are exchanged");
-  CHECK(key.name_of(each(upside_down(key.right), exchange)) ==
-        "the whole picture is upside down, and red and blue are exchanged");
-  CHECK(key.name_of(each(key.right,
-                         [](Byte& r, Byte& g, Byte& b) {
-                           r = static_cast<Byte>(~r);
-                           g = static_cast<Byte>(~g);
-                           b = static_cast<Byte>(~b);
-                         }))
-            .starts_with("inverted"));
-  CHECK(key.name_of(Image(width, height, {255, 255, 255})).starts_with("white"));
-  CHECK(key.name_of(Image(width, height)).starts_with("black"));
-  // Two channels exchanged that no library exchanges, and a gray page, are nothing of these.
-  CHECK(key.name_of(each(key.right, [](Byte& r, Byte& g, Byte&) { std::swap(r, g); })).empty());
-  CHECK(key.name_of(Image(width, height, {200, 200, 200})).empty());
-}
-
-TEST_CASE("a picture one pixel off is named, whatever fills its edge") {
-  const Key& key = usual_key();
-  for (const bool around : {true, false}) {
-    const auto moved = [&](int right, int down) {
-      Image image(width, height);
-      for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-          const int x = column - right, y = row - down;
-          const bool inside = x >= 0 && x < width && y >= 0 && y < height;
-          if (inside || around)
-            image.at(column, row) = key.right.at((x + width) % width, (y + height) % height);
-        }
-      }
-      return image;
-    };
-    CHECK(key.name_of(moved(1, 0)).ends_with("too far to the right"));
-    CHECK(key.name_of(moved(-1, 0)).ends_with("too far to the left"));
-    CHECK(key.name_of(moved(0, 1)).ends_with("one pixel too low"));
-    CHECK(key.name_of(moved(0, -1)).ends_with("one pixel too high"));
-    CHECK(key.name_of(moved(1, -1)).ends_with("in columns and in rows"));
-    CHECK(key.name_of(moved(2, 0)).empty());
-    CHECK(key.name_of(moved(0, 3)).empty());
-  }
-}
-
-TEST_CASE("a right picture, a noisy one and an unrelated one get no name") {
-  const Key& key = usual_key();
-  CHECK(key.name_of(key.right).empty());
-  for (const int levels : {1, 8, 60}) CHECK(key.name_of(with_noise(key.right, levels, 3)).empty());
-  Image stray = key.right;
+  const Image right = load_image(TEXMAP_TESTS_DIR "/golden/08_repeat.png");
+  const std::vector<WrongPicture> wrong = mistakes_of_the_whole(right);
+  Image stray = right;
   stray.at(100, 90) = {255, 0, 255};
-  CHECK(key.name_of(stray).empty());
-  CHECK(key.name_of(noise(width, height, 5)).empty());
-  CHECK(key.name_of(ramps(width, height)).empty());
-  CHECK(key.name_of(Image(width, height, {120, 160, 220})).empty());
-  // Of another size nothing is said.
-  CHECK(key.name_of(Image(width + 1, height)).empty());
+  const std::string order = "the channels of the whole picture are in the wrong order";
+  const std::string red_and_blue = "red and blue are exchanged";
+  std::vector<std::pair<std::string, Image>> rows = {
+      {order + ": green, blue, red", each(right,
+                                          [](Rgb8 p) {
+                                            return Rgb8{p.g, p.b, p.r};
+                                          })},
+      {order + ": blue, red, green", each(right,
+                                          [](Rgb8 p) {
+                                            return Rgb8{p.b, p.r, p.g};
+                                          })},
+      {"the whole picture is mirrored: columns run the other way", mirrored(right)},
+      {"the whole picture is upside down: rows run the other way", upside_down(right)},
+      {"the whole picture is mirrored, and " + red_and_blue, each(mirrored(right), bgr)},
+      {"the whole picture is upside down, and " + red_and_blue, each(upside_down(right), bgr)},
+      {"inverted: each channel is 255 minus what it should be", each(right, inverted)},
+      {"white: every channel of every pixel is 255", Image(width, height, {255, 255, 255})},
+      {"black: nothing was drawn", Image(width, height)},
+      // Right, almost right, and nothing of these.
+      {"", right},
+      {"", stray},
+      {"", with_noise(right, 1, 3)},
+      {"", with_noise(right, 8, 3)},
+      {"", with_noise(right, 60, 3)},
+      {"", noise(width, height, 5)},
+      {"", ramps(width, height)},
+      {"", each(right,
+                [](Rgb8 p) {
+                  return Rgb8{p.g, p.r, p.b};
+                })},
+      {"", Image(width, height, {200, 200, 200})},
+      {"", Image(width, height, {120, 160, 220})},
+      {"", Image(width + 1, height)},
+  };
+  for (const bool around : {true, false}) {
+    const std::string off = "the whole picture is one pixel ";
+    rows.emplace_back(off + "too far to the right", moved(right, 1, 0, around));
+    rows.emplace_back(off + "too far to the left", moved(right, -1, 0, around));
+    rows.emplace_back(off + "too low", moved(right, 0, 1, around));
+    rows.emplace_back(off + "too high", moved(right, 0, -1, around));
+    rows.emplace_back(off + "off, in columns and in rows", moved(right, 1, -1, around));
+    rows.emplace_back("", moved(right, 2, 0, around));
+    rows.emplace_back("", moved(right, 0, 3, around));
+  }
+  for (const auto& row : rows) CHECK(name_mistake(row.second, right, wrong) == row.first);
   CHECK(name_mistake(Image(), Image(), {}).empty());
 }
 
 TEST_CASE("two mistakes that draw the same picture, with other words, are not told apart") {
   const Image right = ramps(64, 48);
   const Image wrong = mirrored(right);
-  const std::vector<WrongPicture> one{{"a", "a mistake", wrong}};
   const std::vector<WrongPicture> two{{"a", "a mistake", wrong}, {"b", "another", wrong}};
   const std::vector<WrongPicture> alike{{"a", "a mistake", wrong}, {"b", "a mistake", wrong}};
-  CHECK(name_mistake(wrong, right, one) == "a mistake");
   CHECK(name_mistake(wrong, right, two).empty());
   CHECK(name_mistake(wrong, right, alike) == "a mistake");
   // A mistake that does not show in this picture is no rival.
@@ -121,23 +108,12 @@ TEST_CASE("two mistakes that draw the same picture, with other words, are not to
         "a mistake");
 }
 
-TEST_CASE("wrong pictures survive in a folder; a broken table is an error that names it") {
+TEST_CASE("a table of mistakes that is not there or broken is an error that names it") {
   const TemporaryFolder folder;
-  const std::vector<WrongPicture> wrong = mistakes_of_the_whole(ramps(40, 30));
-  save_wrong_pictures(wrong, folder / "made");
-  const std::vector<WrongPicture> loaded = load_wrong_pictures(folder / "made");
-  REQUIRE(loaded.size() == wrong.size());
-  for (std::size_t i = 0; i < wrong.size(); ++i) {
-    CHECK(loaded[i].name == wrong[i].name);
-    CHECK(loaded[i].words == wrong[i].words);
-    CHECK(count_different(loaded[i].picture, wrong[i].picture) == 0);
-  }
-  CHECK(image_error_of([&] {
-          (void)load_wrong_pictures(folder / "nowhere");
-        }).find("mistakes.txt") != std::string::npos);
-  const std::string words = "no tab\n";
-  write_text_atomically(path_of(folder / "mistakes.txt"), words);
-  CHECK(image_error_of([&] {
-          (void)load_wrong_pictures(path_of(folder.path()));
-        }).find("without a tab") != std::string::npos);
+  const auto error = [&] {
+    return image_error_of([&] { (void)load_wrong_pictures(path_of(folder.path())); });
+  };
+  CHECK(error().find("mistakes.txt") != std::string::npos);
+  write_text_atomically(path_of(folder / "mistakes.txt"), std::string("no tab\n"));
+  CHECK(error().find("without a tab") != std::string::npos);
 }

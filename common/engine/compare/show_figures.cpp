@@ -1,10 +1,14 @@
-// The figures of a comparison for other programs.
-#include "engine/compare/figures_json.hpp"
+// The figures of a comparison for readers and for other programs.
+#include "engine/compare/show_figures.hpp"
 
 #include <cmath>
 
+#include "engine/measure/text.hpp"
+
 namespace texmap {
 namespace {
+
+std::string text_of(Rgb8 color) { return text("(%d, %d, %d)", color.r, color.g, color.b); }
 
 Json json_of(Rgb8 color) { return Json::list({color.r, color.g, color.b}); }
 
@@ -22,6 +26,30 @@ Json json_of(const WorstPixel& worst) {
 }
 
 }  // namespace
+
+std::vector<std::vector<std::string>> figure_rows(const Figures& f) {
+  std::vector<std::vector<std::string>> rows;
+  const auto row = [&rows](const char* name, const std::string& value) {
+    rows.push_back({name, value});
+  };
+  row("size", text("%d x %d pixels, %zu compared", f.width, f.height, f.pixels_compared));
+  row("different", text("%zu pixels (%g %%)", f.pixels_different, 100 * f.share_different));
+  if (f.pixels_different > 0) {
+    row("within", text("columns %d to %d, rows %d to %d", f.box.left, f.box.left + f.box.width - 1,
+                       f.box.top, f.box.top + f.box.height - 1));
+    row("largest difference",
+        text("%d levels at column %d, row %d: %s and %s", f.worst.levels, f.worst.column,
+             f.worst.row, text_of(f.worst.a).c_str(), text_of(f.worst.b).c_str()));
+  }
+  row("mean absolute error", text("%g levels", f.mean_absolute_error));
+  row("RMSE", text("%g levels", f.root_mean_square_error));
+  const double psnr = f.peak_signal_to_noise;
+  row("PSNR", std::isinf(psnr) ? "infinite dB" : text("%g dB", psnr));
+  if (!std::isnan(f.structural_similarity))
+    row("SSIM", text("%.10g (1: equal)", f.structural_similarity));
+  row("mean value", text("%g and %g levels", f.mean_a, f.mean_b));
+  return rows;
+}
 
 Json json_of(const Figures& figures) {
   const bool differ = figures.pixels_different > 0;
@@ -45,7 +73,5 @@ Json json_of(const Figures& figures) {
       },
       true);
 }
-
-std::string figures_json(const Figures& figures) { return json_of(figures).text + "\n"; }
 
 }  // namespace texmap
