@@ -1,8 +1,9 @@
-// Tests of common/texture/bilinear.hpp: the filter between texels. Places that are no numbers are
-// fuzz/fuzz_texture_places.cpp's.
+// Tests of common/texture/bilinear.hpp: the filter between texels.
 #include "texture/bilinear.hpp"
 
 #include <doctest.h>
+
+#include <limits>
 
 #include "support/made_pictures.hpp"
 
@@ -66,6 +67,11 @@ TEST_CASE_TEMPLATE("exact points: halfway between texels is their mean, and u go
   is(0.75, 0, 1, 0, 0);  // above the first centers the first row is alone
   is(0.75, 0.2, 1, 0, 0);
   is(0.75, 1, 1, 1, 1);
+  // What is no place counts as 0 in u, and in v only where it is no number.
+  const double none = infinity<double>(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double u : {none, -none, nan}) is(u, 0.25, 0.5, 0, 0);
+  is(0.75, nan, 1, 0, 0);
+  is(0.75, none, 1, 1, 1);
 }
 
 TEST_CASE_TEMPLATE(
