@@ -1,4 +1,5 @@
-// Chapter 00: one file of plain C++ draws what chapters 01 and 02 draw with the common code.
+// Chapter 00: one file of plain C++ draws what chapters 01 and 02 draw with the common code. It shares
+// no code with them, so it is also their judge: every pixel has the color of the ray through its center.
 #include <doctest.h>
 
 #include "01_plain_spheres/lesson.hpp"
