@@ -7,8 +7,6 @@
 #include "number/kinds/pack2.hpp"
 #include "scene/floor.hpp"
 #include "support/lesson_laws.hpp"
-#include "support/made_meshes.hpp"
-#include "support/running.hpp"
 #include "support/same_picture.hpp"
 #include "support/shown_values.hpp"
 #include "support/temporary_folder.hpp"
@@ -140,19 +138,4 @@ TEST_CASE("a mesh from a file is drawn in place of the crate, as large and on th
   CHECK(lesson.scene.mesh.points[0].y == -1);
   CHECK(lesson.scene.mesh.points[4].y == 0.5);
   CHECK(count_different(picture(lesson, width, height), drawn({"--degrees", "0"})) > 5000);
-}
-
-TEST_CASE("the program refuses a bad file with status 1, names it, and leaves the old picture") {
-  const TemporaryFolder folder;
-  const std::string file = folder / "bad.obj", drawn_before = folder / "old.png";
-  put(drawn_before, {1, 2, 3});
-  const BadMesh bad = bad_meshes().front();
-  put(file, {bad.text.begin(), bad.text.end()});
-  const Outcome outcome = run("\"" TEXMAP_CHAPTER "\" --mesh \"" + file +
-                              "\" --width 8 --height 6 --out \"" + drawn_before + "\"");
-  CHECK(outcome.status == 1);
-  CHECK(outcome.out.empty());
-  CHECK(outcome.err.find("error: cannot load mesh '" + file + "': " + bad.error) == 0);
-  CHECK(bytes_of(drawn_before) == std::vector<std::uint8_t>{1, 2, 3});
-  CHECK(folder.size() == 2);
 }

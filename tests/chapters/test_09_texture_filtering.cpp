@@ -207,17 +207,3 @@ TEST_CASE("a plot of errors needs the floor that they are measured on") {
   Session session("test", line, Lesson::about);
   CHECK_THROWS_AS(chapter_09::show_sheet(session, {}, "plot.svg", {}), UsageError);
 }
-
-TEST_CASE("--help says why there are no intervals") {
-  Lesson lesson;
-  CommandLine line("09", "");
-  lesson.options(line);
-  const Session session("09", line, Lesson::about, offers_for(lesson));
-  CHECK(line.help().find("not interval: where rounding") != std::string::npos);
-}
-
-TEST_CASE("averaging bytes instead of light would make the horizon too dark") {
-  const Image image = picture(filtered("anisotropic"));
-  const Rgb8 horizon = image.at(400, 181);
-  CHECK(std::abs(horizon.g - 187) <= 1);  // half the light of white: the byte 187 or 188
-}

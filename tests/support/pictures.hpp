@@ -94,22 +94,17 @@ struct Mean {
   return {sum.r / count, sum.g / count, sum.b / count};
 }
 
-[[nodiscard]] inline Image upside_down(const Image& image) {
-  Image turned = image;
+/// The picture with columns and rows in the other order where that is said.
+[[nodiscard]] inline Image turned(const Image& image, bool columns, bool rows) {
+  Image result = image;
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column)
-      turned.at(column, row) = image.at(column, image.height - 1 - row);
+      result.at(column, row) = image.at(columns ? image.width - 1 - column : column,
+                                        rows ? image.height - 1 - row : row);
   }
-  return turned;
+  return result;
 }
-
-[[nodiscard]] inline Image mirrored(const Image& image) {
-  Image turned = image;
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column)
-      turned.at(column, row) = image.at(image.width - 1 - column, row);
-  }
-  return turned;
-}
+[[nodiscard]] inline Image upside_down(const Image& image) { return turned(image, false, true); }
+[[nodiscard]] inline Image mirrored(const Image& image) { return turned(image, true, false); }
 
 }  // namespace texmap::test
