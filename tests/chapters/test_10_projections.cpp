@@ -201,14 +201,3 @@ TEST_CASE("the program converts a file, says what it probably is, and converts i
   CHECK(again.out.find("probably cube") != std::string::npos);
   CHECK(count_different(load_image(back), earth(512), 60) < 512 * 256 / 50);
 }
-
-TEST_CASE("the program refuses what it cannot do, in words") {
-  const Outcome word = run_chapter_10("--to mercator");
-  CHECK(word.status == 2);
-  CHECK(word.err.find("equal-area") != std::string::npos);
-  const Outcome missing = run_chapter_10("--texture no_such_file.png --to cube --out x.png");
-  CHECK(missing.status == 1);
-  CHECK(missing.err.find("no_such_file.png") != std::string::npos);
-  const Outcome large = run_chapter_10("--to cube --width 16384 --height 16384 --out x.png");
-  CHECK(large.status == 2);
-}
