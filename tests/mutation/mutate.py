@@ -235,16 +235,17 @@ def run(command, **options):
                           stderr=subprocess.STDOUT, **options)
 
 
-def copy_project():
+def copy_project(tree):
+    """Makes a folder hold what the project's has, and touches nothing that is the same already."""
     listed = run(['git', '-C', PROJECT, 'ls-files', '-co', '--exclude-standard', '-z'])
     wanted = {name for name in listed.stdout.split('\0') if name and (PROJECT / name).is_file()}
     for name in wanted:
-        source, copy = PROJECT / name, TREE / name
+        source, copy = PROJECT / name, tree / name
         if not copy.is_file() or copy.read_bytes() != source.read_bytes():
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(source, copy)
-    for path in TREE.rglob('*'):
-        if path.is_file() and str(path.relative_to(TREE)) not in wanted:
+    for path in tree.rglob('*'):
+        if path.is_file() and str(path.relative_to(tree)) not in wanted:
             path.unlink()
 
 
@@ -271,7 +272,7 @@ class Build:
         self.ninja = ['ninja', '-C', BUILD, '-j', jobs]
         self.everything = [*self.ninja, 'all', 'reader_suites']  # suites of what readers change are not in all
         self.jobs = jobs
-        copy_project()
+        copy_project(TREE)
         configured = run(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-D', 'CMAKE_BUILD_TYPE=Release',
                           '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1',
                           '-D', 'CMAKE_SUPPRESS_REGENERATION=ON'])  # else Ninja plans nothing before it has asked CMake
