@@ -366,7 +366,7 @@ class Tries:
         self.chapter(1, *FULL_SIZE, '--out', new)
         for sent in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL):
             for moment in (0.02, 0.15, 0.4):  # a picture that takes minutes cannot be there
-                self.wrong(self.killed(sent, moment, folder, [*FULL_SIZE, '--samples', '65536'], new), 'a picture that takes minutes is there')
+                self.wrong(self.killed(sent, moment, folder, [*FULL_SIZE, '--samples', '65536'], new), 'it is there')
             self.conclude(f'{sent.name} ends a long render')
             dice = random.Random(sent)
             finished = [self.killed(sent, moment, folder, FULL_SIZE, new)
@@ -404,8 +404,8 @@ class Tries:
         with open('/dev/full', 'wb') as full, open(end, 'wb', buffering=0) as broken:
             # Messages must not end up in a texture or a picture that took a stream's number.
             for command, closed, stdout, status in [
-                    (draws, [1], None, 0), (draws, [0, 1, 2], None, 0), (draws, [0, 2], None, 0), (draws, [], full, 1), (draws, [], broken, 1),
-                    ([self.program(6), '--help'], [], full, 1), ([self.program(6), '--version'], [], full, 1),
+                    (draws, [1], None, 0), (draws, [0, 1, 2], None, 0), (draws, [0, 2], None, 0), (draws, [], full, 1),
+                    (draws, [], broken, 1), ([self.program(6), '--help'], [], full, 1), ([self.program(6), '--version'], [], full, 1),
                     ([self.program(1), '--samples', 'nan'], [2], None, 2), ([self.program(1), '--out', missing], [1, 2], None, 1),
                     ([self.program(3), '--texture', str(self.corpus / 'bad_one_byte.png'), '--out', str(picture)], [0, 1, 2], None, 1)]:
                 words = ''.join(f' {number}>&-' for number in closed)

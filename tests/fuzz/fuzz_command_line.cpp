@@ -1,6 +1,6 @@
 // Any bytes as the words of a command line: a program accepts or refuses them, nothing else.
 //
-// The first byte chooses the chapter: '0' to '9' 02, 03, 05, 06 and 07 to 12, in turn. The lines that
+// The first byte chooses the chapter: '0' to '9' are 02, 03, 05, 06 and 07 to 12. The lines that
 // follow are the words.
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@ struct Drawn {
   std::uint32_t seed = 0;
 };
 
-/// The film of a lesson, with the kernels of a plan: in double where the lesson has no other number.
+/// The film of a lesson, with the kernels of a plan; in double where it has no other number.
 template <class Real = double, class Lesson>
 [[nodiscard]] Film film_of(const Lesson& lesson, int samples, const Drawn& drawn = {},
                            const KernelPlan& plan = {}) {
