@@ -50,18 +50,23 @@ template <class Real = double, class Lesson>
   return count;
 }
 
+/// Calls `look` with the ray of every pixel, in their order.
+template <class Look>
+void for_each_ray(const View<>& view, const Look& look) {
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column)
+      look(ray_through<double>(view, column, row));
+  }
+}
+
 /// The index of the object seen at each pixel's center, -1 for the sky.
 template <class Lesson>
 [[nodiscard]] std::vector<int> objects_seen(const Lesson& lesson, int width = 800,
                                             int height = 600) {
-  const View<> view = view_of(lesson.stage.camera, width, height);
   std::vector<int> seen;
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const Ray<double> ray = ray_through<double>(view, column, row);
-      seen.push_back(static_cast<int>(find_nearest(lesson.objects, ray).index));
-    }
-  }
+  for_each_ray(view_of(lesson.stage.camera, width, height), [&](const Ray<double>& ray) {
+    seen.push_back(static_cast<int>(find_nearest(lesson.objects, ray).index));
+  });
   return seen;
 }
 
