@@ -1,9 +1,11 @@
-// The sky in assets/: its file is what its maker makes, with the sun where it is said to be.
+// The sky in assets/: its file is the one that was checked, and its maker still makes it.
 #include <doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 
+#include "../support/sha256.hpp"
 #include "../support/temporary_folder.hpp"
 #include "engine/picture/load_light.hpp"
 #include "make_sky.hpp"
@@ -13,7 +15,23 @@ namespace {
 
 const std::string assets = TEXMAP_ASSETS_DIR;
 
+std::string sum_of(const std::vector<std::uint8_t>& bytes) {
+  return texmap::test::sha256(std::span<const std::uint8_t>(bytes));
+}
+
 }  // namespace
+
+TEST_CASE("the sky's file has the checksum that is written down for it, and its size") {
+  std::ifstream list(assets + "/sky.sha256");
+  std::string sum, size, name;
+  REQUIRE((list >> sum >> size >> name));
+  std::vector<std::uint8_t> bytes = texmap::test::bytes_of(assets + "/" + name);
+  CHECK(sum_of(bytes) == sum);
+  const texmap::LightImage sky = texmap::load_light(assets + "/" + name);
+  CHECK(std::to_string(sky.width) + "x" + std::to_string(sky.height) == size);
+  bytes[bytes.size() / 2] ^= 1;
+  CHECK(sum_of(bytes) != sum);
+}
 
 TEST_CASE("making the sky again gives the same file") {
   CHECK(texmap::radiance_file(texmap::make_sky()) == texmap::test::bytes_of(assets + "/sky.hdr"));

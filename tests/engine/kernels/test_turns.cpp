@@ -5,6 +5,7 @@
 #include <doctest.h>
 
 #include "engine/kernels/worst_error.hpp"
+#include "support/hard_vectors.hpp"
 
 namespace texmap::test {
 namespace {
@@ -38,13 +39,8 @@ TEST_CASE_TEMPLATE("a turn is in [0, 1) for any finite vector, and only its dire
   const auto turn = [](T x, T y) {
     return lane(turn_of_parts<13>(Real(y), abs(Real(x)), Real(x) > Real(0)), lanes<Real> - 1);
   };
-  using Limits = std::numeric_limits<T>;
-  std::vector<T> hard;
-  for (const T size : {T(0), Limits::denorm_min(), Limits::min(), Limits::epsilon(), T(1e-30), T(1),
-                       T(1e30), Limits::max()})
-    hard.insert(hard.end(), {size, -size});
-  for (const T x : hard) {
-    for (const T y : hard) {
+  for (const T x : hard_finite_numbers<T>()) {
+    for (const T y : hard_finite_numbers<T>()) {
       CAPTURE(x);
       CAPTURE(y);
       REQUIRE(turn(x, y) >= T(0));

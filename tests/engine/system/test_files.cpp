@@ -96,8 +96,9 @@ TEST_CASE("what cannot be written is named before any work and again when writin
            {std::string("a\0b", 3), "the name has a zero byte in it"},
            {folder.path(), "it is a folder"},
            {folder / "", "the name is that of a folder"},
-           {folder / "missing/x.png", "the folder '" + (folder / "missing") + "' does not exist"},
-           {folder / "file/x.png", "'" + (folder / "file") + "' is a file, not a folder"},
+           {folder / "missing/picture.png",
+            "the folder '" + (folder / "missing") + "' does not exist"},
+           {folder / "file/picture.png", "'" + (folder / "file") + "' is a file, not a folder"},
            {folder / std::string(256, 'x'), "the name is too long"}}) {
     CHECK(error_of_checking(path_of(name)) == why);
     CHECK(error_of_writing(path_of(name)) == why);
