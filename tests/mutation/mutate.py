@@ -42,9 +42,7 @@ PREPROCESSOR = re.compile(r'^[ \t]*#(?:[^\n\\]|\\.)*(?:\\\n(?:[^\n\\]|\\.)*)*', 
 
 class Token:
     def __init__(self, kind, text, start):
-        self.kind, self.text, self.start = kind, text, start
-        self.end = start + len(text)
-        self.in_function = False
+        self.kind, self.text, self.start, self.end = kind, text, start, start + len(text)
 
 
 def tokens_of(text):
@@ -249,8 +247,8 @@ def copy_project(tree):
             path.unlink()
 
 
-def digest(path):
-    return hashlib.sha256(path.read_bytes()).digest() if path.is_file() else b''
+def is_clean(name):
+    return (BUILD / name).read_bytes() == (CLEAN / name).read_bytes()
 
 
 def ctest(*options):
@@ -328,11 +326,11 @@ class Build:
             program = self.program_of[test]
             if run([*self.ninja, program]).returncode != 0:
                 return 'did not compile'
-            if digest(BUILD / program) != digest(CLEAN / program) and self.fails('-R', f'^{re.escape(test)}$'):
+            if not is_clean(program) and self.fails('-R', f'^{re.escape(test)}$'):
                 return 'killed by ' + test
         if run(self.everything).returncode != 0:
             return 'did not compile'
-        if all(digest(BUILD / name) == digest(CLEAN / name) for name in stale if '.dir/' not in name):
+        if all(is_clean(name) for name in stale if '.dir/' not in name):
             return 'the same program'
         done = '|'.join(map(re.escape, [*self.program_of, *self.left_out]))
         scripts = self.fails('-E', f'^({done})$', '-j', self.jobs)
@@ -341,13 +339,9 @@ class Build:
     def fails(self, *which):
         """The first test that fails twice, by chance alone it does not count; None if all pass."""
         done = ctest(*which, '--timeout', 120, '--stop-on-failure')
-        for name in re.findall(FAILED, done.stdout):
-            if ctest('-R', f'^{re.escape(name)}$', '--timeout', 120).returncode != 0:
-                return name
-        return None
+        return next((name for name in re.findall(FAILED, done.stdout)
+                     if ctest('-R', f'^{re.escape(name)}$', '--timeout', 120).returncode != 0), None)
 
-
-# --- The program ----------------------------------------------------------------------------------
 
 def read_equivalent():
     """The differences in equivalent.txt, whose blocks are a path, lines with - and +, then the reason."""
@@ -379,10 +373,9 @@ def main():
         mutants = sorted((m for m in mutants if m.chance('share') < m.share()), key=lambda m: m.chance(options.seed))
     if options.list:
         print('\n'.join(map(str, mutants if options.only else mutants[:options.count])))
-        return 0
+        return
     build, equivalent = Build(options.jobs), read_equivalent()
-    counts = {'killed': 0, 'SURVIVED': 0, 'the same program': 0, 'equivalent': 0, 'did not compile': 0,
-              'not built here': 0}
+    counts = dict.fromkeys(('killed', 'SURVIVED', 'the same program', 'equivalent', 'did not compile', 'not built here'), 0)
     survivors = WORK / 'survivors.txt'
     survivors.write_text('')
     try:
@@ -400,8 +393,7 @@ def main():
     except KeyboardInterrupt:
         print('\nstopped; what was done counts')
     print(', '.join(f'{count} {word}' for word, count in counts.items()))
-    return 0
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    main()
