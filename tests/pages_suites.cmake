@@ -34,7 +34,7 @@ if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
 endif()
 
 if(NOT TEXMAP_INSTRUMENT)
-  set_target_properties(draw_diagrams diagrams PROPERTIES EXCLUDE_FROM_ALL OFF)
+  set_target_properties(draw_diagrams PROPERTIES EXCLUDE_FROM_ALL OFF)
   add_test(NAME diagrams COMMAND draw_diagrams "${CMAKE_SOURCE_DIR}/docs/diagrams" --check)
   set_tests_properties(diagrams PROPERTIES LABELS pages)
 endif()

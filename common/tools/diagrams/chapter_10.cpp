@@ -145,11 +145,6 @@ Drawing seven_layouts() {
       d.line(top + Spot{0, height / 2}, top + Spot{cell.width, height / 2}, "ink");
     }
     d.text({cell.middle, cell.bottom + 22}, cell.words, Anchor::middle, "small");
-    const std::string word = facts_of(cell.projection).word;
-    d.mark(word + " top", panel.corner);
-    d.mark(word + " bottom", panel.corner + Spot{cell.width, height});
-    d.mark(word + " 30 N", panel(project(cell.projection, direction_at(0, 30))));
-    d.mark(word + " pole", panel(project(cell.projection, direction_at(20, 90))));
   }
   return d;
 }
@@ -214,11 +209,6 @@ Drawing octahedron_unfolded() {
   d.text(under + Spot{-8, 5}, "(a, b)", Anchor::end, "small");
   d.text({150, 320}, "the octahedron", Anchor::middle, "small");
   d.text({500, 320}, "from above, the lower half folded out", Anchor::middle, "small");
-  d.mark("under", under);
-  d.mark("folded", folded);
-  d.mark("right corner", place(1, 0));
-  d.mark("lower corner", place(0, -1));
-  d.mark("middle", middle);
   return d;
 }
 
@@ -257,9 +247,6 @@ Drawing pole_stretch() {
       d.area(*outline, "fill-blue");
       d.curve(*outline, "blue");
     }
-    const std::string name = std::to_string(latitude);
-    d.mark(name + " east", on_map.front());
-    d.mark(name + " west", on_map[36]);
     const double wide = 1 / std::cos(latitude * radians);
     const std::string words = latitude == 0    ? "1"
                               : latitude == 45 ? "√2 = 1.41"
@@ -280,8 +267,6 @@ Drawing pole_stretch() {
   d.text({130, 282}, "equal circles on the globe", Anchor::middle, "small");
   d.text(panel({0.5, 0}) + Spot{0, 26}, "how many times as wide as high, in the map",
          Anchor::middle, "small");
-  d.mark("map left", panel({0, 0}));
-  d.mark("map right", panel({1, 0}));
   return d;
 }
 

@@ -67,8 +67,6 @@ Drawing sky_texels() {
     const double angle = SkyBand(row, sky_columns, sky_rows).solid_angle;
     d.text({corner.x + sky_columns * size + 8, texel.y + 11}, "ω = " + texmap::text("%.4f", angle),
            Anchor::start, names[i]);
-    d.mark("solid angle in row " + std::to_string(row), {angle, 0});
-    d.mark("texel in row " + std::to_string(row), view(at(sky_column + 0.5, row + 0.5)));
   }
   d.text(corner + Spot{sky_columns * size / 2, -14}, "north pole: the whole edge", Anchor::middle,
          "small");

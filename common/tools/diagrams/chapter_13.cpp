@@ -74,11 +74,6 @@ Drawing arc_tangent_series() {
     const double t = i / 10.0;
     d.dot(at(t, eighth_turn<5>(t)), "fill-blue");
   }
-  d.mark("exact", at(1, exact_turn(1)));
-  d.mark("fit", at(1, eighth_turn<5>(1.0)));
-  d.mark("series 3", at(1, series_turn(3, 1)));
-  d.mark("series 5", at(1, series_turn(5, 1)));
-  d.mark("unit", at(0, 1) - at(0, 0));
   d.text(at(1, series_turn(5, 1)) + Spot{12, 5}, "series of degree 5", Anchor::start, "red small");
   d.text(at(1, 0.125) + Spot{12, 0}, "atan(t), and as dots", Anchor::start, "small");
   d.text(at(1, 0.125) + Spot{12, 17}, "the fit of degree 5", Anchor::start, "blue small");
@@ -112,17 +107,12 @@ Drawing arc_tangent_error() {
   plot(d, at, seven, 0, 1, "green");
   // The peaks of degree 5: where the error stops to grow, and the right end.
   const double step = 1e-4;
-  int peaks = 0;
   for (int i = 1; i <= 10000; ++i) {
     const double t = i * step;
     if (i < 10000 && std::abs(five(t)) < std::abs(five(t + step))) continue;
     if (std::abs(five(t)) < std::abs(five(t - step)) || std::abs(five(t)) < worst / 2) continue;
     d.dot(at(t, five(t)), "fill-blue");
-    d.mark("peak " + std::to_string(++peaks), at(t, five(t)));
   }
-  d.mark("upper", at(0, worst));
-  d.mark("lower", at(0, -worst));
-  d.mark("peaks", {static_cast<double>(peaks), 0});
   d.text(at(1.04, five(1)) + Spot{12, 5}, "degree 5", Anchor::start, "blue small");
   d.text(at(0.2, 0) + Spot{0, -10}, "degree 7", Anchor::middle, "green small");
   return d;
@@ -168,7 +158,6 @@ Drawing arc_tangent_degrees() {
     series.push_back(place(degree, error));
     d.circle(series.back(), 3, "red");
   }
-  d.mark("series 17", series[6]);
   d.curve(series, "red dashed");
   d.text(series.back() + Spot{20, 5}, "series", Anchor::start, "red small");
 
@@ -176,7 +165,6 @@ Drawing arc_tangent_degrees() {
   const auto add = [&]<int Degree>() {
     fitted.push_back(place(Degree, ArcTangentFit<Degree>::worst));
     d.dot(fitted.back(), "fill-blue");
-    if (Degree == 17) d.mark("fit 17", fitted.back());
   };
   const auto add_all = [&]<int... Degree>(std::integer_sequence<int, Degree...>) {
     (add.template operator()<Degree>(), ...);
