@@ -3,15 +3,15 @@
 # The figures are those of the reference platform: another C library may round a pixel another way.
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
 target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
-target_link_libraries(page_figures PRIVATE project_options app chapters_code)
+target_link_libraries(page_figures PRIVATE project_options app chapters_code compare)
 set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
 if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
   target_compile_options(page_figures PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(page_figures PRIVATE TEXMAP_NO_FLATTEN)
 endif()
-if(reference_platform AND NOT TEXMAP_INSTRUMENT)
+if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   set_target_properties(page_figures PROPERTIES EXCLUDE_FROM_ALL OFF)
-  add_test(NAME page_figures COMMAND page_figures "${CMAKE_SOURCE_DIR}/docs/figures.txt")
+  add_test(NAME page_figures COMMAND "${SH}" -c "\"$0\" | diff \"$1\" -" "$<TARGET_FILE:page_figures>" "${CMAKE_SOURCE_DIR}/docs/figures.txt")
   set_tests_properties(page_figures PROPERTIES LABELS pages)
 endif()
 

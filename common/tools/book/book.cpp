@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -128,13 +129,16 @@ class Book {
     std::vector<fs::path> rest;
     for (const auto& entry : fs::directory_iterator(root_ / "docs")) {
       const fs::path source = fs::relative(entry.path(), root_);
-      const bool known = std::any_of(pages_.begin(), pages_.end(), [&](const Page& page) {
-        return page.source == source.generic_string();
-      });
-      if (source.extension() == ".md" && !known) rest.push_back(source);
+      if (source.extension() == ".md" && page_of(source) == nullptr) rest.push_back(source);
     }
     std::sort(rest.begin(), rest.end());
     for (const fs::path& source : rest) add(parts_.back(), source);
+  }
+
+  [[nodiscard]] const Page* page_of(const fs::path& source) const {
+    for (const Page& page : pages_)
+      if (page.source == source.generic_string()) return &page;
+    return nullptr;
   }
 
   /// What an address on a page leads to in the book. What leads nowhere is a fault.
@@ -150,10 +154,9 @@ class Book {
     fs::path target = (fs::path(from).parent_path() / file).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
     if (fs::is_directory(root_ / target)) target /= "README.md";
-    for (const Page& page : pages_) {
-      if (page.source != target.generic_string()) continue;
-      named_.push_back({from, page.source, anchor});
-      return page.file + anchor;
+    if (const Page* const page = page_of(target)) {
+      named_.push_back({from, page->source, anchor});
+      return page->file + anchor;
     }
     if (!fs::is_regular_file(root_ / target)) {
       report_.faults.push_back(from + ": " + url + " leads nowhere");
@@ -185,16 +188,12 @@ class Book {
   /// Every # of a link within the book names a heading.
   void check_names() {
     for (const auto& [from, to, anchor] : named_) {
-      if (anchor.empty()) continue;
-      const auto page = std::find_if(pages_.begin(), pages_.end(),
-                                     [&to = to](const Page& p) { return p.source == to; });
-      const auto& sections = page->converted.sections;
-      const bool found = std::any_of(
-          sections.begin(), sections.end(),
-          [&anchor = anchor](const Section& section) { return "#" + section.id == anchor; });
-      if (found) continue;
-      std::string& fault = report_.faults.emplace_back(from);
-      fault.append(": ").append(to).append(" has no heading ").append(anchor);
+      bool found = anchor.empty();
+      for (const Section& section : page_of(to)->converted.sections)
+        found = found || "#" + section.id == anchor;
+      if (!found)
+        report_.faults.push_back(
+            text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
     }
   }
 
@@ -415,27 +414,15 @@ class Book {
 
   /// The page's links as places of the printed book.
   [[nodiscard]] std::string within(const std::string& html, const Page& page) const {
-    std::string out;
-    const std::string mark = "href=\"";
-    std::size_t from = 0;
-    for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, from)) {
-      at += mark.size();
-      const std::size_t end = html.find('"', at);
-      const std::string url = html.substr(at, end - at);
-      const std::size_t hash = url.find('#');
+    return with_resolved(html, [&](const std::string& url) {
+      const std::size_t hash = std::min(url.find('#'), url.size());
       const std::string file = hash == 0 ? page.file : url.substr(0, hash);
-      const bool is_page =
-          std::any_of(pages_.begin(), pages_.end(), [&](const Page& p) { return p.file == file; });
-      out += html.substr(from, at - from);
-      if (is_page) {
-        out.append("#").append(file);
-        if (hash != std::string::npos) out.append("/").append(url, hash + 1);
-      } else {
-        out += url;
+      for (const Page& other : pages_) {
+        if (other.file != file) continue;
+        return "#" + file + (hash < url.size() ? "/" + url.substr(hash + 1) : "");
       }
-      from = end;
-    }
-    return out + html.substr(from);
+      return url;
+    });
   }
 
   /// Names and words of all sections, as a zlib stream in text: a third of what they take as they
