@@ -85,15 +85,6 @@ TEST_CASE(
   CHECK(close.size() < fast * 95 / 100);
 }
 
-TEST_CASE("rows run from the top and channels from red") {
-  const TemporaryFolder folder;
-  Image image(2, 2);
-  image.pixels = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {}};
-  save_png(image, folder / "corners.png");
-  CHECK(load_image(folder / "corners.png").pixels == image.pixels);
-  CHECK(folder.size() == 1);
-}
-
 TEST_CASE("a picture without pixels, with too many or with a wrong count is not written") {
   const TemporaryFolder folder;
   const std::string path = folder / "none.png";
