@@ -1,14 +1,11 @@
 // The computed diagram of chapter 11: a frame and a raised normal.
 #include <cmath>
-#include <numbers>
 
 #include "diagrams.hpp"
 #include "texture/bump.hpp"
 
 namespace texmap::diagrams {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 /// A round hill: the height at (x, z), and its slopes by both.
 struct Hill {
