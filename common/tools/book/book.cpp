@@ -11,7 +11,7 @@
 
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/picture/codecs/deflate.hpp"
+#include "engine/picture/save_png.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
 #include "tools/page/page.hpp"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/picture/codecs/checksums.hpp"
+#include "engine/picture/codecs/png_chunks.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
