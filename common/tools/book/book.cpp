@@ -191,9 +191,9 @@ class Book {
       bool found = anchor.empty();
       for (const Section& section : page_of(to)->converted.sections)
         found = found || "#" + section.id == anchor;
-      if (!found)
-        report_.faults.push_back(
-            text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
+      if (found) continue;
+      report_.faults.push_back(
+          text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
     }
   }
 
