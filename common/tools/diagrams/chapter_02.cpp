@@ -22,17 +22,13 @@ Drawing sphere_uv() {
   d.circle(view({0, 0, 0}), 150, "fill-soft");
   d.circle(view({0, 0, 0}), 150, "ink");
   for (const double v : {0.25, 0.75}) {
-    view.draw(
-        d, [&](double u) { return at(u, v); }, 0, 1, "soft");
+    view.draw(d, "soft", 0, 1, [&](double u) { return at(u, v); });
   }
   for (int i = 1; i < 8; ++i) {
-    view.draw(
-        d, [&](double v) { return at(i / 8.0, v); }, 0, 1, "soft");
+    view.draw(d, "soft", 0, 1, [&](double v) { return at(i / 8.0, v); });
   }
-  view.draw(
-      d, [](double u) { return at(u, 0.5); }, 0, 1, "ink");
-  view.draw(
-      d, [](double v) { return at(0, v); }, 0, 1, "red thick");
+  view.draw(d, "ink", 0, 1, [](double u) { return at(u, 0.5); });
+  view.draw(d, "red thick", 0, 1, [](double v) { return at(0, v); });
   // The axes, from the surface outward.
   d.arrow(view({1, 0, 0}), view({1.35, 0, 0}), "ink");
   d.arrow(view({0, 1, 0}), view({0, 1.32, 0}), "ink");
@@ -41,10 +37,8 @@ Drawing sphere_uv() {
   d.text(view({0, 1.32, 0}) + Spot{10, 6}, "y", Anchor::start);
   d.text(view({0, 0, 2}) + Spot{-8, 10}, "z", Anchor::end);
   // The way along the equator, then up: u and v of the point.
-  view.draw(
-      d, [](double u) { return at(u, 0.5); }, 0, uv.u, "blue thick");
-  view.draw(
-      d, [&](double v) { return at(uv.u, v); }, 0.0, uv.v, "green thick");
+  view.draw(d, "blue thick", 0, uv.u, [](double u) { return at(u, 0.5); });
+  view.draw(d, "green thick", 0.0, uv.v, [&](double v) { return at(uv.u, v); });
   d.dot(view(p), "fill-red");
   d.text(view(p) + Spot{10, -4}, "p", Anchor::start, "red");
   d.text(view(at(0.3, 0.5)) + Spot{0, 24}, "u", Anchor::middle, "blue strong");

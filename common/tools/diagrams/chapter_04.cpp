@@ -37,8 +37,8 @@ constexpr std::array<Panel, 3> panels{{
 
 /// Draws the visible part of a curve on the sphere.
 template <class Curve>
-void draw_front(Drawing& d, const SpaceView& view, const Curve& point_at, double from, double to,
-                const std::string& style) {
+void draw_front(Drawing& d, const SpaceView& view, const std::string& style, double from, double to,
+                const Curve& point_at) {
   const int pieces = 96;
   std::vector<Spot> run;
   for (int i = 0; i <= pieces; ++i) {
@@ -54,8 +54,8 @@ void draw_front(Drawing& d, const SpaceView& view, const Curve& point_at, double
 ///
 /// @param spot_at  called with numbers from `from` to `to`; returns a Spot
 template <class Curve>
-void curved_arrow(Drawing& drawing, const Curve& spot_at, double from, double to,
-                  const std::string& style) {
+void curved_arrow(Drawing& drawing, const std::string& style, double from, double to,
+                  const Curve& spot_at) {
   const int pieces = 64;
   std::vector<Spot> through;
   for (int i = 0; i <= pieces; ++i) through.push_back(spot_at(from + (to - from) * i / pieces));
@@ -100,21 +100,18 @@ Drawing four_conventions() {
     d.circle(center, r, "fill-soft");
     d.circle(center, r, "ink");
     for (int i = 0; i < 4; ++i) {
-      draw_front(
-          d, view, [&](double v) { return in_this(i / 4.0, v); }, 0, 1, "soft");
+      draw_front(d, view, "soft", 0, 1, [&](double v) { return in_this(i / 4.0, v); });
     }
-    draw_front(
-        d, view, [&](double u) { return in_this(u, 0.5); }, 0, 1, "soft");
-    draw_front(
-        d, view, [&](double v) { return in_this(0, v); }, 0, 1, "red thick");
+    draw_front(d, view, "soft", 0, 1, [&](double u) { return in_this(u, 0.5); });
+    draw_front(d, view, "red thick", 0, 1, [&](double v) { return in_this(0, v); });
     draw_letter(d, view, panel);
 
     // u and v, from one point of the southern hemisphere.
     const Uv<double> from = uv_of(panel.convention, on_map(0.125, 0.36));
-    curved_arrow(
-        d, [&](double u) { return view(in_this(u, from.v)); }, from.u, from.u + 0.1, "blue");
-    curved_arrow(
-        d, [&](double v) { return view(in_this(from.u, v)); }, from.v, from.v + 0.14, "green");
+    curved_arrow(d, "blue", from.u, from.u + 0.1,
+                 [&](double u) { return view(in_this(u, from.v)); });
+    curved_arrow(d, "green", from.v, from.v + 0.14,
+                 [&](double v) { return view(in_this(from.u, v)); });
     const Spot u_tip = view(in_this(from.u + 0.1, from.v));
     const Spot v_tip = view(in_this(from.u, from.v + 0.14));
     const Spot start = view(in_this(from.u, from.v));

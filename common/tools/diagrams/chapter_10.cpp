@@ -108,13 +108,13 @@ Drawing seven_layouts() {
   d.circle({82, 88}, 66, "soft");
   for (int longitude = -180; longitude < 180; longitude += 30) {
     const auto meridian = [&](double latitude) { return direction_at(longitude, latitude); };
-    view.draw(d, meridian, 0, 90, "blue");
-    view.draw(d, meridian, -90, 0, "red");
+    view.draw(d, "blue", 0, 90, meridian);
+    view.draw(d, "red", -90, 0, meridian);
   }
   for (int latitude = -60; latitude <= 60; latitude += 30) {
     const auto parallel = [&](double longitude) { return direction_at(longitude, latitude); };
     const char* style = latitude == 0 ? "ink thick" : latitude > 0 ? "blue" : "red";
-    view.draw(d, parallel, -180, 180, style);
+    view.draw(d, style, -180, 180, parallel);
   }
   d.text({82, 182}, "the sphere", Anchor::middle, "small");
 
@@ -171,7 +171,7 @@ Drawing pole_stretch() {
     };
   };
   const auto equator = [](double longitude) { return direction_at(longitude, 0); };
-  view.draw(d, equator, -180, 180, "soft");
+  view.draw(d, "soft", -180, 180, equator);
   d.line(panel({0, 0.5}), panel({1, 0.5}), "soft");
   for (const int latitude : {0, 45, 70}) {
     const auto circle = circle_at(latitude);

@@ -39,12 +39,10 @@ Drawing sky_texels() {
     d.curve(outline, lines[i]);
   }
   for (int row = 1; row < sky_rows; ++row) {
-    view.draw(
-        d, [&](double x) { return at(x, row); }, 0, sky_columns, "soft");
+    view.draw(d, "soft", 0, sky_columns, [&](double x) { return at(x, row); });
   }
   for (int column = 0; column < sky_columns; ++column) {
-    view.draw(
-        d, [&](double y) { return at(column, y); }, 0, sky_rows, "soft");
+    view.draw(d, "soft", 0, sky_rows, [&](double y) { return at(column, y); });
   }
   d.dot(view({0, 0, 0}));
   d.line(view({0, 0, 0}) + Spot{4, -4}, {286, 54}, "soft");

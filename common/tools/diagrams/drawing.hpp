@@ -69,8 +69,8 @@ class SpaceView {
 
   /// Draws a curve on a sphere around the origin: what lies behind it is dashed.
   template <class Curve>
-  void draw(Drawing& drawing, const Curve& point_at, double from, double to,
-            const std::string& style) const {
+  void draw(Drawing& drawing, const std::string& style, double from, double to,
+            const Curve& point_at) const {
     const int pieces = 96;
     std::vector<Spot> run;
     bool in_front = is_in_front(point_at(from));
