@@ -1,13 +1,22 @@
-#include "book.hpp"
-
+// Makes the book, every page of the course as HTML with contents, search, pictures and sources:
+// out/index.html and the pages that it leads to. Its pages have copies of the golden pictures,
+// because the reader may draw out/NN_name.png again, changed.
+// usage: book ROOT OUT [--print]
+//        --print: also OUT/print.html, the pages of students and instructors in one, for paper
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
@@ -71,7 +80,8 @@ class Book {
   Book(fs::path root, fs::path out, bool with_print)
       : root_(std::move(root)), out_(std::move(out)), with_print_(with_print) {}
 
-  Report make() {
+  /// Errors: std::runtime_error if a page cannot be read or written.
+  void make() {
     const fs::path modules = root_ / "docs/live/modules.js";
     if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
@@ -92,8 +102,14 @@ class Book {
     write(out_ / "book.css", contents_of(folder() / "book.css") + line_numbers());
     write(out_ / "book.js", search_index() + contents_of(folder() / "book.js") +
                                 contents_of(folder() / "../turntable.js"));
-    report_.pages = static_cast<int>(pages_.size());
-    return report_;
+  }
+
+  /// Links and pictures that lead nowhere.
+  [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
+
+  [[nodiscard]] std::string made() const {
+    return text("%zu pages, %zu sources and %zu pictures are in ", pages_.size(), sources_.size(),
+                pictures_.size());
   }
 
  private:
@@ -159,7 +175,7 @@ class Book {
       return page->file + anchor;
     }
     if (!fs::is_regular_file(root_ / target)) {
-      report_.faults.push_back(from + ": " + url + " leads nowhere");
+      faults_.push_back(from + ": " + url + " leads nowhere");
       return url;
     }
     const std::string extension = target.extension().string();
@@ -180,7 +196,6 @@ class Book {
     if (pictures_.insert(place).second) {
       fs::create_directories(out_ / "pictures");
       fs::copy_file(root_ / target, out_ / place, fs::copy_options::overwrite_existing);
-      ++report_.pictures;
     }
     return place;
   }
@@ -192,8 +207,7 @@ class Book {
       for (const Section& section : page_of(to)->converted.sections)
         found = found || "#" + section.id == anchor;
       if (found) continue;
-      report_.faults.push_back(
-          text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
+      faults_.push_back(text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
     }
   }
 
@@ -358,7 +372,6 @@ class Book {
       const std::string body =
           "<h1>" + escaped_markup(source) + "</h1>\n" + highlighted_file(code, is_cpp);
       write(out_ / "source" / (flat(source) + ".html"), framed(source, body, pages_.size(), "../"));
-      ++report_.sources;
     }
   }
 
@@ -456,13 +469,26 @@ class Book {
   std::vector<Named> named_;  ///< links from one page to a heading of another
   std::string modules_;       // of live pictures; empty: there are none
   std::set<std::string> sources_, pictures_;
-  Report report_;
+  std::vector<std::string> faults_;
 };
 
 }  // namespace
-
-Report make_book(const fs::path& root, const fs::path& out, bool with_print) {
-  return Book(root, out, with_print).make();
-}
-
 }  // namespace texmap::book
+
+int main(int argc, char** argv) {
+  const bool with_print = argc == 4 && std::string_view(argv[3]) == "--print";
+  if (argc != 3 && !with_print) {
+    std::cerr << "usage: book ROOT OUT [--print]\n";
+    return 2;
+  }
+  try {
+    texmap::book::Book book(argv[1], argv[2], with_print);
+    book.make();
+    for (const std::string& fault : book.faults()) std::cerr << "FAIL: " << fault << '\n';
+    std::cout << book.made() << argv[2] << "/index.html\n";
+    return book.faults().empty() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return 1;
+  }
+}
