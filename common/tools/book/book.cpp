@@ -100,8 +100,7 @@ class Book {
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
     write(out_ / "book.css", contents_of(folder() / "book.css") + line_numbers());
-    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js") +
-                                contents_of(folder() / "../turntable.js"));
+    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js"));
   }
 
   /// Links and pictures that lead nowhere.
