@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/codecs/png_chunks.hpp"
 #include "engine/picture/codecs/read_png.hpp"
 #include "engine/picture/decode_image.hpp"
