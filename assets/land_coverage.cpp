@@ -75,43 +75,27 @@ std::vector<Coast> rings_of(const Json& topology) {
 }
 
 /// The latitudes where coasts cross each meridian. A meridian is one column of samples.
-class Crossings {
- public:
-  explicit Crossings(int meridians) : latitudes_(static_cast<std::size_t>(meridians)) {}
+using Crossings = std::vector<std::vector<double>>;
 
-  void add(const Coast& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) add_edge(ring[i], ring[(i + 1) % ring.size()]);
+/// Adds the crossings of a coast from point to point.
+void add_edge(Crossings& crossings, CoastPoint a, CoastPoint b) {
+  // The short way around: two neighboring points of a coast are never half the globe apart.
+  if (b.turns - a.turns > 0.5) b.turns -= 1;
+  if (a.turns - b.turns > 0.5) b.turns += 1;
+  if (a.turns > b.turns) std::swap(a, b);
+
+  // An edge contains its west end but not its east end, so a meridian through a point that two
+  // edges share is crossed once.
+  const auto count = static_cast<double>(crossings.size());
+  const double west = a.turns * count + center, east = b.turns * count + center;
+  const auto last = static_cast<long>(std::ceil(east));
+  for (auto meridian = static_cast<long>(std::ceil(west)); meridian < last; ++meridian) {
+    const auto k = static_cast<double>(meridian);
+    const double latitude = a.latitude + (b.latitude - a.latitude) * ((k - west) / (east - west));
+    const double wrapped = k - std::floor(k / count) * count;
+    crossings[static_cast<std::size_t>(wrapped)].push_back(latitude);
   }
-
-  /// The crossings of one meridian, sorted from north to south.
-  [[nodiscard]] std::vector<double> from_north(std::size_t meridian) const {
-    std::vector<double> sorted = latitudes_[meridian];
-    std::sort(sorted.rbegin(), sorted.rend());
-    return sorted;
-  }
-
- private:
-  void add_edge(CoastPoint a, CoastPoint b) {
-    // The short way around: two neighboring points of a coast are never half the globe apart.
-    if (b.turns - a.turns > 0.5) b.turns -= 1;
-    if (a.turns - b.turns > 0.5) b.turns += 1;
-    if (a.turns > b.turns) std::swap(a, b);
-
-    // An edge contains its west end but not its east end, so a meridian through a point that two
-    // edges share is crossed once.
-    const auto count = static_cast<double>(latitudes_.size());
-    const double west = a.turns * count + center, east = b.turns * count + center;
-    const auto last = static_cast<long>(std::ceil(east));
-    for (auto meridian = static_cast<long>(std::ceil(west)); meridian < last; ++meridian) {
-      const auto k = static_cast<double>(meridian);
-      const double latitude = a.latitude + (b.latitude - a.latitude) * ((k - west) / (east - west));
-      const double wrapped = k - std::floor(k / count) * count;
-      latitudes_[static_cast<std::size_t>(wrapped)].push_back(latitude);
-    }
-  }
-
-  std::vector<std::vector<double>> latitudes_;
-};
+}
 
 Json read(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -124,13 +108,17 @@ Json read(const std::filesystem::path& path) {
 std::vector<std::uint8_t> land_coverage(const std::filesystem::path& topology, int columns,
                                         int rows) try {
   const int meridians = columns * samples_along_side;
-  Crossings crossings(meridians);
-  for (const Coast& ring : rings_of(read(topology))) crossings.add(ring);
+  Crossings crossings(static_cast<std::size_t>(meridians));
+  for (const Coast& ring : rings_of(read(topology))) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      add_edge(crossings, ring[i], ring[(i + 1) % ring.size()]);
+  }
 
   std::vector<std::uint8_t> coverage(static_cast<std::size_t>(columns) *
                                      static_cast<std::size_t>(rows));
   for (int k = 0; k < meridians; ++k) {
-    const std::vector<double> coasts = crossings.from_north(static_cast<std::size_t>(k));
+    std::vector<double>& coasts = crossings[static_cast<std::size_t>(k)];
+    std::sort(coasts.rbegin(), coasts.rend());
     std::size_t crossed = 0;
     for (int m = 0; m < rows * samples_along_side; ++m) {
       const double row = (m - center) / samples_along_side;

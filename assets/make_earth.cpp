@@ -127,6 +127,7 @@ Survey survey(const GlobeGrid& grid, const std::filesystem::path& topology) {
   s.coverage = land_coverage(topology, grid.columns(), grid.rows());
   for (const std::uint8_t count : s.coverage) s.land.push_back(2 * count >= samples);
   s.coast_km = grid.distance_to_other(s.land);
+  const ClimateMap climates(topology.parent_path() / "climate.txt");
   s.relief.resize(grid.size());
   s.climate.resize(grid.size());
   for (int row = 0; row < grid.rows(); ++row) {
@@ -139,7 +140,7 @@ Survey survey(const GlobeGrid& grid, const std::filesystem::path& topology) {
       const double east = grid.longitude(column) + 7 * noise_at(p, 11, 4, 0);
       const double north =
           std::clamp(grid.latitude(row) + 4.5 * noise_at(p, 11, 4, 20), -90.0, 90.0);
-      s.climate[i] = climate_at(east > 180 ? east - 360 : east < -180 ? east + 360 : east, north);
+      s.climate[i] = climates.at(east > 180 ? east - 360 : east < -180 ? east + 360 : east, north);
       if (grid.latitude(row) < -60) s.climate[i].ice = 2;
 
       // Ridges where the noise is near zero.

@@ -10,7 +10,7 @@ namespace texmap {
 ///
 /// Longitude -180 to 180 from column 0 to 2047, the same meridian with the same pixels; latitude 90
 /// to -90 from row 0 to 1023. A pixel is sea exactly if its blue exceeds its red by more than 20.
-/// @param land  the TopoJSON file of land areas in assets/sources
+/// @param land  the TopoJSON file of land areas in assets/sources; climate.txt lies next to it
 /// Errors: std::runtime_error with the path if the file cannot be read.
 [[nodiscard]] Image make_earth(const std::filesystem::path& land);
 

@@ -1,8 +1,11 @@
 // A sky with a sun, clouds, hills and a meadow, as light.
 #include "make_sky.hpp"
 
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb_image_write.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -53,19 +56,6 @@ Rgb meadow(const Vec3d& d) {
   return blend(green * (1 + 0.5 * grass), haze * 0.6, 0.06 / (0.06 - d.y) * 0.8);
 }
 
-/// Three mantissas of 8 bits, cut off, and the exponent of the largest channel.
-std::array<std::uint8_t, 4> rgbe(const Color<float>& light) {
-  int exponent = 0;
-  const float most = std::max({light.r, light.g, light.b});
-  if (!(most > 1e-32F)) return {};
-  std::frexp(most, &exponent);
-  const auto mantissa = [exponent](float channel) {
-    return static_cast<std::uint8_t>(std::ldexp(channel, 8 - exponent));
-  };
-  return {mantissa(light.r), mantissa(light.g), mantissa(light.b),
-          static_cast<std::uint8_t>(exponent + 128)};
-}
-
 }  // namespace
 
 LightImage make_sky() {
@@ -93,39 +83,14 @@ LightImage make_sky() {
 }
 
 std::vector<std::uint8_t> radiance_file(const LightImage& light) {
-  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
-                             std::to_string(light.height) + " +X " + std::to_string(light.width) +
-                             "\n";
-  std::vector<std::uint8_t> bytes(header.begin(), header.end());
-  const auto width = static_cast<std::size_t>(light.width);
-  const auto put = [&bytes](std::size_t byte) { bytes.push_back(static_cast<std::uint8_t>(byte)); };
-  for (int row = 0; row < light.height; ++row) {
-    std::vector<std::array<std::uint8_t, 4>> texels;
-    texels.reserve(width);
-    for (int column = 0; column < light.width; ++column)
-      texels.push_back(rgbe(light.at(column, row)));
-    put(2), put(2), put(width >> 8), put(width & 255);
-    for (std::size_t channel = 0; channel < 4; ++channel) {
-      const auto length_of_run = [&](std::size_t x) {
-        std::size_t end = x + 1;
-        while (end < width && end < x + 127 && texels[end][channel] == texels[x][channel]) ++end;
-        return end - x;
-      };
-      std::size_t x = 0;
-      while (x < width) {
-        if (const std::size_t run = length_of_run(x); run > 2) {
-          put(128 + run), put(texels[x][channel]);
-          x += run;
-          continue;
-        }
-        const std::size_t first = x;
-        while (x < width && x < first + 128 && length_of_run(x) <= 2) ++x;
-        put(x - first);
-        for (std::size_t i = first; i < x; ++i) put(texels[i][channel]);
-      }
-    }
-  }
-  return bytes;
+  std::string file;
+  const auto append = [](void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                               static_cast<std::size_t>(size));
+  };
+  static_assert(sizeof(Color<float>) == 3 * sizeof(float));
+  stbi_write_hdr_to_func(append, &file, light.width, light.height, 3, &light.pixels[0].r);
+  return {file.begin(), file.end()};
 }
 
 }  // namespace texmap

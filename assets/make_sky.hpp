@@ -11,8 +11,8 @@ namespace texmap {
 /// degrees wide and up to 900 times as bright as white.
 [[nodiscard]] LightImage make_sky();
 
-/// The bytes of a Radiance file with that light, its mantissas cut off as all writers do. Domain:
-/// light of 0 to 1e37, 8 to 32767 columns.
+/// The bytes of a Radiance file with that light, by stb_image_write, which cuts mantissas off as
+/// all writers do.
 [[nodiscard]] std::vector<std::uint8_t> radiance_file(const LightImage& light);
 
 }  // namespace texmap

@@ -26,4 +26,3 @@ add_fuzz_target(fuzz_read_hdr ON app SEEDS "${seeds}/fuzz_read_hdr")
 add_fuzz_target(fuzz_command_line ON app 09_texture_filtering_code 10_projections_code 11_bump_and_normal_maps_code
   SEEDS "${seeds}/fuzz_command_line")
 add_fuzz_target(fuzz_read_obj ON mesh SEEDS "${seeds}/fuzz_read_obj")
-add_fuzz_target(fuzz_texture_places ON texture SEEDS "${seeds}/fuzz_texture_places")

@@ -3,15 +3,15 @@
 # The figures are those of the reference platform: another C library may round a pixel another way.
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
 target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
-target_link_libraries(page_figures PRIVATE project_options app chapters_code)
+target_link_libraries(page_figures PRIVATE project_options app chapters_code compare)
 set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
 if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
   target_compile_options(page_figures PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(page_figures PRIVATE TEXMAP_NO_FLATTEN)
 endif()
-if(reference_platform AND NOT TEXMAP_INSTRUMENT)
+if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   set_target_properties(page_figures PROPERTIES EXCLUDE_FROM_ALL OFF)
-  add_check(page_figures pages page_figures "${CMAKE_SOURCE_DIR}/docs/figures.txt")
+  add_check(page_figures pages "${SH}" -c "\"$0\" | diff \"$1\" -" "$<TARGET_FILE:page_figures>" "${CMAKE_SOURCE_DIR}/docs/figures.txt")
 endif()
 
 # The page of chapter 03 shows pieces of code, each after a mark that says where it goes in chapter 00's file: with all of them the
@@ -33,7 +33,7 @@ if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
 endif()
 
 if(NOT TEXMAP_INSTRUMENT)
-  set_target_properties(draw_diagrams diagrams PROPERTIES EXCLUDE_FROM_ALL OFF)
+  set_target_properties(draw_diagrams PROPERTIES EXCLUDE_FROM_ALL OFF)
   add_check(diagrams pages draw_diagrams "${CMAKE_SOURCE_DIR}/docs/diagrams" --check)
 endif()
 add_suite(pages/test_page ON page LABELS pages)

@@ -21,11 +21,11 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <locale>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -224,7 +224,6 @@ const Problem srgb_curve{
 /// `x` in scientific notation.
 std::string shown(Wide x, int digits) {
   std::ostringstream out;
-  out.imbue(std::locale::classic());
   out << std::scientific << std::setprecision(digits - 1) << x;
   return out.str();
 }
@@ -237,8 +236,8 @@ std::string shown_bound(Wide x) {
 
 /// A number of coefficients, and the stated bound on what rounding does, in epsilons.
 struct Size {
-  std::size_t count;
-  const char* rounding;
+  std::size_t count = 0;
+  std::string rounding;
 };
 
 /// What is to be proven of a polynomial q(x), in gappa's language: a small letter is what the
@@ -260,6 +259,14 @@ struct Family {
   std::vector<Size> sizes;
 };
 
+/// Sizes from a text: a number of coefficients and its bound, as often as there are.
+std::vector<Size> sizes(const std::string& text) {
+  std::vector<Size> all;
+  std::istringstream in(text);
+  for (Size size; in >> size.count >> size.rounding;) all.push_back(size);
+  return all;
+}
+
 const std::vector<Family> families = {
     {"ArcTangent",
      "/// atan(t) / (2 pi t) by powers of t^2, for t from 0 to 1. `worst` is in turns of the "
@@ -267,17 +274,7 @@ const std::vector<Family> families = {
      arc_tangent,
      {'z', 'Z', "t = rnd(any);\nz rnd= t * t;\nZ = t * t;\n", "e rnd= t * q;\nE = t * Q;\n",
       "t in [0,1]", "|e - E|", ""},
-     {{3, "0.28"},
-      {4, "0.34"},
-      {5, "0.39"},
-      {6, "0.41"},
-      {7, "0.44"},
-      {8, "0.51"},
-      {9, "0.51"},
-      {10, "0.56"},
-      {12, "0.66"},
-      {15, "0.75"},
-      {18, "0.88"}}},
+     sizes("3 0.28 4 0.34 5 0.39 6 0.41 7 0.44 8 0.51 9 0.51 10 0.56 12 0.66 15 0.75 18 0.88")},
     {"ArcCosine",
      "/// acos(y) / (pi sqrt(1 - y^2)) by powers of y, for y from 0 to 1. `worst` is in half "
      "turns\n/// of the angle.\n",
@@ -285,22 +282,13 @@ const std::vector<Family> families = {
      {'y', 'y', "y = rnd(any);\n", "S = sqrt(1 - y * y);\ne rnd= s * q;\nE = S * Q;\n",
       "y in [0,1] /\\ |s -/ S| <= 2.005@epsilon", "|e - E|",
       "$ y in (0.2,0.35,0.5,0.6,0.7,0.76,0.82,0.86,0.89,0.92,0.94,0.96,0.98,0.99);\n"},
-     {{4, "2"},
-      {5, "2"},
-      {6, "2"},
-      {7, "2"},
-      {9, "2"},
-      {10, "2"},
-      {11, "2"},
-      {15, "2"},
-      {18, "2.2"},
-      {21, "2.4"}}},
+     sizes("4 2 5 2 6 2 7 2 9 2 10 2 11 2 15 2 18 2.2 21 2.4")},
     {"Logarithm",
      "/// log2(1 - w) / w by powers of w, for w from 0 to 1/2. `worst` is relative.\n",
      logarithm,
      {'w', 'w', "w = rnd(any);\n", "e rnd= w * q;\nE = w * Q;\n", "w in [1b-100,0.5]", "|e -/ E|",
       "$ w in 8;\n"},
-     {{3, "1.5"}, {4, "1.4"}, {6, "1.8"}, {8, "1.8"}}},
+     sizes("3 1.5 4 1.4 6 1.8 8 1.8")},
     {"Exponential",
      "/// (2^y - 1) / y by powers of y, for y from -1 to 0. `worst` is that of "
      "(2^y)^16,\n/// where the result is at most 1.\n",
@@ -310,19 +298,18 @@ const std::vector<Family> families = {
       "r4 rnd= r2 * r2;\nR4 = R2 * R2;\nr8 rnd= r4 * r4;\nR8 = R4 * R4;\n"
       "e rnd= r8 * r8;\nE = R8 * R8;\n",
       "y in [-1,0]", "|e - E|", "$ y in 16;\n"},
-     {{2, "8.5"}, {3, "8.8"}, {4, "8.8"}}},
+     sizes("2 8.5 3 8.8 4 8.8")},
     {"SrgbCurve",
      "/// 255 (1.055 r^(5/6) - 0.055) by powers of r, for r from the root of 0.0031308 to 1.\n"
      "/// `worst` is in levels of a byte.\n",
      srgb_curve,
      {'r', 'r', "r = rnd(any);\n", "", "r in [0.0559,1]", "|q - Q|", "$ r in 16;\n"},
-     {{3, "400"}, {4, "740"}, {6, "3400"}}},
+     sizes("3 400 4 740 6 3400")},
 };
 
 /// The text of the file.
 std::string coefficients() {
   std::ostringstream out;
-  out.imbue(std::locale::classic());
   out << "// Polynomials for the kernels. tools/fit_kernels.cpp writes this file: change that "
          "one.\n"
          "#pragma once\n#include <array>\n\n"
@@ -443,7 +430,6 @@ std::string in_binary(Wide x) {
   Wide digits = std::frexp(x, &exponent);
   for (; digits != std::floor(digits); --exponent) digits *= 2;
   std::ostringstream out;
-  out.imbue(std::locale::classic());
   out << std::fixed << std::setprecision(0) << digits << "b" << exponent;
   return out.str();
 }
@@ -454,11 +440,6 @@ Wide rounded(Wide x, const Format& format) {
   if (format.digits == 53) return static_cast<Wide>(static_cast<double>(x));
   return x;
 }
-
-/// Names of one sum of polynomial.hpp: as the machine has it, and exact.
-struct Sum {
-  std::string machine, exact;
-};
 
 /// `text` with numbers in place of products such as 0.5@epsilon.
 std::string with_epsilons(std::string text, const Format& format) {
@@ -473,11 +454,13 @@ std::string with_epsilons(std::string text, const Format& format) {
   return text;
 }
 
-/// c3 from 'c' and 3.
-std::string numbered(char letter, std::size_t k) {
-  std::string name(1, letter);
-  name += std::to_string(k);
-  return name;
+/// A question in gappa's language: is the goal at most so many epsilons, after these lines?
+std::string question(const std::string& name, const Format& format, const std::string& lines,
+                     const std::string& domain, const std::string& goal, const std::string& bound) {
+  return "# " + name + " in " + format.name + ": " + goal + " <= " + bound +
+         " epsilon\n# Written by common/tools/fit_kernels.cpp.\n@rnd = float<" + format.gappa_name +
+         ",ne>;\n" + lines + "{ " +
+         with_epsilons(domain + " -> " + goal + " <= " + bound + "@epsilon", format) + " }\n";
 }
 
 /// The question whether rounding keeps to a bound, about polynomial.hpp's sums term by term.
@@ -485,40 +468,37 @@ std::string question(const GivenFit& fit, const Format& format) {
   const Proof& proof = fit.family.proof;
   const std::size_t top = fit.size.count - 1;
   std::ostringstream out;
-  out << "# " << fit.family.name << "<" << fit.size.count << "> in " << format.name << ": "
-      << proof.goal << " <= " << fit.size.rounding
-      << " epsilon\n# Written by common/tools/fit_kernels.cpp.\n@rnd = float<" << format.gappa_name
-      << ",ne>;\n"
-      << proof.before;
+  out << proof.before;
   for (std::size_t k = 0; k <= top; ++k) {
     out << "c" << k << " = " << in_binary(rounded(fit.powers[k], format)) << ";\nC" << k << " = "
         << in_binary(fit.powers[k]) << ";\n";
   }
   out << "x2 rnd= " << proof.argument << " * " << proof.argument << ";\nX2 = " << proof.exact
       << " * " << proof.exact << ";\n";
+  // A sum has the number of its last term; the machine's has a small letter, the exact a large one.
   const auto horner = [&](std::size_t from) {
-    Sum sum{numbered('c', from), numbered('C', from)};
+    std::string sum = std::to_string(from);
+    char machine = 'c', exact = 'C';
     for (std::size_t k = from; k >= 2; k -= 2) {
-      const Sum next{numbered('s', k - 2), numbered('S', k - 2)};
-      out << next.machine << " = rnd(rnd(" << sum.machine << " * x2) + " << numbered('c', k - 2)
-          << ");\n"
-          << next.exact << " = " << sum.exact << " * X2 + " << numbered('C', k - 2) << ";\n";
+      const std::string next = std::to_string(k - 2);
+      out << "s" << next << " = rnd(rnd(" << machine << sum << " * x2) + c" << next << ");\nS"
+          << next << " = " << exact << sum << " * X2 + C" << next << ";\n";
       sum = next;
+      machine = 's';
+      exact = 'S';
     }
-    return sum;
+    return std::pair(machine + sum, exact + sum);
   };
-  const Sum with_top = horner(top);
-  const Sum others = horner(top - 1);
-  const Sum& even = top % 2 == 0 ? with_top : others;
-  const Sum& odd = top % 2 == 0 ? others : with_top;
-  out << "q = rnd(" << even.machine << " + rnd(" << odd.machine << " * " << proof.argument
-      << "));\nQ = " << even.exact << " + " << odd.exact << " * " << proof.exact << ";\n"
-      << proof.after << "{ "
-      << with_epsilons(proof.domain + " -> " + proof.goal + " <= " + fit.size.rounding + "@epsilon",
-                       format)
-      << " }\n"
-      << proof.parts;
-  return out.str();
+  const auto with_top = horner(top);
+  const auto others = horner(top - 1);
+  const auto& even = top % 2 == 0 ? with_top : others;
+  const auto& odd = top % 2 == 0 ? others : with_top;
+  out << "q = rnd(" << even.first << " + rnd(" << odd.first << " * " << proof.argument
+      << "));\nQ = " << even.second << " + " << odd.second << " * " << proof.exact << ";\n"
+      << proof.after;
+  return question(fit.family.name + "<" + std::to_string(fit.size.count) + ">", format, out.str(),
+                  proof.domain, proof.goal, fit.size.rounding) +
+         proof.parts;
 }
 
 /// What surrounds the polynomials of turns.hpp: an angle's last steps, in the octant with most of
@@ -537,15 +517,6 @@ const std::vector<Surrounding> surroundings = {
      "x in [1b-60,2] /\\ z in [1b-60,2]", "|s -/ S|", "1.005"},
 };
 
-std::string question(const Surrounding& about, const Format& format) {
-  return "# " + about.name + " in " + format.name + ": " + about.goal + " <= " + about.bound +
-         " epsilon\n# Written by common/tools/fit_kernels.cpp.\n@rnd = float<" + format.gappa_name +
-         ",ne>;\n" + about.lines + "{ " +
-         with_epsilons(about.domain + " -> " + about.goal + " <= " + about.bound + "@epsilon",
-                       format) +
-         " }\n";
-}
-
 /// Writes a question for each polynomial and number.
 void write_questions(const std::string& path, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
@@ -561,8 +532,8 @@ void write_questions(const std::string& path, const std::filesystem::path& folde
       write(fit.family.name + "_" + std::to_string(fit.size.count) + "_" + format.name,
             question(fit, format));
     }
-    for (const Surrounding& about : surroundings)
-      write(about.name + "_" + format.name, question(about, format));
+    for (const auto& [name, lines, domain, goal, bound] : surroundings)
+      write(name + "_" + format.name, question(name, format, lines, domain, goal, bound));
   }
 }
 

@@ -5,17 +5,12 @@
 //   NUMBER      what the crop, 200 x 150 pixels large, shows in its lower left corner
 //   RING        COLUMN,ROW,WIDE,HIGH: an ellipse's middle in the crop, and its half axes; colons
 //               join several, and a crop may have none
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/app/command_line.hpp"
@@ -98,72 +93,6 @@ Image marked(const std::string& file, const std::string& corner, const std::stri
   return crop;
 }
 
-/// A color and how many pixels have it.
-struct Counted {
-  std::array<int, 3> color{};
-  int count = 0;
-};
-
-long pixels_of(const std::vector<Counted>& box) {
-  long pixels = 0;
-  for (const Counted& c : box) pixels += c.count;
-  return pixels;
-}
-
-/// Leaves at most 256 colors, so that a file with a palette holds the picture: Heckbert's median
-/// cut, "Color Image Quantization for Frame Buffer Display", 1982.
-void reduce_colors(Image& image) {
-  const auto key = [](Rgb8 c) { return std::array<int, 3>{c.r, c.g, c.b}; };
-  std::map<std::array<int, 3>, int> counts;
-  for (const Rgb8 pixel : image.pixels) ++counts[key(pixel)];
-  std::vector<std::vector<Counted>> boxes(1);
-  boxes[0].reserve(counts.size());
-  for (const auto& [color, count] : counts) boxes[0].push_back({color, count});
-
-  while (boxes.size() < 256) {
-    // The box with the most pixels times the square of its longest side is cut across that side.
-    std::size_t widest = 0, axis = 0;
-    long most = 0;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high] =
-            std::ranges::minmax(boxes[i], {}, [k](const Counted& c) { return c.color[k]; });
-        const long length = high.color[k] - low.color[k];
-        const long spread = length * length * pixels_of(boxes[i]);
-        if (spread > most) {
-          most = spread;
-          widest = i;
-          axis = k;
-        }
-      }
-    }
-    if (most == 0) break;
-    std::vector<Counted>& box = boxes[widest];
-    std::ranges::sort(box, {}, [axis](const Counted& c) { return c.color[axis]; });
-    const long pixels = pixels_of(box);
-    std::size_t half = 0;
-    for (long seen = 0; half + 1 < box.size() && 2 * seen < pixels; ++half) seen += box[half].count;
-    const auto middle = box.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(half, 1));
-    std::vector<Counted> rest(middle, box.end());
-    box.erase(middle, box.end());
-    boxes.push_back(std::move(rest));
-  }
-
-  std::map<std::array<int, 3>, Rgb8> mean_of;
-  for (const std::vector<Counted>& box : boxes) {
-    std::array<long, 3> sum{};
-    for (const Counted& c : box) {
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += static_cast<long>(c.color[k]) * c.count;
-    }
-    const long pixels = std::max(pixels_of(box), 1L);  // never 0: a box has a color
-    const auto mean = [&](std::size_t k) {
-      return static_cast<std::uint8_t>((2 * sum[k] + pixels) / (2 * pixels));
-    };
-    for (const Counted& c : box) mean_of[c.color] = {mean(0), mean(1), mean(2)};
-  }
-  for (Rgb8& pixel : image.pixels) pixel = mean_of[key(pixel)];
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -182,7 +111,6 @@ int main(int argc, char** argv) {
       blit(strip, marked(words[at + 1], words[at + 2], words[at + 3]),
            i % columns * (crop_width + gap), i / columns * (crop_height + gap));
     }
-    reduce_colors(strip);
     save_png(strip, path_of(words[0]));
   } catch (const std::exception& failure) {
     std::cerr << "error: " << failure.what() << '\n';

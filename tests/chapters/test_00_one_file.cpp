@@ -1,4 +1,5 @@
-// Chapter 00: one file of plain C++ draws what chapters 01 and 02 draw with the common code.
+// Chapter 00: one file of plain C++ draws what chapters 01 and 02 draw with the common code. It
+// shares no code with them, and so is their judge: each pixel has the color that its ray sees.
 #include <doctest.h>
 
 #include "01_plain_spheres/lesson.hpp"

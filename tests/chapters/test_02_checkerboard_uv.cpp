@@ -1,13 +1,9 @@
 // Chapter 02: the daily exercise's published picture, and the step from chapter 01.
 #include <doctest.h>
 
-#include <span>
-
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
-#include "support/daily_program.hpp"
 #include "support/lesson_laws.hpp"
-#include "support/same_picture.hpp"
 #include "support/sha256.hpp"
 #include "support/shown_values.hpp"
 
@@ -15,16 +11,15 @@ using namespace texmap;
 using namespace texmap::test;
 using chapter_02::Lesson;
 
+#ifdef TEXMAP_REFERENCE_PLATFORM
 TEST_CASE("the picture is the daily exercise's published picture, pixel for pixel") {
   const Image drawn = picture(Lesson{});
-#ifdef TEXMAP_REFERENCE_PLATFORM
   static_assert(sizeof(Rgb8) == 3);
-  const std::span<const std::uint8_t> bytes(&drawn.pixels[0].r, 3 * drawn.pixels.size());
   // The hash of the 1,440,000 red, green and blue bytes that its texture_output.png holds.
-  CHECK(sha256(bytes) == "9f0d68575b344f9a050be7e15b22f487245c3fece0ea1fef1c5f6d8c6df150e3");
-#endif
-  expect_same_picture(drawn, daily::draw(800, 600, true));
+  CHECK(sha256({&drawn.pixels[0].r, 3 * drawn.pixels.size()}) ==
+        "9f0d68575b344f9a050be7e15b22f487245c3fece0ea1fef1c5f6d8c6df150e3");
 }
+#endif
 
 TEST_CASE(
     "the daily exercise's published figures hold, but for the one that was taken upside down") {

@@ -3,7 +3,6 @@
 
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
-#include "engine/system/file_error.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/same_picture.hpp"
 #include "support/shown_values.hpp"
@@ -41,11 +40,6 @@ TEST_CASE("an image of the checkerboard draws chapter 02 within half a texel") {
 
 TEST_CASE("only the middle sphere changes from chapter 02") {
   CHECK(check_step(chapter_02::Lesson{}, prepared<Lesson>(), chapter_03::right) > 9000);
-}
-
-TEST_CASE("a missing texture is an error that names it, never a color") {
-  CHECK_THROWS_WITH_AS((void)prepared<Lesson>({"--texture", "no_such_picture.png"}),
-                       doctest::Contains("cannot load texture 'no_such_picture.png'"), FileError);
 }
 
 TEST_CASE("all numbers draw the same Earth, but for 0.1 percent of the pixels in float" *

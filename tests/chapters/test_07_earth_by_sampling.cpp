@@ -5,9 +5,9 @@
 #include <string>
 
 #include "07_earth_by_sampling/lesson.hpp"
-#include "support/pictures.hpp"
+#include "sampling/sampled_numbers.hpp"
+#include "support/films.hpp"
 #include "support/running.hpp"
-#include "support/whole_numbers.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -27,30 +27,8 @@ KernelPlan plan_for(const char* budget, const Lesson& lesson, double reads = 0) 
   return plan_surface(parse_budget(budget), lesson.objects[0].paint.texture.image, reads);
 }
 
-/// How a film is drawn, apart from its samples.
-struct Drawn {
-  Size size = {64, 36};
-  int threads = 0;
-  std::uint32_t seed = 0;
-};
-
-/// The film of a lesson: `samples` of a kind for each pixel. In double where the lesson has no
-/// other number.
-template <class Real>
-Film film_of(const Lesson& lesson, SamplerKind kind, int samples, const Drawn& drawn = {},
-             const KernelPlan& plan = {}) {
-  const View<> view = view_of(lesson.stage.camera, drawn.size.width, drawn.size.height);
-  const auto objects = planned_objects(plan, lesson.objects);
-  return gather<number_in<Lesson, Real>>(
-      lesson, objects, view, {Sampler(kind, samples, drawn.seed)},
-      bounds_of_view(lesson, objects, view, plan.smoothing, samples), {.threads = drawn.threads});
-}
-
 /// A film keeps light within 2^-32 of itself.
 constexpr double packing = 0x1p-31;
-
-/// Root mean square difference of two films, over pixels and channels.
-double apart(const Film& a, const Film& b) { return 2 * error_of_halves(a, b); }
 
 /// How many samples the program says that it drew, and what error it states, in levels of 255.
 struct Stated {
@@ -69,36 +47,17 @@ Stated stated_by_program(const std::string& options) {
           std::stod(outcome.out.substr(error + 6))};
 }
 
-/// The numbers of one sample, the same whoever draws them.
-struct SampledNumbers {
-  Sampler sampler;
-  std::uint32_t sample;
-  std::uint32_t dimension = 0;
-
-  [[nodiscard]] Point2<double> next_2d() {
-    return sampler.pair<double>(test::hash_row<double>(7, 3), sample, dimension++);
-  }
-};
-
-/// Calls `look` with the light of every pixel.
-template <class Look>
-void for_each_pixel(const Film& film, const Look& look) {
-  for (int row = 0; row < film.height(); ++row) {
-    for (int column = 0; column < film.width(); ++column) look(film.light(column, row));
-  }
-}
-
 }  // namespace
 
 TEST_CASE("a white globe under a constant sky cannot be told from the sky") {
   const Rgb8 full{255, 255, 255};
-  const Film film = film_of<double>(lesson_with({}, &full), SamplerKind::random, 4);
+  const Film film = film_of(lesson_with({}, &full), 4);
   for_each_pixel(film, [](const Rgb& light) {
     REQUIRE(std::abs(light.r - 0.7) < packing);
     REQUIRE(std::abs(light.b - 1.0) < packing);
   });
   const Rgb8 gray_paint{188, 188, 188};
-  CHECK(apart(film, film_of<double>(lesson_with({}, &gray_paint), SamplerKind::random, 4)) > 0.1);
+  CHECK(apart(film, film_of(lesson_with({}, &gray_paint), 4)) > 0.1);
 }
 
 TEST_CASE(
@@ -108,13 +67,13 @@ TEST_CASE(
   Lesson lesson = lesson_with({"--bounces", "1000"}, &full);
   lesson.objects.push_back(lesson.objects[0]);
   lesson.objects[1].shape = {{0, -2.5, 0}, 0.5};
-  const Film film = film_of<double>(lesson, SamplerKind::sobol, 8);
+  const Film film = film_of(lesson, 8);
   double darkest = 1;
   for_each_pixel(film, [&](const Rgb& light) { darkest = std::min(darkest, light.r); });
   CHECK(std::abs(darkest - 0.7) < packing);
 
   lesson.sampling.bounces = 1;  // a path cut off brings no light
-  const Film cut = film_of<double>(lesson, SamplerKind::sobol, 8);
+  const Film cut = film_of(lesson, 8);
   CHECK(apart(film, cut) > 0.001);
 }
 
@@ -131,7 +90,7 @@ TEST_CASE(
         hit_at(lesson.objects[0].shape, ray, distance_to(lesson.objects[0].shape, ray)).normal;
     Rgb sum{};
     for (std::uint32_t i = 0; i < samples; ++i) {
-      SampledNumbers random{Sampler(SamplerKind::sobol, samples), i};
+      SampledNumbers<double> random{{SamplerKind::sobol, samples}, i};
       sum = sum + light_along(lesson.objects, ray, lesson.stage.sky, 50, random);
     }
     const double height = (2.0 / 3 * n.y + 1) / 2;
@@ -159,7 +118,7 @@ TEST_CASE("where a budget makes smooth pixels patches, their light is that of sa
   plain.smoothing = {};
   coarse.smoothing.most_curvature_error = 0.01;  // far more than the budget: now places are off
   const auto film = [&]<class Real>(Real, const KernelPlan& plan, int samples = 32) {
-    return film_of<Real>(lesson, SamplerKind::random, samples, {.size = {200, 112}}, plan);
+    return film_of<Real>(lesson, samples, {.size = {200, 112}, .kind = SamplerKind::random}, plan);
   };
   const Film with = film(1.0, smooth), without = film(1.0, plain);
   CHECK(apart(with, without) > 0);
@@ -172,10 +131,9 @@ TEST_CASE("where a budget makes smooth pixels patches, their light is that of sa
 
 TEST_CASE("a budget changes no more of the picture than it allows") {
   const Lesson lesson = lesson_with({});
-  const Film exact = film_of<double>(lesson, SamplerKind::sobol, 16);
+  const Film exact = film_of(lesson, 16);
   const auto off = [&](const char* budget) {
-    return apart(exact,
-                 film_of<double>(lesson, SamplerKind::sobol, 16, {}, plan_for(budget, lesson)));
+    return apart(exact, film_of(lesson, 16, {}, plan_for(budget, lesson)));
   };
   CHECK(off("exact") == 0);
   CHECK(off("texels=0.01") > 0);
@@ -186,16 +144,17 @@ TEST_CASE("a budget changes no more of the picture than it allows") {
 
 TEST_CASE("the picture is the same for any number of threads and for packs of any width") {
   const Lesson lesson = lesson_with({"--sky", "gradient"});
-  constexpr Size size = {61, 33};
   for (const SamplerKind kind : {SamplerKind::random, SamplerKind::stratified,
                                  SamplerKind::multi_jitter, SamplerKind::sobol}) {
-    const Film one = film_of<double>(lesson, kind, 9, {.size = size, .threads = 1});
-    CHECK(apart(one, film_of<double>(lesson, kind, 9, {.size = size, .threads = 3})) == 0);
-    CHECK(apart(one, film_of<Pack<double>>(lesson, kind, 9, {.size = size})) < 1e-4);
-    CHECK(apart(film_of<float>(lesson, kind, 9, {.size = size}),
-                film_of<Pack<float>>(lesson, kind, 9, {.size = size})) < 1e-3);
-    CHECK(apart(one, film_of<double>(lesson, kind, 9, {.size = size, .seed = 1})) >
-          1e-3);  // another seed
+    const Drawn drawn = {.size = {61, 33}, .threads = 1, .kind = kind};
+    Drawn on_three = drawn, other_seed = drawn;
+    on_three.threads = 3;
+    other_seed.seed = 1;
+    const Film one = film_of(lesson, 9, drawn);
+    CHECK(apart(one, film_of(lesson, 9, on_three)) == 0);
+    CHECK(apart(one, film_of<Pack<double>>(lesson, 9, drawn)) < 1e-4);
+    CHECK(apart(film_of<float>(lesson, 9, drawn), film_of<Pack<float>>(lesson, 9, drawn)) < 1e-3);
+    CHECK(apart(one, film_of(lesson, 9, other_seed)) > 1e-3);
   }
 }
 
@@ -203,20 +162,20 @@ TEST_CASE(
     "the film's estimate of its error is about right for random samples, and not too small for "
     "patterns") {
   const Lesson lesson = lesson_with({});
-  const Film truth = film_of<float>(lesson, SamplerKind::sobol, 8192, {.seed = 99});
+  const Film truth = film_of<float>(lesson, 8192, {.seed = 99});
   for (const SamplerKind kind :
        {SamplerKind::random, SamplerKind::multi_jitter, SamplerKind::sobol}) {
-    const Film film = film_of<float>(lesson, kind, 64);
+    const Film film = film_of<float>(lesson, 64, {.kind = kind});
     const double ratio = film.error / apart(film, truth);
     CHECK(ratio > 0.85);
     if (kind == SamplerKind::random) CHECK(ratio < 1.15);
   }
-  CHECK(film_of<float>(lesson, SamplerKind::random, 1).error == infinity<double>());
+  CHECK(film_of<float>(lesson, 1).error == infinity<double>());
 }
 
 TEST_CASE("a lens blurs what is out of focus and nothing else, and an exposure blurs what moves") {
   const auto film = [](const std::vector<std::string>& words) {
-    return film_of<float>(lesson_with(words), SamplerKind::sobol, 64);
+    return film_of<float>(lesson_with(words), 64);
   };
   const Film pinhole = film({});
   const double in_focus = apart(pinhole, film({"--defocus", "2", "--focus", "11"}));

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Searches for inputs that break a claim, with libFuzzer and sanitizers. Builds in build/fuzz.
 # usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target unless told otherwise, two targets at a time
-#        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_command_line | fuzz_read_obj | fuzz_texture_places; all unless told otherwise
+#        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_command_line | fuzz_read_obj; all unless told otherwise
 # What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
 # build/fuzz/finds. Once the fault is fixed, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
 # exit status: 0 nothing was found; 1 something was, or the targets do not compile; 77 a package is missing
 set -eu
-usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_command_line|fuzz_read_obj|fuzz_texture_places ...]'
+usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_command_line|fuzz_read_obj ...]'
 tree=$(cd "$(dirname "$0")/../.." && pwd)
 build=$tree/build/fuzz
 finds=$build/finds
@@ -24,7 +24,7 @@ case $seconds in
     exit 1
     ;;
 esac
-[ $# -gt 0 ] || set -- fuzz_load_image fuzz_read_hdr fuzz_command_line fuzz_read_obj fuzz_texture_places
+[ $# -gt 0 ] || set -- fuzz_load_image fuzz_read_hdr fuzz_command_line fuzz_read_obj
 for target in "$@"; do
   if [ "$target" = "${target#fuzz_}" ] || [ ! -f "$tree/tests/fuzz/$target.cpp" ]; then
     echo "there is no target '$target'; $usage" >&2
@@ -48,28 +48,21 @@ fi
 export UBSAN_OPTIONS=print_stacktrace=1
 limits="-timeout=20 -rss_limit_mb=1024 -seed=1"
 
-# search TARGET: writes logs/TARGET; ends with the status of libFuzzer, which is not 0 after a find.
+# search TARGET: writes logs/TARGET; libFuzzer tries the seeds and the former finds first.
 search() {
-  program=$build/tests/$1
   corpus=$build/corpus/$1
   seeds=$tree/tests/fuzz/seeds/$1
   [ "$1" != fuzz_load_image ] || seeds=$tree/tests/corpus
   mkdir -p "$corpus"
-  cp "$seeds"/* "$corpus"
-  for fixed in "$tree/tests/fuzz/finds/$1"/*; do
-    [ -f "$fixed" ] || continue
-    # shellcheck disable=SC2086  # a list of options
-    "$program" $limits "$fixed" >/dev/null 2>"$build/logs/$1" || {
-      cp "$fixed" "$finds/$1-again-${fixed##*/}"
-      return 1
-    }
+  for input in "$seeds"/* "$tree/tests/fuzz/finds/$1"/*; do
+    [ ! -f "$input" ] || cp "$input" "$corpus"
   done
-  # shellcheck disable=SC2086
-  "$program" $limits -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="$finds/$1-" "$corpus" \
-    >/dev/null 2>"$build/logs/$1" || return
+  # shellcheck disable=SC2086  # a list of options
+  "$build/tests/$1" $limits -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="$finds/$1-" "$corpus" \
+    >/dev/null 2>"$build/logs/$1" || echo "search ended with status $?" >>"$build/logs/$1"
 }
 
-# report TARGET: one line of figures; after a find, what was found and how to see it again.
+# report TARGET: one line of figures; after a find, what was found and how to see it again, and status 1.
 report() {
   log=$build/logs/$1
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
@@ -77,30 +70,25 @@ report() {
   cover=$(sed -n 's/^#.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
   count=$(find "$finds" -name "$1-*" -newer "$build/started" | wc -l)
   printf '%-20s %9s runs %7s a second   cov: %-6s finds: %d\n' "$1" "${runs:-?}" "${speed:-?}" "${cover:-?}" "$count"
-  [ "$2" -ne 0 ] || return 0
+  grep -q '^search ended' "$log" || return 0
   grep -E 'this claim|runtime error:|SUMMARY:|ERROR:' "$log" | head -n 4
   find "$finds" -name "$1-*" -newer "$build/started" | while read -r input; do
     echo "  again: $build/tests/$1 $limits $input"
   done
   echo "  all that it said: $log"
+  return 1
 }
 
 : >"$build/started"
 status=0
 while [ $# -gt 0 ]; do
-  first=$1 second=${2-}
+  search "$1" &
+  [ -z "${2-}" ] || search "$2"
+  wait
+  for target in "$1" ${2+"$2"}; do
+    report "$target" || status=1
+  done
   shift
-  search "$first" &
-  pid=$!
-  of_second=0
-  if [ -n "$second" ]; then
-    shift
-    search "$second" || of_second=$?
-  fi
-  of_first=0
-  wait "$pid" || of_first=$?
-  report "$first" "$of_first"
-  [ -z "$second" ] || report "$second" "$of_second"
-  [ "$of_first$of_second" = 00 ] || status=1
+  [ $# -eq 0 ] || shift
 done
 exit "$status"

@@ -1,7 +1,7 @@
 // Any bytes as the words of a command line: a program accepts or refuses them, nothing else.
 //
-// The first byte chooses the program: 0 to 9 the chapters 02, 03, 05, 06 and 07 to 12, ':' and what
-// comes after it a program that takes two files. The lines that follow are the words.
+// The first byte chooses the chapter: '0' to '9' are 02, 03, 05, 06 and 07 to 12. The lines that
+// follow are the words.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,40 +119,12 @@ void try_chapter(const Words& words) {
   check_budget(read_budget(session.settings.budget));
 }
 
-void try_two_files(const Words& words) {
-  std::string first;
-  std::string second;
-  int levels = 0;
-  double share = 0;
-  std::vector<std::string> masks;
-  bool quiet = false;
-  CommandLine line("two_files", "compares two files");
-  line.positional("A", first, "a file");
-  line.positional("B", second, "another one");
-  line.whole("--levels", levels, 0, 255, "of 255");
-  line.decimal("--share", share, -1, 1, "of all");
-  line.texts("--mask", "FILE", masks, "may be repeated");
-  line.flag("--quiet", quiet, "print nothing");
-  if (!line.parse(words)) return;
-  claim(!first.empty() && !second.empty(), "two files are named");
-  claim(levels >= 0 && levels <= 255, "--levels");
-  claim(share >= -1 && share <= 1, "--share");
-  claim(line.was_given("--mask") == !masks.empty(), "--mask");
-  claim(line.was_given("--quiet") == quiet, "--quiet");
-  for (const std::string& mask : masks) claim(!mask.empty(), "--mask");
-}
-
-constexpr auto programs = std::array{try_chapter<chapter_02::Lesson>,
-                                     try_chapter<chapter_03::Lesson>,
-                                     try_chapter<chapter_05::Lesson>,
-                                     try_chapter<chapter_06::Lesson>,
-                                     try_chapter<chapter_07::Lesson>,
-                                     try_chapter<chapter_08::Lesson>,
-                                     try_chapter<chapter_09::Lesson>,
-                                     try_chapter<chapter_10::Lesson>,
-                                     try_chapter<chapter_11::Lesson>,
-                                     try_chapter<chapter_12::Lesson>,
-                                     try_two_files};
+constexpr auto programs =
+    std::array{try_chapter<chapter_02::Lesson>, try_chapter<chapter_03::Lesson>,
+               try_chapter<chapter_05::Lesson>, try_chapter<chapter_06::Lesson>,
+               try_chapter<chapter_07::Lesson>, try_chapter<chapter_08::Lesson>,
+               try_chapter<chapter_09::Lesson>, try_chapter<chapter_10::Lesson>,
+               try_chapter<chapter_11::Lesson>, try_chapter<chapter_12::Lesson>};
 
 }  // namespace
 }  // namespace texmap::test
@@ -160,11 +132,9 @@ constexpr auto programs = std::array{try_chapter<chapter_02::Lesson>,
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string text(data + 1, data + size);
-  // The digits 0 to 9 are the programs 0 to 9; those from ':' on are the last one.
   using texmap::test::programs;
-  const std::size_t program = std::min<std::size_t>(data[0] % 16, programs.size() - 1);
   try {
-    programs[program](texmap::test::words_of(text));
+    programs[data[0] % 16U % programs.size()](texmap::test::words_of(text));
   } catch (const texmap::UsageError& error) {
     texmap::test::claim(*error.what() != '\0', "a refusal says why");
   }

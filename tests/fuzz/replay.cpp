@@ -1,13 +1,8 @@
 // Runs a fuzz target once on every file of some folders, without libFuzzer.
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
 #include "fuzz/target.hpp"
+#include "support/temporary_folder.hpp"
 
 // Targets with a mutator refer to it; nothing is changed here.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) {
@@ -20,11 +15,7 @@ int main(int argc, char** argv) {
     std::error_code missing;  // a target without a find has no folder of finds
     for (const auto& entry : std::filesystem::directory_iterator(argv[i], missing)) {
       if (!entry.is_regular_file()) continue;
-      std::ifstream file(entry.path(), std::ios::binary);
-      const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-      std::vector<std::uint8_t> input(bytes.size());
-      std::transform(bytes.begin(), bytes.end(), input.begin(),
-                     [](char byte) { return static_cast<std::uint8_t>(byte); });
+      const std::vector<std::uint8_t> input = texmap::test::bytes_of(entry.path().string());
       std::fprintf(stderr, "%s\n", entry.path().string().c_str());
       LLVMFuzzerTestOneInput(input.data(), input.size());
       ++runs;

@@ -42,51 +42,42 @@ PREPROCESSOR = re.compile(r'^[ \t]*#(?:[^\n\\]|\\.)*(?:\\\n(?:[^\n\\]|\\.)*)*', 
 
 class Token:
     def __init__(self, kind, text, start):
-        self.kind, self.text, self.start = kind, text, start
-        self.end = start + len(text)
-        self.in_function = False
+        self.kind, self.text, self.start, self.end = kind, text, start, start + len(text)
+
 
 def tokens_of(text):
-    """All tokens but comments and preprocessor lines; each knows if it is inside of a function."""
+    """All tokens but comments and preprocessor lines, between two empty ones; each knows if it is inside of a function."""
     blank = PREPROCESSOR.sub(lambda found: re.sub(r'[^\n]', ' ', found[0]), text)
-    tokens = [Token(found.lastgroup if found.lastgroup != 'mark' else 'string', found[0], found.start())
-              for found in TOKEN.finditer(blank) if found.lastgroup != 'comment']
+    tokens = [Token('', '', 0), *(Token(found.lastgroup.replace('mark', 'string'), found[0], found.start())
+                                  for found in TOKEN.finditer(blank) if found.lastgroup != 'comment'), Token('', '', len(text))]
     braces = []  # for each open brace: is it the body of a type or of a namespace?
     for i, token in enumerate(tokens):
         if token.text == '}' and braces:
             braces.pop()
         token.in_function = bool(braces) and not braces[-1]
         if token.text == '{':
-            braces.append(opens_type(tokens, i))
+            start = i
+            while start > 0 and tokens[start - 1].text not in (';', '{', '}', ')'):
+                start -= 1
+            before = [''] + [word.text for word in tokens[start:i]]
+            braces.append(any(word in ('namespace', 'struct', 'union', 'enum') or word == 'class' and last not in ('<', ',')
+                              for last, word in zip(before, before[1:])))
     return tokens
-
-
-def opens_type(tokens, i):
-    """Is the brace at `i` that of a namespace, a struct and the like?"""
-    start = i
-    while start > 0 and tokens[start - 1].text not in (';', '{', '}', ')'):
-        start -= 1
-    words = tokens[start:i]
-    for k, word in enumerate(words):
-        before = words[k - 1].text if k > 0 else ''
-        if word.text in ('namespace', 'struct', 'union', 'enum'):
-            return True
-        if word.text == 'class' and before not in ('<', ','):
-            return True
-    return False
 
 
 def closing(tokens, i):
     """The place of the bracket that closes the one at `i`."""
     depth = 0
     for k in range(i, len(tokens)):
-        if tokens[k].text in ('(', '[', '{'):
-            depth += 1
-        elif tokens[k].text in (')', ']', '}'):
-            depth -= 1
-            if depth == 0:
-                return k
+        depth += (tokens[k].text in OPENING) - (tokens[k].text in CLOSING)
+        if depth == 0 and tokens[k].text in CLOSING:
+            return k
     return len(tokens) - 1
+
+
+def behind(tokens, k):
+    """The place behind the token at `k`, or behind what its bracket holds."""
+    return closing(tokens, k) + 1 if tokens[k].text in OPENING else k + 1
 
 
 # --- Changes of a token -------------------------------------------------------------------------
@@ -101,68 +92,57 @@ MEMBERS = {'x': 'y', 'y': 'z', 'z': 'x', 'u': 'v', 'v': 'u', 'r': 'g', 'g': 'b',
            'width': 'height', 'height': 'width', 'row': 'column', 'column': 'row', 'high': 'low',
            'low': 'high', 'first': 'second', 'second': 'first', 'front': 'back', 'back': 'front'}
 ASSIGNMENTS = {'=', '+=', '-=', '*=', '/=', '%=', '|=', '&=', '^=', '<<=', '>>='}
+OPENING, CLOSING = ('(', '[', '{'), (')', ']', '}')
 NOT_A_CALL = {'if', 'for', 'while', 'switch', 'return', 'sizeof', 'catch', 'alignas', 'decltype',
               'noexcept', 'requires', 'static_assert', 'constexpr', 'operator', 'defined'}
 
 
 def other_number(text):
-    """n + 1 for a whole number, 0 for 1 and half of any other number."""
-    whole_hex = text.lower().startswith('0x') and 'p' not in text.lower()
-    body = text.rstrip('uUlL' if whole_hex else 'uUlLfF')
+    """n + 1 for a whole number, one power of two more for a hexadecimal fraction, half of any other number."""
+    hexadecimal, power = text.lower().startswith('0x'), 'p' in text.lower()
+    body = text.rstrip('uUlL' if hexadecimal and not power else 'uUlLfF')
     suffix = text[len(body):]
-    lower = body.lower()
-    if lower.startswith('0x'):
-        if 'p' in lower:
-            mantissa, exponent = re.split('[pP]', body)
-            return f'{mantissa}p{int(exponent) + 1}{suffix}'
+    if power:
+        mantissa, exponent = re.split('[pP]', body)
+        return f'{mantissa}p{int(exponent) + 1}{suffix}'
+    if hexadecimal:
         return f'{int(body, 16) + 1:#x}{suffix}'
     if re.fullmatch(r"[\d']+", body):
-        digits = body.replace("'", '')
-        value = int(digits, 8) if len(digits) > 1 and digits[0] == '0' else int(digits)
-        return f'{value + 1}{suffix}' if len(digits) == 1 or digits[0] != '0' else f'0{value + 1:o}{suffix}'
+        return f"{int(body.replace(chr(39), '')) + 1}{suffix}"
     value = float(body)
     return (repr(value / 2) if value != 0 else '1.0') + suffix
 
 
 def change_of(text, tokens, i):
     """The change of the token at `i`: (kind, start, end, new text), or None."""
-    token = tokens[i]
-    before = tokens[i - 1] if i > 0 else None
-    after = tokens[i + 1] if i + 1 < len(tokens) else None
-    spaced = text[token.start - 1:token.start].isspace() and text[token.end:token.end + 1].isspace()
+    token, before, after = tokens[i], tokens[i - 1], tokens[i + 1]
+    spaced_behind = text[token.end:token.end + 1].isspace()
+    kind = new = None
     if token.kind == 'number':
-        return 'constant', token.start, token.end, other_number(token.text)
-    if token.kind == 'string' and len(token.text) > 2 and not token.text.endswith(')"'):
-        return 'string', token.start, token.end, token.text[:-1] + '~"'
-    if token.kind == 'name':
-        if before is not None and before.text in ('.', '->'):
-            if after is not None and after.text != '(' and token.text in MEMBERS:
-                return 'member', token.start, token.end, MEMBERS[token.text]
-        elif token.text in NAMES:
-            return 'name', token.start, token.end, NAMES[token.text]
-        if token.text in ('if', 'while') and after is not None and after.text == '(':
-            return negation(text, tokens, i + 1)
-        return removal(text, tokens, i)
-    if token.kind == 'operator':
-        if token.text in BINARY and spaced:
-            return 'operator', token.start, token.end, BINARY[token.text]
-        if token.text in ('++', '--'):
-            return 'operator', token.start, token.end, '--' if token.text == '++' else '++'
-        if token.text in ('-', '!') and not text[token.end:token.end + 1].isspace():
-            if before is not None and before.text != 'operator':
-                return 'operator', token.start, token.end, ''
-        if token.text == '(' and before is not None and before.kind == 'name':
-            return swap(text, tokens, i)
-    return None
+        kind, new = 'constant', other_number(token.text)
+    elif token.kind == 'string' and len(token.text) > 2 and not token.text.endswith(')"'):
+        kind, new = 'string', token.text[:-1] + '~"'
+    elif token.kind == 'name' and before.text in ('.', '->') and after.text != '(' and token.text in MEMBERS:
+        kind, new = 'member', MEMBERS[token.text]
+    elif token.kind == 'name' and before.text not in ('.', '->') and token.text in NAMES:
+        kind, new = 'name', NAMES[token.text]
+    elif token.kind == 'name':
+        return negation(text, tokens, i + 1) if token.text in ('if', 'while') and after.text == '(' else removal(tokens, i)
+    elif token.text in BINARY and spaced_behind and text[token.start - 1:token.start].isspace():
+        kind, new = 'operator', BINARY[token.text]
+    elif token.text in ('++', '--'):
+        kind, new = 'operator', '--' if token.text == '++' else '++'
+    elif token.text in ('-', '!') and not spaced_behind and before.text != 'operator':
+        kind, new = 'operator', ''
+    elif token.text == '(' and before.kind == 'name':
+        return swap(text, tokens, i)
+    return kind and (kind, token.start, token.end, new)
 
 
 def negation(text, tokens, i):
     """if (x) becomes if (!(x)); what comes before a ; in the brackets stays."""
     end = closing(tokens, i)
-    first = i + 1
-    for k in range(i + 1, end):
-        if tokens[k].text == ';':
-            first = k + 1
+    first = max([i, *(k for k in range(i + 1, end) if tokens[k].text == ';')]) + 1
     if first >= end or any(token.text == '{' for token in tokens[first:end]):
         return None
     start, stop = tokens[first].start, tokens[end].start
@@ -171,68 +151,40 @@ def negation(text, tokens, i):
     return 'condition', start, stop, '!(' + text[start:stop] + ')'
 
 
-def removal(text, tokens, i):
+def removal(tokens, i):
     """Without the call or assignment that begins at `i`."""
-    if not tokens[i].in_function or i == 0 or tokens[i].text in NOT_A_CALL:
+    if not tokens[i].in_function or tokens[i].text in NOT_A_CALL or tokens[i - 1].text not in (';', '{', '}', ')', 'else'):
         return None
-    if tokens[i - 1].text not in (';', '{', '}', ')', 'else'):
-        return None
-    if tokens[i - 1].text == ')' and i + 1 < len(tokens) and tokens[i + 1].text in ('(', '{'):
-        pass  # if (...) call();
     k = i + 1
-    while k < len(tokens) and tokens[k].text in ('.', '->', '::', '['):
-        k = closing(tokens, k) + 1 if tokens[k].text == '[' else k + 2
-    if k >= len(tokens) or tokens[k].text not in ASSIGNMENTS | {'(', '++', '--'}:
+    while tokens[k].text in ('.', '->', '::', '['):
+        k = behind(tokens, k) if tokens[k].text == '[' else k + 2
+    if tokens[k].text not in ASSIGNMENTS | {'(', '++', '--'}:
         return None
-    while k < len(tokens) and tokens[k].text != ';':
-        k = closing(tokens, k) + 1 if tokens[k].text in ('(', '[', '{') else k + 1
-        if k < len(tokens) and tokens[k].text in ('}', ')', ']'):
+    while tokens[k].text != ';':
+        k = behind(tokens, k)
+        if tokens[k].text in CLOSING:
             return None
-    if k >= len(tokens):
-        return None
     return 'removal', tokens[i].start, tokens[k].end, ';'
 
 
 def swap(text, tokens, i):
     """The first two arguments of the call at `i` change places."""
-    if not tokens[i].in_function or tokens[i - 1].text in NOT_A_CALL:
-        return None
     end = closing(tokens, i)
-    parts, first, k = [], i + 1, i + 1
-    while k <= end and len(parts) < 2:
-        if tokens[k].text in ('(', '[', '{'):
-            k = closing(tokens, k) + 1
-            continue
-        if k == end or tokens[k].text == ',':
-            if k == first:
-                return None
-            parts.append((tokens[first].start, tokens[k - 1].end))
-            first = k + 1
-        k += 1
-    if len(parts) < 2:
+    commas, k = [i], i + 1
+    while k < end:
+        commas += [k] * (tokens[k].text == ',')
+        k = behind(tokens, k)
+    if not tokens[i].in_function or tokens[i - 1].text in NOT_A_CALL or len(commas) < 2:
         return None
-    (a, b), (c, d) = parts
-    if text[a:b] == text[c:d]:
-        return None
-    return 'swap', a, d, text[c:d] + text[b:c] + text[a:b]
-
-
-def inside_static_assert(tokens):
-    """The places that only the compiler judges."""
-    inside = set()
-    for i, token in enumerate(tokens):
-        if token.text == 'static_assert':
-            inside.update(range(i, closing(tokens, i + 1) + 1))
-    return inside
+    (a, b), (c, d) = ((tokens[first + 1].start, tokens[last - 1].end) for first, last in zip(commas, [*commas[1:3], end][:2]))
+    return None if text[a:b] == text[c:d] else ('swap', a, d, text[c:d] + text[b:c] + text[a:b])
 
 
 class Mutant:
     def __init__(self, path, text, kind, start, end, new):
         self.path, self.kind, self.start, self.end, self.new = path, kind, start, end, new
         self.line = text.count('\n', 0, start) + 1
-        first = text.rfind('\n', 0, start) + 1
-        last = text.find('\n', end)
-        last = len(text) if last < 0 else last
+        first, last = text.rfind('\n', 0, start) + 1, (text + '\n').find('\n', end)
         self.old_lines = stripped(text[first:last])
         self.new_lines = stripped(text[first:start] + new + text[end:last])
         self.change = shortened(text[start:end]) + ' -> ' + (shortened(new) or 'nothing')
@@ -243,9 +195,13 @@ class Mutant:
         """A number from 0 to 1 that depends on the change and the word alone."""
         return int(hashlib.sha256(f'{word}|{self.key}'.encode()).hexdigest()[:13], 16) / 16 ** 13
 
+    def share(self):
+        """How many of its kind are tried: strings, coefficients and letters are much the same, and would be most of the sample."""
+        of_a_table = self.kind == 'constant' and self.old_lines[0].count(',') >= 5
+        return 0.05 if self.kind == 'string' else 0.1 if of_a_table else 1
+
     def difference(self):
-        return '\n'.join([self.path, *('- ' + line for line in self.old_lines),
-                          *('+ ' + line for line in self.new_lines)])
+        return '\n'.join([self.path, *('- ' + line for line in self.old_lines), *('+ ' + line for line in self.new_lines)])
 
     def __str__(self):
         return f'{self.path}:{self.line}  {self.change}  ({self.kind})'
@@ -262,25 +218,12 @@ def shortened(text):
 
 def mutants_of(path, text):
     tokens = tokens_of(text)
-    judged = inside_static_assert(tokens)
-    found = []
-    for i in range(len(tokens)):
-        change = None if i in judged else change_of(text, tokens, i)
-        if change is not None and text[change[1]:change[2]] != change[3]:
-            found.append(Mutant(path, text, *change))
-    return found
-
-
-def is_of_a_table(mutant):
-    """A row of constants: tables of coefficients and letters would make up most of the sample."""
-    return mutant.kind == 'constant' and mutant.old_lines[0].count(',') >= 5
-
-
-def sample(mutants, seed):
-    """The mutants in the order of the seed; few of strings and of tables, which are much the same."""
-    kept = [m for m in mutants if m.chance('share') < (
-        0.05 if m.kind == 'string' else 0.1 if is_of_a_table(m) else 1)]
-    return sorted(kept, key=lambda m: m.chance(seed))
+    judged = set()  # by the compiler alone
+    for i, token in enumerate(tokens):
+        if token.text == 'static_assert':
+            judged.update(range(i, closing(tokens, i + 1) + 1))
+    changes = [change_of(text, tokens, i) for i in range(1, len(tokens) - 1) if i not in judged]
+    return [Mutant(path, text, *change) for change in changes if change and text[change[1]:change[2]] != change[3]]
 
 
 # --- The copy of the project and its build ------------------------------------------------------
@@ -290,21 +233,22 @@ def run(command, **options):
                           stderr=subprocess.STDOUT, **options)
 
 
-def copy_project():
+def copy_project(tree):
+    """Makes a folder hold what the project's has, and touches nothing that is the same already."""
     listed = run(['git', '-C', PROJECT, 'ls-files', '-co', '--exclude-standard', '-z'])
     wanted = {name for name in listed.stdout.split('\0') if name and (PROJECT / name).is_file()}
     for name in wanted:
-        source, copy = PROJECT / name, TREE / name
+        source, copy = PROJECT / name, tree / name
         if not copy.is_file() or copy.read_bytes() != source.read_bytes():
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(source, copy)
-    for path in TREE.rglob('*'):
-        if path.is_file() and str(path.relative_to(TREE)) not in wanted:
+    for path in tree.rglob('*'):
+        if path.is_file() and str(path.relative_to(tree)) not in wanted:
             path.unlink()
 
 
-def digest(path):
-    return hashlib.sha256(path.read_bytes()).digest() if path.is_file() else b''
+def is_clean(name):
+    return (BUILD / name).read_bytes() == (CLEAN / name).read_bytes()
 
 
 def ctest(*options):
@@ -312,21 +256,21 @@ def ctest(*options):
     user = {}
     if os.geteuid() == 0:
         user = {'user': NOBODY, 'group': NOBODY, 'extra_groups': []}
+        (BUILD / 'Testing').mkdir(exist_ok=True)
         for path in [BUILD / 'Testing', *(BUILD / 'Testing').rglob('*'), BUILD / 'tests', BUILD / 'bin']:
-            path.mkdir(exist_ok=True) if path == BUILD / 'Testing' else None
             os.chown(path, NOBODY, NOBODY)
     return run(['ctest', '--test-dir', BUILD, '-LE', SKIPPED_LABELS, *options], **user,
                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY)))
 
 
 class Build:
-    """The clean build: which test runs which program, and how long each takes to compile and to run."""
+    """The clean build: which test runs which program, and how long each takes to compile."""
 
     def __init__(self, jobs):
         self.ninja = ['ninja', '-C', BUILD, '-j', jobs]
         self.everything = [*self.ninja, 'all', 'reader_suites']  # suites of what readers change are not in all
         self.jobs = jobs
-        copy_project()
+        copy_project(TREE)
         configured = run(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-D', 'CMAKE_BUILD_TYPE=Release',
                           '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1',
                           '-D', 'CMAKE_SUPPRESS_REGENERATION=ON'])  # else Ninja plans nothing before it has asked CMake
@@ -337,25 +281,19 @@ class Build:
             sys.exit('error: the project does not build')
         # Some scripts need more than this build, or a user with rights: what fails now tells nothing.
         self.left_out = re.findall(FAILED, ctest('-j', jobs).stdout)
-        print('Left out, since they fail without a change:', *self.left_out or ['none'], flush=True)
-        suites = [name for name in self.left_out if name.startswith('test_')]
-        if suites:
-            print('warning: among them are suites, so mutants may survive that the tests do find:', *suites, flush=True)
+        print('Left out, since they fail without a change (of suites, mutants survive that they would find):',
+              *self.left_out or ['none'], flush=True)
         self.program_of = {}  # test -> path in the build
         for test in json.loads(ctest('--show-only=json-v1').stdout)['tests']:
             program = Path(test.get('command', ['/'])[0])
             if program.is_relative_to(BUILD) and test['name'] not in self.left_out:
                 self.program_of[test['name']] = str(program.relative_to(BUILD))
-        self.seconds = dict.fromkeys(self.program_of, 0.0)
-        for line in (BUILD / 'Testing/Temporary/CTestCostData.txt').read_text().splitlines():
-            name, *cost = line.split()
-            if name in self.seconds and len(cost) == 2:
-                self.seconds[name] = float(cost[1])
+        self.compiled_in = {}  # test -> milliseconds
         for line in (BUILD / '.ninja_log').read_text().splitlines()[1:]:
             start, end, _, output, _ = line.split('\t')
             name = re.search(r'tests/CMakeFiles/(\w+)\.dir/', output)
-            if name and name[1] in self.seconds:
-                self.seconds[name[1]] += (int(end) - int(start)) / 1000
+            if name:
+                self.compiled_in[name[1]] = self.compiled_in.get(name[1], 0) + int(end) - int(start)
 
     def stale(self):
         """What a build would make again, as Ninja says."""
@@ -384,15 +322,15 @@ class Build:
         """Builds and runs suite by suite, the file's own first, then the cheapest; then everything."""
         own = 'test_' + Path(mutant.path).stem
         suites = [test for test, program in self.program_of.items() if program in stale]
-        for test in sorted(suites, key=lambda name: (name != own, self.seconds[name])):
+        for test in sorted(suites, key=lambda name: (name != own, self.compiled_in.get(name, 0))):
             program = self.program_of[test]
             if run([*self.ninja, program]).returncode != 0:
                 return 'did not compile'
-            if digest(BUILD / program) != digest(CLEAN / program) and self.fails('-R', f'^{re.escape(test)}$'):
+            if not is_clean(program) and self.fails('-R', f'^{re.escape(test)}$'):
                 return 'killed by ' + test
         if run(self.everything).returncode != 0:
             return 'did not compile'
-        if all(digest(BUILD / name) == digest(CLEAN / name) for name in stale if '.dir/' not in name):
+        if all(is_clean(name) for name in stale if '.dir/' not in name):
             return 'the same program'
         done = '|'.join(map(re.escape, [*self.program_of, *self.left_out]))
         scripts = self.fails('-E', f'^({done})$', '-j', self.jobs)
@@ -401,59 +339,43 @@ class Build:
     def fails(self, *which):
         """The first test that fails twice, by chance alone it does not count; None if all pass."""
         done = ctest(*which, '--timeout', 120, '--stop-on-failure')
-        for name in re.findall(FAILED, done.stdout):
-            if ctest('-R', f'^{re.escape(name)}$', '--timeout', 120).returncode != 0:
-                return name
-        return None
+        return next((name for name in re.findall(FAILED, done.stdout)
+                     if ctest('-R', f'^{re.escape(name)}$', '--timeout', 120).returncode != 0), None)
 
-
-# --- The program ----------------------------------------------------------------------------------
 
 def read_equivalent():
-    """{difference: reason}: blocks of a path, lines with - and +, then words."""
-    changes = {}
-    for block in re.split(r'\n\s*\n', (PROJECT / 'tests/mutation/equivalent.txt').read_text()):
-        lines = [line for line in block.strip().split('\n') if line and not line.startswith('#')]
-        if lines:
-            marked = [line for line in lines[1:] if line.startswith(('- ', '+ '))]
-            changes['\n'.join([lines[0], *marked])] = ' '.join(lines[1 + len(marked):])
-    return changes
+    """The differences in equivalent.txt, whose blocks are a path, lines with - and +, then the reason."""
+    text = re.sub(r'^#.*\n', '', (PROJECT / 'tests/mutation/equivalent.txt').read_text(), flags=re.M)
+    return {re.match(r'.*(?:\n[-+] .*)*', block.strip())[0] for block in re.split(r'\n\s*\n', text)}
 
 
 def all_mutants(globs):
-    names = sorted(str(path.relative_to(PROJECT)) for ending in ('hpp', 'cpp')
-                   for path in (PROJECT / 'common').rglob('*.' + ending))
-    names = [name for name in names if name not in SKIPPED_FILES and (not globs or any(
-        fnmatch.fnmatch(name, '*' + glob) for glob in globs))]
+    names = sorted(str(path.relative_to(PROJECT)) for path in (PROJECT / 'common').rglob('*.[hc]pp'))
+    names = [name for name in names if name not in SKIPPED_FILES and any(fnmatch.fnmatch(name, '*' + glob) for glob in globs)]
     if not names:
         sys.exit('error: no such file in common/')
     return [m for name in names for m in mutants_of(name, (PROJECT / name).read_text())]
 
 
-def arguments():
+def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
     parser.add_argument('--seed', type=int, default=1, help='another number chooses other tokens')
     parser.add_argument('--count', type=int, default=64, help='how many that compile')
-    parser.add_argument('--files', nargs='+', metavar='GLOB', help='only in these, such as scene/*.hpp')
+    parser.add_argument('--files', nargs='+', metavar='GLOB', default=['*'], help='only in these, such as scene/*.hpp')
     parser.add_argument('--only', nargs='+', metavar='FILE:LINE', help='all mutants of these lines')
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
-    return parser.parse_args()
-
-
-def main():
-    options = arguments()
+    options = parser.parse_args()
     mutants = all_mutants(options.files)
     if options.only:
         mutants = [m for m in mutants if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
     else:
-        mutants = sample(mutants, options.seed)
+        mutants = sorted((m for m in mutants if m.chance('share') < m.share()), key=lambda m: m.chance(options.seed))
     if options.list:
         print('\n'.join(map(str, mutants if options.only else mutants[:options.count])))
-        return 0
+        return
     build, equivalent = Build(options.jobs), read_equivalent()
-    counts = {'killed': 0, 'SURVIVED': 0, 'the same program': 0, 'equivalent': 0, 'did not compile': 0,
-              'not built here': 0}
+    counts = dict.fromkeys(('killed', 'SURVIVED', 'the same program', 'equivalent', 'did not compile', 'not built here'), 0)
     survivors = WORK / 'survivors.txt'
     survivors.write_text('')
     try:
@@ -471,8 +393,7 @@ def main():
     except KeyboardInterrupt:
         print('\nstopped; what was done counts')
     print(', '.join(f'{count} {word}' for word, count in counts.items()))
-    return 0
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    main()

@@ -6,13 +6,13 @@ Reads tests/mutation/planted.txt. Works in a copy of the project (build/planted/
 """
 import argparse
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+from mutate import copy_project
+
 PROJECT = Path(__file__).resolve().parents[2]
-COPIED = ['CMakeLists.txt', 'CMakePresets.json', 'assets', 'chapters', 'common', 'tests', 'docs', 'LICENSE', 'README.md', 'course', 'vcpkg.json']
 PAGE = PROJECT / 'docs' / 'known_faults.md'
 
 
@@ -77,11 +77,7 @@ def main():
     if arguments.names:
         faults = [fault for fault in faults if fault.name in arguments.names]
     tree = PROJECT / 'build' / 'planted' / 'tree'
-    shutil.rmtree(tree, ignore_errors=True)
-    tree.mkdir(parents=True)
-    for name in COPIED:
-        source = PROJECT / name
-        (shutil.copytree if source.is_dir() else shutil.copy2)(source, tree / name)
+    copy_project(tree)
     folder = tree.parent / 'build'
     configured = run(['cmake', '-S', str(tree), '-B', str(folder), '-D', 'CMAKE_BUILD_TYPE=Release', '-D', 'CMAKE_CXX_FLAGS_RELEASE=-O1'])
     if configured.returncode != 0:

@@ -1,9 +1,8 @@
 // Measures the figures of the pages that no golden picture, law or sum pins: pixels that another
 // setting changes, and errors that depend on random numbers or rounding. Prints a name, a blank and
-// the value a line. With the name of a file, says where that file has another value.
+// the value a line, as docs/figures.txt has them.
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
@@ -20,6 +19,7 @@
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
 #include "engine/app/sky_choice.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_light.hpp"
@@ -138,16 +138,6 @@ double levels(const Film& a, const Film& b) {
   return std::sqrt(sum / (3.0 * a.width() * a.height()));
 }
 
-/// The same in levels as they are shown.
-double levels(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb8 &p = a.pixels[i], &q = b.pixels[i];
-    sum += square(1.0 * p.r - q.r) + square(1.0 * p.g - q.g) + square(1.0 * p.b - q.b);
-  }
-  return std::sqrt(sum / (3 * static_cast<double>(a.pixels.size())));
-}
-
 /// The errors of the four patterns on chapter 07's globe, drawn small.
 void figures_of_samplers(Figures& figures) {
   const auto lesson = prepared<chapter_07::Lesson>();
@@ -199,8 +189,8 @@ void figures_of_a_sky(Figures& figures, const std::string& sky, SkyLight light) 
                                   std::pair{importance, "importance"}, std::pair{mis, "mis"},
                                   std::pair{coefficients, "coefficients"}}) {
     for (const int samples : {16, 64}) {
-      figures["12.error_" + sky + "_" + name + "_" + std::to_string(samples)] =
-          decimals(levels(lit(way, samples), reference), 1);
+      figures["12.error_" + sky + "_" + name + "_" + std::to_string(samples)] = decimals(
+          measure(lit(way, samples), reference, {}, Detail::pixels).root_mean_square_error, 1);
     }
   }
 }
@@ -217,27 +207,13 @@ void figures_of_skies(Figures& figures) {
 }  // namespace
 }  // namespace texmap::test
 
-int main(int argc, char** argv) {
+int main() {
   using namespace texmap::test;
   Figures figures;
   figures_of_settings(figures);
   figures_of_samplers(figures);
   figures_of_triangles(figures);
   figures_of_skies(figures);
-  if (argc == 1) {
-    for (const auto& [name, value] : figures) std::cout << name << ' ' << value << '\n';
-    return 0;
-  }
-
-  Figures in_file;
-  std::ifstream file(argv[1]);
-  for (std::string name, value; file >> name && std::getline(file >> std::ws, value);)
-    in_file[name] = value;
-  for (const auto& [name, value] : figures) {
-    if (in_file[name] != value)
-      std::cerr << "FAIL: " << name << " is " << value << ", not " << in_file[name] << '\n';
-  }
-  std::cout << figures.size() << " figures measured, " << in_file.size() << " in " << argv[1]
-            << '\n';
-  return figures == in_file ? 0 : 1;
+  for (const auto& [name, value] : figures) std::cout << name << ' ' << value << '\n';
+  return 0;
 }

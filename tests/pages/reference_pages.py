@@ -36,7 +36,7 @@ def tables(page):
 def titles_of(text):
     """The titles of all tests in a file of tests or of CMake."""
     cases = re.findall(r'TEST_CASE(?:_TEMPLATE)?\(\s*((?:"[^"]*"\s*)+)', text)
-    return {''.join(re.findall(r'"([^"]*)"', case)) for case in cases} | set(re.findall(r'add_test\(NAME (\S+)', text))
+    return {''.join(re.findall(r'"([^"]*)"', case)) for case in cases} | set(re.findall(r"add_(?:test\(NAME |check\()(\S+)", text))
 
 
 def linked(page, target):

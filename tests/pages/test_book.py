@@ -164,7 +164,6 @@ def faults_of_links(book, root, work):
     (work / "chapters" / "01_a").mkdir(parents=True)
     (work / "docs").mkdir()
     shutil.copytree(root / "common/tools/book", work / "common/tools/book")
-    shutil.copy(root / "common/tools/turntable.js", work / "common/tools")
     (work / "chapters/01_a/README.md").write_text("# 01\n\n[a](none.md) [b](#none)\n")
     made = subprocess.run([book, work, work / "out"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if made.returncode == 0 or "none.md leads nowhere" not in made.stdout or "has no heading #none" not in made.stdout:

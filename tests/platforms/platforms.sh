@@ -92,16 +92,9 @@ case $system in
     ;;
 esac
 
-if [ -n "$suites" ]; then
-  pattern="^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$"
-  # shellcheck disable=SC2086  # lists of targets
-  cmake --build "$build" --parallel 2 --target $chapters compare_program $suites
-  ctest --test-dir "$build" -R "$pattern" --output-on-failure --no-tests=error -j2
-else
-  # shellcheck disable=SC2086
-  cmake --build "$build" --parallel 2 --target $chapters compare_program suites_common
-  ctest --test-dir "$build" -L common --output-on-failure --no-tests=error -j2
-fi
+# shellcheck disable=SC2086  # lists of targets
+cmake --build "$build" --parallel 2 --target $chapters compare_program $suites
+ctest --test-dir "$build" -R "^($(printf '%s' "$suites" | tr -s ' \n' '|'))\$" --output-on-failure --no-tests=error -j2
 
 # The golden pictures are asked of programs by their bare names, and compared here.
 wrapped=$build/wrapped

@@ -40,6 +40,7 @@ draw() {
 # finish: waits for the end, and sets the four times that the program prints, in ms.
 finish() {
   wait "$running" || fail "$program: $(cat "$work/said")"
+  ! grep -q '% done' "$work/said" || fail "$program shows its progress to a file"
   times=$(sed -n 's/.*(load \([0-9]*\).*, render \([0-9]*\).*, encode \([0-9]*\).*, write \([0-9]*\).*/\1 \2 \3 \4/p' "$work/said")
   read -r load render encode write <<END
 $times

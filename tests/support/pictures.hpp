@@ -50,18 +50,23 @@ template <class Real = double, class Lesson>
   return count;
 }
 
+/// Calls `look` with the ray of every pixel, in their order.
+template <class Look>
+void for_each_ray(const View<>& view, const Look& look) {
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column)
+      look(ray_through<double>(view, column, row));
+  }
+}
+
 /// The index of the object seen at each pixel's center, -1 for the sky.
 template <class Lesson>
 [[nodiscard]] std::vector<int> objects_seen(const Lesson& lesson, int width = 800,
                                             int height = 600) {
-  const View<> view = view_of(lesson.stage.camera, width, height);
   std::vector<int> seen;
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const Ray<double> ray = ray_through<double>(view, column, row);
-      seen.push_back(static_cast<int>(find_nearest(lesson.objects, ray).index));
-    }
-  }
+  for_each_ray(view_of(lesson.stage.camera, width, height), [&](const Ray<double>& ray) {
+    seen.push_back(static_cast<int>(find_nearest(lesson.objects, ray).index));
+  });
   return seen;
 }
 
@@ -94,22 +99,17 @@ struct Mean {
   return {sum.r / count, sum.g / count, sum.b / count};
 }
 
-[[nodiscard]] inline Image upside_down(const Image& image) {
-  Image turned = image;
+/// The picture with columns and rows in the other order where that is said.
+[[nodiscard]] inline Image turned(const Image& image, bool columns, bool rows) {
+  Image result = image;
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column)
-      turned.at(column, row) = image.at(column, image.height - 1 - row);
+      result.at(column, row) = image.at(columns ? image.width - 1 - column : column,
+                                        rows ? image.height - 1 - row : row);
   }
-  return turned;
+  return result;
 }
-
-[[nodiscard]] inline Image mirrored(const Image& image) {
-  Image turned = image;
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column)
-      turned.at(column, row) = image.at(image.width - 1 - column, row);
-  }
-  return turned;
-}
+[[nodiscard]] inline Image upside_down(const Image& image) { return turned(image, false, true); }
+[[nodiscard]] inline Image mirrored(const Image& image) { return turned(image, true, false); }
 
 }  // namespace texmap::test

@@ -2,13 +2,12 @@
 #pragma once
 #include <doctest.h>
 
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "math/color.hpp"
-#include "math/vec3.hpp"
+#include "support/lane_of.hpp"
 #include "texture/image.hpp"
-#include "texture/uv.hpp"
 
 namespace texmap::test {
 
@@ -26,22 +25,11 @@ template <class... Numbers>
 
 namespace doctest {
 
-template <class Real>
-struct StringMaker<texmap::Color<Real>> {
-  static String convert(const texmap::Color<Real>& c) {
-    return texmap::test::in_parentheses(c.r, c.g, c.b);
-  }
-};
-template <class Real>
-struct StringMaker<texmap::Vec3<Real>> {
-  static String convert(const texmap::Vec3<Real>& p) {
-    return texmap::test::in_parentheses(p.x, p.y, p.z);
-  }
-};
-template <class Real>
-struct StringMaker<texmap::Uv<Real>> {
-  static String convert(const texmap::Uv<Real>& uv) {
-    return texmap::test::in_parentheses(uv.u, uv.v);
+template <texmap::test::HasParts Thing>
+struct StringMaker<Thing> {
+  static String convert(const Thing& thing) {
+    return std::apply([](const auto&... part) { return texmap::test::in_parentheses(part...); },
+                      texmap::test::parts_of(thing));
   }
 };
 template <>

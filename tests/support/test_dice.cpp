@@ -3,7 +3,6 @@
 #include <doctest.h>
 
 #include "support/dice.hpp"
-#include "support/many_digits.hpp"
 
 namespace texmap::test {
 namespace {
@@ -32,25 +31,6 @@ TEST_CASE("a number's digits after the first are the leading bits of one draw") 
   CHECK(number_of<double>({bits, 13}, -8, 9) == 0x1.fedcba9876543p5);
   if constexpr (std::numeric_limits<long double>::digits == 64)
     CHECK(number_of<long double>({bits, 0}, 0, 1) == 0x1.fedcba9876543210p0L);
-}
-
-/// What is left of a number of 113 digits when the others are known.
-template <class T>
-void check_113_digits() {
-  using std::ldexp;
-  static_assert(std::numeric_limits<T>::digits == 113);
-  const Dice::Tape tape{0xfedcba9876543211U, 0x123456789abcdef0U, 5};
-  const T number = number_of<T>(tape, -2, 9);
-  const T first = ldexp(static_cast<T>(tape[0]), -64);
-  const T second = ldexp(static_cast<T>(tape[1] >> 16), -112);
-  CHECK(ldexp(number, -3) - T(1) - first == second);
-}
-
-TEST_CASE("a number of 113 digits takes them from two draws") {
-  if constexpr (std::numeric_limits<long double>::digits == 113) check_113_digits<long double>();
-#ifdef TEXMAP_HAVE_DIGITS
-  check_113_digits<boost::multiprecision::cpp_bin_float_quad>();
-#endif
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "support/made_pictures.hpp"
+#include "support/pictures.hpp"
 #include "support/shown_values.hpp"
 
 using namespace texmap;
@@ -35,12 +36,7 @@ TEST_CASE("a report says how many pixels differ, in which box, and the first wit
 
 TEST_CASE("a report names a known mistake, of the whole picture or of those that it is given") {
   const Image right = ramps(64, 48);
-  Image upside_down = right;
-  for (int row = 0; row < 48; ++row) {
-    for (int column = 0; column < 64; ++column)
-      upside_down.at(column, row) = right.at(column, 47 - row);
-  }
-  CHECK(difference_report(upside_down, right).find("upside down") != std::string::npos);
+  CHECK(difference_report(upside_down(right), right).find("upside down") != std::string::npos);
   const Image own = noise(64, 48, 4);
   const auto wrong = [&] {
     return std::vector<WrongPicture>{{"own", "a mistake of its own", own}};

@@ -1,8 +1,9 @@
-// Tests of common/texture/bilinear.hpp: the filter between texels. Places that are no numbers are
-// fuzz/fuzz_texture_places.cpp's.
+// Tests of common/texture/bilinear.hpp: the filter between texels.
 #include "texture/bilinear.hpp"
 
 #include <doctest.h>
+
+#include <limits>
 
 #include "support/made_pictures.hpp"
 
@@ -98,6 +99,15 @@ TEST_CASE("the mean of black and white is the middle of the light, not of the by
   CHECK(BilinearTexture{image, VAxis::up, TexelLight::linear}(Uv<double>{0.5, 0.5}).r == 0.5);
   CHECK(BilinearTexture{image, VAxis::up, TexelLight::linear}(Uv<double>{0.75, 0.5}).g == 1.0);
   CHECK(BilinearTexture{}(Uv<double>{0.5, 0.5}).r == 0);
+}
+
+TEST_CASE("what is no place counts as 0: u if it is infinite or no number, v if it is no number") {
+  const BilinearTexture texture{noise(3, 4, 2)};
+  const double none = infinity<double>(), nan = std::numeric_limits<double>::quiet_NaN();
+  const auto green = [&](double u, double v) { return texture(Uv<double>{u, v}).g; };
+  for (const double u : {none, -none, nan}) CHECK(green(u, 0.4) == green(0, 0.4));
+  CHECK(green(0.3, nan) == green(0.3, 0));
+  CHECK(green(0.3, none) == green(0.3, 1));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/measure/utf8.hpp"
+
 namespace texmap {
 namespace {
 
@@ -129,20 +131,10 @@ std::string_view rows_of(char32_t character) {
   return found == glyphs.end() ? unknown : found->rows;
 }
 
-/// The characters of a UTF-8 text. Other bytes become characters that the font lacks, so boxes.
+/// The characters of a UTF-8 text. Other bytes become a character that the font lacks, so boxes.
 std::vector<char32_t> characters_of(std::string_view text) {
   std::vector<char32_t> characters;
-  int awaited = 0;  // continuation bytes
-  for (const char raw : text) {
-    const auto byte = static_cast<unsigned char>(raw);
-    if (byte >= 0x80 && byte < 0xc0 && awaited > 0) {
-      characters.back() = characters.back() * 64 + (byte & 0x3fu);
-      --awaited;
-    } else {
-      awaited = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
-      characters.push_back(awaited == 0 ? byte : byte & (0x3fu >> awaited));
-    }
-  }
+  while (!text.empty()) characters.push_back(take_character(text));
   return characters;
 }
 

@@ -1,16 +1,26 @@
-#include "book.hpp"
-
+// Makes the book, every page of the course as HTML with contents, search, pictures and sources:
+// out/index.html and the pages that it leads to. Its pages have copies of the golden pictures,
+// because the reader may draw out/NN_name.png again, changed.
+// usage: book ROOT OUT [--print]
+//        --print: also OUT/print.html, the pages of students and instructors in one, for paper
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
-#include "engine/picture/codecs/deflate.hpp"
+#include "engine/picture/save_png.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
 #include "tools/page/page.hpp"
@@ -70,7 +80,8 @@ class Book {
   Book(fs::path root, fs::path out, bool with_print)
       : root_(std::move(root)), out_(std::move(out)), with_print_(with_print) {}
 
-  Report make() {
+  /// Errors: std::runtime_error if a page cannot be read or written.
+  void make() {
     const fs::path modules = root_ / "docs/live/modules.js";
     if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
@@ -89,10 +100,15 @@ class Book {
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
     write(out_ / "book.css", contents_of(folder() / "book.css") + line_numbers());
-    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js") +
-                                contents_of(folder() / "../turntable.js"));
-    report_.pages = static_cast<int>(pages_.size());
-    return report_;
+    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js"));
+  }
+
+  /// Links and pictures that lead nowhere.
+  [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
+
+  [[nodiscard]] std::string made() const {
+    return text("%zu pages, %zu sources and %zu pictures are in ", pages_.size(), sources_.size(),
+                pictures_.size());
   }
 
  private:
@@ -128,13 +144,16 @@ class Book {
     std::vector<fs::path> rest;
     for (const auto& entry : fs::directory_iterator(root_ / "docs")) {
       const fs::path source = fs::relative(entry.path(), root_);
-      const bool known = std::any_of(pages_.begin(), pages_.end(), [&](const Page& page) {
-        return page.source == source.generic_string();
-      });
-      if (source.extension() == ".md" && !known) rest.push_back(source);
+      if (source.extension() == ".md" && page_of(source) == nullptr) rest.push_back(source);
     }
     std::sort(rest.begin(), rest.end());
     for (const fs::path& source : rest) add(parts_.back(), source);
+  }
+
+  [[nodiscard]] const Page* page_of(const fs::path& source) const {
+    for (const Page& page : pages_)
+      if (page.source == source.generic_string()) return &page;
+    return nullptr;
   }
 
   /// What an address on a page leads to in the book. What leads nowhere is a fault.
@@ -150,13 +169,12 @@ class Book {
     fs::path target = (fs::path(from).parent_path() / file).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
     if (fs::is_directory(root_ / target)) target /= "README.md";
-    for (const Page& page : pages_) {
-      if (page.source != target.generic_string()) continue;
-      named_.push_back({from, page.source, anchor});
-      return page.file + anchor;
+    if (const Page* const page = page_of(target)) {
+      named_.push_back({from, page->source, anchor});
+      return page->file + anchor;
     }
     if (!fs::is_regular_file(root_ / target)) {
-      report_.faults.push_back(from + ": " + url + " leads nowhere");
+      faults_.push_back(from + ": " + url + " leads nowhere");
       return url;
     }
     const std::string extension = target.extension().string();
@@ -177,7 +195,6 @@ class Book {
     if (pictures_.insert(place).second) {
       fs::create_directories(out_ / "pictures");
       fs::copy_file(root_ / target, out_ / place, fs::copy_options::overwrite_existing);
-      ++report_.pictures;
     }
     return place;
   }
@@ -185,16 +202,11 @@ class Book {
   /// Every # of a link within the book names a heading.
   void check_names() {
     for (const auto& [from, to, anchor] : named_) {
-      if (anchor.empty()) continue;
-      const auto page = std::find_if(pages_.begin(), pages_.end(),
-                                     [&to = to](const Page& p) { return p.source == to; });
-      const auto& sections = page->converted.sections;
-      const bool found = std::any_of(
-          sections.begin(), sections.end(),
-          [&anchor = anchor](const Section& section) { return "#" + section.id == anchor; });
+      bool found = anchor.empty();
+      for (const Section& section : page_of(to)->converted.sections)
+        found = found || "#" + section.id == anchor;
       if (found) continue;
-      std::string& fault = report_.faults.emplace_back(from);
-      fault.append(": ").append(to).append(" has no heading ").append(anchor);
+      faults_.push_back(text("%s: %s has no heading %s", from.c_str(), to.c_str(), anchor.c_str()));
     }
   }
 
@@ -359,7 +371,6 @@ class Book {
       const std::string body =
           "<h1>" + escaped_markup(source) + "</h1>\n" + highlighted_file(code, is_cpp);
       write(out_ / "source" / (flat(source) + ".html"), framed(source, body, pages_.size(), "../"));
-      ++report_.sources;
     }
   }
 
@@ -415,27 +426,15 @@ class Book {
 
   /// The page's links as places of the printed book.
   [[nodiscard]] std::string within(const std::string& html, const Page& page) const {
-    std::string out;
-    const std::string mark = "href=\"";
-    std::size_t from = 0;
-    for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, from)) {
-      at += mark.size();
-      const std::size_t end = html.find('"', at);
-      const std::string url = html.substr(at, end - at);
-      const std::size_t hash = url.find('#');
+    return with_resolved(html, [&](const std::string& url) {
+      const std::size_t hash = std::min(url.find('#'), url.size());
       const std::string file = hash == 0 ? page.file : url.substr(0, hash);
-      const bool is_page =
-          std::any_of(pages_.begin(), pages_.end(), [&](const Page& p) { return p.file == file; });
-      out += html.substr(from, at - from);
-      if (is_page) {
-        out.append("#").append(file);
-        if (hash != std::string::npos) out.append("/").append(url, hash + 1);
-      } else {
-        out += url;
+      for (const Page& other : pages_) {
+        if (other.file != file) continue;
+        return "#" + file + (hash < url.size() ? "/" + url.substr(hash + 1) : "");
       }
-      from = end;
-    }
-    return out + html.substr(from);
+      return url;
+    });
   }
 
   /// Names and words of all sections, as a zlib stream in text: a third of what they take as they
@@ -469,13 +468,26 @@ class Book {
   std::vector<Named> named_;  ///< links from one page to a heading of another
   std::string modules_;       // of live pictures; empty: there are none
   std::set<std::string> sources_, pictures_;
-  Report report_;
+  std::vector<std::string> faults_;
 };
 
 }  // namespace
-
-Report make_book(const fs::path& root, const fs::path& out, bool with_print) {
-  return Book(root, out, with_print).make();
-}
-
 }  // namespace texmap::book
+
+int main(int argc, char** argv) {
+  const bool with_print = argc == 4 && std::string_view(argv[3]) == "--print";
+  if (argc != 3 && !with_print) {
+    std::cerr << "usage: book ROOT OUT [--print]\n";
+    return 2;
+  }
+  try {
+    texmap::book::Book book(argv[1], argv[2], with_print);
+    book.make();
+    for (const std::string& fault : book.faults()) std::cerr << "FAIL: " << fault << '\n';
+    std::cout << book.made() << argv[2] << "/index.html\n";
+    return book.faults().empty() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return 1;
+  }
+}

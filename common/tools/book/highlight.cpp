@@ -1,44 +1,30 @@
 #include "highlight.hpp"
 
-#include <array>
 #include <cctype>
 #include <sstream>
 #include <string_view>
 
+#include "markdown.hpp"
+
 namespace texmap::book {
 namespace {
 
-constexpr std::array<std::string_view, 62> keywords{
-    "auto",      "bool",     "break",     "case",     "catch",    "char",          "class",
-    "concept",   "const",    "constexpr", "continue", "decltype", "default",       "delete",
-    "do",        "double",   "else",      "enum",     "explicit", "extern",        "false",
-    "float",     "for",      "friend",    "if",       "inline",   "int",           "long",
-    "namespace", "new",      "noexcept",  "nullptr",  "operator", "override",      "private",
-    "protected", "public",   "requires",  "return",   "short",    "signed",        "sizeof",
-    "static",    "struct",   "switch",    "template", "this",     "throw",         "true",
-    "try",       "typename", "union",     "unsigned", "using",    "virtual",       "void",
-    "while",     "#include", "#define",   "#pragma",  "#if",      "static_assert",
-};
+/// With a blank before and after each.
+constexpr std::string_view keywords =
+    " auto bool break case catch char class concept const constexpr continue decltype default "
+    "delete do double else enum explicit extern false float for friend if inline int long "
+    "namespace new noexcept nullptr operator override private protected public requires return "
+    "short signed sizeof static struct switch template this throw true try typename union "
+    "unsigned using virtual void while #include #define #pragma #if static_assert ";
 
-bool is_keyword(std::string_view word) {
-  for (const std::string_view keyword : keywords) {
-    if (word == keyword) return true;
-  }
-  return false;
+bool is_keyword(const std::string& word) {
+  return keywords.find(" " + word + " ") != std::string_view::npos;
 }
 
 /// Text between tags, where only these two signs mean something else.
-std::string escaped_text(std::string_view plain) {
-  std::string html;
-  for (const char c : plain) {
-    if (c == '&') {
-      html += "&amp;";
-    } else if (c == '<') {
-      html += "&lt;";
-    } else {
-      html += c;
-    }
-  }
+std::string escaped_text(std::string html) {
+  replace_all(html, "&", "&amp;");
+  replace_all(html, "<", "&lt;");
   return html;
 }
 
@@ -94,12 +80,7 @@ std::string highlighted_block(const std::string& code, const std::string& langua
 }
 
 std::string highlighted_file(const std::string& code, bool is_cpp) {
-  std::string html;
-  std::istringstream lines(code);
-  for (std::string line; std::getline(lines, line);) {
-    html += (is_cpp ? highlighted_line(line) : escaped_text(line)) + '\n';
-  }
-  return "<div class=\"file\"><pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
+  return "<div class=\"file\">" + highlighted_block(code, is_cpp ? "cpp" : "") + "</div>\n";
 }
 
 }  // namespace texmap::book

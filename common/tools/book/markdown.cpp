@@ -77,19 +77,6 @@ void replace_by_html(cmark_node* node, const std::string& html) {
   cmark_node_free(node);
 }
 
-/// The addresses in a piece of HTML, resolved: src="..." and href="...".
-std::string with_resolved(std::string html, const Resolve& resolve) {
-  for (const std::string name : {"src=\"", "href=\""}) {
-    for (std::size_t at = html.find(name); at != std::string::npos; at = html.find(name, at)) {
-      at += name.size();
-      const std::size_t end = html.find('"', at);
-      if (end == std::string::npos) break;
-      html.replace(at, end - at, resolve(html.substr(at, end - at)));
-    }
-  }
-  return html;
-}
-
 /// A heading with its name, and its place among the sections.
 void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Converted& page) {
   const std::string title = words_of(node);
@@ -112,6 +99,18 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
 void replace_all(std::string& in, const std::string& what, const std::string& by) {
   for (std::size_t at = in.find(what); at != std::string::npos; at = in.find(what, at + by.size()))
     in.replace(at, what.size(), by);
+}
+
+std::string with_resolved(std::string html, const Resolve& resolve) {
+  for (const std::string name : {"src=\"", "href=\""}) {
+    for (std::size_t at = html.find(name); at != std::string::npos; at = html.find(name, at)) {
+      at += name.size();
+      const std::size_t end = html.find('"', at);
+      if (end == std::string::npos) break;
+      html.replace(at, end - at, resolve(html.substr(at, end - at)));
+    }
+  }
+  return html;
 }
 
 Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) {

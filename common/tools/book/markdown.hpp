@@ -28,6 +28,9 @@ using Resolve = std::function<std::string(const std::string& url)>;
 /// @param resolve  called with the address of each link and each picture
 [[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve);
 
+/// A piece of HTML with its addresses resolved: src="..." and href="...".
+[[nodiscard]] std::string with_resolved(std::string html, const Resolve& resolve);
+
 /// Replaces each `what` in a text.
 void replace_all(std::string& in, const std::string& what, const std::string& by);
 

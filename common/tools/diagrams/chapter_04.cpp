@@ -3,7 +3,6 @@
 #include <string>
 
 #include "diagrams.hpp"
-#include "from_above.hpp"
 #include "texture/conventions.hpp"
 #include "texture/uv_inverse.hpp"
 
@@ -38,8 +37,8 @@ constexpr std::array<Panel, 3> panels{{
 
 /// Draws the visible part of a curve on the sphere.
 template <class Curve>
-void draw_front(Drawing& d, const SpaceView& view, const Curve& point_at, double from, double to,
-                const std::string& style) {
+void draw_front(Drawing& d, const SpaceView& view, const std::string& style, double from, double to,
+                const Curve& point_at) {
   const int pieces = 96;
   std::vector<Spot> run;
   for (int i = 0; i <= pieces; ++i) {
@@ -51,8 +50,29 @@ void draw_front(Drawing& d, const SpaceView& view, const Curve& point_at, double
   }
 }
 
+/// Draws a curve with an arrow's head at its end.
+///
+/// @param spot_at  called with numbers from `from` to `to`; returns a Spot
+template <class Curve>
+void curved_arrow(Drawing& drawing, const std::string& style, double from, double to,
+                  const Curve& spot_at) {
+  const int pieces = 64;
+  std::vector<Spot> through;
+  for (int i = 0; i <= pieces; ++i) through.push_back(spot_at(from + (to - from) * i / pieces));
+  const Spot tip = through.back();
+  // The line ends inside the head, which is 9 long.
+  while (through.size() > 2) {
+    const Spot rest = tip - through.back();
+    if (rest.x * rest.x + rest.y * rest.y >= 81) break;
+    through.pop_back();
+  }
+  drawing.curve(through, style);
+  const Spot along = tip - through.back();
+  drawing.arrow(tip - along * 1.01, tip, style);
+}
+
 /// The letter F of a picture, placed by a convention around the meridian that faces the viewer.
-void draw_letter(Drawing& d, const SpaceView& view, const Panel& panel, const std::string& name) {
+void draw_letter(Drawing& d, const SpaceView& view, const Panel& panel) {
   const double facing = uv_of(panel.convention, on_map(0.125, 0.5)).u;
   const bool up = v_axis_of(panel.convention) == VAxis::up;
   // right and high are measured in the picture: from its middle column, and from its lower edge.
@@ -62,9 +82,6 @@ void draw_letter(Drawing& d, const SpaceView& view, const Panel& panel, const st
   d.curve({at(-0.035, 0.56), at(-0.035, 0.68), at(-0.035, 0.8)}, "ink thick");
   d.curve({at(-0.035, 0.8), at(0.01, 0.8), at(0.055, 0.8)}, "ink thick");
   d.curve({at(-0.035, 0.69), at(0.03, 0.69)}, "ink thick");
-  d.mark(name + " foot", at(-0.035, 0.56));
-  d.mark(name + " corner", at(-0.035, 0.8));
-  d.mark(name + " arm", at(0.055, 0.8));
 }
 
 /// The same globe with each of the three maps.
@@ -79,26 +96,22 @@ Drawing four_conventions() {
   for (const Panel& panel : panels) {
     const Spot center{x, 152};
     const SpaceView view({-1, 0.45, 1}, center, r);
-    const std::string name = panel.documents;
     const auto in_this = [&](double u, double v) { return direction_in(panel.convention, {u, v}); };
     d.circle(center, r, "fill-soft");
     d.circle(center, r, "ink");
     for (int i = 0; i < 4; ++i) {
-      draw_front(
-          d, view, [&](double v) { return in_this(i / 4.0, v); }, 0, 1, "soft");
+      draw_front(d, view, "soft", 0, 1, [&](double v) { return in_this(i / 4.0, v); });
     }
-    draw_front(
-        d, view, [&](double u) { return in_this(u, 0.5); }, 0, 1, "soft");
-    draw_front(
-        d, view, [&](double v) { return in_this(0, v); }, 0, 1, "red thick");
-    draw_letter(d, view, panel, name);
+    draw_front(d, view, "soft", 0, 1, [&](double u) { return in_this(u, 0.5); });
+    draw_front(d, view, "red thick", 0, 1, [&](double v) { return in_this(0, v); });
+    draw_letter(d, view, panel);
 
     // u and v, from one point of the southern hemisphere.
     const Uv<double> from = uv_of(panel.convention, on_map(0.125, 0.36));
-    curved_arrow(
-        d, [&](double u) { return view(in_this(u, from.v)); }, from.u, from.u + 0.1, "blue");
-    curved_arrow(
-        d, [&](double v) { return view(in_this(from.u, v)); }, from.v, from.v + 0.14, "green");
+    curved_arrow(d, "blue", from.u, from.u + 0.1,
+                 [&](double u) { return view(in_this(u, from.v)); });
+    curved_arrow(d, "green", from.v, from.v + 0.14,
+                 [&](double v) { return view(in_this(from.u, v)); });
     const Spot u_tip = view(in_this(from.u + 0.1, from.v));
     const Spot v_tip = view(in_this(from.u, from.v + 0.14));
     const Spot start = view(in_this(from.u, from.v));
@@ -126,11 +139,6 @@ Drawing four_conventions() {
     d.text({x, 42}, panel.runs, Anchor::middle, "small");
     d.text({x, 276}, panel.verdict, Anchor::middle,
            panel.convention == Convention::daily ? "red" : "plain");
-    d.mark(name + " center", center);
-    d.mark(name + " u = 0", view(in_this(0, 0.5)));
-    d.mark(name + " start", start);
-    d.mark(name + " u", u_tip);
-    d.mark(name + " v", v_tip);
     x += 212;
   }
   return d;

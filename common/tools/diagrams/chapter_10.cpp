@@ -1,4 +1,4 @@
-// The diagrams of chapter 10: the layouts unfolded, the octahedron's fold, the stretch at a pole.
+// The computed diagrams of chapter 10: the layouts unfolded, the stretch at a pole.
 #include <cmath>
 #include <numbers>
 
@@ -108,13 +108,13 @@ Drawing seven_layouts() {
   d.circle({82, 88}, 66, "soft");
   for (int longitude = -180; longitude < 180; longitude += 30) {
     const auto meridian = [&](double latitude) { return direction_at(longitude, latitude); };
-    view.draw(d, meridian, 0, 90, "blue");
-    view.draw(d, meridian, -90, 0, "red");
+    view.draw(d, "blue", 0, 90, meridian);
+    view.draw(d, "red", -90, 0, meridian);
   }
   for (int latitude = -60; latitude <= 60; latitude += 30) {
     const auto parallel = [&](double longitude) { return direction_at(longitude, latitude); };
     const char* style = latitude == 0 ? "ink thick" : latitude > 0 ? "blue" : "red";
-    view.draw(d, parallel, -180, 180, style);
+    view.draw(d, style, -180, 180, parallel);
   }
   d.text({82, 182}, "the sphere", Anchor::middle, "small");
 
@@ -145,80 +145,7 @@ Drawing seven_layouts() {
       d.line(top + Spot{0, height / 2}, top + Spot{cell.width, height / 2}, "ink");
     }
     d.text({cell.middle, cell.bottom + 22}, cell.words, Anchor::middle, "small");
-    const std::string word = facts_of(cell.projection).word;
-    d.mark(word + " top", panel.corner);
-    d.mark(word + " bottom", panel.corner + Spot{cell.width, height});
-    d.mark(word + " 30 N", panel(project(cell.projection, direction_at(0, 30))));
-    d.mark(word + " pole", panel(project(cell.projection, direction_at(20, 90))));
   }
-  return d;
-}
-
-/// An octahedron, and its lower half folded out into the corners of a square.
-Drawing octahedron_unfolded() {
-  Drawing d("octahedron_unfolded", 680, 330, "How an octahedron unfolds",
-            "Left: an octahedron in space, its upper four faces blue, its lower four red, with a "
-            "point on a lower face. Right: seen from above. The upper faces fill a square that "
-            "stands on its corner. Each lower face is mirrored in its edge and fills a corner of "
-            "the picture; so is the point.");
-  const Vec3d point{0.3, -0.45, 0.25};
-  const SpaceView view({0.75, 0.5, 1.15}, {150, 150}, 118);
-  const Vec3d top{0, 1, 0}, bottom{0, -1, 0};
-  const std::vector<Vec3d> belt{{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3d a = belt[i], b = belt[(i + 1) % 4];
-    // All upper faces but one are seen, and one lower face.
-    if (i != 2) d.area({view(a), view(b), view(top)}, "fill-blue");
-    if (i == 0) d.area({view(a), view(b), view(bottom)}, "fill-red");
-    d.line(view(a), view(b), i == 2 ? "ink dashed" : "ink");
-    d.line(view(a), view(top), "blue");
-    d.line(view(a), view(bottom), i >= 2 ? "red dashed" : "red");
-  }
-  d.dot(view(point), "fill-red");
-  d.text(view(top) + Spot{0, -8}, "+y", Anchor::middle, "small");
-  d.text(view(bottom) + Spot{0, 20}, "-y", Anchor::middle, "small");
-  d.text(view({1, 0, 0}) + Spot{8, 4}, "+x", Anchor::start, "small");
-  d.text(view({0, 0, 1}) + Spot{-14, 20}, "+z", Anchor::middle, "small");
-
-  const Spot middle{500, 158};
-  const double half = 128;
-  const auto place = [&](double right, double up) {
-    return middle + Spot{right * half, -up * half};
-  };
-  const Panel panel{middle + Spot{-half, -half}, 2 * half, 2 * half};
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      d.area({place(0, 0), place(x, 0), place(0, y)}, "fill-blue");
-      d.area({place(x, y), place(x, 0), place(0, y)}, "fill-red");
-      d.line(place(x, 0), place(0, y), "ink");
-    }
-  }
-  d.rectangle(place(-1, 1), 2 * half, 2 * half, "red");
-  d.line(place(-1, 0), place(1, 0), "blue");
-  d.line(place(0, -1), place(0, 1), "blue");
-  const double sum = std::abs(point.x) + std::abs(point.y) + std::abs(point.z);
-  const Spot under = place(point.x / sum, -point.z / sum);
-  const Spot folded = panel(uv_octahedral(point));
-  d.arrow(under, folded, "red dashed");
-  d.dot(under, "fill-soft");
-  d.dot(folded, "fill-red");
-  d.text(place(0, 0) + Spot{-7, -7}, "+y", Anchor::end, "small");
-  for (const double x : {-1.0, 1.0}) {
-    d.text(place(x, 1) + Spot{x * -20, 20}, "-y", Anchor::middle, "small");
-    d.text(place(x, -1) + Spot{x * -20, -10}, "-y", Anchor::middle, "small");
-  }
-  d.text(place(1, 0) + Spot{8, 5}, "+x", Anchor::start, "small");
-  d.text(place(-1, 0) + Spot{-8, 5}, "-x", Anchor::end, "small");
-  d.text(place(0, 1) + Spot{0, -8}, "-z", Anchor::middle, "small");
-  d.text(place(0, -1) + Spot{0, 18}, "+z", Anchor::middle, "small");
-  d.text(under + Spot{-8, 5}, "(a, b)", Anchor::end, "small");
-  d.text({150, 320}, "the octahedron", Anchor::middle, "small");
-  d.text({500, 320}, "from above, the lower half folded out", Anchor::middle, "small");
-  d.mark("under", under);
-  d.mark("folded", folded);
-  d.mark("right corner", place(1, 0));
-  d.mark("lower corner", place(0, -1));
-  d.mark("middle", middle);
   return d;
 }
 
@@ -244,7 +171,7 @@ Drawing pole_stretch() {
     };
   };
   const auto equator = [](double longitude) { return direction_at(longitude, 0); };
-  view.draw(d, equator, -180, 180, "soft");
+  view.draw(d, "soft", -180, 180, equator);
   d.line(panel({0, 0.5}), panel({1, 0.5}), "soft");
   for (const int latitude : {0, 45, 70}) {
     const auto circle = circle_at(latitude);
@@ -257,9 +184,6 @@ Drawing pole_stretch() {
       d.area(*outline, "fill-blue");
       d.curve(*outline, "blue");
     }
-    const std::string name = std::to_string(latitude);
-    d.mark(name + " east", on_map.front());
-    d.mark(name + " west", on_map[36]);
     const double wide = 1 / std::cos(latitude * radians);
     const std::string words = latitude == 0    ? "1"
                               : latitude == 45 ? "√2 = 1.41"
@@ -280,15 +204,11 @@ Drawing pole_stretch() {
   d.text({130, 282}, "equal circles on the globe", Anchor::middle, "small");
   d.text(panel({0.5, 0}) + Spot{0, 26}, "how many times as wide as high, in the map",
          Anchor::middle, "small");
-  d.mark("map left", panel({0, 0}));
-  d.mark("map right", panel({1, 0}));
   return d;
 }
 
 }  // namespace
 
-std::vector<Drawing> diagrams_of_10() {
-  return {seven_layouts(), octahedron_unfolded(), pole_stretch()};
-}
+std::vector<Drawing> diagrams_of_10() { return {seven_layouts(), pole_stretch()}; }
 
 }  // namespace texmap::diagrams

@@ -1,14 +1,11 @@
 // The computed diagram of chapter 11: a frame and a raised normal.
 #include <cmath>
-#include <numbers>
 
 #include "diagrams.hpp"
 #include "texture/bump.hpp"
 
 namespace texmap::diagrams {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 /// A round hill: the height at (x, z), and its slopes by both.
 struct Hill {
@@ -84,13 +81,6 @@ Drawing raised_normal_diagram() {
   d.text(foot + (step + up) * 0.72 + Spot{-10, -12}, "t + h_t n", Anchor::end, "green");
   d.text({405, foot.y - 8}, "flat", Anchor::start, "small");
   d.text({530, 250}, "a cut: the height rises to the right", Anchor::middle, "small");
-  d.mark("foot", foot);
-  d.mark("along", foot + step + up);
-  d.mark("raised", foot + lean);
-  d.mark("hill top", view(on_hill(0, 0)));
-  d.mark("point", view(at));
-  d.mark("normal", view(at + n * 0.95));
-  d.mark("leaning", view(at + raised * 0.95));
   return d;
 }
 

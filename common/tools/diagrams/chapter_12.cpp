@@ -39,12 +39,10 @@ Drawing sky_texels() {
     d.curve(outline, lines[i]);
   }
   for (int row = 1; row < sky_rows; ++row) {
-    view.draw(
-        d, [&](double x) { return at(x, row); }, 0, sky_columns, "soft");
+    view.draw(d, "soft", 0, sky_columns, [&](double x) { return at(x, row); });
   }
   for (int column = 0; column < sky_columns; ++column) {
-    view.draw(
-        d, [&](double y) { return at(column, y); }, 0, sky_rows, "soft");
+    view.draw(d, "soft", 0, sky_rows, [&](double y) { return at(column, y); });
   }
   d.dot(view({0, 0, 0}));
   d.line(view({0, 0, 0}) + Spot{4, -4}, {286, 54}, "soft");
@@ -67,8 +65,6 @@ Drawing sky_texels() {
     const double angle = SkyBand(row, sky_columns, sky_rows).solid_angle;
     d.text({corner.x + sky_columns * size + 8, texel.y + 11}, "ω = " + texmap::text("%.4f", angle),
            Anchor::start, names[i]);
-    d.mark("solid angle in row " + std::to_string(row), {angle, 0});
-    d.mark("texel in row " + std::to_string(row), view(at(sky_column + 0.5, row + 0.5)));
   }
   d.text(corner + Spot{sky_columns * size / 2, -14}, "north pole: the whole edge", Anchor::middle,
          "small");

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <utility>
 
 #include "engine/measure/text.hpp"
@@ -133,18 +132,6 @@ void Drawing::circle(Spot center, double radius, const std::string& style) {
 
 void Drawing::dot(Spot center, const std::string& style) { circle(center, 4, style + " dot"); }
 
-void Drawing::arc(Spot center, double radius, double from_degrees, double to_degrees,
-                  const std::string& style) {
-  std::vector<Spot> through;
-  const int pieces = 48;
-  for (int i = 0; i <= pieces; ++i) {
-    const double degrees = from_degrees + (to_degrees - from_degrees) * i / pieces;
-    const double angle = degrees * std::numbers::pi / 180;
-    through.push_back(center + Spot{std::cos(angle), -std::sin(angle)} * radius);
-  }
-  curve(through, style);
-}
-
 void Drawing::text(Spot at, const std::string& words, Anchor anchor, const std::string& style) {
   constexpr std::array names{"start", "middle", "end"};
   body_ += "<text class=\"" + style + "\" x=\"" + number(at.x) + "\" y=\"" + number(at.y) +
@@ -160,21 +147,6 @@ std::string Drawing::svg() const {
          "\">\n<title>" + escaped_markup(title_) + "</title>\n<desc>" +
          escaped_markup(description_) + "</desc>\n<style>" + style_sheet + "</style>\n" + body_ +
          "</svg>\n";
-}
-
-void Chart::draw_axes(Drawing& drawing) const {
-  drawing.line((*this)(0, 0), (*this)(last_x, 0), "ink");
-  drawing.line((*this)(0, 0), (*this)(0, 1), "ink");
-}
-
-void Chart::label_x(Drawing& drawing, double x, const std::string& words,
-                    const std::string& style) const {
-  drawing.text((*this)(x, 0) + Spot{0, 22}, words, Anchor::middle, style);
-}
-
-void Chart::label_y(Drawing& drawing, double y, const std::string& words,
-                    const std::string& style) const {
-  drawing.text((*this)(0, y) + Spot{-10, 5}, words, Anchor::end, style);
 }
 
 SpaceView::SpaceView(const Vec3d& from, Spot center, double scale)

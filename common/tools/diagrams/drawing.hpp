@@ -1,6 +1,5 @@
 // Diagrams as SVG: lines, arrows and labels, readable on a light and on a dark page.
 #pragma once
-#include <map>
 #include <string>
 #include <vector>
 
@@ -41,17 +40,9 @@ class Drawing {
   void rectangle(Spot corner, double width, double height, const std::string& style = "ink");
   void circle(Spot center, double radius, const std::string& style = "ink");
   void dot(Spot center, const std::string& style = "fill-ink");
-  /// Part of a circle; degrees from +x, growing against the clock as the reader sees it.
-  void arc(Spot center, double radius, double from_degrees, double to_degrees,
-           const std::string& style = "ink");
   /// A label; its baseline is at `at`.
   void text(Spot at, const std::string& words, Anchor anchor = Anchor::middle,
             const std::string& style = "plain");
-
-  /// Names a place, for tests to hold against the formulas.
-  void mark(const std::string& name, Spot at) { marks_[name] = at; }
-  /// A place that was named; std::out_of_range if none was.
-  [[nodiscard]] Spot marked(const std::string& name) const { return marks_.at(name); }
 
   [[nodiscard]] const std::string& name() const { return name_; }
   /// The whole file.
@@ -62,23 +53,6 @@ class Drawing {
   int width_, height_;
   std::string title_, description_;
   std::string body_;
-  std::map<std::string, Spot> marks_;
-};
-
-/// The frame of a chart: x from 0 to `last_x` to the right, y from 0 to 1 upward.
-struct Chart {
-  Spot upper_left;
-  double width, height, last_x;
-
-  [[nodiscard]] Spot operator()(double x, double y) const {
-    return upper_left + Spot{width * x / last_x, height * (1 - y)};
-  }
-  void draw_axes(Drawing& drawing) const;
-  /// A label under the x axis, or to the left of the y axis.
-  void label_x(Drawing& drawing, double x, const std::string& words,
-               const std::string& style = "small") const;
-  void label_y(Drawing& drawing, double y, const std::string& words,
-               const std::string& style = "small") const;
 };
 
 /// A view of space without perspective, centered on the origin.
@@ -95,8 +69,8 @@ class SpaceView {
 
   /// Draws a curve on a sphere around the origin: what lies behind it is dashed.
   template <class Curve>
-  void draw(Drawing& drawing, const Curve& point_at, double from, double to,
-            const std::string& style) const {
+  void draw(Drawing& drawing, const std::string& style, double from, double to,
+            const Curve& point_at) const {
     const int pieces = 96;
     std::vector<Spot> run;
     bool in_front = is_in_front(point_at(from));

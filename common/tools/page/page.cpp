@@ -1,12 +1,12 @@
 // Pages of the course's programs: pictures next to each other, tables, code before and after.
 #include "tools/page/page.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "engine/measure/text.hpp"
 #include "engine/measure/utf8.hpp"
 #include "engine/picture/save_png.hpp"
-#include "tools/page/code_difference.hpp"
 
 namespace texmap::page {
 namespace {
@@ -56,6 +56,16 @@ pre span { display: block; min-width: fit-content; }
 .removed { background: var(--removed); }
 .added { background: var(--added); }
 )css";
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
 
 }  // namespace
 
@@ -216,13 +226,33 @@ std::string verdict(bool good, const std::string& sentence_html) {
   return html.append(sentence_html).append("</p>\n");
 }
 
-std::string code_difference(std::string_view before, std::string_view after) {
+std::string code_difference(std::string_view before_text, std::string_view after_text) {
+  const std::vector<std::string_view> before = lines_of(before_text);
+  const std::vector<std::string_view> after = lines_of(after_text);
+  // common[i][j] is the length of the longest common subsequence of the lines from i and from j on.
+  // The table grows with the product of the lines: lessons are short.
+  std::vector<std::vector<int>> common(before.size() + 1, std::vector<int>(after.size() + 1, 0));
+  for (std::size_t i = before.size(); i-- > 0;) {
+    for (std::size_t j = after.size(); j-- > 0;) {
+      common[i][j] = before[i] == after[j] ? common[i + 1][j + 1] + 1
+                                           : std::max(common[i + 1][j], common[i][j + 1]);
+    }
+  }
   std::string html = "<pre tabindex=\"0\" aria-label=\"The code before and after, line by line\">";
-  for (const ChangedLine& line : difference_of(before, after)) {
-    const bool kept = line.change == Change::kept;
-    const bool added = line.change == Change::added;
-    html += kept ? "<span>  " : added ? "<span class=\"added\">+ " : "<span class=\"removed\">- ";
-    html.append(escaped_foreign(line.text)).append("</span>");
+  const auto show = [&html](const char* mark, std::string_view line) {
+    html.append(mark).append(escaped_foreign(line)).append("</span>");
+  };
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < before.size() || j < after.size()) {
+    if (i < before.size() && j < after.size() && before[i] == after[j]) {
+      show("<span>  ", before[i++]);
+      ++j;
+    } else if (j == after.size() || (i < before.size() && common[i + 1][j] >= common[i][j + 1])) {
+      show("<span class=\"removed\">- ", before[i++]);
+    } else {
+      show("<span class=\"added\">+ ", after[j++]);
+    }
   }
   return html.append("</pre>\n");
 }

@@ -71,7 +71,9 @@ extern const char* const slider_script;
 /// What the page found, in one sentence or two.
 [[nodiscard]] std::string verdict(bool good, const std::string& sentence_html);
 
-/// Two versions of a source file as one text, with the lines marked that went and came.
-[[nodiscard]] std::string code_difference(std::string_view before, std::string_view after);
+/// Two versions of a source file as one text, with the lines marked that went and came; as many
+/// lines as possible stay.
+[[nodiscard]] std::string code_difference(std::string_view before_text,
+                                          std::string_view after_text);
 
 }  // namespace texmap::page

@@ -14,7 +14,7 @@ enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines f
 holds the other; if both texts are the same, one line. A figure is between two marks inside a line, and is the value of its name in docs/figures.txt,
 or a ratio in a table of docs/measurements.md, named by its group, line and column:
 
-    a pixel covers <!-- figure: 03.texels_a_pixel -->71<!-- end --> texels
+    in all <!-- figure: 06.pixels_at_50 -->1,234<!-- end --> pixels
     <!-- figure: measured.chapters.07.float-pack_avx2 -->5.1<!-- end --> times as fast
 """
 import pathlib

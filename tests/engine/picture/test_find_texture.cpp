@@ -20,28 +20,19 @@ using texmap::test::TemporaryFolder;
 
 constexpr const char* variable = "TEXMAP_ASSETS";
 
-// The current folder and the variable of the environment, put back at the end of a test.
+// The current folder, put back at the end of a test; the variable of the environment is not set.
 class Surroundings {
  public:
   explicit Surroundings(const std::string& folder) : folder_before_(fs::current_path()) {
-    const char* const value = std::getenv(variable);
-    if (value != nullptr) value_before_ = value;
-    was_set_ = value != nullptr;
     unsetenv(variable);
     fs::current_path(folder);
   }
-  ~Surroundings() {
-    fs::current_path(folder_before_);
-    if (was_set_) setenv(variable, value_before_.c_str(), 1);
-    if (!was_set_) unsetenv(variable);
-  }
+  ~Surroundings() { fs::current_path(folder_before_); }
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 
  private:
   fs::path folder_before_;
-  std::string value_before_;
-  bool was_set_ = false;
 };
 
 std::string error_of_finding(const std::string& name) {

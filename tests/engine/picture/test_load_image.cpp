@@ -73,7 +73,7 @@ TEST_CASE("every file of the corpus loads or is refused as its manifest says") {
   CHECK(refused == 39);
 }
 
-// What test_damaged_images does not build itself.
+// What damaged.tsv does not have.
 TEST_CASE("an error names the thing that is wrong") {
   const std::vector<std::pair<std::string, std::string>> table = {
       {"bad_chunklen_ffffffff.png", "IDAT chunk should have 4294967295 bytes"},

@@ -1,4 +1,4 @@
-// The parts of a PNG file, each checked before the next is looked at.
+// The parts of a PNG file, each checked before the next is looked at, and its two checksums.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -38,5 +38,15 @@ struct PngChunks {
 /// Errors: FileError.
 /// Source: PNG specification, third edition, sections 5, 11 and 13.
 [[nodiscard]] PngChunks read_png_chunks(Bytes file);
+
+/// CRC-32 of some bytes, as every chunk of a PNG file carries it.
+///
+/// Source: PNG specification, annex D.
+[[nodiscard]] std::uint32_t crc32(Bytes bytes);
+
+/// Adler-32 of some bytes, as a zlib stream carries it at its end.
+///
+/// Source: RFC 1950, section 8.2.
+[[nodiscard]] std::uint32_t adler32(Bytes bytes);
 
 }  // namespace texmap

@@ -66,10 +66,6 @@ class JpegCodes {
       require_jpeg(symbol <= largest_symbol, "a Huffman table has a symbol that does not exist");
       symbol_[i++] = symbol;
     }
-    for (std::uint32_t bits = 0; bits < fast_.size(); ++bits) {
-      const Found found = search(bits << (16 - fast_bits));
-      if (found.length <= fast_bits) fast_[bits] = found;
-    }
   }
 
   [[nodiscard]] bool is_there() const { return limit_[16] > 0; }
@@ -81,12 +77,6 @@ class JpegCodes {
 
   /// @param bits  the next 16 bits, the first one on top
   [[nodiscard]] Found find(std::uint32_t bits) const {
-    const Found fast = fast_[bits >> (16 - fast_bits)];
-    return fast.length != 0 ? fast : search(bits);
-  }
-
- private:
-  [[nodiscard]] Found search(std::uint32_t bits) const {
     for (std::uint32_t length = 1; length <= 16; ++length) {
       if (bits < limit_[length]) {
         const std::uint32_t place = (bits - limit_[length - 1]) >> (16 - length);
@@ -96,11 +86,10 @@ class JpegCodes {
     return {};
   }
 
-  static constexpr std::uint32_t fast_bits = 9;
+ private:
   std::array<std::uint8_t, 256> symbol_{};
   std::array<std::uint32_t, 17> limit_{};  // codes of this length, brought to 16 bits, are below it
-  std::array<std::uint32_t, 17> before_{};                 // symbols that have shorter codes
-  std::array<Found, std::size_t{1} << fast_bits> fast_{};  // length 0 for longer codes
+  std::array<std::uint32_t, 17> before_{};  // symbols that have shorter codes
 };
 
 /// The entropy-coded bytes of a scan, read bit by bit up to the next marker. Errors: FileError.
@@ -145,15 +134,6 @@ class JpegBits {
 
  private:
   void fill() {
-    if (bits_ <= 32 && rest_.size() >= 4) {
-      const std::uint32_t four = big_endian_32(rest_, 0);
-      if (((~four - 0x01010101U) & four & 0x80808080U) == 0) {  // no byte of all ones
-        buffer_ |= std::uint64_t{four} << (32 - bits_);
-        bits_ += 32;
-        rest_ = rest_.subspan(4);
-        return;
-      }
-    }
     while (bits_ <= 56 && !rest_.empty()) {
       std::size_t taken = 1;
       if (rest_[0] == 0xFF) {

@@ -20,7 +20,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/picture/codecs/checksums.hpp"
 #include "engine/picture/codecs/png_chunks.hpp"
 
 namespace texmap {
