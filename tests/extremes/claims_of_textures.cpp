@@ -228,22 +228,6 @@ Measurement count_changed_bytes(Decode to_light) {
   });
 }
 
-template <class Real>
-Cost cost_of_index() {
-  const auto ours = [](const Real& u) { return test::texel_index(u, 8192); };
-  const auto plain = [](double u) { return floor(u * 8192); };
-  const auto coordinate = []<class T>(Dice& dice) { return static_cast<T>(dice.uniform(0, 1)); };
-  return {"floor(u n), double",
-          working_through(inputs_of_cost<Real>([&](Dice& dice) {
-                            return coordinate.template operator()<Scalar<Real>>(dice);
-                          }),
-                          ours),
-          working_through(inputs_of_cost<double>([&](Dice& dice) {
-                            return coordinate.template operator()<double>(dice);
-                          }),
-                          plain)};
-}
-
 }  // namespace
 
 Family claims_of_textures() {
@@ -256,7 +240,7 @@ Family claims_of_textures() {
   const Bound none{0, "wrong colors"};
   for_each_number([&]<class Real>() {
     family.add<Real>("texel_index, range", anything, whole,
-                     count_outside<Real>(TexelRounding::floor), cost_of_index<Real>());
+                     count_outside<Real>(TexelRounding::floor));
     family.add<Real>("texel_index, lecture, range", anything, whole,
                      count_outside<Real>(TexelRounding::lecture));
     family.add<Real>("texel_index, distance of u from its texel",

@@ -106,13 +106,6 @@ template <class Real, class Draw>
   for (auto& one : each) one = draw();
   return each;
 }
-/// The same as one thing of packs.
-template <class Real, class Draw>
-[[nodiscard]] auto drawn_pack(const Draw& draw) {
-  const auto each = drawn<Real>(draw);
-  return packed<Real>([&](std::size_t i) { return each[i]; }, each[0]);
-}
-
 /// With every digit; the numbers of a vector or a ray in braces.
 template <class Thing>
 [[nodiscard]] std::string described(const Thing& x) {

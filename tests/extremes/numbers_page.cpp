@@ -1,4 +1,4 @@
-// numbers_page: measures every claim, with many inputs, and its cost, and writes docs/numbers.md
+// numbers_page: measures every claim, with many inputs, and writes docs/numbers.md
 // and the whole report.
 #include <filesystem>
 #include <fstream>
@@ -12,14 +12,12 @@
 
 namespace {
 
-using texmap::extremes::Cells;
 using texmap::extremes::Claim;
 using texmap::extremes::Expect;
 
 constexpr int inputs = 20000;
 
-Cells measured(const Claim& claim) {
-  if (!claim.certainty.empty()) return {"", "", 0};
+double measured(const Claim& claim) {
   std::cerr << claim.function << ", " << claim.number << '\n';
   const texmap::extremes::Worst seen = searched(claim.measurement, inputs, 2);
   const double worst = seen.off;
@@ -27,12 +25,7 @@ Cells measured(const Claim& claim) {
     std::cerr << "warning: " << worst << " for a bound of " << claim.bound << ' ' << claim.unit
               << ", at " << seen.where << '\n';
   }
-  Cells cells{texmap::extremes::two_digits(worst), "", worst};
-  if (claim.cost.work) {
-    cells.cost = texmap::extremes::two_digits(texmap::extremes::cost_ratio(claim.cost, 200)) +
-                 " × " + claim.cost.relative_to;
-  }
-  return cells;
+  return worst;
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
-// How docs/numbers.md and the whole report are laid out, and how costs are timed.
+// How docs/numbers.md and the whole report are laid out.
 #include "page.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -20,7 +18,7 @@ constexpr const char* title =
     "and bounds against the claims in `tests/extremes`, and another measures each claim and fails "
     "when a bound is exceeded. The same command\n"
     "writes the whole report into `out/numbers.md`: a row for each claim and number, with its "
-    "domain, the worst that was found, and its cost.\n";
+    "domain and the worst that was found.\n";
 
 constexpr const char* report_title =
     "# Numbers, the whole report\n"
@@ -41,8 +39,6 @@ constexpr const char* report_title =
     "| bound | the largest error that is allowed there; 0 means that no error is allowed |\n"
     "| certainty | how sure the bound is, from the ladder of docs/numbers.md |\n"
     "| measured | the worst that was found, against 50-digit arithmetic |\n"
-    "| cost | time for one number, as a multiple of what the cell names, timed alternately "
-    "in one run, the shortest of several; it depends on the machine, the rest hardly does |\n"
     "\n";
 
 constexpr const char* how_to_read =
@@ -127,7 +123,7 @@ std::string two_digits(double number) {
 }
 
 Pages pages_of(const std::vector<Family>& families,
-               const std::function<Cells(const Claim&)>& measured) {
+               const std::function<double(const Claim&)>& measured) {
   std::string rows;
   std::string report = report_title;
   long hold = 0;
@@ -136,22 +132,23 @@ Pages pages_of(const std::vector<Family>& families,
   for (const Family& family : families) {
     report += "\n## " + family.title + "\n\n" + family.introduction + "\n\n";
     report +=
-        "| function | number | domain | bound | certainty | measured | cost |\n"
-        "|---|---|---|---|---|---|---|\n";
+        "| function | number | domain | bound | certainty | measured |\n"
+        "|---|---|---|---|---|---|\n";
     std::vector<OfFunction> all;
     for (const Claim& claim : family.claims) {
-      const Cells cells = measured(claim);
+      const double worst = claim.certainty.empty() ? measured(claim) : 0;
+      const std::string cell = claim.certainty.empty() ? two_digits(worst) : "";
       const bool holds = claim.expect == Expect::within;
       const std::string star = holds ? "" : "*";
       report += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
                 " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty_of(claim) +
-                " | " + cells.worst + " | " + cells.cost + " |\n";
+                " | " + cell + " |\n";
       ++(holds ? hold : broken);
       if (!holds) continue;
       const std::string name = claim.function.substr(0, claim.function.find(','));
       auto at = std::ranges::find(all, name, &OfFunction::name);
       if (at == all.end()) at = all.insert(at, OfFunction{.name = name});
-      at->add(claim, cells.off);
+      at->add(claim, worst);
     }
     for (const OfFunction& one : all) {
       functions.insert(one.name);
@@ -183,22 +180,6 @@ std::string without_measured_cells(const std::string& page) {
     result += line + '\n';
   }
   return result;
-}
-
-double cost_ratio(const Cost& cost, int rounds) {
-  double ours = std::numeric_limits<double>::infinity();
-  double theirs = ours;
-  volatile double kept = 0;  // what is computed must be needed
-  const auto seconds = [&kept](const std::function<double()>& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    kept = kept + work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  for (int round = 0; round < rounds; ++round) {
-    ours = std::min(ours, seconds(cost.work));
-    theirs = std::min(theirs, seconds(cost.reference));
-  }
-  return ours / theirs;
 }
 
 }  // namespace texmap::extremes
