@@ -1,6 +1,7 @@
 // The exhibits' scenes, at the limits of a number: with the published formulas and the course's.
 #pragma once
 #include <array>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -21,7 +22,11 @@
 namespace texmap::chapter_14 {
 
 /// A camera at `eye` that sees a circle of this radius around the world's origin.
-[[nodiscard]] Camera towards_origin(Point eye, double radius);
+[[nodiscard]] inline Camera towards_origin(Point eye, double radius) {
+  return {.eye = eye,
+          .target = {},
+          .fov_y_degrees = 360 / std::numbers::pi * std::atan(radius / length(eye))};
+}
 
 /// A texture of sectors along u and rings along v, for looking at less than a texel.
 struct Graticule {
@@ -36,23 +41,7 @@ struct Graticule {
   }
 };
 
-/// What a ray sees of a globe without light: the texture alone.
-template <class Real, class Texture>
-[[nodiscard]] SurfacePoint<Real> point_of_globe(const Sphere<>& globe, const Texture& texture,
-                                                const Ray<Real>& ray, Formulas formulas) {
-  const Sphere<> sphere{globe.center, globe.radius,
-                        formulas == Formulas::published ? SphereForm::plain : SphereForm::hybrid};
-  const Real distance = distance_to(sphere, ray);
-  if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
-  const Hit<Real> hit = hit_at(sphere, ray, distance);
-  const Uv<Real> uv = formulas == Formulas::published ? published::uv_next_week_v4(hit.normal)
-                                                      : uv_rtiow(hit.normal);
-  const bool on_texture = uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1);
-  const Real round = sqrt(square(hit.normal.x) + square(hit.normal.z));
-  return {on_texture ? texture(uv) : number_cast<Real>(no_texel), uv, true, on_texture, round};
-}
-
-/// A globe seen from outside.
+/// A globe without light: its texture alone.
 template <class Texture>
 struct Globe {
   const char* name;
@@ -63,7 +52,17 @@ struct Globe {
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
-    return point_of_globe(sphere, texture, ray, formulas);
+    const bool as_published = formulas == Formulas::published;
+    const Sphere<> globe{sphere.center, sphere.radius,
+                         as_published ? SphereForm::plain : SphereForm::hybrid};
+    const Real distance = distance_to(globe, ray);
+    if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
+    const Hit<Real> hit = hit_at(globe, ray, distance);
+    const Uv<Real> uv =
+        as_published ? published::uv_next_week_v4(hit.normal) : uv_rtiow(hit.normal);
+    const bool on_texture = uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1);
+    const Real round = sqrt(square(hit.normal.x) + square(hit.normal.z));
+    return {on_texture ? texture(uv) : number_cast<Real>(no_texel), uv, true, on_texture, round};
   }
 };
 
@@ -232,12 +231,9 @@ struct OddExponent {
 /// All exhibits, in the order of the sheet.
 [[nodiscard]] inline auto exhibit_scenes(const Image& earth, const Image& labels) {
   const Sphere<> globe{{0, 0, 0}, 1};
-  const auto earth_globe = [&](const char* name, const char* caption, const Camera& camera,
-                               const Sphere<>& sphere) {
-    return Globe<ImageTexture>{name, caption, camera, sphere, {earth}};
-  };
+  const ImageTexture texture{earth};
   const auto from = [&](const char* name, const char* caption, double radii) {
-    return earth_globe(name, caption, towards_origin({0, 0, radii}, 1.15), globe);
+    return Globe<ImageTexture>{name, caption, towards_origin({0, 0, radii}, 1.15), globe, texture};
   };
   return std::tuple{
       from("from-10", "a globe from 10 radii", 10),
@@ -250,11 +246,16 @@ struct OddExponent {
                        towards_origin({-3, 0, 0}, 3e-7),
                        globe,
                        {.sectors = 2, .rings = 1}},
-      earth_globe("far-home", "a globe at 100,000 radii from 0",
-                  {.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26},
-                  {{100000, 0, 0}, 1}),
-      earth_globe("units", "a globe of radius 1e-25", towards_origin({0, 0, 1e-24}, 1.15e-25),
-                  {{0, 0, 0}, 1e-25}),
+      Globe<ImageTexture>{"far-home",
+                          "a globe at 100,000 radii from 0",
+                          {.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26},
+                          {{100000, 0, 0}, 1},
+                          texture},
+      Globe<ImageTexture>{"units",
+                          "a globe of radius 1e-25",
+                          towards_origin({0, 0, 1e-24}, 1.15e-25),
+                          {{0, 0, 0}, 1e-25},
+                          texture},
       Shadows{"acne", "shadows, ground of radius 100,000", 1, 1e5},
       Shadows{"small", "shadows, the stage 1e-4 as large", 1e-4},
       Needle{.texture = {labels}},

@@ -1,6 +1,4 @@
 // The sheet of all exhibits, its table, and the options of one exhibit alone.
-#include "sheet.hpp"
-
 #include <algorithm>
 
 #include "engine/app/command_line.hpp"
@@ -9,6 +7,7 @@
 #include "engine/picture/sheet.hpp"
 #include "engine/render/threads.hpp"
 #include "engine/system/system.hpp"
+#include "exhibit.hpp"
 
 namespace texmap::chapter_14 {
 namespace {

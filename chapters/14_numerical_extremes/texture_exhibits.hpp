@@ -6,7 +6,7 @@
 #include "published/equal_area.hpp"
 #include "published/mip_map.hpp"
 #include "published/triangle_hit.hpp"
-#include "published/wrap.hpp"
+#include "published/uv.hpp"
 #include "scene/camera.hpp"
 #include "scene/mesh.hpp"
 #include "scene/sphere.hpp"
@@ -35,18 +35,15 @@ struct Cracks {
 
   [[nodiscard]] static Mesh board() {
     Mesh mesh;
-    for (int j = 0; j <= cells; ++j) {
-      for (int i = 0; i <= cells; ++i) {
-        const double x = 2.0 * i / cells - 1, y = 2.0 * j / cells - 1;
+    for (int cell = 0; cell < cells * cells; ++cell) {
+      const int a = 4 * cell;
+      for (int corner = 0; corner < 4; ++corner) {
+        const double x = 2.0 * (cell % cells + corner % 2) / cells - 1;
+        const double y = 2.0 * (cell / cells + corner / 2) / cells - 1;
         mesh.points.push_back({x * cosine - y * sine, x * sine + y * cosine, 0});
       }
-    }
-    for (int j = 0; j < cells; ++j) {
-      for (int i = 0; i < cells; ++i) {
-        const int a = j * (cells + 1) + i, b = a + 1, c = a + cells + 1;
-        mesh.triangles.push_back({a, b, c + 1});
-        mesh.triangles.push_back({a, c + 1, c});
-      }
+      mesh.triangles.push_back({a, a + 1, a + 3});
+      mesh.triangles.push_back({a, a + 3, a + 2});
     }
     return mesh;
   }
@@ -188,8 +185,8 @@ struct MirrorWrap {
     const Real u = ray.direction.x / -ray.direction.z;
     const int n = static_cast<int>(eight_texels.size());
     const Real robust = mirrored(floor(u * Real(n)), Real(n));
-    const int texel =
-        formulas == Formulas::published ? published::article_texel(u, n) : static_cast<int>(robust);
+    const int texel = formulas == Formulas::published ? published::index_triangle(u, n)
+                                                      : static_cast<int>(robust);
     return {number_cast<Real>(eight_texels[static_cast<std::size_t>(texel)]), {}, true};
   }
 };
