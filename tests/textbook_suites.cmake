@@ -27,7 +27,6 @@ foreach(suite
   add_suite(${suite} ON texture LABELS common textbook)
 endforeach()
 foreach(suite
-    math/test_color
     math/test_rotation
     scene/test_lanes
     texture/test_bilinear
@@ -48,7 +47,6 @@ foreach(suite
     texture/test_sky_sampler
     texture/test_smooth_texture
     texture/test_texel
-    texture/test_uv
     texture/test_wrap
     texture/test_wrapped
     published/test_brick_normals
