@@ -8,6 +8,7 @@
 #include "engine/render/settings.hpp"
 #include "math/color.hpp"
 #include "number/kinds/judge.hpp"
+#include "scene/camera.hpp"
 #include "texture/image.hpp"
 #include "texture/uv.hpp"
 
@@ -38,6 +39,13 @@ struct SurfacePoint {
   bool hit = false;
   bool mapped = false;   ///< true if `uv` means anything
   Real round = Real(1);  ///< length of the circle at this v over the equator's: weighs errors of u
+};
+
+/// What every exhibit's scene begins with.
+struct Placed {
+  const char* name;
+  const char* caption;
+  Camera camera;
 };
 
 /// One picture of an exhibit, and what each of its pixels sees.

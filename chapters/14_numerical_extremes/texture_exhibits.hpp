@@ -23,10 +23,7 @@ inline constexpr Camera above_the_pole{
 inline constexpr Camera straight_on{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
 
 /// A turned board of triangles. Rays that pass an edge within a pixel are aimed at the edge.
-struct Cracks {
-  const char* name = "cracks";
-  const char* caption = "rays at the edges of triangles";
-  Camera camera;
+struct Cracks : Placed {
   Rgb crack{1, 0, 1};
   Mesh mesh = board();
 
@@ -88,10 +85,7 @@ struct Cracks {
 };
 
 /// The middle of the equal-area octahedral map, its pole, with rings of half a texel of 4096.
-struct MapMiddle {
-  const char* name = "map-middle";
-  const char* caption = "the pole of an equal-area map";
-  Camera camera = above_the_pole;
+struct MapMiddle : Placed {
   Sphere<> sphere{.center = {}, .radius = 1, .form = SphereForm::hybrid};
 
   template <class Real>
@@ -129,17 +123,9 @@ struct PixelSteps {
 
 /// A globe around its seam, filtered. The published footprint is the difference of (u, v) between
 /// neighboring pixels; at the seam that is the whole texture.
-struct SeamFootprint {
-  const char* name = "footprint";
-  const char* caption = "a filtered globe, at its seam";
-  Camera camera{.eye = {-3, 0.8, 0.4}, .target = {0, 0, 0}, .fov_y_degrees = 44};
-  Sphere<> sphere{.center = {}, .radius = 1};
+struct SeamFootprint : Placed {
   FilteredTexture texture;
-
-  explicit SeamFootprint(const Image& picture)
-      : texture{.pyramid = pyramid_of(light_of(picture, TexelLight::encoded)),
-                .filter = Filter::trilinear,
-                .wrap = Wrap::spherical} {}
+  Sphere<> sphere{.center = {}, .radius = 1};
 
   /// (u, v) where a ray meets the globe.
   template <class Real>
@@ -176,10 +162,7 @@ inline constexpr std::array<Rgb, 8> eight_texels{{{0.9, 0.2, 0.2},
                                                   {0.9, 0.9, 0.9}}};
 
 /// A texture of 8 texels that goes on as its mirror image, from u = -1 to 1.
-struct MirrorWrap {
-  const char* name = "mirror";
-  const char* caption = "8 texels, mirrored at 0";
-  Camera camera = straight_on;
+struct MirrorWrap : Placed {
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const Real u = ray.direction.x / -ray.direction.z;
@@ -212,10 +195,7 @@ template <class Real>
 
 /// A floor of stripes: a picture one texel high. The published footprint is measured in (u, v),
 /// where one texel's height is as much as 64 texels' width.
-struct OneRow {
-  const char* name = "one-row";
-  const char* caption = "a texture of 64 x 1 texels";
-  Camera camera{.eye = {0, 1, 0}, .target = {0, 0.6, -1}, .fov_y_degrees = 50};
+struct OneRow : Placed {
   FilteredTexture texture{.pyramid = pyramid_of(colored_texels(64, 1)),
                           .filter = Filter::trilinear,
                           .wrap = Wrap::repeat,
@@ -234,10 +214,7 @@ struct OneRow {
 
 /// A picture in squares: in some u is NaN, in some v is infinite, in some a derivative is NaN. The
 /// course reads the picture's edge there, or its mean.
-struct NoNumber {
-  const char* name = "no-number";
-  const char* caption = "squares with NaN and infinity in (u, v)";
-  Camera camera = straight_on;
+struct NoNumber : Placed {
   FilteredTexture texture{.pyramid = pyramid_of(colored_texels(8, 4)),
                           .filter = Filter::trilinear,
                           .wrap = Wrap::clamp,

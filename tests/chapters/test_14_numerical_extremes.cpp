@@ -211,7 +211,7 @@ TEST_CASE("a wrong name is told the right ones, and so is who asks for help") {
 TEST_CASE(
     "the seam's other name, u = 1, is outside the texture, and the course's formula never gives "
     "it") {
-  const Globe<Graticule> globe{"", "", {}, {{0, 0, 0}, 1}, {}};
+  const Globe<Graticule> globe{{}, {{0, 0, 0}, 1}, {}};
   const Ray<double> to_the_seam{{-5, 0, -0.0}, {1, 0, -0.0}};
   const SurfacePoint<double> published = globe(to_the_seam, Formulas::published);
   REQUIRE(published.hit);
