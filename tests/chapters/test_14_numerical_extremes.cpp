@@ -208,19 +208,6 @@ TEST_CASE("a wrong name is told the right ones, and so is who asks for help") {
   }
 }
 
-TEST_CASE(
-    "the seam's other name, u = 1, is outside the texture, and the course's formula never gives "
-    "it") {
-  const Globe<Graticule> globe{{}, {{0, 0, 0}, 1}, {}};
-  const Ray<double> to_the_seam{{-5, 0, -0.0}, {1, 0, -0.0}};
-  const SurfacePoint<double> published = globe(to_the_seam, Formulas::published);
-  REQUIRE(published.hit);
-  CHECK(published.uv.u == 1);
-  CHECK_FALSE(published.mapped);
-  CHECK(published.color.g == no_texel.g);
-  CHECK(globe(to_the_seam, Formulas::robust).mapped);
-}
-
 TEST_CASE("what only one exhibit has a use for is refused for the sheet, and its help says so") {
   const std::string help = test::run("\"" TEXMAP_CHAPTER "\" --help").out;
   for (const std::string option : {"--number float", "--samples 2", "--formulas published"}) {

@@ -103,15 +103,12 @@ Measurement count_wrong_squares() {
     see_lanes<Real>(
         worst,
         [&] {
-          return std::array{coordinate(), coordinate()};
+          return Uv<T>{coordinate(), coordinate()};
         },
-        [&](const std::array<Real, 2>& uv) {
-          return board(Uv<Real>{uv[0], uv[1]}).r;
-        },
-        [&](T light, const std::array<T, 2>& uv) {
+        [&](const Uv<Real>& uv) { return board(uv).r; },
+        [&](T light, const Uv<T>& uv) {
           const Digits50 rounding = squares * roundoff<T>();
-          return is_wrong_cell<2>(light == 1,
-                                  {uv[0] * Digits50(squares), uv[1] * Digits50(squares)},
+          return is_wrong_cell<2>(light == 1, {uv.u * Digits50(squares), uv.v * Digits50(squares)},
                                   {rounding, rounding});
         },
         [&] { return "of " + described(squares); });
@@ -170,17 +167,15 @@ Measurement count_wrong_bytes() {
     see_lanes<Real>(
         worst,
         [&] {
-          return std::array{coordinate(), coordinate()};
+          return Uv<T>{coordinate(), coordinate()};
         },
-        [&](const std::array<Real, 2>& uv) {
-          return texture(Uv<Real>{uv[0], uv[1]}).g;
-        },
-        [](T light, const std::array<T, 2>& uv) {
+        [&](const Uv<Real>& uv) { return texture(uv).g; },
+        [](T light, const Uv<T>& uv) {
           // Sixteenths are exact, so the texel is known without rounding.
           const auto cell = [](T x) {
             return !(x > 0) ? 0 : x >= 1 ? 15 : static_cast<int>(x * 16);
           };
-          return !(light == static_cast<T>((15 - cell(uv[1])) * 16 + cell(uv[0])) / 255);
+          return !(light == static_cast<T>((15 - cell(uv.v)) * 16 + cell(uv.u)) / 255);
         });
   });
 }

@@ -1,8 +1,9 @@
-// numbers_page: measures every claim, with many inputs, and writes docs/numbers.md
-// and the whole report.
+// numbers_page: measures every claim, with many inputs, and writes the table of docs/numbers.md and
+// the whole report.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -32,13 +33,20 @@ double measured(const Claim& claim) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::cerr
-        << "usage: numbers_page PAGE REPORT   measures every claim and writes both, as a rule "
-           "docs/numbers.md and out/numbers.md\n";
+    std::cerr << "usage: numbers_page PAGE REPORT   measures every claim, renews the table of PAGE "
+                 "(docs/numbers.md) and writes REPORT (out/numbers.md)\n";
     return 2;
   }
-  const auto [page, report] = texmap::extremes::pages_of(texmap::extremes::all_claims(), measured);
-  for (const auto& [name, text] : {std::pair(argv[1], page), std::pair(argv[2], report)}) {
+  using namespace texmap::extremes;
+  std::ifstream old(argv[1], std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(old), {}};
+  if (page.empty()) {
+    std::cerr << "error: cannot read " << argv[1] << '\n';
+    return 1;
+  }
+  const auto [in_short, report] = pages_of(all_claims(), measured);
+  for (const auto& [name, text] :
+       {std::pair(argv[1], with_in_short(page, in_short)), std::pair(argv[2], report)}) {
     std::error_code already_there;
     std::filesystem::create_directories(std::filesystem::path(name).parent_path(), already_there);
     std::ofstream file(name, std::ios::binary);

@@ -1,4 +1,4 @@
-// The page docs/numbers.md, one row a function, and the whole report, one row a claim.
+// What docs/numbers.md says in short, one row a function, and the whole report, one row a claim.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,8 +9,8 @@
 namespace texmap::extremes {
 
 struct Pages {
-  std::string page;    ///< the worst of each function, and how to read it
-  std::string report;  ///< a table a family, a row a claim
+  std::string in_short;  ///< of docs/numbers.md: the worst of each function
+  std::string report;    ///< a table a family, a row a claim
 };
 
 /// The page and the report.
@@ -18,6 +18,10 @@ struct Pages {
 /// @param measured  gives the worst of a claim that has a measurement
 [[nodiscard]] Pages pages_of(const std::vector<Family>& families,
                              const std::function<double(const Claim&)>& measured);
+
+/// docs/numbers.md with another section "In short".
+/// Errors: std::out_of_range if the page has no such section.
+[[nodiscard]] std::string with_in_short(const std::string& page, const std::string& in_short);
 
 /// The page without its measured cells: what page and claims must agree on.
 [[nodiscard]] std::string without_measured_cells(const std::string& page);

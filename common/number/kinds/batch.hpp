@@ -70,7 +70,7 @@ inline constexpr std::size_t batch_size = 16 / sizeof(T);
 
 // An operator of two batches, or of their masks, is that of each pair of lanes.
 #define TEXMAP_OF_LANES(Result, Operand, op)                                      \
-  friend Result operator op(const Operand& a, const Operand& b) {                 \
+  friend auto operator op(const Operand& a, const Operand& b) {                   \
     return Result::each([&](std::size_t i) { return a.lanes[i] op b.lanes[i]; }); \
   }
 
