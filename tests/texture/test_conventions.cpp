@@ -24,8 +24,8 @@ Point spread(int i, int n) {
   return {radius * std::cos(around), y, radius * std::sin(around)};
 }
 
-TEST_CASE_TEMPLATE("the axes have their exact places in each convention", Real, float, double,
-                   long double, Pack<float>, Pack<double>) {
+TEST_CASE_TEMPLATE("the axes have their exact places in each convention, at any length", Real,
+                   float, double, long double, Pack<float>, Pack<double>) {
   struct Place {
     double u, v;
   };
@@ -42,6 +42,7 @@ TEST_CASE_TEMPLATE("the axes have their exact places in each convention", Real, 
       {{0, -1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 0}},
       {{-1, 0, -0.0}, {0, 0.5}, {0, 0.5}, {0.75, 0.5}},
       {{-0.0, 0, 1}, {0.75, 0.5}, {0.25, 0.5}, {0, 0.5}},
+      {{-0.0, 1, -0.0}, {0.5, 0}, {0.5, 1}, {0.25, 1}},
       {{0, 0, 0}, {0.5, 0.5}, {0.5, 0.5}, {0.25, 0.5}},
   };
   for (const Row& row : table) {
@@ -49,9 +50,11 @@ TEST_CASE_TEMPLATE("the axes have their exact places in each convention", Real, 
     CAPTURE(row.p.y);
     CAPTURE(row.p.z);
     const auto check = [&](Convention convention, const Place& place) {
-      const Uv<Real> uv = uv_of(convention, number_cast<Real>(row.p));
-      CHECK(lane(uv.u, lanes<Real> - 1) == static_cast<Scalar<Real>>(place.u));
-      CHECK(lane(uv.v, lanes<Real> - 1) == static_cast<Scalar<Real>>(place.v));
+      for (const double length : {1.0, 0.375, 1e-30, 1e30}) {
+        const Uv<Real> uv = uv_of(convention, number_cast<Real>(row.p * length));
+        CHECK(lane(uv.u, lanes<Real> - 1) == static_cast<Scalar<Real>>(place.u));
+        CHECK(lane(uv.v, lanes<Real> - 1) == static_cast<Scalar<Real>>(place.v));
+      }
     };
     check(Convention::daily, row.daily);
     check(Convention::rtiow, row.rtiow);
