@@ -9,16 +9,13 @@ foreach(suite
     number/test_pack_u32
     number/test_pack_u32_fallback
     engine/kernels/test_kernel_plan
-    engine/kernels/test_power_kernel
     engine/kernels/test_root_texture
-    engine/kernels/test_srgb_kernel
     engine/kernels/test_turns
     engine/render/test_convert_projection
     engine/render/test_develop
     engine/render/test_film
     engine/render/test_pixel_patch
     engine/render/test_render
-    engine/render/test_screen_bounds
     engine/render/test_threads)
   add_suite(${suite} ON render LABELS common)
 endforeach()
@@ -43,27 +40,16 @@ add_suite(engine/app/test_command_line ON app LABELS common)
 add_suite(engine/app/test_gather_session ON app LABELS common)
 add_suite(engine/app/test_lesson ON app LABELS common)
 add_suite(engine/app/test_sampling_options ON app LABELS common)
-add_suite(engine/app/test_close_up ON app chapters_code LABELS common)
-add_suite(engine/app/test_surfaces ON app chapters_code LABELS common)
-# Lessons with one number: the number is not their subject, and all of them would take four times as long to compile.
-foreach(suite test_close_up test_surfaces)
-  target_compile_definitions(${suite} PRIVATE TEXMAP_LEARN)
-  set_target_properties(${suite} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
-endforeach()
-if(NOT TEXMAP_LEARN)  # budgets and intervals need all numbers
-  add_test(NAME zoom_without_budget COMMAND 09_texture_filtering --zoom 2 --budget levels=4 --out /dev/null)
-  set_tests_properties(zoom_without_budget PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "leave --zoom out")
-  add_test(NAME show_without_interval COMMAND 02_checkerboard_uv --show uv --number interval --out /dev/null)
-  set_tests_properties(show_without_interval PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "which bounds colors")
-endif()
 add_suite(engine/app/test_session_line ON picture LABELS common)
-target_compile_definitions(test_session_line PRIVATE TEXMAP_CHAPTER="$<TARGET_FILE:05_y_rotation>"
-  TEXMAP_VERSION="${PROJECT_VERSION}")
-add_dependencies(test_session_line 05_y_rotation)
+target_compile_definitions(test_session_line PRIVATE TEXMAP_BIN="$<TARGET_FILE_DIR:05_y_rotation>/")
+if(NOT TEXMAP_LEARN)
+  target_compile_definitions(test_session_line PRIVATE TEXMAP_ALL_NUMBERS)
+endif()
+add_dependencies(test_session_line 05_y_rotation 09_texture_filtering 11_bump_and_normal_maps)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 
-# The kernels against more digits, and their coefficients against the program that fits them.
-judge_by_more_digits(double_pair interval kernel_plan power_kernel srgb_kernel)
+# Numbers against more digits, and the kernels' coefficients against the program that fits them.
+judge_by_more_digits(double_pair interval)
 if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
   target_link_libraries(check_kernels PRIVATE project_options)

@@ -43,7 +43,7 @@ Film film_of(const Lesson& lesson, SamplerKind kind, int samples, const Drawn& d
   const auto objects = planned_objects(plan, lesson.objects);
   return gather<number_in<Lesson, Real>>(
       lesson, objects, view, {Sampler(kind, samples, drawn.seed)},
-      bounds_of_view(lesson, objects, view, plan.smoothing, samples), {.threads = drawn.threads});
+      bounds_of_view(lesson, objects, plan.smoothing, samples), {.threads = drawn.threads});
 }
 
 /// A film keeps light within 2^-32 of itself.

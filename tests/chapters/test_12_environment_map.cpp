@@ -36,7 +36,7 @@ Film film_of(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {
   const View<> view = view_of(lesson.stage.camera, drawn.size.width, drawn.size.height);
   return gather<number_in<AnyLesson, Real>>(
       lesson, lesson.objects, view, {Sampler(drawn.kind, samples, drawn.seed)},
-      bounds_of_view(lesson, lesson.objects, view, {}, samples), {.threads = drawn.threads});
+      bounds_of_view(lesson, lesson.objects, {}, samples), {.threads = drawn.threads});
 }
 template <class Real = double, class AnyLesson>
 Image developed(const AnyLesson& lesson, int samples, const Drawn& drawn = {}) {

@@ -77,10 +77,12 @@ fi
 
 check 01_plain_spheres 01_plain_spheres
 check 02_checkerboard_uv 02_checkerboard_uv
+check 02_objects 02_checkerboard_uv --show object --width 160 --height 120
 check 03_image_texture 03_image_texture
 check 04_uv_conventions 04_uv_conventions
 check 04_uv_daily 04_uv_conventions --convention daily --show uv --width 200 --height 150
 check 05_y_rotation 05_y_rotation
+check 05_close_up 05_y_rotation --zoom 3 --at 130,40 --width 200 --height 150
 check 06_phong_texture_blend 06_phong_texture_blend
 for highlight in phong lecture; do
   sheet=06_lecture_phong
@@ -89,10 +91,12 @@ for highlight in phong lecture; do
 done
 check 07_earth_by_sampling 07_earth_by_sampling
 check 08_triangle_uv 08_triangle_uv
+check 08_triangles 08_triangle_uv --show object --width 160 --height 120
 for wrap in repeat clamp; do
   check "08_$wrap" 08_triangle_uv --wrap "$wrap" --width 240 --height 180
 done
 check 09_texture_filtering 09_texture_filtering
+check 09_uv 09_texture_filtering --show uv --filter nearest --width 160 --height 120
 check 10_projections 10_projections
 check 11_bump_and_normal_maps 11_bump_and_normal_maps
 check 11_bump_or_dent 11_bump_and_normal_maps --show sheet

@@ -25,7 +25,7 @@ template <HasSurfaces Lesson>
                                   NumberKind number, RenderSettings settings) {
   settings.samples = 1;
   const SurfaceColors<Lesson> surfaces{lesson, shown};
-  if constexpr (Lesson::about.numbers == Numbers::only_double) {
+  if constexpr (has_only_double<Lesson>) {
     return render<double>(surfaces, view, settings);
   } else {
     const bool in_float = number == NumberKind::float_pack;
@@ -48,12 +48,8 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
                  const View<> seen = view(lesson.stage.camera, width, height);
                  if constexpr (GathersLight<Lesson>) {
                    throw std::logic_error("light is gathered, see show_gathered");
-                 } else if constexpr (Lesson::about.numbers == Numbers::all) {
-                   return texmap::draw(lesson, seen, settings.number, render_settings);
-                 } else if constexpr (Lesson::about.numbers == Numbers::single) {
-                   return texmap::draw_single(lesson, seen, settings.number, render_settings);
                  } else {
-                   return render<double>(lesson, seen, render_settings);
+                   return texmap::draw(lesson, seen, settings.number, render_settings);
                  }
                });
 }

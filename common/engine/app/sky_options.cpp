@@ -35,9 +35,8 @@ void SkyOptions::declare(CommandLine& line) {
                "multiply the sky's light by 2 to this power (stops)");
   line.decimal("--degrees", degrees, -1e300, 1e300,
                "rotates the sky about the vertical axis by this angle");
-  line.choice<TexelFilter>("--filter", filter,
-                           {{"nearest", TexelFilter::nearest}, {"bilinear", TexelFilter::bilinear}},
-                           "how the sky is read between the centers of its texels");
+  line.choice("--filter", filter, "nearest|bilinear",
+              "how the sky is read between the centers of its texels");
 }
 
 SkyLight SkyOptions::load(const Session& session) {

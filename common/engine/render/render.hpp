@@ -1,6 +1,7 @@
 // Renders a picture: rays through its pixels, on many threads, with any number.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -39,7 +40,12 @@ template <class Real>
 struct PixelOffset {
   double column = 0, row = 0;
 };
-[[nodiscard]] PixelOffset pixel_offset(int sample);
+[[nodiscard]] inline PixelOffset pixel_offset(int sample) {
+  // 1/g and 1/g^2 with g = 1.3247..., g^3 = g + 1.
+  const double x = 0.5 + sample * 0.75487766624669276;
+  const double y = 0.5 + sample * 0.56984029099805327;
+  return {x - std::floor(x) - 0.5, y - std::floor(y) - 0.5};
+}
 
 /// True for lessons that may ask how (u, v) changes from pixel to pixel: for filters and bumps.
 template <class Lesson>

@@ -30,6 +30,7 @@ template <class Real>
   const Real width = view.pixel * to_foot;
   const Real reach = sphere.radius + width;  // half a pixel's diagonal is 0.71 widths
   const Mask<Real> misses = to_foot > Real(0) && dot(moment, moment) > squared * square(reach);
+  if (!any(!misses)) return {misses, infinity<Real>(), infinity<Real>()};
 
   const Real distance = distance_to(sphere, ray);
   const Mask<Real> met = distance < infinity<Real>();
