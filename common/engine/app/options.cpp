@@ -92,9 +92,10 @@ ImageTexture ProjectionOptions::load(const TextureFile& file) const {
 }
 
 void BumpOptions::declare(CommandLine& line) {
-  line.choice("--show", picture, "globe|sheet|poles|daily",
-              "globe: the globe. sheet: eight ways to read one normal map. poles: heights at a pole. "
-              "daily: the daily exercise's bricks");
+  line.choice(
+      "--show", picture, "globe|sheet|poles|daily",
+      "globe: the globe. sheet: eight ways to read one normal map. poles: heights at a pole. "
+      "daily: the daily exercise's bricks");
   line.choice<BumpForm>(
       "--bump", form,
       {{"exact", BumpForm::exact}, {"blinn", BumpForm::blinn}, {"off", BumpForm::flat}},

@@ -13,33 +13,27 @@
 #include "engine/app/turntable.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/draw.hpp"
+#include "engine/render/number_names.hpp"
 #include "engine/render/surfaces.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap {
 
-/// The surfaces of a lesson's scene, from one ray through the center of each pixel. Packs would
-/// draw the same, so single numbers do.
-template <HasSurfaces Lesson>
-[[nodiscard]] Image draw_surfaces(const Lesson& lesson, const View<>& view, Shown shown,
-                                  NumberKind number, RenderSettings settings) {
-  settings.samples = 1;
-  const SurfaceColors<Lesson> surfaces{lesson, shown};
-  if constexpr (has_only_double<Lesson>) {
-    return render<double>(surfaces, view, settings);
-  } else {
-    const bool in_float = number == NumberKind::float_pack;
-    return draw_single(surfaces, view, in_float ? NumberKind::float_ : number, settings);
-  }
-}
-
 template <class Lesson>
 Image Session::draw(const Lesson& lesson, int width, int height) {
   if constexpr (HasSurfaces<Lesson>) {
     if (settings.show != Shown::color) {
-      return timed(static_cast<double>(width) * height, [&](const RenderSettings& render_settings) {
-        return draw_surfaces(lesson, view(lesson.stage.camera, width, height), settings.show,
-                             settings.number, render_settings);
+      return timed(static_cast<double>(width) * height, [&](RenderSettings render_settings) {
+        render_settings.samples = 1;  // through the center of each pixel
+        const View<> seen = view(lesson.stage.camera, width, height);
+        const SurfaceColors<Lesson> surfaces{lesson, settings.show};
+        if constexpr (has_only_double<Lesson>) {
+          return render<double>(surfaces, seen, render_settings);
+        } else {  // packs would draw the same, so single numbers do
+          const NumberKind number = settings.number;
+          return draw_single(surfaces, seen, is_float(number) ? NumberKind::float_ : number,
+                             render_settings);
+        }
       });
     }
   }
@@ -63,12 +57,6 @@ void show_picture(Session& session, const Lesson& lesson, const std::string& suf
   session.save(session.draw(lesson), suffix);
 }
 
-/// The digits of a number in base 2; those of double for all that have more.
-[[nodiscard]] constexpr int digits(NumberKind number) {
-  const bool is_float = number == NumberKind::float_ || number == NumberKind::float_pack;
-  return is_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
-}
-
 /// Lessons with a list of spheres, for which the user may choose formulas.
 template <class Lesson>
 concept HasSpheres = requires(const Lesson& lesson) {
@@ -81,7 +69,10 @@ void choose_spheres(const Session& session, Lesson& lesson) {
   if constexpr (HasSpheres<Lesson>) {
     if (session.was_given("--spheres"))
       for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
-    keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
+    const bool in_float = is_float(session.settings.number);
+    keep_to_domains(
+        lesson.objects, lesson.stage.camera.eye,
+        in_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits);
   }
 }
 

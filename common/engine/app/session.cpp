@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 
 #include "engine/app/command_line.hpp"
-#include "engine/measure/stopwatch.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/progress.hpp"
@@ -31,19 +29,9 @@ PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
 
 }  // namespace
 
-/// What happened since the last picture was saved; times in milliseconds.
-struct Session::Times {
-  std::optional<Stopwatch> before_drawing{Stopwatch()};  // until the first ray
-  double load = 0;                                       // before the first ray
-  double render = 0;
-  double rays = 0;
-  long uncertain = 0;  // pixels, and of how many
-  long judged = 0;
-};
-
 Session::Session(std::string_view chapter, CommandLine& line, const About& about,
                  const Offers& offers)
-    : one_number_(offers.one_number), line_(line), times_(std::make_unique<Times>()) {
+    : one_number_(offers.one_number), line_(line), times_{.before_drawing = Stopwatch()} {
   settings.out = "out/" + std::string(chapter) + ".png";
   default_out_ = settings.out;
   settings.width = about.size.width;
@@ -86,8 +74,6 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   }
   line.flag("--quiet", settings.quiet, "show no progress, and print nothing on success");
 }
-
-Session::~Session() = default;
 
 void Session::offer_numbers(Numbers numbers, std::string_view no_intervals) {
   if (numbers == Numbers::only_double) return;
@@ -208,8 +194,8 @@ std::filesystem::path Session::file_name(std::string_view suffix) const {
 
 Image Session::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
   Progress progress(!settings.quiet, remark);
-  if (times_->before_drawing) times_->load = times_->before_drawing->milliseconds();
-  times_->before_drawing.reset();
+  if (times_.before_drawing) times_.load = times_.before_drawing->milliseconds();
+  times_.before_drawing.reset();
   const Stopwatch drawing;
   Image image =
       work({.samples = settings.samples,
@@ -218,15 +204,15 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
             .progress = [&progress](int done, int total) { progress.report(done, total); },
             .certainty =
                 [this](long uncertain, long pixels) {
-                  times_->uncertain += uncertain;
-                  times_->judged += pixels;
+                  times_.uncertain += uncertain;
+                  times_.judged += pixels;
                 }});
-  times_->render += drawing.milliseconds();
-  times_->rays += rays;
+  times_.render += drawing.milliseconds();
+  times_.rays += rays;
   return image;
 }
 
-void Session::count_rays(double rays) { times_->rays += rays; }
+void Session::count_rays(double rays) { times_.rays += rays; }
 
 void Session::save(const Image& image, std::string_view suffix) {
   if ((settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_) {
@@ -237,20 +223,19 @@ void Session::save(const Image& image, std::string_view suffix) {
   seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
-  if (!settings.quiet && times_->judged > 0) {
-    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n",
-               times_->uncertain, times_->judged));
+  if (!settings.quiet && times_.judged > 0) {
+    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n", times_.uncertain,
+               times_.judged));
   }
   if (!settings.quiet) {
-    const double all = times_->load + times_->render + saving.encode + saving.write;
+    const double all = times_.load + times_.render + saving.encode + saving.write;
     print(name_of(file) +
           text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f), "
                "%.1f million rays/s\n",
-               image.width, image.height, all, times_->load, times_->render, saving.encode,
-               saving.write, times_->rays / times_->render / 1000));
+               image.width, image.height, all, times_.load, times_.render, saving.encode,
+               saving.write, times_.rays / times_.render / 1000));
   }
-  const Times none{.before_drawing = {}};
-  *times_ = none;
+  times_ = {};
 }
 
 }  // namespace texmap

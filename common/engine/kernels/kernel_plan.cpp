@@ -16,18 +16,11 @@
 namespace texmap {
 namespace {
 
-/// The polynomials for (u, v): the arc tangent's degree, and the time in units of the reference's,
-/// which grows with it.
-constexpr std::array<std::pair<int, double>, 10> uv_costs = {{{5, 0.022},
-                                                              {7, 0.025},
-                                                              {9, 0.028},
-                                                              {11, 0.029},
-                                                              {13, 0.034},
-                                                              {15, 0.036},
-                                                              {17, 0.039},
-                                                              {23, 0.103},
-                                                              {29, 0.121},
-                                                              {35, 0.143}}};
+/// The arc tangents' degrees of the polynomials for (u, v), and their time in units of the
+/// reference's, which grows with the degree.
+constexpr std::array uv_degrees = {5, 7, 9, 11, 13, 15, 17, 23, 29, 35};
+constexpr std::array uv_costs = {0.022, 0.025, 0.028, 0.029, 0.034,
+                                 0.036, 0.039, 0.103, 0.121, 0.143};
 
 /// In float, rounding dominates beyond degree 17.
 bool is_for_float(int degree) { return degree >= 5 && degree <= 17; }
@@ -133,7 +126,8 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
   if (width < 1 || height < 1)
     throw std::invalid_argument("a texture is at least 1x1, not " + size);
   const std::string start = beginning("(u, v)", budget) + " on " + size + ": ";
-  for (const auto& [degree, cost] : uv_costs) {
+  for (std::size_t i = 0; i < uv_degrees.size(); ++i) {
+    const int degree = uv_degrees[i];
     const UvError worst = worst_of(degree);
     const double u = worst.u * width, v = worst.v * height;
     const double texels = std::max(u, v), levels = 255 * (u + v);
@@ -142,7 +136,7 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
             start + "polynomials in " + (is_for_float(degree) ? "float" : "double") +
                 ", arc tangent of degree " + std::to_string(degree) + ", unit vectors; at worst " +
                 shown(texels, 2) + " texels and " + shown(levels, 2) + " levels; " +
-                shown(cost, 2) + " of the reference's time"};
+                shown(uv_costs[i], 2) + " of the reference's time"};
   }
   return {.text = start + "the reference formula in double, by the C library, at cost 1"};
 }

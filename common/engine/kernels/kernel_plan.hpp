@@ -10,7 +10,6 @@
 #include "engine/kernels/fetched_texels.hpp"
 #include "engine/kernels/power_kernel.hpp"
 #include "engine/kernels/root_texture.hpp"
-#include "engine/kernels/smoothing.hpp"
 #include "engine/kernels/turns.hpp"
 #include "number/compiler.hpp"
 #include "scene/paint.hpp"
@@ -35,6 +34,17 @@ struct Polynomial {
 /// @param width, height  in texels, 1 or more
 /// Errors: std::invalid_argument for a size below 1.
 [[nodiscard]] Polynomial choose_uv_kernel(const Budget& budget, int width, int height);
+
+/// Limits on the error estimates of a PixelProbe; zeros switch smoothing off.
+struct Smoothing {
+  double most_curvature_error = 0;  ///< for places from a polynomial of degree 2
+  double most_normal_error = 0;     ///< for directions from a polynomial of degree 1
+
+  // The largest errors that follow, in units of the estimates; a test holds them.
+  static constexpr double turns_per_curvature_error = 0.03;       ///< in longitude
+  static constexpr double half_turns_per_curvature_error = 0.05;  ///< in latitude
+  static constexpr double direction_per_normal_error = 1.4;  ///< in a cosine_direction's coordinate
+};
 
 /// The kernels of a picture. The default is the reference formulas.
 struct KernelPlan {
@@ -95,14 +105,6 @@ struct PlannedMapping {
                          with_uv_mapping(degree, [&p](const auto& mapping) { return mapping(p); }));
   }
 };
-[[nodiscard]] inline PlannedMapping planned_mapping(int degree, const RtiowMapping& /*mapping*/) {
-  return {degree};
-}
-[[nodiscard]] inline PlannedMapping planned_mapping(int degree,
-                                                    const Rotated<ConventionMapping>& mapping) {
-  return {degree, mapping.mapping.convention, mapping.rotation};
-}
-
 /// A texture by the plan's kernel: roots of light if the plan made them, else the image.
 struct PlannedTexture {
   const LightTexture* exact;  ///< not owned
@@ -128,16 +130,15 @@ struct PlannedPower {
 };
 
 /// A scene's objects with the plan's paints. Other kinds of paint stay as they are.
-template <class Mapping>
-requires requires(const Mapping& mapping) { planned_mapping(0, mapping); }
-[[nodiscard]] std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
-    const KernelPlan& plan, const std::vector<Painted<Mapped<Mapping, LightTexture>>>& objects) {
+[[nodiscard]] inline std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
+    const KernelPlan& plan,
+    const std::vector<Painted<Mapped<Rotated<ConventionMapping>, LightTexture>>>& objects) {
   std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned;
-  for (const auto& object : objects) {
-    const LightTexture& texture = object.paint.texture;
-    planned.push_back({object.shape,
-                       {planned_mapping(plan.uv_degree, object.paint.mapping),
-                        {&texture, plan.root_texels ? RootTexture(texture) : RootTexture()}}});
+  for (const auto& [shape, paint] : objects) {
+    planned.push_back(
+        {shape,
+         {{plan.uv_degree, paint.mapping.mapping.convention, paint.mapping.rotation},
+          {&paint.texture, plan.root_texels ? RootTexture(paint.texture) : RootTexture()}}});
   }
   return planned;
 }

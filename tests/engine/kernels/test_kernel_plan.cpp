@@ -37,7 +37,7 @@ TEST_CASE_TEMPLATE(
     for (const double angle : {0.0, 37.0, 90.0, -200.5}) {
       const Rotated<ConventionMapping> exact{rotation_y(angle), {convention}};
       const auto check = [&](int degree, const Vec3<Real>& p) {
-        const Uv<Real> is = planned_mapping(degree, exact)(p);
+        const Uv<Real> is = PlannedMapping{degree, convention, exact.rotation}(p);
         const Uv<Real> should = exact(p);
         const UvError worst = worst_of_degree<T>(degree);
         for (std::size_t i = 0; i < lanes<Real>; ++i) {
