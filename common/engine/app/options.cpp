@@ -1,5 +1,5 @@
 // What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
-// of their own, have files of their own.
+// of their own, have files of their own. A program that offers none of these groups links none.
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -17,7 +17,6 @@
 #include "engine/app/texture_file.hpp"
 #include "engine/app/turntable.hpp"
 #include "engine/kernels/kernel_plan.hpp"
-#include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/render/convert_projection.hpp"
@@ -67,8 +66,6 @@ void Turntable::declare(CommandLine& line) {
 RotationY Turntable::rotation() const {
   return rotation_y(frame == 0 ? degrees : degrees + 360.0 * frame / frames);
 }
-
-std::string frame_suffix(int frame) { return text("_%03d", frame); }
 
 void ProjectionOptions::declare(CommandLine& line) {
   std::vector<std::pair<std::string_view, Projection>> words;

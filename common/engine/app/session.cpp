@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "engine/app/command_line.hpp"
+#include "engine/app/turntable.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/progress.hpp"
@@ -191,6 +192,9 @@ std::filesystem::path Session::file_name(std::string_view suffix) const {
   name += file.extension();
   return file.replace_filename(name);
 }
+
+// Not with the turntable's options: a program without them would read files.
+std::string frame_suffix(int frame) { return text("_%03d", frame); }
 
 Image Session::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
   Progress progress(!settings.quiet, remark);
