@@ -47,7 +47,7 @@ option(TEXMAP_BENCH_UNTIMED "Compile the benchmarks quickly; their times then me
 if(TEXMAP_BENCH_UNTIMED)
   foreach(target bench_groups bench_wide)
     if(TARGET ${target})
-      target_compile_options(${target} PRIVATE -O1)
+      target_compile_options(${target} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-fexpensive-optimizations>)  # with vzeroupper
       target_compile_definitions(${target} PRIVATE TEXMAP_NO_FLATTEN)
     endif()
   endforeach()
@@ -61,11 +61,6 @@ add_dependencies(test_bench_pages bench_ratios)
 set_target_properties(test_bench_pages PROPERTIES EXCLUDE_FROM_ALL ON)
 add_custom_target(bench DEPENDS test_bench_pages)
 if(SH AND wide_sets)
-  add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" --functions
-    "$<TARGET_FILE:bench_ratios>")
+  add_test(NAME bench_wide_functions COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/wide.sh" "$<TARGET_FILE:bench_ratios>")
   set_tests_properties(bench_wide_functions PROPERTIES LABELS bench SKIP_RETURN_CODE 77)
-endif()
-if(PYTHON3 AND wide_sets AND NOT TEXMAP_BENCH_UNTIMED)  # what is timed next to packs
-  add_test(NAME bench_upper_halves COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/upper_halves.py" "$<TARGET_FILE:bench_ratios>")
-  set_tests_properties(bench_upper_halves PROPERTIES LABELS bench SKIP_RETURN_CODE 77)
 endif()

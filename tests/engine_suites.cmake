@@ -17,21 +17,13 @@ foreach(suite IN LISTS suites)
 endforeach()
 target_link_libraries(test_read_hdr PRIVATE stb_image stb_image_write)  # stb_image reads and writes the same files
 target_link_libraries(test_save_png PRIVATE stb_image)
-# Lessons with one number: the number is not their subject, and all of them would take four times as long to compile.
-foreach(suite test_close_up test_surfaces)
-  target_link_libraries(${suite} PRIVATE chapters_code)
-  target_compile_definitions(${suite} PRIVATE TEXMAP_LEARN)
-  set_target_properties(${suite} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
-endforeach()
-if(NOT TEXMAP_LEARN)  # budgets and intervals need all numbers
-  add_test(NAME zoom_without_budget COMMAND 09_texture_filtering --zoom 2 --budget levels=4 --out /dev/null)
-  set_tests_properties(zoom_without_budget PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "leave --zoom out")
-  add_test(NAME show_without_interval COMMAND 02_checkerboard_uv --show uv --number interval --out /dev/null)
-  set_tests_properties(show_without_interval PROPERTIES LABELS common PASS_REGULAR_EXPRESSION "which bounds colors")
+add_suite(engine/app/test_session_line ON picture LABELS common)
+target_compile_definitions(test_session_line PRIVATE TEXMAP_BIN="$<TARGET_FILE_DIR:05_y_rotation>/")
+if(NOT TEXMAP_LEARN)
+  target_compile_definitions(test_session_line PRIVATE TEXMAP_ALL_NUMBERS)
 endif()
+add_dependencies(test_session_line 05_y_rotation 09_texture_filtering 11_bump_and_normal_maps)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
-add_suite(engine/app/test_session_line ON picture RUNS CHAPTER 05_y_rotation LABELS common)
-target_compile_definitions(test_session_line PRIVATE TEXMAP_VERSION="${PROJECT_VERSION}")
 
 # The kernels' coefficients against the program that fits them.
 if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library

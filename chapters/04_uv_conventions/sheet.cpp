@@ -35,8 +35,7 @@ Image few_texels() {
   return image;
 }
 
-}  // namespace
-
+/// A flat map of the sphere, half as high as wide, north up; `color_at(direction)` at each center.
 Image flat_map(int width, const std::function<Rgb(const Vec3<double>&)>& color_at) {
   Image map(std::max(width, 1), std::max(width / 2, 1));
   for (int row = 0; row < map.height; ++row) {
@@ -48,6 +47,8 @@ Image flat_map(int width, const std::function<Rgb(const Vec3<double>&)>& color_a
   }
   return map;
 }
+
+}  // namespace
 
 Image sheet_of_conventions(const Session& session, const Image& earth,
                            const DrawGlobe& draw_globe) {

@@ -13,9 +13,6 @@ using GlobePaint = Mapped<ConventionMapping, ImageTexture>;
 /// The stage from nearby, its globe in this paint, in this size.
 using DrawGlobe = std::function<Image(const GlobePaint& paint, int width, int height)>;
 
-/// A flat map of the sphere, half as high as wide, north up; `color_at(direction)` at each center.
-[[nodiscard]] Image flat_map(int width, const std::function<Rgb(const Vec3<double>&)>& color_at);
-
 /// The sheet, as large as the session's picture. The flat maps use the published formulas.
 [[nodiscard]] Image sheet_of_conventions(const Session& session, const Image& earth,
                                          const DrawGlobe& draw_globe);

@@ -9,6 +9,16 @@ namespace {
 
 constexpr int cells = 48;  // in each direction of an ellipse; 384 make 0.0087 of ewa's 0.0088
 
+/// The mean of +1 and -1, which alternate over the whole numbers (+1 from 0 to 1), from `low` to
+/// `high`: a difference of triangle waves.
+double mean_sign(double low, double high) {
+  const auto integral = [](double x) {
+    const double within = x - 2 * std::floor(x / 2);
+    return std::min(within, 2 - within);
+  };
+  return (integral(high) - integral(low)) / (high - low);
+}
+
 /// The mean over an ellipse around (x, y), weighted as `Filtered::elliptical` weighs texels.
 ///
 /// @param a, b, c  as in Filtered::Ellipse, in squares
@@ -32,14 +42,6 @@ double white_in_ellipse(double x, double y, double a, double b, double c) {
 }
 
 }  // namespace
-
-double mean_sign(double low, double high) {
-  const auto integral = [](double x) {
-    const double within = x - 2 * std::floor(x / 2);
-    return std::min(within, 2 - within);
-  };
-  return (integral(high) - integral(low)) / (high - low);
-}
 
 double white_in_box(double x, double y, double width, double height) {
   return 0.5 +

@@ -4,10 +4,6 @@
 
 namespace texmap::chapter_09 {
 
-/// The mean of +1 and -1, which alternate over the whole numbers (+1 from 0 to 1), from `low` to
-/// `high`: a difference of triangle waves.
-[[nodiscard]] double mean_sign(double low, double high);
-
 /// The share of white in a box on endless checkers with squares of 1; white from (0, 0) to (1, 1).
 /// Exact but for rounding. Source: Quilez, "filtering of checkers".
 ///

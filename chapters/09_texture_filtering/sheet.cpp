@@ -22,8 +22,9 @@ constexpr std::array shown = {std::pair(Filter::nearest, "nearest"),
                               std::pair(Filter::ewa, "ewa"),
                               std::pair(Filter::stochastic, "stochastic")};
 
-}  // namespace
-
+/// The sheet, as large as the session's picture, with each filter's reads and error.
+///
+/// @param all  empty: with the filters' names alone
 Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
                        const DrawFiltered& draw) {
   const int width = session.settings.width, height = session.settings.height;
@@ -52,6 +53,8 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
   }
   return sheet;
 }
+
+}  // namespace
 
 void show_sheet(Session& session, const std::optional<FloorView>& floor, const std::string& plot,
                 const DrawFiltered& draw) {

@@ -16,12 +16,6 @@ namespace texmap::chapter_09 {
 /// The scene by a filter, in a size.
 using DrawFiltered = std::function<Image(Filter filter, int width, int height)>;
 
-/// The sheet, as large as the session's picture, with each filter's reads and error.
-///
-/// @param all  empty: with the filters' names alone
-[[nodiscard]] Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>& all,
-                                     const DrawFiltered& draw);
-
 /// Draws and saves the sheet, prints the table of errors and reads, and saves their plot if asked.
 ///
 /// @param floor  nothing where none is seen: then there are no errors

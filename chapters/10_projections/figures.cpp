@@ -1,6 +1,7 @@
 // What a layout costs: the largest texel, the worst stretch, the length of its seams, time.
 #include "figures.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -44,6 +45,42 @@ double arc(const Vec3<double>& a, const Vec3<double>& b) {
 
 std::string figure(double value) { return std::isinf(value) ? "no bound" : text("%.4f", value); }
 
+/// Times of a projection / those of the equirectangular one.
+struct RelativeTimes {
+  double forward, inverse;
+};
+std::array<RelativeTimes, projections.size()> measure_times() {
+  constexpr std::size_t count = 4096;
+  std::vector<Vec3<double>> directions;
+  std::vector<Uv<double>> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = (static_cast<double>(i) + 0.5) / count;
+    const double v = std::fmod(static_cast<double>(i) * std::numbers::phi, 1.0);
+    places.push_back({u, v});
+    directions.push_back(unproject(Projection::cylinder, places.back()));
+  }
+  double kept = 0;  // so that the compiler cannot drop the work
+  std::vector<Work> works;
+  for (const ProjectionFacts& facts : projections) {
+    const Projection projection = facts.projection;
+    works.emplace_back([&, projection] {
+      for (const Vec3<double>& p : directions) kept += project(projection, p).v;
+    });
+    works.emplace_back([&, projection] {
+      for (const Uv<double>& uv : places) kept += unproject(projection, uv).y;
+    });
+  }
+  const std::vector<WorkTime> times = work_times(works, 30);
+  std::array<RelativeTimes, projections.size()> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = {times[2 * i].processor / times[0].processor,
+                 times[2 * i + 1].processor / times[1].processor};
+  }
+  volatile double sink = kept;
+  static_cast<void>(sink);
+  return result;
+}
+
 }  // namespace
 
 ClosedForms closed_forms(Projection projection) {
@@ -82,38 +119,6 @@ double seam_degrees(Projection projection) {
     for (int i = 0; i < steps; ++i) sum += arc(at(i), at(i + 1));
   }
   return sum / 2 * 180 / std::numbers::pi;
-}
-
-std::array<RelativeTimes, projections.size()> measure_times() {
-  constexpr std::size_t count = 4096;
-  std::vector<Vec3<double>> directions;
-  std::vector<Uv<double>> places;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double u = (static_cast<double>(i) + 0.5) / count;
-    const double v = std::fmod(static_cast<double>(i) * std::numbers::phi, 1.0);
-    places.push_back({u, v});
-    directions.push_back(unproject(Projection::cylinder, places.back()));
-  }
-  double kept = 0;  // so that the compiler cannot drop the work
-  std::vector<Work> works;
-  for (const ProjectionFacts& facts : projections) {
-    const Projection projection = facts.projection;
-    works.emplace_back([&, projection] {
-      for (const Vec3<double>& p : directions) kept += project(projection, p).v;
-    });
-    works.emplace_back([&, projection] {
-      for (const Uv<double>& uv : places) kept += unproject(projection, uv).y;
-    });
-  }
-  const std::vector<WorkTime> times = work_times(works, 30);
-  std::array<RelativeTimes, projections.size()> result{};
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = {times[2 * i].processor / times[0].processor,
-                 times[2 * i + 1].processor / times[1].processor};
-  }
-  volatile double sink = kept;
-  static_cast<void>(sink);
-  return result;
 }
 
 std::string table_of_figures() {

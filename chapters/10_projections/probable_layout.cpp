@@ -71,8 +71,12 @@ bool is_disk(const Image& image) {
   return true;
 }
 
-}  // namespace
-
+/// How well a picture goes on where a layout says that it does.
+struct SeamFigures {
+  double inside = 0;  ///< mean square difference of neighbors on one side of a seam
+  double across = 0;  ///< of neighbors across a seam
+  double spread = 0;  ///< of any two texels next to the seams
+};
 SeamFigures seam_figures(const Image& image, Projection projection) {
   const int width = image.width;
   const int height = image.height;
@@ -110,6 +114,9 @@ SeamFigures seam_figures(const Image& image, Projection projection) {
   return figures;
 }
 
+/// How likely the picture is in this layout if its colors change equally fast everywhere on the
+/// sphere and in every direction: the mean logarithm of the likelihood over the texels. It decides
+/// between two layouts with the same seams, such as the cube and the equi-angular cube.
 double likelihood(const Image& image, Projection projection) {
   const int width = image.width;
   const int height = image.height;
@@ -154,6 +161,8 @@ double likelihood(const Image& image, Projection projection) {
   for (const double x : squares) sum -= 1.5 * std::log(1 + x / variance) / count;
   return sum;
 }
+
+}  // namespace
 
 std::optional<Projection> probable_layout(const Image& image) {
   for (const ProjectionFacts& facts : projections) {

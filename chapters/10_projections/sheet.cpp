@@ -52,9 +52,11 @@ bool in_small_circle(const Vec3<double>& n) {
 
 std::string bound_of(double value) { return std::isinf(value) ? "no bound" : shown(value, 4); }
 
-}  // namespace
-
-Image distortion_picture(Projection projection, int width, int height, bool plain) {
+/// How a layout distorts: small circles of the globe, equal there, over a color for the solid angle
+/// of the texels: blue where they are small, white for the mean, red where they are large.
+///
+/// @param plain  white everywhere
+Image distortion_picture(Projection projection, int width, int height, bool plain = false) {
   Image image(width, height, paper);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
@@ -78,6 +80,8 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
   }
   return image;
 }
+
+}  // namespace
 
 Image sheet_of_projections(const Session& session, const Image& picture, Projection from,
                            const DrawGlobe& draw_globe) {

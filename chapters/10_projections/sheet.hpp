@@ -9,13 +9,6 @@
 
 namespace texmap::chapter_10 {
 
-/// How a layout distorts: small circles of the globe, equal there, over a color for the solid angle
-/// of the texels: blue where they are small, white for the mean, red where they are large.
-///
-/// @param plain  white everywhere
-[[nodiscard]] Image distortion_picture(Projection projection, int width, int height,
-                                       bool plain = false);
-
 /// The stage from nearby in this size, its globe in this picture, which is equirectangular.
 using DrawGlobe = std::function<Image(const Image& picture, int width, int height)>;
 

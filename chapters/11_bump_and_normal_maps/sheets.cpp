@@ -15,6 +15,7 @@
 #include "scene/sphere.hpp"
 #include "studs.hpp"
 #include "texture/bump.hpp"
+#include "texture/conventions.hpp"
 #include "texture/mapped.hpp"
 
 namespace texmap::chapter_11 {
@@ -98,17 +99,9 @@ struct BrickHeight {
   }
 };
 
-/// The exercise's coordinates as a mapping, in the stable form.
-struct DailyMapping {
-  template <class Real>
-  [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
-    const Uv<Real> uv = uv_rtiow(Vec3<Real>{p.x, p.y, -p.z});  // the exercise's u runs westward
-    return {uv.u, Real(1) - uv.v};
-  }
-};
-
 Vec3d meant_normal(const Vec3d& normal) {
-  const Bumps<Mapped<DailyMapping, BrickHeight>> bricks{.height = {}, .relief = 0.04};
+  const Bumps<Mapped<ConventionMapping, BrickHeight>> bricks{.height = {{Convention::daily}, {}},
+                                                             .relief = 0.04};
   return bricks(Hit<double>{normal, normal, normal, normal}, 1.0);
 }
 

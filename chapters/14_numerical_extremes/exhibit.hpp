@@ -1,5 +1,6 @@
-// An exhibit of any type: its name, and how the sheet and the program draw it.
+// An exhibit of any type: its name, and how the program draws it, alone and on the sheet.
 #pragma once
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -7,8 +8,14 @@
 #include "engine/render/settings.hpp"
 #include "math/color.hpp"
 #include "number/kinds/judge.hpp"
+#include "scene/camera.hpp"
 #include "texture/image.hpp"
 #include "texture/uv.hpp"
+
+namespace texmap {
+class CommandLine;
+class Session;
+}  // namespace texmap
 
 namespace texmap::chapter_14 {
 
@@ -32,6 +39,13 @@ struct SurfacePoint {
   bool hit = false;
   bool mapped = false;   ///< true if `uv` means anything
   Real round = Real(1);  ///< length of the circle at this v over the equator's: weighs errors of u
+};
+
+/// What every exhibit's scene begins with.
+struct Placed {
+  const char* name;
+  const char* caption;
+  Camera camera;
 };
 
 /// One picture of an exhibit, and what each of its pixels sees.
@@ -68,5 +82,44 @@ struct Exhibit {
 /// @param earth   on the globes
 /// @param labels  on the needle
 [[nodiscard]] std::vector<Exhibit> all_exhibits(const Image& earth, const Image& labels);
+
+/// The options that choose one exhibit and how it is drawn; the sheet shows all of them.
+struct ExhibitOptions {
+  std::string name;  ///< empty: the sheet
+  Formulas formulas = Formulas::robust;
+  NumberKind number = NumberKind::double_;
+  int samples = 1;
+
+  void declare(CommandLine& line);
+  /// Hands number, samples and size on to the session.
+  /// Errors: UsageError for options that mean nothing on the sheet.
+  void apply_to(Session& session) const;
+};
+
+/// How far one picture is from the reference.
+struct Mistakes {
+  int wrong = 0;            ///< pixels of another color, by more than one level of 255
+  int missed = 0;           ///< pixels where only one of the two sees a surface
+  Judge texels = Judge(0);  ///< the largest distance between the places on a texture of 8192 x 4096
+};
+
+/// The sheet and its figures.
+struct Sheet {
+  Image picture;
+  std::string table;
+  std::vector<std::array<Mistakes, reference>> mistakes;  ///< of each exhibit, in their order
+};
+
+/// Draws every exhibit in all variants, on a sheet as large as the session's picture.
+[[nodiscard]] Sheet draw_sheet(const std::vector<Exhibit>& exhibits, Session& session);
+
+/// The picture of the exhibit of that name.
+/// Errors: UsageError that lists all names if there is none.
+[[nodiscard]] Image draw_exhibit(const std::vector<Exhibit>& exhibits, const std::string& name,
+                                 Formulas formulas, Session& session);
+
+/// Draws and saves what the user asked for: one exhibit, or the sheet with its table.
+void show_exhibits(const std::vector<Exhibit>& exhibits, const ExhibitOptions& options,
+                   Session& session);
 
 }  // namespace texmap::chapter_14

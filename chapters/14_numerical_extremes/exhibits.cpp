@@ -3,7 +3,6 @@
 #include "exhibits.hpp"
 
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "engine/render/draw.hpp"
@@ -27,16 +26,6 @@ void draw_row(Panel& panel, const Scene& scene, Formulas formulas, int row) {
   }
 }
 
-template <class Scene>
-void draw_row(Panel& panel, const Scene& scene, Variant variant, int row) {
-  if (variant == reference) return draw_row<Judge>(panel, scene, Formulas::robust, row);
-  const bool published = variant == published_float || variant == published_double;
-  const Formulas formulas = published ? Formulas::published : Formulas::robust;
-  if (variant == published_float || variant == robust_float)
-    return draw_row<float>(panel, scene, formulas, row);
-  draw_row<double>(panel, scene, formulas, row);
-}
-
 /// A scene with one of its formulas, as a lesson that a picture is drawn of.
 template <class Scene>
 struct SceneWith {
@@ -52,23 +41,23 @@ struct SceneWith {
 template <class Scene>
 Exhibit exhibit_of(const Scene& moved) {
   const auto scene = std::make_shared<const Scene>(moved);
-  return {
-      scene->name, scene->caption,
-      [scene](Panel& panel, Variant variant, int row) { draw_row(panel, *scene, variant, row); },
-      [scene](Formulas formulas, NumberKind number, int width, int height,
-              const RenderSettings& settings) {
-        return draw_single(SceneWith<Scene>{*scene, formulas},
-                           view_of(scene->camera, width, height), number, settings);
-      }};
+  return {scene->name, scene->caption,
+          [scene](Panel& panel, Variant variant, int row) {
+            const bool published = variant == published_float || variant == published_double;
+            const Formulas formulas = published ? Formulas::published : Formulas::robust;
+            if (variant == reference) return draw_row<Judge>(panel, *scene, formulas, row);
+            if (variant == published_float || variant == robust_float)
+              return draw_row<float>(panel, *scene, formulas, row);
+            draw_row<double>(panel, *scene, formulas, row);
+          },
+          [scene](Formulas formulas, NumberKind number, int width, int height,
+                  const RenderSettings& settings) {
+            return draw_single(SceneWith<Scene>{*scene, formulas},
+                               view_of(scene->camera, width, height), number, settings);
+          }};
 }
 
 }  // namespace
-
-Camera towards_origin(Point eye, double radius) {
-  return {.eye = eye,
-          .target = {},
-          .fov_y_degrees = 360 / std::numbers::pi * std::atan(radius / length(eye))};
-}
 
 std::vector<Exhibit> all_exhibits(const Image& earth, const Image& labels) {
   return std::apply([](const auto&... scene) { return std::vector<Exhibit>{exhibit_of(scene)...}; },

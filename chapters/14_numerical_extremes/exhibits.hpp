@@ -1,6 +1,7 @@
 // The exhibits' scenes, at the limits of a number: with the published formulas and the course's.
 #pragma once
 #include <array>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -21,7 +22,11 @@
 namespace texmap::chapter_14 {
 
 /// A camera at `eye` that sees a circle of this radius around the world's origin.
-[[nodiscard]] Camera towards_origin(Point eye, double radius);
+[[nodiscard]] inline Camera towards_origin(Point eye, double radius) {
+  return {.eye = eye,
+          .target = {},
+          .fov_y_degrees = 360 / std::numbers::pi * std::atan(radius / length(eye))};
+}
 
 /// A texture of sectors along u and rings along v, for looking at less than a texel.
 struct Graticule {
@@ -36,46 +41,34 @@ struct Graticule {
   }
 };
 
-/// What a ray sees of a globe without light: the texture alone.
-template <class Real, class Texture>
-[[nodiscard]] SurfacePoint<Real> point_of_globe(const Sphere<>& globe, const Texture& texture,
-                                                const Ray<Real>& ray, Formulas formulas) {
-  const Sphere<> sphere{globe.center, globe.radius,
-                        formulas == Formulas::published ? SphereForm::plain : SphereForm::hybrid};
-  const Real distance = distance_to(sphere, ray);
-  if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
-  const Hit<Real> hit = hit_at(sphere, ray, distance);
-  const Uv<Real> uv = formulas == Formulas::published ? published::uv_next_week_v4(hit.normal)
-                                                      : uv_rtiow(hit.normal);
-  const bool on_texture = uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1);
-  const Real round = sqrt(square(hit.normal.x) + square(hit.normal.z));
-  return {on_texture ? texture(uv) : number_cast<Real>(no_texel), uv, true, on_texture, round};
-}
-
-/// A globe seen from outside.
+/// A globe without light: its texture alone.
 template <class Texture>
-struct Globe {
-  const char* name;
-  const char* caption;
-  Camera camera;
+struct Globe : Placed {
   Sphere<> sphere;
   Texture texture;
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
-    return point_of_globe(sphere, texture, ray, formulas);
+    const bool as_published = formulas == Formulas::published;
+    const Sphere<> globe{sphere.center, sphere.radius,
+                         as_published ? SphereForm::plain : SphereForm::hybrid};
+    const Real distance = distance_to(globe, ray);
+    if (!(distance < infinity<Real>())) return {number_cast<Real>(background)};
+    const Hit<Real> hit = hit_at(globe, ray, distance);
+    const Uv<Real> uv =
+        as_published ? published::uv_next_week_v4(hit.normal) : uv_rtiow(hit.normal);
+    const bool on_texture = uv.u >= Real(0) && uv.u < Real(1) && uv.v >= Real(0) && uv.v <= Real(1);
+    const Real round = sqrt(square(hit.normal.x) + square(hit.normal.z));
+    return {on_texture ? texture(uv) : number_cast<Real>(no_texel), uv, true, on_texture, round};
   }
 };
 
 /// The stage with its plain spheres, in some unit and on some ground. The source documents start a
 /// shadow ray at the computed hit and ignore hits nearer than 0.001; the course starts it off the
 /// surface by a bound on the rounding errors.
-struct Shadows {
-  const char* name;
-  const char* caption;
-  double unit = 1;  ///< all lengths are multiplied by it
-  double ground_radius = 1000;
-  Camera camera{.eye = {0, 2 * unit, 8 * unit}, .target = {0, 0, 0}};
+struct Shadows : Placed {
+  double unit;  ///< all lengths are multiplied by it
+  double ground_radius;
   PointLight light{.position = {5 * unit, 5 * unit, 5 * unit}};
   std::vector<Painted<Solid>> objects = {
       {{{0, 0, 0}, unit}, {{0.9, 0.9, 0.9}}},
@@ -121,12 +114,9 @@ struct Shadows {
 };
 
 /// A picture on a triangle 10,000 times as high as wide, drawn as if it were as wide as high.
-struct Needle {
-  const char* name = "needle";
-  const char* caption = "a needle 10,000 times higher than wide";
-  Camera camera = towards_origin({0, 0, 1}, 0.55);
-  double half_width = 0.00005;
+struct Needle : Placed {
   ImageTexture texture;
+  double half_width = 0.00005;
 
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
@@ -148,12 +138,7 @@ struct Needle {
 
 /// A floor of cubes, ten million cells from the world's origin. The robust form counts cells from a
 /// nearby corner, an even number of cells away, where digits for parts of a cell remain.
-struct FarFloor {
-  const char* name = "far-floor";
-  const char* caption = "a checkerboard 1e7 cells away";
-  Camera camera{.eye = {10000000.25, 2, 10000003.25},
-                .target = {10000000.25, 0, 9999996.25},
-                .fov_y_degrees = 50};
+struct FarFloor : Placed {
   SolidCheckerboard board{.even = {0.95, 0.95, 0.9}, .odd = {0.2, 0.25, 0.3}, .cell = 1};
 
   template <class Real>
@@ -175,10 +160,7 @@ struct FarFloor {
 };
 
 /// A globe after a million turns of 0.1 degrees: the angles summed, or multiplied and reduced.
-struct ManyTurns {
-  const char* name = "turns";
-  const char* caption = "after 1e6 turns of 0.1 degrees";
-  Camera camera = towards_origin({0, 1, 3}, 1.15);
+struct ManyTurns : Placed {
   ImageTexture texture;
 
   /// The angle added up step by step, as an animation does it.
@@ -209,10 +191,7 @@ struct ManyTurns {
 };
 
 /// The lecture's globe with an odd exponent: the highlight has the wrong sign. Even ones hide it.
-struct OddExponent {
-  const char* name = "highlight";
-  const char* caption = "a highlight with exponent 101";
-  Camera camera{.eye = {0, 0, 4}, .target = {0, 0, 0}, .fov_y_degrees = 36};
+struct OddExponent : Placed {
   PhongMaterial material{.lambertian = {}, .specular = 1, .shininess = 101};
 
   template <class Real>
@@ -232,41 +211,61 @@ struct OddExponent {
 /// All exhibits, in the order of the sheet.
 [[nodiscard]] inline auto exhibit_scenes(const Image& earth, const Image& labels) {
   const Sphere<> globe{{0, 0, 0}, 1};
-  const auto earth_globe = [&](const char* name, const char* caption, const Camera& camera,
-                               const Sphere<>& sphere) {
-    return Globe<ImageTexture>{name, caption, camera, sphere, {earth}};
-  };
+  const ImageTexture texture{earth};
   const auto from = [&](const char* name, const char* caption, double radii) {
-    return earth_globe(name, caption, towards_origin({0, 0, radii}, 1.15), globe);
+    return Globe<ImageTexture>{
+        {name, caption, towards_origin({0, 0, radii}, 1.15)}, globe, texture};
+  };
+  const auto shadows = [&](const char* name, const char* caption, double unit,
+                           double ground_radius) {
+    const Camera camera{.eye = {0, 2 * unit, 8 * unit}, .target = {0, 0, 0}};
+    return Shadows{{name, caption, camera}, unit, ground_radius};
   };
   return std::tuple{
       from("from-10", "a globe from 10 radii", 10),
       from("from-1e3", "a globe from 1,000 radii", 1e3),
       from("from-1e5", "a globe from 100,000 radii", 1e5),
       from("from-1e7", "a globe from 10,000,000 radii", 1e7),
-      Globe<Graticule>{"pole", "the pole, rings of 1/4 texel", above_the_pole, globe, {}},
-      Globe<Graticule>{"seam",
-                       "the seam, 1e-7 wide",
-                       towards_origin({-3, 0, 0}, 3e-7),
+      Globe<Graticule>{{"pole", "the pole, rings of 1/4 texel", above_the_pole}, globe, {}},
+      Globe<Graticule>{{"seam", "the seam, 1e-7 wide", towards_origin({-3, 0, 0}, 3e-7)},
                        globe,
                        {.sectors = 2, .rings = 1}},
-      earth_globe("far-home", "a globe at 100,000 radii from 0",
-                  {.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26},
-                  {{100000, 0, 0}, 1}),
-      earth_globe("units", "a globe of radius 1e-25", towards_origin({0, 0, 1e-24}, 1.15e-25),
-                  {{0, 0, 0}, 1e-25}),
-      Shadows{"acne", "shadows, ground of radius 100,000", 1, 1e5},
-      Shadows{"small", "shadows, the stage 1e-4 as large", 1e-4},
-      Needle{.texture = {labels}},
-      FarFloor{},
-      ManyTurns{.texture = {earth}},
-      OddExponent{},
-      Cracks{.camera = towards_origin({0.3, 0.2, 2.7}, 0.8)},
-      MapMiddle{},
-      SeamFootprint(earth),
-      MirrorWrap{},
-      OneRow{},
-      NoNumber{},
+      Globe<ImageTexture>{{"far-home",
+                           "a globe at 100,000 radii from 0",
+                           {.eye = {100000, 0, 5}, .target = {100000, 0, 0}, .fov_y_degrees = 26}},
+                          {{100000, 0, 0}, 1},
+                          texture},
+      Globe<ImageTexture>{
+          {"units", "a globe of radius 1e-25", towards_origin({0, 0, 1e-24}, 1.15e-25)},
+          {{0, 0, 0}, 1e-25},
+          texture},
+      shadows("acne", "shadows, ground of radius 100,000", 1, 1e5),
+      shadows("small", "shadows, the stage 1e-4 as large", 1e-4, 1000),
+      Needle{{"needle", "a needle 10,000 times higher than wide", towards_origin({0, 0, 1}, 0.55)},
+             {labels}},
+      FarFloor{{"far-floor",
+                "a checkerboard 1e7 cells away",
+                {.eye = {10000000.25, 2, 10000003.25},
+                 .target = {10000000.25, 0, 9999996.25},
+                 .fov_y_degrees = 50}}},
+      ManyTurns{{"turns", "after 1e6 turns of 0.1 degrees", towards_origin({0, 1, 3}, 1.15)},
+                texture},
+      OddExponent{{"highlight",
+                   "a highlight with exponent 101",
+                   {.eye = {0, 0, 4}, .target = {0, 0, 0}, .fov_y_degrees = 36}}},
+      Cracks{{"cracks", "rays at the edges of triangles", towards_origin({0.3, 0.2, 2.7}, 0.8)}},
+      MapMiddle{{"map-middle", "the pole of an equal-area map", above_the_pole}},
+      SeamFootprint{{"footprint",
+                     "a filtered globe, at its seam",
+                     {.eye = {-3, 0.8, 0.4}, .target = {0, 0, 0}, .fov_y_degrees = 44}},
+                    {.pyramid = pyramid_of(light_of(earth, TexelLight::encoded)),
+                     .filter = Filter::trilinear,
+                     .wrap = Wrap::spherical}},
+      MirrorWrap{{"mirror", "8 texels, mirrored at 0", straight_on}},
+      OneRow{{"one-row",
+              "a texture of 64 x 1 texels",
+              {.eye = {0, 1, 0}, .target = {0, 0.6, -1}, .fov_y_degrees = 50}}},
+      NoNumber{{"no-number", "squares with NaN and infinity in (u, v)", straight_on}},
   };
 }
 

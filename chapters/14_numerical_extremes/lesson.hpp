@@ -4,7 +4,7 @@
 
 #include "engine/app/lesson.hpp"
 #include "engine/app/texture_file.hpp"
-#include "sheet.hpp"
+#include "exhibit.hpp"
 
 namespace texmap::chapter_14 {
 

@@ -1,6 +1,4 @@
 // The sheet of all exhibits, its table, and the options of one exhibit alone.
-#include "sheet.hpp"
-
 #include <algorithm>
 
 #include "engine/app/command_line.hpp"
@@ -9,6 +7,7 @@
 #include "engine/picture/sheet.hpp"
 #include "engine/render/threads.hpp"
 #include "engine/system/system.hpp"
+#include "exhibit.hpp"
 
 namespace texmap::chapter_14 {
 namespace {
@@ -44,26 +43,18 @@ Mistakes mistakes_of(const Panel& panel, const Panel& truth) {
   return mistakes;
 }
 
-/// Two exhibits in a row, four pictures each, between lines of text.
-struct SheetLayout {
-  int scale, line, gap, panel_width, panel_height;
-
-  SheetLayout(int width, int height, int exhibits)
-      : scale(std::max(1, width / 1640)),
-        line(11 * scale),
-        gap(std::max(1, width / 200)),
-        panel_width(std::max(1, width / 8 - gap)),
-        panel_height(std::max(1, height / ((exhibits + 1) / 2) - 3 * line - gap)) {}
-};
-
 using Panels = std::vector<Panel>;  // one for each Variant
 
-/// Draws an exhibit's caption and pictures on the sheet, and adds its rows to the table.
-void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
-                  const SheetLayout& layout) {
+constexpr int line_height = 11;  // of text at scale 1
+
+/// Draws an exhibit's caption and pictures on the sheet, and adds its rows to the table. There are
+/// two exhibits in a row, four pictures each, between lines of text.
+void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels, int scale, int gap) {
   const int index = static_cast<int>(sheet.mistakes.size());
   sheet.mistakes.emplace_back();
-  const int top = layout.gap / 2 + index / 2 * (layout.panel_height + 3 * layout.line + layout.gap);
+  const Image& panel = panels[reference].image;
+  const int line = line_height * scale;
+  const int top = gap / 2 + index / 2 * (panel.height + 3 * line + gap);
   const auto& points = panels[reference].points;
   const bool has_texture =
       std::any_of(points.begin(), points.end(), [](const auto& point) { return point.mapped; });
@@ -81,8 +72,8 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels,
                         first_of_line ? " " : "\n");
 
     const int place = index % 2 * 4 + static_cast<int>(variant);
-    const int left = layout.gap / 2 + place * (layout.panel_width + layout.gap);
-    SheetColumn column{sheet.picture, left, top, layout.scale, layout.line};
+    const int left = gap / 2 + place * (panel.width + gap);
+    SheetColumn column{sheet.picture, left, top, scale, line};
     column.ink = {70, 70, 70};
     column.write(variant == 0 ? exhibit.caption : "", {0, 0, 0});
     column.lay(panels[variant].image);
@@ -133,13 +124,13 @@ Sheet draw_sheet(const std::vector<Exhibit>& exhibits, Session& session) {
   const int count = static_cast<int>(exhibits.size());
   const int width = session.settings.width;
   const int height = session.settings.height;
-  const SheetLayout layout(width, height, count);
-  std::vector<Panels> panels(exhibits.size(),
-                             Panels(variants, Panel(layout.panel_width, layout.panel_height)));
+  const int scale = std::max(1, width / 1640), gap = std::max(1, width / 200);
+  const int columns = std::max(1, width / 8 - gap);
+  const int rows = std::max(1, height / ((count + 1) / 2) - 3 * line_height * scale - gap);
+  std::vector<Panels> panels(exhibits.size(), Panels(variants, Panel(columns, rows)));
 
   Sheet sheet;
-  const int rows = layout.panel_height;
-  const double rays = 1.0 * count * int{variants} * layout.panel_width * rows;
+  const double rays = 1.0 * count * int{variants} * columns * rows;
   sheet.picture = session.timed(rays, [&](const RenderSettings& settings) {
     for_each_row(count * variants * rows, settings.threads, settings.progress, [&](int job) {
       const auto variant = static_cast<Variant>(job / rows % variants);
@@ -152,7 +143,7 @@ Sheet draw_sheet(const std::vector<Exhibit>& exhibits, Session& session) {
       "                         published formulas          the course's\n"
       "exhibit     number     wrong  missed  texels     wrong  missed  texels\n";
   for (std::size_t i = 0; i < exhibits.size(); ++i)
-    add_to_sheet(sheet, exhibits[i], panels[i], layout);
+    add_to_sheet(sheet, exhibits[i], panels[i], scale, gap);
   sheet.table += judge_line();
   return sheet;
 }

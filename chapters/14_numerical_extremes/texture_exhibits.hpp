@@ -6,7 +6,7 @@
 #include "published/equal_area.hpp"
 #include "published/mip_map.hpp"
 #include "published/triangle_hit.hpp"
-#include "published/wrap.hpp"
+#include "published/uv.hpp"
 #include "scene/camera.hpp"
 #include "scene/mesh.hpp"
 #include "scene/sphere.hpp"
@@ -23,10 +23,7 @@ inline constexpr Camera above_the_pole{
 inline constexpr Camera straight_on{.eye = {0, 0, 1}, .target = {0, 0, 0}, .fov_y_degrees = 75};
 
 /// A turned board of triangles. Rays that pass an edge within a pixel are aimed at the edge.
-struct Cracks {
-  const char* name = "cracks";
-  const char* caption = "rays at the edges of triangles";
-  Camera camera;
+struct Cracks : Placed {
   Rgb crack{1, 0, 1};
   Mesh mesh = board();
 
@@ -35,18 +32,15 @@ struct Cracks {
 
   [[nodiscard]] static Mesh board() {
     Mesh mesh;
-    for (int j = 0; j <= cells; ++j) {
-      for (int i = 0; i <= cells; ++i) {
-        const double x = 2.0 * i / cells - 1, y = 2.0 * j / cells - 1;
+    for (int cell = 0; cell < cells * cells; ++cell) {
+      const int a = 4 * cell;
+      for (int corner = 0; corner < 4; ++corner) {
+        const double x = 2.0 * (cell % cells + corner % 2) / cells - 1;
+        const double y = 2.0 * (cell / cells + corner / 2) / cells - 1;
         mesh.points.push_back({x * cosine - y * sine, x * sine + y * cosine, 0});
       }
-    }
-    for (int j = 0; j < cells; ++j) {
-      for (int i = 0; i < cells; ++i) {
-        const int a = j * (cells + 1) + i, b = a + 1, c = a + cells + 1;
-        mesh.triangles.push_back({a, b, c + 1});
-        mesh.triangles.push_back({a, c + 1, c});
-      }
+      mesh.triangles.push_back({a, a + 1, a + 3});
+      mesh.triangles.push_back({a, a + 3, a + 2});
     }
     return mesh;
   }
@@ -91,10 +85,7 @@ struct Cracks {
 };
 
 /// The middle of the equal-area octahedral map, its pole, with rings of half a texel of 4096.
-struct MapMiddle {
-  const char* name = "map-middle";
-  const char* caption = "the pole of an equal-area map";
-  Camera camera = above_the_pole;
+struct MapMiddle : Placed {
   Sphere<> sphere{.center = {}, .radius = 1, .form = SphereForm::hybrid};
 
   template <class Real>
@@ -132,17 +123,9 @@ struct PixelSteps {
 
 /// A globe around its seam, filtered. The published footprint is the difference of (u, v) between
 /// neighboring pixels; at the seam that is the whole texture.
-struct SeamFootprint {
-  const char* name = "footprint";
-  const char* caption = "a filtered globe, at its seam";
-  Camera camera{.eye = {-3, 0.8, 0.4}, .target = {0, 0, 0}, .fov_y_degrees = 44};
-  Sphere<> sphere{.center = {}, .radius = 1};
+struct SeamFootprint : Placed {
   FilteredTexture texture;
-
-  explicit SeamFootprint(const Image& picture)
-      : texture{.pyramid = pyramid_of(light_of(picture, TexelLight::encoded)),
-                .filter = Filter::trilinear,
-                .wrap = Wrap::spherical} {}
+  Sphere<> sphere{.center = {}, .radius = 1};
 
   /// (u, v) where a ray meets the globe.
   template <class Real>
@@ -179,17 +162,14 @@ inline constexpr std::array<Rgb, 8> eight_texels{{{0.9, 0.2, 0.2},
                                                   {0.9, 0.9, 0.9}}};
 
 /// A texture of 8 texels that goes on as its mirror image, from u = -1 to 1.
-struct MirrorWrap {
-  const char* name = "mirror";
-  const char* caption = "8 texels, mirrored at 0";
-  Camera camera = straight_on;
+struct MirrorWrap : Placed {
   template <class Real>
   [[nodiscard]] SurfacePoint<Real> operator()(const Ray<Real>& ray, Formulas formulas) const {
     const Real u = ray.direction.x / -ray.direction.z;
     const int n = static_cast<int>(eight_texels.size());
     const Real robust = mirrored(floor(u * Real(n)), Real(n));
-    const int texel =
-        formulas == Formulas::published ? published::article_texel(u, n) : static_cast<int>(robust);
+    const int texel = formulas == Formulas::published ? published::index_triangle(u, n)
+                                                      : static_cast<int>(robust);
     return {number_cast<Real>(eight_texels[static_cast<std::size_t>(texel)]), {}, true};
   }
 };
@@ -215,10 +195,7 @@ template <class Real>
 
 /// A floor of stripes: a picture one texel high. The published footprint is measured in (u, v),
 /// where one texel's height is as much as 64 texels' width.
-struct OneRow {
-  const char* name = "one-row";
-  const char* caption = "a texture of 64 x 1 texels";
-  Camera camera{.eye = {0, 1, 0}, .target = {0, 0.6, -1}, .fov_y_degrees = 50};
+struct OneRow : Placed {
   FilteredTexture texture{.pyramid = pyramid_of(colored_texels(64, 1)),
                           .filter = Filter::trilinear,
                           .wrap = Wrap::repeat,
@@ -237,10 +214,7 @@ struct OneRow {
 
 /// A picture in squares: in some u is NaN, in some v is infinite, in some a derivative is NaN. The
 /// course reads the picture's edge there, or its mean.
-struct NoNumber {
-  const char* name = "no-number";
-  const char* caption = "squares with NaN and infinity in (u, v)";
-  Camera camera = straight_on;
+struct NoNumber : Placed {
   FilteredTexture texture{.pyramid = pyramid_of(colored_texels(8, 4)),
                           .filter = Filter::trilinear,
                           .wrap = Wrap::clamp,

@@ -54,8 +54,8 @@ template <class Real>
   return j < n ? j : n - 1;
 }
 
-/// The triangle article's column or row: |(int)(u n)| mod n, so negative coordinates mirror.
-/// Domain: finite u with |u n| < 2^31.
+/// The triangle article's column or row: |(int)(u n)| mod n. It mirrors at 0, where rounding toward
+/// 0 makes a texel twice as wide, and repeats at 1. Domain: finite u with |u n| < 2^31.
 template <class Real>
 [[nodiscard]] int index_triangle(Real u, int n) {
   const int whole = static_cast<int>(u * Real(n)) % n;

@@ -274,7 +274,7 @@ const std::vector<Family> families = {
      arc_tangent,
      {'z', 'Z', "t = rnd(any);\nz rnd= t * t;\nZ = t * t;\n", "e rnd= t * q;\nE = t * Q;\n",
       "t in [0,1]", "|e - E|", ""},
-     sizes("3 0.28 4 0.34 5 0.39 6 0.41 7 0.44 8 0.51 9 0.51 10 0.56 12 0.66 15 0.75 18 0.88")},
+     sizes("3 0.28 4 0.34 5 0.39 6 0.41 7 0.44 8 0.51 9 0.51 12 0.66 15 0.75 18 0.88")},
     {"ArcCosine",
      "/// acos(y) / (pi sqrt(1 - y^2)) by powers of y, for y from 0 to 1. `worst` is in half "
      "turns\n/// of the angle.\n",

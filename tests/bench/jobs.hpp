@@ -79,9 +79,11 @@ struct UvFunction {
         const Uv<Real> uv = mapping(vector_in(in));
         return std::array{uv.u, uv.v};
       });
+      return true;
     };
-    if (degree >= 0) return with_uv_mapping(degree, map);
-    if constexpr (lanes<Real> == 1)
+    if (degree >= 0)
+      static_cast<void>(with_uv_mapping(degree, map));
+    else if constexpr (lanes<Real> == 1)
       map([](const Vec3<Real>& p) { return published::uv_next_week_v4(p); });
   }
 };

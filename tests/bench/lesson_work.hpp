@@ -43,7 +43,7 @@ class LessonWork : public Drawing {
     if constexpr (GathersLight<Lesson>) {
       const int samples = sampler_.samples();
       run_work({lesson_, objects_, view_, sampler_,
-                bounds_of_view(lesson_, objects_, view_, plan_.smoothing, samples), settings_},
+                bounds_of_view(lesson_, objects_, plan_.smoothing, samples), settings_},
                variant);
     } else {
       run_work({lesson_, view_, settings_}, variant);

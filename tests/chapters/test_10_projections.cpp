@@ -105,21 +105,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the mean over the sphere is the same through every map: areas sum to 4 pi") {
-  for (const ProjectionFacts& facts : projections) {
-    if (facts.projection == Projection::plane) continue;
-    CAPTURE(std::string(facts.word));
-    const auto mean = [&](const auto& value) {
-      return chapter_10::mean_by_texels(facts.projection, 400, value);
-    };
-    CHECK(mean([](const Vec3d&) { return 1.0; }) == doctest::Approx(1).epsilon(3e-5));
-    CHECK(std::abs(mean([](const Vec3d& n) { return n.x * n.y + n.z; })) < 3e-5);
-    CHECK(mean([](const Vec3d& n) { return n.y * n.y; }) == doctest::Approx(1 / 3.0).epsilon(1e-4));
-    CHECK(mean([](const Vec3d& n) { return std::pow(n.x, 4); }) ==
-          doctest::Approx(0.2).epsilon(1e-4));
-  }
-}
-
 TEST_CASE("the seams: half a circle, a circle, or eight edges of a cube") {
   const double edge = std::acos(1 / 3.0) * 180 / std::numbers::pi;
   const auto seams = [](Projection projection) { return chapter_10::seam_degrees(projection); };

@@ -94,14 +94,6 @@ template <class Off>
   return {.every_input = every, .how_many = "256 bytes"};
 }
 
-/// Two programs that do the same amount of work: the function's, and that of a well-known function.
-/// Each returns a number that depends on all of its work, so that no work can be left out.
-struct Cost {
-  std::string relative_to;
-  std::function<double()> work;
-  std::function<double()> reference;
-};
-
 /// Whether the bound must hold, or must break because it is another function's: a measurement that
 /// never breaks sees nothing.
 enum class Expect { within, beyond };
@@ -114,7 +106,6 @@ struct Claim {
   double bound = 0;
   std::string unit;  ///< of the bound: ulp, texel, or what is counted
   Measurement measurement;
-  Cost cost{};
   Expect expect = Expect::within;
   std::string certainty{};  ///< of a bound that other tests hold: its rung on the page's ladder
 };
@@ -154,15 +145,14 @@ struct Family {
 
   /// Adds a row: a claim about `function` in Real.
   template <class Real>
-  Claim& add(std::string function, std::string domain, const Bound& bound, Measurement measurement,
-             Cost cost = {}) {
+  Claim& add(std::string function, std::string domain, const Bound& bound,
+             Measurement measurement) {
     claims.push_back({.function = std::move(function),
                       .number = name_of<Real>(),
                       .domain = std::move(domain),
                       .bound = bound.most,
                       .unit = bound.unit,
-                      .measurement = std::move(measurement),
-                      .cost = std::move(cost)});
+                      .measurement = std::move(measurement)});
     return claims.back();
   }
   /// A row of a form that must break the bound.
@@ -204,26 +194,6 @@ void for_each_number(const Each& each) {
           claims_of_triangles(),  claims_of_rotation(),    claims_of_textures(),
           claims_of_shading(),    claims_of_derivatives(), claims_of_maps(),
           claims_of_arithmetic(), claims_of_kernels()};
-}
-
-/// A program that calls `function` with every one of the inputs.
-template <class Inputs, class Function>
-[[nodiscard]] std::function<double()> working_through(Inputs inputs, Function function) {
-  return [inputs, function] {
-    auto sum = function(inputs[0]);
-    for (const auto& input : inputs) sum = sum + function(input);
-    return static_cast<double>(lane(sum, 0));
-  };
-}
-
-/// Inputs for a cost: `draw(dice)` in each lane until there are 2048 numbers.
-template <class Real, class Draw>
-[[nodiscard]] auto inputs_of_cost(const Draw& draw) {
-  Dice dice(1);
-  std::vector<decltype(drawn_pack<Real>([&] { return draw(dice); }))> inputs;
-  for (std::size_t i = 0; i < 2048 / lanes<Real>; ++i)
-    inputs.push_back(drawn_pack<Real>([&] { return draw(dice); }));
-  return inputs;
 }
 
 }  // namespace texmap::extremes

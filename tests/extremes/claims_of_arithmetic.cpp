@@ -162,16 +162,6 @@ void add_vectors(Family& family) {
       [](auto& a, auto& b) { return precise_cross(a, b); }, coordinates_off);
 }
 
-/// Four numbers each, of size about 1, for the cost.
-template <class Real>
-auto fours() {
-  return inputs_of_cost<Real>([](Dice& dice) {
-    std::array<Scalar<Real>, 4> four;
-    for (auto& x : four) x = static_cast<Scalar<Real>>(dice.uniform(-1, 1));
-    return four;
-  });
-}
-
 }  // namespace
 
 Family claims_of_arithmetic() {
@@ -184,9 +174,7 @@ Family claims_of_arithmetic() {
                      {0, "not exact"}, count_inexact<Real>());
     family.add<Real>("difference_of_products",
                      "as two_product; products equal in all digits or in some", {2, "u"},
-                     worst_determinant<Real>(our_determinant),
-                     {"a b - c d, double", working_through(fours<Real>(), our_determinant),
-                      working_through(fours<double>(), plain_determinant)});
+                     worst_determinant<Real>(our_determinant));
     family.add<Real>("power_of_two_scale", "any normal number above 0",
                      {0, "no power of two, or size not in [1, 2)"}, count_wrong_scales<Real>());
     add_vectors<Real>(family);

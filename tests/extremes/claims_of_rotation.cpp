@@ -123,21 +123,6 @@ constexpr auto through_radians = []<class T>(T degrees) {
   return OnCircle<T>{std::cos(radians), std::sin(radians)};
 };
 
-template <class T>
-Cost cost_of_angle() {
-  const auto angles =
-      inputs_of_cost<T>([](Dice& dice) { return static_cast<T>(dice.uniform(-720, 720)); });
-  const auto sum_of = [](auto function) {
-    return [function](auto degrees) {
-      const auto angle = function(degrees);
-      return angle.sine + angle.cosine;
-    };
-  };
-  return {
-      "sin and cos of degrees pi / 180, double", working_through(angles, sum_of(ours)),
-      working_through(std::vector<double>(angles.begin(), angles.end()), sum_of(through_radians))};
-}
-
 }  // namespace
 
 Family claims_of_rotation() {
@@ -149,8 +134,7 @@ Family claims_of_rotation() {
                   std::string("any angle from the smallest number to ") +
                       by_number<T>("1e38", "1e300", "1e4800") +
                       " degrees; whole degrees; quarter turns and their neighbours",
-                  {3, "ulp"}, worst_angle<T>(ours, by_number<T>(127, 1000, 16000), ulps<T>),
-                  cost_of_angle<T>());
+                  {3, "ulp"}, worst_angle<T>(ours, by_number<T>(127, 1000, 16000), ulps<T>));
   });
   for_each_number([&]<class Real>() {
     family.add<Real>("RotationY, change of length", "unit vectors; angles as above, kept in double",

@@ -194,21 +194,6 @@ Measurement worst_sky() {
       });
 }
 
-template <class Real>
-Cost cost_of_highlight() {
-  const auto power = [](const Gloss<double>& gloss) {
-    const auto& [normal, to_light, to_eye] = gloss;
-    const Vec3<double> mirrored = normal * (2 * dot(normal, to_light)) - to_light;
-    return std::pow(max(dot(mirrored, to_eye), 0.0), 50.0);
-  };
-  const auto ours = [](const Gloss<Real>& gloss) {
-    return shone(HighlightFormula::phong, PhongMaterial{{}, 1, 50}, gloss);
-  };
-  return {"the power of the cosine, double",
-          working_through(inputs_of_cost<Real>(draw_gloss<Scalar<Real>>), ours),
-          working_through(inputs_of_cost<double>(draw_gloss<double>), power)};
-}
-
 }  // namespace
 
 Family claims_of_shading() {
@@ -219,7 +204,7 @@ Family claims_of_shading() {
   const Bound in_range{0, "outside [0, specular]"};
   for_each_number([&]<class Real>() {
     family.add<Real>("highlight", unit_vectors + "1 to 1e18", {12, "u sqrt(1 + shininess)"},
-                     worst_highlight<Real>(End::smooth), cost_of_highlight<Real>());
+                     worst_highlight<Real>(End::smooth));
     family.add<Real>("highlight, below 1", unit_vectors + "0.001 to 1, to a cosine of 0.1",
                      {24, "u sqrt(1 + shininess)"}, worst_highlight<Real>(End::steep));
     family.add<Real>("highlight, range", unit_vectors + "0 to 1e30", in_range,

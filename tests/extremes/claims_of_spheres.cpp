@@ -231,24 +231,6 @@ Measurement worst_root_ahead() {
       });
 }
 
-/// Casts rays of an ordinary picture: the cost of a form is that of such a ray and its hit.
-template <class Real>
-std::function<double()> casting(SphereForm form) {
-  const Shots shots{.nearest = 0.5L, .farthest = 1.0L, .around_surface = false};
-  const auto rays = inputs_of_cost<Real>([&](Dice& dice) {
-    return draw_shot<Scalar<Real>>(dice, shots, {1, {}, 0, 0}).ray;
-  });
-  return working_through(rays, [form](const Ray<Real>& ray) {
-    const Sphere<> sphere{{0, 0, 0}, 1, form};
-    const Hit<Real> hit = hit_at(sphere, ray, min(distance_to(sphere, ray), Real(10)));
-    return hit.normal.x + hit.outside.y + hit.point.z;
-  });
-}
-template <class Real>
-Cost cost_of(SphereForm form) {
-  return {"plain, double", casting<Real>(form), casting<double>(SphereForm::plain)};
-}
-
 /// Which spheres are met, and what the page calls them.
 struct Domain {
   long double farthest;  ///< power of ten of distance over radius
@@ -277,9 +259,9 @@ template <class Real>
 void add_hybrid(Family& family) {
   using T = Scalar<Real>;
   const auto add = [&](const std::string& what, const std::string& where, const Bound& bound,
-                       const Shots& shots, Off<T> off, Cost cost = {}) {
+                       const Shots& shots, Off<T> off) {
     family.add<Real>("hybrid, " + what, where, bound,
-                     worst_shot<Real>(SphereForm::hybrid, shots, off), std::move(cost));
+                     worst_shot<Real>(SphereForm::hybrid, shots, off));
   };
   const auto domain =
       by_number<Real>(Domain{7, "1e7", 100, 122, "1e-30 to 1e30 and 1e-37 to 1e37"},
@@ -288,8 +270,7 @@ void add_hybrid(Family& family) {
   const Bound texels{by_number<Real>(0.002, 4e-12, 2e-15), "texel"};
   const Shots shots = domain.shots();
   const std::string text = domain.text(", also within 1e-7 of the surface");
-  add("missed or met wrongly", text + off_grazing<T>(), {0, "rays"}, shots, wrong<T>,
-      cost_of<Real>(SphereForm::hybrid));
+  add("missed or met wrongly", text + off_grazing<T>(), {0, "rays"}, shots, wrong<T>);
   add("how nearly a misjudged ray grazes", text, {3, "u"}, shots, grazing_off<T, 0>);
   add("distance", text + compared, {16, "ulp"}, shots, distance_off<T>);
   add("normal", text + compared, texels, shots, normal_off<T, 0>);
@@ -310,12 +291,11 @@ void add_robust(Family& family) {
                                       Domain{7, "1e7", 220, 220, "1e-66 to 1e66"},
                                       Domain{7, "1e7", 980, 980, "1e-295 to 1e295"});
   const auto add = [&](const std::string& what, const std::string& where, const Bound& bound,
-                       Off<T> off, Cost cost = {}) {
+                       Off<T> off) {
     family.add<Real>("robust, " + what, domain.text() + where, bound,
-                     worst_shot<Real>(SphereForm::robust, domain.shots(), off), std::move(cost));
+                     worst_shot<Real>(SphereForm::robust, domain.shots(), off));
   };
-  add("how nearly a misjudged ray grazes", "", {3, "u distance / radius"}, grazing_off<T, 1>,
-      cost_of<Real>(SphereForm::robust));
+  add("how nearly a misjudged ray grazes", "", {3, "u distance / radius"}, grazing_off<T, 1>);
   add("distance", compared, {24, "ulp of distance or radius"}, distance_off_coarsely<T>);
   add("normal", compared, {by_number<Real>(2e-3, 4e-12, 2e-15), "texel distance / radius"},
       normal_off<T, 1>);
@@ -330,7 +310,7 @@ void add_plain(Family& family) {
                                    Domain{5, "1e5", 980, 980, "1e-295 to 1e295"});
   family.add<T>("plain, how nearly a misjudged ray grazes", domain.text(),
                 {4, "u (distance / radius)^2"},
-                worst_shot<T>(form, domain.shots(), grazing_off<T, 2>), cost_of<T>(form));
+                worst_shot<T>(form, domain.shots(), grazing_off<T, 2>));
   family.add<T>("plain, normal", domain.text() + compared,
                 {by_number<T>(2.5e-3, 5e-12, 2.5e-15), "texel (distance / radius)^2"},
                 worst_shot<T>(form, domain.shots(), normal_off<T, 2>));

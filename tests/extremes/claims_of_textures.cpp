@@ -103,15 +103,12 @@ Measurement count_wrong_squares() {
     see_lanes<Real>(
         worst,
         [&] {
-          return std::array{coordinate(), coordinate()};
+          return Uv<T>{coordinate(), coordinate()};
         },
-        [&](const std::array<Real, 2>& uv) {
-          return board(Uv<Real>{uv[0], uv[1]}).r;
-        },
-        [&](T light, const std::array<T, 2>& uv) {
+        [&](const Uv<Real>& uv) { return board(uv).r; },
+        [&](T light, const Uv<T>& uv) {
           const Digits50 rounding = squares * roundoff<T>();
-          return is_wrong_cell<2>(light == 1,
-                                  {uv[0] * Digits50(squares), uv[1] * Digits50(squares)},
+          return is_wrong_cell<2>(light == 1, {uv.u * Digits50(squares), uv.v * Digits50(squares)},
                                   {rounding, rounding});
         },
         [&] { return "of " + described(squares); });
@@ -170,17 +167,15 @@ Measurement count_wrong_bytes() {
     see_lanes<Real>(
         worst,
         [&] {
-          return std::array{coordinate(), coordinate()};
+          return Uv<T>{coordinate(), coordinate()};
         },
-        [&](const std::array<Real, 2>& uv) {
-          return texture(Uv<Real>{uv[0], uv[1]}).g;
-        },
-        [](T light, const std::array<T, 2>& uv) {
+        [&](const Uv<Real>& uv) { return texture(uv).g; },
+        [](T light, const Uv<T>& uv) {
           // Sixteenths are exact, so the texel is known without rounding.
           const auto cell = [](T x) {
             return !(x > 0) ? 0 : x >= 1 ? 15 : static_cast<int>(x * 16);
           };
-          return !(light == static_cast<T>((15 - cell(uv[1])) * 16 + cell(uv[0])) / 255);
+          return !(light == static_cast<T>((15 - cell(uv.v)) * 16 + cell(uv.u)) / 255);
         });
   });
 }
@@ -228,22 +223,6 @@ Measurement count_changed_bytes(Decode to_light) {
   });
 }
 
-template <class Real>
-Cost cost_of_index() {
-  const auto ours = [](const Real& u) { return test::texel_index(u, 8192); };
-  const auto plain = [](double u) { return floor(u * 8192); };
-  const auto coordinate = []<class T>(Dice& dice) { return static_cast<T>(dice.uniform(0, 1)); };
-  return {"floor(u n), double",
-          working_through(inputs_of_cost<Real>([&](Dice& dice) {
-                            return coordinate.template operator()<Scalar<Real>>(dice);
-                          }),
-                          ours),
-          working_through(inputs_of_cost<double>([&](Dice& dice) {
-                            return coordinate.template operator()<double>(dice);
-                          }),
-                          plain)};
-}
-
 }  // namespace
 
 Family claims_of_textures() {
@@ -256,7 +235,7 @@ Family claims_of_textures() {
   const Bound none{0, "wrong colors"};
   for_each_number([&]<class Real>() {
     family.add<Real>("texel_index, range", anything, whole,
-                     count_outside<Real>(TexelRounding::floor), cost_of_index<Real>());
+                     count_outside<Real>(TexelRounding::floor));
     family.add<Real>("texel_index, lecture, range", anything, whole,
                      count_outside<Real>(TexelRounding::lecture));
     family.add<Real>("texel_index, distance of u from its texel",

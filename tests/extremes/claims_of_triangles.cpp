@@ -188,17 +188,6 @@ constexpr auto heron = [](const Triangle& triangle, const auto& p) {
   return published::barycentric_heron(triangle, p);
 };
 
-/// A program that adds up the weights of directions.
-template <class Real, class Function>
-auto adding_up(Function function) {
-  const auto direction = [](Dice& dice) { return rounded<Scalar<Real>>(dice.direction()); };
-  return working_through(inputs_of_cost<Real>(direction), [function](const Vec3<Real>& p) {
-    const Triangle ordinary{{0, 0, 0}, {1, 0.25, 0}, {0.5, 1, 0.125}};
-    const Barycentric<Real> w = function(ordinary, p);
-    return w.a + w.b + w.c;
-  });
-}
-
 template <class Real>
 Thin thin_of() {
   return by_number<Real>(Thin{.aspect = 5, .scale = 60}, Thin{.aspect = 13, .scale = 900},
@@ -227,8 +216,7 @@ Family claims_of_triangles() {
   for_each_number([&]<class Real>() {
     const Thin thin = thin_of<Real>();
     family.add<Real>("barycentric", sized<Real>() + "; points inside", by_weight,
-                     worst_weights<Real>(ours, thin),
-                     {"Heron's formula, double", adding_up<Real>(ours), adding_up<double>(heron)});
+                     worst_weights<Real>(ours, thin));
     family.add<Real>("barycentric, outside", shapes<Real>() + "; points to 1e4 sides outside", far,
                      worst_weights<Real>(ours, {.aspect = thin.aspect, .farthest = 4}));
     family.add<Real>("barycentric, outside of the thinnest",

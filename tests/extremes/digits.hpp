@@ -80,16 +80,17 @@ template <class Real, class Get>
 [[nodiscard]] Real packed(const Get& get, const Scalar<Real>& /*one*/) {
   return from_lanes<Real>(get);
 }
-template <class Real, class Get>
-[[nodiscard]] Vec3<Real> packed(const Get& get, const Vec3<Scalar<Real>>& /*one*/) {
-  return {from_lanes<Real>([&](std::size_t i) { return get(i).x; }),
-          from_lanes<Real>([&](std::size_t i) { return get(i).y; }),
-          from_lanes<Real>([&](std::size_t i) { return get(i).z; })};
-}
-template <class Real, class Get>
-[[nodiscard]] Ray<Real> packed(const Get& get, const Ray<Scalar<Real>>& one) {
-  return {packed<Real>([&](std::size_t i) { return get(i).origin; }, one.origin),
-          packed<Real>([&](std::size_t i) { return get(i).direction; }, one.direction)};
+template <class Real, class Get, template <class> class Thing, class T>
+requires HasParts<Thing<T>>
+[[nodiscard]] Thing<Real> packed(const Get& get, const Thing<T>& one) {
+  const auto part = [&]<std::size_t k>() {
+    return packed<Real>([&](std::size_t i) { return std::get<k>(parts_of(get(i))); },
+                        std::get<k>(parts_of(one)));
+  };
+  return [&]<std::size_t... k>(std::index_sequence<k...>) {
+    return Thing<Real>{part.template operator()<k>()...};
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(parts_of(one))>>());
 }
 template <class Real, class Get, class One, std::size_t count>
 [[nodiscard]] auto packed(const Get& get, const std::array<One, count>& one) {
@@ -106,13 +107,6 @@ template <class Real, class Draw>
   for (auto& one : each) one = draw();
   return each;
 }
-/// The same as one thing of packs.
-template <class Real, class Draw>
-[[nodiscard]] auto drawn_pack(const Draw& draw) {
-  const auto each = drawn<Real>(draw);
-  return packed<Real>([&](std::size_t i) { return each[i]; }, each[0]);
-}
-
 /// With every digit; the numbers of a vector or a ray in braces.
 template <class Thing>
 [[nodiscard]] std::string described(const Thing& x) {

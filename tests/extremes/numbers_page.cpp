@@ -1,8 +1,9 @@
-// numbers_page: measures every claim, with many inputs, and its cost, and writes docs/numbers.md
-// and the whole report.
+// numbers_page: measures every claim, with many inputs, and writes the table of docs/numbers.md and
+// the whole report.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -12,14 +13,12 @@
 
 namespace {
 
-using texmap::extremes::Cells;
 using texmap::extremes::Claim;
 using texmap::extremes::Expect;
 
 constexpr int inputs = 20000;
 
-Cells measured(const Claim& claim) {
-  if (!claim.certainty.empty()) return {"", "", 0};
+double measured(const Claim& claim) {
   std::cerr << claim.function << ", " << claim.number << '\n';
   const texmap::extremes::Worst seen = searched(claim.measurement, inputs, 2);
   const double worst = seen.off;
@@ -27,25 +26,27 @@ Cells measured(const Claim& claim) {
     std::cerr << "warning: " << worst << " for a bound of " << claim.bound << ' ' << claim.unit
               << ", at " << seen.where << '\n';
   }
-  Cells cells{texmap::extremes::two_digits(worst), "", worst};
-  if (claim.cost.work) {
-    cells.cost = texmap::extremes::two_digits(texmap::extremes::cost_ratio(claim.cost, 200)) +
-                 " × " + claim.cost.relative_to;
-  }
-  return cells;
+  return worst;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::cerr
-        << "usage: numbers_page PAGE REPORT   measures every claim and writes both, as a rule "
-           "docs/numbers.md and out/numbers.md\n";
+    std::cerr << "usage: numbers_page PAGE REPORT   measures every claim, renews the table of PAGE "
+                 "(docs/numbers.md) and writes REPORT (out/numbers.md)\n";
     return 2;
   }
-  const auto [page, report] = texmap::extremes::pages_of(texmap::extremes::all_claims(), measured);
-  for (const auto& [name, text] : {std::pair(argv[1], page), std::pair(argv[2], report)}) {
+  using namespace texmap::extremes;
+  std::ifstream old(argv[1], std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(old), {}};
+  if (page.empty()) {
+    std::cerr << "error: cannot read " << argv[1] << '\n';
+    return 1;
+  }
+  const auto [in_short, report] = pages_of(all_claims(), measured);
+  for (const auto& [name, text] :
+       {std::pair(argv[1], with_in_short(page, in_short)), std::pair(argv[2], report)}) {
     std::error_code already_there;
     std::filesystem::create_directories(std::filesystem::path(name).parent_path(), already_there);
     std::ofstream file(name, std::ios::binary);

@@ -1,26 +1,14 @@
-// How docs/numbers.md and the whole report are laid out, and how costs are timed.
+// How the section of docs/numbers.md and the whole report are laid out.
 #include "page.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
 
 namespace texmap::extremes {
 namespace {
-
-constexpr const char* title =
-    "# Numbers\n"
-    "\n"
-    "What the functions of the course claim, and what was measured. This page is written by "
-    "`./course numbers`; a test holds its functions\n"
-    "and bounds against the claims in `tests/extremes`, and another measures each claim and fails "
-    "when a bound is exceeded. The same command\n"
-    "writes the whole report into `out/numbers.md`: a row for each claim and number, with its "
-    "domain, the worst that was found, and its cost.\n";
 
 constexpr const char* report_title =
     "# Numbers, the whole report\n"
@@ -41,33 +29,7 @@ constexpr const char* report_title =
     "| bound | the largest error that is allowed there; 0 means that no error is allowed |\n"
     "| certainty | how sure the bound is, from the ladder of docs/numbers.md |\n"
     "| measured | the worst that was found, against 50-digit arithmetic |\n"
-    "| cost | time for one number, as a multiple of what the cell names, timed alternately "
-    "in one run, the shortest of several; it depends on the machine, the rest hardly does |\n"
     "\n";
-
-constexpr const char* how_to_read =
-    "\n"
-    "## How to read it\n"
-    "\n"
-    "The ladder of certainty, from the least to the most that can be said of a bound:\n"
-    "\n"
-    "1. *sampled*: it held for inputs drawn at random. No bound of the course stays here: errors "
-    "peak in corners that few draws meet.\n"
-    "2. *searched*: it held for the worst that a search found. The search draws inputs, changes "
-    "the worst of them a little, keeps what is worse, and goes on\n"
-    "   (`tests/extremes/search.cpp`). Of the robust form it found a distance 19 ulp off where "
-    "20,000 draws had shown 6. It is no proof.\n"
-    "3. *exhaustive*: it held for every input there is; the cell says how many.\n"
-    "4. *proven*: it follows from the formula for all inputs of the domain, by a program that "
-    "checks proofs (Gappa) or on paper in [numerics.md](numerics.md).\n"
-    "5. *per picture*: interval arithmetic encloses the exact answer for each pixel of the picture "
-    "that is being drawn, whatever the formulas: `--number interval`\n"
-    "   shows where the texel is certain (chapters 01 to 06), and where it says so, no bound is "
-    "needed.\n"
-    "\n"
-    "Units: **ulp**, a unit in the last place of the exact result. **u**, the unit roundoff: "
-    "half the distance from 1 to the next number, 6e-8 in\n"
-    "float, 1.1e-16 in double. **texel**, one of 8192 by 4096 on the whole sphere.\n";
 
 std::string plain(double number) {
   std::ostringstream text;
@@ -127,7 +89,7 @@ std::string two_digits(double number) {
 }
 
 Pages pages_of(const std::vector<Family>& families,
-               const std::function<Cells(const Claim&)>& measured) {
+               const std::function<double(const Claim&)>& measured) {
   std::string rows;
   std::string report = report_title;
   long hold = 0;
@@ -136,39 +98,44 @@ Pages pages_of(const std::vector<Family>& families,
   for (const Family& family : families) {
     report += "\n## " + family.title + "\n\n" + family.introduction + "\n\n";
     report +=
-        "| function | number | domain | bound | certainty | measured | cost |\n"
-        "|---|---|---|---|---|---|---|\n";
+        "| function | number | domain | bound | certainty | measured |\n"
+        "|---|---|---|---|---|---|\n";
     std::vector<OfFunction> all;
     for (const Claim& claim : family.claims) {
-      const Cells cells = measured(claim);
+      const double worst = claim.certainty.empty() ? measured(claim) : 0;
+      const std::string cell = claim.certainty.empty() ? two_digits(worst) : "";
       const bool holds = claim.expect == Expect::within;
       const std::string star = holds ? "" : "*";
       report += "| " + star + claim.function + star + " | " + claim.number + " | " + claim.domain +
                 " | " + plain(claim.bound) + " " + claim.unit + " | " + certainty_of(claim) +
-                " | " + cells.worst + " | " + cells.cost + " |\n";
+                " | " + cell + " |\n";
       ++(holds ? hold : broken);
       if (!holds) continue;
       const std::string name = claim.function.substr(0, claim.function.find(','));
       auto at = std::ranges::find(all, name, &OfFunction::name);
       if (at == all.end()) at = all.insert(at, OfFunction{.name = name});
-      at->add(claim, cells.off);
+      at->add(claim, worst);
     }
     for (const OfFunction& one : all) {
       functions.insert(one.name);
       rows += one.row();
     }
   }
-  return {title +
-              ("\n## In short\n\n" + std::to_string(hold) + " bounds on " +
-               std::to_string(functions.size()) + " functions hold. " + std::to_string(broken) +
-               " forms from the source documents or from textbooks break such a bound,\nas they "
-               "should: they show that the measurement can see an error. For each function the "
-               "table names the bound that was nearest\nto being reached, and the inputs that it "
-               "holds for; a bound of 0 allows no error at all.\n\n"
-               "| function | bounds | how sure | nearest to its bound | for these inputs |\n"
-               "|---|---|---|---|---|\n") +
-              rows + how_to_read,
+  return {"## In short\n\n" + std::to_string(hold) + " bounds on " +
+              std::to_string(functions.size()) + " functions hold. " + std::to_string(broken) +
+              " forms from the source documents or from textbooks break such a bound,\nas they "
+              "should: they show that the measurement can see an error. For each function the "
+              "table names the bound that was nearest\nto being reached, and the inputs that it "
+              "holds for; a bound of 0 allows no error at all.\n\n"
+              "| function | bounds | how sure | nearest to its bound | for these inputs |\n"
+              "|---|---|---|---|---|\n" +
+              rows,
           report};
+}
+
+std::string with_in_short(const std::string& page, const std::string& in_short) {
+  const std::size_t begin = page.find("## In short\n");
+  return std::string(page).replace(begin, page.find("\n## ", begin) - begin, in_short);
 }
 
 std::string without_measured_cells(const std::string& page) {
@@ -183,22 +150,6 @@ std::string without_measured_cells(const std::string& page) {
     result += line + '\n';
   }
   return result;
-}
-
-double cost_ratio(const Cost& cost, int rounds) {
-  double ours = std::numeric_limits<double>::infinity();
-  double theirs = ours;
-  volatile double kept = 0;  // what is computed must be needed
-  const auto seconds = [&kept](const std::function<double()>& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    kept = kept + work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  for (int round = 0; round < rounds; ++round) {
-    ours = std::min(ours, seconds(cost.work));
-    theirs = std::min(theirs, seconds(cost.reference));
-  }
-  return ours / theirs;
 }
 
 }  // namespace texmap::extremes

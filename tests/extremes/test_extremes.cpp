@@ -77,20 +77,6 @@ TEST_CASE("the search finds what draws do not meet: a peak 1e-7 wide; the same o
   CHECK(searched(peak, 50, 1).off != searched(peak, 50, 3).off);
 }
 
-TEST_CASE("a tape's draws come again, and what is missing at its end is drawn and kept") {
-  Dice::Tape tape{5, 6};
-  Dice first(tape, 1);
-  CHECK(first.bits() == 5);
-  CHECK(first.bits() == 6);
-  const std::uint64_t drawn = first.bits();
-  CHECK(drawn == Dice(1).bits());
-  CHECK(tape == Dice::Tape{5, 6, drawn});
-  CHECK(first.taken() == 3);
-  Dice again(tape, 2);
-  CHECK(again.bits() == 5);
-  CHECK(again.taken() == 1);
-}
-
 TEST_CASE("a NaN is worse than any number, and the first input that fails is kept") {
   Worst worst;
   worst.see(1., [] { return "one"; });

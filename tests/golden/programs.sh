@@ -51,6 +51,10 @@ for picture in 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conven
   08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map 14_numerical_extremes; do
   [ "$mode-$picture" = near-12_environment_map ] || check "$picture" "$picture"
 done
+check 02_objects 02_checkerboard_uv --show object --width 160 --height 120
+check 05_close_up 05_y_rotation --zoom 3 --at 130,40 --width 200 --height 150
+check 08_triangles 08_triangle_uv --show object --width 160 --height 120
+check 09_uv 09_texture_filtering --show uv --filter nearest --width 160 --height 120
 check 04_uv_daily 04_uv_conventions --convention daily --show uv --width 200 --height 150
 for sheet in phong slides; do
   highlight=$sheet

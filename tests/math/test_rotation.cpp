@@ -14,19 +14,6 @@ bool equal(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-TEST_CASE_TEMPLATE("quarter turns are exact, forwards and backwards", Real, float, double,
-                   long double) {
-  const int sines[] = {0, 1, 0, -1};
-  const int cosines[] = {1, 0, -1, 0};
-  for (int quarter = -400; quarter <= 400; ++quarter) {
-    const std::size_t place = static_cast<std::size_t>(quarter + 400) % 4;
-    const OnCircle<Real> angle = on_circle_of_degrees(static_cast<Real>(90 * quarter));
-    CAPTURE(quarter);
-    CHECK(angle.sine == static_cast<Real>(sines[place]));
-    CHECK(angle.cosine == static_cast<Real>(cosines[place]));
-  }
-}
-
 TEST_CASE_TEMPLATE("an angle that is no number gives no number", Real, float, double, long double) {
   for (const Real degrees :
        {std::numeric_limits<Real>::quiet_NaN(), infinity<Real>(), -infinity<Real>()}) {

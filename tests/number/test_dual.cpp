@@ -91,19 +91,6 @@ TEST_CASE("at a pole and for zero, derivatives are zero, infinite or NaN, and va
   }
 }
 
-TEST_CASE_TEMPLATE("each lane of a pack of duals is the dual of that lane", T, float, double) {
-  using Many = Pack<T>;
-  Dice dice(9);
-  for (int i = 0; i < 200; ++i) {
-    const auto slopes = []<class Real>(const Vec3<Real>& p, const Vec3<Real>& step) {
-      const Dual<Real> x{p.x, step.x, step.y}, y{p.y, step.y, step.z}, z{p.z, step.z, step.x};
-      const Dual<Real> length_of = sqrt(x * x + y * y + z * z) / max(x, y);
-      return Vec3<Real>{length_of.value, length_of.dx, select(x < y, length_of, z).dy};
-    };
-    check_each_lane<Many>(slopes, any_vectors<Many>(dice, -2, 2), any_vectors<Many>(dice, -1, 1));
-  }
-}
-
 TEST_CASE("a texture's bytes are constants: they do not change from pixel to pixel") {
   const ImageTexture texture{Image(2, 2, {51, 102, 255})};
   const Color<Dual<double>> color = texture(Uv<Dual<double>>{{0.3, 1, 0}, {0.6, 0, 1}});

@@ -178,36 +178,17 @@ TEST_CASE("bounds reach one number beyond what the intervals' ends give, functio
   });
   for_each_function(
       [&](const std::string& name, const auto& function) { check(name, function, 4); });
+  for (const double exponent : {0.5, 1.0, 2.0, 2.5, 3.0, 50.0}) {
+    check(
+        "power", [exponent](auto a, auto) { return power(a, exponent); }, 4);
+  }
 }
 
-TEST_CASE("powers of numbers lie in the powers of intervals around them, and reach no farther") {
+TEST_CASE("powers of numbers lie in the powers of intervals around them") {
   for (const double exponent : {0.0, 1.0, 2.0, 3.0, 10.0, 51.0, 50.0, 0.5, 2.5, -1.0, -2.0, -0.5}) {
     CAPTURE(exponent);
     check_enclosure<double>(
         "power", [exponent](auto a, auto) { return power(a, exponent); }, trials);
-  }
-  struct Row {
-    Interval x;
-    double exponent, low, high;
-  };
-  for (const Row& row : {Row{{0.25, 4}, 0.5, 0.5, 2},
-                         {{0.25, 0.75}, 2, 0.0625, 0.5625},
-                         {{4, 9}, 1.5, 8, 27},
-                         {{-2, 3}, 3, -8, 27},
-                         {{-3, -2}, 3, -27, -8},
-                         {{-3, -2}, 2, 4, 9},
-                         {{2, 3}, 1, 2, 3},
-                         {{-1, 2}, 2, 0, 4},
-                         {{-1, 1}, 4, 0, 1},
-                         {{0, 1}, 0.5, 0, 1},
-                         {{0, 1}, 1, 0, 1},
-                         {{0, 1}, 2, 0, 1},
-                         {{0, 1}, 2.5, 0, 1},
-                         {{0, 1}, 50, 0, 1}}) {
-    const Interval got = power(row.x, row.exponent);
-    CAPTURE(row.low);
-    CHECK(beyond(got, row.low, row.high) <= 4);
-    CHECK((row.low != 0 || got.low() == 0));
   }
   CHECK(same(power(Interval(-1, 2), 0.5), anything));
   CHECK(same(power(Interval(-1, 2), -1), anything));
@@ -243,12 +224,13 @@ TEST_CASE("masks and what they choose: the certain side, or the hull of both") {
   CHECK(same(clamp(anything, Interval(0), Interval(1)), Interval(0, 1)));
 }
 
-TEST_CASE("a product, quotient or square does not lose its sign to the widening") {
+TEST_CASE("a product, quotient or power does not lose its sign to the widening") {
   Dice dice;
   long lost = 0;
   for (int i = 0; i < trials; ++i) {
     const Interval a = abs(draw_interval(dice, draw_finite));
     const Interval b = abs(draw_interval(dice, draw_finite));
+    lost += power(a, 2.5).low() >= 0 && power(-a, 2).low() >= 0 ? 0 : 1;
     lost += (a * b).low() >= 0 && (-a * b).high() <= 0 && (-a * -b).low() >= 0 ? 0 : 1;
     if (b.low() > 0)
       lost += (a / b).low() >= 0 && (-a / b).high() <= 0 && (a / -b).high() <= 0 ? 0 : 1;

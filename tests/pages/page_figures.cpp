@@ -145,7 +145,7 @@ void figures_of_samplers(Figures& figures) {
   const auto film = [&](SamplerKind kind, int samples, std::uint32_t seed = 0) {
     const View<> view = view_of(lesson.stage.camera, 64, 36);
     return gather<Pack<float>>(lesson, lesson.objects, view, {Sampler(kind, samples, seed)},
-                               bounds_of_view(lesson, lesson.objects, view, {}, samples), {});
+                               bounds_of_view(lesson, lesson.objects, {}, samples), {});
   };
   const Film truth = film(SamplerKind::sobol, 8192, 99);
   std::map<std::string, double> errors;

@@ -6,20 +6,10 @@
 #include "published/uv.hpp"
 #include "support/dice.hpp"
 #include "texture/bump.hpp"
+#include "texture/conventions.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
-
-namespace {
-
-/// The exercise's coordinates, computed with any number.
-template <class Real>
-Uv<Real> daily_uv(const Vec3<Real>& p) {
-  const Uv<Real> uv = uv_rtiow(Vec3<Real>{p.x, p.y, -p.z});
-  return {uv.u, Real(1) - uv.v};
-}
-
-}  // namespace
 
 TEST_CASE("19 % of the bricks' normals point into the globe") {
   // A grid of 1200 x 1200 holds each brick's 100 x 200 points; no point lies on an edge.
@@ -42,7 +32,7 @@ TEST_CASE("the bricks' tangents run along -dP/du and -dP/dv: a bump comes out as
     if (std::abs(normal.y) > 0.999) continue;
     const Frame<double> frame = frame_about(normal);
     const Hit<double> hit{normal, normal, normal, normal};
-    const Uv<Dual<double>> uv = daily_uv(with_steps(hit, frame, 1.0).normal);
+    const Uv<Dual<double>> uv = uv_of(Convention::daily, with_steps(hit, frame, 1.0).normal);
     const TangentFrame<double> by_uv =
         tangents(TangentRule::from_uv, normal, point_by_uv(frame, uv));
     const TangentFrame<double> published = published::brick_tangents(normal);

@@ -1,35 +1,14 @@
 // Tests of scene/edge_function.hpp: what a ray sees of corners and edges. That no ray slips between
 // triangles, scene/test_mesh.cpp tests, that a corner has all weight at its own place,
-// texture/test_mesh_mapping.cpp; that sides of edges are exact, tests/extremes searches.
+// texture/test_mesh_mapping.cpp; how exact places are, and that sides of edges are, tests/extremes
+// searches.
 #include <doctest.h>
 
 #include "number/dual.hpp"
 #include "scene/edge_function.hpp"
-#include "support/dice.hpp"
 
 namespace texmap::test {
 namespace {
-
-TEST_CASE("a place in the view is within 6 unit roundoffs of |direction| (|point| + |origin|)") {
-  Dice dice;
-  double worst = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const auto any = [&](int power) {
-      return scaled(dice.direction<float>(), dice.within(-power, power));
-    };
-    const Ray<float> ray{any(6), any(3)};
-    const Vec3<float> point = any(6);
-    const RaySpace<float> space(ray);
-    const Vec3d d = number_cast<double>(space.direction);
-    const Vec3d p = number_cast<double>(space.renamed(point)) -
-                    number_cast<double>(space.renamed(ray.origin));  // exact, or nearly
-    const double off = abs(p.x * d.z - p.z * d.x - static_cast<double>(seen_along(space, point).x));
-    const float size = largest(ray.direction) * (largest(point) + largest(ray.origin));
-    worst = std::max(worst, off / static_cast<double>(size * unit_roundoff<float>()));
-  }
-  CHECK(worst > 1);
-  CHECK(worst <= 6);
-}
 
 TEST_CASE("on an edge with depths 1 and 3, the middle of the screen is a quarter of the edge") {
   // The middle of the picture of the edge from (-1, 0, -1) to (3, 0, -3) is straight ahead.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "sampling/directions.hpp"
 #include "scene/paint.hpp"
 #include "support/dice.hpp"
 #include "support/two_facets.hpp"
@@ -15,25 +14,6 @@ using namespace texmap;
 using namespace texmap::test;
 
 namespace {
-
-/// The mean over a fine grid of directions above `normal`, weighted by `weight(direction)`, of
-/// equal solid angles; times 2 pi it is the integral.
-template <class Weight>
-double mean_above(const Vec3d& normal, const Weight& weight) {
-  constexpr int rings = 400, spokes = 400;
-  const Frame<double> frame = frame_about(normal);
-  double sum = 0;
-  for (int i = 0; i < rings; ++i) {
-    const double height = (i + 0.5) / rings;  // equal heights are equal areas of a sphere
-    const double radius = std::sqrt(1 - height * height);
-    for (int k = 0; k < spokes; ++k) {
-      const OnCircle<double> around = on_circle((k + 0.5) / spokes);
-      sum += weight(frame.right * (radius * around.cosine) + frame.up * (radius * around.sine) +
-                    normal * height);
-    }
-  }
-  return sum / (rings * spokes);
-}
 
 Vec3d leaning(const Vec3d& normal, double angle, Dice& dice) {
   const Vec3<long double> n{normal.x, normal.y, normal.z};
@@ -86,18 +66,6 @@ TEST_CASE("a bump that faces the lamp stays dark where the globe itself faces aw
   const double plain = lit.to_light.z, bumped = dot(lit.to_light, bent);
   CHECK(lit.cosine == bumped * terminator(plain, bumped, dot(bent, normal)));
   CHECK(lit.cosine > 0.2);
-}
-
-TEST_CASE("furnace: classic normal mapping returns (1 + cos t) / 2 of a white sky") {
-  Dice dice(3);
-  for (const double angle : {0.0, 0.3, 0.8, 1.2, 1.5}) {
-    const Vec3d normal = dice.direction<double>();
-    const Vec3d bent = leaning(normal, angle, dice);
-    // White paint returns light / pi times the cosine; 2 pi is the solid angle of the sky.
-    const double returned =
-        2 * mean_above(normal, [&](const Vec3d& l) { return max(dot(bent, l), 0.0); });
-    CHECK(returned == doctest::Approx(bent_furnace(std::cos(angle))).epsilon(2e-4));
-  }
 }
 
 TEST_CASE("two facets have the true normal as their mean, and are seen as the surface is") {

@@ -4,14 +4,6 @@
 
 namespace texmap {
 
-/// The share of light that a white Lambertian surface returns under a white sky, if its light is
-/// computed with a normal that leans by an angle and the light from below is left out:
-/// (1 + cos) / 2. A furnace should return 1.
-template <class Real>
-[[nodiscard]] Real bent_furnace(const Real& cosine_of_lean) {
-  return (Real(1) + cosine_of_lean) * Real(0.5);
-}
-
 /// A rough surface of two kinds of facets: one has the shading normal; the other stands upright on
 /// the surface and faces the other way, so that the mean of all facets is the true normal.
 /// Source: Schüssler, Heitz, Hanika, Dachsbacher, "Microfacet-Based Normal Mapping" (2017).

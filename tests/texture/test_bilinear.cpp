@@ -40,35 +40,6 @@ double apart(const Color<T>& a, const Rgb& b) {
   return std::max({off(a.r, b.r), off(a.g, b.g), off(a.b, b.b)});
 }
 
-TEST_CASE_TEMPLATE("exact points: halfway between texels is their mean, and u goes round", T, float,
-                   double, long double) {
-  Image image(2, 2);
-  image.at(0, 0) = {0, 0, 0};
-  image.at(1, 0) = {255, 0, 0};
-  image.at(0, 1) = {0, 255, 0};
-  image.at(1, 1) = {255, 255, 255};
-  const BilinearTexture texture{image, VAxis::down};
-  const auto is = [&](double u, double v, double r, double g, double b) {
-    const Color<T> color = texture(Uv<T>{static_cast<T>(u), static_cast<T>(v)});
-    CAPTURE(u);
-    CAPTURE(v);
-    CHECK(color.r == static_cast<T>(r));
-    CHECK(color.g == static_cast<T>(g));
-    CHECK(color.b == static_cast<T>(b));
-  };
-  is(0.5, 0.25, 0.5, 0, 0);
-  is(0.5, 0.5, 0.5, 0.5, 0.25);
-  is(0.25, 0.5, 0, 0.5, 0);
-  is(0.375, 0.25, 0.25, 0, 0);
-  is(0, 0.25, 0.5, 0, 0);  // between the last column and the first
-  is(1, 0.25, 0.5, 0, 0);
-  is(0.875, 0.25, 0.75, 0, 0);
-  is(0.125, 0.25, 0.25, 0, 0);
-  is(0.75, 0, 1, 0, 0);  // above the first centers the first row is alone
-  is(0.75, 0.2, 1, 0, 0);
-  is(0.75, 1, 1, 1, 1);
-}
-
 TEST_CASE_TEMPLATE(
     "the filter is the sum of all texels weighed by how near their centers are; u repeats, v ends",
     T, float, double) {

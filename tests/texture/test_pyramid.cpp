@@ -4,7 +4,6 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "support/made_light.hpp"
 
@@ -57,37 +56,6 @@ TEST_CASE(
   CHECK(halved(odd).at(0, 0).r == 1.0F);
   CHECK(halved(odd).at(1, 0).r == 1.0F);
   CHECK(pyramid_of(LightImage{}).last_level() == -1);
-}
-
-/// The amplitude of a cosine of `cycles` cycles over the image, in a level.
-double amplitude_in(const Pyramid& pyramid, int level, int cycles) {
-  const int width = pyramid.levels[static_cast<std::size_t>(level)].width;
-  double cosine = 0, sine = 0;
-  for (int column = 0; column < width; ++column) {
-    const auto texel =
-        texel_light<double>(pyramid, level_of(pyramid, static_cast<double>(level)), column, 0.0);
-    const double angle = 2 * std::numbers::pi * cycles * (column + 0.5) / width;
-    cosine += texel.r * std::cos(angle);
-    sine += texel.r * std::sin(angle);
-  }
-  return 2 * std::hypot(cosine, sine) / width;
-}
-
-TEST_CASE("a cosine passes a level as sin(2^l pi f) / (2^l sin(pi f))") {
-  const int width = 1024;
-  for (const int cycles : {1, 3, 10, 25}) {
-    LightImage image(width, 1);
-    for (int column = 0; column < width; ++column)
-      image.at(column, 0).r = static_cast<float>(
-          0.5 + 0.5 * std::cos(2 * std::numbers::pi * cycles * (column + 0.5) / width));
-    const Pyramid pyramid = pyramid_of(image);
-    for (int level = 0; level <= 4; ++level) {
-      const double f = static_cast<double>(cycles) / width, span = std::pow(2.0, level);
-      const double expected = 0.5 * std::abs(std::sin(span * std::numbers::pi * f) /
-                                             (span * std::sin(std::numbers::pi * f)));
-      CHECK(std::abs(amplitude_in(pyramid, level, cycles) - expected) < 1e-7);
-    }
-  }
 }
 
 }  // namespace

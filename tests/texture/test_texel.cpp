@@ -1,9 +1,6 @@
 // Tests of common/texture/texel.hpp: from a coordinate to a texel that is safe to index with.
 #include <doctest.h>
 
-#include <cstdint>
-#include <vector>
-
 #include "published/uv.hpp"
 #include "support/whole_numbers.hpp"
 #include "texture/texel.hpp"
@@ -41,17 +38,6 @@ TEST_CASE_TEMPLATE("no coordinate leaves the image: NaN gives 0 and the rest is 
     CHECK(test::texel_index(infinity<Real>(), n) == last);
     CHECK(clamp_number(nan, n) == 0);
     CHECK(clamp_number(static_cast<Real>(n), n) == n - 1);
-  }
-}
-
-TEST_CASE("every texel has the same share of the coordinates, first and last too") {
-  for (const int n : {1, 2, 3, 7, 8192}) {
-    std::vector<int> hits(static_cast<std::size_t>(n));
-    for (int i = 0; i < 100 * n; ++i)
-      ++hits[static_cast<std::size_t>(test::texel_index((i + 0.5) / (100.0 * n), n))];
-    int uneven = 0;
-    for (const int count : hits) uneven += count == 100 ? 0 : 1;
-    CHECK(uneven == 0);
   }
 }
 

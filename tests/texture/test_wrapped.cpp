@@ -1,11 +1,11 @@
-// Tests of texture/wrapped.hpp and floor_mapping.hpp, and of published/wrap.hpp where it differs.
+// Tests of texture/wrapped.hpp and floor_mapping.hpp, and of the triangle article where it differs.
 #include <doctest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "number/dual.hpp"
-#include "published/wrap.hpp"
+#include "published/uv.hpp"
 #include "support/dice.hpp"
 #include "texture/floor_mapping.hpp"
 #include "texture/image_texture.hpp"
@@ -56,27 +56,23 @@ TEST_CASE("every texel has the same share of a period; the article's texel 0 has
     const double u = (i + 0.5) / (n * steps);
     ++mirror[static_cast<std::size_t>(texel(Wrap::mirror, u, n))];
     ++repeat[static_cast<std::size_t>(texel(Wrap::repeat, u, n))];
-    ++article[static_cast<std::size_t>(published::article_texel(u, n))];
+    ++article[static_cast<std::size_t>(published::index_triangle(u, n))];
   }
   for (std::size_t k = 0; k < n; ++k) {
     CHECK(mirror[k] == 2 * steps);
     CHECK(repeat[k] == 2 * steps);
     CHECK(article[k] == 2 * steps);
   }
-  // It is one run of two texels: from -1/n to 1/n. In a repeated pattern all others are one wide.
-  CHECK(published::article_texel(-0.99 / n, n) == 0);
-  CHECK(published::article_texel(0.99 / n, n) == 0);
-  CHECK(published::article_texel(-1.01 / n, n) == 1);
-  CHECK(published::article_texel(1.0 + 0.99 / n, n) == 0);
-  CHECK(published::article_texel(1.0 + 1.01 / n, n) == 1);
+  // It is one run of two texels. In a repeated pattern all others are one wide.
+  for (const double u : {-0.99, 0.99}) CHECK(published::index_triangle(u / n, n) == 0);
 }
 
 TEST_CASE("the article mirrors at 0 and repeats at 1; mirror mirrors at both") {
   constexpr int n = 16;
   for (int i = 0; i < 10000; ++i) {
     const double u = (i + 0.5) / 10000;
-    REQUIRE(published::article_texel(-u, n) == texel(Wrap::mirror, -u, n));
-    REQUIRE(published::article_texel(1 + u, n) == texel(Wrap::repeat, 1 + u, n));
+    REQUIRE(published::index_triangle(-u, n) == texel(Wrap::mirror, -u, n));
+    REQUIRE(published::index_triangle(1 + u, n) == texel(Wrap::repeat, 1 + u, n));
   }
   CHECK(texel(Wrap::mirror, 1.1, n) == 14);
 }

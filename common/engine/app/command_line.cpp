@@ -17,14 +17,9 @@ namespace {
                    std::string(typed) + "'");
 }
 
-/// True if `word` is one of the words that `listed` separates by |.
-bool has_word(std::string_view listed, std::string_view word) {
-  while (!listed.empty()) {
-    const std::size_t end = std::min(listed.find('|'), listed.size());
-    if (listed.substr(0, end) == word) return true;
-    listed.remove_prefix(std::min(end + 1, listed.size()));
-  }
-  return false;
+std::string not_empty(std::string_view typed, const std::string& refusal) {
+  if (typed.empty()) throw UsageError(refusal);
+  return std::string(typed);
 }
 
 }  // namespace
@@ -51,102 +46,73 @@ double parse_decimal(std::string_view option, std::string_view text, double low,
 CommandLine::CommandLine(std::string program, std::string purpose)
     : program_(std::move(program)), purpose_(std::move(purpose)) {}
 
-void CommandLine::add(Option option) {
+void CommandLine::add(std::string_view name, std::string_view placeholder, std::string_view help,
+                      const std::string& preset, const Read& read) {
   const auto same = std::find_if(options_.begin(), options_.end(),
-                                 [&option](const Option& o) { return o.name == option.name; });
+                                 [name](const Option& option) { return option.name == name; });
   if (same == options_.end()) {
-    options_.push_back(std::move(option));
+    options_.push_back(
+        {std::string(name), std::string(placeholder), std::string(help), preset, read});
     return;
   }
-  // Two groups have words for one option: each reads its own.
-  const std::string words = same->placeholder + '|' + option.placeholder;
-  same->help += "; " + option.help;
-  same->read = [first = *same, second = option, words](std::string_view typed) {
-    if (!has_word(first.placeholder, typed) && !has_word(second.placeholder, typed))
-      refuse_value(first.name, words, typed);
-    (has_word(first.placeholder, typed) ? first : second).read(typed);
+  same->placeholder.append("|").append(placeholder);
+  same->help.append("; ").append(help);
+  same->read = [first = same->read, read](const std::string& option, std::string_view typed) {
+    return first(option, typed) || read(option, typed);
   };
-  same->placeholder = words;
-}
-
-void CommandLine::one_of(std::string_view name, const std::vector<std::string_view>& words,
-                         std::size_t preset, std::function<void(std::size_t)> choose,
-                         std::string_view help) {
-  std::string listed;
-  for (const std::string_view word : words) {
-    if (!listed.empty()) listed += '|';
-    listed += word;
-  }
-  add({std::string(name), listed, std::string(help),
-       std::string(preset < words.size() ? words[preset] : ""),
-       [words, choose = std::move(choose), listed,
-        name = std::string(name)](std::string_view typed) {
-         const auto word = std::find(words.begin(), words.end(), typed);
-         if (word == words.end()) refuse_value(name, listed, typed);
-         choose(static_cast<std::size_t>(word - words.begin()));
-       }});
 }
 
 void CommandLine::whole(std::string_view name, int& value, int low, int high,
                         std::string_view help) {
-  add({std::string(name), "N", std::string(help), std::to_string(value),
-       [&value, low, high, name = std::string(name)](std::string_view typed) {
-         value = parse_whole(name, typed, low, high);
-       }});
+  add(name, "N", help, std::to_string(value), [&value, low, high](auto& option, auto typed) {
+    value = parse_whole(option, typed, low, high);
+    return true;
+  });
 }
 
 void CommandLine::decimal(std::string_view name, double& value, double low, double high,
                           std::string_view help) {
-  add({std::string(name), "X", std::string(help), shown(value),
-       [&value, low, high, name = std::string(name)](std::string_view typed) {
-         value = parse_decimal(name, typed, low, high);
-       }});
+  add(name, "X", help, shown(value), [&value, low, high](auto& option, auto typed) {
+    value = parse_decimal(option, typed, low, high);
+    return true;
+  });
 }
 
 void CommandLine::text(std::string_view name, std::string_view placeholder, std::string& value,
                        std::string_view help) {
-  add({std::string(name), std::string(placeholder), std::string(help), value,
-       [&value, name = std::string(name)](std::string_view typed) {
-         if (typed.empty()) throw UsageError(name + " needs a name, and got an empty one");
-         value = typed;
-       }});
+  add(name, placeholder, help, value, [&value](auto& option, auto typed) {
+    value = not_empty(typed, option + " needs a name, and got an empty one");
+    return true;
+  });
 }
 
 void CommandLine::texts(std::string_view name, std::string_view placeholder,
                         std::vector<std::string>& values, std::string_view help) {
-  add({std::string(name), std::string(placeholder), std::string(help), "",
-       [&values, name = std::string(name)](std::string_view typed) {
-         if (typed.empty()) throw UsageError(name + " needs a name, and got an empty one");
-         values.emplace_back(typed);
-       }});
+  add(name, placeholder, help, "", [&values](auto& option, auto typed) {
+    values.push_back(not_empty(typed, option + " needs a name, and got an empty one"));
+    return true;
+  });
 }
 
 void CommandLine::flag(std::string_view name, bool& value, std::string_view help) {
-  add({std::string(name), "", std::string(help), "", [&value](std::string_view) { value = true; }});
+  add(name, "", help, "", [&value](auto&, auto) { return value = true; });
 }
 
 void CommandLine::positional(std::string_view name, std::string& value, std::string_view help) {
-  positionals_.push_back({std::string(name), "", std::string(help), "",
-                          [&value, name = std::string(name)](std::string_view typed) {
-                            if (typed.empty()) throw UsageError(name + " must not be empty");
-                            value = typed;
-                          }});
-}
-
-void CommandLine::positionals(std::string_view name, std::vector<std::string>& values,
-                              std::string_view help) {
-  positionals_.push_back({std::string(name), "", std::string(help), "",
-                          [&values, name = std::string(name)](std::string_view typed) {
-                            if (typed.empty()) throw UsageError(name + " must not be empty");
-                            values.emplace_back(typed);
-                          }});
-  last_repeats_ = true;
+  positionals_.push_back(
+      {std::string(name), "", std::string(help), "", [&value](auto& word, auto typed) {
+         value = not_empty(typed, word + " must not be empty");
+         return true;
+       }});
 }
 
 void CommandLine::statuses(std::string_view text) { statuses_ = text; }
 
 bool CommandLine::parse(const std::vector<std::string>& words) {
   typed_.clear();
+  const auto read = [](const Option& option, std::string_view typed) {
+    if (!option.read(option.name, typed)) refuse_value(option.name, option.placeholder, typed);
+  };
   auto awaited = positionals_.begin();
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string_view word = words[i];
@@ -159,9 +125,8 @@ bool CommandLine::parse(const std::vector<std::string>& words) {
       return false;
     }
     if (awaited != positionals_.end() && word.substr(0, 1) != "-") {
-      awaited->read(word);
-      typed_.push_back(awaited->name);
-      if (!last_repeats_ || awaited + 1 != positionals_.end()) ++awaited;
+      read(*awaited, word);
+      typed_.push_back(awaited++->name);
       continue;
     }
     // --name=value is the same as --name value.
@@ -177,18 +142,17 @@ bool CommandLine::parse(const std::vector<std::string>& words) {
     typed_.emplace_back(name);
     if (option->placeholder.empty()) {
       if (equals != std::string_view::npos) throw UsageError(option->name + " takes no value");
-      option->read("");
+      read(*option, "");
     } else if (equals != std::string_view::npos) {
-      option->read(word.substr(equals + 1));
+      read(*option, word.substr(equals + 1));
     } else if (i + 1 < words.size()) {
-      option->read(words[++i]);
+      read(*option, words[++i]);
     } else {
       throw UsageError(option->name + " needs a value: " + option->name + " " +
                        option->placeholder);
     }
   }
-  if (awaited != positionals_.end() && !was_given(awaited->name))
-    throw UsageError(awaited->name + " is missing");
+  if (awaited != positionals_.end()) throw UsageError(awaited->name + " is missing");
   return true;
 }
 
@@ -203,7 +167,6 @@ bool CommandLine::was_given(std::string_view name) const {
 std::string CommandLine::call() const {
   std::string text = "usage: " + program_;
   for (const Option& word : positionals_) text += " " + word.name;
-  if (last_repeats_) text += "...";
   return text + " [options]";
 }
 

@@ -1,5 +1,6 @@
 // A program's command line: a table of options, read strictly.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -45,12 +46,15 @@ struct GroupWishes {
 /// The options of a program, and the reader of what the user typed.
 class CommandLine {
  public:
+  /// Reads what was typed for the option `name`; false if it is none of the option's words.
+  /// Errors: UsageError.
+  using Read = std::function<bool(const std::string& name, std::string_view typed)>;
   struct Option {
     std::string name;
     std::string placeholder;  ///< N, FILE, or its words with | between them; empty for a flag
     std::string help;
     std::string preset;  ///< the default; may be empty
-    std::function<void(std::string_view)> read;
+    Read read;
   };
 
   GroupWishes wishes;  ///< of a chapter's groups; other programs have none
@@ -73,28 +77,39 @@ class CommandLine {
   /// An option without a value.
   void flag(std::string_view name, bool& value, std::string_view help);
   /// An option with one of a few words, each for a value. Two groups may give one option words:
-  /// they are joined, and each group reads its own.
+  /// they are joined, and each group reads its own. The words must live as long as the line.
   template <class Value>
   void choice(std::string_view name, Value& value,
               const std::vector<std::pair<std::string_view, Value>>& words, std::string_view help) {
-    std::vector<std::string_view> names;
-    std::vector<Value> meanings;
-    std::size_t preset = words.size();
+    std::string listed, preset;
     for (const auto& [word, meaning] : words) {
-      if (meaning == value) preset = names.size();
-      names.push_back(word);
-      meanings.push_back(meaning);
+      if (meaning == value) preset = word;
+      listed.append(listed.empty() ? "" : "|").append(word);
     }
-    one_of(
-        name, names, preset, [&value, meanings](std::size_t i) { value = meanings[i]; }, help);
+    add(name, listed, help, preset, [&value, words](const std::string&, std::string_view typed) {
+      for (const auto& [word, meaning] : words) {
+        if (word != typed) continue;
+        value = meaning;
+        return true;
+      }
+      return false;
+    });
+  }
+  /// The same for an enumeration or a bool: the words of its values, from 0 on, with | between them.
+  template <class Value>
+  void choice(std::string_view name, Value& value, std::string_view words, std::string_view help) {
+    std::vector<std::pair<std::string_view, Value>> pairs;
+    for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end + 1) {
+      end = std::min(words.find('|', begin), words.size());
+      pairs.emplace_back(words.substr(begin, end - begin), static_cast<Value>(pairs.size()));
+    }
+    choice(name, value, pairs, help);
   }
 
   /// A word without an option, such as a file to read; required, in the order of these calls.
   ///
   /// @param name  its name in the usage line
   void positional(std::string_view name, std::string& value, std::string_view help);
-  /// Any number of words after those, at least one.
-  void positionals(std::string_view name, std::vector<std::string>& values, std::string_view help);
 
   /// The help's text about exit statuses, for programs that make no picture.
   void statuses(std::string_view text);
@@ -118,9 +133,8 @@ class CommandLine {
   [[nodiscard]] std::string help() const;
 
  private:
-  void add(Option option);
-  void one_of(std::string_view name, const std::vector<std::string_view>& words, std::size_t preset,
-              std::function<void(std::size_t)> choose, std::string_view help);
+  void add(std::string_view name, std::string_view placeholder, std::string_view help,
+           const std::string& preset, const Read& read);
   [[nodiscard]] std::string call() const;
 
   std::string program_;
@@ -129,7 +143,6 @@ class CommandLine {
       "0 the picture is written; 1 an error, no picture; 2 the command line is wrong";
   std::vector<Option> options_;
   std::vector<Option> positionals_;
-  bool last_repeats_ = false;  // of the positionals
   std::vector<std::string> typed_;
 };
 

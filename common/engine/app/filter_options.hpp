@@ -26,15 +26,6 @@ struct FilterOptions {
   std::string plot;  ///< the file for the plot of errors; empty: none
 
   void declare(CommandLine& line);
-  /// True for filters that use the footprints of pixels.
-  [[nodiscard]] bool needs_footprints() const {
-    return filter != Filter::nearest && filter != Filter::bilinear;
-  }
-  /// Chooses another filter, here and for a texture.
-  void apply(Filter other, int most_taps, FilteredTexture& texture) {
-    texture.filter = filter = other;
-    texture.taps = taps = most_taps;
-  }
   /// The floor's picture as a texture.
   [[nodiscard]] FilteredTexture load_floor() const;
   /// The globe's.
@@ -46,7 +37,9 @@ struct FilteredLesson : LessonHooks {
   FilterOptions filtering;
 
   /// True if rays bring their derivatives by the pixel's column and row.
-  [[nodiscard]] bool needs_footprints() const { return filtering.needs_footprints(); }
+  [[nodiscard]] bool needs_footprints() const {
+    return filtering.filter != Filter::nearest && filtering.filter != Filter::bilinear;
+  }
   /// Mean light as a color; bytes are cut off, so half of one is added.
   template <class Real>
   [[nodiscard]] Color<Real> shown(const Color<Real>& light) const {
@@ -57,8 +50,13 @@ struct FilteredLesson : LessonHooks {
 /// Lets all textures of a lesson be read by a filter.
 template <class Lesson>
 void read_by(Lesson& lesson, Filter filter, int taps) {
-  lesson.filtering.apply(filter, taps, lesson.ground.texture);
-  for (auto& object : lesson.objects) lesson.filtering.apply(filter, taps, object.paint.texture);
+  const auto apply = [&](auto& textured) {
+    textured.filter = filter;
+    textured.taps = taps;
+  };
+  apply(lesson.filtering);
+  apply(lesson.ground.texture);
+  for (auto& object : lesson.objects) apply(object.paint.texture);
 }
 
 /// Leaves in a lesson what the user's scene shows.

@@ -36,9 +36,8 @@ void MeshOptions::declare(CommandLine& line) {
   line.choice<Wrap>("--wrap", wrap,
                     {{"mirror", Wrap::mirror}, {"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}},
                     "what the texture shows beyond its edges, for example on the floor");
-  line.choice<WeightsFormula>(
-      "--weights", weights,
-      {{"signed", WeightsFormula::signed_areas}, {"heron", WeightsFormula::heron}},
+  line.choice(
+      "--weights", weights, "signed|heron",
       "how to compute the weights of a triangle's corners: from signed areas, or as in the article "
       "from the lengths of the sides");
   line.text("--mesh", "FILE", file,

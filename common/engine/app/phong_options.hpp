@@ -29,8 +29,6 @@ struct PhongOptions {
   /// After parsing: sets what depends on other options, and returns the scene to draw.
   /// The lecture's scene always blends and has its own exponent.
   PhongScene resolve(const Session& session);
-  /// Chooses the kernel of the power by the user's budget.
-  void plan(const Session& session);
   /// Gives the globe its highlight.
   void apply_to(PhongMaterial& globe) const;
 

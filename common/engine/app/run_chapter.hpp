@@ -13,33 +13,27 @@
 #include "engine/app/turntable.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/draw.hpp"
+#include "engine/render/number_names.hpp"
 #include "engine/render/surfaces.hpp"
 #include "scene/sphere_choice.hpp"
 
 namespace texmap {
 
-/// The surfaces of a lesson's scene, from one ray through the center of each pixel. Packs would
-/// draw the same, so single numbers do.
-template <HasSurfaces Lesson>
-[[nodiscard]] Image draw_surfaces(const Lesson& lesson, const View<>& view, Shown shown,
-                                  NumberKind number, RenderSettings settings) {
-  settings.samples = 1;
-  const SurfaceColors<Lesson> surfaces{lesson, shown};
-  if constexpr (Lesson::about.numbers == Numbers::only_double) {
-    return render<double>(surfaces, view, settings);
-  } else {
-    const bool in_float = number == NumberKind::float_pack;
-    return draw_single(surfaces, view, in_float ? NumberKind::float_ : number, settings);
-  }
-}
-
 template <class Lesson>
 Image Session::draw(const Lesson& lesson, int width, int height) {
   if constexpr (HasSurfaces<Lesson>) {
     if (settings.show != Shown::color) {
-      return timed(static_cast<double>(width) * height, [&](const RenderSettings& render_settings) {
-        return draw_surfaces(lesson, view(lesson.stage.camera, width, height), settings.show,
-                             settings.number, render_settings);
+      return timed(static_cast<double>(width) * height, [&](RenderSettings render_settings) {
+        render_settings.samples = 1;  // through the center of each pixel
+        const View<> seen = view(lesson.stage.camera, width, height);
+        const SurfaceColors<Lesson> surfaces{lesson, settings.show};
+        if constexpr (has_only_double<Lesson>) {
+          return render<double>(surfaces, seen, render_settings);
+        } else {  // packs would draw the same, so single numbers do
+          const NumberKind number = settings.number;
+          return draw_single(surfaces, seen, is_float(number) ? NumberKind::float_ : number,
+                             render_settings);
+        }
       });
     }
   }
@@ -48,12 +42,8 @@ Image Session::draw(const Lesson& lesson, int width, int height) {
                  const View<> seen = view(lesson.stage.camera, width, height);
                  if constexpr (GathersLight<Lesson>) {
                    throw std::logic_error("light is gathered, see show_gathered");
-                 } else if constexpr (Lesson::about.numbers == Numbers::all) {
-                   return texmap::draw(lesson, seen, settings.number, render_settings);
-                 } else if constexpr (Lesson::about.numbers == Numbers::single) {
-                   return texmap::draw_single(lesson, seen, settings.number, render_settings);
                  } else {
-                   return render<double>(lesson, seen, render_settings);
+                   return texmap::draw(lesson, seen, settings.number, render_settings);
                  }
                });
 }
@@ -65,12 +55,6 @@ void show_picture(Session& session, const Lesson& lesson, const std::string& suf
     if (session.settings.show == Shown::color) return show_gathered(session, lesson, suffix);
   }
   session.save(session.draw(lesson), suffix);
-}
-
-/// The digits of a number in base 2; those of double for all that have more.
-[[nodiscard]] constexpr int digits(NumberKind number) {
-  const bool is_float = number == NumberKind::float_ || number == NumberKind::float_pack;
-  return is_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
 }
 
 /// Lessons with a list of spheres, for which the user may choose formulas.
@@ -85,7 +69,10 @@ void choose_spheres(const Session& session, Lesson& lesson) {
   if constexpr (HasSpheres<Lesson>) {
     if (session.was_given("--spheres"))
       for (auto& object : lesson.objects) object.shape.form = session.settings.spheres;
-    keep_to_domains(lesson.objects, lesson.stage.camera.eye, digits(session.settings.number));
+    const bool in_float = is_float(session.settings.number);
+    keep_to_domains(
+        lesson.objects, lesson.stage.camera.eye,
+        in_float ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits);
   }
 }
 

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 
 #include "engine/app/command_line.hpp"
-#include "engine/measure/stopwatch.hpp"
+#include "engine/app/turntable.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
-#include "engine/render/close_up.hpp"
 #include "engine/render/progress.hpp"
 #include "engine/system/system.hpp"
 
@@ -32,19 +30,9 @@ PixelPlace<double> pixel_at(std::string_view typed, int width, int height) {
 
 }  // namespace
 
-/// What happened since the last picture was saved; times in milliseconds.
-struct Session::Times {
-  std::optional<Stopwatch> before_drawing{Stopwatch()};  // until the first ray
-  double load = 0;                                       // before the first ray
-  double render = 0;
-  double rays = 0;
-  long uncertain = 0;  // pixels, and of how many
-  long judged = 0;
-};
-
 Session::Session(std::string_view chapter, CommandLine& line, const About& about,
                  const Offers& offers)
-    : one_number_(offers.one_number), line_(line), times_(std::make_unique<Times>()) {
+    : one_number_(offers.one_number), line_(line), times_{.before_drawing = Stopwatch()} {
   settings.out = "out/" + std::string(chapter) + ".png";
   default_out_ = settings.out;
   settings.width = about.size.width;
@@ -70,11 +58,8 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   if (!line.wishes.budget.empty())
     line.text("--budget", "BUDGET", settings.budget, line.wishes.budget);
   if (offers.spheres) {
-    line.choice<SphereForm>(
-        "--spheres", settings.spheres,
-        {{"plain", SphereForm::plain},
-         {"robust", SphereForm::robust},
-         {"hybrid", SphereForm::hybrid}},
+    line.choice(
+        "--spheres", settings.spheres, "plain|robust|hybrid",
         "the formula for where a ray meets a sphere. robust draws every scene of the course. "
         "hybrid takes about 6 times as long; it is for float beyond 100 radii, and for an eye "
         "close above a surface. Beyond 1e4 radii in float, 1e7 in double, robust changes to hybrid "
@@ -91,46 +76,30 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   line.flag("--quiet", settings.quiet, "show no progress, and print nothing on success");
 }
 
-Session::~Session() = default;
-
 void Session::offer_numbers(Numbers numbers, std::string_view no_intervals) {
   if (numbers == Numbers::only_double) return;
-  std::vector<std::pair<std::string_view, NumberKind>> words = {{"float", NumberKind::float_},
-                                                                {"double", NumberKind::double_},
-                                                                {"extended", NumberKind::extended}};
-  if (numbers == Numbers::single) {
-    line_.choice<NumberKind>("--number", settings.number, words,
-                             "the number type to calculate with");
-    return;
-  }
-  words.insert(words.end(),
-               {{"float-pack", NumberKind::float_pack}, {"double-pack", NumberKind::double_pack}});
   std::string help = "the number type to calculate with";
+  if (numbers == Numbers::single)
+    return line_.choice("--number", settings.number, "float|double|extended", help);
+  const char* words = "float|double|extended|float-pack|double-pack";
   if (!no_intervals.empty()) {
     help.append("; not interval: ").append(no_intervals);
   } else {
-    words.emplace_back("interval", NumberKind::interval);
+    words = "float|double|extended|float-pack|double-pack|interval";
     help +=
         "; interval shows which pixels rounding could change, and prints how many: certain pixels "
         "are gray, and uncertain ones are drawn three pixels wide, yellow for 1 level to violet "
         "for 255";
   }
-  line_.choice<NumberKind>("--number", settings.number, words, help);
-  line_.choice<Instructions>("--instructions", settings.instructions,
-                             {{"baseline", Instructions::baseline},
-                              {"avx2", Instructions::avx2},
-                              {"avx512", Instructions::avx512}},
-                             "the vector instructions that packs use; without this option, the "
-                             "widest that the machine has");
+  line_.choice("--number", settings.number, words, help);
+  line_.choice("--instructions", settings.instructions, "baseline|avx2|avx512",
+               "the vector instructions that packs use; without this option, the "
+               "widest that the machine has");
 }
 
 void Session::offer_show() {
-  line_.choice<Shown>(
-      "--show", settings.show,
-      {{"color", Shown::color},
-       {"normal", Shown::normal},
-       {"uv", Shown::uv},
-       {"object", Shown::object}},
+  line_.choice(
+      "--show", settings.show, "color|normal|uv|object",
       "what to show in each pixel; all but color help to find errors, and have a black sky. "
       "normal: the unit normal, x as red, y as green, z as blue, each from -1 to 1. uv: u as red "
       "and v as green, of numbers outside 0 to 1 the part after the decimal point; gray where "
@@ -205,10 +174,15 @@ void Session::check_uses() const {
 
 View<> Session::view(const Camera& camera, int width, int height) {
   seen_by_camera_ = true;
-  const View<> whole = view_of(camera, width, height);
-  const PixelPlace<double> middle{whole.center_column, whole.center_row};
-  return close_up(whole, settings.zoom,
-                  settings.at.empty() ? middle : pixel_at(settings.at, width, height));
+  View<> view = view_of(camera, width, height);
+  const PixelPlace<double> fixed = settings.at.empty()
+                                       ? PixelPlace<double>{view.center_column, view.center_row}
+                                       : pixel_at(settings.at, width, height);
+  // The ray through `fixed` + d is then that of the whole picture through `fixed` + d / zoom.
+  view.pixel = view.pixel / settings.zoom;
+  view.center_column = fixed.column + settings.zoom * (view.center_column - fixed.column);
+  view.center_row = fixed.row + settings.zoom * (view.center_row - fixed.row);
+  return view;
 }
 
 std::filesystem::path Session::file_name(std::string_view suffix) const {
@@ -219,10 +193,13 @@ std::filesystem::path Session::file_name(std::string_view suffix) const {
   return file.replace_filename(name);
 }
 
+// Not with the turntable's options: a program without them would read files.
+std::string frame_suffix(int frame) { return text("_%03d", frame); }
+
 Image Session::timed(double rays, const std::function<Image(const RenderSettings&)>& work) {
   Progress progress(!settings.quiet, remark);
-  if (times_->before_drawing) times_->load = times_->before_drawing->milliseconds();
-  times_->before_drawing.reset();
+  if (times_.before_drawing) times_.load = times_.before_drawing->milliseconds();
+  times_.before_drawing.reset();
   const Stopwatch drawing;
   Image image =
       work({.samples = settings.samples,
@@ -231,15 +208,15 @@ Image Session::timed(double rays, const std::function<Image(const RenderSettings
             .progress = [&progress](int done, int total) { progress.report(done, total); },
             .certainty =
                 [this](long uncertain, long pixels) {
-                  times_->uncertain += uncertain;
-                  times_->judged += pixels;
+                  times_.uncertain += uncertain;
+                  times_.judged += pixels;
                 }});
-  times_->render += drawing.milliseconds();
-  times_->rays += rays;
+  times_.render += drawing.milliseconds();
+  times_.rays += rays;
   return image;
 }
 
-void Session::count_rays(double rays) { times_->rays += rays; }
+void Session::count_rays(double rays) { times_.rays += rays; }
 
 void Session::save(const Image& image, std::string_view suffix) {
   if ((settings.show != Shown::color || settings.zoom != 1) && !seen_by_camera_) {
@@ -250,20 +227,19 @@ void Session::save(const Image& image, std::string_view suffix) {
   seen_by_camera_ = false;
   const std::filesystem::path file = file_name(suffix);
   const SavingTime saving = save_png(image, file);
-  if (!settings.quiet && times_->judged > 0) {
-    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n",
-               times_->uncertain, times_->judged));
+  if (!settings.quiet && times_.judged > 0) {
+    print(text("rounding could change %ld of %ld pixels, each drawn three wide\n", times_.uncertain,
+               times_.judged));
   }
   if (!settings.quiet) {
-    const double all = times_->load + times_->render + saving.encode + saving.write;
+    const double all = times_.load + times_.render + saving.encode + saving.write;
     print(name_of(file) +
           text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f), "
                "%.1f million rays/s\n",
-               image.width, image.height, all, times_->load, times_->render, saving.encode,
-               saving.write, times_->rays / times_->render / 1000));
+               image.width, image.height, all, times_.load, times_.render, saving.encode,
+               saving.write, times_.rays / times_.render / 1000));
   }
-  const Times none{.before_drawing = {}};
-  *times_ = none;
+  times_ = {};
 }
 
 }  // namespace texmap

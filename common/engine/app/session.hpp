@@ -2,11 +2,12 @@
 #pragma once
 #include <filesystem>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "engine/app/lesson.hpp"
+#include "engine/measure/stopwatch.hpp"
 #include "engine/render/settings.hpp"
 #include "scene/camera.hpp"
 #include "scene/sphere_forms.hpp"
@@ -16,12 +17,12 @@ namespace texmap {
 
 /// The user's choices; a chapter may offer fewer.
 struct Settings {
-  std::string out;   ///< the picture's file
-  int width = 800;   ///< pixels
-  int height = 600;  ///< pixels
-  int samples = 1;   ///< rays per pixel
-  int threads = 0;   ///< 0: all cores
-  NumberKind number = default_number;
+  std::string out;                                    ///< the picture's file
+  int width = 800;                                    ///< pixels
+  int height = 600;                                   ///< pixels
+  int samples = 1;                                    ///< rays per pixel
+  int threads = 0;                                    ///< 0: all cores
+  NumberKind number = NumberKind::double_pack;        ///< draws what double draws (tests/packs)
   Instructions instructions = widest_instructions();  ///< of packs
   SphereForm spheres = SphereForm::robust;            ///< for all spheres of the lesson
   std::string budget = "exact";                       ///< how far off the picture may be
@@ -46,7 +47,6 @@ class Session {
   /// @param chapter  its folder's name, such as 02_checkerboard_uv: the picture's default name
   Session(std::string_view chapter, CommandLine& line, const About& about,
           const Offers& offers = {});
-  ~Session();
 
   Settings settings;
 
@@ -97,7 +97,13 @@ class Session {
   std::function<std::string()> remark;
 
  private:
-  struct Times;
+  /// What happened since the last picture was saved; times in milliseconds.
+  struct Times {
+    std::optional<Stopwatch> before_drawing;  ///< until the first ray
+    double load = 0, render = 0;              ///< before the first ray, and from it on
+    double rays = 0;
+    long uncertain = 0, judged = 0;  ///< pixels, and of how many
+  };
   void check_numbers() const;
   void check_show() const;
   void offer_show();
@@ -107,7 +113,7 @@ class Session {
   bool one_number_;
   bool seen_by_camera_ = false;  // what is saved next
   CommandLine& line_;
-  std::unique_ptr<Times> times_;
+  Times times_;
 };
 
 }  // namespace texmap

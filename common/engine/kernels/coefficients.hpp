@@ -56,14 +56,6 @@ template <> struct ArcTangent<9> {
       -2.25382963940221289958e-02L, 1.67095921167465727360e-02L, -1.15146340373103178759e-02L,
       6.33137937834361915656e-03L, -2.29204788319265519656e-03L, 3.91000000114572861251e-04L};
 };
-template <> struct ArcTangent<10> {
-  static constexpr double worst = 1.5e-10, rounding = 0.56;
-  static constexpr std::array<long double, 10> powers = {
-      1.59154939997973983351e-01L, -5.30514042595560299316e-02L, 3.18253176293509106406e-02L,
-      -2.26751591387068612929e-02L, 1.73128904859875439811e-02L, -1.30726076996211743558e-02L,
-      8.75799421688095151945e-03L, -4.53444778967591455325e-03L, 1.52268947129767432466e-03L,
-      -2.40213056209271236740e-04L};
-};
 template <> struct ArcTangent<12> {
   static constexpr double worst = 3.6e-12, rounding = 0.66;
   static constexpr std::array<long double, 12> powers = {

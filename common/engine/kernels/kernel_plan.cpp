@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -15,18 +16,11 @@
 namespace texmap {
 namespace {
 
-/// The polynomials for (u, v): the arc tangent's degree, and the time in units of the reference's,
-/// which grows with it.
-constexpr std::array<std::pair<int, double>, 10> uv_costs = {{{5, 0.022},
-                                                              {7, 0.025},
-                                                              {9, 0.028},
-                                                              {11, 0.029},
-                                                              {13, 0.034},
-                                                              {15, 0.036},
-                                                              {17, 0.039},
-                                                              {23, 0.103},
-                                                              {29, 0.121},
-                                                              {35, 0.143}}};
+/// The arc tangents' degrees of the polynomials for (u, v), and their time in units of the
+/// reference's, which grows with the degree.
+constexpr std::array uv_degrees = {5, 7, 9, 11, 13, 15, 17, 23, 29, 35};
+constexpr std::array uv_costs = {0.022, 0.025, 0.028, 0.029, 0.034,
+                                 0.036, 0.039, 0.103, 0.121, 0.143};
 
 /// In float, rounding dominates beyond degree 17.
 bool is_for_float(int degree) { return degree >= 5 && degree <= 17; }
@@ -49,16 +43,43 @@ bool allows(const Budget& budget, double texels, double levels) {
 
 /// "what for levels=1: ", the limit with two digits: what remains of one may have many.
 std::string beginning(const std::string& what, const Budget& budget) {
-  std::string text = to_text(budget);
-  if (budget.unit != Budget::Unit::exact)
-    text = text.substr(0, text.find('=') + 1) + shown(budget.limit, 2);
-  return what + " for " + text;
+  if (budget.unit == Budget::Unit::exact) return what + " for exact";
+  return what + (budget.unit == Budget::Unit::texels ? " for texels=" : " for levels=") +
+         shown(budget.limit, 2);
 }
 
-Polynomial of_terms(const std::string& what, const Budget& budget, int terms, double worst) {
-  return {terms, 0, worst,
-          beginning(what, budget) + ": a polynomial of " + std::to_string(terms) +
-              " terms; at worst " + shown(worst, 2) + " levels"};
+/// The first of some polynomials that keeps a budget of levels; its sentence ends with `exactly`
+/// if there is none.
+Polynomial first_within(const Budget& budget, const std::string& what,
+                        std::initializer_list<Polynomial> from_the_cheapest, const char* exactly) {
+  for (Polynomial choice : from_the_cheapest) {
+    // Before rounding to bytes the curve takes at most a quarter of the budget.
+    if (!allows(budget, HUGE_VAL, std::max(choice.worst_levels, 4 * choice.before_rounding)))
+      continue;
+    choice.text = beginning(what, budget) + ": a polynomial of " + std::to_string(choice.terms) +
+                  " terms; at worst " + shown(choice.worst_levels, 2) + " levels";
+    return choice;
+  }
+  return {.text = beginning(what, budget) + exactly};
+}
+
+/// The cheapest sRGB curve within a budget. In texels, colors stay exact.
+Polynomial choose_srgb_kernel(const Budget& budget) {
+  return first_within(budget, "sRGB bytes",
+                      {{3, 0, 2, fits::SrgbCurve<3>::worst},
+                       {4, 0, 1, fits::SrgbCurve<4>::worst},
+                       {6, 0, 1, fits::SrgbCurve<6>::worst}},
+                      ": the exact curve, by thresholds");
+}
+
+/// The cheapest of Phong's powers within a budget, for a full highlight in packs of float.
+Polynomial choose_power_kernel(const Budget& budget) {
+  return first_within(budget, "Phong's power",
+                      {{3, 0, PowerKernel<3>::worst_levels<float>},
+                       {4, 0, PowerKernel<4>::worst_levels<float>},
+                       {6, 0, PowerKernel<6>::worst_levels<float>},
+                       {8, 0, PowerKernel<8>::worst_levels<float>}},
+                      ": the C library's exponential and logarithm");
 }
 
 /// Adds the mapping and the smoothing of pixels that keep a budget together.
@@ -105,40 +126,19 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
   if (width < 1 || height < 1)
     throw std::invalid_argument("a texture is at least 1x1, not " + size);
   const std::string start = beginning("(u, v)", budget) + " on " + size + ": ";
-  for (const auto& [degree, cost] : uv_costs) {
+  for (std::size_t i = 0; i < uv_degrees.size(); ++i) {
+    const int degree = uv_degrees[i];
     const UvError worst = worst_of(degree);
     const double u = worst.u * width, v = worst.v * height;
     const double texels = std::max(u, v), levels = 255 * (u + v);
     if (!allows(budget, texels, levels)) continue;
-    return {degree, texels, levels,
+    return {degree, texels, levels, 0,
             start + "polynomials in " + (is_for_float(degree) ? "float" : "double") +
                 ", arc tangent of degree " + std::to_string(degree) + ", unit vectors; at worst " +
                 shown(texels, 2) + " texels and " + shown(levels, 2) + " levels; " +
-                shown(cost, 2) + " of the reference's time"};
+                shown(uv_costs[i], 2) + " of the reference's time"};
   }
-  return {0, 0, 0, start + "the reference formula in double, by the C library, at cost 1"};
-}
-
-Polynomial choose_srgb_kernel(const Budget& budget) {
-  // Before rounding the curve takes at most a quarter of the budget.
-  const auto keeps = [&budget](double worst, double before_rounding) {
-    return allows(budget, HUGE_VAL, std::max(worst, 4 * before_rounding));
-  };
-  if (keeps(2, fits::SrgbCurve<3>::worst)) return of_terms("sRGB bytes", budget, 3, 2);
-  if (keeps(1, fits::SrgbCurve<4>::worst)) return of_terms("sRGB bytes", budget, 4, 1);
-  if (keeps(1, fits::SrgbCurve<6>::worst)) return of_terms("sRGB bytes", budget, 6, 1);
-  return {0, 0, 0, beginning("sRGB bytes", budget) + ": the exact curve, by thresholds"};
-}
-
-Polynomial choose_power_kernel(const Budget& budget) {
-  for (const auto& [terms, worst] : {std::pair{3, PowerKernel<3>::worst_levels<float>},
-                                     {4, PowerKernel<4>::worst_levels<float>},
-                                     {6, PowerKernel<6>::worst_levels<float>},
-                                     {8, PowerKernel<8>::worst_levels<float>}}) {
-    if (allows(budget, HUGE_VAL, worst)) return of_terms("Phong's power", budget, terms, worst);
-  }
-  return {0, 0, 0,
-          beginning("Phong's power", budget) + ": the C library's exponential and logarithm"};
+  return {.text = start + "the reference formula in double, by the C library, at cost 1"};
 }
 
 KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads) {
@@ -150,10 +150,7 @@ KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads
   const Polynomial curve = choose_srgb_kernel(rest);
   plan.srgb_terms = curve.terms;
   // Bytes are rounded once, at the end, so each step counts with its error before rounding.
-  spend(curve.terms == 3   ? fits::SrgbCurve<3>::worst
-        : curve.terms == 4 ? fits::SrgbCurve<4>::worst
-        : curve.terms == 6 ? fits::SrgbCurve<6>::worst
-                           : 0);
+  spend(curve.before_rounding);
   // Roots of light take at most half of the rest. To convert a texel takes as long as four reads
   // save.
   const double worst = RootTexture::worst_levels;

@@ -1,6 +1,8 @@
 // The kernels of a picture, chosen once from its budget, and the paints that use them.
 #pragma once
+#include <array>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/kernels/budget.hpp"
@@ -8,7 +10,6 @@
 #include "engine/kernels/fetched_texels.hpp"
 #include "engine/kernels/power_kernel.hpp"
 #include "engine/kernels/root_texture.hpp"
-#include "engine/kernels/smoothing.hpp"
 #include "engine/kernels/turns.hpp"
 #include "number/compiler.hpp"
 #include "scene/paint.hpp"
@@ -20,10 +21,11 @@ namespace texmap {
 
 /// A polynomial that keeps a budget, or the exact formula.
 struct Polynomial {
-  int terms;            ///< for (u, v) the degree of the arc tangent; 0 for the exact formula
-  double worst_texels;  ///< largest error of a place; 0 for the exact formula
-  double worst_levels;  ///< of a color; for (u, v) 255 a texel, filtered, u and v together
-  std::string text;     ///< a sentence that says all this, and the time
+  int terms = 0;               ///< for (u, v) the degree of the arc tangent; 0: exact
+  double worst_texels = 0;     ///< largest error of a place
+  double worst_levels = 0;     ///< of a color; for (u, v) 255 a texel, filtered, u and v together
+  double before_rounding = 0;  ///< of a color that becomes a byte
+  std::string text{};          ///< a sentence that says all this, and the time
 };
 
 /// The cheapest kernel for (u, v) with a worst case within the budget, for a filtered texture.
@@ -33,13 +35,16 @@ struct Polynomial {
 /// Errors: std::invalid_argument for a size below 1.
 [[nodiscard]] Polynomial choose_uv_kernel(const Budget& budget, int width, int height);
 
-/// The cheapest sRGB curve within the budget: 3, 4 or 6 terms of srgb_byte, or srgb_byte_exact.
-/// In texels, colors stay exact.
-[[nodiscard]] Polynomial choose_srgb_kernel(const Budget& budget);
+/// Limits on the error estimates of a PixelProbe; zeros switch smoothing off.
+struct Smoothing {
+  double most_curvature_error = 0;  ///< for places from a polynomial of degree 2
+  double most_normal_error = 0;     ///< for directions from a polynomial of degree 1
 
-/// The cheapest Phong power within the budget, for a full highlight in packs of float:
-/// a PowerKernel of 3, 4, 6 or 8 terms, or the formula of `highlight`.
-[[nodiscard]] Polynomial choose_power_kernel(const Budget& budget);
+  // The largest errors that follow, in units of the estimates; a test holds them.
+  static constexpr double turns_per_curvature_error = 0.03;       ///< in longitude
+  static constexpr double half_turns_per_curvature_error = 0.05;  ///< in latitude
+  static constexpr double direction_per_normal_error = 1.4;  ///< in a cosine_direction's coordinate
+};
 
 /// The kernels of a picture. The default is the reference formulas.
 struct KernelPlan {
@@ -60,33 +65,30 @@ struct KernelPlan {
 /// The plan for a surface with a highlight and one ray per pixel.
 [[nodiscard]] KernelPlan plan_highlight(const Budget& budget);
 
+/// What `work` returns for the constant among these that `number` is, or for the last of them.
+template <int First, int... Others, class Work>
+[[nodiscard]] auto with_constant(int number, const Work& work) {
+  decltype(work(std::integral_constant<int, First>())) result{};
+  const auto found = [&](auto constant) {
+    if (number == constant) result = work(constant);
+    return number == constant;
+  };
+  constexpr int last = std::array{First, Others...}.back();
+  if (!found(std::integral_constant<int, First>()) &&
+      !(found(std::integral_constant<int, Others>()) || ...))
+    result = work(std::integral_constant<int, last>());
+  return result;
+}
+
 /// draw(mapping) with the mapping for that degree; all results must have one type.
 template <class Draw>
-decltype(auto) with_uv_mapping(int degree, const Draw& draw) {
-  switch (degree) {
-    case 5:
-      return draw(FastUnitMapping<5>{});
-    case 7:
-      return draw(FastUnitMapping<7>{});
-    case 9:
-      return draw(FastUnitMapping<9>{});
-    case 11:
-      return draw(FastUnitMapping<11>{});
-    case 13:
-      return draw(FastUnitMapping<13>{});
-    case 15:
-      return draw(FastUnitMapping<15>{});
-    case 17:
-      return draw(FastUnitMapping<17>{});
-    case 23:
-      return draw(FastUnitMapping<23>{});
-    case 29:
-      return draw(FastUnitMapping<29>{});
-    case 35:
-      return draw(FastUnitMapping<35>{});
-    default:
+[[nodiscard]] auto with_uv_mapping(int degree, const Draw& draw) {
+  return with_constant<5, 7, 9, 11, 13, 15, 17, 23, 29, 35, 0>(degree, [&draw](auto constant) {
+    if constexpr (constant == 0)
       return draw(RtiowMapping{});
-  }
+    else
+      return draw(FastUnitMapping<constant>{});
+  });
 }
 
 /// The (u, v) of unit vectors by the plan's kernel.
@@ -103,14 +105,6 @@ struct PlannedMapping {
                          with_uv_mapping(degree, [&p](const auto& mapping) { return mapping(p); }));
   }
 };
-[[nodiscard]] inline PlannedMapping planned_mapping(int degree, const RtiowMapping& /*mapping*/) {
-  return {degree};
-}
-[[nodiscard]] inline PlannedMapping planned_mapping(int degree,
-                                                    const Rotated<ConventionMapping>& mapping) {
-  return {degree, mapping.mapping.convention, mapping.rotation};
-}
-
 /// A texture by the plan's kernel: roots of light if the plan made them, else the image.
 struct PlannedTexture {
   const LightTexture* exact;  ///< not owned
@@ -130,30 +124,21 @@ struct PlannedPower {
   /// @param versine  1 - cos, 0 or more
   template <class Real>
   [[nodiscard]] Real operator()(const Real& versine) const {
-    switch (terms) {
-      case 3:
-        return PowerKernel<3>(exponent)(versine);
-      case 4:
-        return PowerKernel<4>(exponent)(versine);
-      case 6:
-        return PowerKernel<6>(exponent)(versine);
-      default:
-        return PowerKernel<8>(exponent)(versine);
-    }
+    return with_constant<3, 4, 6, 8>(
+        terms, [&](auto constant) { return PowerKernel<constant>(exponent)(versine); });
   }
 };
 
 /// A scene's objects with the plan's paints. Other kinds of paint stay as they are.
-template <class Mapping>
-requires requires(const Mapping& mapping) { planned_mapping(0, mapping); }
-[[nodiscard]] std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
-    const KernelPlan& plan, const std::vector<Painted<Mapped<Mapping, LightTexture>>>& objects) {
+[[nodiscard]] inline std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned_objects(
+    const KernelPlan& plan,
+    const std::vector<Painted<Mapped<Rotated<ConventionMapping>, LightTexture>>>& objects) {
   std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned;
-  for (const auto& object : objects) {
-    const LightTexture& texture = object.paint.texture;
-    planned.push_back({object.shape,
-                       {planned_mapping(plan.uv_degree, object.paint.mapping),
-                        {&texture, plan.root_texels ? RootTexture(texture) : RootTexture()}}});
+  for (const auto& [shape, paint] : objects) {
+    planned.push_back(
+        {shape,
+         {{plan.uv_degree, paint.mapping.mapping.convention, paint.mapping.rotation},
+          {&paint.texture, plan.root_texels ? RootTexture(paint.texture) : RootTexture()}}});
   }
   return planned;
 }

@@ -41,6 +41,11 @@ template <class Real>
 [[nodiscard]] PreparedSky<Real> prepare(const GradientSky& sky) {
   return {number_cast<Real>(sky.below), number_cast<Real>(sky.above), sky.is_constant()};
 }
+/// Any other sky is drawn as it is.
+template <class Real, class Sky>
+[[nodiscard]] const Sky& prepare(const Sky& sky) {
+  return sky;
+}
 
 /// An object that refers to the paint of another.
 template <class Real, class Paint>
@@ -48,16 +53,6 @@ struct PreparedObject {
   PreparedSphere<Real> shape;
   const Paint& paint;
 };
-
-/// A sky as it is drawn: a GradientSky converted, any other as it is.
-template <class Real>
-[[nodiscard]] PreparedSky<Real> prepare_sky(const GradientSky& sky) {
-  return prepare<Real>(sky);
-}
-template <class Real, class Sky>
-[[nodiscard]] const Sky& prepare_sky(const Sky& sky) {
-  return sky;
-}
 
 /// What all samples of a picture have in common: the argument of lessons that gather light.
 template <class Real, class Paint, class Sky = PreparedSky<Real>>
@@ -74,8 +69,8 @@ struct PreparedScene {
 template <class Real, class Paint, class Sky>
 [[nodiscard]] auto prepare_scene(const View<>& view, const std::vector<Painted<Paint>>& objects,
                                  const Sky& sky) {
-  PreparedScene<Real, Paint, decltype(prepare_sky<Real>(sky))> scene{
-      number_cast<Real>(view), {}, prepare_sky<Real>(sky)};
+  PreparedScene<Real, Paint, decltype(prepare<Real>(sky))> scene{
+      number_cast<Real>(view), {}, prepare<Real>(sky)};
   for (const Painted<Paint>& object : objects)
     scene.objects.push_back({prepare<Real>(object.shape), object.paint});
   return scene;

@@ -7,7 +7,7 @@
 
 namespace texmap {
 
-/// The fit of an arc tangent of odd degree 5, 7, ... 19, 23, 29 or 35.
+/// The fit of an arc tangent of odd degree 5, 7, ... 17, 23, 29 or 35.
 template <int Degree>
 using ArcTangentFit = fits::ArcTangent<(Degree + 1) / 2>;
 

@@ -30,20 +30,6 @@ namespace texmap {
   return {byte_of(shade.r), byte_of(shade.g), byte_of(shade.b)};
 }
 
-/// The widest levels of the 3 x 3 pixels around one, or of those that are in the picture.
-[[nodiscard]] inline int widest_around(const std::vector<int>& levels, int width, int height,
-                                       int column, int row) {
-  int widest = 0;
-  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y) {
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x) {
-      widest =
-          std::max(widest, levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                  static_cast<std::size_t>(x)]);
-    }
-  }
-  return widest;
-}
-
 /// The certainty map of a lesson, from its own code run with intervals. An uncertain pixel is drawn
 /// three wide: alone it would not be seen. `settings.certainty` gets the number of pixels.
 /// Double and every number with more digits draw each pixel within its bounds.
@@ -63,7 +49,12 @@ template <class Lesson>
   });
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
-      const int widest = widest_around(levels, view.width, view.height, column, row);
+      int widest = 0;
+      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, view.height - 1); ++y) {
+        const auto at = levels.begin() + static_cast<std::ptrdiff_t>(y) * view.width;
+        widest = std::max(widest, *std::max_element(at + std::max(column - 1, 0),
+                                                    at + std::min(column + 2, view.width)));
+      }
       if (widest > 0) image.at(column, row) = shade_of_uncertainty({}, widest);
     }
   }

@@ -1,7 +1,6 @@
 // Draws a lesson with the number that the user chose.
 #pragma once
 #include <optional>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -14,19 +13,22 @@ namespace texmap {
 
 /// True for lessons with code that compiles for packs: all, unless `about` says otherwise.
 template <class Lesson>
-[[nodiscard]] constexpr bool compiles_for_packs() {
-  if constexpr (requires { Lesson::about.numbers; }) {
-    return Lesson::about.numbers == std::remove_cvref_t<decltype(Lesson::about.numbers)>::all;
-  } else {
-    return true;
-  }
-}
+inline constexpr bool compiles_for_packs = !requires {
+  requires Lesson::about.numbers != std::remove_cvref_t<decltype(Lesson::about.numbers)>::all;
+};
 
-/// Draws a lesson's picture with any number.
+/// True for lessons whose code compiles for double alone.
 template <class Lesson>
+inline constexpr bool has_only_double = requires {
+  requires Lesson::about.numbers ==
+      std::remove_cvref_t<decltype(Lesson::about.numbers)>::only_double;
+};
+
+/// Draws a lesson's picture with any number that its code compiles for.
+template <class Lesson, bool packs = compiles_for_packs<Lesson>>
 struct DrawWork {
   using Result = Image;
-  static constexpr bool for_packs = compiles_for_packs<Lesson>();
+  static constexpr bool for_packs = packs;
 
   const Lesson& lesson;
   const View<>& view;
@@ -81,12 +83,8 @@ using WorkOf = typename WorkOfLesson<Lesson>::Type;
 /// @param number  float_pack or double_pack
 template <class Arch, class Work>
 [[nodiscard]] typename Work::Result run_in_packs(const Work& work, NumberKind number) {
-  if constexpr (requires { requires !Work::for_packs; }) {
-    throw std::logic_error("this lesson's code does not compile for packs");
-  } else {
-    if (number == NumberKind::float_pack) return work.template run<Pack2<Pack<float, Arch>>>();
-    return work.template run<Pack2<Pack<double, Arch>>>();
-  }
+  if (number == NumberKind::float_pack) return work.template run<Pack2<Pack<float, Arch>>>();
+  return work.template run<Pack2<Pack<double, Arch>>>();
 }
 
 /// The same with wider instructions: defined in files that CMake adds for each set (wide/), called
@@ -94,18 +92,15 @@ template <class Arch, class Work>
 template <Instructions instructions, class Work>
 [[nodiscard]] typename Work::Result run_in_wide_packs(const Work& work, NumberKind number);
 
-/// Runs a work with a number.
+/// Runs a work with a number; with double if it cannot be run with that one.
 template <class Work>
 [[nodiscard]] typename Work::Result run_in_number(const Work& work, NumberKind number,
                                                   [[maybe_unused]] Instructions instructions) {
   if constexpr (all_numbers) {
-    switch (number) {
-      case NumberKind::float_:
-        return work.template run<float>();
-      case NumberKind::extended:
-        return work.template run<long double>();
-      case NumberKind::float_pack:
-      case NumberKind::double_pack:
+    if (number == NumberKind::float_) return work.template run<float>();
+    if (number == NumberKind::extended) return work.template run<long double>();
+    if constexpr (!requires { requires !Work::for_packs; }) {
+      if (number == NumberKind::float_pack || number == NumberKind::double_pack) {
 #ifdef TEXMAP_WIDE_PACKS
         if (instructions == Instructions::avx512)
           return run_in_wide_packs<Instructions::avx512>(work, number);
@@ -113,25 +108,8 @@ template <class Work>
           return run_in_wide_packs<Instructions::avx2>(work, number);
 #endif
         return run_in_packs<simd::default_arch>(work, number);
-      case NumberKind::interval:
-      case NumberKind::double_:
-        break;
+      }
     }
-  }
-  if (number == NumberKind::interval) {
-    throw std::runtime_error(
-        "--number interval bounds the error of one ray, not the noise of random samples");
-  }
-  return work.template run<double>();
-}
-
-/// The same for code that does not compile for packs.
-template <class Work>
-[[nodiscard]] typename Work::Result run_in_single_number(const Work& work,
-                                                         [[maybe_unused]] NumberKind number) {
-  if constexpr (all_numbers) {
-    if (number == NumberKind::float_) return work.template run<float>();
-    if (number == NumberKind::extended) return work.template run<long double>();
   }
   return work.template run<double>();
 }
@@ -140,16 +118,21 @@ template <class Work>
 template <class Lesson>
 [[nodiscard]] Image draw(const Lesson& lesson, const View<>& view, NumberKind number,
                          const RenderSettings& settings) {
-  if constexpr (all_numbers) {
-    if (number == NumberKind::interval) return draw_certainty_map(lesson, view, settings);
+  if constexpr (has_only_double<Lesson>) {
+    return render<double>(lesson, view, settings);
+  } else {
+    if constexpr (all_numbers && compiles_for_packs<Lesson>) {
+      if (number == NumberKind::interval) return draw_certainty_map(lesson, view, settings);
+    }
+    return run_in_number(DrawWork<Lesson>{lesson, view, settings}, number, settings.instructions);
   }
-  return run_in_number(DrawWork<Lesson>{lesson, view, settings}, number, settings.instructions);
 }
-/// The same for a lesson that does not compile for packs and intervals.
+/// The same for code that says nothing of its numbers and does not compile for packs.
 template <class Lesson>
 [[nodiscard]] Image draw_single(const Lesson& lesson, const View<>& view, NumberKind number,
                                 const RenderSettings& settings) {
-  return run_in_single_number(DrawWork<Lesson>{lesson, view, settings}, number);
+  return run_in_number(DrawWork<Lesson, false>{lesson, view, settings}, number,
+                       settings.instructions);
 }
 
 /// The light of a lesson, gathered with `number`.
@@ -159,7 +142,7 @@ template <class Lesson, class Paint>
 [[nodiscard]] Film gather(const Lesson& lesson, const std::vector<Painted<Paint>>& objects,
                           const View<>& view, const Sampler& sampler, const Smoothing& smoothing,
                           NumberKind number, const RenderSettings& settings) {
-  const auto bounds = bounds_of_view(lesson, objects, view, smoothing, sampler.samples());
+  const auto bounds = bounds_of_view(lesson, objects, smoothing, sampler.samples());
   return run_in_number(GatherWork<Lesson, Paint>{lesson, objects, view, sampler, bounds, settings},
                        number, settings.instructions);
 }

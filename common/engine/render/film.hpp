@@ -8,6 +8,20 @@
 
 namespace texmap {
 
+/// The sum of the squared differences of what two colors' channels show: light above 1 counts as 1.
+[[nodiscard]] inline double visible_difference(const Rgb& a, const Rgb& b) {
+  return square(min(a.r, 1.0) - min(b.r, 1.0)) + square(min(a.g, 1.0) - min(b.g, 1.0)) +
+         square(min(a.b, 1.0) - min(b.b, 1.0));
+}
+
+/// The error of the mean, estimated from its two halves: half their difference, root mean square
+/// over pixels and channels. Patterns that are worse in halves have smaller errors than this.
+///
+/// @param squared_differences  of the halves' means, summed over `pixels` pixels
+[[nodiscard]] inline double error_of_halves(double squared_differences, double pixels) {
+  return std::sqrt(squared_differences / (3 * pixels)) / 2;
+}
+
 /// The light of a picture: the mean of each pixel's samples.
 class Film {
  public:
@@ -33,6 +47,14 @@ class Film {
     samples_ += other.samples_;
   }
 
+  /// The error of two halves of one size.
+  [[nodiscard]] friend double error_of_halves(const Film& first, const Film& second) {
+    double sum = 0;
+    for (std::size_t i = 0; i < first.pixels_.size(); ++i)
+      sum += visible_difference(first.pixels_[i], second.pixels_[i]);
+    return error_of_halves(sum, static_cast<double>(first.pixels_.size()));
+  }
+
   /// Estimated error of the mean, root mean square in units of light; +infinity if unknown.
   double error = infinity<double>();
 
@@ -47,35 +69,5 @@ class Film {
   long samples_;
   std::vector<Rgb> pixels_;
 };
-
-/// The sum of the squared differences of two colors' channels.
-[[nodiscard]] inline double squared_difference(const Rgb& a, const Rgb& b) {
-  return square(a.r - b.r) + square(a.g - b.g) + square(a.b - b.b);
-}
-
-/// The same for what a pixel can show of them: light above 1 counts as 1.
-[[nodiscard]] inline double visible_difference(const Rgb& a, const Rgb& b) {
-  const auto shown = [](const Rgb& c) { return Rgb{min(c.r, 1.0), min(c.g, 1.0), min(c.b, 1.0)}; };
-  return squared_difference(shown(a), shown(b));
-}
-
-/// The error of the mean, estimated from its two halves: half their difference, root mean square
-/// over pixels and channels. Patterns that are worse in halves have smaller errors than this.
-///
-/// @param squared_differences  of the halves' means, summed over `pixels` pixels
-[[nodiscard]] inline double error_of_halves(double squared_differences, double pixels) {
-  return std::sqrt(squared_differences / (3 * pixels)) / 2;
-}
-
-/// The same for two films of one size.
-[[nodiscard]] inline double error_of_halves(const Film& first, const Film& second) {
-  double sum = 0;
-  for (int row = 0; row < first.height(); ++row) {
-    for (int column = 0; column < first.width(); ++column) {
-      sum += visible_difference(first.light(column, row), second.light(column, row));
-    }
-  }
-  return error_of_halves(sum, static_cast<double>(first.width()) * first.height());
-}
 
 }  // namespace texmap

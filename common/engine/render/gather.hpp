@@ -109,17 +109,15 @@ void gather_pixels(const Sampler& sampler, const std::vector<Pixel>& pixels, con
 template <class Lesson, class Paint>
 [[nodiscard]] std::optional<ViewBounds> bounds_of_view(const Lesson& lesson,
                                                        const std::vector<Painted<Paint>>& objects,
-                                                       const View<>& view,
                                                        const Smoothing& smoothing, int samples) {
-  if (objects.size() != 1 || lesson.sampling.lens.blurs()) return {};
   const auto& sky = lesson.stage.sky;
-  if constexpr (!std::is_same_v<decltype(sky), const GradientSky&>) {
-    return {};
-  } else {
-    return ViewBounds{screen_bounds(view, objects.front().shape),
-                      sky.is_constant() ? std::optional(sky.below) : std::nullopt,
-                      samples < least_samples_of_patch ? Smoothing{} : smoothing};
+  if constexpr (std::is_same_v<decltype(sky), const GradientSky&>) {
+    if (objects.size() == 1 && !lesson.sampling.lens.blurs()) {
+      return ViewBounds{sky.is_constant() ? std::optional(sky.below) : std::nullopt,
+                        samples < least_samples_of_patch ? Smoothing{} : smoothing};
+    }
   }
+  return {};
 }
 
 /// The light of a lesson's picture. Pixels that miss a lone sphere skip it, smooth pixels are
@@ -152,13 +150,8 @@ template <class Real, class Lesson, class Paint>
     const int first_row = block * rows_at_a_time;
     const int end_row = std::min(first_row + rows_at_a_time, view.height);
     PixelLists lists;
-    for (int row = first_row; row < end_row; ++row) {
-      if (bounds) {
-        add_row<Real>(lists, row, view.width, scene, *bounds);
-      } else {
-        add_row(lists, row, view.width);
-      }
-    }
+    for (int row = first_row; row < end_row; ++row)
+      add_row<Real>(lists, row, view.width, scene, bounds);
     if (bounds && bounds->light) {
       const Rgb first = *bounds->light * static_cast<double>(film.first());
       const Rgb second = *bounds->light * static_cast<double>(film.second());

@@ -1,7 +1,7 @@
 // Detects the machine's instruction sets.
-#include "engine/render/instructions.hpp"
-
 #include <initializer_list>
+
+#include "engine/render/settings.hpp"
 
 namespace texmap {
 

@@ -1,6 +1,7 @@
 // Renders a picture: rays through its pixels, on many threads, with any number.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -39,21 +40,20 @@ template <class Real>
 struct PixelOffset {
   double column = 0, row = 0;
 };
-[[nodiscard]] PixelOffset pixel_offset(int sample);
-
-/// True for lessons that may ask how (u, v) changes from pixel to pixel: for filters and bumps.
-template <class Lesson>
-concept MayNeedFootprints = requires(const Lesson& lesson) {
-  lesson.needs_footprints();
-};
+[[nodiscard]] inline PixelOffset pixel_offset(int sample) {
+  // 1/g and 1/g^2 with g = 1.3247..., g^3 = g + 1.
+  const double x = 0.5 + sample * 0.75487766624669276;
+  const double y = 0.5 + sample * 0.56984029099805327;
+  return {x - std::floor(x) - 0.5, y - std::floor(y) - 0.5};
+}
 
 /// The color of the ray through a place in the picture. A lesson that needs footprints gets a ray
 /// with its derivatives by column and row; `spacing` is the distance of its samples, in pixels.
 template <class Real, class Lesson>
 [[nodiscard]] Color<Real> ray_color(const Lesson& lesson, const View<>& view, const Real& column,
                                     const Real& row, const Real& spacing) {
-  if constexpr (MayNeedFootprints<Lesson>) {
-    if (lesson.needs_footprints()) {
+  if constexpr (requires { lesson.needs_footprints(); }) {
+    if (lesson.needs_footprints()) {  // to know how (u, v) changes: for filters and bumps
       const Dual<Real> across{column, spacing, Real(0)};
       const Dual<Real> down{row, Real(0), spacing};
       const Color<Dual<Real>> color = lesson(ray_through(view, across, down));
@@ -62,12 +62,6 @@ template <class Real, class Lesson>
   }
   return lesson(ray_through(view, column, row));
 }
-
-/// True for lessons that compute with linear light and say how a pixel shows the mean of it.
-template <class Lesson, class Real>
-concept ShowsLight = requires(const Lesson& lesson, const Color<Real>& light) {
-  lesson.shown(light);
-};
 
 /// The color of a pixel, or of a pack of neighboring pixels: the mean of its samples.
 template <class Real, class Lesson>
@@ -82,7 +76,7 @@ template <class Real, class Lesson>
           ray_color(lesson, view, column + Real(offset.column), row + Real(offset.row), spacing);
   }
   const Color<Real> mean = samples == 1 ? sum : sum * (Real(1) / Real(samples));
-  if constexpr (ShowsLight<Lesson, Real>) {
+  if constexpr (requires { lesson.shown(mean); }) {  // it computes with linear light
     return lesson.shown(mean);
   } else {
     return mean;

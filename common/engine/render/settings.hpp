@@ -2,8 +2,6 @@
 #pragma once
 #include <functional>
 
-#include "engine/render/instructions.hpp"
-
 namespace texmap {
 
 /// The numbers that a picture can be drawn with.
@@ -15,6 +13,20 @@ enum class NumberKind {
   double_pack,  ///< several doubles at once
   interval,     ///< two doubles around the true number: draws the certainty map
 };
+
+/// Instruction sets for packs. Wider ones are compiled in files of their own (wide/), so that one
+/// program runs on every machine.
+enum class Instructions {
+  baseline,  ///< on every machine of this kind: SSE2 on x86-64, 16 bytes at once
+  avx2,      ///< 32 bytes at once
+  avx512,    ///< 64 bytes at once
+};
+
+/// True if this machine and its operating system support them.
+[[nodiscard]] bool machine_has(Instructions instructions);
+
+/// The widest that this machine has.
+[[nodiscard]] Instructions widest_instructions();
 
 /// What a picture shows of the surfaces of a scene.
 enum class Shown {
@@ -30,9 +42,6 @@ constexpr bool all_numbers = false;
 #else
 constexpr bool all_numbers = true;
 #endif
-
-/// The fastest number that draws the same picture as double in every chapter (tests/packs).
-inline constexpr NumberKind default_number = NumberKind::double_pack;
 
 /// How a picture is rendered; only `samples` changes what it shows.
 struct RenderSettings {

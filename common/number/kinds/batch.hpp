@@ -68,16 +68,18 @@ struct default_arch {};
 template <class T>
 inline constexpr std::size_t batch_size = 16 / sizeof(T);
 
+// An operator of two batches, or of their masks, is that of each pair of lanes.
+#define TEXMAP_OF_LANES(Result, Operand, op)                                      \
+  friend auto operator op(const Operand& a, const Operand& b) {                   \
+    return Result::each([&](std::size_t i) { return a.lanes[i] op b.lanes[i]; }); \
+  }
+
 template <class T, class Arch>
 struct batch_bool {
   std::array<bool, batch_size<T>> lanes{};
 
-  friend batch_bool operator&&(const batch_bool& a, const batch_bool& b) {
-    return each([&](std::size_t i) { return a.lanes[i] && b.lanes[i]; });
-  }
-  friend batch_bool operator||(const batch_bool& a, const batch_bool& b) {
-    return each([&](std::size_t i) { return a.lanes[i] || b.lanes[i]; });
-  }
+  TEXMAP_OF_LANES(batch_bool, batch_bool, &&)
+  TEXMAP_OF_LANES(batch_bool, batch_bool, ||)
   friend batch_bool operator!(const batch_bool& a) {
     return each([&](std::size_t i) { return !a.lanes[i]; });
   }
@@ -107,18 +109,15 @@ struct alignas(16) batch {
     return each([from](std::size_t i) { return from[i]; });
   }
 
-  friend batch operator+(const batch& a, const batch& b) {
-    return each([&](std::size_t i) { return a.lanes[i] + b.lanes[i]; });
-  }
-  friend batch operator-(const batch& a, const batch& b) {
-    return each([&](std::size_t i) { return a.lanes[i] - b.lanes[i]; });
-  }
-  friend batch operator*(const batch& a, const batch& b) {
-    return each([&](std::size_t i) { return a.lanes[i] * b.lanes[i]; });
-  }
-  friend batch operator/(const batch& a, const batch& b) {
-    return each([&](std::size_t i) { return a.lanes[i] / b.lanes[i]; });
-  }
+  TEXMAP_OF_LANES(batch, batch, +)
+  TEXMAP_OF_LANES(batch, batch, -)
+  TEXMAP_OF_LANES(batch, batch, *)
+  TEXMAP_OF_LANES(batch, batch, /)
+  TEXMAP_OF_LANES(Mask, batch, <)
+  TEXMAP_OF_LANES(Mask, batch, <=)
+  TEXMAP_OF_LANES(Mask, batch, >)
+  TEXMAP_OF_LANES(Mask, batch, >=)
+  TEXMAP_OF_LANES(Mask, batch, ==)
   friend batch operator-(const batch& a) {
     return each([&](std::size_t i) { return -a.lanes[i]; });
   }
@@ -127,18 +126,6 @@ struct alignas(16) batch {
     return each([&](std::size_t i) {
       return std::signbit(sign.lanes[i]) ? -std::abs(a.lanes[i]) : a.lanes[i];
     });
-  }
-
-  friend Mask operator<(const batch& a, const batch& b) {
-    return Mask::each([&](std::size_t i) { return a.lanes[i] < b.lanes[i]; });
-  }
-  friend Mask operator<=(const batch& a, const batch& b) {
-    return Mask::each([&](std::size_t i) { return a.lanes[i] <= b.lanes[i]; });
-  }
-  friend Mask operator>(const batch& a, const batch& b) { return b < a; }
-  friend Mask operator>=(const batch& a, const batch& b) { return b <= a; }
-  friend Mask operator==(const batch& a, const batch& b) {
-    return Mask::each([&](std::size_t i) { return a.lanes[i] == b.lanes[i]; });
   }
 
   template <class Value>
@@ -173,26 +160,20 @@ template <class T, class Arch>
 [[nodiscard]] batch<T, Arch> min(const batch<T, Arch>& a, const batch<T, Arch>& b) {
   return select(a < b, a, b);
 }
-template <class T, class Arch>
-[[nodiscard]] batch<T, Arch> abs(const batch<T, Arch>& a) {
-  return batch<T, Arch>::each([&](std::size_t i) { return std::abs(a.lanes[i]); });
-}
-template <class T, class Arch>
-[[nodiscard]] batch<T, Arch> sqrt(const batch<T, Arch>& a) {
-  return batch<T, Arch>::each([&](std::size_t i) { return std::sqrt(a.lanes[i]); });
-}
-template <class T, class Arch>
-[[nodiscard]] batch<T, Arch> floor(const batch<T, Arch>& a) {
-  return batch<T, Arch>::each([&](std::size_t i) { return std::floor(a.lanes[i]); });
-}
-template <class T, class Arch>
-[[nodiscard]] batch<T, Arch> exp(const batch<T, Arch>& a) {
-  return batch<T, Arch>::each([&](std::size_t i) { return std::exp(a.lanes[i]); });
-}
-template <class T, class Arch>
-[[nodiscard]] batch<T, Arch> log1p(const batch<T, Arch>& a) {
-  return batch<T, Arch>::each([&](std::size_t i) { return std::log1p(a.lanes[i]); });
-}
+// A function of a batch is that of each lane.
+#define TEXMAP_OF_EACH_LANE(function)                                                      \
+  template <class T, class Arch>                                                           \
+  [[nodiscard]] batch<T, Arch> function(const batch<T, Arch>& a) {                         \
+    return batch<T, Arch>::each([&](std::size_t i) { return std::function(a.lanes[i]); }); \
+  }
+TEXMAP_OF_EACH_LANE(abs)
+TEXMAP_OF_EACH_LANE(sqrt)
+TEXMAP_OF_EACH_LANE(floor)
+TEXMAP_OF_EACH_LANE(exp)
+TEXMAP_OF_EACH_LANE(log1p)
+#undef TEXMAP_OF_EACH_LANE
+#undef TEXMAP_OF_LANES
+
 /// Zeros with the signs of `a`.
 template <class T, class Arch>
 [[nodiscard]] batch<T, Arch> bitofsign(const batch<T, Arch>& a) {

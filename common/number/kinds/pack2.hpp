@@ -30,37 +30,37 @@ struct Pack2 {
     return i < in_half ? first.get(i) : second.get(i - in_half);
   }
 
-  // Arithmetic, on numbers and integers.
-  friend Pack2 operator+(const Pack2& a, const Pack2& b) {
-    return {a.first + b.first, a.second + b.second};
+// An operator of two pairs is that of their first and that of their second halves.
+#define TEXMAP_OF_HALVES(op)                                  \
+  friend auto operator op(const Pack2& a, const Pack2& b) {   \
+    return pair_of(a.first op b.first, a.second op b.second); \
   }
-  friend Pack2 operator-(const Pack2& a, const Pack2& b) {
-    return {a.first - b.first, a.second - b.second};
-  }
-  friend Pack2 operator*(const Pack2& a, const Pack2& b) {
-    return {a.first * b.first, a.second * b.second};
-  }
-  friend Pack2 operator/(const Pack2& a, const Pack2& b) {
-    return {a.first / b.first, a.second / b.second};
-  }
+  TEXMAP_OF_HALVES(+)
+  TEXMAP_OF_HALVES(-)
+  TEXMAP_OF_HALVES(*)
+  TEXMAP_OF_HALVES(/)
+  TEXMAP_OF_HALVES(<)
+  TEXMAP_OF_HALVES(<=)
+  TEXMAP_OF_HALVES(>)
+  TEXMAP_OF_HALVES(>=)
+  TEXMAP_OF_HALVES(==)
+  TEXMAP_OF_HALVES(&&)
+  TEXMAP_OF_HALVES(||)
+  TEXMAP_OF_HALVES(^)
+  TEXMAP_OF_HALVES(&)
+  TEXMAP_OF_HALVES(|)
+#undef TEXMAP_OF_HALVES
+
   friend Pack2 operator-(const Pack2& a) { return {-a.first, -a.second}; }
-
-  friend auto operator<(const Pack2& a, const Pack2& b) {
-    return masks(a.first < b.first, a.second < b.second);
+  friend Pack2 operator!(const Pack2& a) { return {!a.first, !a.second}; }
+  friend Pack2 operator~(const Pack2& a) { return {~a.first, ~a.second}; }
+  friend Pack2 operator<<(const Pack2& a, int count) {
+    return {a.first << count, a.second << count};
   }
-  friend auto operator<=(const Pack2& a, const Pack2& b) {
-    return masks(a.first <= b.first, a.second <= b.second);
+  friend Pack2 operator>>(const Pack2& a, int count) {
+    return {a.first >> count, a.second >> count};
   }
-  friend auto operator>(const Pack2& a, const Pack2& b) {
-    return masks(a.first > b.first, a.second > b.second);
-  }
-  friend auto operator>=(const Pack2& a, const Pack2& b) {
-    return masks(a.first >= b.first, a.second >= b.second);
-  }
-  friend auto operator==(const Pack2& a, const Pack2& b) {
-    return masks(a.first == b.first, a.second == b.second);
-  }
-
+  friend bool any(const Pack2& a) { return any(a.first || a.second); }
   template <class HalfMask>
   friend Pack2 select(const Pack2<HalfMask>& mask, const Pack2& yes, const Pack2& no) {
     return {select(mask.first, yes.first, no.first), select(mask.second, yes.second, no.second)};
@@ -78,34 +78,6 @@ struct Pack2 {
   friend Pack2 log1p(const Pack2& a) { return {log1p(a.first), log1p(a.second)}; }
   friend Pack2 atan2(const Pack2& y, const Pack2& x) {
     return {atan2(y.first, x.first), atan2(y.second, x.second)};
-  }
-
-  // Masks.
-  friend Pack2 operator&&(const Pack2& a, const Pack2& b) {
-    return {a.first && b.first, a.second && b.second};
-  }
-  friend Pack2 operator||(const Pack2& a, const Pack2& b) {
-    return {a.first || b.first, a.second || b.second};
-  }
-  friend Pack2 operator!(const Pack2& a) { return {!a.first, !a.second}; }
-  friend bool any(const Pack2& a) { return any(a.first || a.second); }
-
-  // Unsigned integers.
-  friend Pack2 operator^(const Pack2& a, const Pack2& b) {
-    return {a.first ^ b.first, a.second ^ b.second};
-  }
-  friend Pack2 operator&(const Pack2& a, const Pack2& b) {
-    return {a.first & b.first, a.second & b.second};
-  }
-  friend Pack2 operator|(const Pack2& a, const Pack2& b) {
-    return {a.first | b.first, a.second | b.second};
-  }
-  friend Pack2 operator~(const Pack2& a) { return {~a.first, ~a.second}; }
-  friend Pack2 operator<<(const Pack2& a, int count) {
-    return {a.first << count, a.second << count};
-  }
-  friend Pack2 operator>>(const Pack2& a, int count) {
-    return {a.first >> count, a.second >> count};
   }
   friend Pack2 select_less(const Pack2& a, const Pack2& b, const Pack2& yes, const Pack2& no) {
     return {select_less(a.first, b.first, yes.first, no.first),
@@ -131,8 +103,8 @@ struct Pack2 {
   }
 
  private:
-  template <class HalfMask>
-  static Pack2<HalfMask> masks(const HalfMask& a, const HalfMask& b) {
+  template <class OtherHalf>
+  static Pack2<OtherHalf> pair_of(const OtherHalf& a, const OtherHalf& b) {
     return {a, b};
   }
 };

@@ -53,23 +53,9 @@ class PackU32 {
   }
 
 #ifdef TEXMAP_VECTOR_TYPES
-  friend PackU32 operator+(const PackU32& a, const PackU32& b) {
-    return {a.values_ + b.values_, 0};
-  }
-  friend PackU32 operator-(const PackU32& a, const PackU32& b) {
-    return {a.values_ - b.values_, 0};
-  }
-  friend PackU32 operator*(const PackU32& a, const PackU32& b) {
-    return {a.values_ * b.values_, 0};
-  }
-  friend PackU32 operator^(const PackU32& a, const PackU32& b) {
-    return {a.values_ ^ b.values_, 0};
-  }
-  friend PackU32 operator&(const PackU32& a, const PackU32& b) {
-    return {a.values_ & b.values_, 0};
-  }
-  friend PackU32 operator|(const PackU32& a, const PackU32& b) {
-    return {a.values_ | b.values_, 0};
+#define TEXMAP_OF_LANES(op)                                        \
+  friend PackU32 operator op(const PackU32& a, const PackU32& b) { \
+    return {a.values_ op b.values_, 0};                            \
   }
   friend PackU32 operator~(const PackU32& a) { return {~a.values_, 0}; }
   friend PackU32 operator<<(const PackU32& a, int count) { return {a.values_ << count, 0}; }
@@ -81,23 +67,9 @@ class PackU32 {
     return {a.values_ < b.values_ ? yes.values_ : no.values_, 0};
   }
 #else
-  friend PackU32 operator+(const PackU32& a, const PackU32& b) {
-    return each([&](auto i) { return a[i] + b[i]; });
-  }
-  friend PackU32 operator-(const PackU32& a, const PackU32& b) {
-    return each([&](auto i) { return a[i] - b[i]; });
-  }
-  friend PackU32 operator*(const PackU32& a, const PackU32& b) {
-    return each([&](auto i) { return a[i] * b[i]; });
-  }
-  friend PackU32 operator^(const PackU32& a, const PackU32& b) {
-    return each([&](auto i) { return a[i] ^ b[i]; });
-  }
-  friend PackU32 operator&(const PackU32& a, const PackU32& b) {
-    return each([&](auto i) { return a[i] & b[i]; });
-  }
-  friend PackU32 operator|(const PackU32& a, const PackU32& b) {
-    return each([&](auto i) { return a[i] | b[i]; });
+#define TEXMAP_OF_LANES(op)                                        \
+  friend PackU32 operator op(const PackU32& a, const PackU32& b) { \
+    return each([&](auto i) { return a[i] op b[i]; });             \
   }
   friend PackU32 operator~(const PackU32& a) {
     return each([&](auto i) { return ~a[i]; });
@@ -115,6 +87,13 @@ class PackU32 {
     return each([&](auto i) { return a[i] < b[i] ? yes[i] : no[i]; });
   }
 #endif
+  TEXMAP_OF_LANES(+)
+  TEXMAP_OF_LANES(-)
+  TEXMAP_OF_LANES(*)
+  TEXMAP_OF_LANES(^)
+  TEXMAP_OF_LANES(&)
+  TEXMAP_OF_LANES(|)
+#undef TEXMAP_OF_LANES
 
   /// The numbers of a pack as integers, cut off. Domain: 0 to 2^31 - 1.
   template <class Real>

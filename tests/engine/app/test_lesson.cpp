@@ -8,16 +8,6 @@
 namespace texmap::test {
 namespace {
 
-TEST_CASE("a set of objects contains those that were named, and no others") {
-  constexpr ObjectSet none;
-  constexpr ObjectSet some{0, 3, 31};
-  for (int i = 0; i < 32; ++i) {
-    CHECK_FALSE(none.contains(i));
-    CHECK(some.contains(i) == (i == 0 || i == 3 || i == 31));
-  }
-  static_assert(ObjectSet{2, 2}.contains(2) && !ObjectSet{2, 2}.contains(1));
-}
-
 /// The session of a lesson, as its program has it before anything is typed.
 struct Started {
   CommandLine line{"lesson", ""};
@@ -33,19 +23,6 @@ struct Started {
     return line.help().find(words) != std::string::npos;
   }
 };
-
-TEST_CASE("a session begins with the lesson's size and samples, unless the user chose others") {
-  Started own({.idea = "an idea", .size = {400, 225}}, {}, {.samples = 100});
-  CHECK(own.session.settings.samples == 100);
-  CHECK(own.session.settings.number == default_number);
-  CHECK(own.session.settings.out == "out/99_lesson.png");
-  CHECK(own.offers("(default: 225)"));
-  CHECK(own.offers("(default: 100)"));
-  REQUIRE(own.line.parse({"--width", "640"}));
-  own.session.default_size(200, 100);
-  CHECK(own.session.settings.width == 640);
-  CHECK(own.session.settings.height == 100);
-}
 
 TEST_CASE("a lesson offers what its code runs with, and not what it goes without") {
   const Started usual({.idea = "an idea"});

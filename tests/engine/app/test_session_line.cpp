@@ -1,4 +1,4 @@
-// The line that a chapter prints about each picture.
+// The line that a chapter prints about each picture, and what it refuses to draw.
 #include <doctest.h>
 
 #include <cmath>
@@ -27,14 +27,19 @@ std::vector<double> numbers_of(const std::string& line, const std::string& file)
   return numbers;
 }
 
+/// Runs a chapter for a small picture.
+Outcome drawn(const std::string& chapter, const std::string& words, const std::string& file) {
+  return run("\"" TEXMAP_BIN + chapter + "\" --width 40 --height 30 --out \"" + file + "\" " +
+             words);
+}
+
 }  // namespace
 
 TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, encoding and writing") {
   const TemporaryFolder folder;
-  const std::string command =
-      "\"" TEXMAP_CHAPTER "\" --width 40 --height 30 --samples 256 --texture \"" TEXMAP_ASSETS_DIR
-      "/earth.png\" --out ";
-  const Outcome outcome = run(command + "\"" + (folder / "picture.png") + "\"");
+  const std::string chapter = "05_y_rotation";
+  const std::string words = "--samples 256 --texture \"" TEXMAP_ASSETS_DIR "/earth.png\" ";
+  const Outcome outcome = drawn(chapter, words, folder / "picture.png");
   REQUIRE(outcome.status == 0);
   const std::vector<double> of = numbers_of(outcome.out, folder / "picture.png");
   CHECK(std::fabs(of[0] - (of[1] + of[2] + of[3] + of[4])) < 0.251);  // five rounded to tenths
@@ -44,39 +49,48 @@ TEST_CASE("the milliseconds of a picture are the sum of loading, rendering, enco
   CHECK(of[5] >= rays / (of[2] + 0.051) - 0.051);
   CHECK(of[5] <= rays / (of[2] - 0.051) + 0.051);
   // Loading counts for the first of several pictures only; a quiet chapter prints no line.
-  const std::string turn = command + "\"" + (folder / "turn.png") + "\" --samples 1 --turntable 2";
-  const std::string both = run(turn).out;
+  const std::string turn = words + "--samples 1 --turntable 2 ";
+  const std::string both = drawn(chapter, turn, folder / "turn.png").out;
   const std::size_t second = both.find('\n') + 1;
   CHECK(numbers_of(both.substr(0, second), folder / "turn_000.png")[1] > 1);
   CHECK(numbers_of(both.substr(second), folder / "turn_001.png")[1] == 0);
-  CHECK(run(turn + " --quiet").out.empty());
+  CHECK(drawn(chapter, turn + "--quiet", folder / "turn.png").out.empty());
 }
 
-TEST_CASE("what a chapter prints is its text to the byte, and ends with one end of a line") {
-  const Outcome version = run("\"" TEXMAP_CHAPTER "\" --version");
-  CHECK(version.status == 0);
-  CHECK(version.out == "05_y_rotation " TEXMAP_VERSION " (Texture Mapping, Step by Step)\n");
-  CHECK(version.err == "");
-  const Outcome help = run("\"" TEXMAP_CHAPTER "\" --help");
-  const std::string end =
-      "\nexit status: 0 the picture is written; 1 an error, no picture; 2 the command line is "
-      "wrong\n";
-  CHECK(help.status == 0);
-  CHECK(help.out.starts_with("05_y_rotation: "));
-  REQUIRE(help.out.find(end) != std::string::npos);
-  CHECK(help.out.find(end) + end.size() == help.out.size());
-  CHECK(help.err == "");
-}
-
-TEST_CASE("what a chapter says of an error is its text to the byte, on stderr alone") {
-  const Outcome wrong = run("\"" TEXMAP_CHAPTER "\" --nonsense");
-  CHECK(wrong.status == 2);
-  CHECK(wrong.out == "");
-  CHECK(wrong.err ==
-        "error: there is no option --nonsense\nusage: 05_y_rotation [options]     (05_y_rotation "
-        "--help lists them)\n");
-  const Outcome missing = run("\"" TEXMAP_CHAPTER "\" --texture no/such/file.png --out x.png");
-  CHECK(missing.status == 1);
-  CHECK(missing.out == "");
-  CHECK(missing.err == "error: cannot load texture 'no/such/file.png': there is no such file\n");
+TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, and write no file") {
+  struct Refused {
+    const char *chapter, *words;
+    std::string says;
+  };
+  const std::string no_camera =
+      "--zoom and --show normal, uv and object work only for pictures that a camera sees; this "
+      "picture has no camera";
+  for (const Refused& row : std::vector<Refused>{
+           {"05_y_rotation", "--zoom 0.009",
+            "--zoom takes a number from 0.01 to 1e+06, not '0.009'"},
+           {"05_y_rotation", "--zoom 2 --at 20", "--at takes COLUMN,ROW such as 400,300, not '20'"},
+           {"05_y_rotation", "--zoom 2 --at 40,0",
+            "the column of --at takes a whole number from 0 to 39, not '40'"},
+           {"05_y_rotation", "--zoom 2 --at 1,2,3",
+            "the row of --at takes a whole number from 0 to 29, not '2,3'"},
+           {"05_y_rotation", "--at 1,2",
+            "--at is the pixel that stays in its place under --zoom: give --zoom, too"},
+           {"05_y_rotation", "--show normal --samples 4",
+            "--show normal, uv and object use 1 ray per pixel, because a mean of normals or "
+            "objects has no meaning: leave --samples out"},
+           {"11_bump_and_normal_maps", "--zoom 2 --show daily", no_camera},
+           {"11_bump_and_normal_maps", "--show daily --show uv", no_camera},
+#ifdef TEXMAP_ALL_NUMBERS
+           {"09_texture_filtering", "--zoom 2 --budget levels=4",
+            "--budget chooses a filter for the whole picture: leave --zoom out"},
+           {"05_y_rotation", "--show uv --number interval",
+            "--show normal, uv and object do not work with --number interval, which bounds colors"},
+#endif
+       }) {
+    const TemporaryFolder folder;
+    const Outcome outcome = drawn(row.chapter, row.words, folder / "picture.png");
+    CHECK(outcome.err.starts_with("error: " + row.says + "\nusage: " + row.chapter));
+    CHECK(outcome.status == 2);
+    CHECK(folder.size() == 0);
+  }
 }

@@ -6,7 +6,8 @@
 
 #include "engine/kernels/biquadratic.hpp"
 #include "engine/kernels/srgb_kernel.hpp"
-#include "engine/kernels/worst_error.hpp"
+#include "number/kinds/pack.hpp"
+#include "support/dice.hpp"
 #include "support/lanes.hpp"
 
 namespace texmap::test {
@@ -36,7 +37,7 @@ TEST_CASE_TEMPLATE(
     for (const double angle : {0.0, 37.0, 90.0, -200.5}) {
       const Rotated<ConventionMapping> exact{rotation_y(angle), {convention}};
       const auto check = [&](int degree, const Vec3<Real>& p) {
-        const Uv<Real> is = planned_mapping(degree, exact)(p);
+        const Uv<Real> is = PlannedMapping{degree, convention, exact.rotation}(p);
         const Uv<Real> should = exact(p);
         const UvError worst = worst_of_degree<T>(degree);
         for (std::size_t i = 0; i < lanes<Real>; ++i) {
@@ -59,8 +60,10 @@ TEST_CASE_TEMPLATE(
   }
   // The bound is not idle: the cheapest kernel is off by more than the next one may be.
   double off = 0;
-  for (const Vec3<double>& p : unit_vectors<double>(1000))
+  for (int i = 0; i < 1000; ++i) {
+    const auto p = dice.direction<double>();
     off = std::max(off, apart(PlannedMapping{5}(p).u, uv_rtiow(p).u));
+  }
   CHECK(off > worst_of_degree<double>(7).u);
 }
 
@@ -125,18 +128,17 @@ TEST_CASE("known budgets buy known kernels, which keep them, and the next cheape
 
 TEST_CASE("colors are as cheap as a budget of levels allows, and otherwise exact") {
   for (const char* text : {"exact", "texels=100", "levels=0.0001"}) {
-    CHECK(choose_srgb_kernel(parse_budget(text)).terms == 0);
-    CHECK(choose_power_kernel(parse_budget(text)).terms == 0);
+    CHECK(plan_surface(parse_budget(text), Image(2, 1), 0).srgb_terms == 0);
+    CHECK(plan_highlight(parse_budget(text)).power_terms == 0);
   }
   for (const auto& [levels, terms] : {std::pair{0.99, 0}, {1.0, 6}, {2.0, 4}, {7.0, 3}, {8.0, 3}})
-    CHECK(choose_srgb_kernel({Budget::Unit::levels, levels}).terms == terms);
+    CHECK(plan_surface({Budget::Unit::levels, levels}, Image(2, 1), 0).srgb_terms == terms);
   const auto power = [](double worst, int terms, int next) {
     const auto bought = [](double levels) {
-      return choose_power_kernel({Budget::Unit::levels, levels});
+      return plan_highlight({Budget::Unit::levels, levels}).power_terms;
     };
-    CHECK(bought(worst).terms == terms);
-    CHECK(bought(worst).worst_levels == worst);
-    CHECK(bought(std::nextafter(worst, 0)).terms == next);
+    CHECK(bought(worst) == terms);
+    CHECK(bought(std::nextafter(worst, 0)) == next);
   };
   power(PowerKernel<3>::worst_levels<float>, 3, 4);
   power(PowerKernel<4>::worst_levels<float>, 4, 6);

@@ -7,7 +7,6 @@
 #include "engine/kernels/root_texture.hpp"
 #include "math/srgb.hpp"
 #include "support/dice.hpp"
-#include "support/lanes.hpp"
 
 namespace texmap::test {
 namespace {
@@ -48,10 +47,6 @@ TEST_CASE(
   }
   CHECK(worst <= RootTexture::worst_levels);
   CHECK(worst > 0.8 * RootTexture::worst_levels);
-}
-
-TEST_CASE_TEMPLATE("each lane of a pack reads what a plain number reads", T, float, double) {
-  check_lanes_of_texture<T>(RootTexture(all_bytes(TexelLight::linear)));
 }
 
 }  // namespace

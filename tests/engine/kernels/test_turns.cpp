@@ -4,8 +4,11 @@
 
 #include <doctest.h>
 
-#include "engine/kernels/worst_error.hpp"
+#include "number/kinds/pack.hpp"
+#include "support/dice.hpp"
 #include "support/hard_vectors.hpp"
+
+#define TEXMAP_KERNEL_NUMBERS float, double, long double, Pack<float>, Pack<double>
 
 namespace texmap::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/kernels/fetched_pyramid.hpp"
 #include "engine/kernels/fetched_texels.hpp"
 #include "engine/kernels/root_texture.hpp"
-#include "engine/render/instructions.hpp"
+#include "engine/render/settings.hpp"
 #include "texture/filters.hpp"
 
 namespace texmap::test {

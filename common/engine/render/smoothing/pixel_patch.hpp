@@ -4,7 +4,6 @@
 
 #include "engine/kernels/biquadratic.hpp"
 #include "engine/kernels/prepared_scene.hpp"
-#include "engine/kernels/smoothing.hpp"
 #include "sampling/directions.hpp"
 
 namespace texmap {

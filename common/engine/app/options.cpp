@@ -1,0 +1,247 @@
+// What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
+// of their own, have files of their own. A program that offers none of these groups links none.
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/app/budget_options.hpp"
+#include "engine/app/bump_options.hpp"
+#include "engine/app/command_line.hpp"
+#include "engine/app/filter_options.hpp"
+#include "engine/app/layout_options.hpp"
+#include "engine/app/phong_options.hpp"
+#include "engine/app/projection_options.hpp"
+#include "engine/app/sampling_options.hpp"
+#include "engine/app/session.hpp"
+#include "engine/app/texture_file.hpp"
+#include "engine/app/turntable.hpp"
+#include "engine/kernels/kernel_plan.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/render/convert_projection.hpp"
+#include "engine/system/system.hpp"
+
+namespace texmap {
+
+void TextureFile::declare(CommandLine& line) {
+  line.text("--texture", "FILE", name, help);
+  line.wishes.before_frames.emplace_back([this] {
+    if (loaded) kept = load();
+  });
+  line.wishes.uses.emplace_back([this] {
+    if (loaded) return;
+    throw std::logic_error(
+        "the lesson offers --texture and never loads it: is its hook spelt `prepare`? Write "
+        "`override` after it, and the compiler checks the name");
+  });
+}
+
+Image TextureFile::load() const {
+  loaded = true;
+  if (!kept.pixels.empty()) return kept;
+  return load_image(find_texture(name));
+}
+
+void LayoutOptions::declare(CommandLine& line) {
+  line.choice("--convention", convention, "daily|rtiow|lecture",
+              "where on the globe the picture begins, and which way it runs");
+  line.choice(
+      "--rounding", rounding, "floor|lecture",
+      "which texel has the coordinate u: number floor(u n), or the lecture's (n-1) u, cut off");
+}
+
+ImageTexture LayoutOptions::load(const TextureFile& file) const {
+  return {file.load(), v_axis_of(convention), rounding};
+}
+
+void Turntable::declare(CommandLine& line) {
+  line.decimal("--degrees", degrees, -1e300, 1e300,
+               "rotates the globe about its axis by this angle");
+  line.whole("--turntable", frames, 0, 9999,
+             "draw N pictures of a full turn instead of one, named _000, _001, ...");
+  line.wishes.turntable = this;
+}
+
+RotationY Turntable::rotation() const {
+  return rotation_y(frame == 0 ? degrees : degrees + 360.0 * frame / frames);
+}
+
+void ProjectionOptions::declare(CommandLine& line) {
+  std::vector<std::pair<std::string_view, Projection>> words;
+  std::vector<std::pair<std::string_view, std::optional<Projection>>> or_none;  // no default
+  for (const ProjectionFacts& facts : projections) {
+    words.emplace_back(facts.word, facts.projection);
+    or_none.emplace_back(facts.word, facts.projection);
+  }
+  line.choice("--projection", projection, or_none,
+              "draw the globe with its picture converted to this layout");
+  line.choice("--from", from, words, "the layout of the --texture file");
+  line.choice("--to", to, or_none,
+              "convert the --texture file to this layout and save it, with as many texels on the "
+              "sphere unless you give --width or --height");
+}
+
+ImageTexture ProjectionOptions::load(const TextureFile& file) const {
+  const Image image = file.load();
+  if (from == on_globe()) return {image};
+  return {convert_projection(image, from, on_globe(), converted_size(image, from, on_globe()))};
+}
+
+void BumpOptions::declare(CommandLine& line) {
+  line.choice(
+      "--show", picture, "globe|sheet|poles|daily",
+      "globe: the globe. sheet: eight ways to read one normal map. poles: heights at a pole. "
+      "daily: the daily exercise's bricks");
+  line.choice<BumpForm>(
+      "--bump", form,
+      {{"exact", BumpForm::exact}, {"blinn", BumpForm::blinn}, {"off", BumpForm::flat}},
+      "exact: the normal of the raised surface. blinn: Blinn's of 1978, which leaves out the term "
+      "h dn. off: the globe's own normal");
+  line.choice(
+      "--slopes", slopes, "duals|forward|central",
+      "slopes of the height: duals are exact derivatives, forward and central are differences");
+  line.decimal("--step", step, 1e-300, 1, "the step of the differences, in radii of the globe");
+  line.decimal("--relief", relief, -10, 10,
+               "the height of white, in radii of the globe; below 0 mountains become valleys");
+  line.choice("--relief-from", height, "image|uv|space",
+              "where the heights come from: an image, waves in (u, v), or waves in space");
+  line.text(
+      "--relief-image", "FILE", image,
+      "the image of the heights, a PNG or JPEG twice as wide as high; its red channel is used");
+}
+
+LightImage BumpOptions::load() const {
+  return light_of(load_image(find_texture(image)), TexelLight::encoded);
+}
+
+namespace {
+
+FilteredTexture texture_of(const Image& image, const FilterOptions& options, Wrap wrap) {
+  return {.pyramid = pyramid_of(light_of(image, TexelLight::linear)),
+          .filter = options.filter,
+          .wrap = wrap,
+          .taps = options.taps,
+          .border = {0.05, 0.05, 0.05}};
+}
+
+}  // namespace
+
+void FilterOptions::declare(CommandLine& line) {
+  line.choice("--filter", filter, "nearest|bilinear|trilinear|anisotropic|ewa|stochastic",
+              "how textures are filtered");
+  line.choice("--scene", scene, "both|plane|globe",
+              "what to draw: a plane up to the horizon, a globe far away, or both");
+  line.choice("--wrap", wrap, "repeat|mirror|clamp|border",
+              "what the floor shows outside the first copy of its picture");
+  line.whole("--taps", taps, 1, 64,
+             "how many times at most a filter reads along a pixel's footprint");
+  line.text("--floor", "FILE", floor_file,
+            "the picture on the floor: a PNG or JPEG file, or the word checkers");
+  line.text("--plot", "FILE.svg", plot,
+            "also plot the filters' errors against the number of texels they read");
+  line.wishes.budget =
+      "the allowed error of textured pixels: exact or levels=4; prints which filter it chooses";
+  line.wishes.no_intervals =
+      "where rounding leaves open which level a filter reads, the bound would be too wide to be "
+      "of use";
+}
+
+Image checkers_image(int size, int squares) {
+  Image image(size, size);
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      const bool light = (row * squares / size + column * squares / size) % 2 == 0;
+      image.at(column, row) = light ? Rgb8{255, 255, 255} : Rgb8{0, 0, 0};
+    }
+  }
+  return image;
+}
+
+FilteredTexture FilterOptions::load_floor() const {
+  const bool made = floor_file == "checkers";
+  return texture_of(made ? checkers_image(1024, 32) : TextureFile{floor_file}.load(), *this, wrap);
+}
+
+FilteredTexture FilterOptions::load_globe(const TextureFile& file) const {
+  return texture_of(file.load(), *this, Wrap::spherical);
+}
+
+void PhongOptions::declare(CommandLine& line) {
+  line.decimal("--blend", blend, 0, 1,
+               "mix X parts of texture with 1 - X parts of light; without this option the stage "
+               "multiplies them");
+  line.decimal("--shininess", shininess, 0, 1e30,
+               "Phong's exponent, by default 500 in the lecture's scene");
+  line.choice("--scene", scene, "stage|lecture",
+              "which scene to draw; the lecture's picture is 800x400");
+  line.choice("--highlight", formula, "phong|lecture",
+              "Phong's highlight, or the lecture's, which has a wrong sign");
+  line.wishes.budget =
+      "the allowed error of Phong's highlight: exact or levels=1; prints which fast formula it "
+      "chooses";
+  line.wishes.plans.emplace_back([this](const Session& session) {
+    const KernelPlan plan = plan_highlight(read_budget(session.settings.budget));
+    if (!session.settings.quiet && session.was_given("--budget")) print(plan.text);
+    power_terms = plan.power_terms;
+  });
+}
+
+PhongScene PhongOptions::resolve(const Session& session) {
+  const bool lecture = scene == PhongScene::lecture;
+  blends = lecture || session.was_given("--blend");
+  if (lecture && !session.was_given("--shininess")) shininess = 500;
+  return scene;
+}
+
+void PhongOptions::apply_to(PhongMaterial& globe) const {
+  globe.specular = 0.3;
+  globe.shininess = shininess;
+}
+
+void SamplingOptions::declare_gathering(CommandLine& line) {
+  line.wishes.samples = samples;
+  line.wishes.samples_limit = most_samples;
+  line.wishes.no_intervals = "it bounds the error of one ray, not the noise of random samples";
+  line.choice("--sampler", sampler, "random|stratified|multi-jitter|sobol",
+              "the pattern of a pixel's samples; --samples is their number");
+  line.whole("--seed", seed, 0, 1000000000,
+             "the seed of the random numbers: another seed has different noise");
+  line.whole("--bounces", bounces, 1, 1000, "the largest number of bounces of a path");
+  line.decimal("--time-limit", time_limit, 0, 1e6,
+               "stop after so many seconds, or at --samples if that is earlier; 0 for no limit");
+  line.decimal("--target-error", target_error, 0, 255,
+               "stop when the estimated mean error is below so many levels of 255, or at "
+               "--samples; 0 for no limit");
+  line.choice(
+      "--gamma", transfer, "srgb|sqrt|2.2",
+      "how light becomes bytes: the sRGB curve, the books' square root, or the power 1/2.2");
+  line.decimal("--defocus", lens.defocus_degrees, 0, 90,
+               "blur by a lens: the angle of its cone of rays, in degrees");
+  line.decimal("--focus", lens.focus_distance, 0.001, 1e6,
+               "the distance at which a lens is sharp; chapter 07's globe begins at 10");
+  line.decimal("--shift", lens.shift, -100, 100,
+               "blur by motion: the scene moves up by so much during the exposure");
+}
+
+void SamplingOptions::declare(CommandLine& line) {
+  declare_gathering(line);
+  line.wishes.budget =
+      "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of the "
+      "picture); prints which fast formulas it chooses";
+  line.choice<TexelLight>(
+      "--decode", decoding,
+      {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},
+      "how the texture's bytes become light: the sRGB curve, the power 2.2 rounded to bytes (Next "
+      "Week since 2024), or the bytes as they are (Next Week before 2024)");
+  line.choice("--sky", gradient, "constant|gradient",
+              "the sky: uniform, or white below and blue above");
+}
+
+void SamplingOptions::apply_to(LightTexture& texture, GradientSky& sky) const {
+  texture.light = decoding;
+  sky = gradient ? GradientSky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}}
+                 : GradientSky{.below = {0.7, 0.8, 1.0}, .above = {0.7, 0.8, 1.0}};
+}
+
+}  // namespace texmap
