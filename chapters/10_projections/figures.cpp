@@ -29,9 +29,14 @@ std::vector<Border> borders_of(Projection projection) {
       return {{{0, above}, {0, 1}},        {{most, above}, {most, 1}}, {{0, 1}, {most, 1}},
               {{0, above}, {most, above}}, {{0, 0}, {0, under}},       {{most, 0}, {most, under}},
               {{0, 0}, {most, 0}},         {{0, under}, {most, under}}};
-    default:
-      return {{{0, 0}, {0, 1}}, {{most, 0}, {most, 1}}, {{0, 0}, {most, 0}}, {{0, 1}, {most, 1}}};
+    case Projection::equirect:
+    case Projection::plane:
+    case Projection::cylinder:
+    case Projection::octahedral:
+    case Projection::equal_area:
+      break;
   }
+  return {{{0, 0}, {0, 1}}, {{most, 0}, {most, 1}}, {{0, 0}, {most, 0}}, {{0, 1}, {most, 1}}};
 }
 
 double arc(const Vec3<double>& a, const Vec3<double>& b) {

@@ -12,8 +12,7 @@ struct PointLight {
 /// A Lambertian material: equally bright from every side.
 struct Lambertian {
   double ambient = 0.2;  ///< brightness in shadow, 0 to 1
-  double diffuse =
-      0.8;  ///< brightness that the light adds where it shines along the normal, 0 to 1
+  double diffuse = 0.8;  ///< what light that shines along the normal adds, 0 to 1
 };
 
 /// Where the light is, and how much of it arrives, at a hit point.

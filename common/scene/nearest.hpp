@@ -25,14 +25,15 @@ template <class Real, class Objects>
   return nearest;
 }
 
-/// True where an object lies between the ray's origin and `distance` along it. The sphere with the
-/// index `leaving`, from which the ray starts outward, is skipped.
+/// True where an object lies between the ray's origin and `distance` along it. The object with the
+/// index `leaving`, from which the ray starts outward, is skipped if it is convex.
 template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_occluded(const Objects& objects, const Ray<Real>& ray,
                                      const Real& distance, int leaving = -1) {
   Real first = infinity<Real>();
   for (int index = 0; const auto& object : objects) {
-    if (index++ != leaving) first = min(distance_to(object.shape, ray), first);
+    if (index++ != leaving || !object.shape.convex())
+      first = min(distance_to(object.shape, ray), first);
   }
   return first < distance;
 }

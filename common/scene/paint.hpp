@@ -41,10 +41,10 @@ struct AnyOf : std::variant<Paints...> {
   }
 };
 
-/// An object of a scene: a sphere and its paint.
-template <class Paint>
+/// An object of a scene: a shape and its paint. Other shapes: scene/shapes.hpp.
+template <class Paint, class Shape = Sphere<>>
 struct Painted {
-  Sphere<> shape;
+  Shape shape;
   Paint paint;
 };
 

@@ -8,7 +8,7 @@
 
 namespace texmap {
 
-/// light_along for a scene of one sphere, which is convex: light from its surface is sky light.
+/// light_along for a scene of one convex object: all light at its surface comes from the sky.
 /// Under a uniform sky no direction is drawn, since every direction brings the same light.
 template <class Real, class Object, class Sky, class Random>
 [[nodiscard]] Color<Real> light_past_one(const Object& object, const Ray<Real>& ray, const Sky& sky,
@@ -37,7 +37,8 @@ template <class Real, class Objects, class Sky, class Random>
                                       int bounces, Random& random) {
   if (std::empty(objects))
     return sky(sky.is_constant() ? ray : Ray<Real>{ray.origin, normalize(ray.direction)});
-  if (std::size(objects) == 1) return light_past_one(*std::begin(objects), ray, sky, random);
+  if (std::size(objects) == 1 && std::begin(objects)->shape.convex())
+    return light_past_one(*std::begin(objects), ray, sky, random);
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
   Color<Real> light = gray(Real(0));

@@ -11,7 +11,7 @@ namespace texmap {
 enum class SkyLighting {
   uniform,       ///< directions from the whole sphere, all equally likely
   cosine,        ///< likely where Lambert's cosine is large
-  importance,    ///< likely where the sky is bright
+  importance,    ///< likely where the sky is bright; one in eight by the cosine
   mis,           ///< half of them by the cosine, half by the sky: multiple importance sampling
   coefficients,  ///< nine numbers of the sky, and no direction; without shadows
 };
@@ -45,35 +45,37 @@ struct Scattered {
 ///
 /// @param normal, place, choice  of unit length; two samples in [0, 1), `choice` for the sky alone
 /// Source: Veach and Guibas, "Optimally Combining Sampling Techniques" (1995): `mis` is their
-/// balance heuristic with one direction, cosine / pi / ((cosine / pi + density) / 2).
+/// balance heuristic with one direction, cosine / pi / ((cosine / pi + density) / 2). `importance`
+/// has shares of 1/8 and 7/8: by the sky alone, light from objects before a black sky were lost.
 template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
                                       const Vec3<Real>& normal, const Point2<Real>& place,
                                       const Point2<Real>& choice) {
-  if (lighting == SkyLighting::cosine) return {cosine_direction(normal, place), Real(1)};
-  if (lighting == SkyLighting::uniform) {
-    const OnCircle<Real> around = on_circle(place.u);
-    const Real y = Real(1) - Real(2) * place.v;
-    const Real radius = Real(2) * sqrt(place.v * (Real(1) - place.v));
-    const Vec3<Real> direction = {radius * around.cosine, y, radius * around.sine};
-    return {direction, Real(4) * max(dot(normal, direction), Real(0))};
+  switch (lighting) {
+    case SkyLighting::cosine:
+      return {cosine_direction(normal, place), Real(1)};
+    case SkyLighting::uniform: {
+      const OnCircle<Real> around = on_circle(place.u);
+      const Real y = Real(1) - Real(2) * place.v;
+      const Real radius = Real(2) * sqrt(place.v * (Real(1) - place.v));
+      const Vec3<Real> direction = {radius * around.cosine, y, radius * around.sine};
+      return {direction, Real(4) * max(dot(normal, direction), Real(0))};
+    }
+    case SkyLighting::importance:
+    case SkyLighting::mis:
+    case SkyLighting::coefficients:
+      break;
   }
-  if (lighting == SkyLighting::importance) {
-    const Vec3<Real> direction = sky.direction(choice, place);
-    const Real cosine = max(dot(normal, direction), Real(0));
-    const Real density = sky.density(direction);
-    const Mask<Real> possible = density > Real(0);
-    return {direction,
-            select(possible, cosine / (pi<Real>() * select(possible, density, Real(1))), Real(0))};
-  }
-  const Mask<Real> by_cosine = choice.u < Real(0.5);
-  const Real rest = Real(2) * choice.u;
-  const Point2<Real> of_sky = {select(by_cosine, rest, rest - Real(1)), choice.v};
+  const bool by_half = lighting == SkyLighting::mis;
+  const Real share = Real(by_half ? 0.5 : 0.125);  // of directions that the cosine draws
+  const Mask<Real> by_cosine = choice.u < share;
+  const Point2<Real> of_sky = {
+      select(by_cosine, choice.u / share, (choice.u - share) / (Real(1) - share)), choice.v};
   const Vec3<Real> direction =
       select(by_cosine, cosine_direction(normal, place), sky.direction(of_sky, place));
   const Real cosine = max(dot(normal, direction), Real(0));
-  const Real both = cosine + pi<Real>() * sky.density(direction);
-  return {direction, select(both > Real(0), Real(2) * cosine / both, Real(0))};
+  const Real both = share * cosine + (Real(1) - share) * pi<Real>() * sky.density(direction);
+  return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
 /// The light that arrives along a ray from matte and mirroring objects under a sky: one path.
@@ -81,11 +83,12 @@ template <class Real, class Sky>
 /// @param objects, bounces  paints are Coats; after `bounces` >= 1 a path brings no light
 /// @param sky               as SkyLight; a constant one over a lone object needs no direction
 /// Without `caustics` a mirror is matte to paths that come from a matte surface: Kaplanyan and
-/// Dachsbacher (2013). By `importance` light from objects before a black sky is lost.
+/// Dachsbacher (2013).
 template <class Real, class Objects, class Sky, class Random>
 [[nodiscard]] Color<Real> light_under_sky(const Objects& objects, Ray<Real> ray, const Sky& sky,
                                           const MatteLight& matte, int bounces, Random& random) {
-  if (std::empty(objects) || (sky.is_constant() && std::size(objects) == 1))
+  if (std::empty(objects) ||
+      (sky.is_constant() && std::size(objects) == 1 && std::begin(objects)->shape.convex()))
     return light_along(objects, ray, sky, bounces, random);
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));

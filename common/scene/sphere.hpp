@@ -11,6 +11,7 @@ struct Sphere {
   Vec3<Real> center;
   Real radius = Real(1);
   SphereForm form = SphereForm::robust;  ///< the formulas for its hit points
+  [[nodiscard]] static constexpr bool convex() { return true; }  ///< see scene/shapes.hpp
 };
 
 /// 1 / radius, the same in every lane.

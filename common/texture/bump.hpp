@@ -10,7 +10,7 @@ struct Slope {
   Real height, right, up;
 };
 
-/// Where the slopes come from. To add a way, name it here and in slope_of.
+/// Where the slopes come from. To add a way, name it in slope_of, too.
 enum class SlopeFrom {
   duals,    ///< the height's own code, run with numbers that know their derivatives: exact
   forward,  ///< (h(step) - h(0)) / step: off by about h'' step / 2
@@ -32,17 +32,23 @@ template <class Real, class Height>
 [[nodiscard]] Slope<Real> slope_of(const Height& height, const Hit<Real>& hit,
                                    const Frame<Real>& frame, const Real& curvature, SlopeFrom from,
                                    const Real& step) {
-  if (from == SlopeFrom::duals) {
-    const Dual<Real> h = height(with_steps(hit, frame, curvature)).r;
-    return {h.value, h.dx, h.dy};
-  }
   const auto at = [&](const Vec3<Real>& offset) { return height(moved(hit, offset, curvature)).r; };
-  const Real here = height(hit).r;
-  const Real right = at(frame.right * step);
-  const Real up = at(frame.up * step);
-  if (from == SlopeFrom::forward) return {here, (right - here) / step, (up - here) / step};
-  const Real twice = step + step;
-  return {here, (right - at(frame.right * -step)) / twice, (up - at(frame.up * -step)) / twice};
+  switch (from) {
+    case SlopeFrom::duals: {
+      const Dual<Real> h = height(with_steps(hit, frame, curvature)).r;
+      return {h.value, h.dx, h.dy};
+    }
+    case SlopeFrom::forward: {
+      const Real here = height(hit).r;
+      return {here, (at(frame.right * step) - here) / step, (at(frame.up * step) - here) / step};
+    }
+    case SlopeFrom::central:
+      break;
+  }
+  const auto slope = [&](const Vec3<Real>& along) {
+    return (at(along * step) - at(along * -step)) / (step + step);
+  };
+  return {height(hit).r, slope(frame.right), slope(frame.up)};
 }
 
 /// The unit normal of the raised surface: it leans downhill.

@@ -5,7 +5,8 @@
 
 namespace texmap {
 
-/// Where (0, 0) is and which way u and v run. To add one, name it here and in in_convention.
+/// Where (0, 0) is and which way u and v run. To add one, name it here: the compiler asks for the
+/// rest.
 enum class Convention {
   daily,    ///< the daily exercise: u runs west from -x, v down from the north pole
   rtiow,    ///< One Weekend 2020 and Next Week: u runs east from -x, v up from the south pole
@@ -14,7 +15,14 @@ enum class Convention {
 
 /// Which way v runs over an image in this convention.
 [[nodiscard]] constexpr VAxis v_axis_of(Convention convention) {
-  return convention == Convention::daily ? VAxis::down : VAxis::up;
+  switch (convention) {
+    case Convention::daily:
+      return VAxis::down;
+    case Convention::rtiow:
+    case Convention::lecture:
+      break;
+  }
+  return VAxis::up;
 }
 
 /// Converts coordinates from Next Week's convention: u_daily = 1 - u, v_daily = 1 - v,

@@ -9,7 +9,7 @@
 
 namespace texmap {
 
-/// How a texture is read. To add a filter, name it here and in Filtered.
+/// How a texture is read. To add a filter, name it here: the compiler asks for the rest.
 enum class Filter {
   nearest,      ///< the texel at the pixel's center: 1 read
   bilinear,     ///< the 4 texels around the center, mixed
@@ -95,11 +95,19 @@ struct Filtered {
   /// @param at  v counted from the top row
   template <class Real>
   [[nodiscard]] Color<Real> filtered(const Uv<Real>& at, const Footprint<Real>& footprint) const {
-    if (filter == Filter::trilinear) return trilinear(at, levels_for(footprint.longer));
-    if (filter == Filter::ewa) return elliptical(at, footprint);
-    // Intervals have no integers to hash: they bound the mean of all choices.
-    if constexpr (requires { uint_from_real(at.u); }) {
-      if (filter == Filter::stochastic) return one_of_many(at, footprint);
+    switch (filter) {
+      case Filter::trilinear:
+        return trilinear(at, levels_for(footprint.longer));
+      case Filter::ewa:
+        return elliptical(at, footprint);
+      case Filter::stochastic:
+        // Intervals have no integers to hash: they bound the mean of all choices.
+        if constexpr (requires { uint_from_real(at.u); }) return one_of_many(at, footprint);
+        break;
+      case Filter::nearest:  // these two have no footprint
+      case Filter::bilinear:
+      case Filter::anisotropic:
+        break;
     }
     return many(at, footprint);
   }

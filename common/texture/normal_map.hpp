@@ -22,7 +22,7 @@ struct TangentFrame {
   Vec3<Real> tangent, bitangent;
 };
 
-/// How a program finds the tangent and the bitangent. To add a way, name it here and in tangents.
+/// How a program finds the tangent and the bitangent. To add a way, name it in tangents, too.
 enum class TangentRule {
   from_uv,  ///< along dP/du and along dP/dv
   crossed,  ///< along dP/du; normal x tangent, which forgets mirrored coordinates
@@ -46,13 +46,19 @@ template <class Real>
 template <class Real>
 [[nodiscard]] TangentFrame<Real> tangents(TangentRule rule, const Vec3<Real>& normal,
                                           const TangentFrame<Real>& by_uv) {
-  if (rule == TangentRule::fixed) {
-    const Vec3<Real> east = normalize(Vec3<Real>{normal.z, Real(0), -normal.x});
-    return {east, cross(normal, east)};
+  switch (rule) {
+    case TangentRule::fixed: {
+      const Vec3<Real> east = normalize(Vec3<Real>{normal.z, Real(0), -normal.x});
+      return {east, cross(normal, east)};
+    }
+    case TangentRule::crossed: {
+      const Vec3<Real> tangent = normalize(by_uv.tangent);
+      return {tangent, cross(normal, tangent)};
+    }
+    case TangentRule::from_uv:
+      break;
   }
-  const Vec3<Real> tangent = normalize(by_uv.tangent);
-  if (rule == TangentRule::crossed) return {tangent, cross(normal, tangent)};
-  return {tangent, normalize(by_uv.bitangent)};
+  return {normalize(by_uv.tangent), normalize(by_uv.bitangent)};
 }
 
 /// A normal from a color: each channel c means 2c - 1. Not of unit length.

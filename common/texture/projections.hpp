@@ -7,7 +7,7 @@
 namespace texmap {
 
 /// How a picture of the whole sphere is laid out. All read as printed, seen from outside.
-/// To add one, name it here, in project and in unproject, and in `projections`.
+/// To add one, name it here: the compiler asks for the rest but its row in `projections`.
 enum class Projection {
   equirect,      ///< longitude and latitude: uv_rtiow
   plane,         ///< along the axis onto a plane, seen from +y: the upper half of the sphere alone

@@ -33,7 +33,8 @@ template <class Real>
   const Real turn = atan2(select(off_axis, z, Real(0)), select(off_axis, x, Real(1)));
   const Real u = Real(0.5) - turn / (Real(2) * pi<Real>());
 
-  const Real ratio = min(abs(x), abs(z)) / select(off_axis, wide, Real(1));
+  // |z| first: where |x| = |z|, max takes one and min the other, as derivatives (chapter 09) need.
+  const Real ratio = min(abs(z), abs(x)) / select(off_axis, wide, Real(1));
   const Real from_axis = select(off_axis, sqrt(Real(1) + square(ratio)), Real(0));
   const Real height = p.y / select(off_axis, wide, Real(1));
   const Mask<Real> zero = !off_axis && height == Real(0);

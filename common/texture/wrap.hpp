@@ -4,7 +4,7 @@
 
 namespace texmap {
 
-/// What lies beyond the edges of an image. To add one, name it here and in wrapped_texel.
+/// What lies beyond the edges of an image. To add one, name it here, and the compiler asks on.
 enum class Wrap {
   repeat,     ///< the image again
   mirror,     ///< its mirror image, then the image again
@@ -35,10 +35,17 @@ template <class Real>
 /// Bound: 1 unit roundoff of 1, or of x where |x| > 1. Domain of `wrap`: repeat, mirror and clamp.
 template <class Real>
 [[nodiscard]] Real wrapped_coordinate(Wrap wrap, const Real& x) {
-  if (wrap == Wrap::repeat) return clamp(x - floor(x), Real(0), below_one<Real>());
-  if (wrap == Wrap::mirror) {
-    const Real in_two = x - Real(2) * floor(x * Real(0.5));  // 0 to 2: the image and its mirror
-    return clamp(min(in_two, Real(2) - in_two), Real(0), Real(1));
+  switch (wrap) {
+    case Wrap::repeat:
+      return clamp(x - floor(x), Real(0), below_one<Real>());
+    case Wrap::mirror: {
+      const Real in_two = x - Real(2) * floor(x * Real(0.5));  // 0 to 2: the image and its mirror
+      return clamp(min(in_two, Real(2) - in_two), Real(0), Real(1));
+    }
+    case Wrap::clamp:
+    case Wrap::border:
+    case Wrap::spherical:
+      break;
   }
   return clamp(x, Real(0), Real(1));
 }
@@ -57,9 +64,18 @@ struct Neighbors {
 template <class Real>
 [[nodiscard]] Neighbors<Real> wrapped_neighbors(Wrap wrap, const Real& x, const Real& n) {
   const Real last = n - Real(1), next = x + Real(1);
-  const bool repeats = wrap == Wrap::repeat;
-  return {select(x < Real(0), repeats ? last : Real(0), x),
-          select(next > last, repeats ? Real(0) : last, next)};
+  Neighbors<Real> beyond{Real(0), last};
+  switch (wrap) {
+    case Wrap::repeat:
+      beyond = {last, Real(0)};
+      break;
+    case Wrap::mirror:
+    case Wrap::clamp:
+    case Wrap::border:
+    case Wrap::spherical:
+      break;
+  }
+  return {select(x < Real(0), beyond.first, x), select(next > last, beyond.second, next)};
 }
 
 /// A texel after wrapping.

@@ -23,5 +23,7 @@ TEST_CASE("02: strangers' answers get their words") {
   is_first_color("slanted", [](Uv uv, int n) { return int(uv.u * n + uv.v * n) % 2 == 0; });
 
   twice_around("goes on there", [](Uv uv) { return Uv{min(1.0, 2 * uv.u), uv.v}; });
-  twice_around("no static_cast", [](Uv uv) { return Uv{D(int(2 * uv.u)), uv.v}; });
+  twice_around.right([](Uv uv) { return Uv{fmod(2 * uv.u, 1), uv.v}; });
+  twice_around("multiplies by its 10", [](Uv uv) { return Uv{fmod(10 * uv.u, 1), uv.v}; });
+  twice_around("drops the decimals", [](Uv uv) { return Uv{D(int(2 * uv.u)), uv.v}; });
 }

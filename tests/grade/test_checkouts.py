@@ -149,6 +149,7 @@ class Chapters(Case):
         picture = base64.b64encode(GOLDEN.read_bytes()).decode()
         for name, main in {'spin': SHELL % 'while :; do :; done', 'sleep': SHELL % 'exec sleep 1000',
                            'crash': 'int main() { volatile int* nothing = nullptr; return *nothing; }\n',
+                           'unlinked': 'int nowhere();\nint main() { return nowhere(); }\n',
                            'hoard': TOUCH + 'int main() { for (;;) touch(16); }\n',
                            # Each of its processes has little memory; all of them have too much.
                            'crowd': TOUCH + 'int main() { for (int i = 0; i < 20; ++i) if (fork() == 0) touch(100), wait(); wait(); }\n',
@@ -170,9 +171,10 @@ class Chapters(Case):
         rows = self.grade('--chapters', '1', '--no-tests', '--megabytes', '500')
         right = ('ok', 'ok', 'yes', '^$')
         self.expect(rows, {
-            'spin': ('hang', 'hang', '', 'it was stopped after 5 s of CPU time'),
+            'spin': ('hang', 'hang', '', 'it was stopped after 5 s of CPU time: it is too slow'),
             'sleep': ('hang', 'hang', '', 'it waited for 10 s and did'),
-            'crash': ('crashed SIGSEGV', 'crashed SIGSEGV', '', 'it ended by signal SIGSEGV'),
+            'crash': ('crashed SIGSEGV', 'crashed SIGSEGV', '', 'it ended by signal SIGSEGV: an index'),
+            'unlinked': ('does not build', 'does not build', '', 'undefined reference to .*nowhere'),
             'hoard': ('too much memory', 'too much memory', '', '.*'), 'crowd': ('too much memory', 'too much memory', '', '.*'),
             'forks': ('hang|too many processes', 'hang|too many processes', '', '.*'),
             'fill': (r'failed \(1\)', r'failed \(1\)', '', r'^([0-9]|[1-5][0-9]|6[0-4]) \. MB'),
@@ -206,15 +208,16 @@ class Chapters(Case):
         linked.symlink_to('mine.hpp')
         self.student('named', lesson=LESSON + '\nnamespace texmap {\ninline int picture = 0;\n}\n')  # as in the tests
         for name, other in {'crash': 'volatile int* nothing = nullptr;\n    *nothing = 1;\n', 'end': 'std::exit(0);\n',
-                            'dark': 'if (objects.size() > 2) return {};\n'}.items():
-            self.student(name, lesson='#include <cstdlib>\n' + LESSON.replace(COLOR, COLOR + other))
+                            'dark': 'if (objects.size() > 2) return {};\n',
+                            'chatty': 'std::puts("a lesson that prints a line for every pixel");\n'}.items():
+            self.student(name, lesson='#include <cstdio>\n#include <cstdlib>\n' + LESSON.replace(COLOR, COLOR + other))
         every = 'tests: every pixel has the color that an independent program computes for the ray through its center'
         rows = self.grade('--chapters', '1', '--no-second-picture')
         self.expect(rows, {
             'own': ('does not build', 'does not build', '',
                     "^your common/ is not used in grading; common/texture/uv.hpp differs from the course's; .*my_uv"),
             'wide': ('does not build', 'does not build', '', '^lesson.hpp is not in UTF-8 but probably in UTF-16: save it as UTF-8; '),
-            'lines': ('ok', 'ok', '', '^$'), 'linked': ('missing', 'missing', '', 'is a symbolic link'),
+            'lines': ('ok', 'ok', '', '^$'), 'chatty': ('ok', 'ok', '', '^$'), 'linked': ('missing', 'missing', '', 'is a symbolic link'),
             'named': ('ok', 'tests 0 of [0-9]+', '', '^the tests do not build with this lesson: .*error: '),
             'crash': ('crashed SIGSEGV', 'crashed SIGSEGV', '', f'; {every}: it crashed: SIGSEGV'),
             'end': ('ok', 'no picture', '', '; tests: their program ended before all were run$'),

@@ -8,6 +8,7 @@
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
+#include "changes/can.hpp"
 #include "changes/fifth_sphere.hpp"
 #include "changes/float_mapping.hpp"
 #include "changes/int_stripes.hpp"
@@ -76,6 +77,8 @@ TEST_CASE("each change draws the page's picture, and changes what the page says"
   const auto own_texture = prepared<change_own_texture::Lesson>();
   check_change(prepared<chapter_03::Lesson>(), own_texture, "own_texture",
                {change_own_texture::middle});
+  check_change(prepared<chapter_03::Lesson>(), prepared<change_can::Lesson>(), "can",
+               {-1, change_can::middle, change_can::left, change_can::ground});  // shadows, too
   CHECK(small(own_texture) == small(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})));
 }
 
@@ -102,6 +105,7 @@ TEST_CASE("changes that are templates draw the same picture in packs") {
   CHECK(same_in_packs(change_own_mapping::Lesson{}));
   CHECK(same_in_packs(change_tiles::Lesson{}));
   CHECK(same_in_packs(change_plane::Lesson{}));
+  CHECK(same_in_packs(prepared<change_can::Lesson>()));
 }
 
 TEST_CASE("a lesson in plain double and if draws the picture of the template, byte for byte") {

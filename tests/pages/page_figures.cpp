@@ -123,15 +123,16 @@ void figures_of_triangles(Figures& figures) {
   figures["08.usual_doubles"] = whole(leaks.usual.doubles);
 }
 
-/// Root mean square difference in levels of 255, before light is rounded to levels.
+/// Root mean square difference in levels of 255, as `compare` finds it between the files.
 double levels(const Film& a, const Film& b) {
   double sum = 0;
   for (int row = 0; row < a.height(); ++row) {
     for (int column = 0; column < a.width(); ++column) {
       const Rgb x = a.light(column, row), y = b.light(column, row);
-      const auto apart = [](double p, double q) {
-        return square(255 * (srgb_encode(p) - srgb_encode(q)));
+      const auto byte = [](double light) {
+        return std::round(255 * srgb_encode(std::clamp(light, 0.0, 1.0)));
       };
+      const auto apart = [&byte](double p, double q) { return square(byte(p) - byte(q)); };
       sum += apart(x.r, y.r) + apart(x.g, y.g) + apart(x.b, y.b);
     }
   }

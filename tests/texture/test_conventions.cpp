@@ -2,6 +2,9 @@
 // they are, and that none leaves [0, 1), tests/extremes searches.
 #include <doctest.h>
 
+#include <numbers>
+
+#include "number/dual.hpp"
 #include "number/kinds/pack.hpp"
 #include "published/uv.hpp"
 #include "texture/conventions.hpp"
@@ -100,6 +103,18 @@ TEST_CASE("the lecture's convention is the book's on a globe turned back by a qu
     worst = std::max({worst, apart(lecture.u, book.u), abs(lecture.v - book.v)});
   }
   CHECK(worst <= 4e-16);
+}
+
+TEST_CASE("v has the slopes of its formula where |x| = |z|, too") {
+  // v = 1/2 + asin(y / |p|) / pi: the slope along x is -x y / (pi wide |p|^2), wide^2 = x^2 + z^2.
+  for (const double x : {1.0, -1.0}) {
+    for (const double z : {1.0, -1.0, 0.5, -2.0}) {
+      const double y = 0.8, wide = std::hypot(x, z), squared = x * x + y * y + z * z;
+      const Dual<double> v = uv_rtiow(Vec3<Dual<double>>{{x, 1, 0}, y, {z, 0, 1}}).v;
+      CHECK(v.dx == doctest::Approx(-x * y / (std::numbers::pi * wide * squared)).epsilon(1e-14));
+      CHECK(v.dy == doctest::Approx(-z * y / (std::numbers::pi * wide * squared)).epsilon(1e-14));
+    }
+  }
 }
 
 }  // namespace

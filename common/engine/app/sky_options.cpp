@@ -70,7 +70,7 @@ SkyNoise noise_of(const SkyLight& sky) {
         const double square_of_it = sent * sent * band.solid_angle;
         second.uniform += square_of_it * 4 * std::numbers::pi;
         second.cosine += square_of_it / lambert;
-        second.importance += square_of_it / density;
+        second.importance += square_of_it * 8 / (lambert + 7 * density);
         second.mis += square_of_it * 2 / (lambert + density);
       }
     }

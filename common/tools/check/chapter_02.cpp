@@ -131,13 +131,11 @@ constexpr Place<Place2, int> is_first_color_places[] = {
 
 Slips<Place2> wrong_twice_around(Place2 uv) {
   const auto [u, v] = uv;
-  const double rest = fmod(2 * u, 1.0);
-  const double less = u > 0.5 ? 2 * u - 1 : 2 * u;
   const double most = min(2 * u, 1.0);
   return {
       {"v must stay as it is: the squares are smaller now, and still twice as wide as they are "
        "high",
-       {2 * u, 2 * v}},
+       {{2 * u, 2 * v}, {2 * u, fmod(2 * v, 1.0)}}},
       {"v is doubled and u is not: now the squares are four times as wide as they are high",
        {u, 2 * v}},
       {"the pattern goes around once in two turns: multiply u, do not divide it", {u / 2, v}},
@@ -147,7 +145,10 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
       {"the squares are square, but larger and not twice around: multiply u, and leave v",
        {u, v / 2}},
       {"v must stay as it is: now the squares are twice as high as they are wide", {2 * u, v / 2}},
-      {"u is 0 everywhere, because 1 / 2 is 0 in C++; and it has to be multiplied by 2", {0, v}},
+      {"u is a whole number everywhere: 1 / 2 is 0 in C++, and static_cast<int> drops the "
+       "decimals; "
+       "multiply u by 2",
+       {0, v}},
       {"v must stay as it is: you lose it", {{2 * u, 0}, {u, 0}}},
       {"u and v stay as they were: the pattern goes around twice with 2 * u", uv},
       {"that is more than twice around: the checkerboard itself multiplies by its 10 squares",
@@ -156,23 +157,25 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
        {{20 * u, v}, {20 * u, 10 * v}, {20 * u, 20 * v}}},
       {"that is four times around: u is multiplied by 2", {4 * u, v}},
       {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
-      {"u may be more than 1: let it, the checkerboard goes on there",
-       {{rest, v}, {less, v}, {most, v}, {rest, fmod(2 * v, 1.0)}, {less, 2 * v}, {most, 2 * v}}},
-      {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 1, v}, {u + 2, v}}},
+      {"u may be more than 1: let it, the checkerboard goes on there", {{most, v}, {most, 2 * v}}},
+      {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 0.25, v}}},
       {"the second number of the result comes from v, and u is not in it",
        {{2 * u, 2 * u}, {2 * u, u}}},
       {"u and v are exchanged: u comes first, and it is multiplied by 2", {{v, 2 * u}, {2 * v, u}}},
       {"twice is 2 * u, not u * u", {u * u, v}},
-      {"the decimals of u are needed: no static_cast<int> here", {floor(2 * u), v}},
   };
 }
 
 Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
+/// The pattern is the same one turn further.
+Place2 within_a_turn(const Place2& uv) { return {fraction(uv.u), uv.v}; }
 constexpr Place<Place2> twice_around_places[] = {
     {"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
     {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1", {{0.5, 0.5}}},
     {"after three quarters of a turn u becomes 1.5: it may be more than 1", {{0.75, 0.25}}},
     {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}},
+    {"u = 1/8 becomes 1/4", {{0.125, 0.5}}},
+    {"u = 1/10 becomes 1/5", {{0.1, 0.5}}},
 };
 
 }  // namespace
@@ -181,11 +184,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "02",
       {exercise(chapter_02::uv_of, picture<Lesson>(),
-                {uv_rtiow<double>, wrong_places, uv_of_places, 1e-6}),
+                {uv_rtiow<double>, wrong_places, uv_of_places}),
        exercise(is_first_color, picture<Lesson>(),
                 {right_color, wrong_squares, is_first_color_places}),
        exercise(twice_around, picture<Lesson>(),
-                {right_twice_around, wrong_twice_around, twice_around_places, 1e-12})},
+                {right_twice_around, wrong_twice_around, twice_around_places, within_a_turn})},
       {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
         [] { return acos(0.5) / radian; }, "degrees"},

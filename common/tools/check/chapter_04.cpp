@@ -209,8 +209,7 @@ constexpr Place<Place2, Place2, Place2> is_mirrored_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "04",
-      {exercise(chapter_04::uv_of, globe_in("daily"),
-                {right_place, wrong_places, uv_of_places, 1e-6}),
+      {exercise(chapter_04::uv_of, globe_in("daily"), {right_place, wrong_places, uv_of_places}),
        exercise(lecture_u, globe_in("lecture"), {right_u, wrong_quarters, lecture_u_places}),
        exercise(is_mirrored, globe_in("daily", "uv_map.png"),
                 {[](Place2 here, Place2 east, Place2 north) {

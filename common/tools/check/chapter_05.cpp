@@ -257,9 +257,9 @@ constexpr Place<Vec3d, double, double> looked_up_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "05",
-      {exercise(turned, globe_after("60"), {turned_about_y, wrong_turns, turned_places, 1e-6}),
+      {exercise(turned, globe_after("60"), {turned_about_y, wrong_turns, turned_places}),
        exercise(u_after, globe_after("-150"), {right_u, wrong_u, u_after_places}),
-       exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places, 1e-6})},
+       exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places})},
       {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
         "in picture 21, if the first is picture 0?",
         [] {
@@ -267,7 +267,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
           return atan2(turn.sine, turn.cosine) / radian;
         },
         "degrees", 1e-9},
-       {"Which --degrees, from 0 to 350, makes --convention lecture draw the picture that "
+       {"Which --degrees, at least 0 and less than 360, makes --convention lecture draw the "
+        "picture that "
         "--convention rtiow draws without a turn?",
         [] {  // what undoes the other convention's u, of any point
           const Vec3d p{1, 0, 0};

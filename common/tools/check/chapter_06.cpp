@@ -275,7 +275,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "06",
       {exercise(chapter_06::mirrored, lecture_scene(),
-                {mirror<double>, wrong_mirrors, mirrored_places, 1e-6}),
+                {mirror<double>, wrong_mirrors, mirrored_places}),
        exercise(chapter_06::highlight, lecture_scene(),
                 {[](Vec3d n, Vec3d to_lamp, Vec3d d, double shininess) {
                    const Vec3d l = normalize(to_lamp);
@@ -283,11 +283,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
                        {.lambertian = {}, .specular = 1, .shininess = shininess},
                        texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
                  },
-                 wrong_highlights, highlight_places, 1e-6}),
+                 wrong_highlights, highlight_places}),
        // From near by, with a spot in which the light is more than 1. No blend of a byte and a
        // limited light is a whole byte here: rounding would decide.
        exercise(chapter_06::blended, picture<Lesson>({"--blend", "0.3337", "--shininess", "5"}, 20),
-                {right_blend, wrong_blends, blended_places, 1e-6})},
+                {right_blend, wrong_blends, blended_places})},
       {{"The highlight changes some pixels of the picture. By what factor are there more of them "
         "with --shininess 50 than with --shininess 500?",
         [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},

@@ -313,7 +313,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                   lesson.stage.sky = {.below = {0, 0, 0}, .above = {1, 1, 1}};
                   return magnified(lesson);
                 },
-                {right_scatter, wrong_scatter, scattered_places, 1e-6}),
+                {right_scatter, wrong_scatter, scattered_places}),
        exercise(place_of_sample, [] { return magnified(prepared<Lesson>()); },
                 {right_place, wrong_places, place_of_sample_places})},
       {{"Which byte does a pixel get that is a quarter white, the rest black?",

@@ -302,7 +302,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                    const Crossing<double> found = crossing(along_z, a, b, c);
                    return Weights{found.a, found.b, found.c};
                  },
-                 wrong_weights, weights_places, 1e-6}),
+                 wrong_weights, weights_places}),
        exercise(mixed, picture<Lesson>(), {sum_of, wrong_mixes, mixed_places})},
       {{"An edge goes from depth 1 to depth 4. Which weight does its far end have at the point "
         "that is seen in the middle of the edge's image?",

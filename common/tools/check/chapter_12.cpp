@@ -419,8 +419,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
                                            sums.begin());
                  },
                  wrong_things, drawn_thing_places})},
-      {{"The sun is 2.8 degrees wide. Of a million directions drawn by the cosine on a surface "
-        "that faces the sun, how many find it?",
+      {{"The bright core of the sun is 2.8 degrees wide. Of a million directions drawn by the "
+        "cosine on a surface that faces the sun, how many find it?",
         directions_to_the_sun, "directions", 0.1},
        {"The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at the "
         "equator as one at a pole?",

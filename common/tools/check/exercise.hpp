@@ -50,6 +50,8 @@ using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
 inline Vec3 operator*(double factor, const Vec3& v) { return v * factor; }
 inline Vec3 operator/(const Vec3& v, double divisor) { return v * (1 / divisor); }
 inline Color operator*(double factor, const Color& c) { return c * factor; }
+inline Color operator/(const Color& c, double divisor) { return c * (1 / divisor); }
+inline Color operator-(const Color& a, const Color& b) { return a + b * -1.0; }
 
 // From an encoded number to light, both 0 to 1; and back.
 inline double srgb_decode(double encoded) { return texmap::srgb_decode(encoded); }

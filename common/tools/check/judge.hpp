@@ -30,19 +30,24 @@ template <std::size_t N>
 [[nodiscard]] inline std::array<double, 3> parts(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
 
-/// A value as the verdict prints it: "0.25", "(0.25, 0.5)", "yes".
-[[nodiscard]] inline std::string in_words(double value) {
+/// A value as the verdict prints it, with so many digits: "0.25", "(0.25, 0.5)", "yes".
+[[nodiscard]] inline std::string in_words(double value, int digits = 6) {
   if (std::isnan(value)) return "no number (NaN)";
   if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
   if (std::abs(value) < 1e-15) return "0";  // -0, or what rounding leaves of 0
   const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
-  return whole ? text("%.0f", value) : text("%.6g", value);
+  return whole ? text("%.0f", value) : text("%.*g", digits, value);
 }
-[[nodiscard]] inline std::string in_words(int value) { return std::to_string(value); }
-[[nodiscard]] inline std::string in_words(bool value) { return value ? "yes" : "no"; }
-[[nodiscard]] std::string in_words(const auto& value) {
+[[nodiscard]] inline std::string in_words(int value, int /*digits*/) {
+  return std::to_string(value);
+}
+[[nodiscard]] inline std::string in_words(bool value, int /*digits*/) {
+  return value ? "yes" : "no";
+}
+[[nodiscard]] std::string in_words(const auto& value, int digits) {
   std::string words;
-  for (const double part : parts(value)) words += (words.empty() ? "(" : ", ") + in_words(part);
+  for (const double part : parts(value))
+    words += (words.empty() ? "(" : ", ") + in_words(part, digits);
   return words + ")";
 }
 
@@ -63,6 +68,18 @@ template <class T>
       largest = std::max(largest, apart(parts(a)[i], parts(b)[i]));
     return largest;
   }
+}
+
+/// True for values that differ by rounding alone, as by a calculation in float.
+template <class T>
+[[nodiscard]] bool alike(const T& a, const T& b) {
+  double size = 1;
+  if constexpr (std::is_arithmetic_v<T>) {
+    size = std::max(size, std::abs(double(a)));
+  } else {
+    for (const double part : parts(a)) size = std::max(size, std::abs(part));
+  }
+  return apart(a, b) <= 1e-6 * (size < infinity<double>() ? size : 1);
 }
 
 /// A mistake, what comes out of it at one place, and what comes out of its other spellings.
@@ -125,7 +142,7 @@ struct Law {
   std::function<Out(Args...)> right;
   std::function<Slips<Out>(Args...)> slips;
   std::span<const Place<std::decay_t<Args>...>> places;
-  double tolerance = 1e-9;  ///< of each part of a value
+  std::function<Out(const Out&)> seen{};  ///< what of a value counts; empty: all of it
 };
 
 /// A verdict in words.
@@ -164,7 +181,9 @@ template <class Out, class... Args>
 [[nodiscard]] Verdict judge(const Law<Out, Args...>& law, const std::vector<Out>& values) {
   Verdict verdict;
   verdict.places = values.size();
-  const auto same = [&](const Out& a, const Out& b) { return apart(a, b) <= law.tolerance; };
+  const auto same = [&law](const Out& a, const Out& b) {
+    return law.seen ? alike(law.seen(a), law.seen(b)) : alike(a, b);
+  };
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Out value = values[i];
     verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -173,8 +192,11 @@ template <class Out, class... Args>
     if (verdict.right) {
       verdict.right = false;
       verdict.law = law.places[i].law;
-      verdict.expected = in_words(right);
-      verdict.got = in_words(value);
+      for (const int digits : {6, 9, 17}) {  // more where they would look equal
+        verdict.expected = in_words(right, digits);
+        verdict.got = in_words(value, digits);
+        if (verdict.expected != verdict.got) break;
+      }
     }
     ++verdict.wrong;
   }

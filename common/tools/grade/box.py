@@ -23,6 +23,10 @@ SYSTEM = ['/usr', '/bin', '/sbin', '/lib', '/lib32', '/lib64', '/libx32', '/etc/
 BOX = '/box'
 ENVIRONMENT = {'PATH': '/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin', 'LC_ALL': 'C', 'HOME': BOX, 'TMPDIR': BOX}
 LOG_BYTES = 1 << 16  # kept of what a command prints
+TOO_SLOW = 'it was stopped after %.3g s of CPU time: it is too slow, or has no end'
+SIGNALS = {'SIGXFSZ': 'it wrote a file that is too large', 'SIGFPE': 'it divided a whole number by 0',
+           'SIGSEGV': 'it ended by signal SIGSEGV: an index or a pointer is outside, or a function calls itself for ever',
+           'SIGABRT': 'it ended by signal SIGABRT: an exception that nothing catches, an assertion, or an index outside'}
 IDLE_SECONDS = 10  # without any CPU: the program waits for what never comes
 
 
@@ -42,6 +46,11 @@ class Ended:
     cpu: float
     log: str
     product: bytes
+
+
+def shortened(log):
+    """The first half and the last of what is kept of a log: tests have their sum at the end."""
+    return log if len(log) <= LOG_BYTES else log[:LOG_BYTES // 2] + log[-LOG_BYTES // 2:]
 
 
 # Runs "$@" with limits. What was its input is the file that then gets, in three lines and the rest: whether processes are left, the
@@ -183,7 +192,7 @@ class Boxes:
                 piece = os.read(process.stdout.fileno(), 1 << 16)
                 if not piece:
                     break
-                log += piece[:LOG_BYTES - len(log)]
+                log = shortened(log + piece)
             now = time.monotonic()
             if now < due:
                 continue
@@ -196,7 +205,7 @@ class Boxes:
             elif self.stopping.is_set():
                 why = 'interrupted'
             elif cpu > limits.cpu:
-                why = f'hang: it was stopped after {limits.cpu:.3g} s of CPU time'
+                why = 'hang: ' + TOO_SLOW % limits.cpu
             elif now - busy > IDLE_SECONDS:
                 why = f'hang: it waited for {IDLE_SECONDS} s and did nothing'
             elif now - start > 60 + 10 * limits.cpu:
@@ -230,11 +239,11 @@ class Boxes:
             how, _, why = why.partition(': ')
             return how, why
         if name in ('SIGXCPU', 'SIGKILL') and cpu >= limits.cpu:
-            return 'hang', f'it was stopped after {limits.cpu:.3g} s of CPU time'
+            return 'hang', TOO_SLOW % limits.cpu
         if status and re.search(r'bad_alloc|not enough memory|out of memory|[Cc]annot allocate memory', log):
             return 'too much memory', f'it had {limits.megabytes} MB'
         if name:
-            return f'crashed {name}', 'it wrote a file that is too large' if name == 'SIGXFSZ' else f'it ended by signal {name}'
+            return f'crashed {name}', SIGNALS.get(name, f'it ended by signal {name}')
         if status:
             return f'failed ({status})', f'it ended with status {status}'
         if left:

@@ -212,7 +212,7 @@ def hidden_options(item, offered, texture, rng):
 def first_error(log):
     """The line that says what is wrong."""
     lines = log.splitlines()
-    for pattern in (r'(error|Error):', r'undefined reference|multiple definition|out of memory|error', r'\S'):
+    for pattern in (r'(error|Error):(?! ld returned| linker command)', r'undefined reference|multiple definition|out of memory|error', r'\S'):
         for line in lines:
             if re.search(pattern, line):
                 return line.strip()[:300]

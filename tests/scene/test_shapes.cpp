@@ -1,0 +1,145 @@
+// Tests of common/scene/shapes.hpp and texture/shape_mappings.hpp: a cylinder and a rectangle, how
+// a picture lies on them, and shadows of what is not convex.
+#include <doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "dice.hpp"
+#include "number/kinds/pack.hpp"
+#include "scene/light.hpp"
+#include "scene/paint.hpp"
+#include "scene/shapes.hpp"
+#include "texture/shape_mappings.hpp"
+
+namespace texmap::test {
+namespace {
+
+static_assert(Shape<Sphere<>> && Shape<AnyShape<Sphere<>, Cylinder, Rectangle>>);
+
+#define NUMBERS float, double, long double, Pack<float>, Pack<double>
+
+template <class Real>
+Scalar<Real> first(const Real& x) {
+  return lane(x, 0);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("rays meet a cylinder and a rectangle where they should", Real, NUMBERS) {
+  const Cylinder can{.center = {0, 1, 0}, .radius = 2, .half_height = 3};
+  const Rectangle frame{.center = {0, 1, 0}, .right = {2, 0, 0}, .up = {0, 3, 0}};
+  const double none = std::numeric_limits<double>::infinity();
+  struct Row {
+    Point origin;
+    Vec3d direction;
+    double can, frame;
+  };
+  const Row rows[] = {
+      {{0, 1, 5}, {0, 0, -1}, 3, 5},        // from in front
+      {{0, 1, 5}, {0, 0, -2}, 1.5, 2.5},    // in lengths of the direction
+      {{0, 1, 5}, {0, 0, 1}, none, none},   // away
+      {{0, 1, 0.5}, {0, 0, -1}, 2.5, 0.5},  // from inside
+      {{2, 1, 5}, {0, 0, -1}, 5, 5},        // a tangent; a side
+      {{2.125, 1, 5}, {0, 0, -1}, none, none},
+      {{0, 4, 5}, {0, 0, -1}, 3, 5},  // its upper end
+      {{0, 4.125, 5}, {0, 0, -1}, none, none},
+      {{0, 5.5, 3}, {0, -1, -1}, 5, 3},     // over the edge to the inner side
+      {{0, 9, 0}, {0, -1, 0}, none, none},  // along the axis, and in the plane
+      {{0, 9, 5}, {0, 0, 0}, none, none},
+      {{0, 1, 5}, {NAN, 0, -1}, none, none},
+  };
+  for (const Row& row : rows) {
+    const Ray<Real> ray{number_cast<Real>(row.origin), number_cast<Real>(row.direction)};
+    CAPTURE(row.origin.x);
+    CAPTURE(row.origin.y);
+    CAPTURE(row.direction.y);
+    CHECK(first(distance_to(can, ray)) == static_cast<Scalar<Real>>(row.can));
+    CHECK(first(distance_to(frame, ray)) == static_cast<Scalar<Real>>(row.frame));
+  }
+}
+
+TEST_CASE("hits of a cylinder lie on it, nothing of it is before them, and normals face the ray") {
+  Dice dice(11);
+  const auto point = [&dice](double size) {
+    return Vec3d{dice.between(-size, size), dice.between(-size, size), dice.between(-size, size)};
+  };
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Cylinder can{.center = point(1), .radius = 1.5, .half_height = 0.75};
+    const Vec3d origin = point(8);
+    const Ray<double> ray{origin, normalize(can.center + point(2) - origin)};
+    // A finer number and the plain quadratic, whose roots are tried one by one.
+    const Vec3<long double> o = number_cast<long double>(ray.origin - can.center);
+    const Vec3<long double> d = number_cast<long double>(ray.direction);
+    const long double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z;
+    const long double c = o.x * o.x + o.z * o.z - 2.25L, rest = b * b - a * c;
+    long double expected = infinity<long double>();
+    for (const long double sign : {1.0L, -1.0L}) {
+      const long double t = (-b + sign * std::sqrt(rest)) / a;
+      if (t > 0 && std::abs(o.y + t * d.y) <= 0.75L && t < expected) expected = t;
+    }
+    const double distance = distance_to(can, ray);
+    const long double edge = std::abs(std::abs(o.y + expected * d.y) - 0.75L);
+    if (std::abs(rest) < 1e-6L || edge < 1e-9L) continue;  // a tangent, or the rim
+    REQUIRE((distance < infinity<double>()) == (expected < infinity<long double>()));
+    if (expected == infinity<long double>()) continue;
+    ++met;
+    REQUIRE(std::abs(distance - static_cast<double>(expected)) <= 1e-12 * distance);
+    const Hit<double> hit = hit_at(can, ray, distance);
+    REQUIRE(std::hypot(hit.point.x - can.center.x, hit.point.z - can.center.z) ==
+            doctest::Approx(1.5).epsilon(1e-14));
+    REQUIRE(dot(hit.normal, ray.direction) <= 0);
+    const Ray<double> back{hit.outside, hit.normal};
+    REQUIRE(distance_to(can, back) > 1);  // not the point that it leaves
+  }
+  CHECK(met > 2000);
+}
+
+TEST_CASE("a label is neither stretched nor mirrored: its lengths are the cylinder's") {
+  const Cylinder can{.center = {1, 2, 3}, .radius = 2, .half_height = 3};
+  const CylinderMapping label{can};
+  Hit<double> hit;
+  const auto at = [&](double turn, double y) {
+    const double angle = 2 * std::numbers::pi * turn;
+    hit.point = can.center + Vec3d{-2 * std::cos(angle), y, 2 * std::sin(angle)};
+    return label(hit);
+  };
+  CHECK(at(0.25, 0).u == doctest::Approx(0.25).epsilon(1e-15));  // towards +z
+  CHECK(at(0, 0).u == 0);
+  CHECK(at(0, 0).v == 0.5);
+  CHECK(at(0, 3).v == 1);
+  CHECK(at(0, -3).v == 0);
+  for (double turn = 0.01; turn < 1; turn += 0.07) {
+    CHECK(at(turn, 0.5).u == doctest::Approx(turn).epsilon(1e-14));
+    CHECK(at(turn, 1.5).v == doctest::Approx(0.75).epsilon(1e-14));
+  }
+  const RectangleMapping picture{{.center = {1, 2, 3}, .right = {0, 0, -2}, .up = {0, 3, 0}}};
+  hit.point = {1, 3.5, 4};
+  const Uv<double> uv = picture(hit);
+  CHECK(uv.u == 0.25);
+  CHECK(uv.v == 0.75);
+}
+
+TEST_CASE("an open cylinder throws a shadow into itself; a sphere and a rectangle cannot") {
+  struct Object {
+    AnyShape<Sphere<>, Cylinder, Rectangle> shape;
+  };
+  const PointLight lamp{.position = {6, 3, 0}};
+  const auto lit = [&](const auto& shape, const Ray<double>& ray) {
+    const std::vector<Object> alone = {{shape}};
+    Hit<double> hit = hit_at(alone[0].shape, ray, distance_to(alone[0].shape, ray));
+    hit.object = 0;
+    return sample_light(lamp, alone, hit).cosine;
+  };
+  const Cylinder can{.radius = 1, .half_height = 1};
+  // From above on its inner side at -x, which faces the lamp: the lamp is over the edge at +x.
+  CHECK(lit(can, {{0, 1.5, 0}, {-1, -0.6, 0}}) > 0);   // near the upper end
+  CHECK(lit(can, {{0, 1.5, 0}, {-1, -2.4, 0}}) == 0);  // near the lower end
+  CHECK(lit(can, {{4, 0, 0}, {-1, 0, 0}}) > 0);        // its outer side
+  CHECK(lit(Sphere<>{}, {{4, 0, 0}, {-1, 0, 0}}) > 0);
+  CHECK(lit(Rectangle{.right = {0, 0, -1}}, {{4, 0, 0}, {-1, 0, 0}}) > 0);
+}
+
+}  // namespace texmap::test
