@@ -63,4 +63,3 @@ TEST_CASE("a tangent is a hit for us and the daily exercise, and a miss for One 
   CHECK(published::distance_daily(unit, tangent) == 5);
   CHECK(published::distance_half_b(unit, tangent) == infinity<double>());
 }
-
