@@ -64,18 +64,16 @@ struct Neighbors {
 template <class Real>
 [[nodiscard]] Neighbors<Real> wrapped_neighbors(Wrap wrap, const Real& x, const Real& n) {
   const Real last = n - Real(1), next = x + Real(1);
-  Neighbors<Real> beyond{Real(0), last};
   switch (wrap) {
     case Wrap::repeat:
-      beyond = {last, Real(0)};
-      break;
+      return {select(x < Real(0), last, x), select(next > last, Real(0), next)};
     case Wrap::mirror:
     case Wrap::clamp:
     case Wrap::border:
     case Wrap::spherical:
       break;
   }
-  return {select(x < Real(0), beyond.first, x), select(next > last, beyond.second, next)};
+  return {select(x < Real(0), Real(0), x), select(next > last, last, next)};
 }
 
 /// A texel after wrapping.
