@@ -37,8 +37,8 @@ struct FilterFigures {
 inline constexpr int comparison_width = 192;
 inline constexpr int comparison_height = 96;
 
-/// The filters with their errors and reads, on a floor of checkers. The mean over a pixel is that of
-/// 1,597 places.
+/// The filters with their errors and reads, on a floor of checkers. The mean over a pixel is that
+/// of 1,597 places.
 ///
 /// @param threads  0: all cores; the figures do not depend on it
 /// @param timed    also measures the time

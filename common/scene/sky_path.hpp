@@ -44,9 +44,8 @@ struct Scattered {
 /// them is the light that a white surface sends out.
 ///
 /// @param normal, place, choice  of unit length; two samples in [0, 1), `choice` for the sky alone
-/// Source: Veach and Guibas, "Optimally Combining Sampling Techniques" (1995): `mis` is their
-/// balance heuristic with one direction, cosine / pi / ((cosine / pi + density) / 2). `importance`
-/// has shares of 1/8 and 7/8: by the sky alone, light from objects before a black sky were lost.
+/// Source: Veach and Guibas (1995): `mis` is their balance heuristic with one direction.
+/// `importance` has shares of 1/8 and 7/8: else light from objects before a black sky were lost.
 template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
                                       const Vec3<Real>& normal, const Point2<Real>& place,

@@ -95,7 +95,7 @@ class CommandLine {
       return false;
     });
   }
-  /// The same for an enumeration or a bool: the words of its values, from 0 on, with | between them.
+  /// The same for an enumeration or a bool: its values' words, from 0 on, with | between them.
   template <class Value>
   void choice(std::string_view name, Value& value, std::string_view words, std::string_view help) {
     std::vector<std::pair<std::string_view, Value>> pairs;
