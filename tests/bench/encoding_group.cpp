@@ -73,9 +73,8 @@ Group encoding_group() {
       .name = "encoding",
       .title = "Files",
       .text =
-          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × "
-          "1024, as\npixels. The bases are stb_image_write and stb_image as they come. Our encoder "
-          "tries\n"
+          "Chapter 03's picture, 800 × 600, as a PNG file; and the Earth's file, 2048 × 1024,\n"
+          "as pixels. The bases are stb_image_write and stb_image as they come. Our encoder tries\n"
           "one filter instead of five and compresses by libdeflate ([packages](packages.md)); our\n"
           "decoder checks every byte of the file, and makes the pixels of plain rows itself:\n"
           "libdeflate only inflates them.",
