@@ -11,6 +11,11 @@ TEST_CASE("01: strangers' answers get their words") {
       return t_of(a, b, sqrt(b * b - a * (dot(o - s, o - s) - r * r)));
     });
   };
+  distance_to_sphere.right([](V o, V d, V s, D r) {  // its result is rounded to a float
+    const D a = dot(d, d), b = dot(s - o, d), inside = b * b - a * (dot(o - s, o - s) - r * r);
+    const float t = float((b - sqrt(inside)) / a), far = float((b + sqrt(inside)) / a);
+    return D(t > 0 ? t : far > 0 ? far : infinity);
+  });
   by_root("ray leaves the", [](D a, D b, D q) { return b + q > 0 ? (b + q) / a : infinity; });
   by_root("only t > 0 counts", [](D a, D b, D q) { return q >= 0 ? (b - q) / a : infinity; });
   by_root("starts inside", [](D a, D b, D q) { return b - q > 0 ? (b - q) / a : infinity; });
@@ -26,6 +31,7 @@ TEST_CASE("01: strangers' answers get their words") {
   const auto from = [](const char* text, auto hidden) {  // the ray starts where it has to
     in_shadow(text, [=](V p, V n, V l, Hit hit) { return hidden(p + 0.001 * n, l, hit); });
   };
-  from("lengths of the direction", [](V s, V l, Hit hit) { return hit(s, l - s) < length(l - s); });
+  from("direction and distance do not fit",
+       [](V s, V l, Hit hit) { return hit(s, l - s) < length(l - s); });
   from("true everywhere", [](V s, V l, Hit hit) { return hit(s, normalize(l - s)) > 0; });
 }

@@ -13,6 +13,7 @@ static V about_z(V p, D w) { return turn(p, {1, 0, 0}, {0, 1, 0}, w); }
 
 TEST_CASE("05: strangers' answers get their words") {
   turned("for radians", [](V p, D degrees) { return about_y(p, degrees); });
+  turned("", [](V p, D degrees) { return about_y(p, int(degrees) / 180. * pi); });
   turned("digits", [](V p, D degrees) { return about_y(p, degrees / 180 * 3.14159); });
   turned("exchanged", [](V p, D degrees) { return about_y(p, pi / 2 - degrees / 180 * pi); });
 

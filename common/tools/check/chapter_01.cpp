@@ -26,7 +26,9 @@ inline constexpr struct {
     const auto distance = [&](const auto& object) {
       const double t =
           distance_to_sphere(ray.origin, ray.direction, object.shape.center, object.shape.radius);
-      return t < never ? t : never;  // also for NaN
+      const double right = distance_to(object.shape, ray);
+      if (check::alike(right, t)) return right;  // a float lies below the surface
+      return t < never ? t : never;              // also for NaN
     };
     const auto& first = *std::ranges::min_element(objects, {}, distance);
     const double t = distance(first);
@@ -162,6 +164,8 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double> distance_to_sphere_places[] = {
     {"distances are in lengths of the direction: with (0, 0, -2), t is 2",
      {eye, {0, 0, -2}, zero, 1}},
     {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1}},
+    {"the ground, with radius 1000, is met at t = 10.007: a float has too few digits for it",
+     {{0, 2, 8}, {0, -0.3, -1}, {0, -1001, 0}, 1000}},
     {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1}},
     {"from inside, the ray meets the sphere where it leaves it", {{0, 0, 0.5}, {0, 0, 1}, zero, 1}},
 };
@@ -265,7 +269,8 @@ Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hi
     wrong += {
         {"a sphere behind the lamp casts no shadow: compare with the distance of the lamp",
          {hit(to, never), hit(path, never)}},
-        {"distances are in lengths of the direction: normalize it; the lamp is length(path) away",
+        {"direction and distance do not fit: normalize the direction, and the lamp is length(path) "
+         "away",
          hit(path, away)},
         {"a normalized direction has length 1: compare with length(lamp - start), not with 1",
          hit(to, 1)},

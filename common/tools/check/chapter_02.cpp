@@ -127,6 +127,7 @@ constexpr Place<Place2, int> is_first_color_places[] = {
     {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other color",
      {{0.05, 1}, 10}},
     {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color", {{0.15, 1}, 10}},
+    {"u = 0 is in the first column: (0, 0.05) has the lower left color", {{0, 0.05}, 10}},
 };
 
 Slips<Place2> wrong_twice_around(Place2 uv) {
@@ -150,7 +151,7 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
        "multiply u by 2",
        {0, v}},
       {"v must stay as it is: you lose it", {{2 * u, 0}, {u, 0}}},
-      {"u and v stay as they were: the pattern goes around twice with 2 * u", uv},
+      {"the pattern looks as it was: it goes around twice with 2 * u", uv},
       {"that is more than twice around: the checkerboard itself multiplies by its 10 squares",
        {10 * u, v}},
       {"that is 20 times around: the checkerboard itself multiplies by its 10 squares",

@@ -83,7 +83,8 @@ Slips<int> wrong_columns(double u, int n) {
       {"u runs the other way: your map is mirrored", {n - 1 - c, cut_off((1 - u) * n), n - c}},
       {"the decimals are cut off too early: it is static_cast<int>(u * width), the product",
        {cut_off(u) * n, cut_off(u) * (n - 1)}},
-      {"multiply u by width: a column is 1 / width wide", cut_off(u / n)},
+      {"this is column 0 everywhere: multiply u by width, and limit it to 0 and width - 1",
+       cut_off(u / n)},
   };
   return {
       limited(table, n),

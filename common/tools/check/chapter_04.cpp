@@ -143,7 +143,9 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
   const double u_n = north.u - here.u, v_n = north.v - here.v;
   const double product = u_e * v_n;
   return {
-      {"this is never true: multiply the signs of east - here and north - here, or take all four",
+      {"this is never true: multiply the signs of east - here and north - here, or take all four, "
+       "as "
+       "doubles",
        false},
       {"this is always true: only a negative determinant means mirrored", true},
       {"yes and no are exchanged: a negative determinant means mirrored", product > u_n * v_e},

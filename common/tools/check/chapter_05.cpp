@@ -109,6 +109,7 @@ constexpr Place<Vec3d, double> turned_places[] = {
     {"y does not change", {{0, 1, 0}, 60}},
     {"30 degrees turn +z to (1/2, 0, 0.866)", {{0, 0, 1}, 30}},
     {"-30 degrees turn it to (-1/2, 0, 0.866)", {{0, 0, 1}, -30}},
+    {"22.5 degrees turn it to (0.383, 0, 0.924)", {{0, 0, 1}, 22.5}},
     {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
     {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
      {{-2. / 7, 3. / 7, -6. / 7}, 200}},

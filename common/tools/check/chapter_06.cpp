@@ -104,6 +104,8 @@ constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
     {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
     {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
      {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
+    {"behind the surface it is the same formula: with n = +y and l = (0.6, -0.8, 0)",
+     {{0.6, -0.8, 0}, {0, 1, 0}}},
 };
 
 /// Highlights of one cause, of those who remember, too, to normalize the light, to test n . l > 0
@@ -136,7 +138,9 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
        -right},
       {no_cosine, {dot(n * (2 * dot(n, to_lamp)) - l, e), dot(n * (2 * straight) - to_lamp, e)}},
       {"std::abs lights the side away from r, too: take std::max(cosine, 0.0)", abs(right)},
-      {"std::min keeps what is below 0: take std::max(cosine, 0.0)", min(right, 0.)},
+      {"what is above 0 stays and what is below 0 becomes 0: l leads to the lamp, and "
+       "std::max(cosine, 0.0) limits it",
+       min(right, 0.)},
       {"this is 1 everywhere: limit the cosine to 0 or more, not to 1", 1},
       {"n . l is the cosine of the diffuse light: take r and the direction to the eye", straight},
       {"the light is not mirrored: take r = 2 (n . l) n - l and the direction to the eye",
@@ -191,6 +195,7 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double> highlight_places[] = {
      {up, {0, 2, 0}, {sine_of_60, -0.5, 0}, 1}},
     {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {sine_of_60, -0.5, 0}, 5}},
     {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -half_root, -half_root}, 2}},
+    {"with shininess 2.5 it is 0.42", {up, {0, 2, 0}, {0, -half_root, -half_root}, 2.5}},
     {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
      {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
     {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},

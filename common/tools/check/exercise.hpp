@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "math/color.hpp"
@@ -47,11 +48,23 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // none.
 using FirstHit = std::function<double(Vec3 origin, Vec3 direction)>;
 
+inline Vec3 operator*(const Vec3& v, double factor) {  // of an int, too
+  return {v.x * factor, v.y * factor, v.z * factor};
+}
 inline Vec3 operator*(double factor, const Vec3& v) { return v * factor; }
 inline Vec3 operator/(const Vec3& v, double divisor) { return v * (1 / divisor); }
+inline Color operator*(const Color& c, double factor) {
+  return {c.r * factor, c.g * factor, c.b * factor};
+}
 inline Color operator*(double factor, const Color& c) { return c * factor; }
 inline Color operator/(const Color& c, double divisor) { return c * (1 / divisor); }
-inline Color operator-(const Color& a, const Color& b) { return a + b * -1.0; }
+inline Color operator-(const Color& c) { return c * -1.0; }
+inline Color operator-(const Color& a, const Color& b) { return a + -b; }
+inline Vec3& operator+=(Vec3& a, const Vec3& b) { return a = a + b; }
+inline Vec3& operator-=(Vec3& a, const Vec3& b) { return a = a - b; }
+inline Vec3& operator*=(Vec3& v, double factor) { return v = v * factor; }
+inline Color& operator+=(Color& a, const Color& b) { return a = a + b; }
+inline Color& operator*=(Color& c, double factor) { return c = c * factor; }
 
 // From an encoded number to light, both 0 to 1; and back.
 inline double srgb_decode(double encoded) { return texmap::srgb_decode(encoded); }

@@ -26,7 +26,8 @@ inline Slips<Place2> map_slips(double x, double y, double z) {
        pi + longitude / turn},
       {degrees, {0.5 + longitude / 360, longitude / 360}},
       {"u is divided by pi: the map goes around twice", 0.5 + longitude / pi},
-      {"the arguments of atan2 are exchanged: z comes first, the sine's side",
+      {"u begins a quarter turn away, or the arguments of atan2 are exchanged: z comes first, the "
+       "sine's side",
        {0.5 + exchanged, 0.5 - exchanged, exchanged}},
       {"u is 0 on +x, where it has to be 1/2: the map is turned by half a turn",
        {u < 0.5 ? u + 0.5 : u - 0.5, u_by(-z, -x)}},
@@ -45,7 +46,7 @@ inline Slips<Place2> map_slips(double x, double y, double z) {
       {"v grows with the angle, not with the height y: take acos or asin", {(y + 1) / 2, y}},
       {"y is the axis from pole to pole: v comes from y", {v_by(x), v_by(-x), v_by(z), v_by(-z)}},
       {"limit y to -1 and 1, not to 0 and 1: half of the globe has negative y", v_by(max(-y, 0.0))},
-      {"acos gives no negative angle: the minus belongs to y, acos(-y)", -v},
+      {"v is below 0 everywhere but at a pole: take the minus away", -v},
       {"the square root is missing in v: the distance from the axis is sqrt(x * x + z * z)",
        atan2(x * x + z * z, -y) / pi},
   };
