@@ -84,8 +84,8 @@ std::string summary(const Comparison& c, const std::string& page) {
                   f.pixels_different, f.pixels_compared, 100 * f.share_different, f.box.left,
                   f.box.left + f.box.width - 1, f.box.top, f.box.top + f.box.height - 1);
   }
-  lines += text("  elsewhere  %zu pixels changed that show no object that may change (%s)\n",
-                c.changed_elsewhere, names_of(c.may_change, "none").c_str());
+  lines += text("  elsewhere  %zu pixels changed; the step may change: %s\n", c.changed_elsewhere,
+                names_of(c.may_change, "nothing").c_str());
   lines += text("  figures    largest %d levels at (%d, %d), RMSE %.2f, PSNR %.1f dB, SSIM %.4f\n",
                 f.worst.levels, f.worst.column, f.worst.row, f.root_mean_square_error,
                 f.peak_signal_to_noise, f.structural_similarity);
