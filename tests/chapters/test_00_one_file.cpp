@@ -2,9 +2,7 @@
 // shares no code with them, and so is their judge: each pixel has the color that its ray sees.
 #include <doctest.h>
 
-#include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
-#include "engine/picture/load_image.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"
 #include "support/same_picture.hpp"
@@ -13,25 +11,10 @@
 using namespace texmap;
 using namespace texmap::test;
 
-namespace {
-
-/// What the program draws with these options.
-Image drawn_by_one_file(const std::string& options = "") {
-  const TemporaryFolder folder;
-  const std::string file = folder / "new folder/picture.png";
-  const Outcome outcome = run("\"" TEXMAP_CHAPTER "\" " + options + " --out \"" + file + "\"");
-  REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
-  return load_image(file);
-}
-
-}  // namespace
-
-TEST_CASE("the file draws chapter 02's picture, and with --plain chapter 01's, pixel for pixel") {
-  const Image checkered = drawn_by_one_file();
+TEST_CASE("the file draws chapter 02's picture, pixel for pixel; test_01 compares --plain") {
+  const Image checkered = drawn_by(TEXMAP_CHAPTER, "");
   expect_same_picture(checkered, picture(chapter_02::Lesson{}));
-  const Image plain = drawn_by_one_file("--plain");
-  expect_same_picture(plain, picture(chapter_01::Lesson{}));
-  CHECK(count_different(plain, checkered) > 100000);
+  CHECK(count_different(drawn_by(TEXMAP_CHAPTER, "--plain"), checkered) > 100000);
 }
 
 TEST_CASE("an option that is not there is refused, and so is a file that cannot be written") {

@@ -88,13 +88,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the lecture's scene in one file is the picture of --scene lecture") {
-  const TemporaryFolder folder;
-  const std::string file = folder / "one.png";
-  const Outcome outcome =
-      run("\"" TEXMAP_ONE_FILE "\" --texture \"" TEXMAP_ASSETS_DIR "/earth.png\" --out \"" + file +
-          "\"");
-  REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
+  const Image one = drawn_by(TEXMAP_ONE_FILE, "--texture \"" TEXMAP_ASSETS_DIR "/earth.png\"");
   const Image expected = picture(prepared<Lesson>({"--scene", "lecture"}), 800, 400);
   // At u = 1/8 and 7/8 two pixels' centers lie on the edge between two texels: rounding decides.
-  expect_same_picture(load_image(file), expected, {.pixels = 2});
+  expect_same_picture(one, expected, {.pixels = 2});
 }

@@ -6,8 +6,10 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 
+#include "engine/picture/load_image.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace texmap::test {
@@ -34,6 +36,15 @@ struct Outcome {
     return std::string(bytes.begin(), bytes.end());
   };
   return {status, text("out"), text("err")};
+}
+
+/// The picture that a program draws with these options.
+[[nodiscard]] inline Image drawn_by(const std::string& program, const std::string& options) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "new folder/picture.png";
+  const Outcome outcome = run("\"" + program + "\" " + options + " --out \"" + file + "\"");
+  if (outcome.status != 0) throw std::runtime_error(outcome.err);
+  return load_image(file);
 }
 
 }  // namespace texmap::test

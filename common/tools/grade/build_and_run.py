@@ -97,7 +97,7 @@ class Course:
         exercises = {'exercise_' + item.replace('.', '_'): item for item in items if is_exercise(item)}
         chapters = set(items) - set(exercises.values())
         built = sorted(chapters.union(*map(self.compared_with, chapters)))
-        targets = built + sorted({'check_' + item[:2] for item in exercises.values()})
+        targets = built + ['00_one_file'] + sorted({'check_' + item[:2] for item in exercises.values()})
         first = '' if (self.work / 'cache').exists() else '; the first time takes minutes'
         print(f'building the course\'s own lessons{first}', file=sys.stderr, flush=True)
         if not shutil.which('cmake'):
@@ -176,7 +176,7 @@ class Course:
         doctest = re.search('^doctest_INCLUDE_DIR:PATH=(.*)$', cache, re.MULTILINE)
         folders = [self.chapters, self.tests, self.tests / 'support', *([doctest[1]] if doctest else [])]
         texts = {'CHAPTER': program, 'ASSETS_DIR': self.tree / 'assets', 'TESTS_DIR': self.tests, 'BIN_DIR': BOX,
-                 'DIFFERING_DIR': 'differing', 'ONE_FILE': self.build / 'bin' / '06_one_file'}
+                 'DIFFERING_DIR': 'differing', 'ONE_FILE': self.build / 'bin' / '00_one_file'}
         main = next(unit for unit in self.units[item] if unit.object.endswith('/main.cpp.o'))
         words = [word for word in main.command if not word.startswith('-DTEXMAP_CHAPTER=')]
         return words + [f'-DTEXMAP_{name}="{text}"' for name, text in texts.items()] + [f'-I{folder}' for folder in folders]
@@ -504,7 +504,7 @@ class Grader:
             program = sources.parent / 'test'
             program.write_bytes(built.product)
             program.chmod(0o755)
-            seen = [program, sources.parent / 'program', self.course.tree / 'assets', self.course.build / 'bin' / '06_one_file']
+            seen = [program, sources.parent / 'program', self.course.tree / 'assets', self.course.build / 'bin' / '00_one_file']
             words = [str(program), '--test-case-exclude=' + (course['left_out'] if course else '')]
             ended = self.boxes.run(words, [path for path in seen if path.exists()], self.limits(course, 'tests'))
         result['cpu'] |= {'build tests': built.cpu, 'tests': ended.cpu}
