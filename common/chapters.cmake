@@ -79,6 +79,7 @@ if(TAKES_GNU_OPTIONS AND NOT EMSCRIPTEN)
   set(learn_options $<$<CONFIG:Release>:-O1>)
 endif()
 if(TEXMAP_LEARN)
+  set(CMAKE_PCH_PROLOGUE "")  # else the common headers count as a system's, and a switch that lacks a case is no error
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
   add_library(learn_headers OBJECT "${CMAKE_BINARY_DIR}/learn_headers.cpp")
   target_link_libraries(learn_headers PRIVATE project_options app)

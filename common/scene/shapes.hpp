@@ -8,8 +8,10 @@
 namespace texmap {
 
 /// What a scene needs of a shape: the distance to it along a ray, +infinity for a miss; the hit
-/// there; and if it is convex: true only if no ray that leaves it along the normal's side of the
-/// surface meets it again. Where that is false its own shadow is looked for, too.
+/// there, with `outside` lifted by more than the distance may be wrong, or it would shade itself;
+/// and if it is convex: true only if no ray that leaves it meets it again. Where that is false
+/// its own shadow is looked for, too. Of a shape with an inner side the normal faces the ray, so
+/// that a mapping must take the Hit: see texture/shape_mappings.hpp.
 template <class Type>
 concept Shape = requires(const Type& shape, const Ray<double>& ray) {
   { distance_to(shape, ray) } -> std::same_as<double>;

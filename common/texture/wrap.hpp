@@ -4,7 +4,7 @@
 
 namespace texmap {
 
-/// What lies beyond the edges of an image. To add one, name it here, and the compiler asks on.
+/// What lies beyond the edges of an image. To add one, name it here; its word: engine/app, --wrap.
 enum class Wrap {
   repeat,     ///< the image again
   mirror,     ///< its mirror image, then the image again

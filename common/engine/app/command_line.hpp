@@ -95,7 +95,8 @@ class CommandLine {
       return false;
     });
   }
-  /// The same for an enumeration or a bool: its values' words, from 0 on, with | between them.
+  /// The same for an enumeration or a bool of the engine's: its values' words in their order, with
+  /// | between them. What a reader may add to gets a list of pairs: places in it would shift.
   template <class Value>
   void choice(std::string_view name, Value& value, std::string_view words, std::string_view help) {
     std::vector<std::pair<std::string_view, Value>> pairs;

@@ -44,8 +44,11 @@ Image TextureFile::load() const {
 }
 
 void LayoutOptions::declare(CommandLine& line) {
-  line.choice("--convention", convention, "daily|rtiow|lecture",
-              "where on the globe the picture begins, and which way it runs");
+  line.choice<Convention>("--convention", convention,
+                          {{"daily", Convention::daily},
+                           {"rtiow", Convention::rtiow},
+                           {"lecture", Convention::lecture}},
+                          "where on the globe the picture begins, and which way it runs");
   line.choice(
       "--rounding", rounding, "floor|lecture",
       "which texel has the coordinate u: number floor(u n), or the lecture's (n-1) u, cut off");
@@ -98,8 +101,11 @@ void BumpOptions::declare(CommandLine& line) {
       {{"exact", BumpForm::exact}, {"blinn", BumpForm::blinn}, {"off", BumpForm::flat}},
       "exact: the normal of the raised surface. blinn: Blinn's of 1978, which leaves out the term "
       "h dn. off: the globe's own normal");
-  line.choice(
-      "--slopes", slopes, "duals|forward|central",
+  line.choice<SlopeFrom>(
+      "--slopes", slopes,
+      {{"duals", SlopeFrom::duals},
+       {"forward", SlopeFrom::forward},
+       {"central", SlopeFrom::central}},
       "slopes of the height: duals are exact derivatives, forward and central are differences");
   line.decimal("--step", step, 1e-300, 1, "the step of the differences, in radii of the globe");
   line.decimal("--relief", relief, -10, 10,
@@ -128,12 +134,22 @@ FilteredTexture texture_of(const Image& image, const FilterOptions& options, Wra
 }  // namespace
 
 void FilterOptions::declare(CommandLine& line) {
-  line.choice("--filter", filter, "nearest|bilinear|trilinear|anisotropic|ewa|stochastic",
-              "how textures are filtered");
+  line.choice<Filter>("--filter", filter,
+                      {{"nearest", Filter::nearest},
+                       {"bilinear", Filter::bilinear},
+                       {"trilinear", Filter::trilinear},
+                       {"anisotropic", Filter::anisotropic},
+                       {"ewa", Filter::ewa},
+                       {"stochastic", Filter::stochastic}},
+                      "how textures are filtered");
   line.choice("--scene", scene, "both|plane|globe",
               "what to draw: a plane up to the horizon, a globe far away, or both");
-  line.choice("--wrap", wrap, "repeat|mirror|clamp|border",
-              "what the floor shows outside the first copy of its picture");
+  line.choice<Wrap>("--wrap", wrap,
+                    {{"repeat", Wrap::repeat},
+                     {"mirror", Wrap::mirror},
+                     {"clamp", Wrap::clamp},
+                     {"border", Wrap::border}},
+                    "what the floor shows outside the first copy of its picture");
   line.whole("--taps", taps, 1, 64,
              "how many times at most a filter reads along a pixel's footprint");
   line.text("--floor", "FILE", floor_file,
@@ -203,8 +219,12 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
   line.wishes.samples = samples;
   line.wishes.samples_limit = most_samples;
   line.wishes.no_intervals = "it bounds the error of one ray, not the noise of random samples";
-  line.choice("--sampler", sampler, "random|stratified|multi-jitter|sobol",
-              "the pattern of a pixel's samples; --samples is their number");
+  line.choice<SamplerKind>("--sampler", sampler,
+                           {{"random", SamplerKind::random},
+                            {"stratified", SamplerKind::stratified},
+                            {"multi-jitter", SamplerKind::multi_jitter},
+                            {"sobol", SamplerKind::sobol}},
+                           "the pattern of a pixel's samples; --samples is their number");
   line.whole("--seed", seed, 0, 1000000000,
              "the seed of the random numbers: another seed has different noise");
   line.whole("--bounces", bounces, 1, 1000, "the largest number of bounces of a path");
