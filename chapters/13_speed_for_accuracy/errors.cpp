@@ -143,9 +143,10 @@ std::vector<std::array<Judge, 3>> along_rays(NumberKind number, const View<>& vi
         const Real columns = from_lanes<Real>(
             [first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
         const std::array<Real, 3> three = along(ray_through(view, columns, Real(row)));
-        for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i)
+        for (std::size_t i = 0; i < lanes<Real> && column + static_cast<int>(i) < view.width; ++i) {
           pixels.push_back(
               {Judge(lane(three[0], i)), Judge(lane(three[1], i)), Judge(lane(three[2], i))});
+        }
       }
     }
   };
@@ -336,7 +337,8 @@ UvError kernel_bound(NumberKind number, int degree) {
   return with_uv_mapping(degree, [&](const auto& mapping) -> UvError {
     using Mapping = std::decay_t<decltype(mapping)>;
     if constexpr (requires { Mapping::template worst<double>; }) {
-      return is_float(number) ? Mapping::template worst<float> : Mapping::template worst<double>;
+      const std::array worst = {Mapping::template worst<float>, Mapping::template worst<double>};
+      return worst[is_float(number) ? 0 : 1];
     } else {
       return {texels / 8192, texels / 4096};
     }

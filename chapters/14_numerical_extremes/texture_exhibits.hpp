@@ -35,8 +35,8 @@ struct Cracks : Placed {
     for (int cell = 0; cell < cells * cells; ++cell) {
       const int a = 4 * cell;
       for (int corner = 0; corner < 4; ++corner) {
-        const double x = 2.0 * (cell % cells + corner % 2) / cells - 1;
-        const double y = 2.0 * (cell / cells + corner / 2) / cells - 1;
+        const int column = cell % cells + corner % 2, row = cell / cells + corner / 2;
+        const double x = 2.0 * column / cells - 1, y = 2.0 * row / cells - 1;
         mesh.points.push_back({x * cosine - y * sine, x * sine + y * cosine, 0});
       }
       mesh.triangles.push_back({a, a + 1, a + 3});

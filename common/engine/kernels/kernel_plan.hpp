@@ -84,10 +84,11 @@ template <int First, int... Others, class Work>
 template <class Draw>
 [[nodiscard]] auto with_uv_mapping(int degree, const Draw& draw) {
   return with_constant<5, 7, 9, 11, 13, 15, 17, 23, 29, 35, 0>(degree, [&draw](auto constant) {
-    if constexpr (constant == 0)
+    if constexpr (constant == 0) {
       return draw(RtiowMapping{});
-    else
+    } else {
       return draw(FastUnitMapping<constant>{});
+    }
   });
 }
 
@@ -134,6 +135,7 @@ struct PlannedPower {
     const KernelPlan& plan,
     const std::vector<Painted<Mapped<Rotated<ConventionMapping>, LightTexture>>>& objects) {
   std::vector<Painted<Mapped<PlannedMapping, PlannedTexture>>> planned;
+  planned.reserve(objects.size());
   for (const auto& [shape, paint] : objects) {
     planned.push_back(
         {shape,
