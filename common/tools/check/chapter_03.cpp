@@ -222,8 +222,10 @@ double texels_read() {
     read.insert(row * width + column);
     return white;
   };
-  for (int i = 0; i < 800 * 600; ++i)
-    static_cast<void>(lesson(ray_through<double>(view, i % 800, i / 800)));
+  for (int i = 0; i < 800 * 600; ++i) {
+    const int row = i / 800;
+    static_cast<void>(lesson(ray_through<double>(view, i % 800, row)));
+  }
   color_of = nullptr;
   return 100. * double(read.size()) / double(map_of(lesson).pixels.size());
 }

@@ -306,7 +306,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {[](const Bytes& bytes) {
                    return rounded(255 * srgb_encode(sum_of(bytes, decoded) / double(bytes.size())));
                  },
-                 wrong_means, mean_byte_places, 0}),
+                 wrong_means, mean_byte_places}),
        exercise(scattered,
                 [] {
                   auto lesson = white_globe({"--sky", "gradient"});
