@@ -54,7 +54,8 @@ echo forged >>@results@
 echo changed >>@neighbor@
 rm -r @removable@
 bash -c ': >/dev/tcp/127.0.0.1/@port@'
-setsid sleep @sleep@ </dev/null >/dev/null &
+setsid sh -c ': >up; exec sleep @sleep@' </dev/null >/dev/null &
+while [ ! -e up ] && kill -0 $!; do sleep 0.1; done
 kill -KILL @victim@
 exit 3'''
 # Tries each way to memory that no process is seen to have, and names those that are open.
