@@ -71,8 +71,8 @@ TEST_CASE("hits of a cylinder lie on it, nothing of it is before them, and norma
     const Vec3d origin = point(8);
     const Ray<double> ray{origin, normalize(can.center + point(2) - origin)};
     // A finer number and the plain quadratic, whose roots are tried one by one.
-    const Vec3<long double> o = number_cast<long double>(ray.origin - can.center);
-    const Vec3<long double> d = number_cast<long double>(ray.direction);
+    const auto o = number_cast<long double>(ray.origin - can.center);
+    const auto d = number_cast<long double>(ray.direction);
     const long double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z;
     const long double c = o.x * o.x + o.z * o.z - 2.25L, rest = b * b - a * c;
     long double expected = infinity<long double>();
@@ -111,7 +111,8 @@ TEST_CASE("a label is neither stretched nor mirrored: its lengths are the cylind
   CHECK(at(0, 0).v == 0.5);
   CHECK(at(0, 3).v == 1);
   CHECK(at(0, -3).v == 0);
-  for (double turn = 0.01; turn < 1; turn += 0.07) {
+  for (int i = 0; i < 14; ++i) {
+    const double turn = 0.01 + 0.07 * i;
     CHECK(at(turn, 0.5).u == doctest::Approx(turn).epsilon(1e-14));
     CHECK(at(turn, 1.5).v == doctest::Approx(0.75).epsilon(1e-14));
   }
