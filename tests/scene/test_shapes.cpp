@@ -75,7 +75,7 @@ TEST_CASE("hits of a cylinder lie on it, nothing of it is before them, and norma
     const auto d = number_cast<long double>(ray.direction);
     const long double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z;
     const long double c = o.x * o.x + o.z * o.z - 2.25L, rest = b * b - a * c;
-    long double expected = infinity<long double>();
+    auto expected = infinity<long double>();
     for (const long double sign : {1.0L, -1.0L}) {
       const long double t = (-b + sign * std::sqrt(rest)) / a;
       if (t > 0 && std::abs(o.y + t * d.y) <= 0.75L && t < expected) expected = t;
