@@ -1,4 +1,4 @@
-// Shapes beside the sphere. To add one, write a struct with what `Shape` asks for.
+// Shapes other than the sphere. A new one is a struct with the three functions of `Shape`.
 #pragma once
 #include <concepts>
 #include <variant>
@@ -7,11 +7,11 @@
 
 namespace texmap {
 
-/// What a scene needs of a shape: the distance to it along a ray, +infinity for a miss; the hit
-/// there, with `outside` lifted by more than the distance may be wrong, or it would shade itself;
-/// and if it is convex: true only if no ray that leaves it meets it again. Where that is false
-/// its own shadow is looked for, too. Of a shape with an inner side the normal faces the ray, so
-/// that a mapping must take the Hit: see texture/shape_mappings.hpp.
+/// A shape has a distance along a ray (+infinity for a miss), a hit there, and convex(): true if no
+/// ray that leaves the shape meets it again. If it is false, the shape can shade itself.
+/// Lift `outside` by more than the error of the distance, or every point shades itself.
+/// If the ray can see an inner side, the normal there faces the ray. So a mapping cannot use the
+/// normal as a direction, and takes the Hit: see texture/shape_mappings.hpp.
 template <class Type>
 concept Shape = requires(const Type& shape, const Ray<double>& ray) {
   { distance_to(shape, ray) } -> std::same_as<double>;
@@ -32,7 +32,8 @@ struct Cylinder {
 /// Distance along the ray to the first point of the cylinder ahead, in lengths of `ray.direction`.
 /// Textbook: the roots of a quadratic in t. Here its discriminant is r^2 |d|^2 less the square of
 /// a vector product, and the root that would cancel is c / q, as for the sphere.
-/// Bound: 2e-14 of the distance in double, up to 100 radii away, where a ray is not near a tangent.
+/// Bound in double, up to 100 radii away: 1e-14 times the sum of all lengths, if the ray comes
+/// nearer to the axis than 0.999 radii.
 template <class Real>
 [[nodiscard]] Real distance_to(const Cylinder& cylinder, const Ray<Real>& ray) {
   const Vec3<Real> o = ray.origin - number_cast<Real>(cylinder.center);
@@ -55,7 +56,7 @@ template <class Real>
 }
 
 /// The hit at a distance that `distance_to` returned.
-/// Bound: the point lies on the cylinder to 4 unit roundoffs of its distance from the origin.
+/// Bound: the point is off the cylinder by 4 unit roundoffs of its coordinates and the radius.
 template <class Real>
 [[nodiscard]] Hit<Real> hit_at(const Cylinder& cylinder, const Ray<Real>& ray,
                                const Real& distance) {
@@ -80,7 +81,7 @@ struct Rectangle {
 };
 
 /// Distance along the ray to the rectangle, in lengths of `ray.direction`; its sides belong to it.
-/// Bound: 2e-14 of the distance in double, where the ray meets it at more than 1 degree.
+/// Bound in double: 1e-14 times the sum of all lengths, if the ray meets it at 1 degree or more.
 template <class Real>
 [[nodiscard]] Real distance_to(const Rectangle& rectangle, const Ray<Real>& ray) {
   const Vec3<Real> right = number_cast<Real>(rectangle.right);

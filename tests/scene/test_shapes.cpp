@@ -8,9 +8,12 @@
 
 #include "dice.hpp"
 #include "number/kinds/pack.hpp"
+#include "sampling/sampled_numbers.hpp"
 #include "scene/light.hpp"
 #include "scene/paint.hpp"
+#include "scene/path.hpp"
 #include "scene/shapes.hpp"
+#include "scene/sky.hpp"
 #include "texture/shape_mappings.hpp"
 
 namespace texmap::test {
@@ -23,6 +26,11 @@ static_assert(Shape<Sphere<>> && Shape<AnyShape<Sphere<>, Cylinder, Rectangle>>)
 template <class Real>
 Scalar<Real> first(const Real& x) {
   return lane(x, 0);
+}
+
+/// A point in a cube with sides of 2 `size`.
+Vec3d point_within(Dice& dice, double size) {
+  return {dice.between(-size, size), dice.between(-size, size), dice.between(-size, size)};
 }
 
 }  // namespace
@@ -60,21 +68,20 @@ TEST_CASE_TEMPLATE("rays meet a cylinder and a rectangle where they should", Rea
   }
 }
 
-TEST_CASE("hits of a cylinder lie on it, nothing of it is before them, and normals face the ray") {
+TEST_CASE("a cylinder is met first where a finer number meets it, within the stated bounds") {
+  constexpr double u = 0x1p-53;
   Dice dice(11);
-  const auto point = [&dice](double size) {
-    return Vec3d{dice.between(-size, size), dice.between(-size, size), dice.between(-size, size)};
-  };
   int met = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const Cylinder can{.center = point(1), .radius = 1.5, .half_height = 0.75};
-    const Vec3d origin = point(8);
-    const Ray<double> ray{origin, normalize(can.center + point(2) - origin)};
-    // A finer number and the plain quadratic, whose roots are tried one by one.
-    const auto o = number_cast<long double>(ray.origin - can.center);
+  for (int i = 0; i < 40000; ++i) {
+    const double far = static_cast<double>(dice.power_of_ten(0, 2));
+    const Cylinder can{.center = point_within(dice, 1), .radius = 1, .half_height = 0.75};
+    const Vec3d origin = point_within(dice, far);
+    const Ray<double> ray{origin, normalize(can.center + point_within(dice, 1.2) - origin)};
+    // The plain quadratic, whose roots are tried one by one.
+    const auto o = number_cast<long double>(ray.origin) - number_cast<long double>(can.center);
     const auto d = number_cast<long double>(ray.direction);
     const long double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z;
-    const long double c = o.x * o.x + o.z * o.z - 2.25L, rest = b * b - a * c;
+    const long double c = o.x * o.x + o.z * o.z - 1, rest = b * b - a * c;
     auto expected = infinity<long double>();
     for (const long double sign : {1.0L, -1.0L}) {
       const long double t = (-b + sign * std::sqrt(rest)) / a;
@@ -82,19 +89,45 @@ TEST_CASE("hits of a cylinder lie on it, nothing of it is before them, and norma
     }
     const double distance = distance_to(can, ray);
     const long double edge = std::abs(std::abs(o.y + expected * d.y) - 0.75L);
-    if (std::abs(rest) < 1e-6L || edge < 1e-9L) continue;  // a tangent, or the rim
+    const long double off_axis = 1 - rest / a;  // squared
+    if (off_axis > 0.998L || edge < 1e-9L || std::abs(c) < 1e-9L) continue;
     REQUIRE((distance < infinity<double>()) == (expected < infinity<long double>()));
     if (expected == infinity<long double>()) continue;
     ++met;
-    REQUIRE(std::abs(distance - static_cast<double>(expected)) <= 1e-12 * distance);
+    const double lengths = length(origin) + length(can.center) + 1;
+    REQUIRE(std::abs(distance - static_cast<double>(expected)) <= 1e-14 * lengths);
     const Hit<double> hit = hit_at(can, ray, distance);
-    REQUIRE(std::hypot(hit.point.x - can.center.x, hit.point.z - can.center.z) ==
-            doctest::Approx(1.5).epsilon(1e-14));
+    const Vec3d off = hit.point - can.center;
+    REQUIRE(std::abs(std::hypot(off.x, off.z) - 1) <= 4 * u * (largest(hit.point) + 1));
     REQUIRE(dot(hit.normal, ray.direction) <= 0);
-    const Ray<double> back{hit.outside, hit.normal};
-    REQUIRE(distance_to(can, back) > 1);  // not the point that it leaves
+    REQUIRE(distance_to(can, Ray<double>{hit.outside, hit.normal}) > 1);  // not where it starts
   }
-  CHECK(met > 2000);
+  CHECK(met > 5000);
+}
+
+TEST_CASE("a rectangle is met where a finer number meets its plane, within the stated bound") {
+  Dice dice(12);
+  int met = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const double far = static_cast<double>(dice.power_of_ten(0, 2));
+    const auto right = dice.direction<long double>();
+    const Rectangle frame{.center = point_within(dice, 1),
+                          .right = number_cast<double>(right),
+                          .up = number_cast<double>(dice.across(right))};
+    const Vec3d origin = point_within(dice, far);
+    const Ray<double> ray{origin, normalize(frame.center + point_within(dice, 1) - origin)};
+    const double distance = distance_to(frame, ray);
+    const auto normal =
+        cross(number_cast<long double>(frame.right), number_cast<long double>(frame.up));
+    const long double slant = dot(normal, number_cast<long double>(ray.direction));
+    if (distance == infinity<double>() || std::abs(slant) < 0.0175L) continue;
+    ++met;
+    const auto to_center =
+        number_cast<long double>(frame.center) - number_cast<long double>(origin);
+    const auto expected = static_cast<double>(dot(normal, to_center) / slant);
+    REQUIRE(std::abs(distance - expected) <= 1e-14 * (length(origin) + length(frame.center) + 2));
+  }
+  CHECK(met > 5000);
 }
 
 TEST_CASE("a label is neither stretched nor mirrored: its lengths are the cylinder's") {
@@ -141,6 +174,23 @@ TEST_CASE("an open cylinder throws a shadow into itself; a sphere and a rectangl
   CHECK(lit(can, {{4, 0, 0}, {-1, 0, 0}}) > 0);        // its outer side
   CHECK(lit(Sphere<>{}, {{4, 0, 0}, {-1, 0, 0}}) > 0);
   CHECK(lit(Rectangle{.right = {0, 0, -1}}, {{4, 0, 0}, {-1, 0, 0}}) > 0);
+}
+
+TEST_CASE("a path goes on inside of a cylinder that is alone: its inner side lights itself") {
+  struct Object {
+    Cylinder shape;
+    Solid paint;
+  };
+  const std::vector<Object> alone = {{{.radius = 1, .half_height = 1}, {gray(0.5)}}};
+  const GradientSky sky{.below = {1, 1, 1}, .above = {1, 1, 1}};
+  double sum = 0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    SampledNumbers<double> numbers{{SamplerKind::sobol, 4096}, i};
+    sum += light_along(alone, Ray<double>{{0, 0, 0}, {1, 0, 0}}, sky, 50, numbers).g;
+  }
+  // Half of the light from the sky, a quarter of what came over another point, and so on.
+  CHECK(sum / 4096 < 0.42);
+  CHECK(sum / 4096 > 0.25);
 }
 
 }  // namespace texmap::test
