@@ -230,8 +230,8 @@ inline std::string name_of_kernel(int degree) {
 // The sheet: what some of the variants change in the picture. It shows no times: it is the same on
 // every machine (show.cpp).
 
-/// The files written beside the picture: for out/x.png, out/x_speed_error.svg and others, in the
-/// order of plots_of; the last one is the JSON. None if the picture goes to a device.
+/// The plots' files in the order of plots_of, then the JSON file: x_speed_error.svg and so on,
+/// beside x.png. There are none if the picture goes to a device.
 [[nodiscard]] std::vector<std::filesystem::path> names_of_report(const std::filesystem::path& out);
 
 /// The view of one picture of a sheet of this size.

@@ -45,7 +45,7 @@ struct Scattered {
 ///
 /// @param normal, place, choice  of unit length; two samples in [0, 1), `choice` for the sky alone
 /// Source: Veach and Guibas (1995): `mis` is their balance heuristic with one direction.
-/// `importance` has shares of 1/8 and 7/8: else light from objects before a black sky were lost.
+/// `importance` takes one in eight by the cosine: a ball before a black sky sends light, too.
 template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
                                       const Vec3<Real>& normal, const Point2<Real>& place,

@@ -6,7 +6,7 @@
 namespace texmap {
 
 /// A label once round a cylinder: u runs with the angle as on the globe (0 at -x, 1/4 at +z), v
-/// from its lower end to its upper end. No length on it is stretched, but for the two scales.
+/// from its lower end to its upper end. Both grow evenly along the surface.
 /// Bound: that of uv_rtiow.
 struct CylinderMapping {
   Cylinder cylinder;

@@ -22,7 +22,7 @@ namespace {
 
 const std::string folder = TEXMAP_ASSETS_DIR "/";
 
-/// The rule by which land and sea can be told apart.
+/// True if a pixel of the Earth is sea: it is bluer than land.
 bool is_sea(Rgb8 pixel) { return pixel.b > pixel.r + 20; }
 
 Rgb8 pixel_at(const Image& earth, double longitude, double latitude) {

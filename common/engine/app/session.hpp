@@ -102,7 +102,7 @@ class Session {
     std::optional<Stopwatch> before_drawing;  ///< until the first ray
     double load = 0, render = 0;              ///< before the first ray, and from it on
     double rays = 0;
-    long uncertain = 0, judged = 0;  ///< pixels, and of how many
+    long uncertain = 0, judged = 0;  ///< pixels that rounding could change; all with bounds
   };
   void check_numbers() const;
   void check_show() const;

@@ -27,7 +27,7 @@ inline constexpr struct {
       const double t =
           distance_to_sphere(ray.origin, ray.direction, object.shape.center, object.shape.radius);
       const double right = distance_to(object.shape, ray);
-      if (check::alike(right, t)) return right;  // a float lies below the surface
+      if (check::alike(right, t)) return right;  // rounded to float, the point is below the surface
       return t < never ? t : never;              // also for NaN
     };
     const auto& first = *std::ranges::min_element(objects, {}, distance);

@@ -137,7 +137,8 @@ void write_values(const Exercise& exercise, const std::string& file) {
   write_text_atomically(path_of(file), bytes + values);
 }
 
-/// What is asked for of the student's function. Returns the status. Errors: std::runtime_error.
+/// Checks the student's function, or writes down its values. Returns the exit status.
+/// Errors: std::runtime_error.
 int check_attempt(const Exercise& exercise, const Request& request) {
   try {
     if (request.values.empty()) return check_exercise(exercise, request);

@@ -201,23 +201,18 @@ std::vector<WrongPicture> draw_all(const Request& request) {
                  "light and shade turned with the globe: the normal was rotated for the light, too",
                  turn, turn);
       const std::string about = "turned about a horizontal axis: y must stay as it is";
+      // With the coordinates exchanged in a ring, y is another axis; three exchanges are none.
+      const auto next = [](const Vec3d& p) { return Vec3d{p.y, p.z, p.x}; };
       for (const auto& [way, rotation] :
            {std::pair{"", turn}, {"_back", RotationY{turn.cosine, -turn.sine}}}) {
-        // With the coordinates exchanged in a ring, y is another axis.
-        add_turned(
-            std::string("about_x") + way, about,
-            [rotation = rotation](const Vec3d& p) {
-              const Vec3d turned = rotation(Vec3d{p.z, p.x, p.y});
-              return Vec3d{turned.y, turned.z, turned.x};
-            },
-            alone);
-        add_turned(
-            std::string("about_z") + way, about,
-            [rotation = rotation](const Vec3d& p) {
-              const Vec3d turned = rotation(Vec3d{p.y, p.z, p.x});
-              return Vec3d{turned.z, turned.x, turned.y};
-            },
-            alone);
+        const auto about_x = [next, rotation = rotation](const Vec3d& p) {
+          return next(rotation(next(next(p))));
+        };
+        const auto about_z = [next, rotation = rotation](const Vec3d& p) {
+          return next(next(rotation(next(p))));
+        };
+        add_turned(std::string("about_x") + way, about, about_x, alone);
+        add_turned(std::string("about_z") + way, about, about_z, alone);
       }
     }
     if constexpr (std::is_same_v<Lesson, chapter_02::Lesson>) {

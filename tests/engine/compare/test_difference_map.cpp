@@ -1,5 +1,5 @@
 // The map of differences, as a picture that was looked at: its scale, its legend, and that it lies
-// where the pictures do. TEXMAP_COLLECT=1 writes it anew.
+// where the pictures do. With TEXMAP_COLLECT=1 the suite writes the picture again.
 #include <doctest.h>
 
 #include <cstdlib>
