@@ -26,11 +26,13 @@ inline constexpr std::array<ProjectionFacts, 7> projections = {{
     {Projection::octahedral, "octahedral", 1, four_pi},
     {Projection::equal_area, "equal-area", 1, four_pi},
 }};
-static_assert([] {
-  for (std::size_t i = 0; i < projections.size(); ++i)
-    if (projections[i].projection != static_cast<Projection>(i)) return false;
-  return true;
-}());
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < projections.size(); ++i)
+        if (projections[i].projection != static_cast<Projection>(i)) return false;
+      return true;
+    }(),
+    "the rows are in the order of Projection");
 [[nodiscard]] inline const ProjectionFacts& facts_of(Projection projection) {
   return projections[static_cast<std::size_t>(projection)];
 }
