@@ -1,8 +1,6 @@
 // The kernels of a picture, chosen once from its budget, and the paints that use them.
 #pragma once
-#include <array>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "engine/kernels/budget.hpp"
@@ -65,31 +63,34 @@ struct KernelPlan {
 /// The plan for a surface with a highlight and one ray per pixel.
 [[nodiscard]] KernelPlan plan_highlight(const Budget& budget);
 
-/// What `work` returns for the constant among these that `number` is, or for the last of them.
-template <int First, int... Others, class Work>
-[[nodiscard]] auto with_constant(int number, const Work& work) {
-  decltype(work(std::integral_constant<int, First>())) result{};
-  const auto found = [&](auto constant) {
-    if (number == constant) result = work(constant);
-    return number == constant;
-  };
-  constexpr int last = std::array{First, Others...}.back();
-  if (!found(std::integral_constant<int, First>()) &&
-      !(found(std::integral_constant<int, Others>()) || ...))
-    result = work(std::integral_constant<int, last>());
-  return result;
-}
-
 /// draw(mapping) with the mapping for that degree; all results must have one type.
+/// A switch, because it is in the innermost loop: degree 35 took a third longer by comparisons.
 template <class Draw>
-[[nodiscard]] auto with_uv_mapping(int degree, const Draw& draw) {
-  return with_constant<5, 7, 9, 11, 13, 15, 17, 23, 29, 35, 0>(degree, [&draw](auto constant) {
-    if constexpr (constant == 0) {
+decltype(auto) with_uv_mapping(int degree, const Draw& draw) {
+  switch (degree) {
+    case 5:
+      return draw(FastUnitMapping<5>{});
+    case 7:
+      return draw(FastUnitMapping<7>{});
+    case 9:
+      return draw(FastUnitMapping<9>{});
+    case 11:
+      return draw(FastUnitMapping<11>{});
+    case 13:
+      return draw(FastUnitMapping<13>{});
+    case 15:
+      return draw(FastUnitMapping<15>{});
+    case 17:
+      return draw(FastUnitMapping<17>{});
+    case 23:
+      return draw(FastUnitMapping<23>{});
+    case 29:
+      return draw(FastUnitMapping<29>{});
+    case 35:
+      return draw(FastUnitMapping<35>{});
+    default:
       return draw(RtiowMapping{});
-    } else {
-      return draw(FastUnitMapping<constant>{});
-    }
-  });
+  }
 }
 
 /// The (u, v) of unit vectors by the plan's kernel.
@@ -125,8 +126,16 @@ struct PlannedPower {
   /// @param versine  1 - cos, 0 or more
   template <class Real>
   [[nodiscard]] Real operator()(const Real& versine) const {
-    return with_constant<3, 4, 6, 8>(
-        terms, [&](auto constant) { return PowerKernel<constant>(exponent)(versine); });
+    switch (terms) {
+      case 3:
+        return PowerKernel<3>(exponent)(versine);
+      case 4:
+        return PowerKernel<4>(exponent)(versine);
+      case 6:
+        return PowerKernel<6>(exponent)(versine);
+      default:
+        return PowerKernel<8>(exponent)(versine);
+    }
   }
 };
 
