@@ -21,7 +21,7 @@ Vec3d on_map(double east, double north) { return direction_rtiow(Uv<double>{east
 
 struct Panel {
   Convention convention;
-  const char* documents;
+  const char* name;
   const char* runs;     ///< which way u and v run
   const char* at_x;     ///< u at -x
   const char* at_z;     ///< u at +z
@@ -29,9 +29,8 @@ struct Panel {
 };
 
 constexpr std::array<Panel, 3> panels{{
-    {Convention::daily, "daily exercise", "u west, v down", "u = 0", "u = 3/4", "mirrored"},
-    {Convention::rtiow, "One Weekend 2020, Next Week", "u east, v up", "u = 0", "u = 1/4",
-     "reads as printed"},
+    {Convention::daily, "daily", "u west, v down", "u = 0", "u = 3/4", "mirrored"},
+    {Convention::rtiow, "rtiow", "u east, v up", "u = 0", "u = 1/4", "reads as printed"},
     {Convention::lecture, "lecture", "u east, v up", "u = 3/4", "u = 0", "reads as printed"},
 }};
 
@@ -86,11 +85,11 @@ void draw_letter(Drawing& d, const SpaceView& view, const Panel& panel) {
 
 /// The same globe with each of the three maps.
 Drawing four_conventions() {
-  Drawing d("four_conventions", 640, 300, "Four documents, three conventions, the same globe",
-            "The same globe three times, seen from between -x and +z. Daily exercise: u is 0 at "
-            "-x and runs west, v runs down, and a letter F on the picture is mirrored. One "
-            "Weekend 2020 and Next Week: u is 0 at -x and runs east, v runs up, the F reads as "
-            "printed. Lecture: u is 0 at +z and runs east, v runs up, the F reads as printed.");
+  Drawing d("four_conventions", 640, 300, "Three conventions, the same globe",
+            "The same globe three times, seen from between -x and +z. daily: u is 0 at -x and runs "
+            "west, v runs down, and a letter F on the picture is mirrored. rtiow: u is 0 at -x and "
+            "runs east, v runs up, the F reads as printed. lecture: u is 0 at +z and runs east, v "
+            "runs up, the F reads as printed.");
   const double r = 72;
   double x = 108;
   for (const Panel& panel : panels) {
@@ -135,7 +134,7 @@ Drawing four_conventions() {
            Anchor::middle, "small");
     d.text(center + Spot{0, r + 18}, panel.convention == Convention::daily ? "v = 1" : "v = 0",
            Anchor::middle, "small");
-    d.text({x, 22}, panel.documents, Anchor::middle, "small strong");
+    d.text({x, 22}, panel.name, Anchor::middle, "small strong");
     d.text({x, 42}, panel.runs, Anchor::middle, "small");
     d.text({x, 276}, panel.verdict, Anchor::middle,
            panel.convention == Convention::daily ? "red" : "plain");
