@@ -37,7 +37,6 @@ struct CircleSeries {
 /// cos(2 pi x) and sin(2 pi x) for at most an eighth of a turn.
 ///
 /// @param x  in [-1/8, 1/8], in turns
-/// Bound: 2 unit roundoffs of 1.
 template <class Real>
 [[nodiscard]] inline OnCircle<Real> on_circle_eighth(const Real& x) {
   static constexpr CircleSeries<Scalar<Real>> series;
@@ -54,7 +53,6 @@ template <class Real>
 /// cos(2 pi x) and sin(2 pi x); exact at quarter turns.
 ///
 /// @param x  in turns, |x| up to 1 / (8 unit roundoffs); NaN gives NaN
-/// Bound: 2 unit roundoffs of 1.
 template <class Real>
 [[nodiscard]] inline OnCircle<Real> on_circle(const Real& x) {
   const Real quarters = floor(Real(4) * x + Real(0.5));

@@ -49,7 +49,6 @@ template <class Real>
 /// Linear interpolation: `a` at t = 0, `b` at t = 1, both to the bit.
 /// Textbook: a (1 - t) + b t. Here the step t (b - a) starts from the nearer end.
 /// Domain: t in [0, 1]; channels below half of the largest number.
-/// Bound: 2 unit roundoffs of the larger channel.
 template <class Real>
 [[nodiscard]] Color<Real> mix(const Color<Real>& a, const Color<Real>& b, const Real& t) {
   const Color<Real> from_a = {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};

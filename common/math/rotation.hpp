@@ -8,7 +8,6 @@ namespace texmap {
 /// Cosine and sine of an angle in degrees, of one plain number; exact at multiples of 90.
 ///
 /// @param degrees  any finite angle; NaN and infinities give NaN
-/// Bound: 3 ulp each, for every angle.
 template <class Real>
 [[nodiscard]] OnCircle<Real> on_circle_of_degrees(Real degrees) {
   using std::cos;
@@ -34,7 +33,6 @@ struct RotationY {
   /// The rotated point: x' = x cos + z sin, y' = y, z' = z cos - x sin.
   ///
   /// @param p  any point or direction with coordinates below half of the largest number
-  /// Bound: the length changes by at most 3.5 unit roundoffs (not below those of double).
   /// Source: the lecture, which multiplies row vectors by the matrix.
   template <class Real>
   [[nodiscard]] Vec3<Real> operator()(const Vec3<Real>& p) const {

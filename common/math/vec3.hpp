@@ -55,19 +55,19 @@ template <class Real>
   return {a.x * s, a.y * s, a.z * s};
 }
 
-/// The scalar product |a| |b| cos(angle). Bound: 3 unit roundoffs of |a| |b|.
+/// The scalar product |a| |b| cos(angle).
 template <class Real>
 [[nodiscard]] Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The vector product, perpendicular to both (right-hand rule). Bound: 2 unit roundoffs of |a| |b|.
+/// The vector product, perpendicular to both (right-hand rule).
 template <class Real>
 [[nodiscard]] Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The length of `a`. Domain: its square is in range. Bound: 2.5 unit roundoffs of itself.
+/// The length of `a`. Domain: its square is in range.
 template <class Real>
 [[nodiscard]] Real length(const Vec3<Real>& a) {
   return sqrt(dot(a, a));
@@ -79,13 +79,13 @@ template <class Real>
   return max(abs(a.x), max(abs(a.y), abs(a.z)));
 }
 
-/// `a` with length 1; NaN for zero. Domain: as length. Bound: 4.5 unit roundoffs.
+/// `a` with length 1; NaN for zero. Domain: as length.
 template <class Real>
 [[nodiscard]] Vec3<Real> normalize(const Vec3<Real>& a) {
   return a * (Real(1) / length(a));
 }
 
-/// dot(a, b) + rest with exact products. Bound: 2 u of itself, where above 16 u of |a| |b|.
+/// dot(a, b) + rest with exact products.
 template <class Real>
 [[nodiscard]] Real precise_dot(const Vec3<Real>& a, const Vec3<Real>& b,
                                const Real& rest = Real(0)) {
@@ -97,7 +97,7 @@ template <class Real>
   return sum.value();
 }
 
-/// cross(a, b) with exact products. Bound: 2 unit roundoffs of each coordinate.
+/// cross(a, b) with exact products.
 template <class Real>
 [[nodiscard]] Vec3<Real> precise_cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {

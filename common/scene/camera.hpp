@@ -53,7 +53,7 @@ template <class Real>
 }
 
 /// The view of a camera for a picture of width x height pixels, each at least 1.
-/// Domain: `eye` and `target` differ, not only in y. Bound: 8 unit roundoffs / cos(camera tilt).
+/// Domain: `eye` and `target` differ, not only in y.
 [[nodiscard]] inline View<> view_of(const Camera& camera, int width, int height) {
   const Vec3d forward = normalize(camera.target - camera.eye);
   const Vec3d right = normalize(cross(forward, Vec3d{0, 1, 0}));
@@ -84,7 +84,7 @@ template <class Real, class Other>
 }
 
 /// The ray through a point of the picture, its direction of unit length.
-/// Domain: 1 to 120 degrees of view; pictures at most 2:1. Bound: 6 unit roundoffs.
+/// Domain: 1 to 120 degrees of view; pictures at most 2:1.
 template <class Real, class Other>
 [[nodiscard]] Ray<Real> ray_through(const View<Other>& view, const Real& column, const Real& row) {
   return {number_cast<Real>(view.eye), normalize(direction_through(view, column, row))};

@@ -15,7 +15,7 @@ struct Hit {
 };
 
 /// The ray from a hit point in a direction of any length; it does not meet the surface there again.
-/// Along the surface counts as outward. Domain and bound: as hit_at.
+/// Along the surface counts as outward. Domain: as hit_at.
 template <class Real>
 [[nodiscard]] Ray<Real> ray_from(const Hit<Real>& hit, const Vec3<Real>& direction) {
   return {select(dot(hit.normal, direction) < Real(0), hit.inside, hit.outside), direction};

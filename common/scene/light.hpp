@@ -23,7 +23,7 @@ struct LightSample {
 };
 
 /// The LightSample of a hit point, with the shadows of all objects.
-/// Domain: distances with squares in range. Bound: 5.5 unit roundoffs of `to_light`.
+/// Domain: distances with squares in range.
 template <class Real, class Objects>
 [[nodiscard]] LightSample<Real> sample_light(const PointLight& light, const Objects& objects,
                                              const Hit<Real>& hit) {
@@ -38,7 +38,6 @@ template <class Real, class Objects>
 }
 
 /// The brightness of a Lambertian surface, ambient + diffuse cos: a factor on its color.
-/// Bound: 3 unit roundoffs of itself.
 template <class Real>
 [[nodiscard]] Real lambert(const Lambertian& lambertian, const LightSample<Real>& light) {
   return Real(lambertian.ambient) + Real(lambertian.diffuse) * light.cosine;

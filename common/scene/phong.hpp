@@ -49,8 +49,8 @@ template <class Real, class Power>
 /// Phong's highlight, specular cos^s with the shininess s; 0 in shadow and from 90 degrees on.
 ///
 /// @param to_eye  unit vector from the hit point to the eye
+/// @return        0 to specular
 /// Textbook: max(0, r . e)^s. Here exp(s log1p(-|r - e|^2 / 2)): cos near 1 keeps its digits.
-/// Bound: 12 u sqrt(1 + s), for s < 1 24 u where cos > 0.1; in [0, specular] everywhere.
 /// Source: Phong, "Illumination for Computer Generated Pictures" (1975); the lecture.
 template <class Real>
 [[nodiscard]] Real highlight(const PhongMaterial& material, const LightSample<Real>& light,

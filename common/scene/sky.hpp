@@ -15,7 +15,7 @@ struct GradientSky {
     return below.r == above.r && below.g == above.g && below.b == above.b;
   }
 
-  /// The light along a ray of unit length. Bound: 2 unit roundoffs of 1, for colors of 0 to 1.
+  /// The light along a ray of unit length.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
     if (is_constant()) return number_cast<Real>(below);

@@ -26,7 +26,7 @@ template <class Real, class Other>
 
 /// Distance along the ray to the first point of the sphere ahead, in lengths of `ray.direction`;
 /// +infinity for a miss and for a direction that is zero or NaN. A tangent is a hit.
-/// Domain and bound: those of the sphere's form.
+/// Domain: that of the sphere's form.
 template <class Real, class SphereLike>
 [[nodiscard]] Real distance_to(const SphereLike& sphere, const Ray<Real>& ray) {
   const Vec3<Real> center = number_cast<Real>(sphere.center);
@@ -45,7 +45,6 @@ template <class Real, class SphereLike>
 
 /// The outward unit normal at a distance that `distance_to` returned.
 /// Textbook: (point - center) / radius, the plain form. The robust form also corrects the length.
-/// Bound, robust: 0.002 texel of 8192 x 4096 in float, 4e-12 in double, times distance / radius.
 /// Source: hit points relative to the object, pbrt-v4, section 6.8.
 template <class Real, class SphereLike>
 [[nodiscard]] Vec3<Real> normal_at(const SphereLike& sphere, const Ray<Real>& ray,
@@ -68,7 +67,7 @@ template <class Real, class SphereLike>
 
 /// The hit at a distance that `distance_to` returned.
 /// Domain: radius 1e-6 to 1e6; |center| / radius up to 1e5 in float, 1e13 in double.
-/// Bound, except plain: rays outward from `outside` miss it, rays inward from `inside` meet it.
+/// Except for plain, rays outward from `outside` miss it, and rays inward from `inside` meet it.
 /// Source: pbrt-v4, section 6.8: a rounding bound instead of the books' fixed 0.001.
 template <class Real, class SphereLike>
 [[nodiscard]] Hit<Real> hit_at(const SphereLike& sphere, const Ray<Real>& ray,

@@ -23,7 +23,6 @@ struct Checkerboard {
   ///
   /// @param uv  any numbers; a NaN counts as odd
   /// Domain: to 2^22 squares in float, 2^51 in double.
-  /// Bound: the right square, except within 1 unit roundoff of 1 from its edge.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Uv<Real>& uv) const {
     const Real column = floor(uv.u * Real(squares));

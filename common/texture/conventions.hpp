@@ -47,7 +47,6 @@ template <class Real>
 ///
 /// @param p  any finite vector; only its direction matters
 /// @return   u in [0, 1), v in [0, 1]; for zero (0.5, 0.5), in lecture (0.25, 0.5)
-/// Bound: as uv_rtiow.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_of(Convention convention, const Vec3<Real>& p) {
   return in_convention(convention, uv_rtiow(p));

@@ -34,7 +34,6 @@ template <class Real>
 ///
 /// @param u  0 to 1; outside, the nearest texel; NaN gives 0
 /// @param n  number of texels, 1 to 2^24
-/// Bound: by floor, the texel holds u within 1 unit roundoff of 1.
 /// Source: Next Week (floor), the lecture (lecture).
 template <class Real>
 [[nodiscard]] TexelNumber<Real> texel_number(const Real& u, int n, TexelRounding rounding) {
