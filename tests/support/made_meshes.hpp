@@ -77,8 +77,8 @@ inline const std::string square_points =
   std::string many_faces = square_points;
   for (int i = 0; i < 1000; ++i) many_faces += good_face;
   all.push_back({"after many lines", many_faces + "f 1/1 2/2 9/3\n", "line 1009: the index '9'"});
-  all.push_back({"cut in a face", square_points + "f 1/1 2/2 3", "line 9: it has no end"});
-  all.push_back({"cut in a point", square_points.substr(0, 20), "line 3: it has no end"});
+  all.push_back({"cut in a face", square_points + "f 1/1 2/2 3", "line 9: the corner '3' has no"});
+  all.push_back({"cut in a point", square_points.substr(0, 20), "line 3: a point has 3 numbers"});
   all.push_back({"cut after its points", square_points, "it has no faces"});
   all.push_back({"comments alone", "# nothing\n", "it has no faces"});
   return all;
@@ -91,6 +91,7 @@ inline const std::string square_points =
   return {
       {"a triangle", after("f 1/1 2/2 3/3\n"), 4, 1},
       {"a square as a fan", after("f 1/1 2/2 3/3 4/4\n"), 4, 2},
+      {"no new line at its end", after("f 1/1 2/2 3/3"), 4, 1},
       {"with normals", after("vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n"), 4, 1},
       {"negative indices", after("f -4/-4 -3/-3 -2/-2\n"), 4, 1},
       {"ends of lines as on Windows", windows, 4, 1},

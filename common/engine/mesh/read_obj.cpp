@@ -156,14 +156,12 @@ TexturedMesh read_obj(std::string_view text) {
   ObjReader reader;
   for (int number = 1; !text.empty(); ++number) {
     try {
-      const std::size_t end = text.find('\n');
-      if (std::min(end, text.size()) > max_mesh_line)
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      if (end > max_mesh_line)
         throw FileError("it is longer than " + std::to_string(max_mesh_line) + " bytes");
-      if (end == std::string_view::npos)
-        throw FileError("it has no end, so the file may be cut; if it is whole, add a new line");
       std::string_view line = text.substr(0, end);
       if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-      text.remove_prefix(end + 1);
+      text.remove_prefix(std::min(end + 1, text.size()));  // many files end without a new line
       reader.read_line(line);
     } catch (const FileError& error) {
       throw FileError("line " + std::to_string(number) + ": " + error.what());
