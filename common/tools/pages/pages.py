@@ -29,6 +29,9 @@ FIGURE = re.compile(r'<!-- figure: (?P<name>[\w.-]+) -->(?P<value>.*?)<!-- end -
 MARK_OF_EXERCISE = re.compile(r'^ *// (solution$|start: )')  # tests/exercises/: the page shows the solution
 FIGURES = 'docs/figures.txt'  # lines of a name, a blank and the value
 MEASURED = 'docs/measurements.md'
+MOST_WORDS = 1800  # on the main road of a chapter's page
+SKIPPED = re.compile(r'^## Exercises$.*?(?=^## (?!Questions)|\Z)|<details>.*?</details>|^```.*?^```|<!--.*?-->|!\[.*?\]\(.*?\)|^(?:\||    )[^\n]*'
+                     r'|</?[a-z][^>]*>|\]\([^)]*\)', re.MULTILINE | re.DOTALL)
 
 
 class Fault(Exception):
@@ -166,6 +169,11 @@ def measured(text):
     return ratios
 
 
+def words_on_the_road(text):
+    """How many words of a page everybody reads: outside folds, pictures, code, formulas, tables and exercises."""
+    return sum(any(map(str.isalnum, word)) for word in SKIPPED.sub(' ', text).split())
+
+
 def run(root, write):
     figures = dict(line.split(' ', 1) for line in (root / FIGURES).read_text(encoding='utf-8').splitlines())
     counted = list(figures)
@@ -174,6 +182,10 @@ def run(root, write):
     used = set()
     faults = []
     changed = 0
+    for page in root.glob('chapters/*/README.md'):
+        words = words_on_the_road(page.read_text(encoding='utf-8'))
+        if words > MOST_WORDS:
+            faults.append(f'{page.relative_to(root)} has {words} words outside its folds, more than {MOST_WORDS}: fold what may be skipped')
     for page in pages_of(root):
         try:
             text = renewed(root, page, figures, used)
@@ -244,6 +256,8 @@ def self_test():
         refused('a <!-- figure: 02.n -->1', 'lacks its')
         assert measured('## a b: c\n\n| ms | x | y z |\n|---|---|---|\n| 0,1 = 2 | 3.2 (base) | 1.5 (2.13×) |\n| w | – | 9 (0.51×) |\n') == {
             'measured.a b.0_1_2.y_z': '2.1', 'measured.a b.w.y_z': '0.51'}
+        road = 'one [two](a.md)\n\n| no |\n\n    no\n```\nno\n```\n![no](b.png)\n<details>\nno\n</details>\n'
+        assert words_on_the_road(road + '## Exercises\nno\n## Questions\nno\n## Sources\n* four') == 4
         renew(block('half', 'old\n'))
         assert run(work, False) == 1
         renew('a <!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
