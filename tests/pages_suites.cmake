@@ -32,6 +32,11 @@ if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   set_tests_properties(page_03_in_one_file PROPERTIES LABELS pages)
 endif()
 
+# docs/architecture.md tells how a program of one's own uses the textbook.
+if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
+  add_check(outside_program pages "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/outside.sh" "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/outside")
+endif()
+
 if(NOT TEXMAP_INSTRUMENT)
   set_target_properties(draw_diagrams PROPERTIES EXCLUDE_FROM_ALL OFF)
   add_check(diagrams pages draw_diagrams "${CMAKE_SOURCE_DIR}/docs/diagrams" --check)
