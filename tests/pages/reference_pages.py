@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages that list things list what is there: docs/sources.md, docs/glossary.md and docs/teaching.md.
+"""The pages that list things list what is there: docs/sources.md, docs/glossary.md, docs/teaching.md and CHANGELOG.md.
 
 usage: reference_pages.py ROOT     checks the pages of the tree ROOT
 
@@ -7,6 +7,7 @@ sources.md    Each row of its maps links our files and a test: the text of the l
               name of an add_test in a .cmake file.
 glossary.md   The terms are in alphabetical order, each once, each with a sentence and a link to a page.
 teaching.md   Each chapter has its row.
+CHANGELOG.md  Its first version is that of CMakeLists.txt, vcpkg.json and CITATION.cff.
 """
 import pathlib
 import re
@@ -84,12 +85,20 @@ def faults_of_teaching(page, chapters):
             yield f'chapter {chapter} has no row'
 
 
+def faults_of_version(root):
+    places = {'CMakeLists.txt': r'project\(.*? VERSION ([\d.]+)', 'vcpkg.json': r'"version": "([\d.]+)"', 'CITATION.cff': r'version: ([\d.]+)',
+              'CHANGELOG.md': r'## ([\d.]+)'}
+    found = {file: re.search(f'^ *{pattern}', (root / file).read_text(encoding='utf-8'), re.M) for file, pattern in places.items()}
+    versions = {file: match[1] if match else 'none' for file, match in found.items()}
+    return [] if len(set(versions.values())) == 1 else [f'the versions differ: {versions}']
+
+
 def faults_of(root):
     chapters = sorted(path.parent.name[:2] for path in root.glob('chapters/*/README.md'))
     docs = root / 'docs'
     return [f'docs/{name}.md: {fault}' for name, faults in (
         ('sources', faults_of_sources(docs / 'sources.md')), ('glossary', faults_of_glossary(docs / 'glossary.md')),
-        ('teaching', faults_of_teaching(docs / 'teaching.md', chapters))) for fault in faults]
+        ('teaching', faults_of_teaching(docs / 'teaching.md', chapters))) for fault in faults] + faults_of_version(root)
 
 
 if __name__ == '__main__':

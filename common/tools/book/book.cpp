@@ -67,7 +67,7 @@ constexpr std::array instructors_pages{"docs/teaching.md", "docs/grading.md"};
 constexpr std::array engineers_pages{
     "README.md",         "docs/architecture.md", "common/README.md", "docs/numbers.md",
     "docs/numerics.md",  "docs/measurements.md", "assets/README.md", "docs/known_faults.md",
-    "docs/platforms.md", "docs/packages.md"};
+    "docs/platforms.md", "docs/packages.md",     "CONTRIBUTING.md",  "CHANGELOG.md"};
 
 /// chapters/03_image_texture/README.md -> 03_image_texture, docs/numbers.md -> numbers.
 std::string name_of(const fs::path& source) {
