@@ -5,6 +5,29 @@ set(GALLERY "${CMAKE_SOURCE_DIR}/out" CACHE PATH "Where the pictures of all chap
 set_property(GLOBAL PROPERTY CHAPTERS "")
 add_library(chapters_code INTERFACE)
 
+# The tools of instructors and engineers, and the tests beyond ./course test, need all chapters of the course: a copy with some of them
+# (./course export, or a folder deleted) has none of these.
+set(WHOLE_COURSE ON)
+foreach(number RANGE 14)
+  string(REGEX REPLACE "^([0-9])$" "0\\1" number "${number}")
+  file(GLOB chapter "${CMAKE_SOURCE_DIR}/chapters/${number}_*")
+  if(NOT chapter OR NOT EXISTS "${CMAKE_SOURCE_DIR}/common/tools/grade")
+    set(WHOLE_COURSE OFF)
+  endif()
+endforeach()
+
+# chapters_are_there(FILE OUT): whether the chapters are there that a source includes, as "02_checkerboard_uv/lesson.hpp".
+function(chapters_are_there file out)
+  set(${out} ON PARENT_SCOPE)
+  file(STRINGS "${file}" includes REGEX "^#include \"[0-9][0-9]_[a-z0-9_]+/")
+  foreach(include IN LISTS includes)
+    string(REGEX REPLACE "^#include \"([^/]*)/.*" "\\1" chapter "${include}")
+    if(NOT IS_DIRECTORY "${CMAKE_SOURCE_DIR}/chapters/${chapter}")
+      set(${out} OFF PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
 # Instructions that not every machine has, and the options that compile for them: packs made of them are compiled into files of
 # their own and chosen when the program runs. Without FMA: a fused operation rounds once, and the pictures would differ.
 set(wide_avx2 -mavx2)
@@ -130,22 +153,24 @@ function(add_one_file name source)
   endif()
 endfunction()
 
-# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [SOURCES ...]): the program
-# bin/NN_name from NN_name/main.cpp in TEXMAP_CHAPTERS, and its picture.
+# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [DRAWN_WITH ...]): the program
+# bin/NN_name from the sources in the chapter's folder, with main.cpp in TEXMAP_CHAPTERS, and its picture.
 # ON names further libraries; `app` is always linked. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
 # ALL_NUMBERS: it needs them all, also when it is built for learning.
-# SOURCES names further sources; main.cpp is always one. `chapters_code` holds those of all chapters, for programs that include lessons;
-# those of a chapter with PACKS, which link wide packs, are NN_name_code.
+# `chapters_code` holds the further sources of all chapters, for programs that include lessons; those of a chapter with PACKS, which link
+# wide packs, are NN_name_code.
 # PACKS names what packs draw where it is not the lesson: a header of the chapter's, and the types in it.
 # DRAWN_WITH: options for the gallery's picture. ALSO_DRAWS adds a second picture: its name and the options that draw it.
 function(add_chapter name)
-  cmake_parse_arguments(ARG "SINGLE_NUMBERS;ALL_NUMBERS" "" "ON;PACKS;DRAWN_WITH;ALSO_DRAWS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "SINGLE_NUMBERS;ALL_NUMBERS" "" "ON;PACKS;DRAWN_WITH;ALSO_DRAWS" ${ARGN})
+  file(GLOB further CONFIGURE_DEPENDS RELATIVE "${CMAKE_SOURCE_DIR}/chapters/${name}" "${CMAKE_SOURCE_DIR}/chapters/${name}/*.cpp")
+  list(REMOVE_ITEM further main.cpp one_file.cpp)
   add_executable(${name} "${TEXMAP_CHAPTERS}/${name}/main.cpp")
   target_compile_definitions(${name} PRIVATE TEXMAP_CHAPTER="${name}")
   target_link_libraries(${name} PRIVATE project_options app ${ARG_ON})
-  if(ARG_SOURCES)  # objects and not an archive: wide packs come after them
+  if(further)  # objects and not an archive: wide packs come after them
     set(sources "")
-    foreach(source IN LISTS ARG_SOURCES)  # the course's own where a student's folder has none
+    foreach(source IN LISTS further)  # the course's own where a student's folder has none
       set(folder "${TEXMAP_CHAPTERS}")
       if(NOT EXISTS "${folder}/${name}/${source}")
         set(folder "${CMAKE_SOURCE_DIR}/chapters")
@@ -167,10 +192,10 @@ function(add_chapter name)
   elseif(NOT ARG_SINGLE_NUMBERS)
     add_wide_packs(${name} DRAWS lesson.hpp Lesson)
   endif()
-  if(ARG_SOURCES AND NOT ARG_PACKS)
+  if(further AND NOT ARG_PACKS)
     target_sources(chapters_code INTERFACE $<TARGET_OBJECTS:${name}_code>)
     target_link_libraries(chapters_code INTERFACE app ${ARG_ON})
-  elseif(ARG_SOURCES AND TARGET ${name}_wide)
+  elseif(further AND TARGET ${name}_wide)
     target_compile_definitions(${name}_code PRIVATE TEXMAP_WIDE_PACKS)
     target_sources(${name}_code INTERFACE $<TARGET_OBJECTS:${name}_wide>)
   endif()

@@ -47,9 +47,10 @@ check() {
 }
 
 # Chapter 13 measures times: test_golden draws its sheet without them. In 12, chance takes another path where a last bit is another.
-for picture in 01_plain_spheres 02_checkerboard_uv 03_image_texture 04_uv_conventions 05_y_rotation 06_phong_texture_blend 07_earth_by_sampling \
-  08_triangle_uv 09_texture_filtering 10_projections 11_bump_and_normal_maps 12_environment_map 14_numerical_extremes; do
-  [ "$mode-$picture" = near-12_environment_map ] || check "$picture" "$picture"
+for drawn in "$folder"/[0-9][0-9]_*.png; do
+  picture=$(basename "$drawn" .png)
+  [ -d "$folder/../../chapters/$picture" ] || continue
+  case $mode-$picture in *-13_* | near-12_*) ;; *) check "$picture" "$picture" ;; esac
 done
 check 02_objects 02_checkerboard_uv --show object --width 160 --height 120
 check 05_close_up 05_y_rotation --zoom 3 --at 130,40 --width 200 --height 150

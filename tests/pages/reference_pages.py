@@ -6,7 +6,7 @@ usage: reference_pages.py ROOT     checks the pages of the tree ROOT
 sources.md    Each row of its maps links our files and a test: the text of the link is the title of a TEST_CASE in the linked file, or the
               name of an add_test in a .cmake file.
 glossary.md   The terms are in alphabetical order, each once, each with a sentence and a link to a page.
-teaching.md   Each chapter has its row.
+teaching.md   Each chapter of README.md has its row.
 CHANGELOG.md  Its first version is that of CMakeLists.txt, vcpkg.json and CITATION.cff.
 """
 import pathlib
@@ -94,7 +94,7 @@ def faults_of_version(root):
 
 
 def faults_of(root):
-    chapters = sorted(path.parent.name[:2] for path in root.glob('chapters/*/README.md'))
+    chapters = re.findall(r'\]\(chapters/(\d\d)_', (root / 'README.md').read_text(encoding='utf-8'))
     docs = root / 'docs'
     return [f'docs/{name}.md: {fault}' for name, faults in (
         ('sources', faults_of_sources(docs / 'sources.md')), ('glossary', faults_of_glossary(docs / 'glossary.md')),

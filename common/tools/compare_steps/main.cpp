@@ -1,30 +1,22 @@
 // Compares two steps of the course, or two pictures: writes a page and a report, and says whether
 // only what may change has changed.
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "01_plain_spheres/lesson.hpp"
-#include "02_checkerboard_uv/lesson.hpp"
-#include "03_image_texture/lesson.hpp"
-#include "04_uv_conventions/lesson.hpp"
-#include "05_y_rotation/lesson.hpp"
-#include "06_phong_texture_blend/lesson.hpp"
-#include "comparison.hpp"
-#include "engine/app/run_chapter.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/system/system.hpp"
+#include "stages.hpp"
 
 namespace {
 
 using namespace texmap;
-using steps::Code, steps::Comparison, steps::DrawnStep, steps::Drawing, steps::Pictures;
+using steps::Code, steps::Comparison, steps::DrawnStep, steps::Drawing, steps::OnStage,
+    steps::Pictures, steps::stages;
 
 /// What the user chose.
 struct Choices {
@@ -36,30 +28,10 @@ struct Choices {
   bool quiet = false;
 };
 
-/// A chapter that draws the stage: its pixels can be compared with those of another.
-struct OnStage {
-  std::string_view name;
-  DrawnStep (*draw)(const std::string& chapter, const Drawing&,
-                    const std::vector<std::string>& options);
-  ObjectSet changed_objects;
-};
-template <class Lesson>
-constexpr OnStage on_stage(std::string_view name) {
-  return {name, steps::draw_step<Lesson>, Lesson::about.changed_objects};
-}
-constexpr std::array stages = {
-    on_stage<chapter_01::Lesson>("01_plain_spheres"),
-    on_stage<chapter_02::Lesson>("02_checkerboard_uv"),
-    on_stage<chapter_03::Lesson>("03_image_texture"),
-    on_stage<chapter_04::Lesson>("04_uv_conventions"),
-    on_stage<chapter_05::Lesson>("05_y_rotation"),
-    on_stage<chapter_06::Lesson>("06_phong_texture_blend"),
-};
-
 const OnStage* stage_of(const std::string& chapter) {
-  const auto* const found = std::find_if(
-      stages.begin(), stages.end(), [&](const OnStage& stage) { return stage.name == chapter; });
-  return found == stages.end() ? nullptr : found;
+  for (const OnStage& stage : stages())
+    if (stage.name == chapter) return &stage;
+  return nullptr;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -145,7 +117,7 @@ bool compare_chapters(const std::string& from, const std::string& to, const Choi
     return stage_of(chapter)->draw(chapter, choices.drawing, options_of(chapter, other));
   };
   ObjectSet may_change;
-  for (const OnStage& stage : stages) {
+  for (const OnStage& stage : stages()) {
     if (stage.name > std::min(from, to) && stage.name <= std::max(from, to))
       may_change.bits |= stage.changed_objects.bits;
   }

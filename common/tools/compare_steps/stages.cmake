@@ -1,0 +1,28 @@
+# Writes the source file OUT with steps::stages(): the LESSONS whose objects are those of the stage.
+# usage: cmake -D OUT=... "-DLESSONS=...;..." -P stages.cmake
+set(includes "")
+set(rows "")
+foreach(lesson IN LISTS LESSONS)
+  file(STRINGS "${lesson}" objects REGEX "^enum ObjectIndex { middle, left, right, ground };")
+  if(objects)
+    cmake_path(GET lesson PARENT_PATH folder)
+    cmake_path(GET folder FILENAME name)
+    string(SUBSTRING "${name}" 0 2 number)
+    string(APPEND includes "#include \"${name}/lesson.hpp\"\n")
+    string(APPEND rows "\n      on_stage<chapter_${number}::Lesson>(\"${name}\"),")
+  endif()
+endforeach()
+file(WRITE "${OUT}" "// Written by stages.cmake.
+#include \"stages.hpp\"
+
+${includes}
+namespace texmap::steps {
+
+const std::vector<OnStage>& stages() {
+  static const std::vector<OnStage> all{${rows}
+  };
+  return all;
+}
+
+}  // namespace texmap::steps
+")
