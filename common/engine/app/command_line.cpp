@@ -98,12 +98,13 @@ void CommandLine::flag(std::string_view name, bool& value, std::string_view help
   add(name, "", help, "", [&value](auto&, auto) { return value = true; });
 }
 
-void CommandLine::positional(std::string_view name, std::string& value, std::string_view help) {
-  positionals_.push_back(
-      {std::string(name), "", std::string(help), "", [&value](auto& word, auto typed) {
-         value = not_empty(typed, word + " must not be empty");
-         return true;
-       }});
+void CommandLine::positional(std::string_view name, std::string& value, std::string_view help,
+                             std::string_view unless) {
+  const Read read = [&value](auto& word, auto typed) {
+    value = not_empty(typed, word + " must not be empty");
+    return true;
+  };
+  positionals_.push_back({std::string(name), "", std::string(help), "", read, std::string(unless)});
 }
 
 void CommandLine::statuses(std::string_view text) { statuses_ = text; }
@@ -152,7 +153,8 @@ bool CommandLine::parse(const std::vector<std::string>& words) {
                        option->placeholder);
     }
   }
-  if (awaited != positionals_.end()) throw UsageError(awaited->name + " is missing");
+  if (awaited != positionals_.end() && !was_given(awaited->unless))
+    throw UsageError(awaited->name + " is missing");
   return true;
 }
 
@@ -166,7 +168,8 @@ bool CommandLine::was_given(std::string_view name) const {
 
 std::string CommandLine::call() const {
   std::string text = "usage: " + program_;
-  for (const Option& word : positionals_) text += " " + word.name;
+  for (const Option& word : positionals_)
+    text += word.unless.empty() ? " " + word.name : " [" + word.name + "]";
   return text + " [options]";
 }
 

@@ -55,6 +55,7 @@ class CommandLine {
     std::string help;
     std::string preset;  ///< the default; may be empty
     Read read;
+    std::string unless{};  ///< of a word without an option: the option with which it may be missing
   };
 
   GroupWishes wishes;  ///< of a chapter's groups; other programs have none
@@ -110,7 +111,9 @@ class CommandLine {
   /// A word without an option, such as a file to read; required, in the order of these calls.
   ///
   /// @param name  its name in the usage line
-  void positional(std::string_view name, std::string& value, std::string_view help);
+  /// @param unless  an option with which the word may be left out
+  void positional(std::string_view name, std::string& value, std::string_view help,
+                  std::string_view unless = "");
 
   /// The help's text about exit statuses, for programs that make no picture.
   void statuses(std::string_view text);

@@ -1,7 +1,12 @@
-// The program compare: how two pictures differ, in figures, as a picture, and as an exit status.
+// The program compare: how two pictures differ, in figures, as a picture, and as an exit status; or
+// the mean color of a part of one picture.
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/app/command_line.hpp"
@@ -40,13 +45,13 @@ struct Request {
   std::string a, b;
   int levels = 0;
   std::string at_most = "0";
-  std::string map, json, mask;
+  std::string map, json, mask, mean;
   bool all = false;
   bool quiet = false;
 
   void declare(CommandLine& line) {
     line.positional("A.png", a, "a picture, PNG or JPEG");
-    line.positional("B.png", b, "the picture to compare it with, of the same size");
+    line.positional("B.png", b, "the picture to compare it with, of the same size", "--mean");
     line.whole("--pixels-off-by-more-than", levels, 0, 255,
                "a pixel counts if one of its channels differs by more than N levels");
     line.text("--at-most", "SHARE", at_most,
@@ -57,10 +62,13 @@ struct Request {
     line.flag("--all", all, "also print SSIM, which takes ten times as long as all else");
     line.text("--mask", "FILE", mask,
               "a picture of the same size; pixels where it is black are not compared");
+    line.text("--mean", "X,Y,W,H", mean,
+              "of A.png alone, without B.png: mean, least and largest of each channel in the W x H "
+              "pixels from column X and row Y on");
     line.flag("--quiet", quiet, "print nothing");
     line.statuses(
-        "0 the pictures are the same; 1 they differ; 2 an error, such as a file that cannot be "
-        "read");
+        "0 the pictures are the same, or the means are printed; 1 they differ; 2 an error, such as "
+        "a file that cannot be read");
   }
 };
 
@@ -76,6 +84,51 @@ std::string table(const Figures& figures) {
   std::string lines;
   for (const std::vector<std::string>& row : figure_rows(figures))
     lines += text("%-21s%s\n", row[0].c_str(), row[1].c_str());
+  return lines;
+}
+
+/// The rectangle that was typed.
+Box parse_box(std::string_view typed) {
+  Box box;
+  std::size_t begin = 0;
+  for (int* number : {&box.left, &box.top, &box.width, &box.height}) {
+    const std::size_t end = number == &box.height ? typed.size() : typed.find(',', begin);
+    if (end == std::string_view::npos)
+      throw UsageError("--mean takes X,Y,W,H such as 350,250,100,100, not '" + std::string(typed) +
+                       "'");
+    const bool is_size = number == &box.width || number == &box.height;
+    *number = parse_whole("--mean", typed.substr(begin, end - begin), is_size ? 1 : 0,
+                          int{max_image_side});
+    begin = end + 1;
+  }
+  return box;
+}
+
+/// Mean, least and largest of each channel in a rectangle, in words.
+std::string mean_table(const Image& image, const Box& box) {
+  if (box.left + box.width > image.width || box.top + box.height > image.height) {
+    throw DifferenceError(
+        text("the rectangle ends at column %d, row %d; the picture has %d x %d pixels",
+             box.left + box.width - 1, box.top + box.height - 1, image.width, image.height));
+  }
+  std::string lines =
+      text("columns %d to %d, rows %d to %d: %d x %d pixels\n", box.left, box.left + box.width - 1,
+           box.top, box.top + box.height - 1, box.width, box.height);
+  for (const auto& [name, channel] :
+       {std::pair{"red", &Rgb8::r}, {"green", &Rgb8::g}, {"blue", &Rgb8::b}}) {
+    std::int64_t sum = 0;
+    int least = 255, largest = 0;
+    for (int row = box.top; row < box.top + box.height; ++row) {
+      for (int column = box.left; column < box.left + box.width; ++column) {
+        const int byte = image.at(column, row).*channel;
+        sum += byte;
+        least = std::min(least, byte);
+        largest = std::max(largest, byte);
+      }
+    }
+    lines += text("%-6s mean %.2f, least %d, largest %d\n", name,
+                  static_cast<double>(sum) / box.width / box.height, least, largest);
+  }
   return lines;
 }
 
@@ -108,12 +161,23 @@ bool compare(const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  texmap::CommandLine line("compare", "how two pictures differ");
+  texmap::CommandLine line("compare", "how two pictures differ, or the mean color of one");
   Request request;
   request.declare(line);
   bool same = true;
   const int status = texmap::run_guarded(line, [&] {
-    if (line.parse(argc, argv)) same = compare(request);
+    if (!line.parse(argc, argv)) return;
+    if (request.mean.empty()) {
+      same = compare(request);
+      return;
+    }
+    for (const char* other : {"B.png", "--pixels-off-by-more-than", "--at-most", "--map", "--json",
+                              "--all", "--mask", "--quiet"}) {
+      if (line.was_given(other))
+        throw texmap::UsageError(std::string(other) + " and --mean do not go together");
+    }
+    const Box box = parse_box(request.mean);
+    texmap::print(mean_table(load(request.a), box));
   });
   if (status != 0) return 2;
   return same ? 0 : 1;

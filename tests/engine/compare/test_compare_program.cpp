@@ -97,7 +97,7 @@ TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
     CHECK(outcome.err.starts_with("error: " + std::string(reason) + "\n"));
   }
   CHECK(desk.folder.size() == 5);  // the four pictures and the text: nothing was written
-  CHECK(has(desk.compare("a.png").err, "usage: compare A.png B.png [options]"));
+  CHECK(has(desk.compare("a.png").err, "usage: compare A.png [B.png] [options]"));
 }
 
 TEST_CASE("a stdout that takes nothing is trouble") {
@@ -133,6 +133,32 @@ TEST_CASE("what is printed is the table and the verdict to the byte, without lin
         "SSIM                 0.9999658092 (1: equal)\n"
         "mean value           20 and 20 levels\n"
         "off by more than 0: 3 pixels, 0 of all allowed: they differ\n");
+}
+
+TEST_CASE("the mean, least and largest byte of each channel in a part of a picture") {
+  const Desk desk;
+  CHECK(desk.compare("--mean 10,20,5,6 b.png").out ==
+        "columns 10 to 14, rows 20 to 25: 5 x 6 pixels\n"
+        "red    mean 31.17, least 31, largest 36\n"
+        "green  mean 19.83, least 15, largest 20\n"
+        "blue   mean 9.00, least 9, largest 9\n");
+  CHECK(desk.compare("b.png --mean 99,99,1,1").status == 0);
+  for (const auto& [words, reason] :
+       {std::pair{"--mean 99,0,2,1",
+                  "the rectangle ends at column 100, row 0; the picture has 100 x 100 pixels"},
+        {"--mean 0,0,1,101",
+         "the rectangle ends at column 0, row 100; the picture has 100 x 100 pixels"},
+        {"--mean 0,0,1", "--mean takes X,Y,W,H such as 350,250,100,100, not '0,0,1'"},
+        {"--mean 0,0,1,1,1", "--mean takes a whole number from 1 to 16384, not '1,1'"},
+        {"--mean 0,0,0,1", "--mean takes a whole number from 1 to 16384, not '0'"},
+        {"--mean -1,0,1,1", "--mean takes a whole number from 0 to 16384, not '-1'"},
+        {"b.png --mean 0,0,1,1", "B.png and --mean do not go together"},
+        {"--mean 0,0,1,1 --all", "--all and --mean do not go together"}}) {
+    const Outcome outcome = desk.compare("a.png " + std::string(words));
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("error: " + std::string(reason) + "\n"));
+  }
 }
 
 TEST_CASE("the map, the figures as JSON and the mask are those of the library") {
