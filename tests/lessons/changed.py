@@ -10,7 +10,7 @@ In the page, a mark comes before each piece of a change, and then a block of cod
     <!-- change: plain 01_plain_spheres replaces "template <class Real>" to "    });" -->
 
 The code goes above or below the one line of the lesson that has the text, or replaces it, or that line and all up to the next with the
-second text. `removes` takes the line away and has no block. A change has at most twelve lines of code, and all are tried here.
+second text. `removes` takes the line away and has no block. A change has at most fifteen lines of code, and all are tried here.
 """
 import pathlib
 import re
@@ -18,7 +18,7 @@ import sys
 
 MARK = re.compile(r'^<!-- change: (\w+) ((\d\d)_\w+) (above|below|replaces|removes) "([^"]*)"(?: to "([^"]*)")? -->\n'
                   r'(?:```cpp\n(.*?)^```$)?', re.MULTILINE | re.DOTALL)
-MOST = 12
+MOST = 15
 
 
 class Fault(Exception):

@@ -78,7 +78,8 @@ TEST_CASE("each change draws the page's picture, and changes what the page says"
   check_change(prepared<chapter_03::Lesson>(), own_texture, "own_texture",
                {change_own_texture::middle});
   check_change(prepared<chapter_03::Lesson>(), prepared<change_can::Lesson>(), "can",
-               {-1, change_can::middle, change_can::left, change_can::ground});  // shadows, too
+               {-1, change_can::middle, change_can::left, change_can::right,
+                change_can::ground});  // shadows, too
   CHECK(small(own_texture) == small(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})));
 }
 

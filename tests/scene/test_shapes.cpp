@@ -14,6 +14,7 @@
 #include "scene/path.hpp"
 #include "scene/shapes.hpp"
 #include "scene/sky.hpp"
+#include "texture/projections.hpp"
 #include "texture/shape_mappings.hpp"
 
 namespace texmap::test {
@@ -154,6 +155,27 @@ TEST_CASE("a label is neither stretched nor mirrored: its lengths are the cylind
   const Uv<double> uv = picture(hit);
   CHECK(uv.u == 0.25);
   CHECK(uv.v == 0.75);
+}
+
+TEST_CASE(
+    "the projections to a cylinder and to a plane are the label of a can and a board's picture") {
+  const CylinderMapping label{{.center = {}, .radius = 2, .half_height = 1}};
+  const RectangleMapping board{{.center = {}, .right = {1, 0, 0}, .up = {0, 0, -1}}};
+  Dice dice;
+  for (int i = 0; i < 2000; ++i) {
+    const auto direction = number_cast<double>(dice.direction());
+    const double from_axis = std::hypot(direction.x, direction.z);
+    const double out = 2 / from_axis;
+    Hit<double> hit;
+    hit.point = {out * direction.x, direction.y, out * direction.z};
+    const Uv<double> on_can = label(hit), cylinder = project(Projection::cylinder, direction);
+    CHECK(std::abs(on_can.u - cylinder.u) < 1e-15);
+    CHECK(std::abs(on_can.v - cylinder.v) < 1e-15);
+    hit.point = {direction.x, -1, direction.z};  // straight down
+    const Uv<double> on_board = board(hit), plane = project(Projection::plane, direction);
+    CHECK(std::abs(on_board.u - plane.u) < 1e-15);
+    CHECK(std::abs(on_board.v - plane.v) < 1e-15);
+  }
 }
 
 TEST_CASE("an open cylinder throws a shadow into itself; a sphere and a rectangle cannot") {
