@@ -93,9 +93,10 @@ Box parse_box(std::string_view typed) {
   std::size_t begin = 0;
   for (int* number : {&box.left, &box.top, &box.width, &box.height}) {
     const std::size_t end = number == &box.height ? typed.size() : typed.find(',', begin);
-    if (end == std::string_view::npos)
+    if (end == std::string_view::npos) {
       throw UsageError("--mean takes X,Y,W,H such as 350,250,100,100, not '" + std::string(typed) +
                        "'");
+    }
     const bool is_size = number == &box.width || number == &box.height;
     *number = parse_whole("--mean", typed.substr(begin, end - begin), is_size ? 1 : 0,
                           int{max_image_side});
