@@ -16,6 +16,7 @@
 #include "changes/own_texture.hpp"
 #include "changes/plain.hpp"
 #include "changes/plane.hpp"
+#include "changes/second_picture.hpp"
 #include "changes/stripes.hpp"
 #include "changes/tiles.hpp"
 #include "engine/picture/load_image.hpp"
@@ -80,6 +81,10 @@ TEST_CASE("each change draws the page's picture, and changes what the page says"
   check_change(prepared<chapter_03::Lesson>(), prepared<change_can::Lesson>(), "can",
                {-1, change_can::middle, change_can::left, change_can::right,
                 change_can::ground});  // shadows, too
+  const auto two = prepared<change_second_picture::Lesson>();
+  check_change(prepared<chapter_03::Lesson>(), two, "second_picture",
+               {change_second_picture::right});
+  CHECK(small(prepared<change_second_picture::Lesson>({"--second", "earth.png"})) != small(two));
   CHECK(small(own_texture) == small(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})));
 }
 

@@ -44,6 +44,7 @@ struct GroupWishes {
 };
 
 /// The options of a program, and the reader of what the user typed.
+/// Errors: logic_error from whoever declares an option's name again, but for `choice`.
 class CommandLine {
  public:
   /// Reads what was typed for the option `name`; false if it is none of the option's words.

@@ -1,6 +1,7 @@
 // What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
 // of their own, have files of their own. A program that offers none of these groups links none.
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -25,15 +26,15 @@
 namespace texmap {
 
 void TextureFile::declare(CommandLine& line) {
-  line.text("--texture", "FILE", name, help);
+  line.text(option, "FILE", name, help);
   line.wishes.before_frames.emplace_back([this] {
     if (loaded) kept = load();
   });
   line.wishes.uses.emplace_back([this] {
     if (loaded) return;
-    throw std::logic_error(
-        "the lesson offers --texture and never loads it: is its hook spelt `prepare`? Write "
-        "`override` after it, and the compiler checks the name");
+    throw std::logic_error(std::string("the lesson offers ") + option +
+                           " and never loads it: is its hook spelt `prepare`? Write `override` "
+                           "after it, and the compiler checks the name");
   });
 }
 

@@ -1,4 +1,4 @@
-// The option --texture.
+// A picture that the user may choose: the option --texture, or one of another name.
 #pragma once
 #include <string>
 
@@ -8,10 +8,12 @@ namespace texmap {
 
 class CommandLine;
 
-/// A texture that the user can replace by another image.
+/// A texture that the user can replace by another image. A lesson's second one needs an `option` of
+/// its own.
 struct TextureFile {
   std::string name;  ///< a path, or a file in assets/
   const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";
+  const char* option = "--texture";
 
   mutable bool loaded = false;  ///< a texture that is offered must be used
   Image kept{};                 ///< for the pictures of a turn; empty: load the file

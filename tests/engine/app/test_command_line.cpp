@@ -69,6 +69,21 @@ TEST_CASE("two groups may give one option words: each reads its own, and all are
   }
 }
 
+TEST_CASE("a name that is declared twice is an error of the program, unless both have words") {
+  Fruit fruit;
+  const auto twice = [&](const auto& declare) {
+    CommandLine line = line_for(fruit);
+    CHECK_THROWS_WITH_AS(declare(line), doctest::Contains("is declared twice"), std::logic_error);
+  };
+  twice([&](CommandLine& line) { line.text("--name", "NAME", fruit.name, "again"); });
+  twice([&](CommandLine& line) { line.flag("--ripe", fruit.ripe, "again"); });
+  twice([&](CommandLine& line) { line.text("--count", "FILE", fruit.name, "another kind"); });
+  twice([&](CommandLine& line) { line.flag("--color", fruit.ripe, "another kind"); });
+  twice([&](CommandLine& line) {
+    line.choice<int>("--color", fruit.color, {{"red", 1}, {"green", 2}}, "again");
+  });
+}
+
 TEST_CASE(
     "options are read in any order, with a space or an equals sign, and the last one counts") {
   const Fruit fruit = read("--ripe", "--color", "green", "--count=7", "--weight", "-2.5e-3",
