@@ -12,7 +12,7 @@
 
 namespace texmap {
 
-// Packs and other numbers bring their own versions of these, found by argument-dependent lookup.
+// Packs have their own, found by argument-dependent lookup; intervals lack cos, ldexp, pow, sin.
 using std::abs;
 using std::atan2;
 using std::cos;

@@ -47,6 +47,8 @@ template <class Real, class Objects, class Background, class Shade>
                                const Background& background, const Shade& shade) {
   const Nearest<Real> nearest = find_nearest(objects, ray);
   decltype(background(ray)) color{};
+  static_assert(std::is_same_v<decltype(shade(objects.front(), Hit<Real>{})), decltype(color)>,
+                "an object's color must be a Color<Real>: of a Vec3 p it is {p.x, p.y, p.z}");
   if (any(nearest.index < Real(0))) color = background(ray);
   for (int index = -1; const auto& object : objects) {
     ++index;

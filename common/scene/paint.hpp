@@ -17,11 +17,9 @@ struct Solid {
   }
 };
 
-/// True if a const `Function` can be called with an `Argument`.
-template <class Function, class Argument>
-concept CallableWith = requires(const Function& function, const Argument& argument) {
-  function(argument);
-};
+/// True if a const `Function` can be called with an `Argument` and returns a `Result`.
+template <class Function, class Argument, class Result>
+concept Gives = std::is_same_v<std::invoke_result_t<const Function&, const Argument&>, Result>;
 
 /// One of several kinds of paint, for a list of objects with different paints.
 template <class... Paints>
@@ -31,11 +29,10 @@ struct AnyOf : std::variant<Paints...> {
   /// The color of the paint that this object has.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Hit<Real>& hit) const {
-    static_assert(
-        (CallableWith<Paints, Hit<Real>> && ...),
-        "a paint cannot be called with a hit in this number: is its operator() const, and "
-        "a template over the number? A lesson with paints in double alone says so in "
-        "`about`: .numbers = Numbers::only_double");
+    static_assert((Gives<Paints, Hit<Real>, Color<Real>> && ...),
+                  "a paint cannot be called with a hit in this number, or returns no Color<Real>: "
+                  "is its operator() const, and a template over the number? With double alone, say "
+                  "in `about`: .numbers = Numbers::only_double");
     return std::visit([&hit](const auto& paint) -> Color<Real> { return paint(hit); },
                       static_cast<const std::variant<Paints...>&>(*this));
   }

@@ -90,9 +90,7 @@ struct Filtered {
     return filtered(rows_down(center), footprint);
   }
 
-  /// The same for a footprint.
-  ///
-  /// @param at  v counted from the top row
+  /// The same for a footprint at a place whose v is counted from the top row.
   template <class Real>
   [[nodiscard]] Color<Real> filtered(const Uv<Real>& at, const Footprint<Real>& footprint) const {
     switch (filter) {

@@ -16,20 +16,21 @@ struct Mapped {
 
   template <template <class> class AnyHit, class Real>
   [[nodiscard]] Color<Real> operator()(const AnyHit<Real>& hit) const {
-    static_assert(CallableWith<Mapping, AnyHit<Real>> || CallableWith<Mapping, Vec3<Real>>,
-                  "a mapping cannot be called with a direction in this number: see AnyOf");
+    constexpr bool takes_hit = requires { mapping(hit); };
+    constexpr bool on_normal = requires { mapping(hit.normal); };
+    static_assert(takes_hit || on_normal, "a mapping cannot be called in this number, see AnyOf");
     const auto uv = [&] {
-      if constexpr (CallableWith<Mapping, AnyHit<Real>>) {
+      if constexpr (takes_hit) {
         return mapping(hit);
       } else {
         return mapping(hit.normal);
       }
     }();
     static_assert(
-        CallableWith<Texture, Uv<Real>>,
-        "a texture cannot be called with (u, v) in this number: is its operator() const, "
-        "and a template over the number? A lesson with textures in double alone says so in "
-        "`about`: .numbers = Numbers::only_double");
+        Gives<Texture, decltype(uv), Color<Real>>,
+        "a texture cannot be called with (u, v) in this number, or returns no Color<Real> such as "
+        "gray(x): is its operator() const, and a template over the number? With double alone, say "
+        "in `about`: .numbers = Numbers::only_double");
     return texture(uv);
   }
 };

@@ -5,6 +5,7 @@
 #include "engine/app/run_chapter.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
+#include "texture/mapped.hpp"
 
 namespace texmap {
 
@@ -32,6 +33,58 @@ struct Lesson : Base {
 };
 #elif MISTAKE == 4
 struct Lesson : LessonHooks, Base {};
+#elif MISTAKE == 5
+struct Lesson : LessonHooks {
+  static constexpr About about{.idea = "a sky"};
+  Stage stage;
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) {
+    return stage.sky(ray);
+  }
+};
+#elif MISTAKE == 6
+struct Lesson : LessonHooks, Base {
+  static constexpr About about{.idea = "normals"};
+  template <class Real>
+  auto operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky,
+                       [](const auto&, const Hit<Real>& hit) { return hit.normal; });
+  }
+};
+#elif MISTAKE == 7
+struct Grays {
+  template <class Real>
+  Real operator()(const Uv<Real>& uv) const {
+    return uv.u;
+  }
+};
+struct Lesson : LessonHooks {
+  static constexpr About about{.idea = "grays"};
+  Stage stage;
+  std::vector<Painted<Mapped<RtiowMapping, Grays>>> objects;
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    return color_along(objects, ray, stage.sky,
+                       [](const auto& object, const Hit<Real>& hit) { return object.paint(hit); });
+  }
+};
+#elif MISTAKE <= 10
+struct Lesson : LessonHooks, Base {
+#if MISTAKE == 8
+  static constexpr About about{.idea = "a branch", .numbers = Numbers::no_intervals};
+#else
+  static constexpr About about{.idea = "a branch, or a wave"};
+#endif
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+#if MISTAKE == 10
+    return gray(sin(ray.direction.x));
+#else
+    if (ray.direction.y > Real(0)) return stage.sky(ray);
+    return gray(Real(0));
+#endif
+  }
+};
 #endif
 
 }  // namespace texmap

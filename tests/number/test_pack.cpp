@@ -48,6 +48,10 @@ TEST_CASE_TEMPLATE("every operation works lane by lane and rounds as single numb
     }
   };
   for_each_arithmetic(check);
+  check("sin", [](auto a, auto) { return sin(a); });
+  check("cos", [](auto a, auto) { return cos(a); });
+  check("pow", [](auto a, auto b) { return pow(a, b); });
+  check("ldexp", [](auto a, auto) { return ldexp(a, 3); });
   for_each_choice(check);
 }
 

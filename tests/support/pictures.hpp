@@ -21,7 +21,7 @@ constexpr bool draws_in = [] {
   } else {
     constexpr Numbers numbers = Lesson::about.numbers;
     return all_numbers && (numbers == Numbers::all ||
-                           (numbers == Numbers::single && std::is_floating_point_v<Real>));
+                           (numbers != Numbers::only_double && std::is_floating_point_v<Real>));
   }
 }();
 

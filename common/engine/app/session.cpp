@@ -54,7 +54,12 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   }
   line.whole("--threads", settings.threads, 0, 1024,
              "number of threads, 0 for one per core; the picture does not depend on it");
-  if (offered("--number")) offer_numbers(about.numbers, line.wishes.no_intervals);
+  if (offered("--number")) {
+    const bool lacks_sines =
+        about.numbers == Numbers::no_intervals && line.wishes.no_intervals.empty();
+    offer_numbers(about.numbers,
+                  lacks_sines ? "they have no sin, cos, pow or ldexp" : line.wishes.no_intervals);
+  }
   if (!line.wishes.budget.empty())
     line.text("--budget", "BUDGET", settings.budget, line.wishes.budget);
   if (offers.spheres) {

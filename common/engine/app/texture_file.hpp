@@ -8,8 +8,7 @@ namespace texmap {
 
 class CommandLine;
 
-/// A texture that the user can replace by another image. A lesson's second one needs an `option` of
-/// its own.
+/// A texture that the user can replace by another image; a second one needs its own `option`.
 struct TextureFile {
   std::string name;  ///< a path, or a file in assets/
   const char* help = "the picture on the globe, a PNG or JPEG twice as wide as high";

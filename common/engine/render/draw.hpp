@@ -11,13 +11,17 @@
 
 namespace texmap {
 
-/// True for lessons with code that compiles for packs: all, unless `about` says otherwise.
+/// Which numbers a lesson's code compiles for: all, unless `about` says otherwise. In the order of
+/// `Numbers`, each has less than the one before.
+template <class Lesson>
+inline constexpr bool compiles_for_intervals = !requires {
+  requires Lesson::about.numbers > std::remove_cvref_t<decltype(Lesson::about.numbers)>::all;
+};
 template <class Lesson>
 inline constexpr bool compiles_for_packs = !requires {
-  requires Lesson::about.numbers != std::remove_cvref_t<decltype(Lesson::about.numbers)>::all;
+  requires Lesson::about.numbers >
+      std::remove_cvref_t<decltype(Lesson::about.numbers)>::no_intervals;
 };
-
-/// True for lessons whose code compiles for double alone.
 template <class Lesson>
 inline constexpr bool has_only_double = requires {
   requires Lesson::about.numbers ==
@@ -121,7 +125,7 @@ template <class Lesson>
   if constexpr (has_only_double<Lesson>) {
     return render<double>(lesson, view, settings);
   } else {
-    if constexpr (all_numbers && compiles_for_packs<Lesson>) {
+    if constexpr (all_numbers && compiles_for_intervals<Lesson>) {
       if (number == NumberKind::interval) return draw_certainty_map(lesson, view, settings);
     }
     return run_in_number(DrawWork<Lesson>{lesson, view, settings}, number, settings.instructions);

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <type_traits>
 
@@ -52,6 +53,13 @@ struct PixelOffset {
 template <class Real, class Lesson>
 [[nodiscard]] Color<Real> ray_color(const Lesson& lesson, const View<>& view, const Real& column,
                                     const Real& row, const Real& spacing) {
+  static_assert(
+      requires(Ray<Real> ray) {
+        { lesson(ray) } -> std::same_as<Color<Real>>;
+      },
+      "a lesson is called with a Ray<Real>, from many threads, and returns a Color<Real>: is its "
+      "operator() const, and is that what it says? Only with `.numbers = Numbers::only_double` in "
+      "`about` may it have double in place of Real");
   if constexpr (requires { lesson.needs_footprints(); }) {
     if (lesson.needs_footprints()) {  // to know how (u, v) changes: for filters and bumps
       const Dual<Real> across{column, spacing, Real(0)};

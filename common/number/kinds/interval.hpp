@@ -16,6 +16,16 @@ struct Tribool {
   bool can_be_true = false;
   bool can_be_false = true;
 
+  /// Not what `if` needs: only words for whoever writes it.
+  template <class Plain>
+  requires std::is_same_v<Plain, bool>
+  constexpr explicit operator Plain() const {
+    static_assert(!sizeof(Plain),
+                  "a comparison of intervals may be both true and false, which `if` and `? :` "
+                  "cannot be: write select(mask, a, b) and any(mask), or say in the lesson's "
+                  "`about` that its code branches: .numbers = Numbers::single");
+    return {};
+  }
   friend constexpr Tribool operator!(const Tribool& a) { return {a.can_be_false, a.can_be_true}; }
   friend constexpr Tribool operator&&(const Tribool& a, const Tribool& b) {
     return {a.can_be_true && b.can_be_true, a.can_be_false || b.can_be_false};
@@ -355,6 +365,27 @@ template <>
   if (!(size.high() > 0 && size.high() <= std::numeric_limits<double>::max())) return Interval(1);
   const int exponent = -std::ilogb(size.high());
   return Interval(ldexp(1.0, exponent < 1023 ? exponent : 1023));
+}
+
+/// Only words for whoever calls them; `Any` is Interval.
+template <std::same_as<Interval> Any, class... More>
+Any no_function_of_intervals(const Any& x, const More&...) {
+  static_assert(!sizeof(Any),
+                "intervals have no sin, cos, pow or ldexp: say in the lesson's `about`: .numbers = "
+                "Numbers::no_intervals");
+  return x;
+}
+template <std::same_as<Interval> Any>
+Any sin(const Any& x) {
+  return no_function_of_intervals(x);
+}
+template <std::same_as<Interval> Any>
+Any cos(const Any& x) {
+  return no_function_of_intervals(x);
+}
+template <std::same_as<Interval> Any>
+Any pow(const Any& x, const auto& exponent) {
+  return no_function_of_intervals(x, exponent);
 }
 
 }  // namespace texmap

@@ -149,4 +149,22 @@ struct NumberTraits<Pack<T, Arch>> {
   }
 };
 
+// No vector has these: each lane is the C library's.
+template <class Real>
+requires(lanes<Real> > 1) [[nodiscard]] Real sin(const Real& x) {
+  return from_lanes<Real>([&](std::size_t i) { return std::sin(lane(x, i)); });
+}
+template <class Real>
+requires(lanes<Real> > 1) [[nodiscard]] Real cos(const Real& x) {
+  return from_lanes<Real>([&](std::size_t i) { return std::cos(lane(x, i)); });
+}
+template <class Real>
+requires(lanes<Real> > 1) [[nodiscard]] Real pow(const Real& x, const Real& exponent) {
+  return from_lanes<Real>([&](std::size_t i) { return std::pow(lane(x, i), lane(exponent, i)); });
+}
+template <class Real>
+requires(lanes<Real> > 1) [[nodiscard]] Real ldexp(const Real& x, int exponent) {
+  return from_lanes<Real>([&](std::size_t i) { return std::ldexp(lane(x, i), exponent); });
+}
+
 }  // namespace texmap

@@ -26,6 +26,16 @@ struct Pack2 {
   explicit(!std::is_convertible_v<Number, Half>) Pack2(Number number)
       : first(number), second(number) {}
 
+  /// Not what `if`, `? :` and int need: only words for whoever writes them.
+  template <class Plain>
+  requires std::is_arithmetic_v<Plain>
+  explicit operator Plain() const {
+    static_assert(!sizeof(Plain),
+                  "a pack of numbers has no single value for `if`, `? :`, int or double: write "
+                  "select(mask, a, b), any(mask) and floor(x), or say in the lesson's `about` that "
+                  "its code branches: .numbers = Numbers::single");
+    return {};
+  }
   [[nodiscard]] auto get(std::size_t i) const {
     return i < in_half ? first.get(i) : second.get(i - in_half);
   }

@@ -37,6 +37,10 @@ TEST_CASE("a lesson offers what its code runs with, and not what it goes without
   CHECK_FALSE(about.offers("--at"));
   CHECK(about.offers("--budget"));
   CHECK(about.offers("--show color|normal|uv|object"));
+  const Started waves({.idea = "an idea", .numbers = Numbers::no_intervals});
+  CHECK(waves.offers("float-pack"));
+  CHECK(waves.offers("not interval: they have no sin"));
+  CHECK_FALSE(waves.offers("|interval"));
   const Started single({.idea = "an idea", .numbers = Numbers::single});
   CHECK(single.offers("extended"));
   CHECK_FALSE(single.offers("float-pack"));
