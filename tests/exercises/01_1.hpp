@@ -1,24 +1,25 @@
 // Exercise 01.1: where the ray meets the sphere
 //
-// The points of a ray are origin + t * direction, t > 0. Return the t of the first point that is
-// also on the sphere: |point - center| = radius. Return infinity if there is no such point ahead.
-// The direction may have any length; the origin may be inside the sphere.
+// The upper part of the sphere is cut away. A bowl is left: its points have y <= rim. The points of
+// a ray are origin + t * direction, t > 0. Return the t of the first one that is on the bowl, from
+// outside or from inside, and infinity if there is none ahead. The direction may have any length.
 #include "exercise.hpp"
 
-double distance_to_sphere(Vec3 origin, Vec3 direction, Vec3 center, double radius) {
+double distance_to_bowl(Vec3 origin, Vec3 direction, Vec3 center, double radius, double rim) {
   // solution
   const Vec3 f = origin - center;
   const double a = dot(direction, direction);
   const double b = -dot(f, direction);
   const double discriminant = b * b - a * (dot(f, f) - radius * radius);
   if (discriminant < 0) return infinity;
-  const double entry = (b - std::sqrt(discriminant)) / a;
-  const double exit = (b + std::sqrt(discriminant)) / a;
-  if (entry > 0) return entry;
-  return exit > 0 ? exit : infinity;
+  const double root = std::sqrt(discriminant);
+  for (const double t : {(b - root) / a, (b + root) / a}) {
+    if (t > 0 && origin.y + t * direction.y <= rim) return t;
+  }
+  return infinity;
   // start: // Your lines here. dot(v, w) is there, and infinity, and all of <cmath>.
   // start: return length(center - origin) - radius;
 }
-// hint: With f = origin - center, t solves a t * t - 2 b t + c = 0: what are a, b and c?
-// hint: b * b - a * c below 0: no point. Otherwise t is (b - root) / a or (b + root) / a.
-// hint: The smaller t comes first. But only t > 0 is ahead: from inside it is the larger one.
+// hint: Begin with a whole sphere: where does the line meet it? The page has the formula.
+// hint: The smaller t comes first. It counts if it is ahead and its point is not above the rim.
+// hint: Otherwise the larger t may count: the ray goes in through the open top, or starts inside.

@@ -1,20 +1,19 @@
 // Exercise 02.2: which square?
 //
-// The map is divided into squares: into columns by u and rows by v. `squares` is the number of the
-// columns, and also of the rows. The two colors of the squares alternate in both directions. Return
-// true where (u, v) is in a square of the color of the lower left one, the square at (0, 0).
-// u is at least 0 and less than 1. v is 0 to 1: at the north pole v is 1, and that belongs to the
-// last row.
+// Here the pattern needs no (u, v). It comes from the place (x, z) in the scene: seen from above,
+// there are squares, `size` long and wide, and one of them reaches from (0, 0) to (size, size). Two
+// colors alternate in both directions. Return true where (x, z) is in a square of the color of that
+// one. x and z can be negative. A square's lower edges, such as x = 0, belong to it.
 #include "exercise.hpp"
 
-bool is_first_color(Uv uv, int squares) {
+bool is_first_color(double x, double z, double size) {
   // solution
-  const int column = static_cast<int>(uv.u * squares);
-  const int row = std::min(static_cast<int>(uv.v * squares), squares - 1);
+  const int column = static_cast<int>(std::floor(x / size));
+  const int row = static_cast<int>(std::floor(z / size));
   return (column + row) % 2 == 0;
-  // start: // Your lines here. uv.u * squares says how many columns are left of u.
-  // start: return uv.u * squares < 1;
+  // start: // Your lines here. x / size is the distance from x = 0, counted in squares.
+  // start: return x < size;
 }
-// hint: static_cast<int>(uv.u * squares) is the number of the column. The row comes from v.
+// hint: std::floor(x / size) is the number of the column; left of x = 0 it is -1, -2 and so on.
 // hint: One step to the side or up changes column + row by 1. n % 2 == 0: n is even.
-// hint: At v = 1 the row is one too many. std::min(row, squares - 1) puts it into the last.
+// hint: static_cast<int>(-0.3) is 0, and so is static_cast<int>(0.3). std::floor(-0.3) is -1.

@@ -1,17 +1,19 @@
 // Exercise 03.1: which column?
 //
-// A picture has width columns of texels, numbered from 0 on the left. Together they cover u from
-// 0 to 1. Return the number of the column that u is in. At u = 1 it is the last one. If u is less
-// than 0 or more than 1, return the first or the last column.
+// This picture is cut out of a map. It shows the map from u = west to u = east, and has width
+// columns of texels there, numbered from 0 on the left. Return the number of the column that u is
+// in; a column's left edge belongs to it. At u = east it is the last column. Left of the picture
+// return the first column, right of it the last one.
 #include "exercise.hpp"
 
-int column_of(double u, int width) {
+int column_of(double u, int width, double west, double east) {
   // solution
-  const int column = static_cast<int>(u * width);
+  const double across = (u - west) / (east - west);  // 0 to 1 in the picture
+  const int column = static_cast<int>(across * width);
   return std::clamp(column, 0, width - 1);
   // start: // Your lines here.
   // start: return width / 2;
 }
-// hint: Each column is 1 / width wide. So u * width says how many columns are left of u.
-// hint: static_cast<int>(x) cuts off the decimals of x.
-// hint: At u = 1 this gives width, one too many. std::clamp(column, 0, width - 1) limits it.
+// hint: How far is u from the picture's left edge, and how wide is the picture in u?
+// hint: (u - west) / (east - west) is 0 at the left edge and 1 at the right one.
+// hint: static_cast<int>(x) cuts off the decimals of x. std::clamp(x, low, high) limits x.

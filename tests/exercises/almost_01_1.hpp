@@ -5,6 +5,6 @@
 namespace solution {
 #include "01_1.hpp"
 }
-double distance_to_sphere(Vec3 origin, Vec3 direction, Vec3 center, double radius) {
-  return solution::distance_to_sphere(origin, normalize(direction), center, radius);
+double distance_to_bowl(Vec3 origin, Vec3 direction, Vec3 center, double radius, double rim) {
+  return solution::distance_to_bowl(origin, normalize(direction), center, radius, rim);
 }

@@ -40,7 +40,7 @@ cat >"build/learn/bin/$3" <<PROGRAM
 if grep -q LOOP $file; then while :; do :; done; fi
 if grep -q CRASH $file; then kill -s SEGV \$\$; fi
 if grep -q TROUBLE $file; then echo "error: no space"; exit 2; fi
-echo "ran \$*"
+echo "ran \$*."
 grep -q 'std::' $file
 PROGRAM
 chmod +x "build/learn/bin/$3"
@@ -105,6 +105,15 @@ sh "$script" reset 02.1 >/dev/null
 echo "// TROUBLE" >>"$first"
 expect "trouble that is not the student's" 2 "no space" 02.1
 sh "$script" reset 02.1 >/dev/null
+
+echo "// wrong" >"$folder/02_answer.hpp"
+expect "a wrong answer" 1 "ran --question 02.a --answer 5." 02.a 5
+expect "a second wrong answer" 1 "ran --question 02.a --answer 6 --again." 2.a 6
+echo "std::" >"$folder/02_answer.hpp"
+expect "a question alone is no answer" 0 "ran --question 02.a." 02.a
+expect "a right answer" 0 "ran --question 02.a --answer 7 --again." 02.a 7
+expect "after a right answer one begins again" 0 "ran --question 02.a --answer 5." 02.a 5
+rm "$folder/02_answer.hpp"
 
 expect "the first hint" 0 "(hint 1 of 2)" hint 02.1
 expect "the second hint" 0 "Divide by what the angles run over.

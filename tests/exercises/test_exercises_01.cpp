@@ -1,26 +1,27 @@
 // The exercises of chapter 01, and what strangers write for them.
-#include "starts/01.hpp"
+#include "solutions/01.hpp"
 
 const std::vector<double> texmap::test::answers{40, acos(0.375) * 180 / ::pi};
 
 TEST_CASE("01: strangers' answers get their words") {
-  distance_to_sphere("", [](V o, V d, V s, D r) { return o.z; });
-  const auto by_root = [](const char* text, auto t_of) {  // of a, b and the root are right
-    distance_to_sphere(text, [=](V o, V d, V s, D r) {
-      const D a = dot(d, d), b = dot(s - o, d);
-      return t_of(a, b, sqrt(b * b - a * (dot(o - s, o - s) - r * r)));
+  distance_to_bowl("", [](V o, V d, V s, D r, D rim) { return o.z; });
+  const auto by_roots = [](const char* text, auto t_of) {  // of two right t, and of what is left
+    distance_to_bowl(text, [=](V o, V d, V s, D r, D rim) {
+      const D a = dot(d, d), b = dot(s - o, d), q = sqrt(b * b - a * (dot(o - s, o - s) - r * r));
+      const auto left = [=](D t) { return t > 0 && o.y + t * d.y <= rim; };
+      return t_of((b - q) / a, (b + q) / a, left);
     });
   };
-  distance_to_sphere.right([](V o, V d, V s, D r) {  // its result is rounded to a float
-    const D a = dot(d, d), b = dot(s - o, d), inside = b * b - a * (dot(o - s, o - s) - r * r);
-    const float t = float((b - sqrt(inside)) / a), far = float((b + sqrt(inside)) / a);
-    return D(t > 0 ? t : far > 0 ? far : infinity);
+  distance_to_bowl.right([](V o, V d, V s, D r, D rim) {  // its result is rounded to a float
+    const D a = dot(d, d), b = dot(s - o, d), q = sqrt(b * b - a * (dot(o - s, o - s) - r * r));
+    for (const float t : {float((b - q) / a), float((b + q) / a)})
+      if (t > 0 && o.y + t * d.y <= rim) return D(t);
+    return infinity;
   });
-  by_root("ray leaves the", [](D a, D b, D q) { return b + q > 0 ? (b + q) / a : infinity; });
-  by_root("only t > 0 counts", [](D a, D b, D q) { return q >= 0 ? (b - q) / a : infinity; });
-  by_root("starts inside", [](D a, D b, D q) { return b - q > 0 ? (b - q) / a : infinity; });
-  by_root("parentheses", [](D a, D b, D q) { return q >= 0 ? 2 * b - 2 * q / (2 * a) : infinity; });
-  by_root("std::abs", [](D a, D b, D q) { return q >= 0 ? abs((b - q) / a) : infinity; });
+  by_roots("comes second", [](D t, D u, auto left) { return left(u) ? u : infinity; });
+  by_roots("open top", [](D t, D u, auto left) { return left(t) ? t : infinity; });
+  by_roots("cut away", [](D t, D u, auto left) { return t > 0 ? t : u > 0 ? u : infinity; });
+  by_roots("behind the origin", [](D t, D u, auto left) { return std::isnan(t) ? infinity : t; });
 
   cosine_of("", [](V p, V n, V l) { return 0.4; });
   cosine_of("lamp is a position", [](V p, V n, V l) { return max(dot(n, l), 0.0); });

@@ -1,13 +1,18 @@
 // The exercises of chapter 03, and what strangers write for them.
-#include "starts/03.hpp"
+#include "solutions/03.hpp"
 
 const std::vector<double> texmap::test::answers{1100, 12644e2 / (2048 * 1024)};
 
 TEST_CASE("03: strangers' answers get their words") {
-  column_of("width - 1", [](D u, int w) { return std::lround(u * (w - 1)); });
-  column_of("numbered from 0", [](D u, int w) { return clamp<int>(floor(u * w) + 1, 0, w - 1); });
-  column_of("less than 0", [](D u, int w) { return u * w >= w ? w - 1 : int(u * w); });
-  column_of("other end", [](D u, int w) { return clamp(int(u * w) % w, 0, w); });
+  const auto by_x = [](const char* text, auto of) {  // of the place in the picture, 0 to 1
+    column_of(text,
+              [=](D u, int w, D left, D right) { return of((u - left) / (right - left), w); });
+  };
+  by_x("width - 1", [](D x, int w) { return std::lround(x * (w - 1)); });
+  by_x("numbered from 0", [](D x, int w) { return clamp<int>(floor(x * w) + 1, 0, w - 1); });
+  by_x("less than 0", [](D x, int w) { return x * w >= w ? w - 1 : int(x * w); });
+  by_x("other end", [](D x, int w) { return clamp(int(x * w) % w, 0, w); });
+  column_of("of a whole map", [](D u, int w, D, D) { return min(w - 1, int(u * w)); });
 
   // As the textbook has it. It differs where v is on the edge of a row, and is right, too.
   row_of.right([](D v, int h) { return min(int((1 - clamp(v, 0.0, 1.0)) * h), h - 1); });
@@ -16,21 +21,24 @@ TEST_CASE("03: strangers' answers get their words") {
   row_of("you forgot the - 1", [](D v, int h) { return h - clamp(int(v * h), 0, h - 1); });
 
   const auto by_first_byte = [](const char* text, auto first) {
-    color_of(text, [=](const Bytes& bytes, int w, int c, int r) {
-      const int i = first(w, c, r);
-      return Color{bytes[i] / 256., bytes[i + 1] / 256., bytes[i + 2] / 256.};
+    color_of(text, [=](const Bytes& bytes, int length, int c, int r) {
+      const int i = first(length, c, r);
+      return Color{bytes[i + 2] / 256., bytes[i + 1] / 256., bytes[i] / 256.};
     });
   };
-  by_first_byte("256", [](int w, int c, int r) { return 3 * (r * w + c); });
-  by_first_byte("row whole rows, each", [](int w, int c, int r) { return 3 * (r + c); });
-  by_first_byte("row above", [](int w, int c, int r) { return 3 * (w * (r - 1) + c); });
-  by_first_byte("column and row are exchanged", [](int w, int c, int r) { return w * c + r; });
+  by_first_byte("256", [](int length, int c, int r) { return r * length + 3 * c; });
+  by_first_byte("and not texels", [](int length, int c, int r) { return 3 * (r * length + c); });
+  by_first_byte("row above", [](int length, int c, int r) { return length * (r - 1) + 3 * c; });
+  color_of("red is the third", [](const Bytes& bytes, int length, int c, int r) {
+    const int i = r * length + 3 * c;
+    return Color{bytes[i] / 255., bytes[i + 1] / 255., bytes[i + 2] / 255.};
+  });
 }
 
 TEST_CASE("before and after the bytes of a picture there are zeros") {
   const texmap::Image image(2, 1, {1, 2, 3});
   const Bytes bytes(image);
-  CHECK(bytes[5] == 3);
+  CHECK(bytes[5] == 1);
   CHECK(bytes[6] == 0);
   CHECK(bytes[-1] == 0);
 }

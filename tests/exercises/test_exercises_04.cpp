@@ -1,6 +1,6 @@
 // The exercises of chapter 04, and what strangers write for them.
 #include "published/uv.hpp"
-#include "starts/04.hpp"
+#include "solutions/04.hpp"
 
 const std::vector<double> texmap::test::answers{0.25, 0.65};
 

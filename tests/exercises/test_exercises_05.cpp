@@ -1,5 +1,5 @@
 // The exercises of chapter 05, and what strangers write for them.
-#include "starts/05.hpp"
+#include "solutions/05.hpp"
 
 const std::vector<double> texmap::test::answers{45, 90};
 

@@ -1,5 +1,5 @@
 // The exercises of chapter 06, and what strangers write for them.
-#include "starts/06.hpp"
+#include "solutions/06.hpp"
 
 const std::vector<double> texmap::test::answers{698.0 / 75, 60};
 
@@ -7,7 +7,7 @@ TEST_CASE("06: strangers' answers get their words") {
   mirrored("points into the surface", [](V l, V n) { return l - n * (2 * dot(n, l)); });
   mirrored("counts once", [](V l, V n) { return normalize(n * dot(n, l) - l); });
   mirrored("other side of n", [](V l, V n) { return normalize((l + n) / 2); });
-  mirrored("", [](V l, V n) { return 2 * max(0., dot(n, l)) * n - l; });
+  mirrored("no std::max", [](V l, V n) { return 2 * max(0., dot(n, l)) * n - l; });
   mirrored("n = +y at most", [](V l, V n) { return V{-l.x, l.y, l.z}; });
   mirrored("shorter than n", [](V l, V n) { return 2 * dot(n, n) * n - l; });
 

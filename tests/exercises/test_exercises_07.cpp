@@ -1,5 +1,5 @@
 // The exercises of chapter 07, and what strangers write for them.
-#include "starts/07.hpp"
+#include "solutions/07.hpp"
 
 const std::vector<double> texmap::test::answers{137, 0};
 

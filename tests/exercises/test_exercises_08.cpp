@@ -1,5 +1,5 @@
 // The exercises of chapter 08, and what strangers write for them.
-#include "starts/08.hpp"
+#include "solutions/08.hpp"
 
 const std::vector<double> texmap::test::answers{0.2, 0.3};
 

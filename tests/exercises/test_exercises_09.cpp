@@ -1,5 +1,5 @@
 // The exercises of chapter 09, and what strangers write for them.
-#include "starts/09.hpp"
+#include "solutions/09.hpp"
 
 const std::vector<double> texmap::test::answers{188, 1398101};
 

@@ -1,5 +1,5 @@
 // The exercises of chapter 10, and what strangers write for them.
-#include "starts/10.hpp"
+#include "solutions/10.hpp"
 
 const std::vector<double> texmap::test::answers{1816 * 908, 30};
 

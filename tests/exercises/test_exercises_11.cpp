@@ -1,5 +1,5 @@
 // The exercises of chapter 11, and what strangers write for them.
-#include "starts/11.hpp"
+#include "solutions/11.hpp"
 
 const std::vector<double> texmap::test::answers{14.04, 0.32};
 

@@ -1,5 +1,5 @@
 // The exercises of chapter 12, and what strangers write for them.
-#include "starts/12.hpp"
+#include "solutions/12.hpp"
 
 const std::vector<double> texmap::test::answers{600, 122};
 

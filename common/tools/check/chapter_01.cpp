@@ -6,7 +6,7 @@
 namespace texmap::chapter_01 {
 
 using FirstHit = std::function<double(Vec3d, Vec3d)>;
-static std::function<double(Vec3d, Vec3d, Vec3d, double)> distance_to_sphere;
+static std::function<double(Vec3d, Vec3d, Vec3d, double, double)> distance_to_bowl;
 static std::function<double(Vec3d, Vec3d, Vec3d)> cosine_of;
 static std::function<bool(Vec3d, Vec3d, Vec3d, const FirstHit&)> in_shadow;
 
@@ -19,20 +19,38 @@ static const double never = infinity<double>();  // a ray meets nothing
   };
 }
 
+/// The distance to a sphere of which the points with y <= rim are left.
+static double right_distance(Vec3d origin, Vec3d direction, Vec3d center, double radius,
+                             double rim) {
+  const double first = distance_to(Sphere<>{center, radius}, Ray<double>{origin, direction});
+  const double sum = 2 * dot(center - origin, direction) / dot(direction, direction);
+  for (const double t : {first, sum - first})
+    if (t > 0 && t < never && origin.y + t * direction.y <= rim) return t;
+  return never;
+}
+
 inline constexpr struct {
   Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& background,
                  const auto& shade) const {
-    if (!distance_to_sphere) return texmap::color_along(objects, ray, background, shade);
+    if (!distance_to_bowl) return texmap::color_along(objects, ray, background, shade);
     const auto distance = [&](const auto& object) {
-      const double t =
-          distance_to_sphere(ray.origin, ray.direction, object.shape.center, object.shape.radius);
-      const double right = distance_to(object.shape, ray);
+      const Vec3d center = object.shape.center;
+      const double radius = object.shape.radius;
+      const double rim = radius < 100 ? center.y + radius / 3 : never;  // the ground has none
+      const double t = distance_to_bowl(ray.origin, ray.direction, center, radius, rim);
+      const double right = right_distance(ray.origin, ray.direction, center, radius, rim);
       if (check::alike(right, t)) return right;  // rounded to float, the point is below the surface
       return t < never ? t : never;              // also for NaN
     };
     const auto& first = *std::ranges::min_element(objects, {}, distance);
     const double t = distance(first);
-    return t < never ? shade(first, hit_at(first.shape, ray, t)) : background(ray);
+    if (!(t < never)) return background(ray);
+    Hit<double> hit = hit_at(first.shape, ray, t);
+    if (dot(hit.normal, ray.direction) > 0) {  // the inner side
+      hit.normal = -hit.normal;
+      hit.outside = hit.inside;
+    }
+    return shade(first, hit);
   }
 } color_along;
 
@@ -69,12 +87,7 @@ Roots roots(double a, double b, double c) {
   return {(b - root) / a, (b + root) / a};
 }
 
-// What to make of the roots.
-double first_ahead(const Roots& t) { return t.entry > 0 ? t.entry : t.exit > 0 ? t.exit : never; }
-double entry_alone(const Roots& t) { return std::isnan(t.entry) ? never : t.entry; }
-double entry_ahead(const Roots& t) { return t.entry > 0 ? t.entry : never; }
-
-Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r) {
+Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double rim) {
   const Vec3d f = o - center;
   const double ff = dot(f, f);
   const double a = dot(d, d), b = -dot(f, d), c = ff - r * r;
@@ -115,59 +128,93 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r) {
       {"a discriminant below 0 means that there is no point: return infinity",
        {by(sqrt(abs(inside))), by(sqrt(max(inside, 0.0)))}},
   };
-  const Slips<Roots> never_ahead = {
-      {"the discriminant is b * b - a * c: yours has a plus", roots(a, b, -c)},
-      {no_fit, {mixed(1, 4, 2), mixed(1, 4, 1)}},
+  // What to make of the roots.
+  const auto kept = [=](double t) { return o.y + t * d.y <= rim; };
+  const auto first_of = [](const Roots& t, bool first, bool second) {
+    return t.entry > 0 && first ? t.entry : t.exit > 0 && second ? t.exit : never;
   };
+  const auto first_kept = [&](const Roots& t) { return first_of(t, kept(t.entry), kept(t.exit)); };
+  const auto first_ahead = [&](const Roots& t) { return first_of(t, true, true); };
+  const auto entry_kept = [&](const Roots& t) { return first_of(t, kept(t.entry), false); };
+  const auto entry_alone = [](const Roots& t) { return std::isnan(t.entry) ? never : t.entry; };
   const Roots t = roots(a, b, c);
   const auto [entry, exit] = t;
   const bool missed = std::isnan(root);
-  const double exit_alone = missed ? never : exit;
+  const double right = first_kept(t), whole = first_ahead(t);
+  const auto above = [=](double x, double limit) { return o.y + x * d.y > limit; };
+  const auto* no_second =
+      "where the smaller t does not count, the larger one may: through the open top the ray meets "
+      "the inside";
   Slips<double> wrong = {
       {"this is infinity for every ray: look at the signs in b * b - a * c, and at what you "
        "compare",
        never},
-      {"this is where the ray leaves the sphere: the smaller t comes first",
-       exit > 0 ? exit : never},
-      {"this is where the ray leaves the sphere, and it may be behind the origin", exit_alone},
-      {"a t below 0 is behind the origin: only t > 0 counts", entry_alone(t)},
-      {"a sphere behind the origin is never met: the larger t counts only if it is above 0, too",
-       entry > 0 ? entry : exit_alone},
+      {"the upper part is cut away: a point counts only if its y is not above the rim", whole},
+      {no_second, {entry_kept(t), kept(whole) ? whole : never}},
+      {"the larger t, too, counts only if its point is not above the rim",
+       first_of(t, kept(entry), true)},
+      {"yours is what was cut away: points with y <= rim are left",
+       first_of(t, !kept(entry), !kept(exit))},
+      {"rim is a y in the scene, not a height above the center",
+       first_of(t, !above(entry, center.y + rim), !above(exit, center.y + rim))},
+      {"the point's y is compared with the rim: origin.y + t * direction.y",
+       {o.y <= rim ? whole : never, first_of(t, entry <= rim, exit <= rim),
+        first_of(t, entry * d.y <= rim, exit * d.y <= rim)}},
+      {"the larger t comes second: the ray leaves the sphere there",
+       exit > 0 && kept(exit) ? exit : never},
+      {"the larger t comes second: the ray leaves the sphere there, and the upper part is cut away",
+       {exit > 0 ? exit : never, missed ? never : exit}},
+      {"a t below 0 is behind the origin: only t > 0 counts", kept(entry)  ? entry
+                                                              : kept(exit) ? exit
+                                                                           : never},
+      {"a t below 0 is behind the origin, and the upper part is cut away", entry_alone(t)},
       {"a t below 0 is behind the origin: no std::abs and no std::max makes it a distance",
        {abs(entry_alone(t)), max(entry_alone(t), 0.0)}},
-      {"the smaller t is behind the origin if the ray starts inside: then take the larger one",
-       entry_ahead(t)},
       {"the square root of a negative number is NaN: if the discriminant is below 0, return first",
-       {missed ? entry : first_ahead(t), entry, exit, entry > 0 ? entry : exit}},
+       {missed ? entry : right, missed ? entry : whole}},
   };
   // Those who return another number for a miss do so in one place or in both, or in another way.
   for (const double miss : {0, -1}) {
     wrong += {"the task wants infinity for a miss, and you return another number",
-              {missed ? miss : first_ahead(t), exit > 0 ? first_ahead(t) : miss,
-               missed ? miss : entry, entry > 0 ? entry : miss}};
+              {missed ? miss : right, right < never ? right : miss, whole < never ? whole : miss}};
   }
-  // Those who make another mistake often take the first root alone, too.
-  for (const auto pick : {first_ahead, entry_alone}) wrong += changed(never_ahead, pick);
-  for (const auto pick : {first_ahead, entry_alone, entry_ahead})
-    wrong += changed(wrong_roots, pick);
+  // Those who make another mistake often forget the rim, or take the first root alone, too.
+  const std::function<double(const Roots&)> picks[] = {first_kept, first_ahead, entry_kept,
+                                                       entry_alone};
+  for (const auto& pick : picks) wrong += changed(wrong_roots, pick);
   return wrong;
 }
 
 constexpr Vec3d zero{0, 0, 0}, eye{0, 0, 5}, ahead{0, 0, -1}, up{0, 1, 0}, down{0, -1, 0},
     left{-1, 0, 0};
 
-constexpr Place<Vec3d, Vec3d, Vec3d, double> distance_to_sphere_places[] = {
-    {"from (0, 0, 5) straight at the unit sphere, t is 4", {eye, ahead, zero, 1}},
-    {"from (0, 0.6, 5) in the direction (0, 0, -1), t is 4.2", {{0, 0.6, 5}, ahead, zero, 1}},
+constexpr double high = 100;  // a rim above all of the sphere
+constexpr Place<Vec3d, Vec3d, Vec3d, double, double> distance_to_bowl_places[] = {
+    {"from (0, 0, 5) straight at the unit sphere, t is 4", {eye, ahead, zero, 1, high}},
     {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
-     {{3, 1, 4}, ahead, {3, 1, -2}, 0.5}},
+     {{3, 1, 4}, ahead, {3, 1, -2}, 0.5, high}},
     {"distances are in lengths of the direction: with (0, 0, -2), t is 2",
-     {eye, {0, 0, -2}, zero, 1}},
-    {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1}},
+     {eye, {0, 0, -2}, zero, 1, high}},
+    {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1, high}},
     {"the ground, with radius 1000, is met at t = 10.007: a float has too few digits for it",
-     {{0, 2, 8}, {0, -0.3, -1}, {0, -1001, 0}, 1000}},
-    {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1}},
-    {"from inside, the ray meets the sphere where it leaves it", {{0, 0, 0.5}, {0, 0, 1}, zero, 1}},
+     {{0, 2, 8}, {0, -0.3, -1}, {0, -1001, 0}, 1000, high}},
+    {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1, high}},
+    {"from inside, the ray meets the sphere where it leaves it",
+     {{0, 0, 0.5}, {0, 0, 1}, zero, 1, high}},
+    {"rim 0.5, from (0, 5, 0) straight down: through the open top to the bottom, t is 6",
+     {{0, 5, 0}, {0, -1, 0}, zero, 1, 0.5}},
+    {"rim 0.5, from (0, 0.3, 5) in the direction (0, 0, -1): below the rim, on the outside",
+     {{0, 0.3, 5}, ahead, zero, 1, 0.5}},
+    {"rim 0.5, from (0, 0.8, 5) in the direction (0, 0, -1): above the rim, never",
+     {{0, 0.8, 5}, ahead, zero, 1, 0.5}},
+    {"rim 0.5, from the center straight up: out of the open top, never",
+     {zero, {0, 1, 0}, zero, 1, 0.5}},
+    {"rim 0.5, from (0, -3, 0) straight up: the bottom, t is 2",
+     {{0, -3, 0}, {0, 1, 0}, zero, 1, 0.5}},
+    {"radius 1/2 around (3, 1, -2), rim 1.2: from (3, 3, -2) straight down, t is 2.5",
+     {{3, 3, -2}, {0, -1, 0}, {3, 1, -2}, 0.5, 1.2}},
+    {"rim 0.5, from (0, 3, 3) in the direction (0, -1, -1): through the open top to the inside",
+     {{0, 3, 3}, {0, -1, -1}, zero, 1, 0.5}},
 };
 
 Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
@@ -184,7 +231,7 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
        {dot(n, normalize(lamp)), dot(n, lamp)}},
       {"between point and lamp is lamp - point, not their sum", dot(n, normalize(lamp + p))},
       {"the direction to the lamp begins at the point: subtract point, not normal",
-       dot(n, normalize(lamp - n))},
+       {dot(n, normalize(lamp - n)), dot(n, normalize(lamp - p - n))}},
       {"subtract first: it is lamp - point as a whole that gets the length 1",
        {dot(n, normalize(lamp) - p), dot(n, normalize(lamp) - outward), long_c / length(lamp)}},
       {"point is a position, no direction: the surface faces along normal",
@@ -192,15 +239,18 @@ Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
         dot(outward, normalize(lamp))}},
       {"divide by the length of lamp - point, not by its square", c / away},
       {"the distance of the lamp does not matter here: return the cosine alone", c / (away * away)},
-      {"this is the angle; the dot product already is its cosine", {acos(c), acos(cut)}},
+      {"this is the angle; the dot product already is its cosine",
+       {acos(c), acos(cut), acos(c) / radian, acos(cut) / radian, 1 - acos(c) * 2 / pi}},
+      {"return the cosine itself: do not multiply it by itself", {c * c, cut * cut}},
       {"the dot product already is the cosine: take no std::cos of it", {cos(c), cos(cut)}},
       {"the cross product has the length of the sine: the cosine is the dot product",
-       length(cross(n, to))},
+       {length(cross(n, to)), sqrt(1 - c * c)}},
       {"0.2 and 0.8 come later, with the color: return the cosine alone",
-       {0.2 + 0.8 * c, 0.8 * c, 0.2 + 0.8 * cut}},
+       {0.2 + 0.8 * c, 0.8 * c, 0.2 + 0.8 * cut, max(c, 0.2)}},
   };
   return {
-      {"the direction to the lamp does not have length 1: normalize it", max(long_c, 0.0)},
+      {"the direction to the lamp does not have length 1: normalize it",
+       {max(long_c, 0.0), clamp(long_c, 0.0, 1.0)}},
       {"the direction to the lamp does not have length 1, and nothing is cut off at 0", long_c},
       {"the signs are wrong, and nothing is cut off at 0", -c},
       changed(not_cut, [](double value) { return max(value, 0.0); }),
@@ -222,8 +272,8 @@ constexpr Place<Vec3d, Vec3d, Vec3d> cosine_of_places[] = {
      {zero, up, {std::numbers::sqrt3, 1, 0}}},
     {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
      {{5, 0, 2}, up, {5 + std::numbers::sqrt3, 1, 2}}},
-    {"normal (1, 0, 0), point (0, 0, 0), lamp (3, 0, 4): the cosine is 0.6",
-     {zero, {1, 0, 0}, {3, 0, 4}}},
+    {"normal (1, 0, 0), point (0, 0, 0), lamp (0.3, 0, 0.4): the cosine is 0.6",
+     {zero, {1, 0, 0}, {0.3, 0, 0.4}}},
     {"normal (0, 1, 0), point (0, 2, 0), lamp (3, 6, 0): the cosine is 0.8",
      {{0, 2, 0}, up, {3, 6, 0}}},
     {"a lamp behind the surface: return 0", {zero, up, {1, -2, 0}}},
@@ -328,11 +378,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
   };
   static const ExercisesOfChapter chapter{
       "01",
-      {exercise(distance_to_sphere, picture<Lesson>(),
-                {[](Vec3d o, Vec3d d, Vec3d center, double r) {
-                   return distance_to(Sphere<>{center, r}, Ray<double>{o, d});
-                 },
-                 wrong_distances, distance_to_sphere_places}),
+      {exercise(distance_to_bowl, picture<Lesson>(),
+                {right_distance, wrong_distances, distance_to_bowl_places}),
        exercise(cosine_of, picture<Lesson>(), {right_cosine, wrong_cosines, cosine_of_places}),
        exercise(in_shadow,
                 [] {
@@ -344,7 +391,13 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {[](auto... at) { return is_hidden(at...); }, wrong_shadows, in_shadow_places})},
       {{"The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in shadow. Which "
         "number, 0 to 255, does the pixel there have for blue? Decimals are cut off.",
-        [] { return double(byte_of(blue.b * Lesson{}.surface.ambient)); }, "", 0},
+        [] { return double(byte_of(blue.b * Lesson{}.surface.ambient)); },
+        {"", 0},
+        "Which part of the formula for the color is left in a shadow? A byte is 255 times that.",
+        {{41, "the decimals are cut off, not rounded"},
+         {204, "this is the color in full light: in a shadow 0.2 of it is left"},
+         {51, "this is the ambient light alone: multiply it by the sphere's blue, 0.8"},
+         {0, "a shadow is not black: the ambient light is left"}}},
        {"At which angle of the light, in degrees from the normal, is a surface half as bright as "
         "where the light falls straight on it?",
         [] {
@@ -352,7 +405,14 @@ const ExercisesOfChapter& exercises_of_chapter() {
           const auto [ambient, diffuse] = Lesson{}.surface;
           return acos((diffuse - ambient) / 2 / diffuse) / radian;
         },
-        "degrees", 0.005}},
+        {"degrees", 0.005},
+        "How bright is the surface at 0 degrees? Half of that is the ambient light and a part of "
+        "the lamp's.",
+        {{60, "there the lamp's part is a half, but the ambient light stays"},
+         {51.32,
+          "the ambient light counts where the light falls straight, too: that is 1, not 0.8"},
+         {45, "there the cosine is 0.71"},
+         {0.375, "this is the cosine: which angle has it"}}}},
   };
   return chapter;
 }

@@ -9,12 +9,13 @@
 namespace texmap::chapter_02 {
 
 static std::function<Uv<double>(Vec3d)> uv_of;
-static std::function<bool(Uv<double>, int)> is_first_color;
+static std::function<bool(double, double, double)> is_first_color;
 static std::function<Uv<double>(Uv<double>)> twice_around;
 
 struct RtiowMapping {
-  Uv<double> operator()(const Vec3d& p) const {
-    const Uv<double> uv = uv_of ? uv_of(p) : uv_rtiow(p);
+  Uv<double> operator()(const Hit<double>& hit) const {
+    if (is_first_color) return {hit.point.x, hit.point.z};
+    const Uv<double> uv = uv_of ? uv_of(hit.normal) : uv_rtiow(hit.normal);
     return twice_around ? twice_around(uv) : uv;
   }
 };
@@ -25,7 +26,7 @@ struct Checkerboard {
 
   Rgb operator()(const Uv<double>& uv) const {
     if (!is_first_color) return texmap::Checkerboard{even, odd, squares}(uv);
-    return is_first_color(uv, static_cast<int>(squares)) ? even : odd;
+    return is_first_color(uv.u, uv.v, 0.75) ? even : odd;
   }
 };
 
@@ -38,96 +39,137 @@ namespace {
 
 using namespace chapter_02;
 
-Slips<Place2> wrong_places(Vec3d p) {
+double below_0_added(double share) { return share < 0 ? share + 1 : share; }
+double as_it_is(double share) { return share; }
+double as_on_the_page(double share) { return 0.5 + share; }
+
+Slips<double> wrong_beginnings(double share) {
+  const double angle = share * 2 * pi;
+  const auto added = [=](double west) { return share < 0 ? share + west : share; };
+  return {
+      {"west of Greenwich your u is below 0: add 1 there", {share, fmod(share, 1)}},
+      {"your map begins on -x, as the page's does: this one begins on +x", 0.5 + share},
+      {"u is 0 on +x, not 1: add 1 only where the longitude is below 0",
+       share <= 0 ? share + 1 : share},
+      {"u is less than 1: add 1 only where the longitude is below 0", share + 1},
+      {"without its sign, the longitude counts to the west as to the east: your map is a mirror "
+       "image of half a map",
+       abs(share)},
+      {"what is west of Greenwich belongs to the right half of the map: add 1, do not limit u to 0",
+       max(share, 0.0)},
+      {"a whole turn is missing where the longitude is below 0: u + 1",
+       {added(0.5), added(2 * pi), added(360), (share < 0 ? angle + 1 : angle) / (2 * pi),
+        share < 0 ? 1 - share : share, share < 0 ? 0.5 - share : share}},
+      {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)",
+       {(share + 0.5) * pi * pi, added(1) * pi * pi}},
+      {"u is in radians: divide the angle by 2 pi", {added(1) * 2 * pi, (share + 0.5) * 2 * pi}},
+      {"u is 0 everywhere: in C++ 1 / 2 is 0, and 0 times the angle is 0", 0},
+  };
+}
+
+Place2 right_place(const Vec3d& p) {
   const auto [u, v] = uv_rtiow(p);
-  const double by_acos = acos(-p.y) / pi;  // the textbook's v
+  return {fraction(u + 0.5), v};
+}
+
+Slips<Place2> wrong_places(Vec3d p) {
+  const auto [u, v] = right_place(p);
+  const double west = fraction(1 - u), by_acos = acos(-p.y) / pi;  // the textbook's v
   return {
       {"acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
        "atan2",
        {u, by_acos}},
-      {"u runs the other way: your map is mirrored", {{1 - u, v}, {1 - u, by_acos}}},
+      {"u runs the other way: your map is mirrored", {{west, v}, {west, by_acos}}},
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
       {"u and v both run the other way: your map is turned by half a turn",
-       {{1 - u, 1 - v}, {1 - u, 1 - by_acos}}},
-      map_slips(p),
+       {{west, 1 - v}, {west, 1 - by_acos}}},
+      map_slips(p, {below_0_added, as_it_is, as_on_the_page}, wrong_beginnings),
   };
 }
 
 constexpr Place<Vec3d> uv_of_places[] = {
-    {"on +x, u is 1/2 and v is 1/2", {{1, 0, 0}}},
-    {"on +z, u is 1/4", {{0, 0, 1}}},
-    {"on -z, u is 3/4", {{0, 0, -1}}},
-    {"halfway between +x and +z, u is 3/8", {{half_root, 0, half_root}}},
-    {"45 degrees north of +x, v is 3/4", {{half_root, half_root, 0}}},
-    {"45 degrees south of +x, v is 1/4", {{half_root, -half_root, 0}}},
+    {"on +x, u is 0 and v is 1/2", {{1, 0, 0}}},
+    {"on +z, u is 3/4", {{0, 0, 1}}},
+    {"on -z, u is 1/4", {{0, 0, -1}}},
+    {"halfway between +x and +z, u is 7/8", {{half_root, 0, half_root}}},
+    {"45 degrees north of -z, v is 3/4", {{0, half_root, -half_root}}},
+    {"45 degrees south of -z, v is 1/4", {{0, -half_root, -half_root}}},
     {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
     {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
     {"at the north pole v is 1, also where rounding made y a little more than 1",
      {{1e-12, 1 + 0x1p-52, 0}}},
 };
 
-Slips<bool> wrong_squares(Place2 uv, int n) {
-  const auto is_even = [](int number) { return number % 2 == 0; };
-  const auto [u, v] = uv;
-  const int c = cut_off(u * n);
-  const int any_r = cut_off(v * n);
-  Slips<bool> wrong;
-  // Those who make another mistake often forget v = 1, or exchange the colors, too.
-  for (const int most : {n - 1, n}) {
-    const auto even = [&](double x, double y) {
-      return is_even(cut_off(x) + min(cut_off(y), most));
-    };
-    const int r = min(any_r, most);
-    wrong += {
-        {"you look at u alone: these are stripes, not squares", is_even(c)},
-        {"you look at v alone: these are rings, not squares", is_even(r)},
-        {"column and row must be added; their product is even too often", is_even(c * r)},
-        {"two odd numbers make an even sum, too: column and row need not both be even",
-         is_even(c) && is_even(r)},
-        {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
-        {"there are two colors: column + row modulo 2, not modulo squares", (c + r) % n == 0},
-        {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
-         (c + r) / 2 == 0},
-        {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + r % 2 == 0},
-        {"a difference of two numbers can be -1: ask for % 2 == 0, or add them", (c - r) % 2 != 1},
-        {"`squares` says how many there are: not always 10",
-         {even(u * 10, v * 10), is_even(cut_off(u * 10) + min(cut_off(v * 10), 9))}},
-        {"multiply by squares, not by squares - 1: the last column would be at u = 1 alone",
-         even(u * (n - 1), v * (n - 1))},
-        {"cut the numbers of column and row off, do not round them",
-         even(round(u * n), round(v * n))},
-        {"cut off the decimals of column and row each, then add: now these are slanted stripes",
-         is_even(cut_off((u + v) * n))},
-        {"the decimals are cut off too early: it is static_cast<int>(uv.u * squares), the product",
-         even(floor(u) * n, floor(v) * n)},
-        {"std::max puts every row into the last one: std::min(row, squares - 1)",
-         is_even(c + max(r, n - 1))},
-    };
-  }
+/// By the numbers of column and row, and what they are before the decimals are left out.
+Slips<bool> wrong_by_numbers(double c, double r, double x, double z) {
+  const auto is_even = [](double number) { return fmod(number, 2) == 0; };
+  return {
+      {"you look at x alone: these are stripes, not squares", is_even(c)},
+      {"you look at z alone: these are stripes, not squares", is_even(r)},
+      {"column and row must be added; their product is even too often", is_even(c * r)},
+      {"two odd numbers make an even sum, too: column and row need not both be even",
+       is_even(c) && is_even(r)},
+      {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
+      {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
+       trunc((c + r) / 2) == 0},
+      {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + fmod(r, 2) == 0},
+      {"% of a negative odd number is -1: ask whether it is 0, not whether it is 1",
+       {fmod(c + r, 2) != 1, fmod(c - r, 2) != 1}},
+      {"leave out the decimals of column and row each, then add: now these are slanted stripes",
+       {is_even(floor(x + z)), is_even(trunc(x + z))}},
+  };
+}
+
+Slips<bool> wrong_squares(double x, double z, double size) {
+  const auto is_even = [](double number) { return fmod(number, 2) == 0; };
+  const double c = x / size, r = z / size;  // with their decimals
+  Slips<bool> wrong = {
+      {"static_cast<int> cuts off toward 0, so two squares of one color meet at x = 0: std::floor "
+       "goes down, also below 0",
+       {is_even(trunc(c) + trunc(r)), is_even(floor(c) + trunc(r)), is_even(trunc(c) + floor(r))}},
+      {"the nearest whole number moves the squares by half a square: take std::floor",
+       is_even(round(c) + round(r))},
+      {"std::ceil numbers the squares from the other edge: take std::floor",
+       {is_even(ceil(c) + ceil(r)), !is_even(ceil(c) + floor(r))}},
+      {"a square is `size` wide: divide by it",
+       {is_even(floor(x) + floor(z)), is_even(trunc(x) + trunc(z))}},
+      {"a square is `size` wide: divide by it, do not multiply",
+       {is_even(floor(x * size) + floor(z * size)), is_even(trunc(x * size) + trunc(z * size))}},
+      {"your squares are half as wide: divide by size alone", is_even(floor(2 * c) + floor(2 * r))},
+      {"your squares are twice as wide: divide by size alone",
+       is_even(floor(c / 2) + floor(r / 2))},
+      {"leave out the decimals of the quotient: x / size comes first",
+       {is_even(floor(floor(x) / size) + floor(floor(z) / size)),
+        is_even(trunc(trunc(x) / size) + trunc(trunc(z) / size))}},
+  };
+  wrong += wrong_by_numbers(floor(c), floor(r), c, r);
+  wrong += wrong_by_numbers(trunc(c), trunc(r), c, r);
   return {
       wrong,
-      {"at v = 1 you begin a new row: put it into the last one", is_even(c + any_r)},
-      {"the two colors are exchanged", {!is_even(c + min(any_r, n - 1)), !is_even(c + any_r)}},
+      {"the two colors are exchanged", !is_even(floor(c) + floor(r))},
       changed(wrong, [](bool first) { return !first; }),
   };
 }
 
-bool right_color(Place2 uv, int n) { return texmap::Checkerboard{white, blue, 1. * n}(uv).r > 0.5; }
-constexpr Place<Place2, int> is_first_color_places[] = {
-    {"the square at (0, 0) is the lower left one", {{0.01, 0.01}, 10}},
-    {"of 10 x 10 squares, the one at (0.15, 0.05) has the other color", {{0.15, 0.05}, 10}},
-    {"of 10 x 10 squares, the one at (0.05, 0.15) has the other color", {{0.05, 0.15}, 10}},
-    {"of 10 x 10 squares, the one at (0.15, 0.15) has the lower left color", {{0.15, 0.15}, 10}},
-    {"of 10 x 10 squares, the one at (0.12, 0.07) has the other color", {{0.12, 0.07}, 10}},
-    {"of 10 x 10 squares, the one at (0.55, 0.05) has the other color", {{0.55, 0.05}, 10}},
-    {"of 10 x 10 squares, the one at (0.37, 0.72) has the lower left color", {{0.37, 0.72}, 10}},
-    {"of 4 x 4 squares, the one at (0.55, 0.3) has the other color", {{0.55, 0.3}, 4}},
-    {"of 9 x 9 squares, the one at (0.99, 0.99) has the lower left color", {{0.99, 0.99}, 9}},
-    {"of 9 x 9 squares, the one at (0.95, 0.3) has the lower left color", {{0.95, 0.3}, 9}},
-    {"at the north pole v is 1: this is the last row; the square at (0.05, 1) has the other color",
-     {{0.05, 1}, 10}},
-    {"v = 1 is in the last row: the square at (0.15, 1) has the lower left color", {{0.15, 1}, 10}},
-    {"u = 0 is in the first column: (0, 0.05) has the lower left color", {{0, 0.05}, 10}},
+bool right_color(double x, double z, double size) {
+  return fmod(floor(x / size) + floor(z / size), 2) == 0;
+}
+constexpr Place<double, double, double> is_first_color_places[] = {
+    {"with size 1, (0.3, 0.6) is in the square that begins at (0, 0)", {0.3, 0.6, 1}},
+    {"with size 1, (1.3, 0.6) has the other color", {1.3, 0.6, 1}},
+    {"with size 1, (0.3, 1.6) has the other color", {0.3, 1.6, 1}},
+    {"with size 1, (1.3, 1.6) has the first color", {1.3, 1.6, 1}},
+    {"with size 1, (5.2, 0.6) has the other color", {5.2, 0.6, 1}},
+    {"with size 1, (2.3, 0.6) has the first color", {2.3, 0.6, 1}},
+    {"with size 2, (1.3, 0.2) has the first color", {1.3, 0.2, 2}},
+    {"with size 0.5, (0.3, 0.6) has the other color", {0.3, 0.6, 0.5}},
+    {"with size 1, (-0.3, 0.6) has the other color: it is left of x = 0", {-0.3, 0.6, 1}},
+    {"with size 1, (0.3, -0.6) has the other color", {0.3, -0.6, 1}},
+    {"with size 1, (-0.3, -0.6) has the first color", {-0.3, -0.6, 1}},
+    {"with size 1, (-1.4, 0.2) has the first color", {-1.4, 0.2, 1}},
+    {"with size 0.75, (-3.5, 2.6)", {-3.5, 2.6, 0.75}},
+    {"with size 3, (-10, -2)", {-10, -2, 3}},
+    {"on the edge x = 0 the square that begins there counts", {0, 0.5, 1}},
 };
 
 Slips<Place2> wrong_twice_around(Place2 uv) {
@@ -159,7 +201,12 @@ Slips<Place2> wrong_twice_around(Place2 uv) {
       {"that is four times around: u is multiplied by 2", {4 * u, v}},
       {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
       {"u may be more than 1: let it, the checkerboard goes on there", {{most, v}, {most, 2 * v}}},
-      {"adding to u only turns the pattern: multiply u", {{u + 0.5, v}, {u + 0.25, v}}},
+      {"adding to u only turns the pattern: multiply u",
+       {{u + 0.5, v}, {u + 0.25, v}, {2 * u + 0.5, v}}},
+      {"the pattern runs backward: u is multiplied by 2", {{-2 * u, v}, {1 - 2 * u, v}}},
+      {"that is three times around: u is multiplied by 2", {3 * u, v}},
+      {"in the second half the pattern runs backward: it is 2 * u there, too",
+       {u < 0.5 ? 2 * u : 2 - 2 * u, v}},
       {"the second number of the result comes from v, and u is not in it",
        {{2 * u, 2 * u}, {2 * u, u}}},
       {"u and v are exchanged: u comes first, and it is multiplied by 2", {{v, 2 * u}, {2 * v, u}}},
@@ -177,6 +224,7 @@ constexpr Place<Place2> twice_around_places[] = {
     {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}},
     {"u = 1/8 becomes 1/4", {{0.125, 0.5}}},
     {"u = 1/10 becomes 1/5", {{0.1, 0.5}}},
+    {"u = 0.6 becomes 1.2", {{0.6, 0.5}}},
 };
 
 }  // namespace
@@ -184,18 +232,27 @@ constexpr Place<Place2> twice_around_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "02",
-      {exercise(chapter_02::uv_of, picture<Lesson>(),
-                {uv_rtiow<double>, wrong_places, uv_of_places}),
+      {exercise(chapter_02::uv_of, picture<Lesson>(), {right_place, wrong_places, uv_of_places}),
        exercise(is_first_color, picture<Lesson>(),
                 {right_color, wrong_squares, is_first_color_places}),
        exercise(twice_around, picture<Lesson>(),
                 {right_twice_around, wrong_twice_around, twice_around_places, within_a_turn})},
       {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
-        [] { return acos(0.5) / radian; }, "degrees"},
+        [] { return acos(0.5) / radian; },
+        {"degrees", 1e-3},
+        "A square is as high everywhere. How long is the circle of a latitude, compared to the "
+        "equator?",
+        {{30, "there the circle is cos 30 = 0.87 times as long as the equator, not half"},
+         {0.5, "this is the cosine of the latitude"}}},
        {"With 9 squares in place of 10: how long is the longest piece of one color on the equator, "
         "in degrees?",
-        [] { return 2 * 360. / 9; }, "degrees"}},
+        [] { return 2 * 360. / 9; },
+        {"degrees", 1e-3},
+        "Which columns are neighbors at the seam, and which colors have they?",
+        {{40, "this is one column: at the seam two columns of the same color meet"},
+         {36, "with 9 squares a column is 360 / 9 degrees wide"},
+         {20, "around the equator there are 360 degrees, not 180"}}}},
   };
   return chapter;
 }

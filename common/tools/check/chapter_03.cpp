@@ -10,8 +10,11 @@
 namespace texmap::chapter_03 {
 
 using check::Bytes;
-static std::function<int(double, int)> column_of, row_of;
+static std::function<int(double, int, double, double)> column_of;
+static std::function<int(double, int)> row_of;
 static std::function<Rgb(const Bytes&, int, int, int)> color_of;
+
+constexpr double west = 0.125, east = 0.375;  // of the picture that is cut out of the map
 
 struct ImageTexture {
   Image image;
@@ -19,10 +22,10 @@ struct ImageTexture {
   Rgb operator()(const Uv<double>& uv) const {
     auto [column, row] =
         texel_place(uv, image.width, image.height, VAxis::up, TexelRounding::floor);
-    if (column_of) column = column_of(uv.u, image.width);
+    if (column_of) column = column_of(uv.u, image.width, west, east);
     if (row_of) row = row_of(uv.v, image.height);
     if (column < 0 || column >= image.width || row < 0 || row >= image.height) return {};
-    if (color_of) return color_of(Bytes{image}, image.width, column, row);
+    if (color_of) return color_of(Bytes{image}, Bytes::row_bytes(image), column, row);
     const Rgb8& texel = image.at(column, row);
     return {texel.r / 255.0, texel.g / 255.0, texel.b / 255.0};
   }
@@ -41,16 +44,17 @@ Image& map_of(Lesson& lesson) {
   return std::get<Textured>(lesson.objects[middle].paint).texture.image;
 }
 
-/// Draws the globe from near by. With few texels one can count them.
-std::function<Image()> globe(int columns) {
+/// Draws the globe from near by, with a map so wide of which these columns are left. With few
+/// texels one can count them.
+std::function<Image()> globe(int columns, int first = 0, int behind = 0) {
   return [=] {
     auto lesson = prepared<Lesson>();
     Image& map = map_of(lesson);
-    Image small(columns, columns / 2);
+    Image small(behind > 0 ? behind - first : columns, columns / 2);
     const int step = map.width / columns;
-    for (int i = 0; i < columns * small.height; ++i) {
-      const int column = i % columns, row = i / columns;
-      small.at(column, row) = map.at(column * step + step / 2, row * step + step / 2);
+    for (int i = 0; i < small.width * small.height; ++i) {
+      const int column = i % small.width, row = i / small.width;
+      small.at(column, row) = map.at((column + first) * step + step / 2, row * step + step / 2);
     }
     map = small;
     return picture_of(lesson, 18);
@@ -70,51 +74,70 @@ Slips<int> limited(const Slips<int>& table, int n) {
   return wrong += changed(table, [&](int x) { return max(x, 0); });
 }
 
-Slips<int> wrong_columns(double u, int n) {
-  const int c = cut_off(u * n);
+Slips<int> wrong_columns(double u, int n, double left, double right) {
+  const double wide = right - left;
+  const double x = (u - left) / wide;  // 0 to 1 in the picture
+  const int c = cut_off(x * n);
   const Slips<int> table = {
-      {"multiply by width, not by width - 1: now the last column is at u = 1 alone",
-       {cut_off(u * (n - 1)), rounded(u * (n - 1))}},
-      {half_a_texel, {rounded(u * n), cut_off(u * n + 0.5)}},
+      {"this is the column of a whole map: the picture begins at u = west", cut_off(u * n)},
+      {"divide by east - west: the columns cover only this part of u", cut_off((u - left) * n)},
+      {"subtract west: column 0 begins there", {cut_off(u / wide * n), cut_off(u / right * n)}},
+      {"the picture is east - west wide, not east or 1 - west",
+       {cut_off((u - left) / right * n), cut_off((u - left) / (1 - left) * n)}},
+      {"/ comes before -: write (u - west) / (east - west)",
+       {cut_off((u - left / wide) * n), cut_off(((u - left) / right - left) * n),
+        cut_off((u - left / right - left) * n)}},
+      {"divide by east - west, do not multiply", cut_off((u - left) * wide * n)},
+      {"this goes back, from the picture to the map", cut_off((left + u * wide) * n)},
+      {"west is a u, not a number of columns: subtract it before you multiply",
+       cut_off(u * n - left)},
+      {"multiply by width, not by width - 1: now the last column is at u = east alone",
+       {cut_off(x * (n - 1)), rounded(x * (n - 1))}},
+      {half_a_texel, {rounded(x * n), cut_off(x * n + 0.5)}},
       {"the columns are numbered from 0: yours is one too far right", c + 1},
-      {"u * width without its decimals is the number: yours is one too far left", c - 1},
-      {"std::ceil rounds up: static_cast<int>(u * width) cuts off the decimals",
-       cut_off(ceil(u * n))},
-      {"u runs the other way: your map is mirrored", {n - 1 - c, cut_off((1 - u) * n), n - c}},
-      {"the decimals are cut off too early: it is static_cast<int>(u * width), the product",
-       {cut_off(u) * n, cut_off(u) * (n - 1)}},
-      {"this is column 0 everywhere: multiply u by width, and limit it to 0 and width - 1",
-       cut_off(u / n)},
+      {"the number is (u - west) / (east - west) * width without its decimals: yours is one too "
+       "far left",
+       c - 1},
+      {"std::ceil rounds up: static_cast<int> cuts off the decimals",
+       {cut_off(ceil(x * n)), cut_off(ceil(x * n)) - 1}},
+      {"the picture is mirrored: column 0 is at west", {n - 1 - c, cut_off((1 - x) * n), n - c}},
+      {"the decimals are cut off too early: multiply by width first",
+       {cut_off(x) * n, cut_off(x) * (n - 1)}},
+      {"this is column 0 everywhere: multiply by width, and limit it to 0 and width - 1",
+       cut_off(x / n)},
   };
   return {
       limited(table, n),
-      {"nothing limits the number: at u = 1 it is width, one too many", c},
+      {"nothing limits the number: at u = east it is width, one too many", c},
       {"the number can be less than 0: limit it there, too", min(c, n - 1)},
       {"the number can be less than 0: limit it there; std::abs makes another column of it",
        min(abs(c), n - 1)},
-      {"at u = 1 the number is width, one too many: limit it to width - 1",
-       {max(c, 0), cut_off(clamp(u, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n),
-        u > 1 ? n - 1 : max(c, 0), u > 1 ? n - 1 : c}},
-      {"you have u = 1, but a u above 1 goes on: std::clamp(column, 0, width - 1) limits all",
-       {u == 1 ? n - 1 : c, u == 1 ? n - 1 : max(c, 0)}},
+      {"at u = east the number is width, one too many: limit it to width - 1",
+       {max(c, 0), cut_off(clamp(x, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n)}},
+      {"you have u = east, but a larger u goes on: std::clamp(column, 0, width - 1) limits all",
+       {u == right ? n - 1 : c, u == right ? n - 1 : max(c, 0)}},
       {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
-       {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(u) * n)}},
+       {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(x) * n)}},
       {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
        n - 1},
   };
 }
 
-int right_column(double u, int n) { return texel_number(u, n, TexelRounding::floor); }
-constexpr Place<double, int> column_of_places[] = {
-    {"of 8 columns, u = 0.4 is in number 3", {0.4, 8}},
-    {"u = 0 is in the first column, number 0", {0.0, 8}},
-    {"of 2048 columns, u = 1/4 is in number 512", {0.25, 2048}},
-    {"of 10 columns, u = 0.06 is in number 0", {0.06, 10}},
-    {"of 10 columns, u = 0.38 is in number 3", {0.38, 10}},
-    {"of 10 columns, u = 0.96 is in number 9", {0.96, 10}},
-    {"of 8 columns, u = 1 is in the last one, number 7", {1.0, 8}},
-    {"of 8 columns, a u above 1 gives the last one, number 7", {1.3, 8}},
-    {"a u below 0 gives the first column, number 0", {-0.2, 8}},
+int right_column(double u, int n, double left, double right) {
+  return texel_number((u - left) / (right - left), n, TexelRounding::floor);
+}
+constexpr Place<double, int, double, double> column_of_places[] = {
+    {"8 columns from u = 1/4 to 3/4: u = 0.45 is in number 3", {0.45, 8, 0.25, 0.75}},
+    {"u = west is in the first column, number 0", {0.25, 8, 0.25, 0.75}},
+    {"8 columns from u = 0.5 to 1: u = 0.95 is in number 7", {0.95, 8, 0.5, 1}},
+    {"100 columns from u = 0.2 to 0.6: u = 0.45 is in number 62", {0.45, 100, 0.2, 0.6}},
+    {"a whole map, 0 to 1, of 10 columns: u = 0.38 is in number 3", {0.38, 10, 0, 1}},
+    {"10 columns from u = 0.5 to 0.7: u = 0.512 is in number 0", {0.512, 10, 0.5, 0.7}},
+    {"the same picture: u = 0.693 is in number 9", {0.693, 10, 0.5, 0.7}},
+    {"8 columns from u = 1/4 to 3/4: u = 3/4 is in the last one, number 7", {0.75, 8, 0.25, 0.75}},
+    {"8 columns from u = 1/4 to 3/4: u = 1/2 is the left edge of number 4", {0.5, 8, 0.25, 0.75}},
+    {"right of the picture it is the last one, number 7", {0.9, 8, 0.25, 0.75}},
+    {"left of the picture it is the first one, number 0", {0.1, 8, 0.25, 0.75}},
 };
 
 Slips<int> wrong_rows(double v, int n) {
@@ -149,7 +172,9 @@ Slips<int> wrong_rows(double v, int n) {
       {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
        v == 1 ? 0 : row},
       {"beyond the ends you begin again at the other end: std::clamp stays in the last row there",
-       {n - 1 - up % n, row % n, (n + row) % n, down % n, n - 1 - cut_off(fraction(v) * n)}},
+       {n - 1 - up % n, row % n, (n + row) % n, down % n, (n - up) % n,
+        n - 1 - cut_off(fraction(v) * n)}},
+      {"a number below 0 is limited to 0; std::abs makes another row of it", abs(row)},
   };
 }
 
@@ -171,44 +196,54 @@ Rgb color_from(const Bytes& b, int red, int green, int blue, double divisor) {
   return {b[red] / divisor, b[green] / divisor, b[blue] / divisor};
 }
 
-Slips<Rgb> wrong_texels(const Bytes& b, int w, int column, int row) {
-  const int i = 3 * (row * w + column);
+Slips<Rgb> wrong_texels(const Bytes& b, int row_bytes, int column, int row) {
+  const int i = row * row_bytes + 3 * column;
   const auto whole = [&](int k) { return floor(b[k] / 255.); };
   Slips<Rgb> wrong = {
-      {"a channel goes from 0 to 1: divide the byte by 255.0", color_from(b, i, i + 1, i + 2, 1)},
+      {"a channel goes from 0 to 1: divide the byte by 255.0", color_from(b, i + 2, i + 1, i, 1)},
       {"whole numbers are divided without decimals: divide by 255.0",
-       {whole(i), whole(i + 1), whole(i + 2)}},
+       {whole(i + 2), whole(i + 1), whole(i)}},
       {"the largest byte is 255: divide by 255, not by 256, or white is gray",
-       color_from(b, i, i + 1, i + 2, 256)},
+       color_from(b, i + 2, i + 1, i, 256)},
   };
-  // Those who make another mistake often divide by another number, too.
+  const auto* no_rows = "a row begins row_bytes bytes after the one above: multiply row by that";
+  const auto* bytes_of_row =
+      "row_bytes counts bytes, and not texels: multiply only the column by 3";
+  // Those who make another mistake often divide by another number, or take red first, too.
   for (const double divisor : {255.0, 256.0, 1.0}) {
     const auto rgb = [&](int red, int green, int blue) {
       return color_from(b, i + red, i + green, i + blue, divisor);
     };
-    const auto from = [&](int k) { return color_from(b, k, k + 1, k + 2, divisor); };
     wrong += {
-        {"red and blue are exchanged: the first byte of a texel is red", rgb(2, 1, 0)},
-        {"green comes after red, and blue last: + 0, + 1 and + 2", {rgb(0, 2, 1), rgb(1, 0, 2)}},
-        {"all three channels have the same byte: green is at + 1, blue at + 2", rgb(0, 0, 0)},
-        {"the three bytes of a texel follow each other: + 0, + 1 and + 2", rgb(0, 3, 6)},
-        {"you count texels, and each texel has three bytes: multiply by 3", from(i / 3)},
-        {"only the column is multiplied by 3: each texel of the rows above has three bytes, too",
-         from(row * w + 3 * column)},
-        {"only the row is multiplied by 3: each texel to the left has three bytes, too",
-         {from(3 * row * w + column), from(row * (3 * w + column))}},
-        {"column and row are exchanged: before the texel there are row whole rows",
-         {from(3 * (column * w + row)), from(column * w + row)}},
-        {"before the texel there are row whole rows, each of width texels: row * width + column",
-         {from(3 * (row + column)), from(3 * row + column), from(3 * row * column),
-          from(i - 3 * row), from(i + 3 * row)}},
-        {"bytes are counted from 0: yours begins one byte too late", from(i + 1)},
-        {"bytes are counted from 0: yours begins one byte too early", from(i - 1)},
-        {"columns are counted from 0: this is the texel to the right", from(i + 3)},
-        {"columns are counted from 0: this is the texel to the left", from(i - 3)},
-        {"rows are counted from 0: this is the row above", from(i - 3 * w)},
-        {"a texel has three bytes here, not four", from(4 * (row * w + column))},
+        {"the first byte of a texel is blue here: red is the third one", rgb(0, 1, 2)},
+        {"blue comes first, then green, then red: + 2, + 1 and + 0",
+         {rgb(2, 0, 1), rgb(1, 2, 0), rgb(1, 0, 2), rgb(0, 2, 1)}},
+        {"all three channels have the same byte: red is at + 2, green at + 1, blue at + 0",
+         {rgb(0, 0, 0), rgb(2, 2, 2)}},
+        {"the three bytes of a texel follow each other: + 2, + 1 and + 0",
+         {rgb(6, 3, 0), rgb(2 * row_bytes, row_bytes, 0)}},
     };
+    for (const int red : {2, 0}) {
+      const auto from = [&](int k) { return color_from(b, k + red, k + 1, k + 2 - red, divisor); };
+      const int size = row_bytes / 3;  // of a row, in texels
+      wrong += {
+          {"each texel has three bytes: multiply the column by 3", from(row * row_bytes + column)},
+          {bytes_of_row,
+           {from(3 * (row * row_bytes + column)), from(3 * row * row_bytes + column)}},
+          {no_rows,
+           {from(3 * (row * size + column)), from(3 * row + 3 * column), from(3 * (row * column)),
+            from(row + 3 * column), from(row_bytes + 3 * column), from(3 * column)}},
+          {"column and row are exchanged: before the texel there are row whole rows",
+           {from(column * row_bytes + 3 * row), from(column * row_bytes + row)}},
+          {"bytes are counted from 0: yours begins one byte too late", from(i + 1)},
+          {"bytes are counted from 0: yours begins one byte too early", from(i - 1)},
+          {"columns are counted from 0: this is the texel to the right", from(i + 3)},
+          {"columns are counted from 0: this is the texel to the left", from(i - 3)},
+          {"rows are counted from 0: this is the row above", from(i - row_bytes)},
+          {"a texel has three bytes here, not four", from(row * row_bytes + 4 * column)},
+          {"row 0 is the top row here: the rows are not turned around", from(i + row_bytes)},
+      };
+    }
   }
   return wrong;
 }
@@ -218,8 +253,8 @@ double texels_read() {
   auto lesson = prepared<Lesson>();
   const View<> view = view_of(lesson.stage.camera, 800, 600);
   std::set<int> read;
-  color_of = [&](const Bytes&, int width, int column, int row) {
-    read.insert(row * width + column);
+  color_of = [&](const Bytes&, int row_bytes, int column, int row) {
+    read.insert(row * row_bytes + column);
     return white;
   };
   for (int i = 0; i < 800 * 600; ++i) {
@@ -233,7 +268,7 @@ double texels_read() {
 }  // namespace
 
 const ExercisesOfChapter& exercises_of_chapter() {
-  // 5 x 2 texels, all bytes different; some of them are 0 and 255.
+  // 5 x 2 texels, all bytes different; some of them are 0 and 255. A row has one byte more.
   static const Image image = [] {
     Image made(5, 2);
     made.pixels = {{255, 0, 51},    {10, 20, 30},    {40, 60, 80},    {90, 102, 110},
@@ -243,30 +278,50 @@ const ExercisesOfChapter& exercises_of_chapter() {
   }();
   static const Bytes bytes(image);
   static const Place<Bytes, int, int, int> color_of_places[] = {
-      {"the first texel, 255 0 51, is (1, 0, 0.2)", {bytes, 5, 0, 0}},
-      {"the right neighbor of the first texel begins three bytes later", {bytes, 5, 1, 0}},
-      {"the second row begins after the 5 texels of the first row", {bytes, 5, 0, 1}},
-      {"the fourth texel of the second row is 204 230 250", {bytes, 5, 3, 1}},
+      {"the first texel has the bytes 51 0 255, so it is (1, 0, 0.2)", {bytes, 16, 0, 0}},
+      {"the right neighbor of the first texel begins three bytes later", {bytes, 16, 1, 0}},
+      {"the second row begins 16 bytes after the first one", {bytes, 16, 0, 1}},
+      {"the fourth texel of the second row has the bytes 250 230 204", {bytes, 16, 3, 1}},
   };
   static const ExercisesOfChapter chapter{
       "03",
-      {exercise(column_of, globe(32), {right_column, wrong_columns, column_of_places}),
+      {exercise(column_of, globe(64, 8, 24),
+                {right_column,
+                 wrong_columns,
+                 column_of_places,
+                 {},
+                 [](double, int n, double, double) { return n; }}),
        exercise(row_of, globe(32),
                 {[](double v, int n) {
                    return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;
                  },
-                 wrong_rows, row_of_places}),
-       exercise(color_of, globe(512),
-                {[](const Bytes& b, int width, int column, int row) {
-                   const int first = 3 * (row * width + column);
-                   return color_from(b, first, first + 1, first + 2, 255);
+                 wrong_rows,
+                 row_of_places,
+                 {},
+                 [](double, int n) { return n; }}),
+       exercise(color_of, globe(510),
+                {[](const Bytes& b, int row_bytes, int column, int row) {
+                   const int first = row * row_bytes + 3 * column;
+                   return color_from(b, first + 2, first + 1, first, 255);
                  },
                  wrong_texels, color_of_places})},
       {{"Berlin is at longitude 13.4 degrees east. In which of the map's 2048 columns is it?",
-        [] { return double(texel_number((180 + 13.4) / 360, 2048, TexelRounding::floor)); }, "", 0},
+        [] { return double(texel_number((180 + 13.4) / 360, 2048, TexelRounding::floor)); },
+        {"", 0},
+        "Where on the map is longitude 0, and how many columns are 360 degrees?",
+        {{76, "longitude 0 is in the middle of the map, not at its left edge"},
+         {1101, "columns are numbered from 0: cut off the decimals"},
+         {1100.23, "the number of a column is whole: cut off the decimals"},
+         {1099, "the map has 2048 columns: multiply by 2048, not by 2047"},
+         {947, "this is west of the middle: east is on the right"}}},
        {"The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "
         "with one ray a pixel?",
-        texels_read, "percent", 0.05}},
+        texels_read,
+        {"percent", 0.05},
+        "How many pixels of the picture show the globe, and how many texels does each of them "
+        "read?",
+        {{22.9, "most pixels show something else: only the globe's read the map"},
+         {1.41, "this counts only the texels that the eye sees: the map has more"}}}},
   };
   return chapter;
 }

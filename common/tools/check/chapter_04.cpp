@@ -57,6 +57,22 @@ std::function<Image()> globe_in(const char* convention, const char* texture = "e
   return picture<Lesson>({"--convention", convention, "--texture", texture}, 18);
 }
 
+double from_half(double share) { return 0.5 + share; }
+double from_0(double share) { return share; }
+Slips<double> wrong_halves(double share) {
+  return {
+      {"the 1/2 is missing in u (in C++ 1 / 2 is 0, so write 0.5): u can be negative", share},
+      {"1/2 is added, not subtracted: u can be negative", share - 0.5},
+      {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)", (share + 0.5) * pi * pi},
+      {"only the angle is divided: write (angle + pi) / (2 * pi), or angle / (2 * pi) + 0.5",
+       pi + share},
+      {"u is in radians: divide the angle by 2 pi, then add 1/2", (share + 0.5) * turn},
+      {"u is 0 on +x, where it has to be 1/2: the map is turned by half a turn",
+       {share < 0 ? share + 1 : share, share + 1}},
+      {"u is 1/2 everywhere: in C++ 1 / 2 is 0, and 0 times the angle is 0", 0.5},
+  };
+}
+
 Slips<Place2> wrong_places(Vec3d p) {
   const double u = 0.5 + atan2(p.z, p.x) / turn;
   Slips<Place2> wrong;
@@ -71,7 +87,7 @@ Slips<Place2> wrong_places(Vec3d p) {
   }
   wrong += {{"acos and asin give NaN for a y beyond 1, at the pole: limit y to -1 and 1 first",
              {u, 0.5 - asin(p.y) / (turn / 2)}}};
-  return wrong += map_slips({p.x, -p.y, -p.z});
+  return wrong += map_slips({p.x, -p.y, -p.z}, {from_half, from_0}, wrong_halves);
 }
 
 Place2 right_place(const Vec3d& p) { return texmap::uv_of(Convention::daily, p); }
@@ -109,9 +125,10 @@ Slips<double> wrong_quarters(double u) {
       {"you cut off at 0: the first quarter comes after the others, at u + 3/4", max(lo, 0.0)},
       {"you cut off at 1: the other quarters come before the first one, at u - 1/4", min(hi, 1.0)},
       {"where u - 1/4 is negative, add a whole turn to it: u - 1/4 + 1",
-       {in_q1(u + 1), in_q1(u + 0.25), in_q1(lo + 0.5), in_q1(0.75), in_q1(1), in_q1(0.75 - u),
+       {in_q1(u + 1), in_q1(u + 0.25), in_q1(u + 0.5), in_q1(0.75), in_q1(1), in_q1(0.75 - u),
         in_q1(1 - u), in_q1(1 - lo)}},
-      {"u is in turns, not in radians: a whole turn is 1", in_q1(lo + turn)},
+      {"u is in turns, not in radians or degrees: a whole turn is 1",
+       {in_q1(lo + turn), in_q1(lo + 360)}},
       {"u is in turns: a quarter of a turn is 0.25",
        {less(turn / 4, 0), less(turn / 4, 1), less(turn / 4, turn), less(90, 0), less(90, 1),
         less(90, 360)}},
@@ -175,6 +192,9 @@ Slips<bool> wrong_mirrors(Place2 here, Place2 east, Place2 north) {
       {"the step to the east moves u if nothing is turned, and the step to the north moves v",
        signs({v_e, u_n})},
       {"the signs are multiplied, not added", u_e + v_n < 0},
+      {"two angles do not say which side the step to the north is on: they begin again at 360 "
+       "degrees",
+       {atan2(v_n, u_n) < atan2(v_e, u_e)}},
       {"a product of 0 says that the picture is turned by a quarter: take the whole determinant",
        product <= 0},
       // Those who do not subtract `here` from both do so from none or from one.
@@ -221,12 +241,20 @@ const ExercisesOfChapter& exercises_of_chapter() {
                  wrong_mirrors, is_mirrored_places})},
       {{"The Earth's map has 2048 columns. By how many columns does the lecture's rounding shift "
         "it at America, where u is 1/4?",
-        [] { return 0.25 * 2048 - 0.25 * 2047; }, "columns"},
+        [] { return 0.25 * 2048 - 0.25 * 2047; },
+        {"columns", 1e-3},
+        "The lecture multiplies u by 2047 in place of 2048.",
+        {{0.5, "this is the shift where u is 1/2; America is at 1/4"},
+         {512, "this is the column itself: how far does the lecture's rounding move it"}}},
        {"A place has u = 0.1 in the lecture's convention. What is its u in the daily exercise's?",
         [] {
           return in_convention(Convention::daily, Place2{0.1 + 0.25, 0.5}).u;
         },
-        ""}},
+        {"", 1e-3},
+        "First find the course's u. Which of the two other conventions runs west?",
+        {{0.15, "the quarter has the wrong sign: the lecture's u is that of the course less 1/4"},
+         {0.35, "this is the course's u: the daily exercise's runs the other way"},
+         {0.9, "u runs the other way, but it begins elsewhere, too: the lecture's begins on +z"}}}},
   };
   return chapter;
 }

@@ -57,23 +57,32 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
   const auto by = [&](double factor) {  // radians of a degree
     return turned_by(p, sin(factor * degrees), cos(factor * degrees));
   };
-  const double sine = sin(degrees * radian), c = cos(degrees * radian);
+  const double sine = sin(degrees * radian), cosine = cos(degrees * radian);
   const auto [x, y, z] = p;
-  const Vec3d right = turned_by(p, sine, c);
-  const Vec3d other = turned_by({z, y, x}, sine, c);
-  Slips<Vec3d> wrong = {
-      {in_degrees, by(1)},
-      {"pi and 180 are exchanged: radians are degrees * pi / 180", by(1 / radian)},
-      {"this is half of the angle: a full turn is 2 pi, and 360 degrees", by(radian / 2)},
-      {"this is twice the angle: half a turn is pi, and 180 degrees", by(radian * 2)},
+  const Vec3d right = turned_by(p, sine, cosine);
+  const Vec3d other = turned_by({z, y, x}, sine, cosine);
+  Slips<Vec3d> wrong;
+  for (const int way : {1, -1}) {  // those who make another mistake often turn the other way, too
+    wrong += {
+        {in_degrees, by(way)},
+        {"pi and 180 are exchanged: radians are degrees * pi / 180", by(way / radian)},
+        {"this is half of the angle: a full turn is 2 pi, and 360 degrees", by(way * radian / 2)},
+        {"this is twice the angle: half a turn is pi, and 180 degrees", by(way * radian * 2)},
+        {"this is a share of a turn, not an angle in radians: those are degrees * pi / 180",
+         {by(way / 360.), by(way / 180.), by(way / (2 * pi))}},
+    };
+  }
+  wrong += {
       {"your pi has too few digits: take the constant pi",
        {by(3.14 / 180), by(3.141 / 180), by(3.142 / 180), by(3.1415 / 180), by(3.1416 / 180),
         by(3.14159 / 180)}},
       {"the other way around, from +z to -x: exchange the signs of the sines", by(-radian)},
       {"sine and cosine are exchanged: at 0 degrees your globe is turned already",
-       turned_by(p, c, sine)},
+       turned_by(p, cosine, sine)},
   };
-  for (const double s : {sine, -sine}) {
+  // By the angle, the other way, and by the two in degrees.
+  for (const double w : {degrees * radian, -degrees * radian, degrees, -degrees}) {
+    const double s = sin(w), c = cos(w);
     const Vec3d q = turned_by(p, s, c);
     wrong += {
         {"one sine has the wrong sign: x gets z sin, z loses x sin", {q.x, y, z * c + x * s}},
@@ -90,9 +99,12 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
   }
   return {
       wrong,
-      {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, c)},
+      {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, cosine)},
       {"this is right for +z alone: add x steps along the turned x axis, (cos, -sin)",
-       {{z * sine, 0, z * c}, {sine, 0, c}, {z * sine, y, z * c}, {sine, y, c}}},
+       {{z * sine, 0, z * cosine},
+        {sine, 0, cosine},
+        {z * sine, y, z * cosine},
+        {sine, y, cosine}}},
       {"y is missing: it stays as it is", {right.x, 0, right.z}},
       {"x and z are exchanged in what you return", {right.z, y, right.x}},
       {"x and z are exchanged in the new z: it is z cos - x sin", {right.x, y, other.z}},
@@ -129,7 +141,7 @@ Slips<double> wrong_u(double u, double degrees) {
       {"std::fmod and static_cast<int> cut off toward 0, so a negative number stays negative: "
        "subtract std::floor",
        fmod(x, 1)},
-      {"you remove one full turn, but there may be several", moved_once(x)},
+      {"you remove one full turn, but there may be several", {moved_once(x), fmod(x + 1, 1)}},
       {"u = 1 is the seam again, where u is 0: u stays less than 1", down_to_1},
       {"u = 1 is the seam again, where u is 0, and there may be several full turns",
        x == 1 ? x : moved_once(x)},
@@ -143,8 +155,10 @@ Slips<double> wrong_u(double u, double degrees) {
       {"the whole turns are cut off before u is added: add first", u + fraction(turns)},
       {"the whole turns are cut off before u is added: add first, then subtract std::floor",
        u + fmod(turns, 1)},
-      {"only whole degrees count in yours: stay with double", fraction(u + trunc(degrees) / 360)},
-      {"the degrees have no effect: with int, degrees / 360 is a whole number", u},
+      {"only whole degrees count in yours: stay with double",
+       {fraction(u + trunc(degrees) / 360), u + fmod(trunc(degrees), 360) / 360}},
+      {"the degrees have no effect: with int, degrees / 360 is a whole number",
+       {u, u + trunc(degrees / 360), fmod(u + trunc(degrees / 360), 1)}},
       {"the angle has the wrong sign: a turn to the east adds to u", forms(u - turns)},
       {"u counts full turns: divide the degrees by 360, not by 180", forms(u + 2 * turns)},
       {"u counts full turns, not radians: divide the degrees by 360", forms(u + degrees * radian)},
@@ -184,7 +198,7 @@ Vec3d right_look(Vec3d p, double lean, double turn) {
   return turned_about_y(upright(p, lean), turn);
 }
 
-Slips<Vec3d> wrong_looks(Vec3d p, double lean, double turn) {
+Slips<Vec3d> wrong_in_radians(Vec3d p, double lean, double turn) {
   const auto look = [&](double first, double then) { return right_look(p, first, then); };
   const auto spun = [&](const Vec3d& q) { return turned_about_y(q, turn); };
   Slips<Vec3d> wrong = {
@@ -242,6 +256,11 @@ Slips<Vec3d> wrong_looks(Vec3d p, double lean, double turn) {
   return wrong;
 }
 
+/// The same for those who take degrees for radians, too.
+Slips<Vec3d> wrong_looks(Vec3d p, double lean, double turn) {
+  return {wrong_in_radians(p, lean, turn), wrong_in_radians(p, lean / radian, turn / radian)};
+}
+
 constexpr Place<Vec3d, double, double> looked_up_places[] = {
     {"without a lean and without a turn nothing changes", {{2. / 7, 3. / 7, 6. / 7}, 0, 0}},
     {"a pole that leans by 30 degrees is the mapping's north pole",
@@ -267,15 +286,21 @@ const ExercisesOfChapter& exercises_of_chapter() {
           const RotationY turn = Turntable{.degrees = 90, .frames = 24, .frame = 21}.rotation();
           return atan2(turn.sine, turn.cosine) / radian;
         },
-        "degrees", 1e-9},
+        {"degrees", 1e-9},
+        "How many degrees is a step, and how many steps after the first one is picture 21?",
+        {{405, "one full turn more is the same angle: the answer is from 0 to 360"},
+         {315, "this is the turn since picture 0, which is turned by 90 degrees already"},
+         {30, "picture 0 is the first, so picture 21 is 21 steps later, not 20"}}},
        {"Which --degrees, at least 0 and less than 360, makes --convention lecture draw the "
-        "picture that "
-        "--convention rtiow draws without a turn?",
+        "picture that --convention rtiow draws without a turn?",
         [] {  // what undoes the other convention's u, of any point
           const Vec3d p{1, 0, 0};
           return 360 * (uv_rtiow(p).u - uv_of(Convention::lecture, p).u);
         },
-        "degrees", 0}},
+        {"degrees", 0},
+        "By how much does the lecture's u differ from the course's, and what does a turn add to u?",
+        {{270, "the turn must add 1/4 to the lecture's u, not subtract it"},
+         {0.25, "this is the difference of u: a full turn, 360 degrees, adds 1"}}}},
   };
   return chapter;
 }

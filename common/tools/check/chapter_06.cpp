@@ -91,6 +91,10 @@ Slips<Vec3d> wrong_mirrors(Vec3d l, Vec3d n) {
       {"this is the middle between n and l: r is on the other side of n", normalize(n + l)},
       {"this is right for n = +y at most: the normal may have any direction",
        {{-l.x, l.y, l.z}, {-l.x, l.y, -l.z}}},
+      {"the cross product is at a right angle to both: r lies in the plane of n and l",
+       {cross(n, l), cross(l, n)}},
+      {"behind the surface n . l is below 0, and r needs its sign: no std::abs, no std::max",
+       {n * (2 * abs(c)) - l, n * (2 * max(c, 0.)) - l}},
   };
   return wrong += changed(wrong, [](const Vec3d& v) { return normalize(v); });
 }
@@ -161,6 +165,8 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
       {"this is the cosine: raise it to the power shininess", c},
       {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
       {"the strength 0.3 is the lesson's: return the power alone", 0.3 * pow(c, s)},
+      {"the shininess need not be a whole number: take std::pow",
+       {pow(c, trunc(s)), pow(c, ceil(s))}},
   };
   return tests_side && straight <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
@@ -216,7 +222,8 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
       {"both are added whole: multiply each by its share", lit + texture},
       {"you multiply texture and light, as in the chapters before: a blend is a sum",
        {texture * light, texture * (light * t), texture * (light * rest),
-        texture * (t + light * rest), texture * (light * t) + lit * rest}},
+        texture * (t + light * rest), texture * (light * t + rest),
+        texture * (light * t) + lit * rest}},
       {"the light has no share: multiply it by 1 - t", lit + texture * t},
       {"the texture has no share: multiply it by t", lit * rest + texture},
       {"both have the same share: the texture has the share t, the light 1 - t",
@@ -295,13 +302,23 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {right_blend, wrong_blends, blended_places})},
       {{"The highlight changes some pixels of the picture. By what factor are there more of them "
         "with --shininess 50 than with --shininess 500?",
-        [] { return size_of_spot("50") / size_of_spot("500"); }, "", 0.1},
+        [] { return size_of_spot("50") / size_of_spot("500"); },
+        {"", 0.1},
+        "By what factor is the spot wider with 50? The pixels fill its area.",
+        {{3.16, "this is how much wider the spot is: its area has the square of that"},
+         {0.107, "this is the other way around: the smaller power has the larger spot"}}},
        {"Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the light is the "
         "ambient 0.2. Which byte of green does --blend 0.5 draw?",
         [] {
           return double(stage_after({"--blend", "0.5"}).at(346, 320).g);
         },
-        "", 0}},
+        {"", 0},
+        "Which byte has the light, and which share of it and of the texture is in the blend?",
+        {{13, "this multiplies texture and light: a blend adds a share of each"},
+         {34, "this is the texture's half: the light's half is added"},
+         {25, "this is the light's half: the texture's half is added"},
+         {41, "the light's share is a gray, 0.2 of 255: it is not multiplied by the texture"},
+         {120, "each has the share 1/2: you add both whole"}}}},
   };
   return chapter;
 }

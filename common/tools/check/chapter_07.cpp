@@ -127,12 +127,16 @@ Slips<int> wrong_means(const Bytes& bytes) {
   const auto power = [&](double p) {
     return 255 * pow(sum([=](int byte) { return pow(byte / 255., p); }) / n, 1 / p);
   };
+  Bytes sorted = bytes;
+  std::sort(sorted.begin(), sorted.end());
+  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+  const double below = *(sorted.size() % 2 == 1 ? middle : middle - 1);
   const auto* not_256 = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
   const Slips<double> wrong = {
       {"this is the mean of the bytes, not of the light: decode each byte, encode the mean",
        bytes_sum / n},
       {"the byte is cut off, not rounded: take std::lround",
-       {floor(byte_of(mean)), floor(255.999 * srgb_encode(mean))}},
+       {floor(byte_of(mean)), floor(255.999 * srgb_encode(mean)), ceil(byte_of(mean))}},
       {"every byte but 255 counts as 0: write byte / 255.0, and add in a double",
        byte_of(sum([](int byte) { return byte == 255 ? 1 : 0; }) / n)},
       {"the mean is light and no byte yet: encode it", 255 * mean},
@@ -151,7 +155,18 @@ Slips<int> wrong_means(const Bytes& bytes) {
        {byte_of(as_255), srgb_encode(as_255)}},
       {not_256, byte_of(sum([](int byte) { return srgb_decode(byte / 256.); }) / n)},
       {"the bytes are not encoded by this power alone: take srgb_decode and srgb_encode",
-       {power(2), power(2.2)}},
+       {power(2), power(2.2), 255 * pow(mean, 1 / 2.2),
+        byte_of(sum([](int byte) { return pow(byte / 255., 2.2); }) / n)}},
+      {"a byte is encoded already: decode each byte, and encode the mean",
+       255 * sum([](int byte) { return srgb_encode(byte / 255.); }) / n},
+      {"this is the median, the byte in the middle: the mean is the sum of the light, divided by "
+       "how many there are",
+       {1. * *middle, below, (below + *middle) / 2,
+        byte_of((decoded(below) + decoded(*middle)) / 2)}},
+      {"this is one of the bytes: the mean is the sum of the light, divided by how many there are",
+       {1. * bytes.front(), 1. * bytes.back(), 1. * sorted.front(), 1. * sorted.back()}},
+      {"divide by how many there are, not by one less or more",
+       {byte_of(light / max(n - 1, 1.)), byte_of(light / (n + 1))}},
       {"a byte is missing in the sum: all count, from the first to the last",
        {without(bytes.front()), without(bytes.back())}},
   };
@@ -206,7 +221,12 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
       {"the points lie on the disk, not above it: lift them", lifted(0)},
       {"the points lie below the surface: the height is not negative", lifted(-z)},
       {"each height is equally likely: then light from the side counts too much",
-       point(sqrt(a * (2 - a)), turn, 1 - a)},
+       {point(sqrt(a * (2 - a)), turn, 1 - a), point(sqrt(1 - a * a), turn, a)}},
+      {"a and b are taken for x and y, from -1 to 1: then points of the square's corners lie "
+       "outside "
+       "of the disk",
+       {{2 * a - 1, 2 * b - 1, sqrt(max(0., 1 - square(2 * a - 1) - square(2 * b - 1)))},
+        {2 * a - 1, 2 * b - 1, 1}}},
       {"these directions go to all sides, also below the surface: lift a point of the disk",
        point(sqrt(1 - level * level), turn, level)},
       {"a and b are exchanged: a makes the radius, b the angle", right_scatter(b, a)},
@@ -271,7 +291,11 @@ Slips<Place2> wrong_places(int i, int n, double a, double b) {
        {u, (double(i) / n + b) / n}},
       {"the column grows beyond the pixel: it is the remainder i % n", {(i + a) / n, v}},
       {"i counts samples, not rows: the row is i / n", {u, (i + b) / n}},
-      {"i counts samples: the column is i % n, the row is i / n", {(i + a) / n, (i + b) / n}},
+      {"i counts samples: the column is i % n, the row is i / n",
+       {{(i + a) / n, (i + b) / n},
+        {(i + a) / n / n, (i + b) / n / n},
+        {(i + a) / n / n, b},
+        {a, (i + b) / n / n}}},
   };
 }
 
@@ -317,7 +341,13 @@ const ExercisesOfChapter& exercises_of_chapter() {
        exercise(place_of_sample, [] { return magnified(prepared<Lesson>()); },
                 {right_place, wrong_places, place_of_sample_places})},
       {{"Which byte does a pixel get that is a quarter white, the rest black?",
-        [] { return double(byte_of_light(0.25, Transfer::srgb)); }, "", 0},
+        [] { return double(byte_of_light(0.25, Transfer::srgb)); },
+        {"", 0},
+        "A quarter of the pixel sends out light. Which encoded number has a quarter of the light?",
+        {{64, "this is the mean of the bytes: average the light, and encode it"},
+         {188, "this is half of the light"},
+         {13, "this decodes the mean: it is light already, so encode it"},
+         {225, "this is three quarters of the light: a quarter of the pixel is white"}}},
        {"Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels differ "
         "from the sky?",
         [] {
@@ -325,7 +355,9 @@ const ExercisesOfChapter& exercises_of_chapter() {
           return double(
               std::count_if(pixels.begin(), pixels.end(), [&](Rgb8 p) { return p != pixels[0]; }));
         },
-        "pixels", 0}},
+        {"pixels", 0},
+        "How much light reaches a point of the globe, and how much of it does albedo 1 send back?",
+        {}}},
   };
   return chapter;
 }

@@ -135,7 +135,7 @@ Slips<bool> wrong_hits(Vec3d a, Vec3d b, Vec3d c) {
       {"a product is 0 on the line through an edge: compare each one with 0",
        {left(ab * bc, bc * ca), left(bc * ca, ca * ab), left(ca * ab, ab * bc)}},
       {"a product of three does not say that all are on the same side: compare each one with 0",
-       ab * bc * ca >= 0},
+       {ab * bc * ca >= 0, ab * bc * ca > 0}},
       {"p == q == r compares the answer of p == q with r: write p == q && q == r",
        {((ab >= 0) == (bc >= 0)) == (ca >= 0), ((ab > 0) == (bc > 0)) == (ca > 0)}},
       {"the sum says which way the corners run: compare each of the three with 0",
@@ -214,12 +214,13 @@ Slips<Weights> wrong_weights(Vec3d a, Vec3d b, Vec3d c) {
       {"these are the shares of the other two corners: the weight is the share, not 1 minus it",
        {1 - x, 1 - y, 1 - z}},
       {"the weights do not add up to 1: the third is 1 minus both others",
-       {{x, y, 1}, {x, y, 1 - x}, {x, y, 1 - y}}},
+       {{x, y, 1}, {x, y, 1 - x}, {x, y, 1 - y}, {x, y, x + y}}},
       {"an area is missing in the sum: the whole triangle has all three",
        {shares(whole - ab, areas), shares(whole - bc, areas), shares(whole - ca, areas)}},
       {"all weights are 1/3: that is right in the middle alone", {1. / 3, 1. / 3, 1. / 3}},
-      {"weights are shares of areas, not of distances to the corners",
-       {shares(distances), shares({1 / length(a), 1 / length(b), 1 / length(c)})}},
+      {"weights are shares of areas, not of distances",
+       {shares(distances), shares({length(b - c), length(c - a), length(a - b)}),
+        shares({1 / length(a), 1 / length(b), 1 / length(c)})}},
   };
   for (const auto& [word, of] : wrong_edges)
     wrong += {{word, shares(of(a, b) + of(b, c) + of(c, a), {of(b, c), of(c, a), of(a, b)})}};
@@ -261,6 +262,13 @@ Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
       {"the weights of a and c are exchanged", mix(z, y, x)},
       {"the weights are those of the next corners: weights[0] belongs to a",
        {mix(y, z, x), mix(z, x, y)}},
+      {"a corner has no weight: multiply each by its own weight",
+       {mix(1, y, z), mix(x, 1, z), mix(x, y, 1)}},
+      {"a weight is used twice: weights[1] belongs to b, weights[2] to c",
+       {mix(x, y, y), mix(x, z, z), mix(x, x, z), mix(x, y, x), mix(y, y, z), mix(z, y, z)}},
+      {"a corner is used twice: weights[0] belongs to a, weights[1] to b, weights[2] to c",
+       {sum_of(a, b, b, weights), sum_of(a, a, c, weights), sum_of(a, c, c, weights),
+        sum_of(b, b, c, weights)}},
       {"corner a is missing", mix(0, y, z)},
       {"corner b is missing", mix(x, 0, z)},
       {"corner c is missing", mix(x, y, 0)},
@@ -306,10 +314,20 @@ const ExercisesOfChapter& exercises_of_chapter() {
        exercise(mixed, picture<Lesson>(), {sum_of, wrong_mixes, mixed_places})},
       {{"An edge goes from depth 1 to depth 4. Which weight does its far end have at the point "
         "that is seen in the middle of the edge's image?",
-        [] { return 1. / (1 + 4); }, ""},
+        [] { return 1. / (1 + 4); },
+        {"", 1e-3},
+        "Draw it from above: the two ends are equally far from the middle of the image. How far "
+        "are they from the axis in space?",
+        {{0.5, "the middle of the image is not the middle of the edge: its far half looks smaller"},
+         {0.8, "this is the weight of the near end"},
+         {0.25, "1 to 4 is the ratio of the two weights: their sum is 1"}}},
        {"A point of the floor has u = -2.3. With the chapter's wrap mode, which u of the texture "
         "does it show?",
-        [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); }, "", 1e-9}},
+        [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); },
+        {"", 1e-9},
+        "Between which whole numbers is -2.3, and is the picture mirrored there?",
+        {{0.7, "this is the wrap mode repeat: with mirror every second picture runs backward"},
+         {0, "this is the wrap mode clamp"}}}},
   };
   return chapter;
 }

@@ -92,6 +92,7 @@ Slips<int> wrong_columns(int column, int width) {
   };
   const int from_left = column < 0 ? column + width : column;  // by one width
   const int up = column < 0 ? (rest + width) % width : column;
+  const int fold = (column % (2 * width) + 2 * width) % (2 * width);  // in two pictures
   int down = up;
   while (down > width) down -= width;
   return {
@@ -104,7 +105,10 @@ Slips<int> wrong_columns(int column, int width) {
        column < 0 ? rest + width : rest},
       {"the width is added to every rest: add it only where the rest is below 0", rest + width},
       {"the rest -1 is the last column, width - 1: add width, no more and no less",
-       {rest_of(width, width - 1), rest_of(width, width + 1)}},
+       {rest_of(width, width - 1), rest_of(width, width + 1),
+        column < 0 ? width - 1 + rest : rest}},
+      {"every second picture runs backward: that is mirror, and here the picture is repeated",
+       min(fold, 2 * width - 1 - fold)},
       {"-1 is seen as 0 and -4 as 3: left of the picture your floor is mirrored",
        column < 0 ? (-1 - column) % width : rest},
       {"you divide by width - 1: the last column is never seen",
@@ -129,6 +133,7 @@ Slips<int> wrong_columns(int column, int width) {
 }
 
 int right_column(int column, int width) { return int(remainder_of(1. * column, 1. * width)); }
+int width_of(int /*column*/, int width) { return width; }
 constexpr Place<int, int> repeated_column_places[] = {
     {"inside the picture, column 2 of 4 is seen as it is", {2, 4}},
     {"the first column right of the picture, 4 of 4, is column 0 again", {4, 4}},
@@ -180,7 +185,9 @@ Slips<Weights> wrong_weights(double u, int w) {
        both({abs(remainder(x, 1)), x - round(x)})},
       {"std::ceil(x) is the center on the right: the right texel has x - std::floor(x)",
        both({ceil(x) - x})},
-      {"this is a place and no part: subtract std::floor(x)", both({x, floor(x)})},
+      {"this is a place and no part: subtract std::floor(x)", both({x, floor(x), u * w})},
+      {"the weights change evenly from center to center: take the part as it is, no power of it",
+       both({right * right, right * right * (3 - 2 * right), sqrt(right)})},
       {"both texels count 1/2 everywhere: this blurs, but does not mix by distance", both({0.5})},
       {"both weights are the same: they add up to 1, so the left one is 1 - right",
        {{right, right}, {1 - right, 1 - right}}},
@@ -212,7 +219,8 @@ Slips<double> wrong_levels(double width) {
   Slips<double> wrong = {
       {"this is the logarithm log2: right at whole levels, up to 0.17 off between them", log2(w1)},
       {"widths below 1 must count as 1: there is no level below 0",
-       {log2(width), width < 1 ? third(width) : level_of(width)}},
+       {log2(width), width < 1 ? third(width) : level_of(width),
+        floor(log2(width)) + third(width / exp2(floor(log2(width))))}},
       {"this is the natural logarithm: a level is a power of 2", {log(w1), log(width)}},
       {"std::min makes every width 1 or less: take std::max(width, 1.0)", third(min(width, 1.))},
   };
@@ -225,7 +233,8 @@ Slips<double> wrong_levels(double width) {
     wrong += {
         {"this is the whole level alone: add f, and compute with double, not int", l},
         {"this is f alone: add the whole level l", f},
-        {"the level is one too high: the floor turns gray too early", l + 1 + f},
+        {"the level is one too high: the floor turns gray too early",
+         {l + 1 + f, l + 1 + third(scaled / 2)}},
         {"the level is one too low: count from 0, once for each halving", l - 1 + f},
         {"the part grows with the square of the width, not with the width",
          {l + scaled - 1, l + (scaled - 1) / 3}},
@@ -264,7 +273,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "09",
       {exercise(repeated_column, [] { return drawn_floor("nearest", 3); },
-                {right_column, wrong_columns, repeated_column_places}),
+                {right_column, wrong_columns, repeated_column_places, {}, width_of}),
        exercise(weights_of, floor_of_three_colors,
                 {[](double u, int width) {
                    const double second = four_texels(Uv<double>{u, 0.5}, width, 2).across;
@@ -275,14 +284,24 @@ const ExercisesOfChapter& exercises_of_chapter() {
                 {level_of, wrong_levels, level_of_width_places})},
       {{"Far away the floor is half black and half white. Which byte, 0 to 255, shows the mean of "
         "their light?",
-        [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); }, "", 0},
+        [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); },
+        {"", 0},
+        "Half of the light is not half of the byte: which curve is between them?",
+        {{128, "this is the mean of the bytes: the mean of the light has to be encoded"},
+         {187, "the byte is rounded, not cut off"},
+         {55, "this decodes the mean: it is light already, so encode it"}}},
        {"How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
         "together?",
         [] {
           const auto lesson = prepared<Lesson>({"--scene", "plane"});
           return double(lesson.ground.texture.pyramid.texels.size());
         },
-        "texels"}},
+        {"texels", 1e-3},
+        "Each level has half as many columns and half as many rows. How many texels is that?",
+        {{1048576, "this is level 0 alone"},
+         {2097152,
+          "each level has a quarter of the texels, not half: half of the columns and of the rows"},
+         {349525, "level 0 belongs to the pyramid, too"}}}},
   };
   return chapter;
 }

@@ -69,6 +69,10 @@ Slips<Place2> wrong_cylinders(Vec3d p) {
       {"v runs from -1/2 to 1/2: the half is missing (1 / 2 with int is 0)", y / 2},
       {"v runs from -1/2 to 3/2: y from -1 to 1 is twice as long as v, so halve it", 0.5 + y},
       {"this goes back, from v to y: v is (1 + y) / 2", 2 * y - 1},
+      {"v is (1 + y) / 2: add 1, do not subtract it", (y - 1) / 2},
+      {"p moves straight out, away from the axis, and keeps its height y: yours moves away from "
+       "the center",
+       {(1 + y / std::hypot(p.x, p.z)) / 2, y / std::hypot(p.x, p.z)}},
   };
   const Slips<double> wrong_u = {
       {"u runs the other way: your map is mirrored", 0.5 + share},
@@ -76,7 +80,8 @@ Slips<Place2> wrong_cylinders(Vec3d p) {
       {"u begins at -1/2: the half is missing (1 / 2 with int is 0)", -share},
       {"u runs the other way, and begins at -1/2: it is 1/2 minus the share of a turn", share},
       {"a whole turn is 2 pi, not pi: u runs twice too far", 0.5 - angle / pi},
-      {"/ 2 * pi divides by 2 and multiplies by pi: write / (2 * pi)", 0.5 - angle / 2 * pi},
+      {"/ 2 * pi divides by 2 and multiplies by pi: write / (2 * pi)",
+       {0.5 - angle / 2 * pi, (pi - angle) / 2 * pi}},
       {"the angle is no share of a turn: divide it by 2 pi", 0.5 - angle},
       {"/ comes before -: divide the angle alone, and subtract it from 1/2", (0.5 - angle) / turn},
       {"u is off by 1/2: on +x it is 1/2, and the seam is on -x", 1 - share},
@@ -130,7 +135,9 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
       {"the bars are missing: it is 1 - |b| and 1 - |a|, without signs",
        {(1 - b) * (a < 0 ? -1 : 1), (1 - a) * (b < 0 ? -1 : 1)}},
       {"the bars and the signs are missing: it is sign(a) (1 - |b|) and sign(b) (1 - |a|)",
-       {1 - b, 1 - a}},
+       {{1 - b, 1 - a}, {1 - a, 1 - b}}},
+      {"the place is mirrored at the edge: exchanging a and b mirrors it at the diagonal alone",
+       {b, a}},
       {"the size of a counts twice: multiply by its sign, 1 or -1", {a * b_left, b * a_left}},
       {"1 + |b| leaves the square: it is 1 - |b| and 1 - |a|",
        {copysign(1 + abs(b), a), copysign(1 + abs(a), b)}},
@@ -225,6 +232,8 @@ Slips<Vec3d> wrong_directions(Place2 uv) {
       {"y runs from -2 to 0: double v alone, then subtract 1", heights(2 * (v - 1))},
       {"y runs from 0 to 2: subtract 1 from 2 v", heights(2 * v)},
       {"this goes forward, from y to v: y is 2 v - 1", heights((1 + v) / 2)},
+      {"y is a height, no angle: the radius at this height is sqrt(1 - y * y)",
+       {by_radius(cos(y)), at(turn, cos(y), sin(y))}},
       {"v is no latitude here, it is a height: yours goes back from the equirectangular layout",
        direction_rtiow(uv)},
       {"x belongs to the cosine and z to the sine: yours are exchanged", {z, y, x}},
@@ -263,14 +272,22 @@ const ExercisesOfChapter& exercises_of_chapter() {
         [] {  // its largest texels are on the equator
           return ceil(1024 * 1024 * distortion(Projection::equirect, Vec3d{0.8, 0, 0.6}).area);
         },
-        "texels", 2e-3},
+        {"texels", 2e-3},
+        "How large is an equirectangular picture's largest texel, compared to the mean of all?",
+        {{1048576,
+          "as many texels would have that size in the mean: those at the equator are larger"},
+         {2097152, "the shape 2 : 1 does not matter: compare the largest texel with the mean"},
+         {667544, "the larger texel needs more texels, not fewer"}}},
        {"You read an equirectangular file as if it were a cylinder's. At which latitude of the "
         "globe do you see what the file has at 45 degrees north?",
         [] {
           const double v = uv_rtiow(Vec3d{1, 1, 0}).v;
           return asin(unproject(Projection::cylinder, Place2{0.5, v}).y) / radian;
         },
-        "degrees"}},
+        {"degrees", 1e-3},
+        "Which v has 45 degrees north in the file, and at which height does the cylinder read it?",
+        {{45, "the two layouts agree at the equator and at the poles alone"},
+         {63.64, "this goes the other way: what does the file have that is seen at 45 degrees"}}}},
   };
   return chapter;
 }

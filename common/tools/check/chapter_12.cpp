@@ -297,6 +297,8 @@ Slips<double> wrong_solid_angles(double row, double w, double h) {
                     wrong_edges(row, h), wrong_edges(row + 1, h));
   wrong += changed(lower_edges, [=](double edge) { return part * (cos(a) - cos(edge)); });
   for (const double sign : {1, -1}) wrong += changed(parts, times(sign * cosines));
+  wrong += {"std::cos takes radians, and so does the turn around the axis: pi is 180 degrees",
+            360 / w * (cos(180 * row / h) - cos(180 * (row + 1) / h))};
   return wrong;
 }
 
@@ -418,14 +420,30 @@ const ExercisesOfChapter& exercises_of_chapter() {
                    return static_cast<int>(std::upper_bound(sums.begin(), sums.end() - 1, r) -
                                            sums.begin());
                  },
-                 wrong_things, drawn_thing_places})},
+                 wrong_things,
+                 drawn_thing_places,
+                 {},
+                 [](const Sums& sums, double /*r*/) { return static_cast<int>(sums.size()); }})},
       {{"The bright core of the sun is 2.8 degrees wide. Of a million directions drawn by the "
         "cosine on a surface that faces the sun, how many find it?",
-        directions_to_the_sun, "directions", 0.1},
+        directions_to_the_sun,
+        {"directions", 0.1},
+        "Which solid angle has a disk with the radius 1.4 degrees, and what is the density there?",
+        {{298,
+          "this is for directions that are equally likely: drawn by the cosine, twice as many are "
+          "straight ahead"},
+         {2386, "2.8 degrees is the width: the radius is half of it"},
+         {1875, "this is the solid angle: multiply it by the density, 1 / pi"}}},
        {"The sky has 384 x 192 texels. How many times as large, on the sphere, is a texel at the "
         "equator as one at a pole?",
         [] { return SkyBand(96, 384, 192).solid_angle / SkyBand(0, 384, 192).solid_angle; },
-        "times", 0.02}},
+        {"times", 0.02},
+        "Compare cos a - cos b, from the upper to the lower edge of a row, at the equator and at a "
+        "pole.",
+        {{61.1,
+          "this takes the sine at the lower edge of the row at the pole: it begins with the sine "
+          "0"},
+         {1, "on the picture all texels are the same, on the sphere they are not"}}}},
   };
   return chapter;
 }

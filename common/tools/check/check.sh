@@ -11,7 +11,8 @@ usage() {
 usage: ./course check                  all exercises, and how far you are
        ./course check 02               check your exercises of chapter 02
        ./course check 02.1             check one: words, a picture with your function, a page out/exercises/02.1/index.html
-       ./course check 02.a 0.25        check your answer to a question: how far off it is; without a number it asks the question
+       ./course check 02.a 0.25        check your answer to a question; after the second wrong one it shows the right one; without a
+                                       number it asks the question
        ./course check hint 02.1        a hint; ask again for the next one
        ./course check solution 02.1    a solution
        ./course check reset 02.1       begin again; your lines are kept in out/exercises/02.1/
@@ -102,7 +103,7 @@ list() {
     file_of "$next"
     printf ' Next: write %s, then ./course check %s' "$file" "$next"
   fi
-  printf '\n[?]: changed after it was right.\nQuestions: ./course check 02.a shows one; with a number it says how far off you are.\n'
+  printf '\n[?]: changed after it was right.\nQuestions: ./course check 02.a shows one; with a number it says whether it is right.\n'
 }
 
 # check ID: builds and runs one. Sets status.
@@ -128,11 +129,19 @@ check() {
   remember "$1" "$status"
 }
 
+# question ID [NUMBER]: asks it, or judges the number; the right one is shown after the second that is wrong.
 question() {
   ./course --build learn "check_${1%.*}" 2 || exit 2
   program=build/learn/bin/check_${1%.*}
-  [ $# -eq 1 ] || set -- "$1" --answer "$2"
-  exec "$program" --question "$@"
+  [ $# -eq 2 ] || exec "$program" --question "$1"
+  tried=out/exercises/$1/tried
+  again=
+  [ ! -f "$tried" ] || again=--again
+  status=0
+  "$program" --question "$1" --answer "$2" ${again:+"$again"} || status=$?
+  mkdir -p "out/exercises/$1"
+  case $status in 0) rm -f "$tried" ;; 1) : >"$tried" ;; esac
+  exit "$status"
 }
 
 # 2.1 means 02.1.

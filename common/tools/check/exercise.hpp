@@ -18,16 +18,21 @@
 
 namespace texmap::check {
 
-/// Red, green and blue of each texel, row after row from the top: bytes[0] is the first one's red.
-/// Beyond its ends there are zeros, so that a wrong number is a wrong color and no crash.
+/// Blue, green and red of each texel, row after row from the top: bytes[0] is the first one's blue.
+/// A row is filled up with zeros to a multiple of 4 bytes. Beyond the ends there are zeros, too, so
+/// that a wrong number is a wrong color and no crash.
 class Bytes {
  public:
   explicit Bytes(const Image& image) : image_(&image) {}
 
+  [[nodiscard]] static int row_bytes(const Image& image) { return (3 * image.width + 3) / 4 * 4; }
+
   int operator[](long long i) const {
-    if (i < 0 || i >= 3 * static_cast<long long>(image_->pixels.size())) return 0;
-    const Rgb8& texel = image_->pixels[static_cast<std::size_t>(i / 3)];
-    return i % 3 == 0 ? texel.r : i % 3 == 1 ? texel.g : texel.b;
+    const int length = row_bytes(*image_);
+    const auto row = i / length, in_row = i % length;
+    if (i < 0 || row >= image_->height || in_row >= 3 * image_->width) return 0;
+    const Rgb8& texel = image_->at(static_cast<int>(in_row / 3), static_cast<int>(row));
+    return in_row % 3 == 0 ? texel.b : in_row % 3 == 1 ? texel.g : texel.r;
   }
 
  private:

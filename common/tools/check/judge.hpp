@@ -26,6 +26,7 @@ template <std::size_t N>
 [[nodiscard]] std::array<double, N> parts(const std::array<double, N>& list) {
   return list;
 }
+[[nodiscard]] inline std::array<double, 1> parts(double number) { return {number}; }
 [[nodiscard]] inline std::array<double, 2> parts(const Uv<double>& uv) { return {uv.u, uv.v}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline std::array<double, 3> parts(const Rgb& c) { return {c.r, c.g, c.b}; }
@@ -143,6 +144,7 @@ struct Law {
   std::function<Slips<Out>(Args...)> slips;
   std::span<const Place<std::decay_t<Args>...>> places;
   std::function<Out(const Out&)> seen{};  ///< what of a value counts; empty: all of it
+  std::function<int(Args...)> count{};    ///< how many there are, where the value numbers one
 };
 
 /// A verdict in words.
@@ -152,6 +154,8 @@ struct Verdict {
   std::string expected;  ///< the right value there
   std::string got;
   std::string mistake;    ///< the word of the known mistake, empty if it is none of them
+  bool in_parts = false;  ///< whether its words are of single numbers of the values, such as u
+  std::string fact;       ///< if it is none: what is to be seen in the values, or empty
   std::size_t wrong = 0;  ///< at how many places
   std::size_t places = 0;
   std::string values;  ///< those of the function at all places, as bytes
@@ -173,6 +177,82 @@ template <class Out, class... Args>
   return all;
 }
 
+/// Whether one of the numbers that values consist of is the same at every place.
+template <class Out>
+[[nodiscard]] bool agree(const std::vector<Out>& a, const std::vector<Out>& b, std::size_t part) {
+  return std::equal(a.begin(), a.end(), b.begin(), [=](const Out& x, const Out& y) {
+    return alike(parts(x)[part], parts(y)[part]);
+  });
+}
+
+/// What a student calls it.
+template <class Out>
+[[nodiscard]] const char* name_of_part(std::size_t part) {
+  if constexpr (std::is_same_v<Out, Uv<double>>) return std::array{"u", "v"}[part];
+  if constexpr (std::is_same_v<Out, Vec3<double>>) return std::array{"x", "y", "z"}[part];
+  if constexpr (std::is_same_v<Out, Rgb>) return std::array{"red", "green", "blue"}[part];
+  return std::array{"[0]", "[1]", "[2]"}[part];
+}
+
+/// A mistake in one number of several, such as u, while the others are right or have mistakes of
+/// their own: the words of those rows that are wrong in this number alone.
+template <class Out>
+[[nodiscard]] std::string mistakes_in_parts(const std::vector<Out>& right,
+                                            const std::vector<Out>& values,
+                                            const Slips<Out>& known) {
+  std::string words;
+  const std::size_t count = parts(right[0]).size();
+  for (std::size_t part = 0; part < count; ++part) {
+    for (const Slip<Out>& slip : known.rows) {
+      bool explains = agree(values, slip.values, part) && !agree(right, slip.values, part);
+      for (std::size_t other = 0; other < count; ++other)
+        explains = explains && (other == part || agree(right, slip.values, other));
+      if (!explains) continue;
+      if (words.find(slip.word) == std::string::npos)
+        words += (words.empty() ? "" : "; and ") + std::string(slip.word);
+      break;
+    }
+  }
+  return words;
+}
+
+/// What is to be seen in wrong values, whatever the mistake is.
+template <class Out>
+[[nodiscard]] std::string fact_of(const std::vector<Out>& right, const std::vector<Out>& values) {
+  const std::size_t count = parts(right[0]).size();
+  double product = 0, square = 0, difference = 0;
+  bool is_nan = false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    for (std::size_t part = 0; part < count; ++part) {
+      const double x = parts(right[i])[part], y = parts(values[i])[part];
+      is_nan = is_nan || std::isnan(y);
+      product += x * y;
+      square += x * x;
+      difference += (y - x) / double(right.size() * count);
+    }
+  }
+  const auto holds = [&](const auto& related) {  // between each right number and yours
+    for (std::size_t i = 0; i < right.size(); ++i)
+      for (std::size_t part = 0; part < count; ++part)
+        if (!alike(related(parts(right[i])[part]), parts(values[i])[part])) return false;
+    return true;
+  };
+  const double factor = product / square;
+  if (is_nan)
+    return "there is no number in it (NaN): a root of a number below 0, 0 / 0, acos or asin beyond "
+           "1";
+  if (std::all_of(values.begin(), values.end(), [&](const Out& v) { return alike(v, values[0]); }))
+    return "it is the same at every place, whatever your function gets";
+  if (holds([=](double x) { return factor * x; }))
+    return text("at every place it is %.6g times the right value", factor);
+  if (holds([=](double x) { return x + difference; }))
+    return text("at every place it is the right value %+.6g", difference);
+  std::string good, bad;
+  for (std::size_t part = 0; part < count; ++part)
+    (agree(right, values, part) ? good : bad) += std::string(" ") + name_of_part<Out>(part);
+  return good.empty() ? "" : "right at every place:" + good + "; wrong:" + bad;
+}
+
 /// Judges a function's values at all places.
 ///
 /// A known mistake is named if it is wrong somewhere and gives the same at every place: of several,
@@ -181,14 +261,15 @@ template <class Out, class... Args>
 [[nodiscard]] Verdict judge(const Law<Out, Args...>& law, const std::vector<Out>& values) {
   Verdict verdict;
   verdict.places = values.size();
-  const auto same = [&law](const Out& a, const Out& b) {
-    return law.seen ? alike(law.seen(a), law.seen(b)) : alike(a, b);
-  };
+  const auto seen = [&law](const Out& value) { return law.seen ? law.seen(value) : value; };
+  std::vector<Out> all_right, yours;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Out value = values[i];
     verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
     const Out right = std::apply(law.right, law.places[i].at);
-    if (same(right, value)) continue;
+    all_right.push_back(seen(right));
+    yours.push_back(seen(value));
+    if (alike<Out>(all_right.back(), yours.back())) continue;
     if (verdict.right) {
       verdict.right = false;
       verdict.law = law.places[i].law;
@@ -197,14 +278,26 @@ template <class Out, class... Args>
         verdict.got = in_words(value, digits);
         if (verdict.expected != verdict.got) break;
       }
+      if constexpr (std::is_same_v<Out, int>) {
+        const int count = law.count ? std::apply(law.count, law.places[i].at) : 0;
+        if (count > 0 && (value < 0 || value >= count))
+          verdict.got += text(", outside: there are 0 to %d", count - 1);
+      }
     }
     ++verdict.wrong;
   }
   if (verdict.right) return verdict;
-  for (const Slip<Out>& slip : slips_at_all_places(law).rows) {
-    if (!std::equal(values.begin(), values.end(), slip.values.begin(), same)) continue;
+  Slips<Out> known = slips_at_all_places(law);
+  for (Slip<Out>& slip : known.rows) {
+    std::transform(slip.values.begin(), slip.values.end(), slip.values.begin(), seen);
+    if (!std::equal(yours.begin(), yours.end(), slip.values.begin(), alike<Out>)) continue;
     verdict.mistake = slip.word;
-    break;
+    return verdict;
+  }
+  if constexpr (!std::is_same_v<Out, bool>) {
+    verdict.mistake = mistakes_in_parts(all_right, yours, known);
+    verdict.in_parts = !verdict.mistake.empty();
+    if (!verdict.in_parts) verdict.fact = fact_of(all_right, yours);
   }
   return verdict;
 }

@@ -24,6 +24,7 @@ using namespace texmap::check;
 struct Request {
   std::string out = "out/exercises";
   std::string title, values, exercise, judge, report, question, answer;
+  bool again = false;
 
   void declare(CommandLine& line) {
     line.text("--out", "FOLDER", out, "where the pictures go, in a folder for each exercise");
@@ -36,6 +37,7 @@ struct Request {
               "the verdict on it in two lines, as the grading reads it");
     line.text("--question", "ID", question, "check the answer to a question, such as 02.a");
     line.text("--answer", "NUMBER", answer, "the number that you predict");
+    line.flag("--again", again, "you have answered before: if it is wrong, show the right number");
     line.statuses("0 right; 1 not yet; 2 trouble, such as a file that cannot be written");
   }
 };
@@ -75,6 +77,7 @@ struct Findings {
                "\n  yours:     " + verdict.got + "\n  " + wrong_values() + ".\n";
       if (!verdict.mistake.empty())
         words += "  This is a known mistake: " + verdict.mistake + ".\n";
+      if (!verdict.fact.empty()) words += "  Yours: " + verdict.fact + ".\n";
     }
     if (picture_right() && !right()) {
       words += "  The exercise's picture does not show this mistake.\n";
@@ -95,8 +98,8 @@ struct Findings {
     }
     return "not yet\n" +
            (verdict.mistake.empty() ? "not yet: " + wrong_values() : verdict.mistake) +
-           "; tried: " + verdict.law + "; expected: " + verdict.expected +
-           "; yours: " + verdict.got + "\n";
+           (verdict.fact.empty() ? "" : "; " + verdict.fact) + "; tried: " + verdict.law +
+           "; expected: " + verdict.expected + "; yours: " + verdict.got + "\n";
   }
 };
 
@@ -162,30 +165,43 @@ void judge_values(const Exercise& exercise, const Request& request) {
                         Findings(exercise.verdict(values), yours, right).in_two_lines());
 }
 
-/// Says how far a prediction is off. Returns the status.
-int check_answer(const Question& question, double predicted) {
+/// The word of a wrong number that is usual, or empty.
+std::string known_mistake(const Question& question, double predicted) {
+  const double answer = question.answer();
+  const auto is_near = [&](double number, double right, double share) {
+    return apart(number, right) <= share * std::abs(right);
+  };
+  for (const auto& [number, word] : question.usual)
+    if (is_near(predicted, number, question.unit.tolerance > 0 ? 2e-3 : 0)) return word;
+  const double in_unit = std::max(question.unit.tolerance, 0.01);
+  if (question.unit.name == "degrees" && is_near(predicted / radian, answer, in_unit))
+    return "yours is in radians";
+  if (question.unit.name == "percent" && is_near(predicted * 100, answer, in_unit))
+    return "yours is a fraction: multiply by 100 for percent";
+  return "";
+}
+
+/// Says whether a prediction is right; if not, what is wrong with it, and the second time how far
+/// off it is. Returns the status.
+int check_answer(const Question& question, double predicted, bool again) {
   const double answer = question.answer();
   const double off = apart(answer, predicted);
-  const auto is_near = [&](double number, double share) {
-    return apart(answer, number) <= share * std::abs(answer);
-  };
-  const bool right = is_near(predicted, question.tolerance);
-  const std::string unit = question.unit.empty() ? "" : " " + question.unit;
-  std::string words = question.id + "  " + question.text + "\n  You say " + in_words(predicted) +
-                      unit + ", the program finds " + in_words(answer) + unit + ": ";
-  if (right) {
-    words += "right.\n";
-  } else {
-    words += in_words(off) + (predicted > answer ? " too large" : " too small");
-    if (answer != std::round(answer) && off < std::abs(answer))
-      words += text(" (%.3g %%)", 100 * off / std::abs(answer));
-    const double in_unit = std::max(question.tolerance, 0.01);
-    if (question.unit == "degrees" && is_near(predicted / radian, in_unit)) {
-      words += ". Yours is in radians.\n";
-    } else if (question.unit == "percent" && is_near(predicted * 100, in_unit)) {
-      words += ". Yours is a fraction: multiply by 100 for percent.\n";
-    } else {
-      words += ".\n";
+  const bool right = off <= question.unit.tolerance * std::abs(answer);
+  const std::string unit = question.unit.name.empty() ? "" : " " + question.unit.name;
+  const auto* side = predicted > answer ? " too large" : " too small";
+  std::string words =
+      question.id + "  " + question.text + "\n  You say " + in_words(predicted) + unit;
+  if (right || again) words += ", the program finds " + in_words(answer) + unit;
+  words += right ? ": right" : ": " + (again ? in_words(off) : "not yet,") + side;
+  if (again && !right && answer != std::round(answer) && off < std::abs(answer))
+    words += text(" (%.3g %%)", 100 * off / std::abs(answer));
+  words += ".\n";
+  if (!right) {
+    const std::string known = known_mistake(question, predicted);
+    if (!known.empty()) words += "  This is a known mistake: " + known + ".\n";
+    if (!again) {
+      words += (known.empty() ? "  Look again: " + question.look + "\n" : "") +
+               "  After your next number you see the right one.\n";
     }
   }
   print(words);
@@ -221,7 +237,7 @@ int main(int argc, char** argv) {
       print(with_id(chapter.questions, request.question).text + "\n");
     } else if (!request.question.empty()) {
       found = check_answer(with_id(chapter.questions, request.question),
-                           predicted_number(request.answer));
+                           predicted_number(request.answer), request.again);
     } else if (!request.judge.empty()) {
       judge_values(with_id(chapter.exercises, request.exercise), request);
     } else {
