@@ -156,7 +156,8 @@ class Book {
     return nullptr;
   }
 
-  /// What an address on a page leads to in the book. What leads nowhere is a fault.
+  /// What an address on a page leads to in the book; nothing, which makes a link plain text, if it
+  /// is in a chapter that is not there. What else leads nowhere is a fault.
   std::string resolved(const std::string& from, const std::string& url) {
     if (url.find("://") != std::string::npos || url.rfind("mailto:", 0) == 0) return url;
     const std::size_t hash = url.find('#');
@@ -173,6 +174,7 @@ class Book {
       named_.push_back({from, page->source, anchor});
       return page->file + anchor;
     }
+    if (is_of_no_chapter(target.generic_string())) return "";
     if (!fs::is_regular_file(root_ / target)) {
       faults_.push_back(from + ": " + url + " leads nowhere");
       return url;
@@ -181,6 +183,14 @@ class Book {
     if (extension == ".png" || extension == ".svg" || extension == ".jpg") return picture(target);
     sources_.insert(target.generic_string());
     return "source/" + flat(target) + ".html" + anchor;
+  }
+
+  /// True for a place chapters/NN_name/... if no chapter has this number: somebody deleted it.
+  [[nodiscard]] bool is_of_no_chapter(const std::string& path) const {
+    if (path.rfind("chapters/", 0) != 0 || path.size() < 12 || path[11] != '_') return false;
+    return std::none_of(pages_.begin(), pages_.end(), [&](const Page& page) {
+      return page.chapter.substr(0, 2) == path.substr(9, 2);
+    });
   }
 
   static std::string flat(const fs::path& path) {

@@ -77,6 +77,13 @@ void replace_by_html(cmark_node* node, const std::string& html) {
   cmark_node_free(node);
 }
 
+/// Takes a link away from around its words.
+void unlink_around(cmark_node* link) {
+  while (cmark_node* const word = cmark_node_first_child(link))
+    cmark_node_insert_before(link, word);
+  cmark_node_free(link);
+}
+
 /// A heading with its name, and its place among the sections.
 void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Converted& page) {
   const std::string title = words_of(node);
@@ -129,7 +136,11 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) 
     const cmark_node_type type = cmark_node_get_type(node);
     if (type == CMARK_NODE_LINK || type == CMARK_NODE_IMAGE) {
       const std::string url = resolve(text_or_empty(cmark_node_get_url(node)));
-      cmark_node_set_url(node, url.c_str());
+      if (url.empty()) {
+        unlink_around(node);
+      } else {
+        cmark_node_set_url(node, url.c_str());
+      }
     } else if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) {
       const std::string html = text_or_empty(cmark_node_get_literal(node));
       const bool is_comment = html.rfind("<!--", 0) == 0;

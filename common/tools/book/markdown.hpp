@@ -20,7 +20,7 @@ struct Converted {
   std::vector<Section> sections;
 };
 
-/// What a link or a picture of the page leads to in the book.
+/// What a link or a picture of the page leads to in the book; empty: the link is plain text.
 using Resolve = std::function<std::string(const std::string& url)>;
 
 /// Converts a page: GitHub's Markdown; headings get the names that GitHub gives them.

@@ -27,10 +27,12 @@ wrong() {
   exit 2
 }
 
-# ids: of all exercises, in order.
+# ids: of all exercises of the chapters that are there, in order.
 ids() {
   for file in tests/exercises/[0-9][0-9]_[0-9].hpp; do
-    basename "$file" .hpp | tr _ .
+    id=$(basename "$file" .hpp | tr _ .)
+    set -- chapters/"${id%.*}"_*/
+    [ ! -d "$1" ] || echo "$id"
   done
 }
 
@@ -169,6 +171,7 @@ case "${1:-}" in
     ;;
   solution)
     file_of "$2"
+    grep -q '^ *// solution$' "$(whole_of "$2")" || wrong "this copy of the course has no solutions"
     shown "$2" -e '/^ *\/\/ solution$/d' -e '/^ *\/\/ start: /d'
     ;;
   reset)

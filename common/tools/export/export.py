@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""A student's copy of the course: some chapters, without solutions, answers and what only instructors and engineers need.
+
+usage: ./course export --chapters 00-06 FOLDER     --chapters: 02, 00-06 or 01-04,08; FOLDER is made, or is empty
+
+KEPT decides: the last pattern that fits a path counts, and a folder NN_name or a file NN_... of a chapter that is not exported never fits.
+Pages lose their answers, the rows of chapters that are not there, and links that would lead nowhere: these become text.
+"""
+import argparse
+import fnmatch
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+KEPT = """
+    course CMakeLists.txt CMakePresets.json README.md LICENSE vcpkg.json .clang-format .gitattributes .gitignore
+    chapters/* common/* docs/*.md docs/live/* assets/*
+    tests/CMakeLists.txt tests/doctest_main.cpp tests/support/* tests/textbook_suites.cmake tests/closure*
+    tests/number/test_number.cpp tests/math/* tests/sampling/* tests/scene/* tests/texture/* tests/published/*
+    tests/chapters/*_[0-9][0-9]* tests/golden/programs.sh tests/golden/*.png tests/exercises/[0-9][0-9]_[0-9].hpp tests/extremes/digits.hpp tests/packs/wide.sh
+    !docs/teaching.md !docs/grading.md !docs/pictures/* !assets/*pp !assets/CMakeLists.txt !assets/sources/* !assets/*sum* !assets/sky.sha256
+    !common/tools/diagrams/* !common/tools/draw_mistakes/* !common/tools/export/* !common/tools/grade/* !common/tools/pages/*
+    !common/tools/playground/* common/tools/playground/live.js common/tools/playground/live.css
+""".split()
+PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
+OF_CHAPTER = re.compile(r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter)_(\d\d)\.')
+LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
+WORKFLOW = """# Points for a classroom: an exercise is one, the tests of a chapter are one.
+name: points
+on: [push, workflow_dispatch]
+permissions:
+  checks: write
+  actions: read
+  contents: read
+jobs:
+  points:
+    runs-on: ubuntu-latest
+    if: github.actor != 'github-classroom[bot]'
+    steps:
+      - uses: actions/checkout@v4
+      - name: install and build
+        run: ./course run {first}
+"""
+STEP = """      - name: {words}
+        id: {id}
+        uses: classroom-resources/autograding-command-grader@v1
+        with:
+          test-name: {words}
+          command: {words}
+          timeout: 10
+          max-score: 1
+"""
+REPORT = """      - uses: classroom-resources/autograding-grading-reporter@v1
+        env:
+{results}
+        with:
+          runners: {ids}
+"""
+
+
+class Wrong(Exception):
+    pass
+
+
+def chosen_of(words, there):
+    """The numbers of the chapters that `00-06,08` names."""
+    chosen = set()
+    for word in words.split(','):
+        ends = re.fullmatch(r'(\d\d?)(?:-(\d\d?))?', word)
+        if not ends:
+            raise Wrong(f"'{words}' names no chapters: write 02, 00-06 or 01-04,08")
+        chosen |= {f'{n:02}' for n in range(int(ends[1]), int(ends[2] or ends[1]) + 1)}
+    missing = sorted(chosen - set(there))
+    if missing or not chosen:
+        raise Wrong(f"there is no chapter {missing[0] if missing else words}; ./course list shows them")
+    return sorted(chosen)
+
+
+def files_in(root):
+    for parent, folders, names in os.walk(root):
+        folders[:] = [name for name in folders if name not in ('.git', '.ci', '.github', 'build', 'out', '__pycache__')]
+        yield from (os.path.relpath(os.path.join(parent, name), root) for name in names)
+
+
+def is_left_out(path, chosen):
+    number = OF_CHAPTER.search(path)
+    return number is not None and (number[1] or number[2]) not in chosen
+
+
+def is_kept(path, chosen):
+    fitting = [pattern for pattern in KEPT if fnmatch.fnmatchcase(path, pattern.lstrip('!'))]
+    return bool(fitting) and not fitting[-1].startswith('!') and not is_left_out(path, chosen)
+
+
+def in_text(page, change):
+    """The page with its text changed, and its blocks of code as they are."""
+    pieces = re.split(r'(^```.*?^```$)', page, flags=re.M | re.S)
+    return ''.join(piece if piece.startswith('```') else change(piece) for piece in pieces)
+
+
+def target_of(path, url):
+    return os.path.normpath(os.path.join(os.path.dirname(path), url.split('#')[0]))
+
+
+def without_answers(text):
+    return re.sub(r'<details><summary>Answer</summary>.*?</details>\n*', '', text, flags=re.S)
+
+
+def without_dead_links(text, path, is_there):
+    def leads(url):
+        return '://' in url or url.startswith(('#', 'mailto:')) or is_there(target_of(path, url))
+
+    def shown(link):
+        picture, words, url = link.groups()
+        return link[0] if leads(url) or not re.search('[./]', url) else '' if picture else words
+
+    def row_stays(line):
+        first = re.match(r'\| \[[^\]]*\]\((chapters/[^)]*)\)', line)
+        image = re.match(r'<img src="([^"]*)"', line)
+        return not (first and not leads(first[1]) or image and not leads(image[1]))
+
+    lines = ''.join(line for line in text.splitlines(keepends=True) if row_stays(line))
+    return in_text(lines, lambda piece: LINK.sub(shown, piece))
+
+
+def without_solution(text):
+    return re.sub(r'^ *// solution\n(?:(?! *// start: ).*\n)*', '', text, flags=re.M)
+
+
+def export(root, folder, chosen):
+    kept = {path for path in files_in(root) if is_kept(path, chosen)}
+    pages = {path: (root / path).read_text(encoding='utf-8') for path in sorted(kept) if path.endswith('.md')}
+    for path, text in pages.items():
+        pages[path] = text = without_answers(text)
+        for url in [link[3] for link in LINK.finditer(text)] + re.findall(r'<img src="([^"]*)"', text):
+            target = target_of(path, url)
+            if url.endswith(PICTURES) and (root / target).is_file() and not (target.startswith('tests/golden/') and is_left_out(target, chosen)):
+                kept.add(target)
+    folders = {str(parent) for path in kept for parent in pathlib.PurePath(path).parents}
+    for path in sorted(kept):
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        data = (root / path).read_bytes()
+        if path in pages:
+            data = without_dead_links(pages[path], path, lambda target: target in kept or target in folders).encode()
+        elif path.startswith('tests/exercises/'):
+            data = without_solution(data.decode()).encode()
+        (folder / path).write_bytes(data)
+        (folder / path).chmod((root / path).stat().st_mode & 0o777)
+    exercises = sorted(path[16:20].replace('_', '.') for path in kept if path.startswith('tests/exercises/'))
+    for exercise in exercises:  # in this tree somebody may have written an answer
+        file = next(folder.glob(f'chapters/{exercise[:2]}_*/exercises/{exercise[3]}_*.hpp'))
+        subprocess.run(['sh', 'common/tools/check/check.sh', 'start', exercise, file], cwd=root, check=True)
+    write_workflow(folder, chosen, exercises)
+    return exercises
+
+
+def write_workflow(folder, chosen, exercises):
+    steps = {f'e{exercise.replace(".", "_")}': f'./course check {exercise}' for exercise in exercises}
+    steps |= {f't{number}': f'./course test {number}' for number in chosen}
+    results = '\n'.join(f'          {name.upper()}_RESULTS: ${{{{ steps.{name}.outputs.result }}}}' for name in steps)
+    place = folder / '.github/workflows'
+    place.mkdir(parents=True)
+    (place / 'classroom.yml').write_text(WORKFLOW.format(first=chosen[0]) + ''.join(
+        STEP.format(id=name, words=words) for name, words in steps.items()) + REPORT.format(results=results, ids=','.join(steps)))
+
+
+def main():
+    parser = argparse.ArgumentParser(prog='./course export', usage='%(prog)s --chapters 00-06 FOLDER', allow_abbrev=False)
+    parser.add_argument('--chapters', required=True)
+    parser.add_argument('folder', type=pathlib.Path)
+    words = parser.parse_args()
+    root = pathlib.Path(__file__).resolve().parents[3]
+    folder = words.folder.resolve()
+    try:
+        chosen = chosen_of(words.chapters, [path.name[:2] for path in root.glob('chapters/[0-9][0-9]_*')])
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise Wrong(f'{words.folder} is there and not empty')
+        if folder.is_relative_to(root):
+            raise Wrong('the folder must be outside of the course')
+        exercises = export(root, folder, chosen)
+    except (Wrong, OSError) as error:
+        print(f'error: {error}', file=sys.stderr)
+        return 2
+    print(f'{words.folder}: chapters {", ".join(chosen)} with {len(exercises)} exercises. Try it there: ./course check')
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

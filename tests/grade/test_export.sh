@@ -1,0 +1,59 @@
+#!/bin/sh
+# A student's copy of the course, made and used: ./course export, then check, test, the book, and a chapter of one's own in it.
+# usage: test_export.sh ROOT WORK      WORK: a folder for the copy, made anew
+set -eu
+root=$1
+rm -rf "$2"
+mkdir -p "$2"
+cd "$2"
+
+fail() {
+  echo "FAIL: $1" >&2
+  exit 1
+}
+# says STATUS TEXT COMMAND...: the command ends with the status and says the text.
+says() {
+  wanted=$1 text=$2 status=0
+  shift 2
+  said=$("$@" 2>&1) || status=$?
+  case "$status:$said" in
+    "$wanted":*"$text"*) ;;
+    *) fail "$*: status $status, not $wanted, or it does not say '$text':
+$said" ;;
+  esac
+}
+
+says 2 "there is no chapter 77" "$root/course" export --chapters 77 kit
+says 2 "'all' names no chapters" "$root/course" export --chapters all kit
+says 2 "outside of the course" "$root/course" export --chapters 02 "$root/out/kit"
+says 0 "chapters 00, 01, 02, 03, 04, 05 with 15 exercises" "$root/course" export --chapters 00-05 kit
+says 2 "not empty" "$root/course" export --chapters 00-05 kit
+cd kit
+! grep -rlE '^ *// solution$|<summary>Answer' tests chapters || fail "a solution or an answer is in the copy"
+[ -z "$(find . -name '*06_*' -o -name teaching.md)" ] || fail "what should not be there is in the copy"
+grep -q 'command: ./course check 05.3' .github/workflows/classroom.yml || fail "the workflow does not check 05.3"
+
+cmake --preset release >release.log || fail "it does not configure for all numbers"
+says 1 "where on the map? not yet" ./course check 02.1
+says 2 "no solutions" ./course check solution 02.1
+(cd "$root" && sh common/tools/check/check.sh solution 02.1) >chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp
+says 0 "where on the map? right" ./course check 02.1
+says 2 "there is no exercise '06.1'" ./course check 06.1
+says 1 "'grade' is not in this copy" ./course grade .
+says 0 "100% tests passed" ./course test 02
+! cmake --build build/learn --target book >book.log || says 0 "pages" build/learn/bin/book . out # stops at a link that leads nowhere
+
+# A chapter of one's own: known at once, gone at once.
+says 2 "no chapter's name" ./course new marble --from 05
+says 2 "chapter 05 is there" ./course new 05_marble --from 04
+says 2 "there is no chapter '06'" ./course new 15_marble --from 06
+says 0 "under a new name" ./course new 15_marble --from 05
+says 0 "100% tests passed, 0 tests failed out of 2" ./course test 15
+sed -i 's/\.squares = 10/.squares = 20/' chapters/15_marble/lesson.hpp
+says 8 "test_15_marble (Failed)" ./course test 15
+says 0 "15_marble" ./course list
+rm -r chapters/15_marble chapters/03_image_texture
+says 2 "there is no chapter '15'" ./course run 15
+says 0 "100% tests passed" ./course test 02
+says 0 "1 of 12 right" ./course check
+[ ! -x build/learn/bin/book ] || says 0 "pages" build/learn/bin/book . out
