@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The book, a page of ./course diff and the gallery in a real browser, in light and dark, 360 and 1280 pixels wide: everything fits,
+"""The book, a page of ./course diff and the gallery in a real browser, in light and dark, 360, 1280 and 1920 pixels wide: everything fits,
 can be read, is there, and works.
 
 usage: test_book.py BOOK ROOT BIN
@@ -23,6 +23,7 @@ MOST_KB = 8192
 LOOK = """(async () => {
   const faults = [];
   const start = (e) => e.outerHTML.slice(0, 80);
+  for (const e of document.querySelectorAll("details")) e.open = true;
   const width = document.documentElement.scrollWidth;
   if (width > innerWidth) {
     const wide = [...document.querySelectorAll("main *")].find((e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest("pre, .scroll"));
@@ -55,18 +56,39 @@ LOOK = """(async () => {
     }
     return [255, 255, 255];
   };
+  const contrast = (a, b) => {
+    const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+    return (light + 0.05) / (dark + 0.05);
+  };
+  for (const e of document.querySelectorAll("#search, main button, main select")) {
+    const ratio = contrast(numbers(getComputedStyle(e).borderTopColor), background(e.parentElement));
+    if (ratio < 3) faults.push(`contrast of a border ${ratio.toFixed(2)}: ${start(e)}`);
+  }
   const seen = new Set();
   for (const e of document.querySelectorAll("body *")) {
     if (![...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim())) continue;
     const style = getComputedStyle(e);
+    if (parseFloat(style.fontSize) < 11) faults.push(`letters of ${style.fontSize}: ${start(e)}`);
     const key = style.color + background(e) + style.fontSize;
     if (seen.has(key) || style.display === "none" || e.matches("script, style")) continue;
     seen.add(key);
-    const [dark, light] = [luminance(numbers(style.color)), luminance(background(e))].sort((a, b) => a - b);
-    const ratio = (light + 0.05) / (dark + 0.05);
+    const ratio = contrast(numbers(style.color), background(e));
     if (ratio < (parseFloat(style.fontSize) >= 24 ? 3 : 4.5)) faults.push(`contrast ${ratio.toFixed(2)}: ${start(e)}`);
   }
+  for (const e of document.querySelectorAll("img[src$='.svg']")) {
+    if (e.clientWidth < 0.84 * e.naturalWidth) faults.push(`letters of 13 px shrink below 11: ${start(e)}`);
+  }
   return faults;
+})()"""
+
+# The characters a line of paragraphs of at least four lines; the last line is half full.
+MEASURE = """(() => {
+  const counts = [];
+  for (const p of document.querySelectorAll("main > p:not([class])")) {
+    const lines = Math.round(p.clientHeight / parseFloat(getComputedStyle(p).lineHeight));
+    if (lines >= 4) counts.push(p.textContent.length / (lines - 0.5));
+  }
+  return counts;
 })()"""
 
 # Per page: what is done, and what the page then shows.
@@ -141,15 +163,23 @@ def faults_of_files(out):
 
 
 def faults_of_pages(out, pages):
+    counts = {1920: [], 1280: [], 360: []}
     with Browser() as browser:
         for scheme in ("light", "dark"):
             browser.media(prefers_color_scheme=scheme)
             for page in pages:
                 browser.size(1280, 900)
                 browser.open(f"file://{out}/{page}")
-                for width in (1280, 360):
+                for width in (1920, 1280, 360):
                     browser.size(width, 900)
                     yield from (f"{page}, {scheme}, {width} wide: {fault}" for fault in browser.run(LOOK))
+                    if scheme == "light":
+                        counts[width] += browser.run(MEASURE)
+        for width, least, most in ((1920, 66, 72), (1280, 66, 72), (360, 32, 46)):
+            mean = sum(counts[width]) / max(1, len(counts[width]))
+            print(f"{width} wide: {mean:.1f} characters a line in {len(counts[width])} paragraphs")
+            if len(counts[width]) < 20 or not least <= mean <= most:
+                yield f"{width} wide: {mean} characters a line in {len(counts[width])} paragraphs, not {least} to {most}"
         browser.size(1280, 900)
         for page, uses in USES.items():
             browser.open(f"file://{out}/{page}")

@@ -43,6 +43,11 @@ void write(const fs::path& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path.generic_string());
 }
 
+void replace_first(std::string& in, const std::string& what, const std::string& by) {
+  const std::size_t at = in.find(what);
+  if (at != std::string::npos) in.replace(at, what.size(), by);
+}
+
 /// A page of the book, made from a page of Markdown.
 struct Page {
   std::string source;   ///< from the root: chapters/03_image_texture/README.md
@@ -220,19 +225,14 @@ class Book {
     }
   }
 
-  [[nodiscard]] std::string contents(std::size_t current) const {
-    std::string html;
-    for (const Part& part : parts_) {
-      html += "<h2>" + escaped_markup(part.title) + "</h2>\n<ul>\n";
-      for (const std::size_t i : part.pages) {
-        const Page& page = pages_[i];
-        html += "<li><a href=\"" + page.file + "\"" +
-                (i == current ? " aria-current=\"page\"" : "") + ">" +
-                escaped_markup(page.title()) + "</a></li>\n";
-      }
-      html += "</ul>\n";
+  /// The names of a part's pages, with links.
+  [[nodiscard]] std::string contents(const Part& part) const {
+    std::string html = "<h2>" + escaped_markup(part.title) + "</h2>\n<ul>\n";
+    for (const std::size_t i : part.pages) {
+      html += "<li><a href=\"" + pages_[i].file + "\">" + escaped_markup(pages_[i].title()) +
+              "</a></li>\n";
     }
-    return html;
+    return html + "</ul>\n";
   }
 
   /// A whole HTML page.
@@ -246,7 +246,10 @@ class Book {
         escaped_markup(title) + "</title>\n<link rel=\"stylesheet\" href=\"" + up +
         "book.css\">\n<link rel=\"icon\" href=\"data:,\">\n</head>\n<body>\n"
         "<a class=\"skip\" href=\"#main\">To the text</a>\n<header>\n<a class=\"home\" href=\"" +
-        up + "index.html\">Texture Mapping, Step by Step</a>\n";
+        up + "index.html\">Texture Mapping, Step by Step</a>\n<a href=\"" + up +
+        "index.html#contents\">Contents</a>\n";
+    if (page_of("docs/symptoms.md") != nullptr)
+      html += "<a href=\"" + up + "symptoms.html\">My Earth is …</a>\n";
     if (up.empty()) {
       html +=
           "<div class=\"search\"><input id=\"search\" type=\"search\" placeholder=\"Search (press "
@@ -254,17 +257,10 @@ class Book {
           "aria-label=\"Search the book\" autocomplete=\"off\"><ul id=\"found\" "
           "hidden></ul></div>\n";
     }
-    html += "</header>\n<div class=\"columns\">\n";
-    if (up.empty()) {
-      html +=
-          "<nav class=\"contents\" aria-label=\"Contents\"><details "
-          "open><summary>Contents</summary>\n" +
-          contents(current) + "</details></nav>\n";
-    }
     const std::string live = up.empty() ? live_chapter(current) : "";
-    html += "<main id=\"main\"";
+    html += "</header>\n<main id=\"main\"";
     if (!live.empty()) html.append(" data-live=\"").append(live).append("\"");
-    html.append(">\n").append(body).append("</main>\n</div>\n");
+    html.append(">\n").append(body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (!live.empty()) {
       html +=
@@ -341,9 +337,13 @@ class Book {
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
     std::string body = page.converted.html;
-    if (!page.chapter.empty()) body += made_for(page.chapter);
+    if (!page.chapter.empty()) {
+      replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
+      replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");
+      body += made_for(page.chapter);
+    }
     const std::string trade = page.chapter + "_speed_error.svg";
-    const std::size_t first_picture = body.find("<p><img");
+    const std::size_t first_picture = body.find("<p class=\"figure");
     if (fs::exists(out_ / trade) && first_picture != std::string::npos) {
       body.insert(first_picture, "<figure><img src=\"" + trade +
                                      "\" alt=\"Time across, error up: each way to draw, and the "
@@ -389,7 +389,8 @@ class Book {
         "<h1>Texture Mapping, Step by Step</h1>\n"
         "<p>How a picture is wrapped round a surface, in a ray tracer that is small enough to "
         "read. Each chapter is one "
-        "program that adds one idea to the chapter before it.</p>\n<div class=\"cards\">\n";
+        "program that adds one idea to the chapter before it.</p>\n<div class=\"cards wide\" "
+        "id=\"contents\">\n";
     for (const Page& page : pages_) {
       if (page.chapter.empty()) continue;
       const std::string drawn = page.chapter + ".png";
@@ -404,8 +405,14 @@ class Book {
       if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";
       body += "<span>" + escaped_markup(page.title()) + "</span></a>\n";
     }
-    write(out_ / "index.html",
-          framed("Texture Mapping, Step by Step", body + "</div>\n", pages_.size()));
+    body += "</div>\n";
+    for (std::size_t part = 1; part + 1 < parts_.size(); ++part) body += contents(parts_[part]);
+    body += "<h2>How it is checked</h2>\n<p><a href=\"checked.html\">" +
+            escaped_markup(parts_.back().title) + "</a></p>\n";
+    write(out_ / "index.html", framed("Texture Mapping, Step by Step", body, pages_.size()));
+    write(out_ / "checked.html",
+          framed("How it is checked", "<h1>How it is checked</h1>\n" + contents(parts_.back()),
+                 pages_.size()));
   }
 
   /// The pages of students and instructors in one, for paper: answers are open, and links within it

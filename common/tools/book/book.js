@@ -78,8 +78,6 @@ document.addEventListener("keydown", (event) => {
   }
 });
 
-// On a narrow screen the contents begin folded.
-if (matchMedia("(max-width: 60rem)").matches) document.querySelector(".contents details").open = false;
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {
   const image = button.parentElement.closest("figure, section").querySelector("img");

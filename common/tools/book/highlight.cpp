@@ -1,6 +1,8 @@
 #include "highlight.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <sstream>
 #include <string_view>
 
@@ -20,6 +22,9 @@ constexpr std::string_view keywords =
 bool is_keyword(const std::string& word) {
   return keywords.find(" " + word + " ") != std::string_view::npos;
 }
+
+/// Longer lines take the margin, too.
+constexpr std::ptrdiff_t columns_of_text = 58;
 
 /// Text between tags, where only these two signs mean something else.
 std::string escaped_text(std::string html) {
@@ -63,20 +68,21 @@ std::string highlighted_line(const std::string& line) {
 }
 
 std::string highlighted_block(const std::string& code, const std::string& language) {
-  std::string html = "<pre tabindex=\"0\"><code>";
+  std::string html;
+  std::ptrdiff_t longest = 0;
   std::istringstream lines(code);
   for (std::string line; std::getline(lines, line);) {
-    if (language == "diff") {
-      const char* kind = line.empty()     ? "same"
-                         : line[0] == '+' ? "added"
-                         : line[0] == '-' ? "removed"
-                                          : "same";
-      html += std::string("<span class=\"") + kind + "\">" + escaped_text(line) + "</span>\n";
+    const auto begins = [](char c) { return (c & 0xC0) != 0x80; };  // a character of UTF-8
+    longest = std::max(longest, std::count_if(line.begin(), line.end(), begins));
+    if (language == "diff" && !line.empty() && line[0] != ' ') {
+      html += line[0] == '-' ? "<span class=\"removed\">" : "<span class=\"added\">";
+      html += escaped_text(line) + "</span>\n";
     } else {
       html += (language == "cpp" ? highlighted_line(line) : escaped_text(line)) + "\n";
     }
   }
-  return html + "</code></pre>\n";
+  return std::string("<div class=\"code") + (longest > columns_of_text ? " wide" : "") +
+         "\"><pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
 }
 
 std::string highlighted_file(const std::string& code, bool is_cpp) {

@@ -96,9 +96,23 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
   }
   const Owned<char> plain(cmark_render_html(node, options, nullptr));
   std::string html = plain.get();
+  replace_all(html, "(u, v)", "(u,\u00a0v)");
   html.insert(html.find('>'), " id=\"" + id + "\"");
   page.sections.push_back({level, id, title, ""});
   replace_by_html(node, html);
+}
+
+/// A paragraph of one picture is a figure. A narrow screen scrolls a drawing.
+void classify_figures(std::string& html) {
+  const std::string paragraph = "<p><img";
+  for (std::size_t at = html.find(paragraph); at != std::string::npos;
+       at = html.find(paragraph, at + 1)) {
+    const std::size_t end = html.find('>', at + paragraph.size());
+    if (html.compare(end, 5, "></p>") != 0) continue;
+    const bool is_drawing = html.substr(at, end - at).find(".svg\"") != std::string::npos;
+    const std::string classes = is_drawing ? "figure wide draw\" tabindex=\"0\"" : "figure wide\"";
+    html.insert(at + 2, " class=\"" + classes);
+  }
 }
 
 }  // namespace
@@ -164,6 +178,7 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) 
 
   const Owned<char> html(cmark_render_html(root.get(), options, nullptr));
   page.html = html.get();
+  classify_figures(page.html);
   replace_all(page.html, "<table>", "<div class=\"scroll\" tabindex=\"0\"><table>");
   replace_all(page.html, "</table>", "</table></div>");
   replace_all(page.html, "<img ", "<img loading=\"lazy\" ");
