@@ -1,10 +1,11 @@
-// Claims of common/texture: texel.hpp, checkerboard.hpp, solid_checkerboard.hpp, image_texture.hpp;
-// and of common/math/srgb.hpp.
+// Claims of common/texture: texel.hpp, checkerboard.hpp, solid_checkerboard.hpp, noise.hpp,
+// image_texture.hpp; and of common/math/srgb.hpp.
 #include "claims.hpp"
 #include "math/srgb.hpp"
 #include "support/whole_numbers.hpp"
 #include "texture/checkerboard.hpp"
 #include "texture/light_texture.hpp"
+#include "texture/noise.hpp"
 #include "texture/solid_checkerboard.hpp"
 #include "texture/texel.hpp"
 
@@ -151,6 +152,26 @@ Measurement count_wrong_sines() {
   });
 }
 
+/// Noise against the same formula in 50 digits: only rounding differs.
+template <class Real>
+Measurement worst_noise() {
+  using T = Scalar<Real>;
+  return worst_lanes<Real>(
+      1,
+      [](Dice& dice) {
+        const auto coordinate = [&dice] {
+          return static_cast<T>(dice.sign()) * (dice.once_in(4)
+                                                    ? dice.number<T>(-40, 0)
+                                                    : static_cast<T>(dice.power_of_ten(-3, 5)));
+        };
+        return Vec3<T>{coordinate(), coordinate(), coordinate()};
+      },
+      [](const Vec3<Real>& p) { return gradient_noise(p); },
+      [](T noise, const Vec3<T>& p) {
+        return static_cast<double>(abs(noise - gradient_noise(exactly(p))) / roundoff<T>());
+      });
+}
+
 /// Texels that come out as a wrong byte or as another texel's, for any (u, v) that the type holds.
 template <class Real>
 Measurement count_wrong_bytes() {
@@ -252,6 +273,8 @@ Family claims_of_textures() {
                      "coordinates 1e-12 to 1e12, cells 1e-6 to 1e6; farther than 1 u of itself "
                      "from a cube's face",
                      none, count_wrong_cubes<Real>());
+    family.add<Real>("gradient_noise", "coordinates of 1e-12 to 1e5, of either sign", {3, "u"},
+                     worst_noise<Real>());
     family.add<Real>("ImageTexture", "anything the type can hold as u and v",
                      {0, "not a byte of the texel / 255"}, count_wrong_bytes<Real>());
   });

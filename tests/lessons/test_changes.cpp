@@ -12,6 +12,7 @@
 #include "changes/fifth_sphere.hpp"
 #include "changes/float_mapping.hpp"
 #include "changes/int_stripes.hpp"
+#include "changes/marble.hpp"
 #include "changes/own_mapping.hpp"
 #include "changes/own_texture.hpp"
 #include "changes/plain.hpp"
@@ -74,6 +75,9 @@ TEST_CASE("each change draws the page's picture, and changes what the page says"
   check_change(second, change_own_mapping::Lesson{}, "own_mapping", {middle, right, ground});
   check_change(second, change_tiles::Lesson{}, "tiles", {change_tiles::ground});
   check_change(second, change_int_stripes::Lesson{}, "int_stripes", {middle, right, ground});
+  change_marble::Lesson plain;
+  plain.objects[change_marble::left].paint = Solid{red};
+  check_change(plain, change_marble::Lesson{}, "marble", {change_marble::left});
   check_change(first, change_plane::Lesson{}, "plane", {-1, 0, 1, 2});  // the ground is no object
   const auto own_texture = prepared<change_own_texture::Lesson>();
   check_change(prepared<chapter_03::Lesson>(), own_texture, "own_texture",
@@ -110,6 +114,7 @@ TEST_CASE("changes that are templates draw the same picture in packs") {
   CHECK(same_in_packs(change_stripes::Lesson{}));
   CHECK(same_in_packs(change_own_mapping::Lesson{}));
   CHECK(same_in_packs(change_tiles::Lesson{}));
+  CHECK(same_in_packs(change_marble::Lesson{}));
   CHECK(same_in_packs(change_plane::Lesson{}));
   CHECK(same_in_packs(prepared<change_can::Lesson>()));
 }

@@ -21,6 +21,7 @@
 #include "texture/encoded.hpp"
 #include "texture/filters.hpp"
 #include "texture/floor_mapping.hpp"
+#include "texture/marble.hpp"
 #include "texture/smooth_texture.hpp"
 #include "texture/solid_checkerboard.hpp"
 #include "texture/uv_inverse.hpp"
@@ -170,6 +171,9 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
       return std::tuple(board(vector(x, 0, reach)), FloorMapping{.size = 3}(vector(x, 3, reach)));
     });
   }
+  law<Many>("Marble, gradient_noise", []<class Real>(const In<Real>& x) {
+    return std::tuple(Marble{}(vector(x, 0, 5)), gradient_noise(vector(x, 3, 2000)));
+  });
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap::border, Wrap::spherical}) {
     law<Many>("wrapped_texel, wrapped_coordinate", [=]<class Real>(const In<Real>& x) {
       const auto texel = wrapped_texel(wrap, floor(x[0] * Real(90)), floor(x[1] * Real(90)),
