@@ -53,6 +53,7 @@ struct Group {
 
 // The groups, each declared here and made in a file of its own subject.
 [[nodiscard]] Group chapters_group();
+[[nodiscard]] Group threads_group();
 [[nodiscard]] Group meshes_group();
 [[nodiscard]] Group budgets_group();
 [[nodiscard]] Group ledger_group();

@@ -103,8 +103,8 @@ std::string page_of(const Machine& machine, const Effort& effort, const std::vec
       "\nWorks that are compared are timed alternately, and the shortest time of each counts\n"
       "(`common/engine/measure/interleaved.cpp`). A cell has a time, in the unit at the table's\n"
       "corner, and in brackets how many times as fast as the base that is. Ratios change from\n"
-      "run to run by some hundredths, on a busy machine by a tenth. All on one thread.\n"
-      "\"–\": not on this machine.\n\n";
+      "run to run by some hundredths, on a busy machine by a tenth. All on one thread, but\n"
+      "for the group `threads`. \"–\": not on this machine.\n\n";
   for (const Group& group : all) page += section_of(group);
   page.pop_back();  // the last empty line
   return page;
