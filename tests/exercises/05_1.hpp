@@ -1,7 +1,8 @@
 // Exercise 05.1: turn a direction
 //
-// p is a direction. Return p turned about the y axis by an angle in degrees. A positive angle turns
-// from +z to +x: 90 degrees turn (0, 0, 1) to (1, 0, 0), and (1, 0, 0) to (0, 0, -1).
+// p is a direction. Return p turned about the x axis by an angle in degrees: the globe nods. A
+// positive angle turns from +y to +z: 90 degrees turn (0, 1, 0) to (0, 0, 1), and (0, 0, 1) to
+// (0, -1, 0).
 #include "exercise.hpp"
 
 Vec3 turned(Vec3 p, double degrees) {
@@ -9,10 +10,10 @@ Vec3 turned(Vec3 p, double degrees) {
   const double angle = degrees * pi / 180;
   const double s = std::sin(angle);
   const double c = std::cos(angle);
-  return {p.x * c + p.z * s, p.y, p.z * c - p.x * s};
+  return {p.x, p.y * c - p.z * s, p.z * c + p.y * s};
   // start: // Your lines here. std::sin and std::cos take an angle in radians.
-  // start: return {p.x + degrees / 360, p.y, p.z};
+  // start: return {p.x, p.y + degrees / 360, p.z};
 }
 // hint: A full turn is 360 degrees, and 2 pi in radians. So radians are degrees * pi / 180.
-// hint: From above, the x axis (1, 0) turns to (cos, -sin), and the z axis (0, 1) to (sin, cos).
-// hint: (x, z) goes x steps along the turned x axis and z steps along the turned z axis.
+// hint: Where do the two axes go? In (y, z), the y axis turns to (cos, sin). And the z axis?
+// hint: (y, z) goes y steps along the turned y axis and z steps along the turned z axis.

@@ -1,15 +1,15 @@
 // Exercise 06.1: the mirrored direction
 //
-// n is the normal of a surface, and l the direction to the lamp. Both have the length 1. Return the
-// direction r in which a mirror would send the lamp's light: the same part along n as l has, and
-// the opposite part along the surface.
+// A ray comes to a mirror in the direction d. n is the mirror's normal. Both have the length 1.
+// Return the direction r in which the ray goes on: the same part along the surface as d has, and
+// the opposite part along n.
 #include "exercise.hpp"
 
-Vec3 mirrored(Vec3 l, Vec3 n) {
+Vec3 mirrored(Vec3 d, Vec3 n) {
   // solution
-  return n * (2 * dot(n, l)) - l;
-  // start: // Your line here. dot(n, l) is a number; n * 2.0 and n - l are vectors.
-  // start: return n + l;
+  return d - n * (2 * dot(n, d));
+  // start: // Your line here. dot(n, d) is a number; n * 2.0 and n - d are vectors.
+  // start: return n - d * 2.0;
 }
-// hint: The part of l along n is n * dot(n, l). The rest of l lies along the surface.
-// hint: r is the first part minus the rest.
+// hint: The part of d along n is n * dot(n, d). The rest of d lies along the surface.
+// hint: r is the rest minus the first part.

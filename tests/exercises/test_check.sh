@@ -115,10 +115,11 @@ expect "a right answer" 0 "ran --question 02.a --answer 7 --again." 02.a 7
 expect "after a right answer one begins again" 0 "ran --question 02.a --answer 5." 02.a 5
 rm "$folder/02_answer.hpp"
 
-expect "the first hint" 0 "(hint 1 of 2)" hint 02.1
-expect "the second hint" 0 "Divide by what the angles run over.
-(hint 2 of 2)" hint 2.1
-expect "the last hint stays" 0 "(hint 2 of 2)" hint 02.1
+expect "the first hint" 0 "(hint 1 of 3)" hint 02.1
+expect "the second hint" 0 "(hint 2 of 3)" hint 2.1
+expect "the third hint" 0 "Divide by what the angles run over.
+(hint 3 of 3)" hint 02.1
+expect "the last hint stays" 0 "(hint 3 of 3)" hint 02.1
 expect "one wrong exercise of a chapter" 1 "ran --title which square?" 2
 for id in 02.1 02.2; do sh "$script" solution "$id" >"$(echo $folder/"${id#*.}"_*.hpp)"; done
 expect "a chapter that is right" 0 "ran" 02

@@ -14,11 +14,18 @@ TEST_CASE("03: strangers' answers get their words") {
   by_x("other end", [](D x, int w) { return clamp(int(x * w) % w, 0, w); });
   column_of("of a whole map", [](D u, int w, D, D) { return min(w - 1, int(u * w)); });
 
+  const auto in_picture = [](auto row) {  // the rows of the pictures above are right
+    return [=](D v, int h, int picture) { return picture * h + row(v, h); };
+  };
   // As the textbook has it. It differs where v is on the edge of a row, and is right, too.
-  row_of.right([](D v, int h) { return min(int((1 - clamp(v, 0.0, 1.0)) * h), h - 1); });
-  row_of("upside down", [](D v, int h) { return v < 0 ? 0 : min(int(v * h), h - 1); });
-  row_of("half a texel", [](D v, int h) { return clamp(int((1 - v) * h + 0.5), 0, h - 1); });
-  row_of("you forgot the - 1", [](D v, int h) { return h - clamp(int(v * h), 0, h - 1); });
+  row_of.right(in_picture([](D v, int h) { return min(int((1 - clamp(v, 0., 1.)) * h), h - 1); }));
+  row_of("upside down", in_picture([](D v, int h) { return v < 0 ? 0 : min(int(v * h), h - 1); }));
+  row_of("half a texel",
+         in_picture([](D v, int h) { return clamp(int(h - v * h + 0.5), 0, h - 1); }));
+  row_of("you forgot the - 1",
+         in_picture([](D v, int h) { return h - clamp(int(v * h), 0, h - 1); }));
+  row_of("has height rows, not one",
+         [](D v, int h, int picture) { return picture + h - 1 - clamp(int(v * h), 0, h - 1); });
 
   const auto by_first_byte = [](const char* text, auto first) {
     color_of(text, [=](const Bytes& bytes, int length, int c, int r) {
@@ -41,4 +48,10 @@ TEST_CASE("before and after the bytes of a picture there are zeros") {
   CHECK(bytes[5] == 1);
   CHECK(bytes[6] == 0);
   CHECK(bytes[-1] == 0);
+}
+
+TEST_CASE("a column outside of the picture is said to be outside") {
+  const std::function<int(D, int, D, D)> width = [](D, int w, D, D) { return w; };
+  CHECK(texmap::check::exercises_of_chapter().exercises[0].verdict(width).got ==
+        "8, outside: there are 0 to 7");
 }

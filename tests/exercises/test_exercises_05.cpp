@@ -9,13 +9,16 @@ static V turn(V p, V first, V second, D w) {
   return p + first * (x * cos(w) - y * sin(w) - x) + second * (x * sin(w) + y * cos(w) - y);
 }
 static V about_y(V p, D w) { return turn(p, {0, 0, 1}, {1, 0, 0}, w); }
+static V about_x(V p, D w) { return turn(p, {0, 1, 0}, {0, 0, 1}, w); }
 static V about_z(V p, D w) { return turn(p, {1, 0, 0}, {0, 1, 0}, w); }
 
 TEST_CASE("05: strangers' answers get their words") {
-  turned("for radians", [](V p, D degrees) { return about_y(p, degrees); });
-  turned("", [](V p, D degrees) { return about_y(p, int(degrees) / 180. * pi); });
-  turned("digits", [](V p, D degrees) { return about_y(p, degrees / 180 * 3.14159); });
-  turned("exchanged", [](V p, D degrees) { return about_y(p, pi / 2 - degrees / 180 * pi); });
+  turned("for radians", [](V p, D degrees) { return about_x(p, degrees); });
+  turned("", [](V p, D degrees) { return about_x(p, int(degrees) / 180. * pi); });
+  turned("digits", [](V p, D degrees) { return about_x(p, degrees / 180 * 3.14159); });
+  turned("exchanged", [](V p, D degrees) { return about_x(p, pi / 2 - degrees / 180 * pi); });
+  turned("about the y axis", [](V p, D degrees) { return about_y(p, degrees / 180 * pi); });
+  turned("for radians", [](V p, D degrees) { return about_x(p, -degrees); });  // and the other way
 
   u_after("no effect", [](D u, D degrees) { return u + int(degrees) % 360 / 360; });
   u_after("add first", [](D u, D degrees) { return u + degrees / 360 - floor(degrees / 360); });
@@ -29,4 +32,12 @@ TEST_CASE("05: strangers' answers get their words") {
   by_radians("turn comes first", [](V p, D a, D b) { return about_z(about_y(p, b), a); });
   by_radians("to the left", [](V p, D a, D b) { return about_y(about_z(p, -a), b); });
   by_radians("comes back", [](V p, D a, D b) { return about_z(about_y(about_z(p, a), b), -a); });
+}
+
+TEST_CASE("where no mistake fits, it is said which numbers are right") {
+  const std::function<V(V, D)> noise = [](V p, D degrees) { return V{p.x, degrees, NAN}; };
+  const auto& turned_exercise = texmap::check::exercises_of_chapter().exercises[0];
+  CHECK(turned_exercise.verdict(noise).fact.find("(NaN)") != std::string::npos);
+  const std::function<V(V, D)> wrong = [](V p, D degrees) { return V{p.x, degrees, p.z + 1}; };
+  CHECK(turned_exercise.verdict(wrong).fact == "right at every place: x; wrong: y z");
 }

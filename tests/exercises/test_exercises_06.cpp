@@ -4,12 +4,12 @@
 const std::vector<double> texmap::test::answers{698.0 / 75, 60};
 
 TEST_CASE("06: strangers' answers get their words") {
-  mirrored("points into the surface", [](V l, V n) { return l - n * (2 * dot(n, l)); });
-  mirrored("counts once", [](V l, V n) { return normalize(n * dot(n, l) - l); });
-  mirrored("other side of n", [](V l, V n) { return normalize((l + n) / 2); });
-  mirrored("no std::max", [](V l, V n) { return 2 * max(0., dot(n, l)) * n - l; });
-  mirrored("n = +y at most", [](V l, V n) { return V{-l.x, l.y, l.z}; });
-  mirrored("shorter than n", [](V l, V n) { return 2 * dot(n, n) * n - l; });
+  mirrored("this mirrors l", [](V d, V n) { return n * (2 * dot(n, d)) - d; });
+  mirrored("counts once", [](V d, V n) { return normalize(d - n * dot(n, d)); });
+  mirrored("other side of n", [](V d, V n) { return normalize((n - d) / 2); });
+  mirrored("no std::abs", [](V d, V n) { return d - 2 * min(0., dot(n, d)) * n; });
+  mirrored("n = +y at most", [](V d, V n) { return V{d.x, -d.y, d.z}; });
+  mirrored("shorter than n", [](V d, V n) { return d - 2 * dot(n, n) * n; });
 
   const auto shine = [](const char* text, auto of) {  // of n, l, the mirrored l, the eye
     highlight(text, [=](V n, V to_lamp, V d, D s) {

@@ -49,8 +49,8 @@ struct Strangers {
   }
 };
 
-/// Strangers to this exercise; they write a function like the solution. solutions/NN.hpp has one for
-/// each exercise, under the function's name.
+/// Strangers to this exercise; they write a function like the solution. solutions/NN.hpp has one of
+/// them for each exercise, under the function's name.
 template <class Out, class... In>
 [[nodiscard]] Strangers<Out, In...> strangers_to(std::size_t k, Out (* /*solution*/)(In...)) {
   return {k};

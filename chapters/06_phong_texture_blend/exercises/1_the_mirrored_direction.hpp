@@ -1,13 +1,13 @@
 // Exercise 06.1: the mirrored direction
 //
-// n is the normal of a surface, and l the direction to the lamp. Both have the length 1. Return the
-// direction r in which a mirror would send the lamp's light: the same part along n as l has, and
-// the opposite part along the surface.
+// A ray comes to a mirror in the direction d. n is the mirror's normal. Both have the length 1.
+// Return the direction r in which the ray goes on: the same part along the surface as d has, and
+// the opposite part along n.
 //
 // Check it:  ./course check 06.1
 #include "exercise.hpp"
 
-Vec3 mirrored(Vec3 l, Vec3 n) {
-  // Your line here. dot(n, l) is a number; n * 2.0 and n - l are vectors.
-  return n + l;
+Vec3 mirrored(Vec3 d, Vec3 n) {
+  // Your line here. dot(n, d) is a number; n * 2.0 and n - d are vectors.
+  return n - d * 2.0;
 }

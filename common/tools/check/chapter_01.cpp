@@ -129,7 +129,7 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double r
        {by(sqrt(abs(inside))), by(sqrt(max(inside, 0.0)))}},
   };
   // What to make of the roots.
-  const auto kept = [=](double t) { return o.y + t * d.y <= rim; };
+  const auto kept = [=](double t, double below = 0) { return o.y + t * d.y - below <= rim; };
   const auto first_of = [](const Roots& t, bool first, bool second) {
     return t.entry > 0 && first ? t.entry : t.exit > 0 && second ? t.exit : never;
   };
@@ -141,32 +141,31 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double r
   const auto [entry, exit] = t;
   const bool missed = std::isnan(root);
   const double right = first_kept(t), whole = first_ahead(t);
-  const auto above = [=](double x, double limit) { return o.y + x * d.y > limit; };
-  const auto* no_second =
-      "where the smaller t does not count, the larger one may: through the open top the ray meets "
-      "the inside";
+  const double any = kept(entry) ? entry : kept(exit) ? exit : never;
   Slips<double> wrong = {
       {"this is infinity for every ray: look at the signs in b * b - a * c, and at what you "
        "compare",
        never},
       {"the upper part is cut away: a point counts only if its y is not above the rim", whole},
-      {no_second, {entry_kept(t), kept(whole) ? whole : never}},
+      {"through the open top the ray meets the inside, at the larger t: try that if the smaller "
+       "one does not count",
+       {entry_kept(t), kept(whole) ? whole : never}},
       {"the larger t, too, counts only if its point is not above the rim",
        first_of(t, kept(entry), true)},
       {"yours is what was cut away: points with y <= rim are left",
        first_of(t, !kept(entry), !kept(exit))},
       {"rim is a y in the scene, not a height above the center",
-       first_of(t, !above(entry, center.y + rim), !above(exit, center.y + rim))},
+       first_of(t, kept(entry, center.y), kept(exit, center.y))},
       {"the point's y is compared with the rim: origin.y + t * direction.y",
        {o.y <= rim ? whole : never, first_of(t, entry <= rim, exit <= rim),
         first_of(t, entry * d.y <= rim, exit * d.y <= rim)}},
       {"the larger t comes second: the ray leaves the sphere there",
-       exit > 0 && kept(exit) ? exit : never},
+       {exit > 0 && kept(exit) ? exit : never, exit > 0 && kept(exit) ? exit : entry_kept(t)}},
+      {"this is right for directions of length 1 alone: t counts in lengths of the direction",
+       right * sqrt(a)},
       {"the larger t comes second: the ray leaves the sphere there, and the upper part is cut away",
        {exit > 0 ? exit : never, missed ? never : exit}},
-      {"a t below 0 is behind the origin: only t > 0 counts", kept(entry)  ? entry
-                                                              : kept(exit) ? exit
-                                                                           : never},
+      {"a t below 0 is behind the origin: only t > 0 counts", any},
       {"a t below 0 is behind the origin, and the upper part is cut away", entry_alone(t)},
       {"a t below 0 is behind the origin: no std::abs and no std::max makes it a distance",
        {abs(entry_alone(t)), max(entry_alone(t), 0.0)}},
@@ -294,6 +293,8 @@ Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hi
       {"the ray starts on the sphere, and rounding lets it meet that sphere: start 0.001 above",
        lifted(0)},
       {"the ray starts below the surface: add normal * 0.001, do not subtract it", lifted(-0.001)},
+      {"point is a position: lift it along the normal, not away from (0, 0, 0)",
+       first_hit(p * 1.001, normalize(lamp - p * 1.001)) < length(lamp - p * 1.001)},
       {"the ray starts too far above the surface and misses what is nearer: add normal * 0.001",
        lifted(1)},
       {"this is never true: compare what first_hit returns with the distance of the lamp", false},
@@ -396,8 +397,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Which part of the formula for the color is left in a shadow? A byte is 255 times that.",
         {{41, "the decimals are cut off, not rounded"},
          {204, "this is the color in full light: in a shadow 0.2 of it is left"},
-         {51, "this is the ambient light alone: multiply it by the sphere's blue, 0.8"},
-         {0, "a shadow is not black: the ambient light is left"}}},
+         {51, "this is the ambient light alone: multiply it by the sphere's blue, 0.8"}}},
        {"At which angle of the light, in degrees from the normal, is a surface half as bright as "
         "where the light falls straight on it?",
         [] {
@@ -410,9 +410,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "the lamp's.",
         {{60, "there the lamp's part is a half, but the ambient light stays"},
          {51.32,
-          "the ambient light counts where the light falls straight, too: that is 1, not 0.8"},
-         {45, "there the cosine is 0.71"},
-         {0.375, "this is the cosine: which angle has it"}}}},
+          "the ambient light counts where the light falls straight, too: that is 1, not 0.8"}}}},
   };
   return chapter;
 }

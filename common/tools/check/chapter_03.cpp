@@ -11,7 +11,7 @@ namespace texmap::chapter_03 {
 
 using check::Bytes;
 static std::function<int(double, int, double, double)> column_of;
-static std::function<int(double, int)> row_of;
+static std::function<int(double, int, int)> row_of;
 static std::function<Rgb(const Bytes&, int, int, int)> color_of;
 
 constexpr double west = 0.125, east = 0.375;  // of the picture that is cut out of the map
@@ -23,7 +23,7 @@ struct ImageTexture {
     auto [column, row] =
         texel_place(uv, image.width, image.height, VAxis::up, TexelRounding::floor);
     if (column_of) column = column_of(uv.u, image.width, west, east);
-    if (row_of) row = row_of(uv.v, image.height);
+    if (row_of) row = row_of(uv.v, image.height / 2, 1);
     if (column < 0 || column >= image.width || row < 0 || row >= image.height) return {};
     if (color_of) return color_of(Bytes{image}, Bytes::row_bytes(image), column, row);
     const Rgb8& texel = image.at(column, row);
@@ -44,17 +44,19 @@ Image& map_of(Lesson& lesson) {
   return std::get<Textured>(lesson.objects[middle].paint).texture.image;
 }
 
-/// Draws the globe from near by, with a map so wide of which these columns are left. With few
-/// texels one can count them.
-std::function<Image()> globe(int columns, int first = 0, int behind = 0) {
+/// Draws the globe from near by, with a map so wide of which these columns are left, below so many
+/// white pictures. With few texels one can count them.
+std::function<Image()> globe(int columns, int first = 0, int behind = 0, int above = 0) {
   return [=] {
     auto lesson = prepared<Lesson>();
     Image& map = map_of(lesson);
-    Image small(behind > 0 ? behind - first : columns, columns / 2);
+    const int height = columns / 2;
+    Image small(behind > 0 ? behind - first : columns, height * (above + 1), {255, 255, 255});
     const int step = map.width / columns;
-    for (int i = 0; i < small.width * small.height; ++i) {
+    for (int i = 0; i < small.width * height; ++i) {
       const int column = i % small.width, row = i / small.width;
-      small.at(column, row) = map.at((column + first) * step + step / 2, row * step + step / 2);
+      small.at(column, row + height * above) =
+          map.at((column + first) * step + step / 2, row * step + step / 2);
     }
     map = small;
     return picture_of(lesson, 18);
@@ -88,9 +90,6 @@ Slips<int> wrong_columns(double u, int n, double left, double right) {
        {cut_off((u - left / wide) * n), cut_off(((u - left) / right - left) * n),
         cut_off((u - left / right - left) * n)}},
       {"divide by east - west, do not multiply", cut_off((u - left) * wide * n)},
-      {"this goes back, from the picture to the map", cut_off((left + u * wide) * n)},
-      {"west is a u, not a number of columns: subtract it before you multiply",
-       cut_off(u * n - left)},
       {"multiply by width, not by width - 1: now the last column is at u = east alone",
        {cut_off(x * (n - 1)), rounded(x * (n - 1))}},
       {half_a_texel, {rounded(x * n), cut_off(x * n + 0.5)}},
@@ -116,6 +115,8 @@ Slips<int> wrong_columns(double u, int n, double left, double right) {
        {max(c, 0), cut_off(clamp(x, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n)}},
       {"you have u = east, but a larger u goes on: std::clamp(column, 0, width - 1) limits all",
        {u == right ? n - 1 : c, u == right ? n - 1 : max(c, 0)}},
+      {"outside of the picture it is the column at the nearer end",
+       {u < left || u > right ? -1 : min(c, n - 1), u < left || u > right ? 0 : min(c, n - 1)}},
       {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
        {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(x) * n)}},
       {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
@@ -140,7 +141,7 @@ constexpr Place<double, int, double, double> column_of_places[] = {
     {"left of the picture it is the first one, number 0", {0.1, 8, 0.25, 0.75}},
 };
 
-Slips<int> wrong_rows(double v, int n) {
+Slips<int> wrong_in_picture(double v, int n) {
   const int up = cut_off(v * n);
   const int down = cut_off((1 - v) * n);
   const int row = n - 1 - up;
@@ -163,8 +164,8 @@ Slips<int> wrong_rows(double v, int n) {
   };
   return {
       limited(table, n),
-      {"nothing limits the number: at v = 1 it is -1, and there is no such row", row},
-      {"nothing limits the number: at v = 0 it is height, and there is no such row", down},
+      {"nothing limits the number: at v = 1 your row is in the picture above", row},
+      {"nothing limits the number: at v = 0 your row is in the picture below", down},
       {"the number can be more than height - 1: limit it to height - 1",
        {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n), clamp(down, 0, n)}},
       {"the number can be less than 0, at v = 1: limit it to 0 there",
@@ -178,17 +179,39 @@ Slips<int> wrong_rows(double v, int n) {
   };
 }
 
-constexpr Place<double, int> row_of_places[] = {
-    {"of 4 rows, v = 0.8 is in the top row, number 0", {0.8, 4}},
-    {"of 4 rows, v = 0.6 is in number 1, below the top row", {0.6, 4}},
-    {"of 4 rows, v = 0 is in the bottom row, number 3", {0.0, 4}},
-    {"of 1024 rows, the Sahara at v = 0.63 is in number 378", {0.63, 1024}},
-    {"of 10 rows, v = 0.06 is in number 9", {0.06, 10}},
-    {"of 10 rows, v = 0.12 is in number 8", {0.12, 10}},
-    {"of 10 rows, v = 0.38 is in number 6", {0.38, 10}},
-    {"v = 1 is in the top row, number 0", {1.0, 4}},
-    {"a v above 1 gives the top row, number 0", {1.3, 4}},
-    {"of 4 rows, a v below 0 gives the bottom row, number 3", {-0.3, 4}},
+int right_row(double v, int n, int picture) {
+  const Uv<double> uv{0, v};
+  return picture * n + texel_place(uv, 1, n, VAxis::up, TexelRounding::floor).row;
+}
+
+Slips<int> wrong_rows(double v, int n, int picture) {
+  const int row = right_row(v, n, 0);
+  const int above = picture * n;
+  return {
+      changed(wrong_in_picture(v, n), [=](int r) { return above + r; }),
+      {"the pictures above are missing: each of them has height rows", row},
+      {"above picture 1 there is one picture: picture * height rows",
+       {above + n + row, above - n + row}},
+      {"each picture above has height rows, not one", row + picture},
+      {"limit the row in its picture, before you add the rows above",
+       clamp(above + n - 1 - cut_off(v * n), 0, n - 1)},
+      {"the pictures follow each other downward: only the rows in a picture are turned around",
+       {row - above, n - 1 - clamp(cut_off(v * n) + above, 0, n - 1)}},
+  };
+}
+
+constexpr Place<double, int, int> row_of_places[] = {
+    {"of 4 rows, v = 0.8 is in the top row: in picture 0 that is number 0", {0.8, 4, 0}},
+    {"in picture 1 it is number 4", {0.8, 4, 1}},
+    {"of 4 rows, v = 0.6 is below the top row: in picture 2 that is number 9", {0.6, 4, 2}},
+    {"of 4 rows, v = 0 is in the bottom row: in picture 1 that is number 7", {0.0, 4, 1}},
+    {"of 1024 rows, the Sahara at v = 0.63 is in number 378", {0.63, 1024, 0}},
+    {"of 10 rows, v = 0.06 is in number 9", {0.06, 10, 0}},
+    {"of 10 rows, v = 0.12 is in number 8, in picture 3 in number 38", {0.12, 10, 3}},
+    {"of 10 rows, v = 0.38 is in number 6", {0.38, 10, 0}},
+    {"v = 1 is in the top row: in picture 1 that is number 4", {1.0, 4, 1}},
+    {"a v above 1 gives the picture's top row", {1.3, 4, 2}},
+    {"a v below 0 gives the picture's bottom row", {-0.3, 4, 1}},
 };
 
 /// The color whose red, green and blue have these numbers.
@@ -221,7 +244,8 @@ Slips<Rgb> wrong_texels(const Bytes& b, int row_bytes, int column, int row) {
         {"all three channels have the same byte: red is at + 2, green at + 1, blue at + 0",
          {rgb(0, 0, 0), rgb(2, 2, 2)}},
         {"the three bytes of a texel follow each other: + 2, + 1 and + 0",
-         {rgb(6, 3, 0), rgb(2 * row_bytes, row_bytes, 0)}},
+         {rgb(6, 3, 0), rgb(2 * row_bytes, row_bytes, 0),
+          rgb(2 * row_bytes - 2 * column, row_bytes - 2 * column, -2 * column)}},
     };
     for (const int red : {2, 0}) {
       const auto from = [&](int k) { return color_from(b, k + red, k + 1, k + 2 - red, divisor); };
@@ -291,14 +315,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                  column_of_places,
                  {},
                  [](double, int n, double, double) { return n; }}),
-       exercise(row_of, globe(32),
-                {[](double v, int n) {
-                   return texel_place(Uv<double>{0, v}, 1, n, VAxis::up, TexelRounding::floor).row;
-                 },
-                 wrong_rows,
-                 row_of_places,
-                 {},
-                 [](double, int n) { return n; }}),
+       exercise(row_of, globe(32, 0, 0, 1), {right_row, wrong_rows, row_of_places}),
        exercise(color_of, globe(510),
                 {[](const Bytes& b, int row_bytes, int column, int row) {
                    const int first = row * row_bytes + 3 * column;
@@ -311,17 +328,14 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Where on the map is longitude 0, and how many columns are 360 degrees?",
         {{76, "longitude 0 is in the middle of the map, not at its left edge"},
          {1101, "columns are numbered from 0: cut off the decimals"},
-         {1100.23, "the number of a column is whole: cut off the decimals"},
-         {1099, "the map has 2048 columns: multiply by 2048, not by 2047"},
-         {947, "this is west of the middle: east is on the right"}}},
+         {1100.23, "the number of a column is whole: cut off the decimals"}}},
        {"The map has 2048 x 1024 texels. What percentage of them does the chapter's picture read, "
         "with one ray a pixel?",
         texels_read,
         {"percent", 0.05},
         "How many pixels of the picture show the globe, and how many texels does each of them "
         "read?",
-        {{22.9, "most pixels show something else: only the globe's read the map"},
-         {1.41, "this counts only the texels that the eye sees: the map has more"}}}},
+        {{1.41, "this counts only the texels that the eye sees: the map has more"}}}},
   };
   return chapter;
 }

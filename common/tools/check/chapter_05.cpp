@@ -53,7 +53,8 @@ Vec3d turned_by(const Vec3d& p, double s, double c) {
 }
 Vec3d turned_about_y(const Vec3d& p, double degrees) { return rotation_y(degrees)(p); }
 
-Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
+/// About the x axis, from +y to +z, as many turn; here as a turn about y, of (z, x, y).
+Slips<Vec3d> wrong_about_y(Vec3d p, double degrees) {
   const auto by = [&](double factor) {  // radians of a degree
     return turned_by(p, sin(factor * degrees), cos(factor * degrees));
   };
@@ -76,7 +77,7 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
       {"your pi has too few digits: take the constant pi",
        {by(3.14 / 180), by(3.141 / 180), by(3.142 / 180), by(3.1415 / 180), by(3.1416 / 180),
         by(3.14159 / 180)}},
-      {"the other way around, from +z to -x: exchange the signs of the sines", by(-radian)},
+      {"the other way around, from +y to -z: exchange the signs of the sines", by(-radian)},
       {"sine and cosine are exchanged: at 0 degrees your globe is turned already",
        turned_by(p, cosine, sine)},
   };
@@ -85,43 +86,53 @@ Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
     const double s = sin(w), c = cos(w);
     const Vec3d q = turned_by(p, s, c);
     wrong += {
-        {"one sine has the wrong sign: x gets z sin, z loses x sin", {q.x, y, z * c + x * s}},
-        {"the new z is computed from the new x: keep the old x in a variable",
+        {"one sine has the wrong sign: z gets y sin, y loses z sin", {q.x, y, z * c + x * s}},
+        {"the new y is computed from the new z: keep the old z in a variable",
          {q.x, y, z * c - q.x * s}},
-        {"the new x is computed from the new z: keep the old z in a variable",
+        {"the new z is computed from the new y: keep the old y in a variable",
          {x * c + q.z * s, y, q.z}},
-        {"x and y are turned, about the z axis: turn x and z", {x * c + y * s, y * c - x * s, z}},
-        {"y and z are turned, about the x axis: turn x and z", {x, y * c + z * s, z * c - y * s}},
-        {"z is not turned: it changes, too, into z cos - x sin", {q.x, y, z}},
-        {"x is not turned: it changes, too, into x cos + z sin", {x, y, q.z}},
-        {"the cosines are missing: x turns into x cos + z sin", turned_by(p, s, 1)},
+        {"z and x are turned, about the y axis: turn z and y", {x * c + y * s, y * c - x * s, z}},
+        {"x and y are turned, about the z axis: turn z and y", {x, y * c + z * s, z * c - y * s}},
+        {"y is not turned: it changes, too, into y cos - z sin", {q.x, y, z}},
+        {"z is not turned: it changes, too, into z cos + y sin", {x, y, q.z}},
+        {"the cosines are missing: z turns into z cos + y sin", turned_by(p, s, 1)},
     };
   }
   return {
       wrong,
-      {"the sines are missing: x turns into x cos + z sin", turned_by(p, 0, cosine)},
-      {"this is right for +z alone: add x steps along the turned x axis, (cos, -sin)",
+      {"the sines are missing: z turns into z cos + y sin", turned_by(p, 0, cosine)},
+      {"this is right for +y alone: add z steps along the turned z axis",
        {{z * sine, 0, z * cosine},
         {sine, 0, cosine},
         {z * sine, y, z * cosine},
         {sine, y, cosine}}},
-      {"y is missing: it stays as it is", {right.x, 0, right.z}},
-      {"x and z are exchanged in what you return", {right.z, y, right.x}},
-      {"x and z are exchanged in the new z: it is z cos - x sin", {right.x, y, other.z}},
-      {"x and z are exchanged in the new x: it is x cos + z sin", {other.x, y, right.z}},
-      {"x and z are exchanged: each of them keeps its cosine, and gets the sine of the other",
+      {"x is missing: it stays as it is", {right.x, 0, right.z}},
+      {"z and y are exchanged in what you return", {right.z, y, right.x}},
+      {"z and y are exchanged in the new y: it is y cos - z sin", {right.x, y, other.z}},
+      {"z and y are exchanged in the new z: it is z cos + y sin", {other.x, y, right.z}},
+      {"z and y are exchanged: each of them keeps its cosine, and gets the sine of the other",
        other},
   };
 }
 
+Slips<Vec3d> wrong_turns(Vec3d p, double degrees) {
+  return changed(wrong_about_y({p.z, p.x, p.y}, degrees), [](const Vec3d& q) {
+    return Vec3d{q.y, q.z, q.x};
+  });
+}
+
+Vec3d right_turn(const Vec3d& p, double degrees) {
+  const Vec3d q = turned_about_y({p.z, p.x, p.y}, degrees);
+  return {q.y, q.z, q.x};
+}
 constexpr Place<Vec3d, double> turned_places[] = {
-    {"90 degrees turn +z to +x", {{0, 0, 1}, 90}},
-    {"90 degrees turn +x to -z", {{1, 0, 0}, 90}},
-    {"180 degrees turn +x to -x", {{1, 0, 0}, 180}},
-    {"y does not change", {{0, 1, 0}, 60}},
-    {"30 degrees turn +z to (1/2, 0, 0.866)", {{0, 0, 1}, 30}},
-    {"-30 degrees turn it to (-1/2, 0, 0.866)", {{0, 0, 1}, -30}},
-    {"22.5 degrees turn it to (0.383, 0, 0.924)", {{0, 0, 1}, 22.5}},
+    {"90 degrees turn +y to +z", {{0, 1, 0}, 90}},
+    {"90 degrees turn +z to -y", {{0, 0, 1}, 90}},
+    {"180 degrees turn +z to -z", {{0, 0, 1}, 180}},
+    {"x does not change", {{1, 0, 0}, 60}},
+    {"30 degrees turn +y to (0, 0.866, 1/2)", {{0, 1, 0}, 30}},
+    {"-30 degrees turn it to (0, 0.866, -1/2)", {{0, 1, 0}, -30}},
+    {"22.5 degrees turn it to (0, 0.924, 0.383)", {{0, 1, 0}, 22.5}},
     {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
     {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
      {{-2. / 7, 3. / 7, -6. / 7}, 200}},
@@ -277,7 +288,7 @@ constexpr Place<Vec3d, double, double> looked_up_places[] = {
 const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "05",
-      {exercise(turned, globe_after("60"), {turned_about_y, wrong_turns, turned_places}),
+      {exercise(turned, globe_after("60"), {right_turn, wrong_turns, turned_places}),
        exercise(u_after, globe_after("-150"), {right_u, wrong_u, u_after_places}),
        exercise(looked_up, globe_after("60"), {right_look, wrong_looks, looked_up_places})},
       {{"--turntable 24 begins at 90 degrees. By which angle, from 0 to 360, is the globe turned "
@@ -289,8 +300,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         {"degrees", 1e-9},
         "How many degrees is a step, and how many steps after the first one is picture 21?",
         {{405, "one full turn more is the same angle: the answer is from 0 to 360"},
-         {315, "this is the turn since picture 0, which is turned by 90 degrees already"},
-         {30, "picture 0 is the first, so picture 21 is 21 steps later, not 20"}}},
+         {315, "this is the turn since picture 0, which is turned by 90 degrees already"}}},
        {"Which --degrees, at least 0 and less than 360, makes --convention lecture draw the "
         "picture that --convention rtiow draws without a turn?",
         [] {  // what undoes the other convention's u, of any point
@@ -299,8 +309,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         },
         {"degrees", 0},
         "By how much does the lecture's u differ from the course's, and what does a turn add to u?",
-        {{270, "the turn must add 1/4 to the lecture's u, not subtract it"},
-         {0.25, "this is the difference of u: a full turn, 360 degrees, adds 1"}}}},
+        {{270, "the turn must add 1/4 to the lecture's u, not subtract it"}}}},
   };
   return chapter;
 }

@@ -37,7 +37,7 @@ struct PhongOptions : texmap::PhongOptions {
       return material.specular *
              chapter_06::highlight(normal, light.to_lamp, -to_eye, material.shininess);
     }
-    const double cosine = dot(mirrored(light.to_light, normal), to_eye);
+    const double cosine = dot(mirrored(-light.to_light, normal), to_eye);
     return behind || cosine <= 0 ? 0 : material.specular * std::pow(cosine, material.shininess);
   }
 };
@@ -69,47 +69,51 @@ std::function<Image()> lecture_scene() {
   return picture<Lesson>({"--scene", "lecture", "--shininess", "15", "--blend", "0.1"}, 36);
 }
 
-Slips<Vec3d> wrong_mirrors(Vec3d l, Vec3d n) {
-  const double c = dot(n, l);
-  const Vec3d r = mirror(l, n);
+Vec3d right_mirror(const Vec3d& d, const Vec3d& n) { return mirror(-d, n); }
+
+Slips<Vec3d> wrong_mirrors(Vec3d d, Vec3d n) {
+  const double k = dot(n, d);
+  const Vec3d along = n * k;
   Slips<Vec3d> wrong = {
-      {"all signs are exchanged: r points into the surface, as if l came from the lamp", -r},
-      {"the part along n counts once: the formula has 2 (n . l) n", n * c - l},
-      {"n and l are exchanged: you mirror the normal at l", mirror(n, l)},
-      {"l is added where it is subtracted: r is no mirrored direction, and longer than 1",
-       n * (2 * c) + l},
-      {"2 (n . l) n has the wrong sign: add it, and subtract l", n * (-2 * c) - l},
-      {"you return the opposite of l: that sends all light away from the lamp", -l},
-      {"you return l: a mirror changes the part of l along the surface", l},
-      {"this is no more than the part along n: r is 2 (n . l) n - l", {n * (2 * c), n * c}},
-      {"this is the part of l along the surface: r has the opposite of it, and the part along n",
-       l - n * c},
-      {"the part of l along n is shorter than n: it is n * dot(n, l)",
-       {n - l, l - n, n * 2. - l, l - n * 2.}},
-      {"2 (n . l) multiplies n alone: subtract l after that", (n - l) * (2 * c)},
-      {"2 (n . l) multiplies n alone: n * (2 * dot(n, l)), not a sum", (n + l) * (2 * c)},
-      {"this is the middle between n and l: r is on the other side of n", normalize(n + l)},
+      {"all signs are exchanged: this mirrors l, which leads away from the surface; d comes to it",
+       along * 2. - d},
+      {"the part along n counts once: the formula has 2 (n . d) n", {d - along, along - d}},
+      {"n and d are exchanged: you mirror the normal at d", {n - d * (2 * k), d * (2 * k) - n}},
+      {"2 (n . d) n is subtracted from d: r is no mirrored direction, and longer than 1",
+       {d + along * 2., -d - along * 2.}},
+      {"you return d: a mirror turns the part of d along n around", d},
+      {"you return the opposite of d: that is the way back", -d},
+      {"this is no more than the part along n: r is d - 2 (n . d) n",
+       {along * 2., along, along * -2., -along}},
+      {"the part of d along n is shorter than n: it is n * dot(n, d)",
+       {d - n, d + n, d - n * 2., d + n * 2.}},
+      {"2 (n . d) multiplies n alone: n * (2 * dot(n, d)), not a sum",
+       {(d - n) * (2 * k), (n - d) * (2 * k), (d + n) * (2 * k)}},
+      {"this is the middle between n and the way back: r is on the other side of n",
+       normalize(n - d)},
       {"this is right for n = +y at most: the normal may have any direction",
-       {{-l.x, l.y, l.z}, {-l.x, l.y, -l.z}}},
-      {"the cross product is at a right angle to both: r lies in the plane of n and l",
-       {cross(n, l), cross(l, n)}},
-      {"behind the surface n . l is below 0, and r needs its sign: no std::abs, no std::max",
-       {n * (2 * abs(c)) - l, n * (2 * max(c, 0.)) - l}},
+       Vec3d{d.x, -d.y, d.z}},
+      {"the cross product is at a right angle to both: r lies in the plane of n and d",
+       {cross(n, d), cross(d, n)}},
+      {"n . d is above 0 behind the mirror, and r needs its sign: no std::abs, std::max or "
+       "std::min",
+       {d + n * (2 * abs(k)), d - n * (2 * abs(k)), d - n * (2 * max(k, 0.)),
+        d - n * (2 * min(k, 0.))}},
   };
   return wrong += changed(wrong, [](const Vec3d& v) { return normalize(v); });
 }
 
 constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
-    {"a lamp straight above is mirrored to itself", {{0, 1, 0}, {0, 1, 0}}},
-    {"a lamp at the horizon is mirrored to the opposite horizon", {{1, 0, 0}, {0, 1, 0}}},
-    {"a lamp at 45 degrees on the right is mirrored to 45 degrees on the left",
-     {{half_root, half_root, 0}, {0, 1, 0}}},
-    {"with n = +y and l = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, {0, 1, 0}}},
-    {"with n = +z and l = (0.6, 0, 0.8)", {{0.6, 0, 0.8}, {0, 0, 1}}},
-    {"with n = (2, 3, 6) / 7 and l = (2, 1, 2) / 3",
-     {{2. / 3, 1. / 3, 2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
-    {"behind the surface it is the same formula: with n = +y and l = (0.6, -0.8, 0)",
-     {{0.6, -0.8, 0}, {0, 1, 0}}},
+    {"a ray straight down is sent straight up", {{0, -1, 0}, {0, 1, 0}}},
+    {"a ray along the surface goes on as it is", {{1, 0, 0}, {0, 1, 0}}},
+    {"a ray that comes down at 45 degrees goes up at 45 degrees",
+     {{half_root, -half_root, 0}, {0, 1, 0}}},
+    {"with n = +y and d = (0.6, -0.8, 0)", {{0.6, -0.8, 0}, {0, 1, 0}}},
+    {"with n = +z and d = (0.6, 0, -0.8)", {{0.6, 0, -0.8}, {0, 0, 1}}},
+    {"with n = (2, 3, 6) / 7 and d = (-2, -1, -2) / 3",
+     {{-2. / 3, -1. / 3, -2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
+    {"from behind it is the same formula: with n = +y and d = (0.6, 0.8, 0)",
+     {{0.6, 0.8, 0}, {0, 1, 0}}},
 };
 
 /// Highlights of one cause, of those who remember, too, to normalize the light, to test n . l > 0
@@ -287,7 +291,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
   static const ExercisesOfChapter chapter{
       "06",
       {exercise(chapter_06::mirrored, lecture_scene(),
-                {mirror<double>, wrong_mirrors, mirrored_places}),
+                {right_mirror, wrong_mirrors, mirrored_places}),
        exercise(chapter_06::highlight, lecture_scene(),
                 {[](Vec3d n, Vec3d to_lamp, Vec3d d, double shininess) {
                    const Vec3d l = normalize(to_lamp);
@@ -305,8 +309,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         [] { return size_of_spot("50") / size_of_spot("500"); },
         {"", 0.1},
         "By what factor is the spot wider with 50? The pixels fill its area.",
-        {{3.16, "this is how much wider the spot is: its area has the square of that"},
-         {0.107, "this is the other way around: the smaller power has the larger spot"}}},
+        {{3.16, "this is how much wider the spot is: its area has the square of that"}}},
        {"Pixel (346, 320) is on the dark side. Its texture is (22, 69, 128), and the light is the "
         "ambient 0.2. Which byte of green does --blend 0.5 draw?",
         [] {
@@ -316,7 +319,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Which byte has the light, and which share of it and of the texture is in the blend?",
         {{13, "this multiplies texture and light: a blend adds a share of each"},
          {34, "this is the texture's half: the light's half is added"},
-         {25, "this is the light's half: the texture's half is added"},
          {41, "the light's share is a gray, 0.2 of 255: it is not multiplied by the texture"},
          {120, "each has the share 1/2: you add both whole"}}}},
   };

@@ -222,11 +222,6 @@ Slips<Vec3d> wrong_scatter(double a, double b) {
       {"the points lie below the surface: the height is not negative", lifted(-z)},
       {"each height is equally likely: then light from the side counts too much",
        {point(sqrt(a * (2 - a)), turn, 1 - a), point(sqrt(1 - a * a), turn, a)}},
-      {"a and b are taken for x and y, from -1 to 1: then points of the square's corners lie "
-       "outside "
-       "of the disk",
-       {{2 * a - 1, 2 * b - 1, sqrt(max(0., 1 - square(2 * a - 1) - square(2 * b - 1)))},
-        {2 * a - 1, 2 * b - 1, 1}}},
       {"these directions go to all sides, also below the surface: lift a point of the disk",
        point(sqrt(1 - level * level), turn, level)},
       {"a and b are exchanged: a makes the radius, b the angle", right_scatter(b, a)},
@@ -345,8 +340,6 @@ const ExercisesOfChapter& exercises_of_chapter() {
         {"", 0},
         "A quarter of the pixel sends out light. Which encoded number has a quarter of the light?",
         {{64, "this is the mean of the bytes: average the light, and encode it"},
-         {188, "this is half of the light"},
-         {13, "this decodes the mean: it is light already, so encode it"},
          {225, "this is three quarters of the light: a quarter of the pixel is white"}}},
        {"Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels differ "
         "from the sky?",

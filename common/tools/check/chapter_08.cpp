@@ -319,15 +319,13 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Draw it from above: the two ends are equally far from the middle of the image. How far "
         "are they from the axis in space?",
         {{0.5, "the middle of the image is not the middle of the edge: its far half looks smaller"},
-         {0.8, "this is the weight of the near end"},
-         {0.25, "1 to 4 is the ratio of the two weights: their sum is 1"}}},
+         {0.8, "this is the weight of the near end"}}},
        {"A point of the floor has u = -2.3. With the chapter's wrap mode, which u of the texture "
         "does it show?",
         [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); },
         {"", 1e-9},
         "Between which whole numbers is -2.3, and is the picture mirrored there?",
-        {{0.7, "this is the wrap mode repeat: with mirror every second picture runs backward"},
-         {0, "this is the wrap mode clamp"}}}},
+        {{0.7, "this is the wrap mode repeat: with mirror every second picture runs backward"}}}},
   };
   return chapter;
 }

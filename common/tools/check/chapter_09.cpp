@@ -287,9 +287,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         [] { return double(byte_of(Lesson().shown(gray(0.5)).g)); },
         {"", 0},
         "Half of the light is not half of the byte: which curve is between them?",
-        {{128, "this is the mean of the bytes: the mean of the light has to be encoded"},
-         {187, "the byte is rounded, not cut off"},
-         {55, "this decodes the mean: it is light already, so encode it"}}},
+        {{128, "this is the mean of the bytes: the mean of the light has to be encoded"}}},
        {"How many texels does the pyramid of the floor's 1024 x 1024 texels have, all levels "
         "together?",
         [] {
@@ -300,8 +298,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "Each level has half as many columns and half as many rows. How many texels is that?",
         {{1048576, "this is level 0 alone"},
          {2097152,
-          "each level has a quarter of the texels, not half: half of the columns and of the rows"},
-         {349525, "level 0 belongs to the pyramid, too"}}}},
+          "each level has a quarter of the texels, not half: half of the columns and of the "
+          "rows"}}}},
   };
   return chapter;
 }

@@ -344,8 +344,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         {"degrees", 1e-3},
         "The normal is (-1/4, 0, 1). Which angle is between it and (0, 0, 1)?",
         {{14.48, "the slope is the tangent of the angle, not the sine"},
-         {75.96, "this is the angle to the plane: how far does the normal lean from straight up"},
-         {0.25, "this is the slope, the angle's tangent"}}},
+         {75.96, "this is the angle to the plane: how far does the normal lean from straight up"}}},
        {"No byte means 0. By how many degrees does the flat color (128, 128, 255) lean?",
         [] {
           const auto [x, y, z] = numbers_of(128, 128, 255);
@@ -353,8 +352,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         },
         {"degrees", 0.02},
         "Which numbers do 128, 128 and 255 mean? Two of them should be 0.",
-        {{0.2247, "this is the lean in one direction: x and y lean both"},
-         {0.4494, "x and y are at a right angle: their squares are added"}}}},
+        {{0.2247, "this is the lean in one direction: x and y lean both"}}}},
   };
   return chapter;
 }

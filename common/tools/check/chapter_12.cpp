@@ -442,8 +442,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "pole.",
         {{61.1,
           "this takes the sine at the lower edge of the row at the pole: it begins with the sine "
-          "0"},
-         {1, "on the picture all texels are the same, on the sphere they are not"}}}},
+          "0"}}}},
   };
   return chapter;
 }

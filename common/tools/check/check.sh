@@ -183,6 +183,7 @@ case "${1:-}" in
       echo "Your lines are kept in out/exercises/$2/"
     fi
     mkdir -p "$(dirname "$file")"
+    rm -f "build/learn/built/exercise_$(printf '%s' "$2" | tr . _)" # a build that was configured without the file has no such program
     printf '%s\n' "$start" >"$file"
     echo "$file is as it was."
     ;;

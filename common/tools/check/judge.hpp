@@ -219,37 +219,19 @@ template <class Out>
 /// What is to be seen in wrong values, whatever the mistake is.
 template <class Out>
 [[nodiscard]] std::string fact_of(const std::vector<Out>& right, const std::vector<Out>& values) {
-  const std::size_t count = parts(right[0]).size();
-  double product = 0, square = 0, difference = 0;
+  std::string good, bad;
   bool is_nan = false;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    for (std::size_t part = 0; part < count; ++part) {
-      const double x = parts(right[i])[part], y = parts(values[i])[part];
-      is_nan = is_nan || std::isnan(y);
-      product += x * y;
-      square += x * x;
-      difference += (y - x) / double(right.size() * count);
+  for (std::size_t part = 0; part < parts(right[0]).size(); ++part) {
+    (agree(right, values, part) ? good : bad) += std::string(" ") + name_of_part<Out>(part);
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      is_nan = is_nan || std::isnan(parts(values[i])[part]);
     }
   }
-  const auto holds = [&](const auto& related) {  // between each right number and yours
-    for (std::size_t i = 0; i < right.size(); ++i)
-      for (std::size_t part = 0; part < count; ++part)
-        if (!alike(related(parts(right[i])[part]), parts(values[i])[part])) return false;
-    return true;
-  };
-  const double factor = product / square;
   if (is_nan)
     return "there is no number in it (NaN): a root of a number below 0, 0 / 0, acos or asin beyond "
            "1";
   if (std::all_of(values.begin(), values.end(), [&](const Out& v) { return alike(v, values[0]); }))
     return "it is the same at every place, whatever your function gets";
-  if (holds([=](double x) { return factor * x; }))
-    return text("at every place it is %.6g times the right value", factor);
-  if (holds([=](double x) { return x + difference; }))
-    return text("at every place it is the right value %+.6g", difference);
-  std::string good, bad;
-  for (std::size_t part = 0; part < count; ++part)
-    (agree(right, values, part) ? good : bad) += std::string(" ") + name_of_part<Out>(part);
   return good.empty() ? "" : "right at every place:" + good + "; wrong:" + bad;
 }
 

@@ -47,6 +47,12 @@ inline Slips<Place2> map_slips(double x, double y, double z, const Begins& begin
        atan2(x * x + z * z, -y) / pi},
   };
   Slips<double> us = own(longitude / turn);
+  us += {
+      {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)", (longitude + pi) / 2 * pi},
+      {"u is in radians: divide the angle by 2 pi", longitude + pi},
+      {"u is the same everywhere: in C++ 1 / 2 is 0, and 0 times the angle is 0",
+       begins.front()(0)},
+  };
   for (const auto& begin : begins) us += changed(shares, begin);
   Slips<Place2> table = {"u and v are exchanged", {v, u}};
   table += changed(us, [&](double wrong) { return Place2{wrong, v}; });
