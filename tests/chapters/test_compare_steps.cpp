@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "01_plain_spheres/lesson.hpp"
@@ -14,6 +15,8 @@
 #include "comparison.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
+#include "support/pictures.hpp"
 #include "support/running.hpp"
 #include "support/temporary_folder.hpp"
 #include "tools/page/page.hpp"
@@ -160,16 +163,41 @@ TEST_CASE("two pictures are compared on a page of the same kind, and the status 
   save_png(first().picture, folder / "a.png");
   save_png(second().picture, folder / "b.png");
   save_png(Image(4, 3), folder / "small.png");
+  save_png(mirrored(first().picture), folder / "mirrored.png");
+  std::filesystem::create_directories(folder / "nobody");
+  for (const auto& [file, text] : std::vector<std::pair<std::string, std::string>>{
+           {"ada/chapters/01_a/lesson.hpp", "int same;\nint one;\n"},
+           {"bob/chapters/01_a/lesson.hpp", "int same;\nint two;\n"},
+           {"ada/chapters/01_a/exercises/1_b.hpp", "int mine;\n"},
+           {"bob/chapters/01_a/own.hpp", "int own;\n"},
+           {"ada/chapters/01_a/main.cpp", "int main() {}\n"},
+           {"bob/chapters/01_a/main.cpp", "int main() {}\n"}}) {
+    std::filesystem::create_directories(std::filesystem::path(folder / file).parent_path());
+    write_text_atomically(path_of(folder / file), text);
+  }
+  std::filesystem::create_directories(folder / "ada/tests/golden");
+  save_png(first().picture, folder / "ada/tests/golden/01_a.png");
   const struct {
     const char* names;
     int status;
     const char* said;
   } rows[] = {
-      {"a.png --to b.png", 1, "of 30000 pixels differ"},
-      {"a.png --to a.png", 0, "0 of 30000 pixels differ (0.00 %); look at out/diff/a.png-a.png/"},
+      {"a.png --to b.png", 1, "of 30000 pixels by more than one level"},
+      {"a.png --to a.png", 0,
+       "different: 0 of 30000 pixels by more than one level (0 %), 0 by one\n"
+       "Look at out/diff/a.png-a.png/"},
+      {"a.png --to mirrored.png", 1, "\nThe second: the whole picture is mirrored: columns run"},
+      {"mirrored.png --to a.png --source ada/chapters --undrawn not_asked", 1,
+       "\nThe first: the whole picture is mirrored: columns run"},
+      {"b.png --to a.png --source ada/chapters --undrawn asked", 1, ""},
+      {"ada --to bob/chapters", 1,
+       "different: 01_a/exercises/1_b.hpp, 01_a/lesson.hpp, 01_a/own.hpp\nLook at "
+       "out/diff/ada-chapters/"},
+      {"ada --to ada", 0, "different: no file\n"},
+      {"ada --to nobody", 2, "there are no chapters in 'nobody'"},
       {"a.png --to small.png", 2, "the pictures differ in size: 200 x 150 and 4 x 3 pixels"},
       {"a.png --to none.png", 2, "cannot load 'none.png'"},
-      {"06 --to 99", 2, "error: there is no chapter '99': name two of 00 to 14, or two picture"},
+      {"06 --to 99", 2, "error: there is no chapter '99': name two of 00 to 14, two picture"},
       {"07 --to x", 2, "error: there is no chapter 'x'"},
       {"06 --to 007", 2, "error: there is no chapter '007'"},
       {"a.png --to 06", 2, "error: there is no chapter 'a.png'"},
@@ -181,6 +209,13 @@ TEST_CASE("two pictures are compared on a page of the same kind, and the status 
     CHECK(outcome.status == row.status);
     CHECK(has(outcome.out + outcome.err, row.said));
   }
+  CHECK(text_in(folder / "asked") == "01_a");
+  const std::string code = text_in(folder / "out/diff/ada-chapters/index.html");
+  for (const char* part : {"- int one;", "+ int two;", "+ int own;", "======== 01_a/lesson.hpp"})
+    CHECK(has(code, part));
+  CHECK_FALSE(has(code, "int main"));
+  CHECK(has(text_in(folder / "out/diff/a.png-mirrored.png/index.html"),
+            "by one. The second: the whole picture is mirrored"));
   const std::string page = text_in(folder / "out/diff/a.png-b.png/index.html");
   CHECK(has(page, "<h1>From a.png to b.png</h1>"));
   CHECK(has(page, "<th scope=\"row\">SSIM</th>"));

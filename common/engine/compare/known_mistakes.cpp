@@ -141,6 +141,61 @@ Image by_height(const Image& map) {
   return placed(map, from, map.width, map.height * finer);
 }
 
+/// The picture in 40 x 30 parts, each the mean of its pixels: what blurring and scaling leave.
+Image parts_of(const Image& image) {
+  Image parts(40, 30);
+  const auto begin = [](int part, int all, int count) { return part * all / count; };
+  for (int row = 0; row < parts.height; ++row) {
+    for (int column = 0; column < parts.width; ++column) {
+      int r = 0, g = 0, b = 0, pixels = 0;
+      const int right = begin(column + 1, image.width, parts.width);
+      const int bottom = begin(row + 1, image.height, parts.height);
+      for (int y = begin(row, image.height, parts.height); y < bottom; ++y) {
+        for (int x = begin(column, image.width, parts.width); x < right; ++x, ++pixels) {
+          const Rgb8 p = image.at(x, y);
+          r += p.r;
+          g += p.g;
+          b += p.b;
+        }
+      }
+      const auto mean = [&](int sum) {
+        return static_cast<std::uint8_t>(sum / std::max(pixels, 1));
+      };
+      parts.at(column, row) = {mean(r), mean(g), mean(b)};
+    }
+  }
+  return parts;
+}
+
+/// Whether two pictures of any size have the same colors, but for what is blurred.
+bool has_same_shapes(const Image& a, const Image& b) {
+  return measure(parts_of(a), parts_of(b), {}, Detail::pixels).mean_absolute_error < 4;
+}
+
+/// The sum of the squares of all steps to the right and down; only steps that noise does not make.
+double sharpness(const Image& image) {
+  double sum = 0;
+  for (int row = 1; row < image.height; ++row) {
+    for (int column = 1; column < image.width; ++column) {
+      const Rgb8 p = image.at(column, row);
+      for (const Rgb8 q : {image.at(column - 1, row), image.at(column, row - 1)}) {
+        const int step = channel_difference(p, q);
+        if (step > 48) sum += step * step;
+      }
+    }
+  }
+  return sum;
+}
+
+/// By how many levels a picture is brighter where the right one is neither dark nor bright.
+int brighter_by(const Image& drawn, const Image& right) {
+  for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+    const int should = right.pixels[i].g;
+    if (should > 60 && should < 195) return drawn.pixels[i].g - should;
+  }
+  return 0;
+}
+
 constexpr Weights equal_weights{1 / 3.0, 1 / 3.0, 1 / 3.0};
 constexpr Weights weights_of_1982{0.299, 0.587, 0.114};     // ITU-R BT.601
 constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
@@ -178,11 +233,46 @@ std::string name_mistake(const Image& drawn, const Image& right,
       times_nearer_than_the_right * least > distance_between(right, nearest.picture)) {
     return "";
   }
+  std::string other;  // words of another mistake that draws the same
   for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (wrong[i].words == nearest.words) continue;
-    if (distances[i] <= times_nearer_than_another * least) return "";
+    if (wrong[i].words == nearest.words || wrong[i].words == other) continue;
+    const bool rivals = distances[i] <= times_nearer_than_another * least;
+    const bool same = distances[i] < far_away && is_same_picture(drawn, wrong[i].picture);
+    if (same && other.empty() && is_same_picture(drawn, nearest.picture)) {
+      other = wrong[i].words;
+    } else if (rivals || same) {
+      return "";
+    }
   }
-  return nearest.words;
+  if (other.empty()) return nearest.words;
+  return short_words(nearest.words) + " or " + short_words(other) + ": " + nearest.words + "; or " +
+         other;
+}
+
+std::string short_words(const std::string& words) {
+  return words.substr(0, std::min(words.find(": "), words.find("; ")));
+}
+
+std::string name_change(const Image& drawn, const Image& right) {
+  const std::string size = std::to_string(drawn.width) + " x " + std::to_string(drawn.height);
+  if (!same_size(drawn, right))
+    return has_same_shapes(drawn, right) ? "scaled: the right picture, but " + size : "";
+  const int brighter = brighter_by(drawn, right);
+  const auto moved = [brighter](std::uint8_t level) {
+    return static_cast<std::uint8_t>(std::clamp(level + brighter, 0, 255));
+  };
+  const Image by_levels = changed_pixels(right, [&](Rgb8 p) {
+    return Rgb8{moved(p.r), moved(p.g), moved(p.b)};
+  });
+  if (std::abs(brighter) > 1 && is_same_picture(drawn, by_levels)) {
+    return (brighter > 0 ? "brighter by " : "darker by ") + std::to_string(std::abs(brighter)) +
+           " levels: the whole picture";
+  }
+  if (10 * sharpness(drawn) < 7 * sharpness(right) && has_same_shapes(drawn, right)) {
+    return "blurred: the edges are softer than they should be; the picture was scaled, or has "
+           "several samples for a pixel";
+  }
+  return "";
 }
 
 std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {

@@ -22,12 +22,19 @@ struct WrongPicture {
 
 /// The words of the mistake that drew a picture; empty if it is right, or if no mistake is sure.
 /// Sure: at least four times nearer to the wrong picture than to the right one, and twice as near
-/// as to each wrong picture with other words. Nearness is the sum of the channels'
-/// differences above one level.
+/// as to each wrong picture with other words; nearness is the sum of the channels' differences
+/// above one level. If two mistakes draw this picture, the words are "a or b: a: ...; or b: ...".
 ///
 /// @param drawn, right, wrong  a picture of another size than `drawn` counts as far away
 [[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,
                                        std::span<const WrongPicture> wrong);
+
+/// In words, if the right picture was changed as a whole: brighter or darker by a number of levels,
+/// blurred, or scaled to another size. Empty if not.
+[[nodiscard]] std::string name_change(const Image& drawn, const Image& right);
+
+/// What the words of a mistake begin with: "mirrored" of "mirrored: u runs the other way".
+[[nodiscard]] std::string short_words(const std::string& words);
 
 /// What mistakes in the camera and in the file make of a whole picture: mirrored, upside down,
 /// channels exchanged, gray, inverted, one color, one pixel off, the curve of image files missing.

@@ -27,13 +27,20 @@ Json json_of(const WorstPixel& worst) {
 
 }  // namespace
 
+std::string differing_pixels(const Figures& f) {
+  const std::size_t off = pixels_off_by_more_than(f, 1);
+  const double percent = 100 * static_cast<double>(off) / static_cast<double>(f.pixels_compared);
+  return text("%zu of %zu pixels by more than one level (%.2g %%), %zu by one", off,
+              f.pixels_compared, percent, f.pixels_different - off);
+}
+
 std::vector<std::vector<std::string>> figure_rows(const Figures& f) {
   std::vector<std::vector<std::string>> rows;
   const auto row = [&rows](const char* name, const std::string& value) {
     rows.push_back({name, value});
   };
   row("size", text("%d x %d pixels, %zu compared", f.width, f.height, f.pixels_compared));
-  row("different", text("%zu pixels (%g %%)", f.pixels_different, 100 * f.share_different));
+  row("different", differing_pixels(f));
   if (f.pixels_different > 0) {
     row("within", text("columns %d to %d, rows %d to %d", f.box.left, f.box.left + f.box.width - 1,
                        f.box.top, f.box.top + f.box.height - 1));

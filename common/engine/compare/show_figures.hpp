@@ -8,6 +8,10 @@
 
 namespace texmap {
 
+/// How many pixels differ, by the rule of golden pictures: such as "2907 of 480000 pixels by more
+/// than one level (0.61 %), 1037 by one".
+[[nodiscard]] std::string differing_pixels(const Figures& figures);
+
 /// The figures in words: for each its name and its value; SSIM if it was computed.
 [[nodiscard]] std::vector<std::vector<std::string>> figure_rows(const Figures& figures);
 

@@ -80,9 +80,9 @@ std::string summary(const Comparison& c, const std::string& page) {
   if (f.pixels_different == 0) {
     lines += "  changed    0 of " + std::to_string(f.pixels_compared) + " pixels\n";
   } else {
-    lines += text("  changed    %zu of %zu pixels (%.2f %%), columns %d to %d, rows %d to %d\n",
-                  f.pixels_different, f.pixels_compared, 100 * f.share_different, f.box.left,
-                  f.box.left + f.box.width - 1, f.box.top, f.box.top + f.box.height - 1);
+    lines += "  changed    " + differing_pixels(f) +
+             text("; columns %d to %d, rows %d to %d\n", f.box.left, f.box.left + f.box.width - 1,
+                  f.box.top, f.box.top + f.box.height - 1);
   }
   lines += text("  elsewhere  %zu pixels changed; the step may change: %s\n", c.changed_elsewhere,
                 names_of(c.may_change, "nothing").c_str());

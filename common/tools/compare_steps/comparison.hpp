@@ -1,11 +1,16 @@
 // What changed between two steps, and whether only that changed which the chapters declare.
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
 #include "engine/compare/difference.hpp"
+#include "engine/compare/known_mistakes.hpp"
+#include "engine/compare/show_figures.hpp"
 #include "texture/uv.hpp"
 #include "tools/page/page.hpp"
 
@@ -68,6 +73,7 @@ struct Comparison {
   std::size_t pixels_with_uv = 0;         ///< where both steps have texture coordinates
   double largest_du = 0;                  ///< turns, the short way round, 0 to 1/2
   double largest_dv = 0;                  ///< 0 to 1
+  std::string mistake;  ///< in words, the one that drew one of two pictures; empty if none is known
 };
 
 /// Errors: DifferenceError if the sizes differ.
@@ -95,7 +101,10 @@ struct Pictures {
   [[nodiscard]] page::Picture show(const std::filesystem::path& file) const;
 };
 
-/// A chapter on a page: its lesson and its picture.
+/// The C++ files of a checkout's chapters: their texts by their places.
+using Files = std::map<std::string, std::string>;
+
+/// A chapter on a page: its lesson and its picture; or a checkout with the files that differ.
 struct Code {
   std::string chapter;            ///< its folder
   std::string text;               ///< of its lesson
@@ -106,8 +115,8 @@ struct Code {
 [[nodiscard]] std::string report_page(const Comparison& comparison, const Code& before,
                                       const Code& after, const Pictures& pictures);
 
-/// The page of two chapters with no pixels to compare.
-/// @param why  there are none; the page says so
+/// The page of two chapters, or checkouts, with no pixels to compare.
+/// @param why  there are none, or what differs; the page says so
 [[nodiscard]] std::string code_page(const Code& before, const Code& after, const std::string& why,
                                     const Pictures& pictures);
 

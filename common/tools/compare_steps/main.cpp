@@ -9,6 +9,7 @@
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
+#include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
 #include "stages.hpp"
 
@@ -24,6 +25,7 @@ struct Choices {
   std::string folder = "out/diff";
   std::string source = TEXMAP_CHAPTERS_DIR;
   std::string drawn = "out";
+  std::string undrawn;
   bool shared = false;
   bool quiet = false;
 };
@@ -136,19 +138,100 @@ DrawnStep picture_in(const std::string& typed) {
   return {typed, with_name("cannot load", path, decoded), {}, {}};
 }
 
+/// What is wrong with one of two pictures, in words. The right one is the golden picture of a
+/// chapter, or else the first. If the chapter's known mistakes were not drawn yet, `undrawn` is set
+/// to its name.
+std::string mistake_in(const Comparison& c, const Choices& choices, std::string& undrawn) {
+  const Image *right = &c.before.picture, *drawn = &c.after.picture;
+  const std::filesystem::path root = path_of(choices.source).parent_path();
+  std::vector<WrongPicture> known;
+  for (const std::string& chapter : chapters_in(path_of(choices.source))) {
+    const std::filesystem::path golden = root / "tests" / "golden" / (chapter + ".png");
+    const Image picture = exists(golden) ? load_image(golden) : Image();
+    if (is_same_picture(picture, *drawn)) std::swap(right, drawn);
+    if (!is_same_picture(picture, *right)) continue;
+    const std::filesystem::path mistakes = root / "build/learn/mistakes" / chapter;
+    if (exists(mistakes / "mistakes.txt")) {
+      known = load_wrong_pictures(mistakes);
+    } else {
+      undrawn = chapter;
+    }
+    break;
+  }
+  for (WrongPicture& wrong : mistakes_of_the_whole(*right)) known.push_back(std::move(wrong));
+  const std::string words = name_mistake(*drawn, *right, known);
+  const std::string which = drawn == &c.after.picture ? "The second: " : "The first: ";
+  const std::string change = words.empty() ? name_change(*drawn, *right) : words;
+  return change.empty() ? "" : which + change;
+}
+
 /// Compares two picture files and writes the page; true if they are the same.
 bool compare_pictures(const std::string& from, const std::string& to, const Choices& choices) {
-  const Comparison result = steps::compare(picture_in(from), picture_in(to));
+  Comparison result = steps::compare(picture_in(from), picture_in(to));
+  std::string undrawn;
+  result.mistake = mistake_in(result, choices, undrawn);
+  if (result.mistake.empty() && !undrawn.empty() && !choices.undrawn.empty()) {
+    write_text(path_of(choices.undrawn), undrawn);
+    return false;
+  }
   const Place place(name_of(path_of(from).filename()) + "-" + name_of(path_of(to).filename()),
                     choices);
   write_text(place.page(), steps::report_page(result, {}, {}, place.pictures));
   const Figures& figures = result.figures;
   if (!choices.quiet) {
-    print(text("%zu of %zu pixels differ (%.2f %%); look at ", figures.pixels_different,
-               figures.pixels_compared, 100 * figures.share_different) +
-          name_of(place.page()) + "\n");
+    print("different: " + differing_pixels(figures) + "\n" + result.mistake +
+          (result.mistake.empty() ? "" : "\n") + "Look at " + name_of(place.page()) + "\n");
   }
   return figures.pixels_different == 0;
+}
+
+/// The C++ files of a checkout's chapters, by their place in it; no links.
+steps::Files files_of(const std::string& typed) {
+  const std::filesystem::path folder = path_of(typed);
+  const std::filesystem::path inner = folder / "chapters";
+  const std::filesystem::path chapters = exists(inner) ? inner : folder;
+  steps::Files files;
+  for (const std::string& chapter : chapters_in(chapters)) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(chapters / path_of(chapter))) {
+      const std::string ending = name_of(entry.path().extension());
+      if (!is_regular_file(entry.symlink_status()) || (ending != ".hpp" && ending != ".cpp"))
+        continue;
+      const std::vector<std::uint8_t> text =
+          with_name("cannot read", entry.path(), [&] { return read_file(entry.path(), 1U << 20); });
+      files[name_of(entry.path().lexically_relative(chapters))] = {text.begin(), text.end()};
+    }
+  }
+  if (files.empty()) throw UsageError("there are no chapters in '" + typed + "'");
+  return files;
+}
+
+/// Compares two checkouts' code and writes the page; true if it is the same.
+bool compare_checkouts(const std::string& from, const std::string& to, const Choices& choices) {
+  const auto before = files_of(from), after = files_of(to);
+  auto all = before;
+  all.insert(after.begin(), after.end());
+  Code left{from, {}, {}}, right{to, {}, {}};
+  std::string differing;
+  std::ptrdiff_t lines = 0;
+  for (const auto& [name, text] : all) {
+    const std::string was = before.contains(name) ? before.at(name) : "";
+    const std::string is = after.contains(name) ? after.at(name) : "";
+    if (was == is) continue;
+    differing += (differing.empty() ? "" : ", ") + name;
+    lines += std::ranges::count(was, '\n') + std::ranges::count(is, '\n');
+    if (lines > 8000) continue;  // each line is compared with each
+    left.text.append("======== ").append(name).append("\n").append(was);
+    right.text.append("======== ").append(name).append("\n").append(is);
+  }
+  const auto short_name = [](const std::string& typed) {
+    return name_of(std::filesystem::canonical(path_of(typed)).filename());
+  };
+  const Place place(short_name(from) + "-" + short_name(to), choices);
+  const std::string found = "different: " + (differing.empty() ? "no file" : differing);
+  write_text(place.page(), steps::code_page(left, right, found, place.pictures));
+  if (!choices.quiet) print(found + "\nLook at " + name_of(place.page()) + "\n");
+  return differing.empty();
 }
 
 /// True for a name such as picture.png: what is compared is then files.
@@ -163,7 +246,7 @@ std::string chapter_of(const std::string& typed, const std::vector<std::string>&
   }
   throw UsageError("there is no chapter '" + typed + "': name two of " +
                    number_of(chapters.front()) + " to " + number_of(chapters.back()) +
-                   ", or two picture files");
+                   ", two picture files, or two checkouts");
 }
 
 }  // namespace
@@ -173,14 +256,17 @@ int main(int argc, char** argv) {
   std::string after;
   Choices choices;
   CommandLine line("compare_steps",
-                   "what changed from one chapter to another, or between two pictures; without "
-                   "them, from each chapter to the next");
-  line.text("--from", "MM", before, "the chapter before, or a picture file");
-  line.text("--to", "NN", after, "the chapter after, or a picture file");
+                   "what changed from one chapter to another, or between two pictures or two "
+                   "checkouts; without them, from each chapter to the next");
+  line.text("--from", "MM", before, "the chapter before, a picture file, or a checkout");
+  line.text("--to", "NN", after, "the chapter after, a picture file, or a checkout");
   line.text("--out", "FOLDER", choices.folder,
             "write each page into its own folder MM-NN in this folder");
   line.text("--source", "FOLDER", choices.source, "the folder of the lessons' code");
   line.text("--drawn", "FOLDER", choices.drawn, "the folder of the chapters' own pictures");
+  line.text("--undrawn", "FILE", choices.undrawn,
+            "where a chapter's known mistakes are not drawn yet, write its name into this file, "
+            "and no page");
   line.flag("--shared", choices.shared,
             "pages show those pictures and write others next to themselves; without it a page is "
             "one file");
@@ -203,6 +289,10 @@ int main(int argc, char** argv) {
     }
     if (is_picture(before) && is_picture(after)) {
       as_declared = compare_pictures(before, after, choices);
+      return;
+    }
+    if (is_directory(path_of(before)) && is_directory(path_of(after))) {
+      as_declared = compare_checkouts(before, after, choices);
       return;
     }
     const std::vector<std::string> chapters = chapters_in(path_of(choices.source));

@@ -69,11 +69,12 @@ std::string verdict_of(const Comparison& c) {
   return page::verdict(good, found);
 }
 
-std::string verdict_of_pictures(const Figures& f) {
-  return page::verdict(f.pixels_different == 0,
-                       f.pixels_different == 0 ? "The pictures are the same."
-                                               : text("The pictures differ in %zu of %zu pixels.",
-                                                      f.pixels_different, f.pixels_compared));
+std::string verdict_of_pictures(const Comparison& c) {
+  const bool same = c.figures.pixels_different == 0;
+  std::string found = same ? "The pictures are the same."
+                           : "The pictures differ in " + differing_pixels(c.figures) + ".";
+  if (!c.mistake.empty()) found += " " + c.mistake + ".";
+  return page::verdict(same, page::escaped_foreign(found));
 }
 
 }  // namespace
@@ -133,7 +134,7 @@ std::string report_page(const Comparison& c, const Code& before, const Code& aft
     rows.push_back(
         {"largest |du|, |dv|", text("%.6g of a turn, %.6g", c.largest_du, c.largest_dv)});
   }
-  std::string html = on_stage ? verdict_of(c) : verdict_of_pictures(c.figures);
+  std::string html = on_stage ? verdict_of(c) : verdict_of_pictures(c);
   html += "<h2>Both pictures</h2>\n";
   html += page::slider(pictures.show(c.before, "before.png"), c.before.name,
                        pictures.show(c.after, "after.png"), c.after.name);

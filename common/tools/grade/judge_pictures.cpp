@@ -25,6 +25,7 @@
 #include "engine/picture/codecs/png_chunks.hpp"
 #include "engine/picture/codecs/read_png.hpp"
 #include "engine/picture/decode_image.hpp"
+#include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
 #include "tools/page/page.hpp"
 
@@ -50,7 +51,9 @@ struct Answer {
   double ssim = 1;
   std::string shown_html;  ///< the part that is wrong: what is there, and what should be
 
-  void add_note(const std::string& words) { note += (note.empty() ? "" : "; ") + words; }
+  void add_note(const std::string& words) {
+    note += (note.empty() || words.empty() ? "" : "; ") + words;
+  }
 
   [[nodiscard]] std::string json() const {
     return Json::object({{"word", word},
@@ -147,15 +150,16 @@ class KnownWords {
  public:
   /// Such as "mirrored: u runs the other way"; empty if no known mistake is sure.
   [[nodiscard]] std::string words_for(const Image& is, const Image& should,
+                                      const std::filesystem::path& golden,
                                       const std::string& folder) {
     if (loaded_.size() == most_chapters && !loaded_.contains(folder)) loaded_.clear();
-    auto& [of_the_whole, drawn] = loaded_[folder];
-    if (of_the_whole.empty()) {
-      of_the_whole = mistakes_of_the_whole(should);
-      drawn = drawn_in(path_of(folder));
+    std::vector<WrongPicture>& known = loaded_[folder];
+    if (known.empty()) {
+      known = drawn_in(path_of(folder));
+      for (WrongPicture& wrong : mistakes_of_the_whole(should)) known.push_back(std::move(wrong));
+      for (WrongPicture& wrong : of_other_chapters(golden)) known.push_back(std::move(wrong));
     }
-    const std::string words = name_mistake(is, should, of_the_whole);
-    return words.empty() ? name_mistake(is, should, drawn) : words;
+    return name_mistake(is, should, known);
   }
 
  private:
@@ -170,13 +174,27 @@ class KnownWords {
     return {};
   }
 
-  /// By folder: what is wrong with the whole picture, and what is drawn there.
-  std::map<std::string, std::pair<std::vector<WrongPicture>, std::vector<WrongPicture>>> loaded_;
+  /// The pictures of the other chapters, which lie next to the golden one.
+  static std::vector<WrongPicture> of_other_chapters(const std::filesystem::path& golden) {
+    const std::filesystem::path chapters = golden.parent_path() / "../../chapters";
+    std::vector<WrongPicture> others;
+    for (const auto& entry : std::filesystem::directory_iterator(golden.parent_path())) {
+      const std::filesystem::path& file = entry.path();
+      const std::string name = name_of(file.stem());
+      if (file != golden && file.extension() == ".png" && exists(chapters / file.stem()))
+        others.push_back({name, "the picture of " + name, load_image(file)});
+    }
+    return others;
+  }
+
+  /// By folder: what is drawn there, and what is wrong with a whole picture.
+  std::map<std::string, std::vector<WrongPicture>> loaded_;
 };
 
 /// A golden picture, and the answers on the files that were compared with it. It is read once: what
 /// a student's program makes of the file later does not count.
 struct Golden {
+  std::filesystem::path path;
   std::vector<std::uint8_t> file;
   Image picture;
   std::map<std::pair<std::string, std::vector<std::uint8_t>>, std::string> answers = {};
@@ -195,12 +213,20 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
   };
   if (looks_like_png(file)) {  // a small file can unpack to a gigabyte
     const PngHeader header = read_png_chunks(file).header;
-    if (has_wrong_size(header.size.width, header.size.height)) return answer;
+    if (has_wrong_size(header.size.width, header.size.height)) {
+      if (std::cmp_less_equal(header.size.width, 4 * should.width) &&
+          std::cmp_less_equal(header.size.height, 4 * should.height)) {
+        answer.add_note(name_change(decode_image(file), should));
+      }
+      return answer;
+    }
     if (header.color_type == 4 || header.color_type == 6)
       answer.add_note("the file has an alpha channel, which is not looked at");
   }
   const Image is = decode_image(file);
   if (has_wrong_size(is.width, is.height)) return answer;
+  const bool is_jpeg = !looks_like_png(file);
+  if (is_jpeg) answer.add_note("the file is a JPEG, which has other colors than the picture");
   const Figures figures = measure(should, is, {}, Detail::similarity);
   const std::size_t off = pixels_off_by_more_than(figures, 1);
   answer.measured = true;
@@ -216,10 +242,13 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
     return answer;
   }
   answer.word = "differs " + percent(answer.share_off);
-  const std::string mistake = mistakes.empty() ? "" : known.words_for(is, should, mistakes);
+  std::string mistake = mistakes.empty() ? "" : known.words_for(is, should, golden.path, mistakes);
+  if (mistake.empty() && !is_jpeg) mistake = name_change(is, should);
   if (!mistake.empty()) {
-    answer.word = mistake.substr(0, std::min(mistake.find(": "), mistake.find("; ")));
+    answer.word = short_words(mistake);
     answer.add_note(mistake);
+  } else if (is_jpeg) {
+    answer.word = "a JPEG";
   }
   answer.add_note(off_words);
   answer.shown_html = shown(is, should, figures.box);
@@ -259,7 +288,7 @@ class Judge {
     Golden golden = with_name("cannot load the golden picture", path_of(path), [&] {
       std::vector<std::uint8_t> file = read_file(path_of(path), max_file_bytes);
       Image picture = decode_image(file);
-      return Golden{std::move(file), std::move(picture)};
+      return Golden{path_of(path), std::move(file), std::move(picture)};
     });
     return goldens_.emplace(path, std::move(golden)).first->second;
   }

@@ -114,7 +114,7 @@ TEST_CASE("what is printed is the table and the verdict to the byte, without lin
   CHECK(same.err.empty());
   CHECK(same.out ==
         "size                 100 x 100 pixels, 10000 compared\n"
-        "different            0 pixels (0 %)\n"
+        "different            0 of 10000 pixels by more than one level (0 %), 0 by one\n"
         "mean absolute error  0 levels\n"
         "RMSE                 0 levels\n"
         "PSNR                 infinite dB\n"
@@ -124,7 +124,7 @@ TEST_CASE("what is printed is the table and the verdict to the byte, without lin
   CHECK_FALSE(has(desk.compare("a.png b.png").out, "SSIM"));
   CHECK(desk.compare("a.png b.png --all").out ==
         "size                 100 x 100 pixels, 10000 compared\n"
-        "different            3 pixels (0.03 %)\n"
+        "different            2 of 10000 pixels by more than one level (0.02 %), 1 by one\n"
         "within               columns 10 to 50, rows 20 to 25\n"
         "largest difference   5 levels at column 10, row 20: (31, 20, 9) and (36, 20, 9)\n"
         "mean absolute error  0.000366667 levels\n"
