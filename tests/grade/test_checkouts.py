@@ -33,6 +33,7 @@ from results import NOT_CONTAINED, GradeError  # noqa: E402
 ITEM = '01_plain_spheres'
 GOLDEN = TREE / 'tests/golden' / f'{ITEM}.png'
 LESSON = (TREE / 'chapters' / ITEM / 'lesson.hpp').read_text()
+MINE = LESSON + 'inline constexpr int mine = 1;\n'
 COLOR = 'template <class Real>\n  Color<Real> operator()(const Ray<Real>& ray) const {\n'
 WORD = 'kept-' + os.urandom(8).hex()
 EMPTY = 'int main() {}\n'
@@ -160,14 +161,15 @@ class Chapters(Case):
                            'linked': SHELL % 'ln -s /usr/include/stdio.h picture.png',
                            'copycat': SHELL % f'echo {picture} | base64 -d >picture.png', 'loud': SHELL % 'yes'}.items():
             self.student(name, main)
-        self.student('honest', lesson=LESSON + '// mine\n')
-        private = self.student('private', lesson=LESSON + '// for me alone\n')
+        self.student('honest', lesson=MINE)
+        private = self.student('private', lesson=MINE + '// for me alone\n')
         for path in [private, *private.rglob('*')]:
             path.chmod(0o700 if path.is_dir() else 0o600)
-        self.student('same', at='texmap-main/chapters')
+        self.student('untouched')
+        self.student('same', lesson=MINE.replace('\n', ' // the same\n', 3), at='texmap-main/chapters')
         self.student('dark', lesson=LESSON.replace(COLOR, COLOR + '    return {};\n'))
         self.student('broken', lesson=LESSON + 'this does not compile\n')
-        (self.student('without') / 'main.cpp').unlink()
+        (self.student('without', lesson=MINE) / 'main.cpp').unlink()
         (self.student('missing') / 'lesson.hpp').unlink()
         rows = self.grade('--chapters', '1', '--no-tests', '--megabytes', '500')
         right = ('ok', 'ok', 'yes', '^$')
@@ -186,6 +188,7 @@ class Chapters(Case):
             'honest': right, 'private': right, 'same': right, 'without': right,
             'dark': ('ok', 'black', 'no', '^black: nothing was drawn; [0-9]+ pixels are off'),
             'broken': ('does not build', 'does not build', '', f'^chapters/{ITEM}/lesson.hpp:[0-9:]+ error: '),
+            'untouched': ('unchanged', 'unchanged', '', '^what was handed out, but for blanks and comments$'),
             'missing': ('missing', 'missing', '', f'^there is no chapters/{ITEM}/lesson.hpp$')})
         self.assertGreaterEqual(float(rows['honest']['limit_seconds']), 5)
         self.assertRegex(self.printed, r'0 of 1 +missing +nothing of what was asked for is in its chapters\n')
@@ -193,9 +196,13 @@ class Chapters(Case):
         self.assertIn('error:', (self.out / 'broken.html').read_text())
         # The same checkouts once more: nothing is built or run but the course's own, so that even the times are the same.
         again = self.grade('--chapters', '1', '--no-tests', '--megabytes', '500')
-        for name in set(rows) - {'same', 'without'}:
+        for name in rows:
             self.assertEqual(again[name], rows[name])
         self.assertNotIn('takes minutes', self.said)
+        self.assertEqual({name: row['same_as'] for name, row in rows.items() if row['same_as']}, {
+            'honest': 'private, same, without', 'private': 'honest, same, without', 'same': 'honest, private, without',
+            'without': 'honest, private, same'})
+        self.assertEqual([rows[name]['unchanged'] for name in ('untouched', 'honest', 'missing')], ['yes', 'no', ''])
 
     def test_causes_that_the_compiler_and_the_tests_do_not_say(self):
         self.assertIn(COLOR, LESSON)
@@ -203,7 +210,7 @@ class Chapters(Case):
         (own.parents[1] / 'common/texture').mkdir(parents=True)
         (own.parents[1] / 'common/texture/uv.hpp').write_text('int my_uv();\n')
         (self.student('wide') / 'lesson.hpp').write_text(LESSON, encoding='utf-16')
-        (self.student('lines') / 'lesson.hpp').write_bytes(LESSON.replace('\n', '\r\n').encode())
+        (self.student('lines') / 'lesson.hpp').write_bytes(MINE.replace('\n', '\r\n').encode())
         linked = self.student('linked') / 'lesson.hpp'
         linked.rename(linked.with_name('mine.hpp'))
         linked.symlink_to('mine.hpp')
@@ -261,7 +268,7 @@ class Exercises(Case):
         self.expect(judged, {
             **{name: ('ok', 'ok', '', read) for name in ('right', 'capital', 'bare')},
             'mirrored': ('ok', 'u runs the other way', '', r'^u runs the other way: your map is mirrored; tried: on \+z'),
-            'start': ('ok', 'not yet', '', '^not yet: '), 'ends': ('ok', 'no verdict', '', '^no verdict: the program ended'),
+            'start': ('unchanged', 'unchanged', '', '^what was'), 'ends': ('ok', 'no verdict', '', '^no verdict: the program ended'),
             'loops': ('hang', 'hang', '', '.*'), 'broken': ('does not build', 'does not build', '', 'error: '),
             'words': ('ok', 'no verdict', '', '^no verdict: what the program left are not its values'),
             'values': ('ok', 'no verdict|not yet', '', '.*')})

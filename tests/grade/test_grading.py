@@ -16,9 +16,12 @@ import subprocess
 import sys
 import tempfile
 import time
+import unicodedata
 import unittest
 import xml.dom.minidom
+import zipfile
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 TESTS = Path(__file__).resolve().parents[1]
@@ -28,7 +31,7 @@ import class_pages  # noqa: E402
 import pictures  # noqa: E402
 from results import (NOT_CONTAINED, Item, Row, Student, classroom_json, classroom_notices, clean, csv_cell, first_word,  # noqa: E402
                      gradescope_json, grades_csv, junit_xml, padded, page_names, points_csv, shown_name, with_word)
-from submissions import find_submissions  # noqa: E402
+from submissions import find_submissions, unpacked  # noqa: E402
 
 GLOBE, SHEET = Item('03_image_texture', '03', 'golden'), Item('04_uv_conventions', '04', 'golden')
 EVIL = '<script>alert(1)</script>\x1b"\'& =1+1'
@@ -110,6 +113,7 @@ class Pictures(Course):
     def test_verdicts(self):
         mirrored = [row[::-1] for row in GOLDEN]
         off = [(column, 3) for column in range(250)]
+        self.put({'tree/chapters/05_y_rotation/README.md': '', 'tree/tests/golden/05_y_rotation.png': png(noise(250, 40, 3))})
         for name, (file, word, note) in (cases := {
                 'right': (png(GOLDEN, alpha=True), 'ok', 'the file has an alpha channel, which is not looked at'),
                 'last bits': (png(changed(GOLDEN, off, 1)), 'ok', ''),
@@ -119,6 +123,9 @@ class Pictures(Course):
                 'mirrored': (png(mirrored), 'the whole picture is mirrored', 'the whole picture is mirrored: columns run the other way; '),
                 'drawn': (png(noise(250, 40, 1)), 'mirrored', 'mirrored: u runs the other way; '),
                 'unknown': (png(noise(250, 40, 2)), 'differs 100 %', ' pixels are off by more than one level'),
+                'other': (png(noise(250, 40, 3)), 'the picture of 05_y_rotation', 'the picture of 05_y_rotation; '),
+                'twice': (png([[row[x // 2] for x in range(500)] for row in GOLDEN for _ in 'ab']), 'wrong size',
+                          'pixels and should have 250 x 40; scaled: the right picture, but 500 x 80'),
                 'size': (png(ramps(30, 40)), 'wrong size', 'the picture has 30 x 40 pixels and should have 250 x 40'),
                 **{bad: ((TESTS / f'corpus/bad_{bad}.png').read_bytes(), 'unreadable', 'the picture cannot be read: ')
                    for bad in ('bomb_100000x100000', 'one_byte', 'trunc_idat')}}).items():
@@ -136,6 +143,11 @@ class Pictures(Course):
         self.assertEqual((self.at / 'bin/drawn').read_text().count('\n'), 1)
         self.assertIn('1 of 1    allowed                  all right\n', self.ended.stdout)
         self.assertIn(f'Look at {self.at}/out/index.html\n', self.ended.stdout)
+        jpeg = (TESTS / 'corpus/jpg_420.jpg').read_bytes()
+        self.put({'tree/tests/golden/04_uv_conventions.png': png(ramps(49, 35)), 'jpeg/04.png': jpeg})
+        row = self.grade('--chapters', '4', 'jpeg')['jpeg', '04']
+        self.assertEqual(row['verdict'], 'a JPEG')
+        self.assertIn('the file is a JPEG, which has other colors', row['note'])
 
     def test_page_shows_the_part_that_is_wrong_and_a_single_pixel_of_it(self):
         corners = [(0, 0), (799, 599)]
@@ -188,16 +200,17 @@ class Folders(Course):
 
     def test_whose_they_are(self):
         one = "{} is graded as one student's folder; --class grades each folder in it as a student's\n"
-        many = 'class is graded as a class of {}; --one grades it as one student\'s folder\n'
+        nobodys = "03_expected.png is nobody's: it lies next to students' folders\n"
         for files, words, names, remark in [
                 ('ada/03.png bob/out/03.png none/a.txt a.txt', 'class', 'ada bob none', ''),
-                ('ada/05.png bob/notes.txt', 'class', 'ada bob', many.format('2 students')),
-                ('ada/x.txt bob/notes.txt', 'class', 'ada bob', many.format('2 students')),
-                ('ada/03.png bob/03.png 03_expected.png', 'class', 'ada bob', many.format("2 students; 03_expected.png is nobody's")),
+                ('ada/05.png bob/notes.txt', 'class', 'ada bob', ''),
+                ('ada/x.txt bob/notes.txt', 'class', 'ada bob', ''),
+                ('ada/03.png bob/03.png 03_expected.png', 'class', 'ada bob', nobodys),
                 ('ada/03.png bob/03.png 03_expected.png', '--one class', 'class', ''),
-                ('ada/03.png', 'class', 'ada', many.format('1 student')), ('ada/03.png', '--class class', 'ada', ''),
+                ('ada/03.png', 'class', 'ada', ''), ('ada/03.png', '--class class', 'ada', ''),
                 ('ada/texmap-main/out/03.png', 'class/ada', 'ada', ''), ('ada/out/03.png', 'class/ada', 'ada', ''),
-                ('03.png old/03.png', 'class', 'class', one.format('class')), ('03.png old/03.png', '--class class', 'old', ''),
+                ('03.png old/03.png', 'class', 'class', one.format('class')),
+                ('03.png old/03.png', '--class class', 'old', nobodys.replace('_expected', '')),
                 ('03.png notes/a.txt more/b.txt', 'class', 'class', ''),
                 ('ada/03.png eve/03.png bob/a.txt', 'class/ada class/bob', 'ada bob', ''),
                 ('a/ada/03.png a/bob/03.png b/eve/03.png b/cyd/03.png', 'class/a class/b', 'ada bob eve cyd', '')]:
@@ -207,6 +220,74 @@ class Folders(Course):
                 rows = self.grade('--chapters', '3', *words.split())
                 self.assertEqual({name for name, _ in rows}, set(names.split()))
                 self.assertEqual(self.ended.stderr, remark)
+
+    def test_learning_systems_say_in_a_name_whose_a_file_is(self):
+        # The folder; what lies in it; and of each student the name, the id, and the picture that counts for 03.
+        for folder, files, students in [
+                ('canvas', ['doejane_4071_90500_03_image_texture-1.png', 'doejane_4071_90499_03_image_texture.png',
+                            'müller-lüdenscheidtjörg_LATE_4072_90501_03.png', 'de_la_cruzana_4073_90502_screenshot 03-2.png',
+                            "o'brienann_4074_90503_03.txt"],
+                 [('doejane', '4071', '03_image_texture-1.png'), ('müller-lüdenscheidtjörg', '4072', '03.png'),
+                  ('de_la_cruzana', '4073', 'screenshot 03-2.png'), ("o'brienann", '4074', '')]),
+                ('flat', ['Jane Doe_12_assignsubmission_file_03.png', "Zoë O'Brien_13_assignsubmission_file_03.png",
+                          'Jane Doe_14_assignsubmission_file_Chapter 3.png', 'Max_15_assignsubmission_onlinetext_onlinetext.html',
+                          'Jane Doe_12_assignfeedback_file_03_image_texture.png'],
+                 [('Jane Doe', '12', '03.png'), ("Zoë O'Brien", '13', '03.png'), ('Jane Doe', '14', 'Chapter 3.png'), ('Max', '15', '')]),
+                ('week 3/moodle', ['Jo_e_12_assignsubmission_file_/out/03.png', 'Jo_e_12_assignsubmission_onlinetext_/onlinetext.html'],
+                 [('Jo_e', '12', '03.png')]),
+                ('board', ['A_3_jdoe_attempt_2026-11-20-13-45-07_03.png', 'A_3_jdoe_attempt_2026-11-21-13-45-07_03.png',
+                           'A_3_jdoe_attempt_2026-11-20-13-45-07.txt', 'A_3_max_m_attempt_2026-11-20-13-45-07_03.png'],
+                 [('Jane Doe', 'jdoe', '21-13-45-07_03.png'), ('max_m', 'max_m', '07_03.png')]),
+                ('alone', ['A_3_max_attempt_2026-11-20-13-45-07_03.png'], [('max', 'max', '03.png')]),
+                ('nobody', ['800_600_03.png', '03_image_800_600_a.png'], [('nobody', '', '03_image_800_600_a.png')])]:
+            for file in files:  # Apple's systems write names apart
+                self.put({unicodedata.normalize('NFD', f'{folder}/{file}'): 'Name: Jane Doe (jdoe)\nAssignment: A_3\n'})
+            ways = [[f'{self.at}/{folder.partition("/")[0]}'], sorted(map(str, (self.at / folder).iterdir()))]
+            for paths in ways[:1] if folder == 'nobody' else ways:
+                found, remarks = find_submissions(paths, [GLOBE])
+                self.assertEqual((sorted((one.person, one.id) for one in found), remarks), (sorted(one[:2] for one in students), []))
+                pictures = {(one.person, one.id): one.pictures.get(GLOBE.name, ('none',))[0] for one in found}
+                for name, id, picture in students:
+                    self.assertTrue(pictures[name, id].endswith(picture or 'none'), pictures)
+
+    def test_a_class_is_read_from_a_zip_and_joined_with_a_list(self):
+        inner = io.BytesIO()
+        with zipfile.ZipFile(inner, 'w') as packed:
+            packed.writestr('work/out/03.png', RIGHT)
+            packed.writestr('../../escaped.png', RIGHT)
+        (self.at / 'work.zip').write_bytes(inner.getvalue())
+        with mock.patch('submissions.MOST_BYTES', 2 * len(RIGHT) - 1):
+            self.assertIsNone(unpacked(f'{self.at}/work.zip'))
+        with zipfile.ZipFile(self.at / 'class.zip', 'w') as packed:
+            for name, content in {'müllerjörg_1_11_03.png': RIGHT, 'doejane_2_12_work.zip': inner.getvalue(), 'liwei_3_13_03.png': 'x',
+                                  'smithann_4_14_broken.zip': 'PK', 'smithann_5_15_03.png': RIGHT}.items():
+                packed.writestr(name, content)
+        self.put({'class.csv': '\ufeffStudent;ID;Section\n    Points Possible;;\n"Müller, Jörg";1;A\n"Doe, Jane";2;A\n"Smith, Ann";4;A\n'
+                               '"Smith, Ann";5;A\n"Absent, Eve";6;A\n"Student, Test";9;A\n',
+                  'out/overrides.csv': 'name,chapter,points,note\n"Doe, Jane",,7.5,oral\n4,3,1,by mail\n'})
+        for run in range(2):  # what was written by hand stays
+            self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--points', '3=2.5', '--format', 'gradescope')
+            rows = csv.DictReader(io.StringIO(self.text('points.csv').removeprefix('\ufeff')))
+            self.assertEqual([(row['person'], row['id'], row['points'], row['of'], row['note']) for row in rows], [
+                ('Jane Doe', '2', '7.5', '2.5', 'points by hand: oral'), ('liwei', '3', '0', '2.5', ''),
+                ('Jörg Müller', '1', '2.5', '2.5', ''), ('Ann Smith', '4', '1', '2.5', ''), ('Ann Smith', '5', '2.5', '2.5', ''),
+                ('Eve Absent', '6', '0', '2.5', 'handed in nothing')])
+        self.assertTrue(self.ended.stdout.startswith("5 students in Canvas's flat files, 4 pictures\n"))
+        self.assertIn('liwei (3)\nhanded in nothing: Eve Absent (6)\n', self.ended.stderr)
+        self.assertIn('1 of 2.5  Ann Smith (4)            missing; found broken.zip, which', self.ended.stdout)
+        self.assertIn('found broken.zip, which cannot be unpacked; points by hand: by mail', self.text('Ann_Smith__4_.html'))
+        test = json.loads(self.text('Ann_Smith__4_.results.json'))['tests'][0]
+        self.assertEqual((test['score'], test['max_score'], test['status']), (1, 2.5, 'failed'))
+        # A list whose ids are others, such as a number for each line, is joined by names.
+        self.put({'class.csv': 'ID,Last name,First name\n2,Müller,Jörg\n1,Doe,Jane\n3,Absent,Eve\n8,Smith,Ann\n9,Smith,Ann\n'})
+        self.grade('class.zip', '--class-list', 'class.csv', '--chapters', '3', '--overrides', 'class/none', status=2)
+        self.assertRegex(self.ended.stderr, r'(?s)several of the name: liwei \(3\); smithann \(4\); smithann \(5\)\n'
+                               r'handed in nothing: Eve Absent \(3\)\n.*No such file')
+        self.put({'class.csv': 'Section\nA\n', 'out/overrides.csv': 'name,points\nnobody,1\n'})
+        for words, why in {'--class-list class.csv class.zip': 'class.csv: no line names the columns id or name or last first',
+                           'class.zip': 'overrides.csv, line 2: no student is nobody'}.items():
+            self.grade('--chapters', '3', *words.split(), status=2)
+            self.assertIn(why, self.ended.stderr)
 
     def test_chapters_are_found_in_several_layouts(self):
         for i, (file, checkout) in enumerate({
@@ -243,6 +324,7 @@ class Runs(Course):
         for words, why in {'': 'DIR is missing', 'nowhere': "there is no folder 'nowhere'", 'file': 'there is nothing to grade',
                            '--chapters 99 class': "there is no chapter '99', and no exercise", '--chapters 04.9 class': "'04.9', and no",
                            '--chapters 03, class': "'03,' has a comma with nothing before or", '--format pdf class': '--format ',
+                           '--points 03=x class': "--points takes such as 02=2,02.1=0.5, not '03=x'",
                            '--one --class class': '--one and --class exclude each other', '--nope class': '--nope',
                            '--jobs x class': "--jobs takes a whole number from 0 to 1024, not 'x'",
                            '--megabytes 1 class': '--megabytes takes a whole number from 64 to 1048576'}.items():
@@ -279,7 +361,7 @@ class Runs(Course):
                 self.assertIn(f"another ./course grade is using the folder '{self.at}/{folder}'; wait for it, or name another folder with "
                               f'--{folder}\n', self.ended.stderr)
         # What was graded before stays. The tests count for all, if anyone hands in a checkout.
-        self.assertIn('"class/bob","bob","1","2","1","bob",""\r\n', self.text('points.csv'))
+        self.assertIn('"class/bob","bob","1","2","1","bob","","","bob","",""\r\n', self.text('points.csv'))
         self.assertEqual(self.rows()['bob', '03']['verdict'], 'no tests')
 
     def test_a_run_that_is_ended_keeps_what_is_done_and_ends_what_runs(self):
@@ -295,7 +377,7 @@ class Runs(Course):
         with self.assertRaises(ProcessLookupError):
             os.kill(int(begun.read_text()), 0)
         self.assertEqual(list(self.rows()), [('ada', '03')])
-        self.assertIn('<p>1 folder graded of 2: the run was ended before the others', self.text('index.html'))
+        self.assertIn('<p>1 student graded of 2: the run was ended before the others', self.text('index.html'))
 
 
 class Results(unittest.TestCase):
@@ -335,13 +417,13 @@ class Results(unittest.TestCase):
         grades, points = grades_csv(students), points_csv(students)
         self.assertTrue(grades.startswith(
             '\ufeff"student","chapter","build","run","seconds","pixels_off","share_off","rmse","ssim","picture_ok","tests","note",'
-            '"verdict","points","of","second_picture_ok","limit_seconds","contained_by","folder"\r\n'
-            '"ada","03_image_texture","ok","ok","1.5","","","","","yes","5 of 5","","ok","2","2","","5.0","bwrap","s/ada"\r\n'
-            '"ada","02.1","ok","ok","1.5","","","","","","1 of 1","","ok","1","1","","5.0","bwrap","s/ada"\r\n'))
+            '"verdict","points","of","second_picture_ok","limit_seconds","contained_by","folder","unchanged","same_as","id","person"\r\n'
+            '"ada","03_image_texture","ok","ok","1.5","","","","","yes","5 of 5","","ok","2","2","","5.0","bwrap","s/ada","","","",""\r\n'
+            '"ada","02.1","ok","ok","1.5","","","","","","1 of 1","","ok","1","1","","5.0","bwrap","s/ada","","","",""\r\n'))
         students[0].all_rows.append(None)
         self.assertTrue(points_csv(students).startswith(
-            '\ufeff"folder","name","points","of","chapters","page","note"\r\n'
-            '"s/ada","ada","3","3","2","ada","ended with 2 of 3 graded"\r\n'))
+            '\ufeff"folder","name","points","of","chapters","page","note","id","person","unchanged","same_as"\r\n'
+            '"s/ada","ada","3","3","2","ada","ended with 2 of 3 graded","","","",""\r\n'))
         students[2].all_rows[0].containment = 'none'
         for table in (grades_csv(students), points_csv(students)):
             self.assertTrue(table.startswith(f'\ufeff"{NOT_CONTAINED}"\r\n"'))

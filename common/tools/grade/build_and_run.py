@@ -7,6 +7,7 @@ home folder are not in there.
 """
 import concurrent.futures
 import dataclasses
+import functools
 import hashlib
 import json
 import os
@@ -148,6 +149,14 @@ class Course:
             return sources_in(self.chapters / item)
         solution = self.tests / 'exercises' / f'{item.replace(".", "_")}.hpp'
         return {exercise_in(self.tree, item)[1]: solution.read_bytes()}
+
+    @functools.cache
+    def handed_out(self, item):
+        """What students begin with. The course's own file of an exercise may have an answer."""
+        if not is_exercise(item):
+            return self.own(item)
+        start = subprocess.run(['sh', 'common/tools/check/check.sh', 'start', item], cwd=self.tree, capture_output=True, check=True)
+        return {exercise_in(self.tree, item)[1]: start.stdout}
 
     def link(self, item):
         """The command that links the item's program, with whole paths and without -o."""
@@ -321,6 +330,9 @@ class Grader:
             why = f'{needed} is a symbolic link or behind one, and links are not followed' if linked else f'there is no {needed}'
             return {'build': 'missing', 'note': why}
         files = own | found
+        written = self.written(item, files)
+        if written == self.written(item, self.course.handed_out(item)):
+            return {'build': 'unchanged', 'note': 'what was handed out, but for blanks and comments'}
         key = self.key(item, files)
         place = self.cache / key
 
@@ -333,7 +345,13 @@ class Grader:
         if result['build'] == 'does not build':
             why = cause(folder, found, self.course.tree / 'common')
             result = dict(result, note=why + ('; ' if why else '') + result['note'])
-        return result
+        return dict(result, written=written)
+
+    @staticmethod
+    def written(item, files):
+        """A hash of what is written in these files, without blanks and comments. A chapter's exercises are none of its files."""
+        return digest(*(re.sub(rb'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/|\s+', rb'\1', files[name], flags=re.DOTALL)
+                        for name in sorted(files) if is_exercise(item) or not name.startswith('exercises/')))
 
     def reference(self, item):
         """The course's own lesson or solution, judged in this session: its times are the limits' measure."""

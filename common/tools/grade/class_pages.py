@@ -124,7 +124,7 @@ def class_page(page, items, students, asked):
     """The worst first, sortable, with a row of sums such as "37 mirrored"."""
     ended = f' of {asked}: the run was ended before the others' if len(students) < asked else ''
     with_tests = any(not row.item.exercise and row.tests_run for student in students for row in student.rows)
-    html = (f'{warning_of(all(student.contained for student in students))}<p>{counted(len(students), "folder")} graded{ended}. '
+    html = (f'{warning_of(all(student.contained for student in students))}<p>{counted(len(students), "student")} graded{ended}. '
             'All figures: <a href="grades.csv">grades.csv</a>, <a href="points.csv">points.csv</a>. A name with a link has a page.</p>\n'
             f'<table class="grades">\n{head_of_table(items, students, with_tests)}<tbody>\n')
     for student in sorted(students, key=lambda student: student.points / max(1, student.of)):
@@ -136,8 +136,8 @@ def student_page(page, student):
     """Complete in itself: what is not right, with small pictures."""
     html = (f'{warning_of(student.contained)}<p class="verdict {"good" if student.points == student.of else "bad"}">'
             f'{student.points} of {student.of} points</p>\n<p><a href="index.html">All students</a></p>\n')
-    if student.note:
-        html += f'<p>{escaped(clean(student.note))}</p>\n'
+    if student.notes:
+        html += f'<p>{escaped(clean(student.notes))}</p>\n'
     html += ''.join(section(row) for row in student.rows if not row.right or row.note)
     right = ', '.join(row.item.name for row in student.rows if row.right and not row.note)
     return framed(page, f'Grades of {student.name}', NOTES_STYLE, html + (f'<h2>Right</h2>\n<p>{escaped(right)}</p>\n' if right else ''))

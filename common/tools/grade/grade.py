@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Students' pictures and checkouts become tables and pages: ./course grade. docs/grading.md says what an instructor sees of it."""
 import argparse
+import dataclasses
 import os
 import re
 import signal
@@ -10,10 +11,11 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # the tree stays as it is
 import class_pages  # noqa: E402
+import people  # noqa: E402
 import results  # noqa: E402
 from pictures import Pictures  # noqa: E402
 from results import GradeError, Item, Row, Student, clean, padded  # noqa: E402
-from submissions import find_submissions  # noqa: E402
+from submissions import find_submissions, tell_apart, what_was_read  # noqa: E402
 
 TREE = Path(__file__).resolve().parents[3]
 TOGETHER = 16  # students with pictures of whom all pictures of a chapter are compared in a row: known mistakes take a while to load
@@ -51,10 +53,14 @@ def command_line():
                     epilog='exit status: 0 all were graded, whatever the grades; 2 wrong command line, or nothing could be graded; '
                            '130 ended by Ctrl-C, with what was done until then')
     add = parser.add_argument
-    add('folders', metavar='DIR', nargs='*', help="a student's checkout or pictures, or a folder of such folders")
+    add('folders', metavar='DIR', nargs='*', help="a student's checkout or pictures, a folder of such folders, what a learning system "
+        'hands out, or a zip of these')
     add('--one', action='store_true', help="each DIR is one student's, whatever is in it")
     add('--class', action='store_true', dest='each', help="each folder in a DIR is a student's, whatever lies next to it")
     add('--chapters', metavar='01,02.1', help='grade these chapters and exercises only; exercises: all of them')
+    add('--points', metavar='02=2,02.1=0.5', default='', help='what a chapter or an exercise is worth')
+    add('--class-list', metavar='FILE', help="a CSV with students' names and ids: says who is missing")
+    add('--overrides', metavar='FILE', help='a CSV with points that you gave by hand (default: overrides.csv in the folder of the results)')
     add('--no-tests', action='store_true', help="compare the pictures, do not run the chapters' tests")
     add('--no-second-picture', action='store_true', help='do not draw each chapter a second time with other settings')
     add('--seconds', metavar='N', type=whole(0, 86400), default=0,
@@ -83,7 +89,7 @@ def command_line():
         if not os.path.exists(folder):
             parser.error(f"there is no folder '{folder}'")
     try:
-        return options, chosen_items(options)
+        return options, with_points(chosen_items(options), options.points, list(all_items(options.tree)))
     except ValueError as error:
         parser.error(str(error))
 
@@ -111,12 +117,26 @@ def chosen_items(options):
     for word in map(str.strip, options.chapters.split(',')):
         if not word:
             raise ValueError(f"--chapters '{options.chapters}' has a comma with nothing before or after it; such as 02,04 is right")
-        named = {item for item in items if word in (item.name, item.number, item.number.removeprefix('0')) or
-                 word == 'exercises' and item.exercise}
-        if not named:
-            raise ValueError(f"there is no chapter '{word}', and no exercise")
-        chosen |= named
+        chosen |= named_items(word, items)
     return [item for item in items if item in chosen]
+
+
+def named_items(word, items):
+    named = {item for item in items if word in item.names or word == 'exercises' and item.exercise}
+    if not named:
+        raise ValueError(f"there is no chapter '{word}', and no exercise")
+    return named
+
+
+def with_points(items, typed, known):
+    """The items with the points of --points; the last word for an item counts."""
+    worth = {}
+    for word in filter(None, map(str.strip, typed.split(','))):
+        name, _, points = word.partition('=')
+        if not re.fullmatch(r'[0-9]{1,4}(\.[0-9]+)?', points):
+            raise ValueError(f"--points takes such as 02=2,02.1=0.5, not '{word}'")
+        worth |= {item.name: float(points) for item in named_items(name, known)}
+    return [dataclasses.replace(item, worth=worth.get(item.name)) for item in items]
 
 
 # --- Grading -----------------------------------------------------------------------------------------------------------------------------
@@ -176,20 +196,22 @@ class Grading:
         self.write_class()
 
     def find_students(self):
-        folders = [folder for folder in self.options.folders if os.path.isdir(folder)]
-        for other in self.options.folders:
-            if other not in folders:
-                say(f'skipped, not a folder: {clean(other)}\n')
-        if not folders:
-            raise GradeError('there is nothing to grade: none of these is a folder')
-        self.submissions, remarks = find_submissions(folders, self.items, self.options.one, self.options.each)
+        self.submissions, remarks = find_submissions(self.options.folders, self.items, self.options.one, self.options.each)
+        if self.submissions:
+            print(what_was_read(self.submissions), flush=True)
+        if self.options.class_list and self.submissions:
+            remarks += people.join_class_list(self.options.class_list, self.submissions)
+        tell_apart(self.submissions)
         for remark in remarks:
             say(remark + '\n')
         if not self.submissions:
             raise GradeError('there is nothing to grade: no folder is in there')
         pages = results.page_names([submission.name for submission in self.submissions])
-        self.students = [Student(submission.folder, submission.name, page, submission.note, [None] * len(self.items))
-                         for submission, page in zip(self.submissions, pages)]
+        self.students = [Student(one.folder, one.name, page, one.note, [None] * len(self.items), one.id, one.person)
+                         for one, page in zip(self.submissions, pages)]
+        overrides = Path(self.options.overrides or self.out / 'overrides.csv')
+        if self.options.overrides or overrides.exists():
+            people.read_overrides(overrides, self.students, self.items)
         self.has_checkouts = any(submission.checkout for submission in self.submissions)
 
     def compare(self, row, picture):
@@ -233,6 +255,7 @@ class Grading:
 
     def row_of_result(self, result, item):
         row = Row(item, note=result['note'], build=result['build'], run=result.get('run', ''), containment=result['containment'],
+                  unchanged=result['build'] == 'unchanged', written=result.get('written', ''),
                   cpu_seconds=result.get('cpu_seconds', ''), limit_cpu_seconds=result.get('limit_cpu_seconds', ''),
                   tests_passed=int(result.get('tests_passed', 0)), tests_run=int(result.get('tests_run', 0)))
         # Where a chapter is missing or does not compile, who builds it may not know about its tests.
@@ -279,6 +302,10 @@ class Grading:
         """Keeps a row; with the last one of a student, writes the student's page."""
         student = self.students[i]
         row.word = row.word or 'ok'
+        if row.item.name in student.by_hand:
+            row.by_hand, note = student.by_hand[row.item.name]
+            row.add_note('points by hand' + (note and f': {note}'))
+            row.word = 'by hand' if row.word == 'ok' and not row.right else row.word
         self.table.write(results.grades_csv_line(student, row))
         self.table.flush()
         student.all_rows[k] = row
@@ -301,7 +328,7 @@ class Grading:
         student = self.students[i]
         wrong = self.nothing_of(i) or ', '.join(f'{row.item.number} {clean(row.word)}' for row in student.rows if not row.right)
         return (padded(f'[{self.finished}/{len(self.students)}]', 10) + padded(f'{student.points} of {student.of}', 10) +
-                padded(clean(student.name), 24) + ' ' + (wrong or 'all right'))
+                padded(clean(student.name), 25) + (wrong or 'all right'))
 
     def nothing_of(self, i):
         """In words, if nothing is there of what was asked for."""
@@ -319,6 +346,7 @@ class Grading:
         self.progress('')
         self.table.close()
         students = [student for student in self.students if student.rows]
+        results.say_who_has_the_same(students)
         self.write('grades.csv', results.grades_csv(students))
         self.write('points.csv', results.points_csv(students))
         self.write('index.html', class_pages.class_page(self.pictures.pages['page_with_script'], self.items, students, len(self.students)))

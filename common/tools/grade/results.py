@@ -43,6 +43,11 @@ def shown_name(name):
     return BROKEN.sub(letter, name)
 
 
+def nfc(name):
+    """A person's name as all systems but Apple's write it: an umlaut is one letter."""
+    return unicodedata.normalize('NFC', clean(shown_name(name)))
+
+
 def csv_cell(text):
     """A cell as RFC 4180 has it, always quoted. What a spreadsheet could take for a formula gets an apostrophe in front."""
     return '"' + FORMULA.sub(r"\1'", clean(text)).replace('"', '""') + '"'
@@ -65,8 +70,13 @@ def with_word(word, note):
 
 
 def padded(text, columns):
-    """The text with blanks up to so many columns of a terminal; East Asian characters take two."""
-    return text + ' ' * (columns - sum(2 if unicodedata.east_asian_width(letter) in 'WF' else 1 for letter in text))
+    """The text with at least one blank up to so many columns of a terminal; East Asian characters take two."""
+    return text + ' ' * max(1, columns - sum(2 if unicodedata.east_asian_width(letter) in 'WF' else 1 for letter in text))
+
+
+def number(value):
+    """A number of points: whole if it is."""
+    return int(value) if value == int(value) else round(value, 3)
 
 
 def counted(count, thing):
@@ -97,6 +107,12 @@ class Item:
     golden: str = ''  # the chapter's picture
     has_tests: bool = False  # a checkout's tests are worth a point
     exercise: str = ''  # the file of an exercise, in a checkout
+    worth: float | None = None  # the points that it has; None: one for an exercise, one for a picture and one for its tests
+
+    @property
+    def names(self):
+        """What it is called on the command line."""
+        return self.name, self.number, self.number.removeprefix('0')
 
 
 @dataclasses.dataclass
@@ -117,6 +133,10 @@ class Row:
     tests_passed: int = 0
     tests_run: int = 0
     shown: str = ''  # HTML: the part of a wrong picture that a page shows
+    unchanged: bool = False  # the files are those that were handed out
+    written: str = ''  # a hash of the files, without blanks and comments, if they are not
+    same_as: str = ''  # other students with these files
+    by_hand: float | None = None  # points that the instructor gave
 
     def add_note(self, note):
         self.note += ('; ' if self.note and note else '') + note
@@ -134,17 +154,23 @@ class Row:
         return self.picture_ok and self.hidden != 'no'
 
     @property
-    def points(self):
-        """An exercise is right or not; of a chapter, picture and tests are."""
-        return int(self.tests_ok) if self.item.exercise else int(self.picture_point) + int(self.with_tests and self.tests_ok)
+    def parts(self):
+        """Whether what has points is right: an exercise; of a chapter the picture, and the tests if they count."""
+        if self.item.exercise:
+            return [self.tests_ok]
+        return [self.picture_point, self.tests_ok] if self.with_tests else [self.picture_point]
 
     @property
     def of(self):
-        return 2 if self.with_tests and not self.item.exercise else 1
+        return len(self.parts) if self.item.worth is None else number(self.item.worth)
+
+    @property
+    def points(self):
+        return number(self.of * sum(self.parts) / len(self.parts) if self.by_hand is None else self.by_hand)
 
     @property
     def right(self):
-        return self.points == self.of
+        return self.points >= self.of
 
 
 @dataclasses.dataclass
@@ -154,6 +180,9 @@ class Student:
     page: str  # name of the page's file without .html; unique in a class
     note: str
     all_rows: list  # for each item; None until it is graded
+    id: str = ''
+    person: str = ''
+    by_hand: dict = dataclasses.field(default_factory=dict)  # points and a note, by the name of an item; '': all of the student's
 
     @property
     def rows(self):
@@ -161,11 +190,16 @@ class Student:
 
     @property
     def points(self):
-        return sum(row.points for row in self.rows)
+        return number(self.by_hand[''][0] if '' in self.by_hand else sum(row.points for row in self.rows))
 
     @property
     def of(self):
-        return sum(row.of for row in self.rows)
+        return number(sum(row.of for row in self.rows))
+
+    @property
+    def notes(self):
+        by_hand = 'points by hand' + (self.by_hand[''][1] and ': ' + self.by_hand[''][1]) if '' in self.by_hand else ''
+        return '; '.join(filter(None, (self.note, self.unfinished, by_hand)))
 
     @property
     def contained(self):
@@ -174,7 +208,7 @@ class Student:
     @property
     def has_page(self):
         """A page shows something that the table does not."""
-        return bool(self.note) or any(not row.right or row.note for row in self.rows)
+        return bool(self.note and self.folder) or any(not row.right or row.note for row in self.rows if self.folder)
 
     @property
     def unfinished(self):
@@ -186,7 +220,7 @@ class Student:
 # --- Tables ------------------------------------------------------------------------------------------------------------------------------
 
 COLUMNS = ('student chapter build run seconds pixels_off share_off rmse ssim picture_ok tests note verdict points of second_picture_ok '
-           'limit_seconds contained_by folder').split()
+           'limit_seconds contained_by folder unchanged same_as id person').split()
 
 
 def csv_line(cells):
@@ -200,7 +234,8 @@ def grades_csv_line(student, row):
                    {'pixels_off': '%d', 'share_off': '%.8f', 'rmse': '%.6f', 'ssim': '%.6f'}.items()]
     picture_ok = '' if row.item.exercise else 'yes' if row.picture_ok else 'no'
     return csv_line([student.name, row.item.name, row.build, row.run, row.cpu_seconds, *figures, picture_ok, row.tests, row.note, row.word,
-                     row.points, row.of, row.hidden, row.limit_cpu_seconds, row.containment, student.folder])
+                     row.points, row.of, row.hidden, row.limit_cpu_seconds, row.containment, student.folder,
+                     'yes' if row.unchanged else 'no' if row.written else '', row.same_as, student.id, student.person])
 
 
 def table(students, head, lines):
@@ -214,9 +249,25 @@ def grades_csv(students):
 
 
 def points_csv(students):
-    return table(students, ['folder', 'name', 'points', 'of', 'chapters', 'page', 'note'],
-                 [csv_line([student.folder, student.name, student.points, student.of, len(student.rows), student.page,
-                            student.note or student.unfinished]) for student in students])
+    def with_whom(student):
+        return '; '.join(f'{row.item.number}: {row.same_as}' for row in student.rows if row.same_as)
+    return table(students, ['folder', 'name', 'points', 'of', 'chapters', 'page', 'note', 'id', 'person', 'unchanged', 'same_as'],
+                 [csv_line([student.folder, student.name, student.points, student.of, len(student.rows), student.page, student.notes,
+                            student.id, student.person, ' '.join(row.item.number for row in student.rows if row.unchanged),
+                            with_whom(student)]) for student in students])
+
+
+def say_who_has_the_same(students):
+    """Sets same_as: the names of others whose files of an item are equal, but for blanks and comments; at most three."""
+    who = {}
+    for student in students:
+        for row in student.rows:
+            if row.written:
+                who.setdefault((row.item, row.written), []).append((student, row))
+    for found in who.values():
+        for student, row in found:
+            others = [other.name for other, _ in found if other is not student]
+            row.same_as = ', '.join(others[:3]) + (f' and {len(others) - 3} more' if others[3:] else '')
 
 
 # --- Learning systems --------------------------------------------------------------------------------------------------------------------
@@ -229,10 +280,15 @@ class Test:
     number: str  # 3.1; of an exercise 3.E1
     item: str
     file: str  # in the student's checkout
-    passed: bool
+    points: float
+    of: float
     broken: bool  # the program could not be built
     message: str  # why it failed
     seconds: float
+
+    @property
+    def passed(self):
+        return self.points >= self.of
 
 
 def why_of_tests(row):
@@ -248,14 +304,17 @@ def tests_of(student):
         item, chapter = row.item, int(row.item.name[:2])
         seconds = float(row.cpu_seconds or 0)
         why = with_word(row.word, row.note)
-        made = [('the picture', f'{chapter}.1', row.picture_point, why)]
+        made = [('the picture', f'{chapter}.1', why), ('the tests', f'{chapter}.2', why_of_tests(row) if row.tests_run else why)]
         if item.exercise:  # 2.E1, because 2.1 is the picture of chapter 02
-            made = [('the exercise', f'{chapter}.E{item.name[3:]}', row.tests_ok, why)]
-        elif row.with_tests:
-            made.append(('the tests', f'{chapter}.2', row.tests_ok, why_of_tests(row) if row.tests_run else why))
-        for what, number, passed, message in made:
-            tests.append(Test(f'{item.name}: {what}', number, item.name, item.exercise or f'chapters/{item.name}/lesson.hpp', passed,
-                              row.build == 'does not build', '' if passed else clean_lines(message), seconds))
+            made = [('the exercise', f'{chapter}.E{item.name[3:]}', why)]
+        parts = row.parts
+        if row.by_hand is not None:
+            made, parts = [('by hand', made[0][1], why)], [row.points / row.of if row.of else 1]
+        of = row.of / len(parts)
+        for (what, place, message), share in zip(made, parts):
+            tests.append(Test(f'{item.name}: {what}', place, item.name, item.exercise or f'chapters/{item.name}/lesson.hpp',
+                              number(of * share), number(of), row.build == 'does not build', '' if share >= 1 else clean_lines(message),
+                              seconds))
             seconds = 0.0  # counted once
     return tests
 
@@ -271,7 +330,7 @@ def gradescope_json(student):
         'score': student.points, 'execution_time': round(sum(test.seconds for test in tests), 2),
         'output': f'{warning}{student.points} of {student.of} points', 'output_format': 'text', 'test_output_format': 'text',
         'visibility': 'visible', 'stdout_visibility': 'hidden',
-        'tests': [{'name': test.name, 'number': test.number, 'score': int(test.passed), 'max_score': 1,
+        'tests': [{'name': test.name, 'number': test.number, 'score': test.points, 'max_score': test.of,
                    'status': 'passed' if test.passed else 'failed', 'output': test.message, 'output_format': 'text', 'tags': [test.item],
                    'visibility': 'visible'} for test in tests],
         'extra_data': {'folder': clean(student.folder)}})
@@ -282,7 +341,7 @@ def classroom_json(student):
     broken = bool(tests) and all(test.broken for test in tests)  # then no test says more
     return as_json({
         'version': 1, 'status': 'error' if broken else 'pass' if all(test.passed for test in tests) else 'fail', 'max_score': student.of,
-        'tests': [{'name': test.name, 'status': 'pass' if test.passed else 'error' if test.broken else 'fail', 'score': int(test.passed),
+        'tests': [{'name': test.name, 'status': 'pass' if test.passed else 'error' if test.broken else 'fail', 'score': test.points,
                    'message': test.message, 'test_code': f'./course grade --chapters {test.item}', 'filename': test.file, 'line_no': 1,
                    'duration': 1000 * test.seconds} for test in tests]})
 
