@@ -39,6 +39,10 @@ LOOK = """(async () => {
   for (const e of document.querySelectorAll("[src], link[href]")) {
     if (/^https?:/.test(e.getAttribute("src") || e.getAttribute("href"))) faults.push(`needs the network: ${start(e)}`);
   }
+  for (const e of document.querySelectorAll("math")) {
+    const outside = [...e.querySelectorAll("*")].some((one) => !one.matches("mi, mn, mo, mtext") && [...one.childNodes].some((n) => n.nodeType === 3));
+    if (e.children.length !== 1 || outside || e.querySelector("mi:empty, mfrac > :nth-child(3)")) faults.push(`a formula: ${start(e)}`);
+  }
   const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
   if (new Set(ids).size !== ids.length) faults.push("an id is used twice");
   for (const e of document.querySelectorAll("button, input, summary, a")) {
@@ -114,7 +118,15 @@ USES = {
     "gallery.html": [
         ("", "[...document.querySelectorAll('figure img')].filter((e) => e.naturalWidth).length >= 15"),
     ],
+    # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors; parentheses fall away.
+    "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],
+    "06_phong_texture_blend.html": [("", "fraction('|r−e|2', '2')")],
+    "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && texts('mtext').includes('light along a ray')")],
+    "09_texture_filtering.html": [("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
+    "10_projections.html": [("", "fraction('(p−c)·a', '2a·a')")],
+    "12_environment_map.html": [("", "fraction('2π', 'width') && texts('mi').includes('polar_angle')")],
     "05_y_rotation.html": [
+        ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate')"),
         ("document.querySelector('button[data-frames]').click()", "/_00[1-9].png$/.test(turning().src)"),
         ("document.querySelector('button[data-frames]').click()", "turning().getAttribute('src') === '05_y_rotation_000.png'"),
     ],
@@ -122,6 +134,8 @@ USES = {
 HELPERS = """
 function find(words) { const box = document.querySelector('#search'); box.value = words; box.dispatchEvent(new Event('input')); }
 function cut() { return document.querySelector('.pair').style.getPropertyValue('--cut'); }
+function texts(what) { return [...document.querySelectorAll(what)].map((e) => e.textContent); }
+function fraction(above, below) { return [...document.querySelectorAll("mfrac")].some((e) => e.children[0].textContent === above && e.children[1].textContent === below); }
 function turning() { return document.querySelector('button[data-frames]').closest('figure').querySelector('img'); }"""
 
 
@@ -160,6 +174,20 @@ def faults_of_files(out):
     longest = max(page.read_text().count("\n") for page in (out / "source").glob("*.html"))
     if numbers <= longest - 25:
         yield f"book.css numbers {numbers} lines, and a source page has {longest}"
+
+
+def faults_of_formulas(out):
+    """The indented blocks that no rule takes for a formula are listed: each is code, a command or what a program prints."""
+    formulas = 0
+    for page in sorted(out.glob("*.html")):
+        text = page.read_text()
+        formulas += text.count("<math>")
+        for block in re.findall(r'<div class="code[\w ]* indented"><pre tabindex="0"><code>(.*?)</code>', text, re.DOTALL):
+            print(f"{page.name}: no formula: {block.splitlines()[0]}")
+            if not re.search(r"[;{*]|\./|--|\bbuild\b|error:", block):
+                yield f"{page.name} has a formula that no rule understands: {block}"
+    if formulas < 60:
+        yield f"{formulas} formulas"
 
 
 def faults_of_pages(out, pages):
@@ -212,7 +240,7 @@ def main(words):
         make_out(book, root, programs, out)
         pages = sorted(page.name for page in out.glob("*.html")) + ["diff/02-03/index.html"]
         print(f"{len(pages)} pages", flush=True)
-        faults = [*faults_of_files(out), *faults_of_links(book, root, pathlib.Path(folder) / "root")]
+        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_links(book, root, pathlib.Path(folder) / "root")]
         try:
             for fault in faults_of_pages(out, pages):
                 faults.append(fault)

@@ -82,7 +82,8 @@ std::string highlighted_block(const std::string& code, const std::string& langua
     }
   }
   return std::string("<div class=\"code") + (longest > columns_of_text ? " wide" : "") +
-         "\"><pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
+         (language == "indented" ? " indented" : "") + "\"><pre tabindex=\"0\"><code>" + html +
+         "</code></pre></div>\n";
 }
 
 std::string highlighted_file(const std::string& code, bool is_cpp) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "formula.hpp"
 #include "highlight.hpp"
 
 namespace texmap::book {
@@ -169,8 +170,18 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) 
     if (type == CMARK_NODE_HEADING) {
       convert_heading(node, taken, page);
     } else if (type == CMARK_NODE_CODE_BLOCK) {
-      replace_by_html(node, highlighted_block(text_or_empty(cmark_node_get_literal(node)),
-                                              text_or_empty(cmark_node_get_fence_info(node))));
+      const std::string code = text_or_empty(cmark_node_get_literal(node));
+      int length = 0;
+      int offset = 0;
+      char fence = 0;
+      const bool is_indented = cmark_node_get_fenced(node, &length, &offset, &fence) == 0;
+      const std::optional<std::string> formulas =
+          is_indented ? html_of_formulas(code) : std::nullopt;
+      replace_by_html(
+          node, formulas ? *formulas
+                         : highlighted_block(
+                               code, is_indented ? "indented"
+                                                 : text_or_empty(cmark_node_get_fence_info(node))));
     } else if (!page.sections.empty()) {
       page.sections.back().words += words_of(node) + " ";
     }
