@@ -26,7 +26,7 @@ struct Lesson : LessonHooks {
       .size = {400, 225},
   };
 
-  Stage stage{.camera = {.eye = {0, 0, 12}, .target = {0, 0, 0}, .fov_y_degrees = 20}};
+  Stage stage{.camera = {.eye = {0, 1.5, 12}, .target = {0, 0, 0}, .fov_y_degrees = 24}};
   std::vector<Object> objects = {
       Object{.shape = {.center = {0.0, 0.0, 0.0}, .radius = 2.0}, .paint = {}},
   };
@@ -38,7 +38,7 @@ struct Lesson : LessonHooks {
   void options(CommandLine& line) override { offer(line, texture, layout, turn, sampling); }
   void prepare(Session&) override {
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
-    sampling.apply_to(objects[middle].paint.texture, stage.sky);
+    sampling.apply_to(objects, stage);  // which puts the globe on a ground
   }
 
   /// The color that one ray sees.

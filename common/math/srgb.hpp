@@ -8,7 +8,6 @@ namespace texmap {
 ///
 /// @param encoded  a byte of a file divided by 255, 0 to 1; outside the curve goes on
 /// @return         0 to 1, linear: twice the number is twice the light; NaN for NaN
-/// Bound: 8 ulp for 1e-18 to 1.
 /// Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real srgb_decode(Real encoded) {
@@ -22,7 +21,7 @@ template <class Real>
 ///
 /// @param linear  0 to 1; outside the curve goes on
 /// @return        0 to 1; times 255 and rounded it is the byte of a file; NaN for NaN
-/// Bound: 5 ulp for 1e-18 to 1 but at the number next to 0.0031308; every byte comes back.
+/// Every byte comes back.
 /// Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real srgb_encode(Real linear) {

@@ -9,9 +9,9 @@ namespace {
 
 /// How `As` draws what a chapter's lesson has: the lesson itself, or one derived from it.
 template <class As, class Lesson = As>
-[[nodiscard]] MakeDrawing drawn() {
-  return [] {
-    const auto lesson = prepared<Lesson>({});
+[[nodiscard]] MakeDrawing drawn(const std::vector<std::string>& options = {}) {
+  return [=] {
+    const auto lesson = prepared<Lesson>(options);
     As other;
     static_cast<Lesson&>(other) = lesson;
     const int height = GathersLight<Lesson> ? 113 : 150;
@@ -39,8 +39,8 @@ Group ledger_group() {
       .text =
           "Chapters as they are (base), and with something computed that their scene does not\n"
           "require: the same picture to the last byte. `01 by the last machinery` is chapter\n"
-          "01's scene drawn by chapter 06's lesson. 200 × 150 pixels; chapter 07 200 × 113 with\n"
-          "8 samples. What saves less than some hundredths is left out.",
+          "01's scene drawn by chapter 06's lesson. 200 × 150 pixels; chapter 07's scene `book`\n"
+          "200 × 113 with 8 samples. What saves less than some hundredths is left out.",
       .unit = "ms",
       .ratio = Ratio::cost,
       .seconds = 55,
@@ -70,12 +70,14 @@ Group ledger_group() {
   add("06: as the chapter draws it", "06", drawn<chapter_06::Lesson>());
   add("06: a highlight also on objects without gloss", "06",
       drawn<HighlightAnyway, chapter_06::Lesson>());
-  add("07: as the chapter draws it", "07", drawn<chapter_07::Lesson>());
-  add("07: a new direction under a uniform sky", "07", drawn<ScatterAnyway, chapter_07::Lesson>());
+  const std::vector<std::string> book = {"--scene", "book"};
+  add("07: as the chapter draws it", "07", drawn<chapter_07::Lesson>(book));
+  add("07: a new direction under a uniform sky", "07",
+      drawn<ScatterAnyway, chapter_07::Lesson>(book));
   add("07: numbers for a lens and an exposure that are not there", "07",
-      drawn<NumbersAnyway, chapter_07::Lesson>());
+      drawn<NumbersAnyway, chapter_07::Lesson>(book));
   add("07: rays also where the globe cannot be seen", "07",
-      drawn<WithoutBounds, chapter_07::Lesson>());
+      drawn<WithoutBounds, chapter_07::Lesson>(book));
   return group;
 }
 

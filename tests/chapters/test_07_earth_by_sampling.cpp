@@ -15,11 +15,35 @@ using chapter_07::Lesson;
 
 namespace {
 
-/// The lesson as its program prepares it, with one color in place of the picture if one is given.
-Lesson lesson_with(const std::vector<std::string>& words, const Rgb8* paint = nullptr) {
+/// The lesson as its program prepares it, in the scene of the book; with one color in place of the
+/// picture if one is given.
+Lesson lesson_with(std::vector<std::string> words, const Rgb8* paint = nullptr) {
+  words.insert(words.end(), {"--scene", "book"});
   Lesson lesson = prepared<Lesson>(words);
   if (paint != nullptr) lesson.objects[0].paint.texture.image = Image(1, 1, *paint);
   return lesson;
+}
+
+/// The lesson with its ground, which is as good as a plane; globe and ground each in one color.
+Lesson on_ground(Rgb8 globe, Rgb8 ground) {
+  Lesson lesson = prepared<Lesson>({"--bounces", "1000"});
+  lesson.objects[0].paint.texture.image = Image(1, 1, globe);
+  lesson.objects[1] = {{{0, -2 - 1e6, 0}, 1e6}, lesson.objects[1].paint};
+  lesson.objects[1].paint.texture.image = Image(1, 1, ground);
+  return lesson;
+}
+
+/// The light that comes from a point, seen from the lesson's eye: the mean of many samples.
+Rgb light_from(const Point& point, const Lesson& lesson) {
+  constexpr std::uint32_t samples = 4096;
+  const Point eye = lesson.stage.camera.eye;
+  const Ray<double> ray{eye, normalize(point - eye)};
+  Rgb sum{};
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    SampledNumbers<double> random{{SamplerKind::sobol, samples}, i};
+    sum = sum + light_along(lesson.objects, ray, lesson.stage.sky, lesson.sampling.bounces, random);
+  }
+  return sum * (1.0 / samples);
 }
 
 /// What a budget buys for the lesson's picture, which reads each texel so often.
@@ -37,8 +61,9 @@ struct Stated {
 };
 Stated stated_by_program(const std::string& options) {
   const TemporaryFolder folder;
-  const Outcome outcome = run("\"" TEXMAP_CHAPTER "\" --width 64 --height 36 --out \"" +
-                              (folder / "x.png") + "\" " + options);
+  const Outcome outcome =
+      run("\"" TEXMAP_CHAPTER "\" --scene book --width 64 --height 36 --out \"" +
+          (folder / "x.png") + "\" " + options);
   REQUIRE(outcome.status == 0);
   const std::size_t error = outcome.out.find("about ");
   REQUIRE(error != std::string::npos);
@@ -61,12 +86,10 @@ TEST_CASE("a white globe under a constant sky cannot be told from the sky") {
 }
 
 TEST_CASE(
-    "white globes that light each other are as bright as the sky too, if paths may bounce long "
-    "enough") {
+    "a white globe and a white ground that light each other are as bright as the sky too, if paths "
+    "may bounce long enough") {
   const Rgb8 full{255, 255, 255};
-  Lesson lesson = lesson_with({"--bounces", "1000"}, &full);
-  lesson.objects.push_back(lesson.objects[0]);
-  lesson.objects[1].shape = {{0, -2.5, 0}, 0.5};
+  Lesson lesson = on_ground(full, full);
   const Film film = film_of(lesson, 8);
   double darkest = 1;
   for_each_pixel(film, [&](const Rgb& light) { darkest = std::min(darkest, light.r); });
@@ -77,28 +100,36 @@ TEST_CASE(
   CHECK(apart(film, cut) > 0.001);
 }
 
+TEST_CASE("a black globe takes from the ground the share (radius / distance of its center) cubed") {
+  // The share of a plane's light that a sphere hides: cos (r / D)^2, and here cos is r / D.
+  const Lesson lesson = on_ground({0, 0, 0}, {188, 188, 188});
+  for (const Point& point : {Point{0, -2, 2.5}, Point{3, -2, 1}, Point{-6, -2, 4}}) {
+    const double share = std::pow(2 / length(point), 3);
+    CHECK(light_from(point, lesson).r ==
+          doctest::Approx(0.7 * srgb_decode(188 / 255.0) * (1 - share)).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("over a black ground the globe has the share of the sky that is above its ground") {
+  const Lesson lesson = on_ground({188, 188, 188}, {0, 0, 0});
+  for (const Point& n : {Point{0, 0, 1}, Point{0.36, 0.8, 0.48}, Point{-0.6, -0.48, 0.64}}) {
+    CHECK(light_from(n * 2.0, lesson).g ==
+          doctest::Approx(0.8 * srgb_decode(188 / 255.0) * (1 + n.y) / 2).epsilon(1e-3));
+  }
+}
+
 TEST_CASE(
     "under a sky that fades with height the light is the closed form: the sky's mean weighed by "
     "Lambert's cosine") {
   // The sky is a + b y for a direction's y; the cosine-weighted mean of y about n is 2/3 of n's y.
   const Rgb8 paint{188, 128, 64};
   Lesson lesson = lesson_with({"--sky", "gradient"}, &paint);
-  constexpr std::uint32_t samples = 4096;
-  for (const Point aim : {Point{0, 0, 2}, Point{0.7, 1.5, 1.1}, Point{-1.2, -1.4, 0.8}}) {
-    const Ray<double> ray{{0, 0, 12}, normalize(aim - Point{0, 0, 12})};
-    const Vec3<double> n =
-        hit_at(lesson.objects[0].shape, ray, distance_to(lesson.objects[0].shape, ray)).normal;
-    Rgb sum{};
-    for (std::uint32_t i = 0; i < samples; ++i) {
-      SampledNumbers<double> random{{SamplerKind::sobol, samples}, i};
-      sum = sum + light_along(lesson.objects, ray, lesson.stage.sky, 50, random);
-    }
+  for (const Point& n : {Point{0, 0, 1}, Point{0.36, 0.8, 0.48}, Point{-0.6, -0.64, 0.48}}) {
+    const Rgb light = light_from(n * 2.0, lesson);
     const double height = (2.0 / 3 * n.y + 1) / 2;
-    CHECK(sum.r / samples ==
-          doctest::Approx(srgb_decode(188 / 255.0) * (1 - 0.5 * height)).epsilon(2e-4));
-    CHECK(sum.g / samples ==
-          doctest::Approx(srgb_decode(128 / 255.0) * (1 - 0.3 * height)).epsilon(2e-4));
-    CHECK(sum.b / samples == doctest::Approx(srgb_decode(64 / 255.0)).epsilon(2e-4));
+    CHECK(light.r == doctest::Approx(srgb_decode(188 / 255.0) * (1 - 0.5 * height)).epsilon(2e-4));
+    CHECK(light.g == doctest::Approx(srgb_decode(128 / 255.0) * (1 - 0.3 * height)).epsilon(2e-4));
+    CHECK(light.b == doctest::Approx(srgb_decode(64 / 255.0)).epsilon(2e-4));
   }
 }
 
@@ -184,7 +215,7 @@ TEST_CASE("a lens blurs what is out of focus and nothing else, and an exposure b
 }
 
 TEST_CASE("the program draws as many samples as were asked for, or stops at the error that was") {
-  CHECK(stated_by_program("").samples == 100);
+  CHECK(stated_by_program("").samples == 64);
   CHECK(stated_by_program("--samples 16").samples == 16);
   const Stated coarse = stated_by_program("--samples 4096 --target-error 3");
   const Stated fine = stated_by_program("--samples 4096 --target-error 1");

@@ -45,7 +45,7 @@ Rgb energy_of(const LightImage& map) { return SkyMoments(Environment(map)).sums(
 
 TEST_CASE(
     "under a constant picture a ball is drawn as in chapter 07 under its uniform sky: 0 pixels") {
-  auto before = prepared<chapter_07::Lesson>();
+  auto before = prepared<chapter_07::Lesson>({"--scene", "book"});
   const Rgb8 paint = {188, 128, 64};
   before.objects[0].paint.texture.image = Image(1, 1, paint);
   Lesson after = under(LightImage(8, 4, {0.7F, 0.8F, 1.0F}));

@@ -139,13 +139,13 @@ double levels(const Film& a, const Film& b) {
   return std::sqrt(sum / (3.0 * a.width() * a.height()));
 }
 
-/// The errors of the four patterns on chapter 07's globe, drawn small.
+/// The errors of the four patterns in chapter 07's picture, drawn small.
 void figures_of_samplers(Figures& figures) {
   const auto lesson = prepared<chapter_07::Lesson>();
   const auto film = [&](SamplerKind kind, int samples, std::uint32_t seed = 0) {
     const View<> view = view_of(lesson.stage.camera, 64, 36);
-    return gather<Pack<float>>(lesson, lesson.objects, view, {Sampler(kind, samples, seed)},
-                               bounds_of_view(lesson, lesson.objects, {}, samples), {});
+    return gather<Pack<double>>(lesson, lesson.objects, view, {Sampler(kind, samples, seed)}, {},
+                                {});
   };
   const Film truth = film(SamplerKind::sobol, 8192, 99);
   std::map<std::string, double> errors;

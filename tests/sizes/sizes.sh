@@ -93,7 +93,7 @@ else
   expect_memory "07, 4096 x 1024 pixels with a limit of time" $((4 << 20)) 72 07_earth_by_sampling --width 4096 --height 1024 \
     --samples 48 --time-limit 10000 --number float-pack
   expect_memory "07, a texture of $size texels, as roots" $all 7 07_earth_by_sampling --texture "$work/texture.png" --width 800 \
-    --height 450 --samples 1000 --budget levels=1
+    --height 450 --samples 1000 --scene book --budget levels=1
 fi
 expect_memory "07, 64 x 48 pixels, 4096 samples" $((64 * 48)) 27 07_earth_by_sampling --width 64 --height 48 --samples 4096
 cp "$work/measured.png" "$work/samples.png"

@@ -66,6 +66,8 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   const bool limited = options.time_limit > 0 || options.target_error > 0;
   const int most = limited && !session.was_given("--samples") ? 1 << 20 : settings.samples;
   const double reads = double{1} * settings.width * settings.height * most;
+  if (settings.budget != "exact" && lesson.objects.size() > 1)
+    throw UsageError("--budget is for a lone object, which lights no other: add --scene book");
   const KernelPlan plan = plan_for(lesson.objects.front().paint, settings.budget, reads);
   if (!settings.quiet && session.was_given("--budget")) print(plan.text);
   const bool float_packs = plan.floats_are_enough && !session.was_given("--number");

@@ -266,3 +266,6 @@ void SamplingOptions::apply_to(LightTexture& texture, GradientSky& sky) const {
 }
 
 }  // namespace texmap
+  samples = 64;
+  line.choice("--scene", book, "ground|book",
+              "the globe on a ground, or the scene `earth` of Next Week: the globe alone, larger");

@@ -102,9 +102,15 @@ Image magnified(const Lesson& lesson) {
   return image;
 }
 
+/// The globe alone, as in the book.
+Lesson lone_globe(std::vector<std::string> words = {}) {
+  words.insert(words.end(), {"--scene", "book"});
+  return prepared<Lesson>(words);
+}
+
 /// A white globe, for which only the sky counts.
 Lesson white_globe(const std::vector<std::string>& words = {}) {
-  auto lesson = prepared<Lesson>(words);
+  auto lesson = lone_globe(words);
   lesson.objects.front().paint.texture.image = Image(1, 1, {255, 255, 255});
   return lesson;
 }
@@ -320,7 +326,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
       "07",
       {exercise(mean_byte,
                 [] {
-                  return magnified(prepared<Lesson>({"--defocus", "4", "--focus", "6"}));
+                  return magnified(lone_globe({"--defocus", "4", "--focus", "6"}));
                 },
                 {[](const Bytes& bytes) {
                    return rounded(255 * srgb_encode(sum_of(bytes, decoded) / double(bytes.size())));
@@ -333,7 +339,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                   return magnified(lesson);
                 },
                 {right_scatter, wrong_scatter, scattered_places}),
-       exercise(place_of_sample, [] { return magnified(prepared<Lesson>()); },
+       exercise(place_of_sample, [] { return magnified(lone_globe()); },
                 {right_place, wrong_places, place_of_sample_places})},
       {{"Which byte does a pixel get that is a quarter white, the rest black?",
         [] { return double(byte_of_light(0.25, Transfer::srgb)); },
@@ -341,8 +347,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
         "A quarter of the pixel sends out light. Which encoded number has a quarter of the light?",
         {{64, "this is the mean of the bytes: average the light, and encode it"},
          {225, "this is three quarters of the light: a quarter of the pixel is white"}}},
-       {"Let the globe be white, albedo 1, under the chapter's uniform sky. How many pixels differ "
-        "from the sky?",
+       {"Draw a white globe (albedo 1) alone, with --scene book. How many pixels differ from the "
+        "sky?",
         [] {
           const auto pixels = magnified(white_globe()).pixels;
           return double(
