@@ -25,7 +25,7 @@ $said" ;;
 
 says 2 "there is no chapter 77" "$root/course" export --chapters 77 kit
 says 2 "'all' names no chapters" "$root/course" export --chapters all kit
-says 2 "outside of the course" "$root/course" export --chapters 02 "$root/out/kit"
+says 2 "outside of the course" "$root/course" export --chapters 02 "$root/kit"
 says 0 "chapters 00, 01, 02, 03, 04, 05 with 15 exercises" "$root/course" export --chapters 00-05 kit
 says 2 "not empty" "$root/course" export --chapters 00-05 kit
 cd kit

@@ -177,7 +177,7 @@ def main():
         chosen = chosen_of(words.chapters, [path.name[:2] for path in root.glob('chapters/[0-9][0-9]_*')])
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise Wrong(f'{words.folder} is there and not empty')
-        if folder.is_relative_to(root):
+        if folder.is_relative_to(root) and folder.relative_to(root).parts[:1] not in (('build',), ('out',)):
             raise Wrong('the folder must be outside of the course')
         exercises = export(root, folder, chosen)
     except (Wrong, OSError) as error:
