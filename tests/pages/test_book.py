@@ -6,6 +6,7 @@ usage: test_book.py BOOK ROOT BIN
 BOOK makes the book, ROOT is the project, BIN has the chapters' programs. Status 77 where no browser is installed.
 out/ as a whole is small enough to be sent: the book, the chapters' pictures, the turntable and the pages of ./course diff.
 """
+import html
 import pathlib
 import re
 import shlex
@@ -190,6 +191,23 @@ def faults_of_formulas(out):
         yield f"{formulas} formulas"
 
 
+def faults_of_places(out, root):
+    """Each block of code that a page takes from a file has the file and the line above it, and a link to that line."""
+    def plain(markup):
+        return html.unescape(re.sub("<[^>]*>", "", markup)).strip()
+    for source in [*root.glob("chapters/*/README.md"), *root.glob("docs/*.md")]:
+        page = out / f"{source.parent.name if source.name == 'README.md' else source.stem}.html"
+        places = re.findall(r'<div class="place"><a href="([^"]*)#L(\d+)">([^<]*):\2</a>.*?<code>(.*?)\n', page.read_text())
+        marks = len(re.findall("^<!-- code:", source.read_text(), re.MULTILINE))
+        if len(places) != marks:
+            yield f"{page.name} has {len(places)} places of {marks} pieces of code"
+        for link, line, path, first in places:
+            shown = re.search(rf'<span id="L{line}">(.*?)</span>\n', (out / link).read_text())
+            lines = (root / path).read_text().splitlines()
+            if not shown or not plain(shown[1]) == plain(first) == lines[int(line) - 1].strip():
+                yield f"{page.name}: {path}:{line} is not: {plain(first)}"
+
+
 def faults_of_pages(out, pages):
     counts = {1920: [], 1280: [], 360: []}
     with Browser() as browser:
@@ -240,7 +258,7 @@ def main(words):
         make_out(book, root, programs, out)
         pages = sorted(page.name for page in out.glob("*.html")) + ["diff/02-03/index.html"]
         print(f"{len(pages)} pages", flush=True)
-        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_links(book, root, pathlib.Path(folder) / "root")]
+        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_places(out, root), *faults_of_links(book, root, pathlib.Path(folder) / "root")]
         try:
             for fault in faults_of_pages(out, pages):
                 faults.append(fault)

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -58,6 +59,35 @@ struct Page {
   [[nodiscard]] const std::string& title() const { return converted.sections.front().title; }
 };
 
+/// The lines of a text, without blanks around each.
+std::vector<std::string> lines_of(const std::string& whole) {
+  std::vector<std::string> lines;
+  std::istringstream rest(whole);
+  for (std::string line; std::getline(rest, line);) lines.push_back(trimmed(line));
+  return lines;
+}
+
+/// Where lines stand in a source, counted from 1: if possible, not before the first line with a
+/// name. Marks of exercises are left out, as pages leave them out. 0: nowhere.
+std::size_t line_of(const std::vector<std::string>& source, const std::vector<std::string>& piece,
+                    const std::string& name) {
+  std::size_t found = 0;
+  bool is_after_name = false;
+  for (std::size_t start = 0; start < source.size(); ++start) {
+    is_after_name = is_after_name || source[start].find(name) != std::string::npos;
+    std::size_t same = 0;
+    for (std::size_t i = start; i < source.size() && same < piece.size(); ++i) {
+      if (source[i].rfind("// solution", 0) == 0 || source[i].rfind("// start: ", 0) == 0) continue;
+      if (source[i] != piece[same]) break;
+      ++same;
+    }
+    if (same < piece.size() || source[start] != piece[0]) continue;
+    if (found == 0 || is_after_name) found = start + 1;
+    if (is_after_name) break;
+  }
+  return found;
+}
+
 /// Pages under one heading of the contents.
 struct Part {
   std::string title;
@@ -91,9 +121,12 @@ class Book {
     if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
     for (Page& page : pages_) {
-      page.converted =
-          html_of_markdown(contents_of(root_ / page.source),
-                           [&](const std::string& url) { return resolved(page.source, url); });
+      page.converted = html_of_markdown(
+          contents_of(root_ / page.source),
+          [&](const std::string& url) { return resolved(page.source, url); },
+          [&](const std::string& mark, const std::string& code) {
+            return located(page.source, mark, code);
+          });
       if (page.converted.sections.empty())
         throw std::runtime_error(page.source + " does not begin with a title");
     }
@@ -186,7 +219,7 @@ class Book {
     }
     const std::string extension = target.extension().string();
     if (extension == ".png" || extension == ".svg" || extension == ".jpg") return picture(target);
-    sources_.insert(target.generic_string());
+    sources_[target.generic_string()];
     return "source/" + flat(target) + ".html" + anchor;
   }
 
@@ -196,6 +229,54 @@ class Book {
     return std::none_of(pages_.begin(), pages_.end(), [&](const Page& page) {
       return page.chapter.substr(0, 2) == path.substr(9, 2);
     });
+  }
+
+  /// Where a page's code is from: its file and its line, with a link, and which of its lines the
+  /// chapter before has in its lesson. The page's mark begins with <!-- code: FILE NAME.
+  Place located(const std::string& from, const std::string& mark, const std::string& code) {
+    std::istringstream words(mark);
+    std::string file, name;
+    words >> name >> name >> file >> name;
+    fs::path source;
+    for (const fs::path& folder : {fs::path(from).parent_path(), fs::path("common"), fs::path()})
+      if (source.empty() && fs::exists(root_ / folder / file)) source = folder / file;
+    if (source.empty()) return fault(from + ": there is no " + file);
+    const std::vector<std::string> lines = lines_of(contents_of(root_ / source));
+    const std::vector<std::string> piece = lines_of(code);
+    const std::size_t line = line_of(lines, piece, name.substr(name.rfind(':') + 1));
+    if (line == 0) return fault(from + ": " + source.generic_string() + " has not its code");
+    sources_[source.generic_string()].insert(line);
+    const std::string where = text("%s:%zu", source.generic_string().c_str(), line);
+    const std::string address = text("source/%s.html#L%zu", flat(source).c_str(), line);
+    Place place{"<div class=\"place\"><a href=\"" + address + "\">" + where + "</a>", {}};
+    if (source.filename() == "lesson.hpp") {
+      const std::set<std::string> before = lesson_before(source);
+      for (const std::string& one : piece) {
+        const bool has_letters = one.find_first_not_of(" {}();,") != std::string::npos;
+        if (has_letters && before.count(one) != 0) place.known = before;
+      }
+      if (!place.known.empty()) place.html += "<span>gray: as in the chapter before</span>";
+    }
+    place.html += "</div>";
+    return place;
+  }
+
+  /// The lines of the lesson of the chapter before.
+  [[nodiscard]] std::set<std::string> lesson_before(const fs::path& lesson) const {
+    std::set<std::string> lines;
+    fs::path before;
+    for (const Page& page : pages_) {
+      const fs::path other = fs::path(page.source).parent_path() / "lesson.hpp";
+      if (other < lesson && before < other && fs::exists(root_ / other)) before = other;
+    }
+    if (before.empty()) return lines;
+    for (const std::string& line : lines_of(contents_of(root_ / before))) lines.insert(line);
+    return lines;
+  }
+
+  Place fault(const std::string& what) {
+    faults_.push_back(what);
+    return {};
   }
 
   static std::string flat(const fs::path& path) {
@@ -373,13 +454,13 @@ class Book {
   }
 
   void write_sources() {
-    for (const std::string& source : sources_) {
+    for (const auto& [source, named] : sources_) {
       const std::string extension = fs::path(source).extension().string();
       const bool is_cpp = extension == ".hpp" || extension == ".cpp";
       const std::string code = contents_of(root_ / source);
       most_lines_ = std::max(most_lines_, 1 + std::count(code.begin(), code.end(), '\n'));
       const std::string body =
-          "<h1>" + escaped_markup(source) + "</h1>\n" + highlighted_file(code, is_cpp);
+          "<h1>" + escaped_markup(source) + "</h1>\n" + highlighted_file(code, is_cpp, named);
       write(out_ / "source" / (flat(source) + ".html"), framed(source, body, pages_.size(), "../"));
     }
   }
@@ -484,7 +565,8 @@ class Book {
   std::vector<Part> parts_;
   std::vector<Named> named_;  ///< links from one page to a heading of another
   std::string modules_;       // of live pictures; empty: there are none
-  std::set<std::string> sources_, pictures_;
+  std::map<std::string, std::set<std::size_t>> sources_;  ///< and the lines that links lead to
+  std::set<std::string> pictures_;
   std::vector<std::string> faults_;
 };
 

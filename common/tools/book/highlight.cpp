@@ -67,7 +67,14 @@ std::string highlighted_line(const std::string& line) {
   return html;
 }
 
-std::string highlighted_block(const std::string& code, const std::string& language) {
+std::string trimmed(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  return first == std::string::npos ? ""
+                                    : line.substr(first, line.find_last_not_of(' ') + 1 - first);
+}
+
+std::string highlighted_block(const std::string& code, const std::string& language,
+                              const Place& place) {
   std::string html;
   std::ptrdiff_t longest = 0;
   std::istringstream lines(code);
@@ -77,17 +84,29 @@ std::string highlighted_block(const std::string& code, const std::string& langua
     if (language == "diff" && !line.empty() && line[0] != ' ') {
       html += line[0] == '-' ? "<span class=\"removed\">" : "<span class=\"added\">";
       html += escaped_text(line) + "</span>\n";
+    } else if (place.known.count(trimmed(line)) != 0) {
+      html += "<s>" + highlighted_line(line) + "</s>\n";
     } else {
       html += (language == "cpp" ? highlighted_line(line) : escaped_text(line)) + "\n";
     }
   }
   return std::string("<div class=\"code") + (longest > columns_of_text ? " wide" : "") +
-         (language == "indented" ? " indented" : "") + "\"><pre tabindex=\"0\"><code>" + html +
-         "</code></pre></div>\n";
+         (language == "indented" ? " indented" : "") + "\">" + place.html +
+         "<pre tabindex=\"0\"><code>" + html + "</code></pre></div>\n";
 }
 
-std::string highlighted_file(const std::string& code, bool is_cpp) {
-  return "<div class=\"file\">" + highlighted_block(code, is_cpp ? "cpp" : "") + "</div>\n";
+std::string highlighted_file(const std::string& code, bool is_cpp,
+                             const std::set<std::size_t>& named) {
+  std::string html = highlighted_block(code, is_cpp ? "cpp" : "");
+  const std::string code_begins = "<code>";
+  std::size_t line = 1;
+  std::size_t at = html.find(code_begins) + code_begins.size();
+  for (const std::size_t next : named) {
+    for (; line < next; ++line) at = html.find('\n', at) + 1;
+    html.insert(html.find('\n', at), "</span>");
+    html.insert(at, "<span id=\"L" + std::to_string(line) + "\">");
+  }
+  return "<div class=\"file\">" + html + "</div>\n";
 }
 
 }  // namespace texmap::book

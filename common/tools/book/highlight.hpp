@@ -1,5 +1,7 @@
 // Code in colors: C++, and differences.
 #pragma once
+#include <cstddef>
+#include <set>
 #include <string>
 
 namespace texmap::book {
@@ -7,12 +9,23 @@ namespace texmap::book {
 /// A line of C++ or of a build script as HTML: comments, texts and keywords in spans.
 [[nodiscard]] std::string highlighted_line(const std::string& line);
 
-/// A block of code as HTML.
+/// Where a block of code is from.
+struct Place {
+  std::string html{};             ///< to stand above it; empty: from nowhere
+  std::set<std::string> known{};  ///< the lines, without blanks around them, that readers know
+};
+
+/// A block of code as HTML. Known lines are dim.
 ///
 /// @param language  as behind the fence: cpp, diff; others stay plain
-[[nodiscard]] std::string highlighted_block(const std::string& code, const std::string& language);
+[[nodiscard]] std::string highlighted_block(const std::string& code, const std::string& language,
+                                            const Place& place = {});
 
-/// A whole file, its lines numbered and named L1, L2 and so on.
-[[nodiscard]] std::string highlighted_file(const std::string& code, bool is_cpp);
+/// A whole file, its lines numbered; those that links lead to are named, such as L7.
+[[nodiscard]] std::string highlighted_file(const std::string& code, bool is_cpp,
+                                           const std::set<std::size_t>& named);
+
+/// A line without blanks around it.
+[[nodiscard]] std::string trimmed(const std::string& line);
 
 }  // namespace texmap::book

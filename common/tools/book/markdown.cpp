@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "formula.hpp"
-#include "highlight.hpp"
 
 namespace texmap::book {
 namespace {
@@ -135,7 +134,8 @@ std::string with_resolved(std::string html, const Resolve& resolve) {
   return html;
 }
 
-Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) {
+Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
+                           const Locate& locate) {
   const Owned<cmark_node> root = parsed(markdown);
   Converted page;
   std::map<std::string, int> taken;
@@ -147,6 +147,7 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) 
     if (event == CMARK_EVENT_ENTER) nodes.push_back(cmark_iter_get_node(iter.get()));
   }
   std::vector<cmark_node*> blocks;
+  std::map<cmark_node*, std::string> marks;  // of the blocks after them
   for (cmark_node* node : nodes) {
     const cmark_node_type type = cmark_node_get_type(node);
     if (type == CMARK_NODE_LINK || type == CMARK_NODE_IMAGE) {
@@ -159,6 +160,7 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) 
     } else if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) {
       const std::string html = text_or_empty(cmark_node_get_literal(node));
       const bool is_comment = html.rfind("<!--", 0) == 0;
+      if (html.rfind("<!-- code: ", 0) == 0) marks[cmark_node_next(node)] = html;
       cmark_node_set_literal(node, is_comment ? "" : with_resolved(html, resolve).c_str());
     } else if (type == CMARK_NODE_HEADING || type == CMARK_NODE_CODE_BLOCK ||
                type == CMARK_NODE_PARAGRAPH) {
@@ -177,11 +179,11 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve) 
       const bool is_indented = cmark_node_get_fenced(node, &length, &offset, &fence) == 0;
       const std::optional<std::string> formulas =
           is_indented ? html_of_formulas(code) : std::nullopt;
-      replace_by_html(
-          node, formulas ? *formulas
-                         : highlighted_block(
-                               code, is_indented ? "indented"
-                                                 : text_or_empty(cmark_node_get_fence_info(node))));
+      const std::string language =
+          is_indented ? "indented" : text_or_empty(cmark_node_get_fence_info(node));
+      const auto mark = marks.find(node);
+      const Place place = mark == marks.end() ? Place{} : locate(mark->second, code);
+      replace_by_html(node, formulas ? *formulas : highlighted_block(code, language, place));
     } else if (!page.sections.empty()) {
       page.sections.back().words += words_of(node) + " ";
     }

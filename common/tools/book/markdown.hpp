@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "highlight.hpp"
+
 namespace texmap::book {
 
 /// A heading of a page, and the words below it up to the next heading.
@@ -23,10 +25,14 @@ struct Converted {
 /// What a link or a picture of the page leads to in the book; empty: the link is plain text.
 using Resolve = std::function<std::string(const std::string& url)>;
 
+/// Where the code after a mark, <!-- code: FILE NAME -->, is from.
+using Locate = std::function<Place(const std::string& mark, const std::string& code)>;
+
 /// Converts a page: GitHub's Markdown; headings get the names that GitHub gives them.
 ///
 /// @param resolve  called with the address of each link and each picture
-[[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve);
+[[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
+                                         const Locate& locate);
 
 /// A piece of HTML with its addresses resolved: src="..." and href="...".
 [[nodiscard]] std::string with_resolved(std::string html, const Resolve& resolve);

@@ -51,8 +51,9 @@ th, td { padding: .25rem .8rem .25rem 0; text-align: left; vertical-align: top;
   border-bottom: 1px solid var(--line); }
 td { font-variant-numeric: tabular-nums; }
 pre { font-size: .85rem; line-height: 1.4; overflow-x: auto; padding: .5rem;
-  border: 1px solid var(--line); background: var(--card); }
+  border: 1px solid var(--line); background: var(--card); color: var(--soft); }
 pre span { display: block; min-width: fit-content; }
+.removed, .added { color: var(--ink); }
 .removed { background: var(--removed); }
 .added { background: var(--added); }
 )css";
