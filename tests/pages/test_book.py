@@ -101,6 +101,12 @@ USES = {
     "01_plain_spheres.html": [
         ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '/', bubbles: true}))", "document.activeElement.id === 'search'"),
         ("find('lambert')", "[...document.querySelectorAll('#found a')].some((a) => a.getAttribute('href').startsWith('01_plain_spheres.html'))"),
+        # The phrase first, and marked as one; whole words before those that begin so; nothing within a word.
+        ("find('Half a  texel')", "texts('#found li:first-child small mark').join() === 'half a texel'"),
+        ("find('ray')", "/ ray( |$)/i.test(texts('#found a')[0].split('…')[0]) && texts('#found mark').every((mark) => /^rays?$/i.test(mark))"),
+        ("find('texel half')", "texts('#found mark').includes('texel') && texts('#found mark').includes('half')"),
+        ("find('lamber')", "texts('#found mark').some((mark) => /^lambert$/i.test(mark))"),
+        ("find('exel')", "document.querySelector('#found').textContent.startsWith('Nothing')"),
         ("find('qqqzzz')", "document.querySelector('#found').textContent.startsWith('Nothing')"),
         ("delete window.DecompressionStream; find('lambert')", "document.querySelector('#found').textContent.startsWith('Search needs a newer browser')"),
         ("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape', bubbles: true})); document.activeElement.blur()",

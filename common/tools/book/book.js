@@ -9,26 +9,47 @@ async function unpacked(text) {
   return JSON.parse(await new Response(stream).text());
 }
 
-// Sections that hold all words; a word in a title counts more.
+// A text's words in small letters, each between blanks, so that a search finds whole words.
+const plain = (text) => ` ${text.toLowerCase().replace(/[^\p{L}\p{N}_]+/gu, " ").trim()} `;
+
+// Sections that hold all words: the whole phrase before single words, a title before its text, whole words before those that only
+// begin so. The last word may be unfinished.
 function matches(query) {
-  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  const phrase = plain(query);
+  const words = phrase.trim().split(" ").filter(Boolean);
   if (words.length === 0) return [];
   const rated = [];
   for (const section of sections) {
-    const title = section.title.toLowerCase();
-    const text = section.words.toLowerCase();
-    if (!words.every((word) => title.includes(word) || text.includes(word))) continue;
-    rated.push([words.filter((word) => title.includes(word)).length, section]);
+    section.plain ??= [plain(section.title), plain(section.words)];
+    const inAny = (text) => section.plain.some((one) => one.includes(text));
+    if (!words.every((word) => inAny(` ${word}`))) continue;
+    const [title, text] = section.plain;
+    const whole = words.filter((word) => inAny(` ${word} `)).length / words.length;
+    const place = 4 * title.includes(phrase) + 3 * text.includes(phrase) + whole;
+    rated.push([2 * place + words.filter((word) => title.includes(` ${word} `)).length / words.length, section]);
   }
   rated.sort((a, b) => b[0] - a[0]);
   return rated.slice(0, 12).map(([, section]) => section);
 }
 
-// The words around the first match.
-function excerpt(section, query) {
-  const word = query.toLowerCase().split(/\s+/)[0];
-  const at = Math.max(0, section.words.toLowerCase().indexOf(word) - 40);
-  return (at > 0 ? "… " : "") + section.words.slice(at, at + 110) + " …";
+// A text in pieces, every second of them found: the phrase, or else its words, and those that begin with a longer one.
+function foundIn(text, query) {
+  const words = plain(query).trim().split(" ");
+  const hasPhrase = plain(text).includes(plain(query));
+  const rest = "[\\p{L}\\p{N}_]*";
+  const singly = [...words, ...words.filter((word) => word.length > 2).map((word) => word + rest)];
+  const any = hasPhrase ? words.join("[^\\p{L}\\p{N}_]+") : singly.join("|");
+  return text.split(new RegExp(`(?<![\\p{L}\\p{N}_])(${any})(?![\\p{L}\\p{N}_])`, "giu"));
+}
+const marked = (text, query) =>
+  foundIn(text, query).map((part, i) => i % 2 ? Object.assign(document.createElement("mark"), {textContent: part}) : part);
+
+// The words around what was found first.
+function excerpt({words}, query) {
+  const pieces = foundIn(words, query);
+  const at = pieces.length > 1 ? Math.max(0, pieces[0].length - 50) : 0;
+  const from = at && words.indexOf(" ", at) + 1;
+  return [from ? "… " : "", ...marked(words.slice(from, words.indexOf(" ", from + 130) + 1 || undefined), query), "…"];
 }
 
 async function show() {
@@ -44,9 +65,9 @@ async function show() {
     const item = document.createElement("li");
     const link = document.createElement("a");
     link.href = section.url;
-    link.textContent = section.title;
+    link.append(...marked(section.title, box.value));
     const small = document.createElement("small");
-    small.textContent = excerpt(section, box.value.trim());
+    small.append(...excerpt(section, box.value));
     link.append(small);
     item.append(link);
     return item;
