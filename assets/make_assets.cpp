@@ -6,6 +6,7 @@
 
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
+#include "make_bricks.hpp"
 #include "make_crate.hpp"
 #include "make_earth.hpp"
 #include "make_sky.hpp"
@@ -22,6 +23,7 @@ int main(int argc, char** argv) try {
     std::cout << (out / name).string() << '\n';
   };
   keep(texmap::make_crate(), "crate.png");
+  keep(texmap::make_bricks_normals(), "bricks_normals.png");
   keep(texmap::make_uv_map(), "uv_map.png");
   texmap::write_file_atomically(out / "sky.hdr", texmap::radiance_file(texmap::make_sky()));
   std::cout << (out / "sky.hdr").string() << '\n';

@@ -22,7 +22,7 @@ target_compile_definitions(test_session_line PRIVATE TEXMAP_BIN="$<TARGET_FILE_D
 if(NOT TEXMAP_LEARN)
   target_compile_definitions(test_session_line PRIVATE TEXMAP_ALL_NUMBERS)
 endif()
-add_dependencies(test_session_line 05_y_rotation 09_texture_filtering 11_bump_and_normal_maps)
+add_dependencies(test_session_line 05_y_rotation 07_earth_by_sampling 09_texture_filtering 11_bump_and_normal_maps)
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 
 # The kernels' coefficients against the program that fits them.

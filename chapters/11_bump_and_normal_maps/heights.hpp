@@ -1,5 +1,7 @@
-// The heights that the globe can have.
+// The heights and the normals that the globe can have.
 #pragma once
+#include <optional>
+
 #include "engine/app/bump_options.hpp"
 #include "scene/paint.hpp"
 #include "texture/bump.hpp"
@@ -16,14 +18,30 @@ using GlobeMapping = Rotated<ConventionMapping>;
 using Height =
     AnyOf<Mapped<GlobeMapping, SmoothTexture>, Mapped<GlobeMapping, UvWaves>, SolidWaves>;
 
-/// Bumps with the height, the relief and the slopes that the user chose.
-/// Errors: FileError if the height image cannot be loaded.
-[[nodiscard]] inline Bumps<Height> make_bumps(const BumpOptions& options,
-                                              const GlobeMapping& mapping) {
-  Bumps<Height> bumps{.height = SolidWaves{}};
+/// The globe's shading normals: those of heights, or of a normal map if there is one.
+struct GlobeBumps : Bumps<Height> {
+  std::optional<NormalMap<GlobeMapping, BilinearTexture>> map;
+
+  template <class Real>
+  [[nodiscard]] Vec3<Real> operator()(const Hit<Real>& hit, const Real& curvature) const {
+    return map ? (*map)(hit, curvature) : Bumps<Height>::operator()(hit, curvature);
+  }
+};
+
+/// What the user chose: a normal map, or heights with their relief and slopes.
+/// Errors: FileError if an image cannot be loaded.
+[[nodiscard]] inline GlobeBumps make_bumps(const BumpOptions& options,
+                                           const GlobeMapping& mapping) {
+  GlobeBumps bumps{{.height = SolidWaves{}}, {}};
+  const VAxis v_axis = v_axis_of(mapping.mapping.convention);
+  if (!options.normals.empty()) {
+    // Green is told relative to the image; the map asks for it relative to v.
+    const bool along_v = (options.green == Green::up) == (v_axis == VAxis::up);
+    bumps.map = {mapping, options.load_normals(v_axis), along_v ? Green::up : Green::down};
+    return bumps;
+  }
   if (options.height == HeightKind::uv) bumps.height = Mapped<GlobeMapping, UvWaves>{mapping, {}};
   if (options.height == HeightKind::image) {
-    const VAxis v_axis = v_axis_of(mapping.mapping.convention);
     bumps.height = Mapped<GlobeMapping, SmoothTexture>{mapping, {options.load(), v_axis}};
   }
   options.apply_to(bumps);

@@ -43,12 +43,13 @@ struct Lesson : LessonHooks {
   LayoutOptions layout;
   Turntable turn{.degrees = 170};
   BumpOptions bump;
-  Bumps<Height> bumps{.height = SolidWaves{}};
+  GlobeBumps bumps;
 
   void options(CommandLine& line) override { offer(line, texture, layout, turn, bump); }
-  void prepare(Session&) override {
+  void prepare(Session& session) override {
+    bump.check(session);
     bumps = make_bumps(bump, {turn.rotation(), {layout.convention}});
-    if (bump.height != HeightKind::image) return;  // waves are seen best in white
+    if (!bump.paints(session)) return;  // white
     objects[middle].paint = Textured{{turn.rotation(), {layout.convention}}, layout.load(texture)};
   }
   void draw_all(Session& session) override { show_bumps(*this, session); }

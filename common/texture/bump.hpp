@@ -56,7 +56,7 @@ template <class Real, class Height>
 /// The surface point + height n has the tangents (1 + h / R) right + h_right n and
 /// (1 + h / R) up + h_up n; their vector product is a multiple of (1 + h / R) n - gradient of h.
 /// Where the slopes are 0, NaN or too large to square: `normal` itself.
-/// Bound: 2e-15 radians in double. Source: Blinn (1978); Mikkelsen (2010, 2020).
+/// Source: Blinn (1978); Mikkelsen (2010, 2020).
 template <class Real>
 [[nodiscard]] Vec3<Real> raised_normal(const Vec3<Real>& normal, const Frame<Real>& frame,
                                        const Slope<Real>& slope, const Real& curvature,

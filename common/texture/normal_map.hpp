@@ -42,7 +42,6 @@ template <class Real>
 }
 
 /// The unit tangent and bitangent at a normal by a rule.
-/// Bound: 1e-11 in double, farther than 0.8 degrees from the poles.
 template <class Real>
 [[nodiscard]] TangentFrame<Real> tangents(TangentRule rule, const Vec3<Real>& normal,
                                           const TangentFrame<Real>& by_uv) {

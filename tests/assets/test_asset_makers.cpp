@@ -9,6 +9,7 @@
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "land_coverage.hpp"
+#include "make_bricks.hpp"
 #include "make_crate.hpp"
 #include "make_earth.hpp"
 #include "make_sky.hpp"
@@ -38,6 +39,7 @@ TEST_CASE("making the assets again gives the same") {
     CHECK(saved_and_loaded(made) == texmap::load_image(assets + "/" + name));
   };
   same(texmap::make_crate(), "crate.png");
+  same(texmap::make_bricks_normals(), "bricks_normals.png");
   same(texmap::make_uv_map(), "uv_map.png");
   same(texmap::make_earth_relief(land), "earth_relief.png");
   same(texmap::make_earth(land), "earth.png");

@@ -83,7 +83,7 @@ TEST_CASE("every asset has the size and the checksum that are written down for i
   }
   for (std::ifstream list(folder + "sky.sha256"); list >> sum >> size >> name;)
     check(load_light(folder + name), test::bytes_of(folder + name));
-  CHECK(assets == 5);
+  CHECK(assets == 6);
 }
 
 TEST_CASE("the Earth has land and sea at the places of an atlas") {

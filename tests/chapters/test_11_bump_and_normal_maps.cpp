@@ -10,6 +10,9 @@
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "11_bump_and_normal_maps/sheets.hpp"
 #include "11_bump_and_normal_maps/studs.hpp"
+#include "engine/picture/find_texture.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/running.hpp"
 #include "support/same_picture.hpp"
@@ -81,6 +84,46 @@ TEST_CASE("mountains are bumps in every convention: mirrored (u, v) do not inver
   CHECK(count_different(mirrored(drawn(mirrored_globe)), drawn(globe({})), 1) < 100);
   mirrored_globe.bumps.relief = -mirrored_globe.bumps.relief;
   CHECK(count_different(mirrored(drawn(mirrored_globe)), drawn(globe({})), 1) > 5000);
+}
+
+TEST_CASE("green is up or down in the image, in every convention: the normal is exact there") {
+  // (128, 218, 218) is (1, 181, 181) / 255: it leans by 45 degrees, and north is up in the image.
+  const TemporaryFolder folder;
+  const std::string file = folder / "leaning.png";
+  save_png(Image(2, 1, {128, 218, 218}), file);
+  const Hit<double> hit{.normal = {0, 0, 1}, .point = {0, 0, 1}, .outside = {}, .inside = {}};
+  for (const char* convention : {"rtiow", "daily", "lecture"}) {
+    CAPTURE(convention);
+    for (const char* green : {"up", "down"}) {
+      const Lesson lesson =
+          globe({"--normals", file, "--green", green, "--convention", convention});
+      const double north = std::string(green) == "up" ? 181 : -181;
+      const double east = std::string(convention) == "daily" ? -1 : 1;  // where u grows
+      CHECK(largest(lesson.bumps(hit, 1.0) - normalize(Vec3d{east, north, 181})) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a flat normal map leans by sqrt(2) / 255: each byte is within 2 levels of no map") {
+  // By so much the cosine differs at most; times 0.96 and 255 that is 1.36, and bytes are cut off.
+  const TemporaryFolder folder;
+  const std::string file = folder / "flat.png";
+  save_png(Image(2, 1, {128, 128, 255}), file);
+  const Image plain = drawn(globe({"--bump", "off"}));
+  const Image flat = drawn(globe({"--normals", file, "--texture", "earth.png"}));
+  CHECK(flat != plain);
+  CHECK(count_different(flat, plain, 2) == 0);
+}
+
+TEST_CASE("green down draws what the map with its green turned over draws, byte for byte") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "turned.png";
+  Image map = load_image(find_texture("bricks_normals.png"));
+  for (Rgb8& texel : map.pixels) texel.g = static_cast<std::uint8_t>(255 - texel.g);
+  save_png(map, file);
+  const Image down = drawn(globe({"--normals", "bricks_normals.png", "--green", "down"}));
+  CHECK(down == drawn(globe({"--normals", file})));
+  CHECK(count_different(down, drawn(globe({"--normals", "bricks_normals.png"})), 5) > 5000);
 }
 
 TEST_CASE("all numbers draw the same picture" * NeedsFloat<Lesson>{}) {

@@ -2,12 +2,15 @@
 #pragma once
 #include <string>
 
+#include "texture/bilinear.hpp"
 #include "texture/bump.hpp"
 #include "texture/light_image.hpp"
+#include "texture/normal_map.hpp"
 
 namespace texmap {
 
 class CommandLine;
+class Session;
 
 /// The heights that the chapter knows.
 enum class HeightKind {
@@ -33,10 +36,19 @@ struct BumpOptions {
   BumpForm form = BumpForm::exact;
   SlopeFrom slopes = SlopeFrom::duals;
   double step = 1e-3;
+  std::string normals;  ///< the file of a normal map in place of heights; empty: none
+  Green green = Green::up;
 
   void declare(CommandLine& line);
   /// The height image. Errors: FileError with the file and where it was looked for.
   [[nodiscard]] LightImage load() const;
+  /// The normal map as a texture of bytes / 255, without decoding.
+  /// Errors: FileError as for load(); UsageError if most of its normals point inward.
+  [[nodiscard]] BilinearTexture load_normals(VAxis v_axis) const;
+  /// Errors: UsageError for options that do not go together.
+  void check(const Session& session) const;
+  /// True if the globe has its texture; waves and foreign normals are seen best in white.
+  [[nodiscard]] bool paints(const Session& session) const;
   /// Gives bumps the chosen relief, form, slopes and step.
   template <class Height>
   void apply_to(Bumps<Height>& bumps) const {

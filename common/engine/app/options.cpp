@@ -1,5 +1,6 @@
 // What the groups of options offer, and what a choice does. Skies and meshes, which bring much code
 // of their own, have files of their own. A program that offers none of these groups links none.
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -116,6 +117,42 @@ void BumpOptions::declare(CommandLine& line) {
   line.text(
       "--relief-image", "FILE", image,
       "the image of the heights, a PNG or JPEG twice as wide as high; its red channel is used");
+  line.text("--normals", "FILE", normals,
+            "a normal map in place of heights, a PNG or JPEG twice as wide as high; its bytes are "
+            "read as they are. The globe is white unless you give --texture");
+  line.choice<Green>("--green", green, {{"up", Green::up}, {"down", Green::down}},
+                     "where green is bright in the normal map: where the surface faces the image's "
+                     "upper edge (usual for OpenGL), or its lower edge (DirectX)");
+}
+
+void BumpOptions::check(const Session& session) const {
+  if (normals.empty()) {
+    if (session.was_given("--green"))
+      throw UsageError("--green says how to read a normal map: give --normals FILE, too");
+    return;
+  }
+  for (const char* option :
+       {"--bump", "--slopes", "--step", "--relief", "--relief-from", "--relief-image"}) {
+    if (session.was_given(option))
+      throw UsageError(std::string("--normals has no heights: leave out ") + option);
+  }
+  if (picture != BumpPicture::globe)
+    throw UsageError("--normals is for the globe: leave out --show");
+}
+
+bool BumpOptions::paints(const Session& session) const {
+  return normals.empty() ? height == HeightKind::image : session.was_given("--texture");
+}
+
+BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
+  Image map = load_image(find_texture(normals));
+  const auto inward = std::count_if(map.pixels.begin(), map.pixels.end(),
+                                    [](const Rgb8& texel) { return texel.b < 128; });
+  if (2 * static_cast<std::size_t>(inward) > map.pixels.size())
+    throw UsageError("--normals " + normals +
+                     ": most of its normals point inward (blue below 128), so it is no normal map. "
+                     "If it has heights, give it to --relief-image");
+  return {std::move(map), v_axis};
 }
 
 LightImage BumpOptions::load() const {
@@ -246,6 +283,7 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
 }
 
 void SamplingOptions::declare(CommandLine& line) {
+  samples = 64;
   declare_gathering(line);
   line.wishes.budget =
       "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of the "
@@ -255,6 +293,8 @@ void SamplingOptions::declare(CommandLine& line) {
       {{"srgb", TexelLight::linear}, {"stb", TexelLight::stb}, {"raw", TexelLight::encoded}},
       "how the texture's bytes become light: the sRGB curve, the power 2.2 rounded to bytes (Next "
       "Week since 2024), or the bytes as they are (Next Week before 2024)");
+  line.choice("--scene", book, "ground|book",
+              "the globe on a ground, or the scene `earth` of Next Week: the globe alone, larger");
   line.choice("--sky", gradient, "constant|gradient",
               "the sky: uniform, or white below and blue above");
 }
@@ -266,6 +306,3 @@ void SamplingOptions::apply_to(LightTexture& texture, GradientSky& sky) const {
 }
 
 }  // namespace texmap
-  samples = 64;
-  line.choice("--scene", book, "ground|book",
-              "the globe on a ground, or the scene `earth` of Next Week: the globe alone, larger");

@@ -80,7 +80,18 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
             "objects has no meaning: leave --samples out"},
            {"11_bump_and_normal_maps", "--zoom 2 --show daily", no_camera},
            {"11_bump_and_normal_maps", "--show daily --show uv", no_camera},
+           {"11_bump_and_normal_maps", "--green down",
+            "--green says how to read a normal map: give --normals FILE, too"},
+           {"11_bump_and_normal_maps", "--normals bricks_normals.png --relief 1",
+            "--normals has no heights: leave out --relief"},
+           {"11_bump_and_normal_maps", "--normals bricks_normals.png --show poles",
+            "--normals is for the globe: leave out --show"},
+           {"11_bump_and_normal_maps", "--normals earth_relief.png",
+            "--normals earth_relief.png: most of its normals point inward (blue below 128), so it "
+            "is no normal map. If it has heights, give it to --relief-image"},
 #ifdef TEXMAP_ALL_NUMBERS
+           {"07_earth_by_sampling", "--budget levels=4",
+            "--budget is for a lone object, which lights no other: add --scene book"},
            {"09_texture_filtering", "--zoom 2 --budget levels=4",
             "--budget chooses a filter for the whole picture: leave --zoom out"},
            {"05_y_rotation", "--show uv --number interval",
@@ -90,8 +101,6 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
     const TemporaryFolder folder;
     const Outcome outcome = drawn(row.chapter, row.words, folder / "picture.png");
     CHECK(outcome.err.starts_with("error: " + row.says + "\nusage: " + row.chapter));
-           {"07_earth_by_sampling", "--budget levels=4",
-            "--budget is for a lone object, which lights no other: add --scene book"},
     CHECK(outcome.status == 2);
     CHECK(folder.size() == 0);
   }
