@@ -165,7 +165,7 @@ class Book {
     for (const auto& source : sources) {
       if (fs::exists(root_ / source)) add(part, source);
     }
-    parts_.push_back(part);
+    if (!part.pages.empty()) parts_.push_back(part);
   }
 
   void find_pages() {

@@ -105,7 +105,7 @@ def target_of(path, url):
 
 
 def without_answers(text):
-    return re.sub(r'<details><summary>Answer</summary>.*?</details>\n*', '', text, flags=re.S)
+    return re.sub(r'<details><summary>Answer</summary>.*?</details>\n*', '\n', text, flags=re.S)
 
 
 def without_dead_links(text, path, is_there):
