@@ -1,6 +1,8 @@
 // The source documents' (u, v) and texel formulas as printed, and where they fail.
 #pragma once
+#include "texture/texel.hpp"
 #include "texture/uv.hpp"
+#include "texture/wrap.hpp"
 
 namespace texmap::published {
 
@@ -40,11 +42,10 @@ template <class Real>
   return {phi / (Real(2) * pi<Real>()), Real(1) - acos(p.y) / pi<Real>()};
 }
 
-/// One Weekend 2020's row from the top: (int)((1 - v) n - 0.001), clamped. Domain: finite v.
+/// One Weekend 2020's row from the top: (int)((1 - v) n - 0.001), clamped.
 template <class Real>
-[[nodiscard]] int row_one_weekend_2020(Real v, int n) {
-  const int j = static_cast<int>((Real(1) - v) * Real(n) - Real(0.001));
-  return j < 0 ? 0 : j > n - 1 ? n - 1 : j;
+[[nodiscard]] TexelNumber<Real> row_one_weekend_2020(const Real& v, int n) {
+  return clamp_number((Real(1) - v) * Real(n) - Real(0.001), n);
 }
 
 /// Next Week's row from the top: (int)((1 - v) n), v and row clamped. Domain: finite v.
@@ -55,11 +56,10 @@ template <class Real>
 }
 
 /// The triangle article's column or row: |(int)(u n)| mod n. It mirrors at 0, where rounding toward
-/// 0 makes a texel twice as wide, and repeats at 1. Domain: finite u with |u n| < 2^31.
+/// 0 makes a texel twice as wide, and repeats at 1. Domain of u n: as remainder_of.
 template <class Real>
-[[nodiscard]] int index_triangle(Real u, int n) {
-  const int whole = static_cast<int>(u * Real(n)) % n;
-  return whole < 0 ? -whole : whole;
+[[nodiscard]] TexelNumber<Real> index_triangle(const Real& u, int n) {
+  return clamp_number(remainder_of(floor(abs(u * Real(n))), Real(n)), n);
 }
 
 /// The lecture's row, counted from the top: n - 1 - (int)((n - 1) v). Domain: v in [0, 1].
