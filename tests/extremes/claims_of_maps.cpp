@@ -7,6 +7,7 @@
 #include "scene/edge_function.hpp"
 #include "texture/footprint.hpp"
 #include "texture/projections.hpp"
+#include "texture/transformed.hpp"
 #include "texture/wrap.hpp"
 
 namespace texmap::extremes {
@@ -240,6 +241,38 @@ Measurement worst_turn() {
       });
 }
 
+/// Places of a transform, whose numbers count as exact.
+template <class Real>
+Measurement worst_transform() {
+  using T = Scalar<Real>;
+  return worst_over(1, [](Dice& dice, Worst& worst) {
+    const auto upto = [&dice](double most) {
+      return static_cast<double>(dice.uniform(-most, most));
+    };
+    const UvTransform transform{.scale = {upto(1000), upto(1000)},
+                                .turn = on_circle(upto(1)),
+                                .offset = {upto(10), upto(10)}};
+    see_lanes<Real>(
+        worst,
+        [&] {
+          return Uv<T>{static_cast<T>(upto(1)), static_cast<T>(upto(1))};
+        },
+        transform,
+        [&](const Uv<T>& moved, const Uv<T>& uv) {
+          const Digits50 u = Digits50(transform.scale.u) * uv.u;
+          const Digits50 v = Digits50(transform.scale.v) * uv.v;
+          const Digits50 c = transform.turn.cosine, s = transform.turn.sine;
+          const auto off = [&](T got, const Digits50& turned, double offset) {
+            return units_off(got, Digits50(turned + offset),
+                             (abs(u) + abs(v) + std::abs(offset)) * roundoff<T>());
+          };
+          return std::max(off(moved.u, Digits50(u * c - v * s), transform.offset.u),
+                          off(moved.v, Digits50(u * s + v * c), transform.offset.v));
+        },
+        [&] { return "scale " + described(transform.scale); });
+  });
+}
+
 }  // namespace
 
 Family claims_of_maps() {
@@ -265,6 +298,8 @@ Family claims_of_maps() {
                      {0, "sides outside 0 to 2^25 texels"}, sides_outside<Real>());
     family.add<Real>("wrapped_texel", "whole numbers to 2^22, images to 4096 texels, every wrap",
                      {0, "texels outside"}, texels_outside<Real>());
+    family.add<Real>("UvTransform", "u and v from -1 to 1, scales to 1000, offsets to 10, any turn",
+                     {6, "u of scaled u + scaled v + offset, in sizes"}, worst_transform<Real>());
     family.add<Real>("seen_along", "origins and corners of 0.01 to 100, any direction",
                      {6, "u of direction (corner + origin), in largest parts"}, worst_seen<Real>());
     family.add<Real>("side_of_edge", "corners on one line with the ray, or a rounding off it, too",
