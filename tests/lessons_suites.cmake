@@ -4,7 +4,7 @@ add_suite(lessons/test_lessons ON app LABELS lessons)
 
 # The changes that docs/how_to_change_things.md describes, applied to the chapters' own lessons.
 if(PYTHON3)
-  set(changes can fifth_sphere float_mapping int_stripes marble own_mapping own_texture plain plane second_picture stripes tiles)
+  set(changes can fifth_sphere float_mapping int_stripes marble moved own_mapping own_texture plain plane second_picture stripes tiles)
   set(change_page "${CMAKE_SOURCE_DIR}/docs/how_to_change_things.md")
   list(TRANSFORM changes REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/changes/\\1.hpp" OUTPUT_VARIABLE change_headers)
   add_custom_command(OUTPUT ${change_headers}

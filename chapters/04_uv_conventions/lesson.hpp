@@ -6,6 +6,7 @@
 #include "engine/app/lesson.hpp"
 #include "engine/app/session.hpp"
 #include "engine/app/texture_file.hpp"
+#include "engine/app/uv_options.hpp"
 #include "scene/paint.hpp"
 #include "scene/stage.hpp"
 #include "sheet.hpp"
@@ -16,7 +17,7 @@
 namespace texmap::chapter_04 {
 
 using Checkered = Mapped<RtiowMapping, Checkerboard>;
-using Textured = Mapped<ConventionMapping, ImageTexture>;
+using Textured = Mapped<Transformed<ConventionMapping>, published::LookUpTexture>;
 using Paint = AnyOf<Solid, Checkered, Textured>;
 using Object = Painted<Paint>;
 enum ObjectIndex { middle, left, right, ground };  // in the order of `objects`
@@ -26,7 +27,7 @@ struct Lesson : LessonHooks {
       .idea = "where a picture begins on the sphere, and which way it runs",
       .changed_objects = {middle},
       .size = {1600, 796},
-      .size_note = "800x600 with --convention or --rounding",
+      .size_note = "800x600 with an option that changes the globe, such as --convention",
   };
 
   Stage stage{.light = {.position = {5, 5, 5}}, .camera = {.eye = {0, 2, 8}, .target = {0, 0, 0}}};
@@ -40,10 +41,12 @@ struct Lesson : LessonHooks {
   };
   TextureFile texture{"earth.png"};
   LayoutOptions layout;
+  UvOptions uv;
 
-  void options(CommandLine& line) override { offer(line, texture, layout); }
+  void options(CommandLine& line) override { offer(line, texture, layout, uv); }
   void prepare(Session&) override {
-    objects[middle].paint = Textured{{layout.convention}, layout.load(texture)};
+    const ConventionMapping mapping{layout.convention};
+    objects[middle].paint = Textured{uv.moved(mapping), uv.read(layout.load(texture))};
   }
   void draw_all(Session& session) override { show_conventions(*this, session); }
 

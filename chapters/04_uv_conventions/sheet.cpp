@@ -50,8 +50,7 @@ Image flat_map(int width, const std::function<Rgb(const Vec3<double>&)>& color_a
 
 }  // namespace
 
-Image sheet_of_conventions(const Session& session, const Image& earth,
-                           const DrawGlobe& draw_globe) {
+Image sheet_of_conventions(const Session& session, const DrawGlobe& draw_globe) {
   const int width = session.settings.width;
   const int height = session.settings.height;
   Image sheet(width, height, {255, 255, 255});
@@ -81,8 +80,7 @@ Image sheet_of_conventions(const Session& session, const Image& earth,
     };
 
     column.write(mapping.title);
-    column.lay(
-        draw_globe({{mapping.convention}, {earth, axis}}, panel, std::max(1, panel * 3 / 4)));
+    column.lay(draw_globe(mapping.convention, panel, std::max(1, panel * 3 / 4)));
     column.write("flat: east right, north up");
     column.lay(map_of(panel, ImageTexture{labels, axis}));
     pair_of(

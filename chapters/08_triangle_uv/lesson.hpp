@@ -7,11 +7,10 @@
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/mesh_mapping.hpp"
-#include "texture/wrapped.hpp"
 
 namespace texmap::chapter_08 {
 
-using Textured = Mapped<MeshMapping, Wrapped<ImageTexture>>;
+using Textured = Mapped<Transformed<MeshMapping>, published::LookUpTexture>;
 
 struct Lesson : LessonHooks {
   static constexpr About about{
@@ -29,7 +28,7 @@ struct Lesson : LessonHooks {
   void options(CommandLine& line) override { offer(line, texture, choice); }
   void prepare(Session&) override {
     scene = choice.load();
-    paint = {scene.mapping, {choice.wrap, {texture.load()}}};
+    paint = {choice.uv.moved(MeshMapping{scene.mapping}), choice.uv.read({texture.load()})};
   }
 
   /// The color that one ray sees.

@@ -41,6 +41,11 @@ TEST_CASE(
   CHECK(count_different(picture(turned("270", "lecture")), book) > 3000);
 }
 
+TEST_CASE("a quarter turn adds 1/4 to u, as chapter 04's --uv-offset does") {
+  expect_same_picture(picture(prepared<chapter_04::Lesson>({"--uv-offset", "0.25,0"})),
+                      picture(turned("90")), {.pixels = 4});
+}
+
 TEST_CASE("only the middle sphere changes from chapter 04") {
   CHECK(check_step(prepared<chapter_04::Lesson>(), turned("90"), chapter_05::ground) > 3000);
 }

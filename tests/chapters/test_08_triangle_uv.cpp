@@ -70,7 +70,7 @@ TEST_CASE("a quarter turn changes the top of the crate and nothing else") {
 TEST_CASE("wrapping changes the floor alone: on the crate (u, v) are 0 to 1") {
   const std::vector<int> seen = triangles_seen(prepared<Lesson>());
   const Image mirror = drawn({});
-  for (const char* wrap : {"repeat", "clamp"}) {
+  for (const char* wrap : {"repeat", "clamp", "article"}) {
     const Image other = drawn({"--wrap", wrap});
     long changed = 0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -80,6 +80,13 @@ TEST_CASE("wrapping changes the floor alone: on the crate (u, v) are 0 to 1") {
     CAPTURE(wrap);
     CHECK(changed > 20000);
   }
+}
+
+TEST_CASE(
+    "a texture that mirrors at its edges is the same moved by two copies, or with -u and -v") {
+  expect_same_picture(drawn({"--uv-offset", "2,-4"}), drawn({}), {.pixels = 4});
+  expect_same_picture(drawn({"--uv-scale", "-1x-1"}), drawn({}), {.pixels = 4});
+  CHECK(count_different(drawn({"--uv-offset", "1,0"}), drawn({})) > 20000);
 }
 
 TEST_CASE("Heron's weights draw the crate, but for texels at the edge of a pixel") {
@@ -97,7 +104,7 @@ TEST_CASE("with u = x and v = z in its corners a triangle draws the plane map, p
   lesson.scene.mesh = {};
   lesson.scene.mesh.points = {{-4, 0, 3}, {5, 0, 3}, {0.5, 0, -7}};
   lesson.scene.mesh.triangles = {{0, 1, 2}};
-  lesson.paint.mapping.corners = {{{{-4, 3}, {5, 3}, {0.5, -7}}}};
+  lesson.paint.mapping.mapping.corners = {{{{-4, 3}, {5, 3}, {0.5, -7}}}};
   long met = 0;
   long different = 0;
   for_each_ray(view_of(lesson.stage.camera, width, height), [&](const Ray<double>& ray) {

@@ -48,6 +48,8 @@ WORDS = [
     ((3, 4, 5, 6), ['--texture', ''], '*'), ((4, 5, 6), ['--convention', 'upside-down'], '*'), ((6,), ['--scene', 'moon'], '*'),
     # A chapter takes the options that it has a use for, and no others.
     ((1, 2), ['--texture', 'x.png'], '*'), ((1, 2, 3), ['--convention', 'daily'], '*'), ((1, 2, 3), ['--rounding', 'floor'], '*'),
+    ((1, 2, 3, 5, 6), ['--uv-scale', '2x1'], '*'), ((4, 8), ['--uv-scale', '2'], '*two numbers such as 1x1*'),
+    ((4, 8), ['--uv-offset', '0.25x0'], '*two numbers such as 0,0*'), ((4, 8), ['--wrap', 'mirrored'], '*repeat|mirror|clamp*'),
     ((1, 2, 3, 4), ['--degrees', '1'], '*'), ((1, 2, 3, 4, 5), ['--blend', '0.5'], '*'),
     ((1, 2, 3, 4, 5), ['--shininess', '5'], '*'), ((1, 2, 3, 4, 5), ['--scene', 'stage'], '*'),
 ]
@@ -55,7 +57,7 @@ NUMBERS = [(chapters, [option, value], RANGE) for chapters, option, values in [
     (CHAPTERS, '--samples', ['0', 'nan', '']), (CHAPTERS, '--width', ['0', '16385', '2147483648']),
     (CHAPTERS, '--height', ['0', '16385', '2147483648']), (CHAPTERS, '--threads', ['-1', '1025']),
     ((5, 6), '--degrees', ['inf', '90x', '1,5']), ((6,), '--blend', ['-1e-9', '1.0000001', 'nan']),
-    ((6,), '--shininess', ['-1', '1e31']), ((5,), '--turntable', ['-1', '10000'])] for value in values]
+    ((6,), '--shininess', ['-1', '1e31']), ((4, 8), '--uv-turn', ['inf', '30deg']), ((4,), '--uv-offset', ['0,1001', 'nan,0', ',']), ((5,), '--turntable', ['-1', '10000'])] for value in values]
 
 # --- Files that are read: the chapter, the option, the noun in messages, the ending, a good file, and one that states too much ------
 

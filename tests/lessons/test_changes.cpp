@@ -13,6 +13,7 @@
 #include "changes/float_mapping.hpp"
 #include "changes/int_stripes.hpp"
 #include "changes/marble.hpp"
+#include "changes/moved.hpp"
 #include "changes/own_mapping.hpp"
 #include "changes/own_texture.hpp"
 #include "changes/plain.hpp"
@@ -89,6 +90,8 @@ TEST_CASE("each change draws the page's picture, and changes what the page says"
   check_change(prepared<chapter_03::Lesson>(), two, "second_picture",
                {change_second_picture::right});
   CHECK(small(prepared<change_second_picture::Lesson>({"--second", "earth.png"})) != small(two));
+  check_change(prepared<chapter_03::Lesson>(), prepared<change_moved::Lesson>(), "moved",
+               {change_moved::middle});
   CHECK(small(own_texture) == small(prepared<chapter_03::Lesson>({"--texture", "uv_map.png"})));
 }
 
@@ -117,6 +120,7 @@ TEST_CASE("changes that are templates draw the same picture in packs") {
   CHECK(same_in_packs(change_marble::Lesson{}));
   CHECK(same_in_packs(change_plane::Lesson{}));
   CHECK(same_in_packs(prepared<change_can::Lesson>()));
+  CHECK(same_in_packs(prepared<change_moved::Lesson>()));
 }
 
 TEST_CASE("a lesson in plain double and if draws the picture of the template, byte for byte") {

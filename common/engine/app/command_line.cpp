@@ -83,6 +83,23 @@ void CommandLine::decimal(std::string_view name, double& value, double low, doub
   });
 }
 
+void CommandLine::pair(std::string_view name, std::string_view placeholder,
+                       std::array<double, 2>& values, double low, double high,
+                       std::string_view help) {
+  const std::string between(placeholder.substr(1, 1));
+  const std::string preset = shown(values[0]) + between + shown(values[1]);
+  add(name, placeholder, help, preset,
+      [&values, low, high, between, sample = preset](auto& option, auto typed) {
+        const std::size_t end = typed.find(between);
+        if (end == std::string_view::npos)
+          refuse_value(option, "two numbers such as " + sample, typed);
+        values = {
+            parse_decimal("the first number of " + option, typed.substr(0, end), low, high),
+            parse_decimal("the second number of " + option, typed.substr(end + 1), low, high)};
+        return true;
+      });
+}
+
 void CommandLine::text(std::string_view name, std::string_view placeholder, std::string& value,
                        std::string_view help) {
   add(name, placeholder, help, value, [&value](auto& option, auto typed) {

@@ -1,6 +1,7 @@
 // A program's command line: a table of options, read strictly.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -70,6 +71,11 @@ class CommandLine {
   /// An option with a decimal number from `low` to `high`.
   void decimal(std::string_view name, double& value, double low, double high,
                std::string_view help);
+  /// An option with two of them.
+  ///
+  /// @param placeholder  two letters and what is typed between the numbers, such as UxV
+  void pair(std::string_view name, std::string_view placeholder, std::array<double, 2>& values,
+            double low, double high, std::string_view help);
   /// An option with a text that must not be empty, such as a file name.
   void text(std::string_view name, std::string_view placeholder, std::string& value,
             std::string_view help);

@@ -1,4 +1,4 @@
-// The options of chapters with a mesh: --degrees, --wrap, --weights, --mesh.
+// The options of chapters with a mesh.
 #include "engine/app/mesh_options.hpp"
 
 #include <algorithm>
@@ -33,15 +33,13 @@ void fit_to_crate(Mesh& mesh) {
 void MeshOptions::declare(CommandLine& line) {
   line.decimal("--degrees", degrees, -1e300, 1e300,
                "rotates the mesh about its axis by this angle");
-  line.choice<Wrap>("--wrap", wrap,
-                    {{"mirror", Wrap::mirror}, {"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}},
-                    "what the texture shows beyond its edges, for example on the floor");
   line.choice(
       "--weights", weights, "signed|heron",
       "how to compute the weights of a triangle's corners: from signed areas, or as in the article "
       "from the lengths of the sides");
   line.text("--mesh", "FILE", file,
             "draw this mesh, an OBJ file with texture coordinates, instead of the crate");
+  uv.declare(line);
 }
 
 TexturedMesh MeshOptions::load() const {

@@ -1,10 +1,10 @@
-// The options of chapters with a mesh: --degrees, --wrap, --weights, --mesh.
+// The options of chapters with a mesh: --degrees, --weights, --mesh, and those of UvOptions.
 #pragma once
 #include <string>
 
+#include "engine/app/uv_options.hpp"
 #include "published/mesh_weights.hpp"
 #include "texture/mesh_mapping.hpp"
-#include "texture/wrap.hpp"
 
 namespace texmap {
 
@@ -19,9 +19,9 @@ enum class WeightsFormula {
 /// The user's choices of a mesh and of what its corners' (u, v) mean.
 struct MeshOptions {
   double degrees = -25;  ///< turn of the mesh about +y
-  Wrap wrap = Wrap::mirror;
   WeightsFormula weights = WeightsFormula::signed_areas;
   std::string file;  ///< in OBJ format; empty for the crate
+  UvOptions uv{.look_up = {{Wrap::mirror}}};
 
   void declare(CommandLine& line);
   /// The crate or the file's mesh, as large and turned, on a floor.

@@ -18,6 +18,7 @@
 #include "engine/app/session.hpp"
 #include "engine/app/texture_file.hpp"
 #include "engine/app/turntable.hpp"
+#include "engine/app/uv_options.hpp"
 #include "engine/kernels/kernel_plan.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
@@ -58,6 +59,44 @@ void LayoutOptions::declare(CommandLine& line) {
 
 ImageTexture LayoutOptions::load(const TextureFile& file) const {
   return {file.load(), v_axis_of(convention), rounding};
+}
+
+void UvOptions::declare(CommandLine& line) {
+  constexpr double most = 1000;
+  line.pair("--uv-scale", "UxV", scale, -most, most,
+            "multiplies u and v: with 2x1 the picture is there twice, half as wide; -1x1 mirrors");
+  line.decimal("--uv-turn", turn_degrees, -1e300, 1e300,
+               "then turns the point (u, v) about (0, 0), from u towards v, by this angle");
+  line.pair("--uv-offset", "U,V", offset, -most, most,
+            "then adds to u and v: 0.25,0 moves the picture by a quarter towards smaller u");
+  using published::LookUp;
+  using published::TexelFormula;
+  line.choice<std::optional<LookUp>>(
+      "--wrap", look_up,
+      {{"repeat", LookUp{Wrap::repeat}},
+       {"mirror", LookUp{Wrap::mirror}},
+       {"clamp", LookUp{Wrap::clamp}},
+       {"weekend", LookUp{.formula = TexelFormula::one_weekend_2020}},
+       {"article", LookUp{.formula = TexelFormula::triangle_article}}},
+      "what the picture shows beyond its edges: itself again, its mirror image, or its edge's "
+      "texels; or by a source document's formula, which also decides between texels: One Weekend "
+      "2020's, which keeps to the edge, or the triangle article's, which mirrors below 0 and "
+      "repeats above 1");
+}
+
+std::optional<UvTransform> UvOptions::transform() const {
+  const UvTransform chosen{.scale = {scale[0], scale[1]},
+                           .turn = on_circle_of_degrees(turn_degrees),
+                           .offset = {offset[0], offset[1]}};
+  const bool moves =
+      scale != std::array{1.0, 1.0} || offset != std::array{0.0, 0.0} || chosen.turn.cosine != 1;
+  return moves ? std::optional(chosen) : std::nullopt;
+}
+
+published::LookUpTexture UvOptions::read(const ImageTexture& image) const {
+  const published::LookUp chosen =
+      look_up.value_or(published::LookUp{transform() ? Wrap::repeat : Wrap::clamp});
+  return {{chosen.wrap, image}, chosen.formula};
 }
 
 void Turntable::declare(CommandLine& line) {

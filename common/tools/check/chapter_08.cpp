@@ -322,7 +322,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
          {0.8, "this is the weight of the near end"}}},
        {"A point of the floor has u = -2.3. With the chapter's wrap mode, which u of the texture "
         "does it show?",
-        [] { return wrapped_coordinate(Lesson().choice.wrap, -2.3); },
+        [] { return wrapped_coordinate(Lesson().choice.uv.look_up->wrap, -2.3); },
         {"", 1e-9},
         "Between which whole numbers is -2.3, and is the picture mirrored there?",
         {{0.7, "this is the wrap mode repeat: with mirror every second picture runs backward"}}}},

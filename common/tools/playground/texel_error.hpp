@@ -23,11 +23,22 @@ auto with_paint(Paint& paint, const Use& use) {
   }
 }
 
+/// The texture inside of one that goes on beyond its edges; another itself.
+template <class Texture>
+[[nodiscard]] const auto& inside_of(const Texture& texture) {
+  if constexpr (requires { texture.wrapped; }) {
+    return texture.wrapped.texture;
+  } else {
+    return texture;
+  }
+}
+
 /// The texels of a paint's picture, columns and rows; the Earth's where it has none.
 template <class Paint>
 [[nodiscard]] Size texels_of(const Paint& paint) {
-  if constexpr (requires { paint.texture.image; }) {
-    return {paint.texture.image.width, paint.texture.image.height};
+  if constexpr (requires { inside_of(paint.texture).image; }) {
+    const Image& image = inside_of(paint.texture).image;
+    return {image.width, image.height};
   } else {
     return {2048, 1024};
   }

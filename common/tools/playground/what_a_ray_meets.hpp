@@ -20,21 +20,19 @@ using Members = std::vector<std::pair<const char*, Json>>;
 /// What a texture has at (u, v): the texel of a picture, or the square of a checkerboard.
 template <class Paint>
 void add_texel(const Paint& paint, const Uv<double>& uv, Members& members) {
-  if constexpr (requires {
-                  paint.texture.image;
-                  paint.texture.rounding;
-                }) {
-    const Image& image = paint.texture.image;
+  if constexpr (requires { inside_of(paint.texture).rounding; }) {
+    const auto& texture = inside_of(paint.texture);
+    const Image& image = texture.image;
     const TexelPlace<double> place =
-        texel_place(uv, image.width, image.height, paint.texture.v_axis, paint.texture.rounding);
+        texel_place(uv, image.width, image.height, texture.v_axis, texture.rounding);
     const Rgb8& texel = image.at(place.column, place.row);
     members.emplace_back(
         "texel", Json::object({{"column", place.column},
                                {"row", place.row},
                                {"width", image.width},
                                {"height", image.height},
-                               {"down", paint.texture.v_axis == VAxis::down},
-                               {"floor", paint.texture.rounding == TexelRounding::floor},
+                               {"down", texture.v_axis == VAxis::down},
+                               {"floor", texture.rounding == TexelRounding::floor},
                                {"color", Json::list({int{texel.r}, int{texel.g}, int{texel.b}})}}));
   } else if constexpr (requires { paint.texture.squares; }) {
     members.emplace_back("squares", paint.texture.squares);

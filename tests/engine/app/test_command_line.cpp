@@ -16,6 +16,7 @@ struct Fruit {
   std::string name = "apple";
   bool ripe = false;
   int color = 1;
+  std::array<double, 2> size{4, 0.5};
 };
 
 CommandLine line_for(Fruit& fruit) {
@@ -25,6 +26,7 @@ CommandLine line_for(Fruit& fruit) {
   line.text("--name", "NAME", fruit.name, "what it is");
   line.flag("--ripe", fruit.ripe, "it is");
   line.choice<int>("--color", fruit.color, {{"red", 1}, {"green", 2}}, "its color");
+  line.pair("--size", "WxH", fruit.size, -10, 10, "in centimeters");
   return line;
 }
 
@@ -110,6 +112,15 @@ TEST_CASE("what is no number in the range is refused with the range") {
   }
 }
 
+TEST_CASE("two numbers are read with the letter between them, and refused with an example") {
+  CHECK(read("--size", "-1.5x1e-3").size == std::array{-1.5, 1e-3});
+  for (const std::string bad : {"", "3", "3,4"})
+    CHECK(complaint("--size", bad) == "--size takes two numbers such as 4x0.5, not '" + bad + "'");
+  CHECK(complaint("--size", "3x") ==
+        "the second number of --size takes a number from -10 to 10, not ''");
+  CHECK(complaint("--size", "11x2x3").starts_with("the first number of --size takes"));
+}
+
 TEST_CASE("the message says what is wrong and what would be right") {
   CHECK(complaint("--count") == "--count needs a value: --count N");
   CHECK(complaint("--name", "") == "--name needs a name, and got an empty one");
@@ -123,9 +134,10 @@ TEST_CASE("the message says what is wrong and what would be right") {
 TEST_CASE("the help names every option with its default") {
   Fruit fruit;
   const std::string help = line_for(fruit).help();
-  for (const char* part : {"--count N", "(default: 3)", "--weight X", "(default: 0.5)",
-                           "--name NAME", "(default: apple)", "--ripe", "--color red|green",
-                           "(default: red)", "--help", "--version", "exit status"}) {
+  for (const char* part :
+       {"--count N", "(default: 3)", "--weight X", "(default: 0.5)", "--name NAME",
+        "(default: apple)", "--ripe", "--color red|green", "(default: red)", "--size WxH",
+        "(default: 4x0.5)", "--help", "--version", "exit status"}) {
     CAPTURE(part);
     CHECK(help.find(part) != std::string::npos);
   }

@@ -8,6 +8,7 @@
 #include "03_image_texture/lesson.hpp"
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
 #include "support/pictures.hpp"
 
 using namespace texmap;
@@ -129,6 +130,7 @@ TEST_CASE(
   check_bounds(prepared<chapter_03::Lesson>());
   check_bounds(prepared<chapter_05::Lesson>({"--degrees", "37"}));
   check_bounds(prepared<chapter_06::Lesson>());
+  check_bounds(prepared<chapter_08::Lesson>({"--uv-scale=2x1", "--uv-turn=30", "--wrap=article"}));
 }
 
 TEST_CASE("the map is gray where a pixel is certain, and colored where it is not") {
