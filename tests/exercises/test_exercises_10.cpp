@@ -12,8 +12,8 @@ TEST_CASE("10: strangers' answers get their words") {
   };
   at("equirectangular", [](D u, V p) { return Uv{u, 0.5 + asin(p.y) / pi}; });
   at("mirrored", [](D u, V p) { return Uv{1 - u, (1 + p.y) / 2}; });
-  at("and begins at -1/2", [](D u, V p) { return Uv{0.5 - u, (1 + p.y) / 2}; });
-  at("int is 0", [](D u, V p) { return Uv{u - 0.5, p.y}; });
+  at("1/2 is missing", [](D u, V p) { return Uv{0.5 - u, (1 + p.y) / 2}; });
+  at("1/2 is missing", [](D u, V p) { return Uv{u - 0.5, p.y}; });
 
   on_octahedron("nothing is folded", [](V p) { return halved(p.x / sum(p), -p.z / sum(p)); });
   const auto folded = [](const char* text, auto fold) {

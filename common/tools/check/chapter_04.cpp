@@ -57,19 +57,6 @@ std::function<Image()> globe_in(const char* convention, const char* texture = "e
   return picture<Lesson>({"--convention", convention, "--texture", texture}, 18);
 }
 
-double from_half(double share) { return 0.5 + share; }
-double from_0(double share) { return share; }
-Slips<double> wrong_halves(double share) {
-  return {
-      {"the 1/2 is missing in u (in C++ 1 / 2 is 0, so write 0.5): u can be negative", share},
-      {"1/2 is added, not subtracted: u can be negative", share - 0.5},
-      {"only the angle is divided: write (angle + pi) / (2 * pi), or angle / (2 * pi) + 0.5",
-       pi + share},
-      {"u is 0 on +x, where it has to be 1/2: the map is turned by half a turn",
-       {share < 0 ? share + 1 : share, share + 1}},
-  };
-}
-
 Slips<Place2> wrong_places(Vec3d p) {
   const double u = 0.5 + atan2(p.z, p.x) / turn;
   Slips<Place2> wrong;

@@ -3,6 +3,7 @@
 #include "10_projections/sheet.hpp"
 #include "engine/app/projection_options.hpp"
 #include "exercises.hpp"
+#include "map_mistakes.hpp"
 #include "texture/projection_facts.hpp"
 
 namespace texmap::chapter_10 {
@@ -57,8 +58,6 @@ std::function<Image()> globe(const char* layout) {
 Slips<Place2> wrong_cylinders(Vec3d p) {
   const double y = p.y;
   const auto [u, v] = uv_cylinder(p);
-  const double turn = 2 * pi, angle = atan2(p.z, p.x), share = angle / turn;  // of a turn
-  const double other = atan2(p.x, p.z) / turn;
   const Slips<double> wrong_v = {
       {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a height",
        {asin(y) / pi + 0.5, acos(y) / pi}},
@@ -74,26 +73,11 @@ Slips<Place2> wrong_cylinders(Vec3d p) {
        "the center",
        {(1 + y / std::hypot(p.x, p.z)) / 2, y / std::hypot(p.x, p.z)}},
   };
-  const Slips<double> wrong_u = {
-      {"u runs the other way: your map is mirrored", 0.5 + share},
-      {"std::atan2 returns radians: divide by 2 pi, not by 360", 0.5 - angle / 360},
-      {"u begins at -1/2: the half is missing (1 / 2 with int is 0)", -share},
-      {"u runs the other way, and begins at -1/2: it is 1/2 minus the share of a turn", share},
-      {"a whole turn is 2 pi, not pi: u runs twice too far", 0.5 - angle / pi},
-      {"/ 2 * pi divides by 2 and multiplies by pi: write / (2 * pi)",
-       {0.5 - angle / 2 * pi, (pi - angle) / 2 * pi}},
-      {"the angle is no share of a turn: divide it by 2 pi", 0.5 - angle},
-      {"/ comes before -: divide the angle alone, and subtract it from 1/2", (0.5 - angle) / turn},
-      {"u is off by 1/2: on +x it is 1/2, and the seam is on -x", 1 - share},
-      {"std::atan2 takes z first, then x: your globe is turned and mirrored",
-       {0.5 - other, 0.5 + other}},
-      {"std::atan cannot tell the front from the back: take std::atan2(p.z, p.x)",
-       0.5 - atan(p.z / p.x) / turn},
-      {"y is the axis: the angle around it is std::atan2(p.z, p.x)", 0.5 - atan2(y, p.x) / turn},
-  };
+  Slips<double> wrong_u = {"u runs the other way: your map is mirrored", 1 - u};
+  for (const double z : {p.z, -p.z})
+    wrong_u += wrong_us(p.x, y, z, {from_half, from_0}, wrong_halves);
   Slips<Place2> wrong = changed(wrong_v, [u = u](double it) { return Place2{u, it}; });
   wrong += changed(wrong_u, [v = v](double it) { return Place2{it, v}; });
-  wrong += changed(wrong_u, [=](double it) { return Place2{it, y}; });
   return wrong += {{"u and v are exchanged: u goes around, v up", {v, u}}};
 }
 

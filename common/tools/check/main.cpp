@@ -171,9 +171,10 @@ std::string known_mistake(const Question& question, double predicted) {
   const auto is_near = [&](double number, double right, double share) {
     return apart(number, right) <= share * std::abs(right);
   };
+  const double tolerance = question.unit.tolerance;
   for (const auto& [number, word] : question.usual)
-    if (is_near(predicted, number, question.unit.tolerance > 0 ? 2e-3 : 0)) return word;
-  const double in_unit = std::max(question.unit.tolerance, 0.01);
+    if (is_near(predicted, number, tolerance > 0 ? std::max(tolerance, 2e-3) : 0)) return word;
+  const double in_unit = std::max(tolerance, 0.01);
   if (question.unit.name == "degrees" && is_near(predicted / radian, answer, in_unit))
     return "yours is in radians";
   if (question.unit.name == "percent" && is_near(predicted * 100, answer, in_unit))

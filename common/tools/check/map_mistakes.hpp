@@ -8,20 +8,30 @@ namespace texmap::check {
 /// who make another mistake, too.
 using Begins = std::vector<double (*)(double share)>;
 
-/// Wrong (u, v) of the point (x, y, z) on such a map, v upward, as many write them; `own` are the
-/// map's own mistakes with u.
-inline Slips<Place2> map_slips(double x, double y, double z, const Begins& begins,
-                               Slips<double> (*own)(double share)) {
-  constexpr auto radians = "the angles are in radians: a whole turn is 2 pi, not 360";
+/// The own mistakes with the u of a map on which +x is in the middle.
+inline double from_half(double share) { return 0.5 + share; }
+inline double from_0(double share) { return share; }
+inline Slips<double> wrong_halves(double share) {
+  return {
+      {"the 1/2 is missing in u (in C++ 1 / 2 is 0, so write 0.5): u can be negative", share},
+      {"1/2 is added, not subtracted: u can be negative", share - 0.5},
+      {"only the angle is divided: write (angle + pi) / (2 * pi), or angle / (2 * pi) + 0.5",
+       pi + share},
+      {"u is 0 on +x, where it has to be 1/2: the map is turned by half a turn",
+       {share < 0 ? share + 1 : share, share + 1}},
+  };
+}
+
+/// Wrong u of the point (x, y, z) on such a map; `own` are the map's own mistakes.
+inline Slips<double> wrong_us(double x, double y, double z, const Begins& begins,
+                              Slips<double> (*own)(double share)) {
   constexpr double turn = 2 * pi;
   const auto share = [](double sine, double cosine) { return atan2(sine, cosine) / turn; };
-  const auto v_by = [](double cosine) { return acos(clamp(cosine, -1.0, 1.0)) / pi; };
-  const double longitude = atan2(-z, x), north = asin(y), south = acos(-y);
-  const double u = begins.front()(longitude / turn), v = south / pi;
+  const double longitude = atan2(-z, x);
   const Slips<double> shares = {
       {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)", longitude / 2 * pi},
       {"u is in radians: divide the angle by 2 pi", longitude},
-      {radians, longitude / 360},
+      {"the angles are in radians: a whole turn is 2 pi, not 360", longitude / 360},
       {"u is a part of 1, not degrees: divide the angle by 2 pi", longitude / radian},
       {"u is divided by pi: the map goes around twice", longitude / pi},
       {"u begins a quarter turn away, or the arguments of atan2 are exchanged: z comes first, the "
@@ -32,20 +42,6 @@ inline Slips<Place2> map_slips(double x, double y, double z, const Begins& begin
       {"std::atan sees only the quotient z / x, half of the globe: use std::atan2",
        atan(-z / x) / turn},
   };
-  const Slips<double> vs = {
-      {"v is 0 on the equator, and has to be 1/2 there: add 0.5 (in C++ 1 / 2 is 0)", north / pi},
-      {"v is in radians: divide the angle by pi", {south, 1 - south}},
-      {radians, {south / 180, 0.5 + north / 180}},
-      {"v is a part of 1, not degrees: divide the angle by pi", south / radian},
-      {"acos runs from 0 to pi: divide v by pi, not by 2 pi", south / turn},
-      {"asin runs from -pi/2 to pi/2: divide v by pi, not by 2 pi", 0.5 + north / turn},
-      {"v grows with the angle, not with the height y: take acos or asin", {(y + 1) / 2, y}},
-      {"y is the axis from pole to pole: v comes from y", {v_by(x), v_by(-x), v_by(z), v_by(-z)}},
-      {"limit y to -1 and 1, not to 0 and 1: half of the globe has negative y", v_by(max(-y, 0.0))},
-      {"v is below 0 everywhere but at a pole: take the minus away", -v},
-      {"the square root is missing in v: the distance from the axis is sqrt(x * x + z * z)",
-       atan2(x * x + z * z, -y) / pi},
-  };
   Slips<double> us = own(longitude / turn);
   us += {
       {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)", (longitude + pi) / 2 * pi},
@@ -54,8 +50,32 @@ inline Slips<Place2> map_slips(double x, double y, double z, const Begins& begin
        begins.front()(0)},
   };
   for (const auto& begin : begins) us += changed(shares, begin);
+  return us;
+}
+
+/// Wrong (u, v) of the point (x, y, z) on such a map, v upward, as many write them.
+inline Slips<Place2> map_slips(double x, double y, double z, const Begins& begins,
+                               Slips<double> (*own)(double share)) {
+  constexpr auto radians = "the angles are in radians: a whole turn is 2 pi, not 360";
+  const auto v_by = [](double cosine) { return acos(clamp(cosine, -1.0, 1.0)) / pi; };
+  const double north = asin(y), south = acos(-y);
+  const double u = begins.front()(atan2(-z, x) / (2 * pi)), v = south / pi;
+  const Slips<double> vs = {
+      {"v is 0 on the equator, and has to be 1/2 there: add 0.5 (in C++ 1 / 2 is 0)", north / pi},
+      {"v is in radians: divide the angle by pi", {south, 1 - south}},
+      {radians, {south / 180, 0.5 + north / 180}},
+      {"v is a part of 1, not degrees: divide the angle by pi", south / radian},
+      {"acos runs from 0 to pi: divide v by pi, not by 2 pi", south / (2 * pi)},
+      {"asin runs from -pi/2 to pi/2: divide v by pi, not by 2 pi", 0.5 + north / (2 * pi)},
+      {"v grows with the angle, not with the height y: take acos or asin", {(y + 1) / 2, y}},
+      {"y is the axis from pole to pole: v comes from y", {v_by(x), v_by(-x), v_by(z), v_by(-z)}},
+      {"limit y to -1 and 1, not to 0 and 1: half of the globe has negative y", v_by(max(-y, 0.0))},
+      {"v is below 0 everywhere but at a pole: take the minus away", -v},
+      {"the square root is missing in v: the distance from the axis is sqrt(x * x + z * z)",
+       atan2(x * x + z * z, -y) / pi},
+  };
   Slips<Place2> table = {"u and v are exchanged", {v, u}};
-  table += changed(us, [&](double wrong) { return Place2{wrong, v}; });
+  table += changed(wrong_us(x, y, z, begins, own), [&](double wrong) { return Place2{wrong, v}; });
   return table += changed(vs, [&](double wrong) { return Place2{u, wrong}; });
 }
 
