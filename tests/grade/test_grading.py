@@ -258,6 +258,10 @@ class Folders(Course):
         (self.at / 'work.zip').write_bytes(inner.getvalue())
         with mock.patch('submissions.MOST_BYTES', 2 * len(RIGHT) - 1):
             self.assertIsNone(unpacked(f'{self.at}/work.zip'))
+        self.put({'nested/a.txt': ''})
+        with zipfile.ZipFile(self.at / 'nested/ada.zip', 'w') as packed:  # a student's zip may not hold thousands more
+            packed.writestr('work.zip', inner.getvalue())
+        self.assertEqual([one.seen for one in find_submissions([f'{self.at}/nested'], [GLOBE])[0]], ['work.zip, which is not read'])
         with zipfile.ZipFile(self.at / 'class.zip', 'w') as packed:
             for name, content in {'müllerjörg_1_11_03.png': RIGHT, 'doejane_2_12_work.zip': inner.getvalue(), 'liwei_3_13_03.png': 'x',
                                   'smithann_4_14_broken.zip': 'PK', 'smithann_5_15_03.png': RIGHT}.items():
@@ -275,7 +279,7 @@ class Folders(Course):
         self.assertTrue(self.ended.stdout.startswith("5 students in Canvas's flat files, 4 pictures\n"))
         self.assertIn('liwei (3)\nhanded in nothing: Eve Absent (6)\n', self.ended.stderr)
         self.assertIn('1 of 2.5  Ann Smith (4)            missing; found broken.zip, which', self.ended.stdout)
-        self.assertIn('found broken.zip, which cannot be unpacked; points by hand: by mail', self.text('Ann_Smith__4_.html'))
+        self.assertIn('found broken.zip, which is not read; points by hand: by mail', self.text('Ann_Smith__4_.html'))
         test = json.loads(self.text('Ann_Smith__4_.results.json'))['tests'][0]
         self.assertEqual((test['score'], test['max_score'], test['status']), (1, 2.5, 'failed'))
         # A list whose ids are others, such as a number for each line, is joined by names.

@@ -60,6 +60,9 @@ def scratch():
     return tempfile.TemporaryDirectory(prefix='grade-')
 
 
+NAMED = set()  # folders with what was unpacked of zips that the instructor named
+
+
 @functools.cache
 def unpacked(path):
     """The folder with what is of use in a zip; of other files it has the names. None if the zip cannot be read."""
@@ -87,12 +90,15 @@ def unpacked(path):
     return folder
 
 
-def entry_of(path):
-    """The entry at a path. Of a zip that cannot be read it is the file."""
+def entry_of(path, is_named=False):
+    """The entry at a path. Of a zip that is not read it is the file: one that is broken or too large, or lies in a student's zip."""
     name, is_link = os.path.basename(path), os.path.islink(path)
     is_folder = not is_link and os.path.isdir(path)
-    if name.lower().endswith('.zip') and not is_link and not is_folder and unpacked(path):
-        return Entry(name[:-4], unpacked(path), True)
+    if name.lower().endswith('.zip') and not (is_link or is_folder):
+        may_be_read = not path.startswith(scratch().name) or path.startswith(tuple(NAMED))
+        folder = may_be_read and unpacked(path)
+        NAMED.update([folder] if folder and is_named else [])
+        return Entry(name[:-4], folder, True) if folder else Entry(name, path, False)
     return Entry(name, path, is_folder, is_link)
 
 
@@ -182,7 +188,7 @@ class Search:
     def take_picture(self, entry, level):
         stem, ending = os.path.splitext(entry.name)
         if ending.lower() in ('.jpg', '.jpeg', '.bmp', '.ppm', '.zip', '.rar', '.7z', '.gz'):
-            self.seen.append(entry.name + (', which cannot be unpacked' if ending.lower() == '.zip' else ''))
+            self.seen.append(entry.name + (', which is not read' if ending.lower() == '.zip' else ''))
         if ending.lower() != '.png':
             return
         fits = False
@@ -315,7 +321,7 @@ def students_in(items, folder, entry, single, one, each):
 
 def find_submissions(paths, items, one=False, each=False):
     """The submissions in the folders, zips and files that were named, and what is to be said of them."""
-    top = {path: entry_of(os.path.realpath(path)) for path in paths}
+    top = {path: entry_of(os.path.realpath(path), True) for path in paths}
     # Of a single folder the name says nothing, but for Moodle's.
     named = named_by_systems([one for one in top.values() if len(top) > 1 or not one.is_folder or '_assignsubmission_' in one.name])
     found, remarks = submissions_of_systems(items, os.path.dirname(paths[0]), [] if one else named), []
