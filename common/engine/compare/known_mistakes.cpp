@@ -141,35 +141,10 @@ Image by_height(const Image& map) {
   return placed(map, from, map.width, map.height * finer);
 }
 
-/// The picture in 40 x 30 parts, each the mean of its pixels: what blurring and scaling leave.
-Image parts_of(const Image& image) {
-  Image parts(40, 30);
-  const auto begin = [](int part, int all, int count) { return part * all / count; };
-  for (int row = 0; row < parts.height; ++row) {
-    for (int column = 0; column < parts.width; ++column) {
-      int r = 0, g = 0, b = 0, pixels = 0;
-      const int right = begin(column + 1, image.width, parts.width);
-      const int bottom = begin(row + 1, image.height, parts.height);
-      for (int y = begin(row, image.height, parts.height); y < bottom; ++y) {
-        for (int x = begin(column, image.width, parts.width); x < right; ++x, ++pixels) {
-          const Rgb8 p = image.at(x, y);
-          r += p.r;
-          g += p.g;
-          b += p.b;
-        }
-      }
-      const auto mean = [&](int sum) {
-        return static_cast<std::uint8_t>(sum / std::max(pixels, 1));
-      };
-      parts.at(column, row) = {mean(r), mean(g), mean(b)};
-    }
-  }
-  return parts;
-}
-
 /// Whether two pictures of any size have the same colors, but for what is blurred.
 bool has_same_shapes(const Image& a, const Image& b) {
-  return measure(parts_of(a), parts_of(b), {}, Detail::pixels).mean_absolute_error < 4;
+  const Figures apart = measure(shrunk(a, 40, 30), shrunk(b, 40, 30), {}, Detail::pixels);
+  return apart.mean_absolute_error < 4;
 }
 
 /// The sum of the squares of all steps to the right and down; only steps that noise does not make.
@@ -201,6 +176,31 @@ constexpr Weights weights_of_1982{0.299, 0.587, 0.114};     // ITU-R BT.601
 constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
 
 }  // namespace
+
+Image shrunk(const Image& image, int columns, int rows) {
+  Image small(columns, rows);
+  const auto begin = [](int part, int all, int count) { return part * all / count; };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      int r = 0, g = 0, b = 0, pixels = 0;
+      const int right = begin(column + 1, image.width, columns);
+      const int bottom = begin(row + 1, image.height, rows);
+      for (int y = begin(row, image.height, rows); y < bottom; ++y) {
+        for (int x = begin(column, image.width, columns); x < right; ++x, ++pixels) {
+          const Rgb8 p = image.at(x, y);
+          r += p.r;
+          g += p.g;
+          b += p.b;
+        }
+      }
+      const auto mean = [=](int sum) {
+        return static_cast<std::uint8_t>(sum / std::max(pixels, 1));
+      };
+      small.at(column, row) = {mean(r), mean(g), mean(b)};
+    }
+  }
+  return small;
+}
 
 bool is_same_picture(const Image& a, const Image& b) {
   if (!same_size(a, b)) return false;

@@ -16,6 +16,9 @@ struct WrongPicture {
   Image picture;
 };
 
+/// The picture in fewer columns and rows: each pixel is the mean of those it covers.
+[[nodiscard]] Image shrunk(const Image& image, int columns, int rows);
+
 /// True by the course's rule for golden pictures: of the pixels at most 0.02 % differ by more than
 /// one level. Pictures of different sizes are not the same.
 [[nodiscard]] bool is_same_picture(const Image& a, const Image& b);

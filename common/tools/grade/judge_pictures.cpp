@@ -69,46 +69,19 @@ struct Answer {
   }
 };
 
-/// Each pixel becomes what `merge` makes of a square of `step` pixels a side.
-template <class Merge>
-Image in_blocks(int width, int height, int step, const Merge& merge) {
-  Image small((width + step - 1) / step, (height + step - 1) / step);
-  for (int row = 0; row < small.height; ++row) {
-    for (int column = 0; column < small.width; ++column) {
-      small.at(column, row) = merge(column * step, row * step, std::min((column + 1) * step, width),
-                                    std::min((row + 1) * step, height));
+/// The largest difference in each block of `step` pixels a side, so that a single pixel stays
+/// visible.
+Image small_map(const Image& a, const Image& b, int step) {
+  Image map((a.width + step - 1) / step, (a.height + step - 1) / step);
+  std::vector<int> levels(map.pixels.size());
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      int& most = levels[static_cast<std::size_t>(y / step * map.width + x / step)];
+      most = std::max(most, channel_difference(a.at(x, y), b.at(x, y)));
     }
   }
-  return small;
-}
-
-Image smaller(const Image& image, int step) {
-  return in_blocks(image.width, image.height, step, [&](int left, int top, int right, int bottom) {
-    int r = 0, g = 0, b = 0;
-    for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x) {
-        const Rgb8 p = image.at(x, y);
-        r += p.r;
-        g += p.g;
-        b += p.b;
-      }
-    }
-    const int pixels = (right - left) * (bottom - top);
-    const auto mean = [pixels](int sum) { return static_cast<std::uint8_t>(sum / pixels); };
-    return Rgb8{mean(r), mean(g), mean(b)};
-  });
-}
-
-/// The largest difference in each block, so that a single pixel stays visible.
-Image small_map(const Image& a, const Image& b, int step) {
-  return in_blocks(a.width, a.height, step, [&](int left, int top, int right, int bottom) {
-    int levels = 0;
-    for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x)
-        levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
-    }
-    return difference_color(levels);
-  });
+  std::transform(levels.begin(), levels.end(), map.pixels.begin(), difference_color);
+  return map;
 }
 
 /// The part of a picture around a box, at least as large as a page shows it in full size.
@@ -131,11 +104,14 @@ std::string shown(const Image& is, const Image& should, const Box& box) {
   };
   const Image is_there = cut(is), should_there = cut(should);
   const int step = (part.width + shown_width - 1) / shown_width;
+  const auto smaller = [&](const Image& image) {
+    return shrunk(image, (part.width + step - 1) / step, (part.height + step - 1) / step);
+  };
   const std::string where = text("columns %d to %d, rows %d to %d", part.left,
                                  part.left + part.width - 1, part.top, part.top + part.height - 1);
   return page::side_by_side(
-      {page::figure(page::inside(smaller(is_there, step)), "is: " + where),
-       page::figure(page::inside(smaller(should_there, step)), "should be"),
+      {page::figure(page::inside(smaller(is_there)), "is: " + where),
+       page::figure(page::inside(smaller(should_there)), "should be"),
        page::figure(page::inside(small_map(should_there, is_there, step)),
                     "where they differ: black nowhere, yellow most", "the map of differences")});
 }
