@@ -65,9 +65,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
         const int across = k % 3, down = k / 3;
         const Uv<double> uv{(column + (across + 0.5) / 3) / width,
                             1 - (row + (down + 0.5) / 3) / height};
-        const bool empty =
-            projection == Projection::plane && std::hypot(uv.u - 0.5, uv.v - 0.5) > 0.5;
-        if (empty) {
+        if (!shows(projection, uv)) {
           sum = sum + Rgb{1, 1, 1};
           continue;
         }
@@ -99,6 +97,7 @@ Image sheet_of_projections(const Session& session, const Image& picture, Project
       std::max(8, std::min((cell - 2 * gap) * 4 / 5, (cell_height - 4 * line - 3 * gap) * 7 / 10));
   const Image model(wide, wide / 2);
 
+  static_assert(projections.size() < 8, "the sheet has eight places, and the globe has the last");
   for (std::size_t i = 0; i < projections.size(); ++i) {
     const ProjectionFacts& facts = projections[i];
     const ClosedForms forms = closed_forms(facts.projection);
@@ -112,13 +111,10 @@ Image sheet_of_projections(const Session& session, const Image& picture, Project
     Image unfolded =
         convert_projection(picture, from, facts.projection, size, session.settings.threads);
     for (Rgb8& pixel : unfolded.pixels) pixel = in_steps(pixel);
-    if (facts.projection == Projection::plane) {
-      for (int row = 0; row < size.height; ++row) {
-        for (int column = 0; column < size.width; ++column) {
-          const double x = 2 * (column + 0.5) / size.width - 1;
-          const double y = 2 * (row + 0.5) / size.height - 1;
-          if (std::hypot(x, y) > 1) unfolded.at(column, row) = paper;
-        }
+    for (int row = 0; row < size.height; ++row) {
+      for (int column = 0; column < size.width; ++column) {
+        const Uv<double> center{(column + 0.5) / size.width, (row + 0.5) / size.height};
+        if (!shows(facts.projection, center)) unfolded.at(column, row) = paper;
       }
     }
     panel.lay(unfolded);

@@ -8,7 +8,8 @@
 namespace texmap {
 
 /// A shape has a distance along a ray (+infinity for a miss), a hit there, and convex(): true if no
-/// ray that leaves the shape meets it again. If it is false, the shape can shade itself.
+/// ray that leaves the shape meets it again. If it is false, the shape can shade itself; what is
+/// derived from Sphere says so itself, or it is taken for convex.
 /// Lift `outside` by more than the error of the distance, or every point shades itself.
 /// If the ray can see an inner side, the normal there faces the ray. So a mapping cannot use the
 /// normal as a direction, and takes the Hit: see texture/shape_mappings.hpp.

@@ -10,16 +10,17 @@ namespace texmap {
 /// What is fixed for a projection.
 struct ProjectionFacts {
   Projection projection;
-  const char* word;   ///< on the command line
-  double aspect;      ///< width / height where the middle of the picture is not stretched
-  double mean_texel;  ///< steradians of a mean texel, times the number of texels
+  const char* word;       ///< on the command line
+  double aspect;          ///< width / height where the middle of the picture is not stretched
+  double mean_texel;      ///< steradians of a mean texel, times the number of texels
+  bool is_round = false;  ///< shows nothing outside the ellipse that touches the picture's sides
 };
 
 inline constexpr double four_pi = 4 * static_cast<double>(pi_digits);
 /// All projections, in the order of `Projection`.
 inline constexpr std::array<ProjectionFacts, 7> projections = {{
     {Projection::equirect, "equirect", 2, four_pi},
-    {Projection::plane, "plane", 1, 8},  // half the sphere on pi / 4 of the square
+    {Projection::plane, "plane", 1, 8, true},  // half the sphere on pi / 4 of the square
     {Projection::cylinder, "cylinder", static_cast<double>(pi_digits), four_pi},
     {Projection::cube, "cube", 1.5, four_pi},
     {Projection::equi_angular, "equi-angular", 1.5, four_pi},
@@ -35,6 +36,13 @@ static_assert(
     "the rows are in the order of Projection");
 [[nodiscard]] inline const ProjectionFacts& facts_of(Projection projection) {
   return projections[static_cast<std::size_t>(projection)];
+}
+
+/// Where a layout shows something.
+///
+/// @param margin  also so far outside, as a part of the picture's width or height
+[[nodiscard]] inline bool shows(Projection projection, const Uv<double>& uv, double margin = 0) {
+  return !facts_of(projection).is_round || std::hypot(uv.u - 0.5, uv.v - 0.5) <= 0.5 + margin;
 }
 
 /// How a picture is distorted at a place.

@@ -7,8 +7,8 @@
 namespace texmap {
 
 /// How a picture of the whole sphere is laid out. All read as printed, seen from outside.
-/// To add one, name it here: the compiler asks for the rest but its row in projection_facts.hpp,
-/// and what its rectangle leaves free: `shows` in engine/render/convert_projection.cpp.
+/// To add one, name it here: the compiler asks for the rest, but for its row in
+/// projection_facts.hpp.
 enum class Projection {
   equirect,      ///< longitude and latitude: uv_rtiow
   plane,         ///< along the axis onto a plane, seen from +y: the upper half of the sphere alone

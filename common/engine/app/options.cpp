@@ -211,6 +211,7 @@ FilteredTexture texture_of(const Image& image, const FilterOptions& options, Wra
 }  // namespace
 
 void FilterOptions::declare(CommandLine& line) {
+  // A new filter also has a place on chapter 09's sheet.cpp and in its comparison.cpp.
   line.choice<Filter>("--filter", filter,
                       {{"nearest", Filter::nearest},
                        {"bilinear", Filter::bilinear},

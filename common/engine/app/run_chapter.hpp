@@ -134,6 +134,9 @@ template <class Lesson>
   static_assert(
       requires { Lesson::about.idea; },
       "a lesson says what it is about: static constexpr About about{.idea = ...}");
+  static_assert(!GathersLight<Lesson> || HasSpheres<Lesson>,
+                "light is gathered from spheres alone: a lesson with `sampling` has a list of "
+                "Painted<Paint> in `objects`. Other shapes are for lessons like those of 01 to 06");
   expect_little_memory();
   CommandLine line(chapter, Lesson::about.idea);
   return run_guarded(line, [&] {

@@ -67,13 +67,6 @@ std::uint8_t encoded(double light) {
   return static_cast<std::uint8_t>(std::lround(255 * clamp(srgb_encode(light), 0.0, 1.0)));
 }
 
-/// Where a layout shows something: everywhere but around the disk of the plane. Texels on its rim
-/// show the nearest direction, so that no black is mixed in.
-bool shows(Projection projection, const Uv<double>& center, int width) {
-  return projection != Projection::plane ||
-         std::hypot(center.u - 0.5, center.v - 0.5) <= 0.5 + 1.5 / width;
-}
-
 }  // namespace
 
 PictureSize converted_size(const Image& image, Projection from, Projection to) {
@@ -149,7 +142,8 @@ Image convert_projection(const Image& image, Projection from, Projection to,
   for_each_row(size.height, threads, {}, [&](int row) {
     for (int column = 0; column < size.width; ++column) {
       const Uv<double> center = center_of({column, row}, size.width, size.height);
-      if (!shows(to, center, size.width)) continue;
+      // Texels on the rim show the nearest direction, so that no black is mixed in.
+      if (!shows(to, center, 1.5 / size.width)) continue;
       const int n = places_for(light, from, to, center, size);
       Color<double> sum{};
       for (int k = 0; k < n * n; ++k) {
