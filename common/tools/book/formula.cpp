@@ -8,6 +8,7 @@
 
 #include "engine/measure/text.hpp"
 #include "engine/measure/utf8.hpp"
+#include "markdown.hpp"
 
 namespace texmap::book {
 namespace {
@@ -16,9 +17,11 @@ constexpr std::u32string_view signs = U"+-±×·=≤≥<>→,∫∇…/";
 constexpr std::u32string_view raised = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
 constexpr std::u32string_view lowered = U"₀₁₂₃₄₅₆₇₈₉";
 
+bool is_in(std::u32string_view set, char32_t c) {
+  return c != 0 && set.find(c) != std::u32string_view::npos;
+}
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 bool is_latin(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'); }
-bool is_greek(char32_t c) { return c >= U'α' && c <= U'ω'; }
 
 std::string utf8(std::u32string_view characters) {
   std::string text;
@@ -28,10 +31,6 @@ std::string utf8(std::u32string_view characters) {
 
 std::string element(const std::string& name, const std::string& inside) {
   return "<" + name + ">" + inside + "</" + name + ">";
-}
-
-std::string tight(const std::string& sign) {
-  return "<mo lspace=\"0\" rspace=\"0\">" + sign + "</mo>";
 }
 
 /// A piece of a row.
@@ -68,23 +67,21 @@ std::string html_of(const Row& row);
 void join_fractions(Row& row, bool with_blanks) {
   for (std::size_t i = 1; i + 1 < row.size(); ++i) {
     if (row[i].sign != U'/' || row[i].after_blank != with_blanks) continue;
+    // What stands between two pieces ends a fraction: a sign, or else a blank.
+    const auto ends = [&row, with_blanks](std::size_t sign, std::size_t blank) {
+      return with_blanks ? ends_run(row, sign) : row[blank].after_blank || row[sign].sign != 0;
+    };
     std::size_t first = i - 1;
     std::size_t last = i + 1;
-    if (with_blanks) {
-      while (first > 0 && !ends_run(row, first - 1)) --first;
-      while (last + 1 < row.size() && !ends_run(row, last + 1)) ++last;
-    } else {
-      while (first > 0 && !row[first].after_blank && row[first - 1].sign == 0) --first;
-      while (last + 1 < row.size() && !row[last + 1].after_blank && row[last + 1].sign == 0) ++last;
-    }
+    while (first > 0 && !ends(first - 1, first)) --first;
+    while (last + 1 < row.size() && !ends(last + 1, last + 1)) ++last;
     const auto part = [&row](std::size_t from, std::size_t to) {
       if (from == to) return row[from].bare();
       return element("mrow", html_of({row.begin() + std::ptrdiff_t(from),
                                       row.begin() + std::ptrdiff_t(to) + 1}));
     };
-    Item fraction{.base = element("mfrac", part(first, i - 1) + part(i + 1, last))};
-    fraction.after_blank = row[first].after_blank;
-    row[first] = fraction;
+    row[first] = {.base = element("mfrac", part(first, i - 1) + part(i + 1, last)),
+                  .after_blank = row[first].after_blank};
     row.erase(row.begin() + std::ptrdiff_t(first) + 1, row.begin() + std::ptrdiff_t(last) + 1);
     i = first;
   }
@@ -92,19 +89,18 @@ void join_fractions(Row& row, bool with_blanks) {
 
 /// Replaces words in a row, `light along a ray`, by one item.
 void join_prose(Row& row) {
+  const auto is_word = [&row](std::size_t i) {
+    const bool is_call = i + 1 < row.size() && !row[i + 1].after_blank && row[i + 1].sign == 0;
+    return i < row.size() && !row[i].word.empty() && row[i].base == row[i].html() && !is_call &&
+           row[i].word.find_first_of("._0123456789") == std::string::npos;
+  };
   for (std::size_t first = 0; first < row.size(); ++first) {
-    std::size_t end = first;
-    std::string words;
-    for (; end < row.size() && (end == first || row[end].after_blank); ++end) {
-      const bool is_call =
-          end + 1 < row.size() && !row[end + 1].after_blank && row[end + 1].sign == 0;
-      const bool is_article = end > first && row[end].base == "<mi>a</mi>" && !is_call &&
-                              end + 1 < row.size() && !row[end + 1].word.empty();
-      const bool is_word = !row[end].word.empty() &&
-                           row[end].word.find_first_of("._0123456789") == std::string::npos;
-      if ((!is_word && !is_article) || is_call || !(row[end].sub + row[end].sup).empty()) break;
-      if (end > first) words += ' ';
-      words += is_article ? "a" : row[end].word;
+    std::string words = row[first].word;
+    std::size_t end = first + 1;
+    for (; is_word(first) && end < row.size() && row[end].after_blank; ++end) {
+      const bool is_article = row[end].base == "<mi>a</mi>" && is_word(end + 1);
+      if (!is_article && !is_word(end)) break;
+      words.append(" ").append(is_article ? "a" : row[end].word);
     }
     if (end < first + 2) continue;
     row[first].base = element("mtext", words);
@@ -116,20 +112,19 @@ std::string html_of(const Row& row) {
   std::string html;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const Item& item = row[i];
+    const bool follows_sign = i == 0 || row[i - 1].sign != 0;
     if (item.sign == 0) {
-      const bool is_product = i > 0 && row[i - 1].sign == 0 && item.after_blank;
-      if (is_product && !(item.word + row[i - 1].word).empty()) html += "<mspace width=\".22em\"/>";
-      html += item.html();
-    } else {
-      // A sign at the begin or the end of a cell has the space of a sign between two things, too.
-      const bool is_unary = item.sign == U'-' && (i == 0 || row[i - 1].sign != 0);
-      const bool is_tight = item.sign == U'·' && !item.after_blank;
-      const bool is_before = is_unary || item.sign == U'∫' || item.sign == U'∇';
-      html += is_before  ? "<mo form=\"prefix\">"
-              : is_tight ? "<mo lspace=\".08em\" rspace=\".08em\">"
-                         : "<mo form=\"infix\">";
-      html += (item.sign == U'-' ? "−" : escaped_markup(utf8({&item.sign, 1}))) + "</mo>";
+      const bool has_name = !follows_sign && !(item.word + row[i - 1].word).empty();
+      html += (has_name && item.after_blank ? "<mspace width=\".22em\"/>" : "") + item.html();
+      continue;
     }
+    // A sign at the begin or the end of a cell has the space of a sign between two things, too.
+    const bool is_tight = item.sign == U'·' && !item.after_blank;
+    const bool is_before = (item.sign == U'-' && follows_sign) || is_in(U"∫∇", item.sign);
+    html += is_before  ? "<mo form=\"prefix\">"
+            : is_tight ? "<mo lspace=\".08em\" rspace=\".08em\">"
+                       : "<mo form=\"infix\">";
+    html += (item.sign == U'-' ? "−" : escaped_markup(utf8({&item.sign, 1}))) + "</mo>";
   }
   return html;
 }
@@ -170,10 +165,10 @@ class Reader {
       if (at(0) == U'.' && at(1) == U'.' && at(2) == U'.') {
         take(3);
         row.push_back({.base = "<mo>…</mo>", .after_blank = after_blank});
-      } else if (signs.find(at(0)) != std::u32string_view::npos) {
+      } else if (is_in(signs, at(0))) {
         const bool is_second = !row.empty() && row.back().sign != 0 && !after_blank;
-        if (is_second && row.back().sign != U'-' && at(0) != U'-' && at(0) != U'∇') fail();
-        if (is_second && row.back().sign == at(0)) fail();
+        const bool may_follow = row.empty() || row.back().sign == U'-' || is_in(U"-∇", at(0));
+        if (is_second && (!may_follow || row.back().sign == at(0))) fail();
         if (!rest_.empty()) row.push_back({.sign = take(1)[0], .after_blank = after_blank});
       } else {
         row.push_back(atom());
@@ -191,20 +186,17 @@ class Reader {
 
   /// Takes a power, an index, a prime or a degree sign.
   bool modify(Item& item) {
-    const std::u32string_view digits =
-        at(0) != 0 && raised.find(at(0)) != std::u32string_view::npos ? raised : lowered;
-    std::u32string number;
-    if (at(0) == U'⁻' || digits.find(at(0)) != std::u32string_view::npos) {
-      const std::string minus = at(0) == U'⁻' ? (take(1), tight("−")) : "";
-      const std::u32string_view kind = minus.empty() ? digits : raised;
-      for (; at(0) != 0 && kind.find(at(0)) != std::u32string_view::npos; take(1))
-        number += U'0' + char32_t(kind.find(at(0)));
-      (kind == raised ? item.sup : item.sub) = element("mrow", minus + element("mn", utf8(number)));
+    if (is_in(raised, at(0)) || is_in(lowered, at(0))) {
+      const std::u32string_view digits = is_in(raised, at(0)) ? raised : lowered;
+      std::u32string number;
+      for (; is_in(digits, at(0)); take(1)) number += U'0' + char32_t(digits.find(at(0)));
+      (digits == raised ? item.sup : item.sub) = element("mn", utf8(number));
     } else if (at(0) == U'^' || at(0) == U'_') {
       std::string& place = take(1)[0] == U'^' ? item.sup : item.sub;
       place = atom().bare();
     } else if (at(0) == U'\'' || at(0) == U'°') {
-      item.base = element("mrow", item.base + tight(take(1)[0] == U'°' ? "°" : "′"));
+      const std::string sign = take(1)[0] == U'°' ? "°" : "′";
+      item.base = element("mrow", item.base + "<mo lspace=\"0\" rspace=\"0\">" + sign + "</mo>");
     } else {
       return false;
     }
@@ -230,11 +222,8 @@ class Reader {
       while (is_digit(at(end)) || (at(end) == U'.' && is_digit(at(end + 1)))) ++end;
       return {.base = element("mn", utf8(take(end)))};
     }
-    if (is_greek(at(0))) return {.base = element("mi", utf8(take(1)))};
-    if (!is_latin(at(0))) {
-      fail();
-      return {};
-    }
+    if (at(0) >= U'α' && at(0) <= U'ω') return {.base = element("mi", utf8(take(1)))};
+    if (!is_latin(at(0))) return fail(), Item{};
     while (is_latin(at(end)) || is_digit(at(end)) || (at(end) == U'.' && is_latin(at(end + 1))))
       ++end;
     if (end > 1 && at(end) == U'_' && is_latin(at(end + 1)) && is_latin(at(end + 2)))
@@ -254,70 +243,60 @@ bool has_formula(const std::string& block) {
   return false;
 }
 
-/// The words of a way, `direction → texel`, which may wrap.
-std::string flow(const std::string& block) {
-  std::string html;
-  for (const char c : block)
-    if (c != ' ' || (!html.empty() && html.back() != ' ')) html += c;
-  return "<p class=\"flow\">" + html + "</p>\n";
-}
-
-bool is_flow(const std::string& block) {
-  return block.find("→") != std::string::npos && block.find_first_of("=+-") == std::string::npos;
+/// Cuts off the blanks at the end.
+std::size_t trim(std::u32string_view& text) {
+  const std::size_t size = text.size();
+  text = text.substr(0, text.find_last_not_of(U' ') + 1);
+  return size - text.size();
 }
 
 }  // namespace
 
 std::optional<std::string> html_of_formulas(const std::string& block) {
   if (!has_formula(block)) return std::nullopt;
-  if (is_flow(block)) return flow(block);
+  if (block.find("→") != std::string::npos && block.find_first_of("=+-") == std::string::npos) {
+    std::string way = block;  // words, which may wrap
+    replace_all(way, "  ", " ");
+    return "<p class=\"flow\">" + way + "</p>\n";
+  }
   if (const std::size_t gap = block.find("\n\n"); gap != std::string::npos) {
     const std::optional<std::string> first = html_of_formulas(block.substr(0, gap + 1));
     const std::optional<std::string> rest = html_of_formulas(block.substr(gap + 2));
     return first && rest ? std::optional(*first + *rest) : std::nullopt;
   }
   std::vector<std::u32string> lines(1);
-  for (std::string_view rest = block; !rest.empty();) {
+  for (std::string_view rest = std::string_view(block).substr(0, block.size() - 1);
+       !rest.empty();) {
     const char32_t c = take_character(rest);
-    if (c != U'\n') {
-      lines.back() += c;
-    } else if (!rest.empty()) {
-      lines.emplace_back();
-    }
+    c == U'\n' ? void(lines.emplace_back()) : lines.back().push_back(c);
   }
   // A column begins after two blanks, but not after a sign; in the other lines, too, if there is a
   // blank.
-  std::set<std::size_t> columns{0};
+  std::set<std::size_t> columns{std::u32string::npos};
   for (const std::u32string& line : lines) {
-    for (std::size_t i = 2; i < line.size(); ++i) {
-      const std::size_t before = line.find_last_not_of(U' ', i - 1);
-      const bool follows_sign = before != std::u32string::npos && line[before] != U',' &&
-                                signs.find(line[before]) != std::u32string_view::npos;
-      if (line[i] != U' ' && line[i - 1] == U' ' && line[i - 2] == U' ' && !follows_sign)
-        columns.insert(i);
+    for (std::size_t i = line.find(U"  "); i < line.size(); i = line.find(U"  ", i)) {
+      const bool follows_sign = i > 0 && line[i - 1] != U',' && is_in(signs, line[i - 1]);
+      i = std::min(line.find_first_not_of(U' ', i), line.size());
+      if (!follows_sign) columns.insert(i);
     }
   }
   std::string rows;
   for (const std::u32string& line : lines) {
     std::string cells;
     std::size_t first = 0;
-    std::size_t span = 0;
-    for (auto column = columns.begin(); column != columns.end(); ++column) {
-      ++span;
-      const auto next = std::next(column);
-      const std::size_t end = next == columns.end() ? line.size() : std::min(*next, line.size());
-      if (end < line.size() && line[end - 1] != U' ') continue;  // the next column is within a word
-      std::u32string_view cell = std::u32string_view(line).substr(std::min(first, line.size()),
-                                                                  end - std::min(first, end));
-      std::size_t blanks = 0;
-      while (!cell.empty() && cell.back() == U' ') cell.remove_suffix(1), ++blanks;
+    std::size_t span = 1;
+    for (const std::size_t column : columns) {
+      const std::size_t end = std::min(column, line.size());
+      if (end < line.size() && line[end - 1] != U' ' && ++span > 0)
+        continue;  // the next column is within a word
+      std::u32string_view cell = std::u32string_view(line).substr(first, end - first);
+      const bool is_wide = trim(cell) > 2 && !cell.empty();
       const std::optional<std::string> html = cell.empty() ? "" : Reader(cell).read();
       if (!html) return std::nullopt;
-      const bool is_wide = blanks > 2 && !cell.empty();
       cells += "<mtd" + (span > 1 ? text(" columnspan=\"%zu\"", span) : "") + "><mrow>" + *html +
                (is_wide ? "<mspace width=\"1.2em\"/>" : "") + "</mrow></mtd>";
       first = end;
-      span = 0;
+      span = 1;
     }
     rows += element("mtr", cells);
   }
