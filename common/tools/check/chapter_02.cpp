@@ -79,8 +79,6 @@ Slips<Place2> wrong_places(Vec3d p) {
        {u, by_acos}},
       {"u runs the other way: your map is mirrored", {{west, v}, {west, by_acos}}},
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
-      {"u and v both run the other way: your map is turned by half a turn",
-       {{west, 1 - v}, {west, 1 - by_acos}}},
       map_slips(p, {below_0_added, as_it_is, as_on_the_page}, wrong_beginnings),
   };
 }

@@ -293,10 +293,7 @@ Slips<Place2> wrong_places(int i, int n, double a, double b) {
       {"the column grows beyond the pixel: it is the remainder i % n", {(i + a) / n, v}},
       {"i counts samples, not rows: the row is i / n", {u, (i + b) / n}},
       {"i counts samples: the column is i % n, the row is i / n",
-       {{(i + a) / n, (i + b) / n},
-        {(i + a) / n / n, (i + b) / n / n},
-        {(i + a) / n / n, b},
-        {a, (i + b) / n / n}}},
+       {{(i + a) / n / n, (i + b) / n / n}, {(i + a) / n / n, b}, {a, (i + b) / n / n}}},
   };
 }
 

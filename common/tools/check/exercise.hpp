@@ -30,7 +30,7 @@ class Bytes {
   int operator[](long long i) const {
     const int length = row_bytes(*image_);
     const auto row = i / length, in_row = i % length;
-    if (i < 0 || row >= image_->height || in_row >= 3 * image_->width) return 0;
+    if (i < 0 || row >= image_->height || in_row >= 3LL * image_->width) return 0;
     const Rgb8& texel = image_->at(static_cast<int>(in_row / 3), static_cast<int>(row));
     return in_row % 3 == 0 ? texel.b : in_row % 3 == 1 ? texel.g : texel.r;
   }

@@ -223,13 +223,9 @@ template <class Out>
   bool is_nan = false;
   for (std::size_t part = 0; part < parts(right[0]).size(); ++part) {
     (agree(right, values, part) ? good : bad) += std::string(" ") + name_of_part<Out>(part);
-    for (std::size_t i = 0; i < right.size(); ++i) {
-      is_nan = is_nan || std::isnan(parts(values[i])[part]);
-    }
+    for (const Out& value : values) is_nan = is_nan || std::isnan(parts(value)[part]);
   }
-  if (is_nan)
-    return "there is no number in it (NaN): a root of a number below 0, 0 / 0, acos or asin beyond "
-           "1";
+  if (is_nan) return "there is no number in it (NaN): the root of one below 0, 0 / 0, acos of 2";
   if (std::all_of(values.begin(), values.end(), [&](const Out& v) { return alike(v, values[0]); }))
     return "it is the same at every place, whatever your function gets";
   return good.empty() ? "" : "right at every place:" + good + "; wrong:" + bad;
