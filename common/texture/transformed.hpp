@@ -1,9 +1,9 @@
 // A mapping whose (u, v) are scaled, turned and moved.
 #pragma once
 #include <optional>
+#include <type_traits>
 
 #include "math/circle.hpp"
-#include "scene/paint.hpp"
 #include "texture/uv.hpp"
 
 namespace texmap {
@@ -35,7 +35,7 @@ struct Transformed {
   Mapping mapping;
 
   template <class Place>
-  requires CallableWith<Mapping, Place>
+  requires std::is_invocable_v<const Mapping&, const Place&>
   [[nodiscard]] auto operator()(const Place& place) const {
     const auto uv = mapping(place);
     return transform ? (*transform)(uv) : uv;

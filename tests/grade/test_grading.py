@@ -123,9 +123,8 @@ class Pictures(Course):
                 'mirrored': (png(mirrored), 'the whole picture is mirrored', 'the whole picture is mirrored: columns run the other way; '),
                 'drawn': (png(noise(250, 40, 1)), 'mirrored', 'mirrored: u runs the other way; '),
                 'unknown': (png(noise(250, 40, 2)), 'differs 100 %', ' pixels are off by more than one level'),
-                'other': (png(noise(250, 40, 3)), 'the picture of 05_y_rotation', 'the picture of 05_y_rotation; '),
-                'twice': (png([[row[x // 2] for x in range(500)] for row in GOLDEN for _ in 'ab']), 'wrong size',
-                          'pixels and should have 250 x 40; scaled: the right picture, but 500 x 80'),
+                'another': (png(LARGE), 'a picture of chapter 04', '250 x 40; it is a picture of chapter 04'),
+                'half': (png([row[::2] for row in GOLDEN[::2]]), 'wrong size', 'it is the right picture, drawn or scaled to 1/2'),
                 'size': (png(ramps(30, 40)), 'wrong size', 'the picture has 30 x 40 pixels and should have 250 x 40'),
                 **{bad: ((TESTS / f'corpus/bad_{bad}.png').read_bytes(), 'unreadable', 'the picture cannot be read: ')
                    for bad in ('bomb_100000x100000', 'one_byte', 'trunc_idat')}}).items():

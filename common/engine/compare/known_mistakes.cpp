@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "engine/compare/difference.hpp"
+#include "engine/measure/text.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/render/threads.hpp"
@@ -22,7 +23,7 @@
 namespace texmap {
 namespace {
 
-constexpr double times_nearer_than_the_right = 4;
+constexpr double times_nearer_than_the_right = 16;
 constexpr double times_nearer_than_another = 2;
 constexpr std::uint64_t max_file_of_words = 1U << 20;
 
@@ -52,19 +53,24 @@ double distance_between(const Image& a, const Image& b, double limit = far_away)
 
 using Place = std::pair<int, int>;  // column and row
 
+/// An image with `color` of the column and row in each pixel.
+template <class Color>
+Image placed_colors(Image result, const Color& color) {
+  for (int row = 0; row < result.height; ++row) {
+    for (int column = 0; column < result.width; ++column)
+      result.at(column, row) = color(column, row);
+  }
+  return result;
+}
+
 /// An image whose pixel in a column and a row is that of `image` at the place that `from` says;
 /// black where that is outside.
 template <class From>
 Image placed(const Image& image, const From& from, int width, int height) {
-  Image result(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const auto [x, y] = from(column, row);
-      if (x >= 0 && x < image.width && y >= 0 && y < image.height)
-        result.at(column, row) = image.at(x, y);
-    }
-  }
-  return result;
+  return placed_colors(Image(width, height), [&](int column, int row) {
+    const auto [x, y] = from(column, row);
+    return x >= 0 && x < image.width && y >= 0 && y < image.height ? image.at(x, y) : Rgb8{};
+  });
 }
 template <class From>
 Image placed(const Image& image, const From& from) {
@@ -141,34 +147,97 @@ Image by_height(const Image& map) {
   return placed(map, from, map.width, map.height * finer);
 }
 
-/// Whether two pictures of any size have the same colors, but for what is blurred.
-bool has_same_shapes(const Image& a, const Image& b) {
-  const Figures apart = measure(shrunk(a, 40, 30), shrunk(b, 40, 30), {}, Detail::pixels);
-  return apart.mean_absolute_error < 4;
+/// The share of pixels that differ by more than so many levels.
+double share_off(const Image& a, const Image& b, int levels) {
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    off += channel_difference(a.pixels[i], b.pixels[i]) > levels ? 1U : 0U;
+  return static_cast<double>(off) / static_cast<double>(a.pixels.size());
 }
 
-/// The sum of the squares of all steps to the right and down; only steps that noise does not make.
-double sharpness(const Image& image) {
-  double sum = 0;
-  for (int row = 1; row < image.height; ++row) {
-    for (int column = 1; column < image.width; ++column) {
-      const Rgb8 p = image.at(column, row);
-      for (const Rgb8 q : {image.at(column - 1, row), image.at(column, row - 1)}) {
-        const int step = channel_difference(p, q);
-        if (step > 48) sum += step * step;
-      }
+/// Each pixel the mean of `2 * reach + 1` around it, along columns or along rows.
+Image averaged(const Image& image, int reach, bool along_rows) {
+  return placed_colors(image, [&](int x, int y) {
+    std::array<int, 3> sum{};
+    for (int i = -reach; i <= reach; ++i) {
+      const Rgb8 p = image.at(std::clamp(along_rows ? x + i : x, 0, image.width - 1),
+                              std::clamp(along_rows ? y : y + i, 0, image.height - 1));
+      sum = {sum[0] + p.r, sum[1] + p.g, sum[2] + p.b};
     }
-  }
-  return sum;
+    const auto mean = [&](int of) { return static_cast<std::uint8_t>(of / (2 * reach + 1)); };
+    return Rgb8{mean(sum[0]), mean(sum[1]), mean(sum[2])};
+  });
 }
 
-/// By how many levels a picture is brighter where the right one is neither dark nor bright.
-int brighter_by(const Image& drawn, const Image& right) {
-  for (std::size_t i = 0; i < right.pixels.size(); ++i) {
-    const int should = right.pixels[i].g;
-    if (should > 60 && should < 195) return drawn.pixels[i].g - should;
+/// The sum of all steps from a pixel to the next.
+double roughness(const Image& image) {
+  const Image next = placed(image, [&](int x, int y) { return Place(std::max(x - 1, 0), y); });
+  const Image below = placed(image, [&](int x, int y) { return Place(x, std::max(y - 1, 0)); });
+  return distance_between(image, next) + distance_between(image, below);
+}
+
+/// Words for a picture that has the right one's shapes, but softer or rougher; else none.
+std::string name_roughness(const Image& drawn, const Image& right) {
+  if (share_off(drawn, right, 1) < 0.01) return "";  // a few pixels are something else
+  const double apart = apart_when_soft(drawn, right);
+  const double rough = roughness(drawn) / roughness(right);
+  if ((rough < 0.97 && apart < nearly_the_same) || (rough < 0.8 && apart < 0.03))
+    return "softer than it should be: scaled, blurred, or drawn with more samples or a filter";
+  if (rough > 1.03 && apart < nearly_the_same)
+    return "rougher than it should be: noise, a file with losses (JPEG, GIF), or enlarged pixels";
+  return "";
+}
+
+/// Words for a picture whose levels, from 0 to 255, are a function of the right ones; else none.
+std::string name_curve(const Image& drawn, const Image& right) {
+  std::array<double, 256> sum{}, count{};
+  const auto for_each_channel = [&](const auto& see) {
+    for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+      const Rgb8 is = drawn.pixels[i], should = right.pixels[i];
+      see(should.r, is.r), see(should.g, is.g), see(should.b, is.b);
+    }
+  };
+  for_each_channel([&](std::uint8_t should, int is) {
+    sum[should] += is;
+    count[should] += 1;
+  });
+  std::array<int, 256> became{};
+  for (std::size_t i = 0; i < 256; ++i)
+    became[i] = static_cast<int>(std::lround(sum[i] / std::max(count[i], 1.0)));
+  std::size_t off = 0, unexplained = 0;
+  for_each_channel([&](std::uint8_t should, int is) {
+    off += std::abs(is - should) > 1 ? 1U : 0U;
+    unexplained += std::abs(is - became[should]) > 1 ? 1U : 0U;
+  });
+  if (unexplained * 50 > off) return "";
+  int added = 0;  // to the most frequent level that is not cut off
+  double often = 0, product = 0, squares = 0;
+  for (std::size_t i = 0; i < 256; ++i) {
+    if (became[i] <= 0 || became[i] >= 255) continue;
+    if (count[i] > often) added = became[i] - static_cast<int>(i);
+    often = std::max(often, count[i]);
+    product += count[i] * static_cast<double>(i) * became[i];
+    squares += count[i] * static_cast<double>(i) * static_cast<double>(i);
   }
-  return 0;
+  const double times = product / std::max(squares, 1.0);
+  int levels = 0, before = 0;
+  bool rises = true, all_up = true, all_down = true, is_sum = true, is_product = true;
+  for (int level = 0; level < 256; ++level) {
+    const auto i = static_cast<std::size_t>(level);
+    if (count[i] == 0) continue;
+    levels += became[i] > before || levels == 0 ? 1 : 0;
+    rises = rises && became[i] >= before;
+    before = became[i];
+    all_up = all_up && before >= level - 1;
+    all_down = all_down && before <= level + 1;
+    is_sum = is_sum && std::abs(std::clamp(level + added, 0, 255) - before) <= 1;
+    is_product = is_product && std::abs(std::min(level * times, 255.0) - before) <= 2;
+  }
+  if (!rises || levels < 16) return "";  // a picture of few levels says too little
+  const std::string way = all_up ? "brighter" : all_down ? "darker" : "of another contrast";
+  if (is_sum) return way + text(": every channel is %d levels off", std::abs(added));
+  if (is_product) return way + text(": every channel is %.2f times what it should be", times);
+  return way + ": the levels went through another curve";
 }
 
 constexpr Weights equal_weights{1 / 3.0, 1 / 3.0, 1 / 3.0};
@@ -212,6 +281,11 @@ bool is_same_picture(const Image& a, const Image& b) {
   return true;
 }
 
+double apart_when_soft(const Image& a, const Image& b) {
+  const auto soft = [](const Image& image) { return averaged(averaged(image, 8, true), 8, false); };
+  return same_size(a, b) ? share_off(soft(a), soft(b), 6) : 1;
+}
+
 std::string name_mistake(const Image& drawn, const Image& right,
                          std::span<const WrongPicture> wrong) {
   if (!same_size(drawn, right) || is_same_picture(drawn, right)) return "";
@@ -226,53 +300,31 @@ std::string name_mistake(const Image& drawn, const Image& right,
     distances[static_cast<std::size_t>(i)] = distance_between(drawn, picture, limit);
   });
   const auto least_of_all = std::min_element(distances.begin(), distances.end());
-  if (least_of_all == distances.end()) return "";
+  const auto by_figures = [&] {
+    const std::string words = name_curve(drawn, right);
+    return words.empty() ? name_roughness(drawn, right) : words;
+  };
+  if (least_of_all == distances.end() || *least_of_all == far_away) return by_figures();
   const double least = *least_of_all;
   const WrongPicture& nearest = wrong[static_cast<std::size_t>(least_of_all - distances.begin())];
   if (times_nearer_than_the_right * least > from_right ||
       times_nearer_than_the_right * least > distance_between(right, nearest.picture)) {
-    return "";
+    return by_figures();
   }
-  std::string other;  // words of another mistake that draws the same
+  std::string words = nearest.words;
   for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (wrong[i].words == nearest.words || wrong[i].words == other) continue;
-    const bool rivals = distances[i] <= times_nearer_than_another * least;
-    const bool same = distances[i] < far_away && is_same_picture(drawn, wrong[i].picture);
-    if (same && other.empty() && is_same_picture(drawn, nearest.picture)) {
-      other = wrong[i].words;
-    } else if (rivals || same) {
-      return "";
-    }
+    if (distances[i] > times_nearer_than_another * least) continue;
+    if (!is_same_picture(wrong[i].picture, nearest.picture)) return "";
+    if (words.find(wrong[i].words) == std::string::npos) words += "; or " + wrong[i].words;
   }
-  if (other.empty()) return nearest.words;
-  return short_words(nearest.words) + " or " + short_words(other) + ": " + nearest.words + "; or " +
-         other;
+  return words;
 }
 
 std::string short_words(const std::string& words) {
+  const std::size_t second = words.find("; or ");
+  if (second != std::string::npos)
+    return short_words(words.substr(0, second)) + " or " + short_words(words.substr(second + 5));
   return words.substr(0, std::min(words.find(": "), words.find("; ")));
-}
-
-std::string name_change(const Image& drawn, const Image& right) {
-  const std::string size = std::to_string(drawn.width) + " x " + std::to_string(drawn.height);
-  if (!same_size(drawn, right))
-    return has_same_shapes(drawn, right) ? "scaled: the right picture, but " + size : "";
-  const int brighter = brighter_by(drawn, right);
-  const auto moved = [brighter](std::uint8_t level) {
-    return static_cast<std::uint8_t>(std::clamp(level + brighter, 0, 255));
-  };
-  const Image by_levels = changed_pixels(right, [&](Rgb8 p) {
-    return Rgb8{moved(p.r), moved(p.g), moved(p.b)};
-  });
-  if (std::abs(brighter) > 1 && is_same_picture(drawn, by_levels)) {
-    return (brighter > 0 ? "brighter by " : "darker by ") + std::to_string(std::abs(brighter)) +
-           " levels: the whole picture";
-  }
-  if (10 * sharpness(drawn) < 7 * sharpness(right) && has_same_shapes(drawn, right)) {
-    return "blurred: the edges are softer than they should be; the picture was scaled, or has "
-           "several samples for a pixel";
-  }
-  return "";
 }
 
 std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
@@ -343,7 +395,8 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
 }
 
 std::vector<WrongPicture> mistaken_maps(const Image& map) {
-  const std::string quarter = "a quarter turn off: u begins at another place";
+  const std::string quarter =
+      "a quarter turn off: u begins at another place, or the globe is turned";
   const std::string gray = "gray: the texture's colors are lost";
   const int half = map.width / 2, fourth = map.width / 4;
   return {
@@ -352,7 +405,8 @@ std::vector<WrongPicture> mistaken_maps(const Image& map) {
       {"half_turn", "turned by half: u and v run the other way", flipped(map, true, true)},
       {"quarter_east", quarter, moved_by(map, fourth, 0)},
       {"quarter_west", quarter, moved_by(map, -fourth, 0)},
-      {"opposite", "half a turn off: u begins on the other side", moved_by(map, half, 0)},
+      {"opposite", "half a turn off: u begins on the other side, or the globe is turned",
+       moved_by(map, half, 0)},
       {"stripes", "striped: u is negative on one half and was limited to 0; the 1/2 is missing",
        placed(map, [&](int x, int y) { return Place(std::max(x - half, 0), y); })},
       {"exchanged", "u and v are exchanged", transposed(map)},

@@ -23,20 +23,22 @@ struct WrongPicture {
 /// one level. Pictures of different sizes are not the same.
 [[nodiscard]] bool is_same_picture(const Image& a, const Image& b);
 
+/// The share of pixels that differ by more than 6 levels when both pictures have been softened:
+/// below `nearly_the_same` the same shapes are at the same places. 1 for different sizes.
+[[nodiscard]] double apart_when_soft(const Image& a, const Image& b);
+inline constexpr double nearly_the_same = 0.004;
+
 /// The words of the mistake that drew a picture; empty if it is right, or if no mistake is sure.
-/// Sure: at least four times nearer to the wrong picture than to the right one, and twice as near
-/// as to each wrong picture with other words; nearness is the sum of the channels' differences
-/// above one level. If two mistakes draw this picture, the words are "a or b: a: ...; or b: ...".
+/// Sure: 16 times nearer to the wrong picture than to the right one, and twice as near as to each
+/// other wrong one; those that are the same picture are joined, "A; or B". Nearness is the sum of
+/// the channels' differences above one level. Without any: how levels or edges differ, if sure.
 ///
 /// @param drawn, right, wrong  a picture of another size than `drawn` counts as far away
 [[nodiscard]] std::string name_mistake(const Image& drawn, const Image& right,
                                        std::span<const WrongPicture> wrong);
 
-/// In words, if the right picture was changed as a whole: brighter or darker by a number of levels,
-/// blurred, or scaled to another size. Empty if not.
-[[nodiscard]] std::string name_change(const Image& drawn, const Image& right);
-
-/// What the words of a mistake begin with: "mirrored" of "mirrored: u runs the other way".
+/// What the words of a mistake begin with: of "mirrored: u runs the other way; or A: B" it is
+/// "mirrored or A".
 [[nodiscard]] std::string short_words(const std::string& words);
 
 /// What mistakes in the camera and in the file make of a whole picture: mirrored, upside down,

@@ -367,25 +367,21 @@ template <>
   return Interval(ldexp(1.0, exponent < 1023 ? exponent : 1023));
 }
 
-/// Only words for whoever calls them; `Any` is Interval.
+/// Only words for whoever calls these; `Any` is Interval.
 template <std::same_as<Interval> Any, class... More>
-Any no_function_of_intervals(const Any& x, const More&...) {
+Any sin(const Any& x, const More&... /*exponent*/) {
   static_assert(!sizeof(Any),
                 "intervals have no sin, cos, pow or ldexp: say in the lesson's `about`: .numbers = "
                 "Numbers::no_intervals");
   return x;
 }
 template <std::same_as<Interval> Any>
-Any sin(const Any& x) {
-  return no_function_of_intervals(x);
-}
-template <std::same_as<Interval> Any>
 Any cos(const Any& x) {
-  return no_function_of_intervals(x);
+  return sin(x);
 }
 template <std::same_as<Interval> Any>
 Any pow(const Any& x, const auto& exponent) {
-  return no_function_of_intervals(x, exponent);
+  return sin(x, exponent);
 }
 
 }  // namespace texmap

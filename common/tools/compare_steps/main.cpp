@@ -161,8 +161,7 @@ std::string mistake_in(const Comparison& c, const Choices& choices, std::string&
   for (WrongPicture& wrong : mistakes_of_the_whole(*right)) known.push_back(std::move(wrong));
   const std::string words = name_mistake(*drawn, *right, known);
   const std::string which = drawn == &c.after.picture ? "The second: " : "The first: ";
-  const std::string change = words.empty() ? name_change(*drawn, *right) : words;
-  return change.empty() ? "" : which + change;
+  return words.empty() ? "" : which + words;
 }
 
 /// Compares two picture files and writes the page; true if they are the same.

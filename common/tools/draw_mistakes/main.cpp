@@ -72,13 +72,19 @@ struct ByOption {
 constexpr const char* turned_back = "turned the other way: the sign of the sine";
 constexpr const char* in_radians = "turned by degrees taken for radians";
 constexpr const char* too_wide = "the highlight is too wide: its exponent is too small";
+constexpr const char* too_narrow = "the highlight is too narrow: its exponent is too large";
+constexpr const char* blended =
+    "the globe's texture is blended with its light, though nobody asked for a blend";
 constexpr const char* last_column = "squeezed: (int)((n - 1) u) in place of floor(n u)";
 
 constexpr ByOption mistakes_by_option[] = {
     {"05 06 07", "last_column", last_column, "--rounding", "lecture"},
     {"05", "other_way", turned_back, "--degrees", "-90"},
     {"05", "radians", in_radians, "--degrees", "5156.6201561774"},
-    {"05", "not_turned", "not turned at all", "--degrees", "0"},
+    {"05 08", "not_turned", "not turned at all", "--degrees", "0"},
+    {"05", "in_degrees", "turned by radians taken for degrees", "--degrees", "1.5707963"},
+    {"05", "turned_twice", "turned by twice the angle", "--degrees", "180"},
+    {"05", "turned_half", "turned by half the angle", "--degrees", "45"},
     {"06", "other_way", turned_back, "--degrees", "-20"},
     {"06", "radians", in_radians, "--degrees", "1145.9155902616"},
     {"06", "not_turned", "not turned at all", "--degrees", "0"},
@@ -88,13 +94,34 @@ constexpr ByOption mistakes_by_option[] = {
      "1"},
     {"06", "no_highlight", "without a highlight, or the direction to the eye has the wrong sign",
      "--shininess", "1e30"},
+    {"06", "exponent_5", too_wide, "--shininess", "5"},
     {"06", "exponent_10", too_wide, "--shininess", "10"},
     {"06", "exponent_12", too_wide, "--shininess", "12.5"},  // where the half vector is near
     {"06", "exponent_20", too_wide, "--shininess", "20"},
+    {"06", "exponent_25", too_wide, "--shininess", "25"},
+    {"06", "exponent_100", too_narrow, "--shininess", "100"},
+    {"06", "exponent_150", too_narrow, "--shininess", "150"},
+    {"06", "exponent_200", too_narrow, "--shininess", "200"},
+    {"06", "exponent_500", too_narrow, "--shininess", "500"},
+    {"06", "exponent_1000", too_narrow, "--shininess", "1000"},
+    {"06", "blended_half", blended, "--blend", "0.5"},
+    {"06", "blended_most", blended, "--blend", "0.7"},
+    {"06", "light_alone", "the globe's texture is missing: its light alone", "--blend", "0"},
+    {"06", "texture_alone", "the globe's light is missing: its texture alone", "--blend", "1"},
+    {"07", "raw", "the texture is too pale: its bytes were taken for light and not decoded",
+     "--decode", "raw"},
+    {"07 12", "square_root", "the square root was taken in place of the curve of image files",
+     "--gamma", "sqrt"},
     {"08", "wrap_repeat", "the texture is repeated and not mirrored", "--wrap", "repeat"},
     {"08", "wrap_clamp", "the texture's edge is repeated: coordinates were limited to 0 and 1",
      "--wrap", "clamp"},
     {"08", "other_way", turned_back, "--degrees", "25"},
+    {"11", "dents", "dents and not bumps: the height has the wrong sign", "--relief", "-0.06"},
+    {"11", "no_bumps", "without bumps: the globe's own normal", "--bump", "off"},
+    {"11", "blinn", "Blinn's normal of 1978, which leaves out the term h dn", "--bump", "blinn"},
+    {"12", "sky_opposite", "the sky is turned by half", "--degrees", "180"},
+    {"12", "sky_quarter", "the sky is turned by a quarter", "--degrees", "90"},
+    {"12", "sky_quarter_back", "the sky is turned by a quarter", "--degrees", "-90"},
 };
 
 /// Lessons whose light is that of the stage, on spheres.
@@ -113,11 +140,9 @@ std::vector<WrongPicture> draw_all(const Request& request) {
   const auto add = [&](const std::string& name, const std::string& words, Image picture) {
     wrong.push_back({name, words, std::move(picture)});
   };
-  // The chapter's own words are better than others for the same picture.
+  // Where two mistakes draw the same picture, the chapter's own is named first.
   const auto add_own = [&](const std::string& name, const std::string& words, Image picture) {
-    std::erase_if(
-        wrong, [&](const WrongPicture& other) { return is_same_picture(other.picture, picture); });
-    add(name, words, std::move(picture));
+    wrong.insert(wrong.begin(), {name, words, std::move(picture)});
   };
   const std::filesystem::path draft = request.folder / "draft.png";
 
@@ -215,7 +240,21 @@ std::vector<WrongPicture> draw_all(const Request& request) {
         add_turned(std::string("about_z") + way, about, about_z, alone);
       }
     }
+    mistakes::of_the_scene(lesson, [&](const char* name, const char* words, const Lesson& other) {
+      add_own(name, words,
+              render<double>(other, view_of(other.stage.camera, view.width, view.height)));
+    });
     if constexpr (std::is_same_v<Lesson, chapter_02::Lesson>) {
+      using Checkered = chapter_02::Checkered;
+      for (const mistakes::UvMistake& one : mistakes::of_uv) {
+        add_shaded(one.name, one.words,
+                   [&](const Object& object, const Hit<double>& hit, const auto& ray) {
+                     const auto* paint = std::get_if<Checkered>(&object.paint);
+                     const Rgb color =
+                         paint == nullptr ? object.paint(hit) : paint->texture(one.uv(hit.normal));
+                     return mistakes::Lit(lesson, object, color, hit, ray).right();
+                   });
+      }
       Lesson other = lesson;
       std::swap(other.checkered.texture.even, other.checkered.texture.odd);
       for (auto& object : other.objects) {

@@ -73,7 +73,6 @@ TEST_CASE("a whole picture with its channels, its colors or its place wrong is n
       {"", right},
       {"", stray},
       {"", with_noise(right, 1, 3)},
-      {"", with_noise(right, 8, 3)},
       {"", with_noise(right, 60, 3)},
       {"", noise(width, height, 5)},
       {"", ramps(width, height)},
@@ -99,56 +98,55 @@ TEST_CASE("a whole picture with its channels, its colors or its place wrong is n
   CHECK(name_mistake(Image(), Image(), {}).empty());
 }
 
-TEST_CASE("two mistakes that draw the same picture are both named, and three are not") {
+TEST_CASE("what went through a curve, or is softer or rougher, has its words") {
+  const Image right = load_image(TEXMAP_TESTS_DIR "/golden/08_repeat.png");
+  const auto level = [](double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 255.0)); };
+  const auto through = [&](const auto& curve) {
+    Image image = right;
+    for (Rgb8& p : image.pixels) p = {level(curve(p.r)), level(curve(p.g)), level(curve(p.b))};
+    return name_mistake(image, right, {});
+  };
+  CHECK(through([](int x) { return x + 20.0; }) == "brighter: every channel is 20 levels off");
+  CHECK(through([](int x) { return x - 7.0; }) == "darker: every channel is 7 levels off");
+  CHECK(through([](int x) { return x * 1.2; }) ==
+        "brighter: every channel is 1.20 times what it should be");
+  CHECK(through([](int x) { return x * x / 255.0; }) ==
+        "darker: the levels went through another curve");
+  CHECK(through([](int x) { return 1.3 * x - 38; }) ==
+        "of another contrast: the levels went through another curve");
+  CHECK(through([](int x) { return (x * 37) % 256 * 1.0; }).empty());
+  CHECK(name_mistake(with_noise(right, 8, 3), right, {}).starts_with("rougher"));
+  Image soft = right;
+  for (int row = 1; row < height; ++row) {
+    for (int column = 1; column < width; ++column) {
+      const Rgb8 p = right.at(column, row), q = right.at(column - 1, row - 1);
+      soft.at(column, row) = {level((p.r + q.r) / 2), level((p.g + q.g) / 2),
+                              level((p.b + q.b) / 2)};
+    }
+  }
+  CHECK(name_mistake(soft, right, {}).starts_with("softer"));
+}
+
+TEST_CASE("a wrong picture that is near to a known one, but not that one, is not named") {
+  // A lamp at the other side is nearer to a mirrored picture than to the right one.
+  const Image right = ramps(64, 48);
+  Image near_it = mirrored(right);
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 32; ++column) near_it.at(column, row) = right.at(column, row);
+  CHECK(name_mistake(near_it, right, {{{"a", "mirrored", mirrored(right)}}}).empty());
+}
+
+TEST_CASE("two mistakes that draw the same picture are both named") {
   const Image right = ramps(64, 48);
   const Image wrong = mirrored(right);
   const std::vector<WrongPicture> two{{"a", "a mistake", wrong}, {"b", "another: why", wrong}};
-  const std::vector<WrongPicture> three{two[0], two[1], {"c", "a third", wrong}};
-  const std::vector<WrongPicture> near{{"a", "a mistake", with_noise(wrong, 4, 3)},
-                                       {"b", "another", with_noise(wrong, 4, 5)}};
   const std::vector<WrongPicture> alike{{"a", "a mistake", wrong}, {"b", "a mistake", wrong}};
-  CHECK(name_mistake(wrong, right, two) == "a mistake or another: a mistake; or another: why");
-  CHECK(name_mistake(wrong, right, three).empty());
-  CHECK(name_mistake(wrong, right, near).empty());
+  CHECK(name_mistake(wrong, right, two) == "a mistake; or another: why");
+  CHECK(short_words(name_mistake(wrong, right, two)) == "a mistake or another");
   CHECK(name_mistake(wrong, right, alike) == "a mistake");
   // A mistake that does not show in this picture is no rival.
   CHECK(name_mistake(right, wrong, {{{"c", "another", wrong}, {"a", "a mistake", right}}}) ==
         "a mistake");
-}
-
-TEST_CASE("a right picture that was changed as a whole is named, and a wrong one is not") {
-  const Image right = load_image(TEXMAP_TESTS_DIR "/golden/08_repeat.png");
-  Image soft = right, small(width / 2, height / 2);  // each pixel mixed with the next; every other
-  for (std::size_t i = 1; i < soft.pixels.size(); ++i) {
-    const Rgb8 p = right.pixels[i - 1], q = right.pixels[i];
-    const auto mean = [](int a, int b) { return static_cast<std::uint8_t>((a + b) / 2); };
-    soft.pixels[i] = {mean(p.r, q.r), mean(p.g, q.g), mean(p.b, q.b)};
-  }
-  for (int row = 0; row < small.height; ++row)
-    for (int column = 0; column < small.width; ++column)
-      small.at(column, row) = right.at(2 * column, 2 * row);
-  const auto with = [&](int levels) {
-    Image image = right;
-    for (Rgb8& p : image.pixels)
-      for (auto* channel : {&p.r, &p.g, &p.b})
-        *channel = static_cast<std::uint8_t>(std::clamp(*channel + levels, 0, 255));
-    return image;
-  };
-  const std::pair<std::string, Image> rows[] = {
-      {"brighter by 12 levels", with(12)},
-      {"darker by 40 levels", with(-40)},
-      {"", with(1)},
-      {"blurred", soft},
-      {"scaled", small},
-      {"", right},
-      {"", mirrored(right)},
-      {"", mirrored(soft)},
-      {"", mirrored(small)},
-      {"", moved(right, 3, 0, true)},
-      {"", with_noise(right, 60, 3)},
-      {"", Image()},
-  };
-  for (const auto& row : rows) CHECK(short_words(name_change(row.second, right)) == row.first);
 }
 
 TEST_CASE("a table of mistakes that is not there or broken is an error that names it") {
