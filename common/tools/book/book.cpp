@@ -49,6 +49,13 @@ void replace_first(std::string& in, const std::string& what, const std::string& 
   if (at != std::string::npos) in.replace(at, what.size(), by);
 }
 
+/// What stands between two texts, or nothing if there are no such texts.
+std::string between(const std::string& in, const std::string& before, const std::string& after) {
+  const std::size_t at = in.find(before);
+  const std::size_t end = at == std::string::npos ? at : in.find(after, at + before.size());
+  return end == std::string::npos ? "" : in.substr(at + before.size(), end - at - before.size());
+}
+
 /// A page of the book, made from a page of Markdown.
 struct Page {
   std::string source;   ///< from the root: chapters/03_image_texture/README.md
@@ -67,25 +74,24 @@ std::vector<std::string> lines_of(const std::string& whole) {
   return lines;
 }
 
-/// Where lines stand in a source, counted from 1: if possible, not before the first line with a
-/// name. Marks of exercises are left out, as pages leave them out. 0: nowhere.
+/// Where lines stand in a source, counted from 1: the first place that does not end before the
+/// first line with a name. Marks of exercises are left out, as pages leave them out. 0: nowhere.
 std::size_t line_of(const std::vector<std::string>& source, const std::vector<std::string>& piece,
                     const std::string& name) {
-  std::size_t found = 0;
-  bool is_after_name = false;
+  std::size_t named = 0;
+  while (named < source.size() && source[named].find(name) == std::string::npos) ++named;
   for (std::size_t start = 0; start < source.size(); ++start) {
-    is_after_name = is_after_name || source[start].find(name) != std::string::npos;
     std::size_t same = 0;
-    for (std::size_t i = start; i < source.size() && same < piece.size(); ++i) {
-      if (source[i].rfind("// solution", 0) == 0 || source[i].rfind("// start: ", 0) == 0) continue;
-      if (source[i] != piece[same]) break;
+    std::size_t end = start;
+    for (; end < source.size() && same < piece.size(); ++end) {
+      if (source[end].rfind("// solution", 0) == 0 || source[end].rfind("// start: ", 0) == 0)
+        continue;
+      if (source[end] != piece[same]) break;
       ++same;
     }
-    if (same < piece.size() || source[start] != piece[0]) continue;
-    if (found == 0 || is_after_name) found = start + 1;
-    if (is_after_name) break;
+    if (same == piece.size() && source[start] == piece[0] && end > named) return start + 1;
   }
-  return found;
+  return 0;
 }
 
 /// Pages under one heading of the contents.
@@ -261,17 +267,17 @@ class Book {
     return place;
   }
 
-  /// The lines of the lesson of the chapter before.
+  /// The lines of the lesson of the chapter before; none if there is no such lesson.
   [[nodiscard]] std::set<std::string> lesson_before(const fs::path& lesson) const {
-    std::set<std::string> lines;
     fs::path before;
     for (const Page& page : pages_) {
-      const fs::path other = fs::path(page.source).parent_path() / "lesson.hpp";
-      if (other < lesson && before < other && fs::exists(root_ / other)) before = other;
+      const fs::path other = fs::path(page.source).replace_filename("lesson.hpp");
+      if (other == lesson) break;
+      if (fs::exists(root_ / other)) before = other;
     }
-    if (before.empty()) return lines;
-    for (const std::string& line : lines_of(contents_of(root_ / before))) lines.insert(line);
-    return lines;
+    if (before.empty()) return {};
+    const std::vector<std::string> lines = lines_of(contents_of(root_ / before));
+    return {lines.begin(), lines.end()};
   }
 
   Place fault(const std::string& what) {
@@ -465,15 +471,37 @@ class Book {
     }
   }
 
+  /// A dot for each exercise of a chapter, full if ./course check has passed it.
+  [[nodiscard]] std::string exercises_done(const std::string& chapter) const {
+    if (!fs::is_directory(root_ / "chapters" / chapter / "exercises")) return "";
+    const fs::path file = out_ / "exercises/passed.txt";
+    const std::vector<std::string> passed =
+        fs::exists(file) ? lines_of(contents_of(file)) : std::vector<std::string>{};
+    std::string dots;
+    int done = 0;
+    for (const char* number : {".1 ", ".2 ", ".3 "}) {
+      const std::string exercise = chapter.substr(0, 2) + number;
+      const bool is_done = std::any_of(passed.begin(), passed.end(), [&](const std::string& line) {
+        return line.rfind(exercise, 0) == 0;
+      });
+      done += is_done ? 1 : 0;
+      dots += is_done ? "●" : "○";
+    }
+    return text(" <span role=\"img\" aria-label=\"%d of 3 exercises done\">%s</span>", done,
+                dots.c_str());
+  }
+
   void write_index() {
     std::string body =
         "<h1>Texture Mapping, Step by Step</h1>\n"
-        "<p>How a picture is wrapped round a surface, in a ray tracer that is small enough to "
-        "read. Each chapter is one "
-        "program that adds one idea to the chapter before it.</p>\n<div class=\"cards wide\" "
-        "id=\"contents\">\n";
+        "<p class=\"lead\">How a picture is wrapped round a surface, in a ray tracer that is small "
+        "enough to read. Each chapter is one program that adds one idea to the chapter before "
+        "it.</p>\n<ol class=\"path wide\" id=\"contents\">\n";
+    const Page* const about = page_of("README.md");
+    const std::string numbers = about == nullptr ? "" : about->converted.html;
     for (const Page& page : pages_) {
       if (page.chapter.empty()) continue;
+      const std::string& html = page.converted.html;
       const std::string drawn = page.chapter + ".png";
       const fs::path golden = "tests/golden/" + drawn;
       std::string shown;
@@ -482,11 +510,16 @@ class Book {
       } else if (fs::exists(out_ / drawn)) {
         shown = drawn;
       }
-      body += "<a class=\"card\" href=\"" + page.file + "\">";
+      // Its row in README.md ends with one measured number.
+      const std::string row = between(numbers, "<td><a href=\"" + page.file, "</td>\n</tr>");
+      const std::string number = row.empty() ? row : row.substr(row.rfind("<td>") + 4);
+      body += "<li>";
       if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";
-      body += "<span>" + escaped_markup(page.title()) + "</span></a>\n";
+      body += "<div><a href=\"" + page.file + "\">" + escaped_markup(page.title()) + "</a><p>" +
+              between(html, "</h1>\n<p>", "</p>") + "</p></div><p>" + number + "</p><p>" +
+              between(html, "<p><em>", ",") + exercises_done(page.chapter) + "</p></li>\n";
     }
-    body += "</div>\n";
+    body += "</ol>\n";
     for (std::size_t part = 1; part + 1 < parts_.size(); ++part) body += contents(parts_[part]);
     body += "<h2>How it is checked</h2>\n<p><a href=\"checked.html\">" +
             escaped_markup(parts_.back().title) + "</a></p>\n";
