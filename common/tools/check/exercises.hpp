@@ -87,7 +87,7 @@ struct ExercisesOfChapter {
         Verdict found = of(yours);
         const bool named = !found.mistake.empty() && !found.in_parts;
         if (!found.right && !named && found.values == of(start).values) {
-          found.mistake = "unchanged: your function returns what it returned when you got it";
+          found.mistake = "unchanged; your function returns what it returned when you got it";
           found.fact = "";
         }
         return found;
