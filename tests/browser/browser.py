@@ -121,8 +121,16 @@ class Browser:
 
     def wait(self, script, seconds=60):
         """Waits until an expression is true."""
+        def holds():
+            try:
+                return self.run(script)
+            except Fault as fault:
+                if "navigated" in str(fault):  # the page goes away while it is asked
+                    return False
+                raise
+
         end = time.monotonic() + seconds
-        while not self.run(script):
+        while not holds():
             if time.monotonic() > end:
                 raise Fault(f"after {seconds} s still not true: {script}")
             time.sleep(0.03)

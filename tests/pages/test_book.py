@@ -129,6 +129,11 @@ USES = {
         ("", "texts('.path span').slice(0, 3).join() === '●●○,○○●,○○○'"),
         ("", "texts('.path li').length === 15 && texts('.path li').every((e) => e.includes('?') && e.includes('hour'))"),
     ],
+    "symptoms.html": [
+        ("", "texts('.cards article').length >= 19 && !texts('th').length"),
+        ("", "texts('.two')[0].trim() === 'yoursright' && texts('.cards h3')[0].startsWith('… mirrored') && texts('.cards a')[0] === 'chapter 04'"),
+        ("", "[...document.querySelectorAll('.two')].every((e) => e.querySelectorAll('img').length === e.querySelectorAll('span').length)"),
+    ],
     # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors; parentheses fall away.
     "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],
     "06_phong_texture_blend.html": [("", "fraction('|r−e|2', '2')")],

@@ -56,6 +56,31 @@ std::string between(const std::string& in, const std::string& before, const std:
   return end == std::string::npos ? "" : in.substr(at + before.size(), end - at - before.size());
 }
 
+/// Cards in place of each table that begins with `your picture`: that picture, then how it is drawn
+/// right if the row has that too, then the reader's words, the cause, the change and the chapter.
+std::string with_cards(const std::string& html) {
+  const std::string table =
+      "<div class=\"scroll\" tabindex=\"0\"><table>\n<thead>\n<tr>\n<th>your picture";
+  const std::size_t at = html.find(table);
+  const std::size_t end = html.find("</table></div>", at);
+  if (at == std::string::npos || end == std::string::npos) return html;
+  std::string cards = "<div class=\"cards wide\">\n";
+  for (std::size_t row = html.find("<tr>\n<td>", at); row < end;
+       row = html.find("<tr>\n<td>", row + 1)) {
+    std::string card = html.substr(row + 5, html.find("</tr>", row) - row - 5);
+    const std::size_t words = card.rfind("/>", card.find("</td>")) + 3;
+    const bool has_right = card.find("<img", 9) < words;  // the first is at 4
+    card.insert(words, std::string("<span>yours</span>") + (has_right ? "<span>right</span>" : "") +
+                           "</div><h3>… ");
+    replace_first(card, "<td>", "<article><div class=\"two\">");
+    replace_first(card, "</td>", "</h3>");
+    replace_all(card, "<td>", "<p>");
+    replace_all(card, "</td>", "</p>");
+    cards += card + "</article>\n";
+  }
+  return html.substr(0, at) + cards + with_cards(html.substr(end + 8));
+}
+
 /// A page of the book, made from a page of Markdown.
 struct Page {
   std::string source;   ///< from the root: chapters/03_image_texture/README.md
@@ -423,7 +448,7 @@ class Book {
 
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
-    std::string body = page.converted.html;
+    std::string body = with_cards(page.converted.html);
     if (!page.chapter.empty()) {
       replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
       replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");
