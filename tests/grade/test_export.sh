@@ -38,6 +38,7 @@ says 1 "where on the map? not yet" ./course check 02.1
 says 2 "no solutions" ./course check solution 02.1
 (cd "$root" && sh common/tools/check/check.sh solution 02.1) >chapters/02_checkerboard_uv/exercises/1_where_on_the_map.hpp
 says 0 "where on the map? right" ./course check 02.1
+says 1 "151867 of 480000 pixels" ./course diff tests/golden/01_plain_spheres.png tests/golden/02_checkerboard_uv.png
 says 2 "there is no exercise '06.1'" ./course check 06.1
 says 1 "'grade' is not in this copy" ./course grade .
 says 0 "100% tests passed" ./course test 02
