@@ -168,8 +168,8 @@ struct MirrorWrap : Placed {
     const Real u = ray.direction.x / -ray.direction.z;
     const int n = static_cast<int>(eight_texels.size());
     const Real robust = mirrored(floor(u * Real(n)), Real(n));
-    const int texel = formulas == Formulas::published ? published::index_triangle(u, n)
-                                                      : static_cast<int>(robust);
+    const int texel = static_cast<int>(
+        formulas == Formulas::published ? Real(published::index_triangle(u, n)) : robust);
     return {number_cast<Real>(eight_texels[static_cast<std::size_t>(texel)]), {}, true};
   }
 };

@@ -56,10 +56,12 @@ void CommandLine::add(std::string_view name, std::string_view placeholder, std::
     return;
   }
   const auto has_words = [](std::string_view text) { return text.find('|') != text.npos; };
-  if (same->placeholder == placeholder || !has_words(same->placeholder) || !has_words(placeholder))
+  if (same->placeholder == placeholder || !has_words(same->placeholder) ||
+      !has_words(placeholder)) {
     throw std::logic_error("the option " + same->name +
                            " is declared twice: each needs a name of its own, such as `.option = "
                            "\"--clouds\"` of a second TextureFile");
+  }
   same->placeholder.append("|").append(placeholder);
   same->help.append("; ").append(help);
   same->read = [first = same->read, read](const std::string& option, std::string_view typed) {

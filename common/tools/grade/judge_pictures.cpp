@@ -209,10 +209,11 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
       return std::cmp_equal(width, other.width) && std::cmp_equal(height, other.height) &&
              apart_when_soft(decode_image(file), other) < nearly_the_same;
     };
-    for (const int step : {2, 3, 4})
+    for (const int step : {2, 3, 4}) {
       if (is_like(
               shrunk(should, (should.width + step - 1) / step, (should.height + step - 1) / step)))
         answer.add_note(text("it is the right picture, drawn or scaled to 1/%d", step));
+    }
     for (const WrongPicture& other : known.beside(golden.path)) {
       if (!known.is_of_another_chapter(other, golden.path) || !is_like(other.picture)) continue;
       answer.word = other.words;
