@@ -364,8 +364,7 @@ class Book {
       html += "<a href=\"" + up + "symptoms.html\">My Earth is …</a>\n";
     if (up.empty()) {
       html +=
-          "<div class=\"search\"><input id=\"search\" type=\"search\" placeholder=\"Search (press "
-          "/)\" "
+          "<div class=\"search\"><input id=\"search\" type=\"search\" placeholder=\"Search (/)\" "
           "aria-label=\"Search the book\" autocomplete=\"off\"><ul id=\"found\" "
           "hidden></ul></div>\n";
     }
