@@ -60,8 +60,8 @@ class Place:
             (self.folder / f"{chapter}.html").write_text(
                 f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{program}</title><link rel="icon" href="data:,">
 <meta name="viewport" content="width=device-width"><link rel="stylesheet" href="book.css"><link rel="stylesheet" href="live/live.css">
-<script src="live/live.js" defer></script><div class="columns"><main data-live="{chapter}"><h1>Chapter {chapter}</h1>
-<p><img src="{program}.png" alt="The chapter's picture"></p><p>Words below.</p></main></div></html>
+<script src="live/live.js" defer></script><main data-live="{chapter}"><h1>Chapter {chapter}</h1>
+<p><img src="{program}.png" alt="The chapter's picture"></p><p>Words below.</p></main></html>
 """)
 
     def program(self, chapter):

@@ -300,7 +300,7 @@ std::optional<std::string> html_of_formulas(const std::string& block) {
     }
     rows += element("mtr", cells);
   }
-  return "<div class=\"formula\" tabindex=\"0\"><math><mtable>" + rows + "</mtable></math></div>\n";
+  return "<div class=\"formula\"><math><mtable>" + rows + "</mtable></math></div>\n";
 }
 
 }  // namespace texmap::book

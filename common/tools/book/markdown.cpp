@@ -110,7 +110,7 @@ void classify_figures(std::string& html) {
     const std::size_t end = html.find('>', at + paragraph.size());
     if (html.compare(end, 5, "></p>") != 0) continue;
     const bool is_drawing = html.substr(at, end - at).find(".svg\"") != std::string::npos;
-    const std::string classes = is_drawing ? "figure wide draw\" tabindex=\"0\"" : "figure wide\"";
+    const std::string classes = is_drawing ? "figure wide draw\"" : "figure wide\"";
     html.insert(at + 2, " class=\"" + classes);
   }
 }
