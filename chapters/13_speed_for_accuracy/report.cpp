@@ -134,7 +134,9 @@ std::string about_picture(const Measurements& all, const Row& row, const std::st
                     : text("at most %.2f levels off, not rounded", row.bound);
   lines += text("; pixels that may change: %ld, levels: %d", row.may_change, row.levels_bound);
   if (variant.filter != Filter::nearest) return lines;
-  lines.append(next_line).append("./course run 07 --number ").append(name_of(variant.number));
+  lines.append(next_line)
+      .append("./course run 07 --scene book --number ")
+      .append(name_of(variant.number));
   if (is_pack(variant.number) &&
       variant.instructions != usable_instructions(Instructions::avx512).back())
     lines.append(" --instructions ").append(name_of(variant.instructions));
@@ -267,7 +269,7 @@ std::string recommendation(const Measurements& all, const Budget& budget, const 
            const char* kind = name_of(row.sampler);
            return text(
                "%s, %d a pixel: noise of at most %.2f levels, root mean square%s"
-               "./course run 07 --sampler %s --samples %d",
+               "./course run 07 --scene book --sampler %s --samples %d",
                kind, row.samples, row.bound, next_line, kind, row.samples);
          });
   return lines;

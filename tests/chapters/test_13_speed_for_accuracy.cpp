@@ -211,7 +211,7 @@ TEST_CASE("a recommendation says what to take, how far off it is, and its comman
   };
   const Measurements all = made_up();
   for (const auto& [budget, words, said] :
-       {Case{"exact", "./course run 07 --number double-pack"},
+       {Case{"exact", "./course run 07 --scene book --number double-pack"},
         {"texels=1e-16", "nothing that was tried"},
         {"texels=0.01", packs},
         {"texels=0.01", "share alone; rounding adds the rest of the bound"},
@@ -220,7 +220,7 @@ TEST_CASE("a recommendation says what to take, how far off it is, and its comman
         {"levels=1", "at most 0.49 levels off"},
         {"levels=1", " --budget levels=1\n"},
         {"levels=1", "  samples   sobol, 64 a pixel: noise of at most 0.66 levels"},
-        {"levels=1", " ./course run 07 --sampler sobol --samples 64\n"},
+        {"levels=1", " ./course run 07 --scene book --sampler sobol --samples 64\n"},
         {"levels=0.01", "  samples   nothing that was tried keeps to it\n"},
         {"texels=0.01", "  light", false},
         {"texels=0.01", "  samples", false}}) {
