@@ -252,11 +252,11 @@ class Tries:
             secret = Path(shutil.copy(good, T / 'secret'))
             secret.chmod(0)
             self.refuses_file(kind, secret, 'unreadable', **self.user)
-        # Cut anywhere, it is no good file any more; and the picture that was there stays.
+        # Cut before its last line ends, it is no good file any more; and the picture that was there stays.
         bad = T / f'bad.{ending}'
         size = len(content)
         for what, part in [('a file that states too much', too_much), *[
-                (f'the first {length} bytes of a good file', content[:length]) for length in (1, 8, 33, size // 2, size - 12, size - 1)]]:
+                (f'the first {length} bytes of a good file', content[:length]) for length in (1, 8, 33, size // 2, size - 12, size - 2)]]:
             bad.write_bytes(part)
             self.refuses_file(kind, bad, what)
         kept = self.folder(f'kept-{kind}', 'out.png')
