@@ -121,8 +121,8 @@ Slips<bool> wrong_squares(double x, double z, double size) {
   const auto even = [&](double column, double row) { return is_even(floor(column) + floor(row)); };
   const double c = x / size, r = z / size;  // with their decimals
   Slips<bool> wrong = {
-      {"static_cast<int> cuts off toward 0, so two squares of one color meet at x = 0: std::floor "
-       "goes down, also below 0",
+      {"two squares of one color meet at x = 0: static_cast<int> cuts off toward 0, and std::abs "
+       "mirrors there; std::floor of x / size goes down, also below 0",
        {is_even(trunc(c) + trunc(r)), is_even(floor(c) + trunc(r)), is_even(trunc(c) + floor(r))}},
       {"the nearest whole number moves the squares by half a square: take std::floor",
        is_even(round(c) + round(r))},
@@ -155,6 +155,7 @@ constexpr Place<double, double, double> is_first_color_places[] = {
     {"with size 2, (1.3, 0.2) has the first color", {1.3, 0.2, 2}},
     {"with size 0.5, (0.3, 0.6) has the other color", {0.3, 0.6, 0.5}},
     {"with size 1, (-0.3, 0.6) has the other color: it is left of x = 0", {-0.3, 0.6, 1}},
+    {"with size 1, (-1, 0.6) has the other color: a lower edge belongs to it", {-1, 0.6, 1}},
     {"with size 1, (0.3, -0.6) has the other color", {0.3, -0.6, 1}},
     {"with size 1, (-0.3, -0.6) has the first color", {-0.3, -0.6, 1}},
     {"with size 1, (-1.4, 0.2) has the first color", {-1.4, 0.2, 1}},

@@ -139,6 +139,7 @@ constexpr Place<double, int, double, double> column_of_places[] = {
     {"8 columns from u = 1/4 to 3/4: u = 1/2 is the left edge of number 4", {0.5, 8, 0.25, 0.75}},
     {"right of the picture it is the last one, number 7", {0.9, 8, 0.25, 0.75}},
     {"left of the picture it is the first one, number 0", {0.1, 8, 0.25, 0.75}},
+    {"also where the other end is nearer around the back: 99 of 100", {0.95, 100, 0.2, 0.6}},
 };
 
 Slips<int> wrong_in_picture(double v, int n) {
