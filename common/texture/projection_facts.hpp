@@ -11,7 +11,8 @@ namespace texmap {
 struct ProjectionFacts {
   Projection projection;
   const char* word;       ///< on the command line
-  double aspect;          ///< width / height where the middle of the picture is not stretched
+  double aspect;          ///< width / height of the picture: as published, or as the middle is not
+                          ///< stretched; 1.5 is taken for a cube's six faces (convert_projection)
   double mean_texel;      ///< steradians of a mean texel, times the number of texels
   bool is_round = false;  ///< shows nothing outside the ellipse that touches the picture's sides
 };

@@ -8,7 +8,8 @@ namespace texmap {
 
 /// How a picture of the whole sphere is laid out. All read as printed, seen from outside.
 /// To add one, name it here: the compiler asks for the rest, but for its row in
-/// projection_facts.hpp.
+/// projection_facts.hpp. `project` also runs on `Dual` and on intervals, which have no sin and cos:
+/// take on_circle. Chapter 10's sheet has no place for an eighth: see its static_assert.
 enum class Projection {
   equirect,      ///< longitude and latitude: uv_rtiow
   plane,         ///< along the axis onto a plane, seen from +y: the upper half of the sphere alone
