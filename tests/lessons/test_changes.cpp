@@ -23,11 +23,16 @@
 #include "changes/tiles.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/render/wide/wide_packs.hpp"
 #include "number/kinds/pack.hpp"
 #include "support/pictures.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
+
+// Each program has files of wide packs, also one whose lesson says that it does not run on packs.
+template Image texmap::run_in_wide_packs<Instructions::avx2>(
+    const WorkOf<change_float_mapping::Lesson>&, NumberKind);
 
 namespace {
 

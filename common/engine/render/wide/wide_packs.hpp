@@ -1,4 +1,4 @@
-// Runs a work with the wide packs of a file. Only files made from wide_packs.cpp.in include it.
+// Runs a work with the wide packs of a file. Programs get it from wide_packs.cpp.in alone.
 #pragma once
 #include "engine/render/draw.hpp"
 
@@ -8,8 +8,13 @@ namespace texmap {
 /// Functions of packs have their instructions in their names, so the linker never mixes them up. Of
 /// functions of plain numbers it keeps the main file's, which every machine can run.
 template <Instructions instructions, class Work>
-typename Work::Result run_in_wide_packs(const Work& work, NumberKind number) {
-  return run_in_packs<simd::default_arch>(work, number);
+typename Work::Result run_in_wide_packs([[maybe_unused]] const Work& work,
+                                        [[maybe_unused]] NumberKind number) {
+  if constexpr (requires { requires !Work::for_packs; }) {
+    return {};  // never called: the lesson says in `about` that it does not run on packs
+  } else {
+    return run_in_packs<simd::default_arch>(work, number);
+  }
 }
 
 }  // namespace texmap
