@@ -8,10 +8,8 @@
 namespace texmap {
 
 /// A shape has a distance along a ray (+infinity for a miss), a hit there, and convex(): true if no
-/// ray that leaves the shape meets it again. If it is false, the shape can shade itself; what is
-/// derived from Sphere says so itself, or it is taken for convex.
-/// Where distance_to or hit_at is missing, misspelt, without `const` or in another number, the
-/// sphere's is taken: the compiler then says in sphere.hpp that the shape has no member `form`.
+/// ray that leaves it meets it again; what is derived from Sphere says so itself. If distance_to or
+/// hit_at is missing or misspelt, the sphere's is taken, and the error is "no member named form".
 /// Lift `outside` by more than the error of the distance, or every point shades itself.
 /// If the ray can see an inner side, the normal there faces the ray. So a mapping cannot use the
 /// normal as a direction, and takes the Hit: see texture/shape_mappings.hpp.

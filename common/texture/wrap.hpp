@@ -4,10 +4,8 @@
 
 namespace texmap {
 
-/// What lies beyond the edges of an image. To add one, name it here: the compiler asks for the
-/// rest, but for its word, in both --wrap of engine/app/options.cpp (chapters 04 and 08; 09).
-/// All treat opposite edges alike. They must: `Wrapped` counts v from below, the filters from the
-/// top row, so one that is different below 0 and above 1 would exchange the edges in chapter 09.
+/// What lies beyond the edges of an image, alike at opposite ones: filters count v from the top. To
+/// add one, name it here; its word: both --wrap in engine/app/options.cpp.
 enum class Wrap {
   repeat,     ///< the image again
   mirror,     ///< its mirror image, then the image again
