@@ -73,6 +73,7 @@ void time_rows(std::span<Row> rows, const Globe& globe, const View<>& view, Timi
     }
   }
   std::vector<Work> works;
+  works.reserve(in_turn.size());
   for (const Row* row : in_turn) {
     works.emplace_back([&globe, &seen, row, many_rays] {
       if (many_rays) {

@@ -187,10 +187,11 @@ BilinearTexture BumpOptions::load_normals(VAxis v_axis) const {
   Image map = load_image(find_texture(normals));
   const auto inward = std::count_if(map.pixels.begin(), map.pixels.end(),
                                     [](const Rgb8& texel) { return texel.b < 128; });
-  if (2 * static_cast<std::size_t>(inward) > map.pixels.size())
+  if (2 * static_cast<std::size_t>(inward) > map.pixels.size()) {
     throw UsageError("--normals " + normals +
                      ": most of its normals point inward (blue below 128), so it is no normal map. "
                      "If it has heights, give it to --relief-image");
+  }
   return {std::move(map), v_axis};
 }
 

@@ -239,10 +239,11 @@ void Session::save(const Image& image, std::string_view suffix) {
   if (!settings.quiet) {
     const double all = times_.load + times_.render + saving.encode + saving.write;
     print(name_of(file) +
-          text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f), "
-               "%.1f million rays/s\n",
+          text(": %d x %d pixels, %.1f ms (load %.1f, render %.1f, encode %.1f, write %.1f)",
                image.width, image.height, all, times_.load, times_.render, saving.encode,
-               saving.write, times_.rays / times_.render / 1000));
+               saving.write) +
+          (times_.rays > 0 ? text(", %.1f million rays/s\n", times_.rays / times_.render / 1000)
+                           : "\n"));
   }
   times_ = {};
 }
