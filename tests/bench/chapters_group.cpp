@@ -83,7 +83,7 @@ Group meshes_group() {
         group.rows.push_back(row_of(line, line + variant.name, variant, 1, [sides, tree] {
           auto lesson = prepared<chapter_08::Lesson>({});
           lesson.scene = test::torus(sides, sides);
-          lesson.paint.mapping = lesson.scene.mapping;
+          lesson.paint.mapping.mapping = lesson.scene.mapping;
           if (tree) build_box_tree(lesson.scene.mesh);
           return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
         }));
