@@ -137,7 +137,7 @@ USES = {
     # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors; parentheses fall away.
     "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],
     "06_phong_texture_blend.html": [("", "fraction('|r−e|2', '2')")],
-    "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && texts('mtext').includes('light along a ray')")],
+    "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && texts('mtext').includes('if it misses')")],
     "09_texture_filtering.html": [("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
     "10_projections.html": [("", "fraction('(p−c)·a', '2a·a')")],
     "12_environment_map.html": [("", "fraction('2π', 'width') && texts('mi').includes('polar_angle')")],
