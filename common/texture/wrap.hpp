@@ -4,8 +4,8 @@
 
 namespace texmap {
 
-/// What lies beyond the edges of an image, alike at opposite ones: filters count v from the top. To
-/// add one, name it here; its word: both --wrap in engine/app/options.cpp.
+/// What lies beyond the edges of an image. A mode treats opposite edges alike, because the filters
+/// count v from the top. A new one also needs its word at both --wrap in engine/app/options.cpp.
 enum class Wrap {
   repeat,     ///< the image again
   mirror,     ///< its mirror image, then the image again
