@@ -49,9 +49,12 @@ if(nlohmann_json_INCLUDE_DIR)
 endif()
 # The live pictures in a browser, as they are in docs/live/. Where there is no browser the tests are skipped.
 if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
-  add_test(NAME live_pictures COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/test_live.py" "${CMAKE_SOURCE_DIR}"
-    "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live")
-  set_tests_properties(live_pictures PROPERTIES LABELS playground SKIP_RETURN_CODE 77 TIMEOUT 900)
+  foreach(script test_live test_budget)
+    string(REPLACE test_ page_ name ${script})
+    add_test(NAME ${name} COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/${script}.py" "${CMAKE_SOURCE_DIR}"
+      "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live")
+    set_tests_properties(${name} PROPERTIES LABELS playground SKIP_RETURN_CODE 77 TIMEOUT 900)
+  endforeach()
 endif()
 add_suite(pages/test_pack_png POSIX ON picture RUNS PACK_PNG pack_png LABELS pages)
 if(PYTHON3)

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "engine/compare/difference.hpp"
+#include "engine/compare/difference_map.hpp"
 #include "engine/render/develop.hpp"
 #include "math/srgb.hpp"
 #include "ways.hpp"
@@ -20,15 +21,6 @@ namespace texmap::chapter_13 {
 namespace {
 
 // What is known before a way is tried.
-
-/// Where a pixel's ray meets the globe, by the judge.
-struct ReferenceHit {
-  bool met = false;
-  double cosine = 0;    ///< of the angle between normal and ray
-  double from_rim = 0;  ///< how far from touching the globe the ray passes, in radii
-  double round = 0;     ///< length of the circle of this v, as a part of the equator's
-  Uv<Judge> uv{};
-};
 
 /// The unit roundoff of a number, or of each lane of a pack.
 double roundoff_of(NumberKind number) {
@@ -152,51 +144,12 @@ std::vector<std::array<Judge, 3>> along_rays(NumberKind number, const View<>& vi
   };
   if (number == NumberKind::float_) visit(std::type_identity<float>{});
   if (number == NumberKind::double_) visit(std::type_identity<double>{});
-  if (number == NumberKind::extended) visit(std::type_identity<long double>{});
-  if (number == NumberKind::float_pack) visit(std::type_identity<Pack<float>>{});
-  if (number == NumberKind::double_pack) visit(std::type_identity<Pack<double>>{});
+  if constexpr (wide_numbers) {
+    if (number == NumberKind::extended) visit(std::type_identity<long double>{});
+    if (number == NumberKind::float_pack) visit(std::type_identity<Pack<float>>{});
+    if (number == NumberKind::double_pack) visit(std::type_identity<Pack<double>>{});
+  }
   return pixels;
-}
-
-/// The reference of places: where each pixel's ray meets the globe, by the reference formula.
-std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view) {
-  std::vector<ReferenceHit> hits;
-  for (int row = 0; row < view.height; ++row) {
-    for (int column = 0; column < view.width; ++column) {
-      const Ray<Judge> ray = ray_through(view, Judge(column), Judge(row));
-      const Vec3<Judge> moment =
-          cross(ray.origin - number_cast<Judge>(globe.sphere.center), ray.direction);
-      const Judge passes = length(moment) / Judge(globe.sphere.radius);
-      const Judge distance = distance_to(globe.sphere, ray);
-      ReferenceHit& hit = hits.emplace_back();
-      hit.met = distance < infinity<Judge>();
-      hit.from_rim = static_cast<double>(abs(passes - Judge(1)));
-      if (!hit.met) continue;
-      const Vec3<Judge> normal = normal_at(globe.sphere, ray, distance);
-      hit.cosine = static_cast<double>(-dot(normal, ray.direction));
-      hit.round = static_cast<double>(sqrt(square(normal.x) + square(normal.z)));
-      hit.uv = uv_rtiow(normal);
-    }
-  }
-  return hits;
-}
-
-/// The picture of the reference's places.
-Image picture_of_hits(const Globe& globe, const View<>& view, Filter filter,
-                      const std::vector<ReferenceHit>& hits) {
-  Image image(view.width, view.height);
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    Color<Judge> color = number_cast<Judge>(globe.sky);
-    if (hits[i].met) {
-      const Uv<Judge>& uv = hits[i].uv;
-      color = filter == Filter::nearest ? globe.nearest(uv) : globe.bilinear(uv);
-    }
-    const auto byte = [](const Judge& channel) {  // the middle of it: see OneRayScene
-      return byte_of(static_cast<double>(channel + Judge(0.5 / 255)));
-    };
-    image.pixels[i] = {byte(color.r), byte(color.g), byte(color.b)};
-  }
-  return image;
 }
 
 /// Counts the pixels that differ between a picture and its reference, and their largest difference.
@@ -204,37 +157,6 @@ void compare_bytes(const Image& image, const Image& reference, Row& row) {
   const Figures figures = texmap::measure(image, reference, {}, Detail::pixels);
   row.changed = static_cast<long>(figures.pixels_different);
   row.levels = figures.worst.levels;
-}
-
-void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
-                          const std::vector<ReferenceHit>& hits) {
-  const PlannedMapping mapping{row.variant.degree};
-  const auto places = along_rays(row.variant.number, view, [&]<class Real>(const Ray<Real>& ray) {
-    const Real distance = distance_to(globe.sphere, ray);
-    const Mask<Real> met = distance < infinity<Real>();
-    const Uv<Real> uv = mapping(normal_at(globe.sphere, ray, select(met, distance, Real(1))));
-    return std::array<Real, 3>{uv.u, uv.v, Real(0)};
-  });
-  row.bound = texels_bound(globe, row.variant.number, row.variant.degree);
-  long count = 0;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    const ReferenceHit& hit = hits[i];
-    const int levels = levels_bound(globe, row.variant, hit);
-    row.may_change += levels > 0 ? 1 : 0;
-    row.levels_bound = std::max(row.levels_bound, levels);
-    if (!hit.met || hit.cosine < least_cosine) continue;
-    const Judge across = abs(places[i][0] - hit.uv.u);  // u = 0 and u = 1 are one place
-    const Judge along_u =
-        min(across, Judge(1) - across) * Judge(hit.round) * Judge(globe.nearest.image.width);
-    const Judge along_v = abs(places[i][1] - hit.uv.v) * Judge(globe.nearest.image.height);
-    const auto texels = static_cast<double>(max(along_u, along_v));
-    row.worst = std::max(row.worst, texels);
-    row.mean += texels;
-    ++count;
-  }
-  if (count > 0) row.mean /= static_cast<double>(count);
-  compare_bytes(picture_of(globe, view, row.variant, 0),
-                picture_of_hits(globe, view, row.variant.filter, hits), row);
 }
 
 /// By how many levels a channel can be off before it is rounded to a byte, compared with the exact
@@ -319,6 +241,76 @@ void find_errors_of_samplers(std::span<Row> rows, const Globe& globe, int thread
 
 }  // namespace
 
+std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view) {
+  std::vector<ReferenceHit> hits;
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const Ray<Judge> ray = ray_through(view, Judge(column), Judge(row));
+      const Vec3<Judge> moment =
+          cross(ray.origin - number_cast<Judge>(globe.sphere.center), ray.direction);
+      const Judge passes = length(moment) / Judge(globe.sphere.radius);
+      const Judge distance = distance_to(globe.sphere, ray);
+      ReferenceHit& hit = hits.emplace_back();
+      hit.met = distance < infinity<Judge>();
+      hit.from_rim = static_cast<double>(abs(passes - Judge(1)));
+      if (!hit.met) continue;
+      const Vec3<Judge> normal = normal_at(globe.sphere, ray, distance);
+      hit.cosine = static_cast<double>(-dot(normal, ray.direction));
+      hit.round = static_cast<double>(sqrt(square(normal.x) + square(normal.z)));
+      hit.uv = uv_rtiow(normal);
+    }
+  }
+  return hits;
+}
+
+Image picture_of_hits(const Globe& globe, const View<>& view, Filter filter,
+                      const std::vector<ReferenceHit>& hits) {
+  Image image(view.width, view.height);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    Color<Judge> color = number_cast<Judge>(globe.sky);
+    if (hits[i].met) {
+      const Uv<Judge>& uv = hits[i].uv;
+      color = filter == Filter::nearest ? globe.nearest(uv) : globe.bilinear(uv);
+    }
+    const auto byte = [](const Judge& channel) {  // the middle of it: see OneRayScene
+      return byte_of(static_cast<double>(channel + Judge(0.5 / 255)));
+    };
+    image.pixels[i] = {byte(color.r), byte(color.g), byte(color.b)};
+  }
+  return image;
+}
+
+void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
+                          const std::vector<ReferenceHit>& hits) {
+  const PlannedMapping mapping{row.variant.degree};
+  const auto places = along_rays(row.variant.number, view, [&]<class Real>(const Ray<Real>& ray) {
+    const Real distance = distance_to(globe.sphere, ray);
+    const Mask<Real> met = distance < infinity<Real>();
+    const Uv<Real> uv = mapping(normal_at(globe.sphere, ray, select(met, distance, Real(1))));
+    return std::array<Real, 3>{uv.u, uv.v, Real(0)};
+  });
+  row.bound = texels_bound(globe, row.variant.number, row.variant.degree);
+  long count = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const ReferenceHit& hit = hits[i];
+    const int levels = levels_bound(globe, row.variant, hit);
+    row.may_change += levels > 0 ? 1 : 0;
+    row.levels_bound = std::max(row.levels_bound, levels);
+    if (!hit.met || hit.cosine < least_cosine) continue;
+    const Judge across = abs(places[i][0] - hit.uv.u);  // u = 0 and u = 1 are one place
+    const Judge along_u =
+        min(across, Judge(1) - across) * Judge(hit.round) * Judge(globe.nearest.image.width);
+    const Judge along_v = abs(places[i][1] - hit.uv.v) * Judge(globe.nearest.image.height);
+    const auto texels = static_cast<double>(max(along_u, along_v));
+    row.worst = std::max(row.worst, texels);
+    row.mean += texels;
+    ++count;
+  }
+  if (count > 0) row.mean /= static_cast<double>(count);
+  compare_bytes(picture_of(globe, view, row.variant, 0),
+                picture_of_hits(globe, view, row.variant.filter, hits), row);
+}
+
 View<> Globe::view(int width, int height, double east, double up) const {
   const double to_radians = std::numbers::pi / 180;
   const double out = away * std::cos(up * to_radians);
@@ -381,6 +373,21 @@ std::vector<double> levels_of(const Film& film) {
     }
   }
   return levels;
+}
+
+Image differences(const Image& a, const Image& b, int reach) {
+  Image map(a.width, a.height);
+  for (int row = 0; row < a.height; ++row) {
+    for (int column = 0; column < a.width; ++column) {
+      int levels = 0;
+      for (int y = std::max(row - reach, 0); y <= std::min(row + reach, a.height - 1); ++y) {
+        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x)
+          levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
+      }
+      map.at(column, row) = difference_color(levels);
+    }
+  }
+  return map;
 }
 
 double rms_difference(const std::vector<double>& a, const std::vector<double>& b) {

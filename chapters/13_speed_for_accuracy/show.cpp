@@ -16,25 +16,6 @@ namespace {
 
 constexpr Rgb8 black{0, 0, 0};
 
-/// Where two pictures differ, in the colors of `compare`'s maps.
-///
-/// @param reach  each pixel is drawn as far to all sides, so that a single one is seen; the larger
-///               difference covers others
-Image differences(const Image& a, const Image& b, int reach) {
-  Image map(a.width, a.height);
-  for (int row = 0; row < a.height; ++row) {
-    for (int column = 0; column < a.width; ++column) {
-      int levels = 0;
-      for (int y = std::max(row - reach, 0); y <= std::min(row + reach, a.height - 1); ++y) {
-        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x)
-          levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
-      }
-      map.at(column, row) = difference_color(levels);
-    }
-  }
-  return map;
-}
-
 /// "1 pixel", "2 pixels".
 std::string counted(long count, const char* what) {
   return text("%ld %s%s", count, what, count == 1 ? "" : "s");

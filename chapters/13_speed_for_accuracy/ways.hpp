@@ -144,6 +144,23 @@ inline constexpr double least_cosine = 0.141;
 inline constexpr int noise_views = 8, noise_width = 80, noise_height = 60;
 [[nodiscard]] View<> noise_view(const Globe& globe, int view);
 
+/// Where a pixel's ray meets the globe, by the judge.
+struct ReferenceHit {
+  bool met = false;
+  double cosine = 0;    ///< of the angle between normal and ray
+  double from_rim = 0;  ///< how far from touching the globe the ray passes, in radii
+  double round = 0;     ///< length of the circle of this v, as a part of the equator's
+  Uv<Judge> uv{};
+};
+
+/// The reference of places, row by row, and the picture of it.
+[[nodiscard]] std::vector<ReferenceHit> reference_hits(const Globe& globe, const View<>& view);
+[[nodiscard]] Image picture_of_hits(const Globe& globe, const View<>& view, Filter filter,
+                                    const std::vector<ReferenceHit>& hits);
+/// Fills in the errors of a row of places.
+void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
+                          const std::vector<ReferenceHit>& hits);
+
 /// The picture of a variant, one ray per pixel.
 [[nodiscard]] Image picture_of(const Globe& globe, const View<>& view, const Variant& variant,
                                int threads = 1);
@@ -156,6 +173,12 @@ inline constexpr int noise_views = 8, noise_width = 80, noise_height = 60;
 [[nodiscard]] std::vector<double> levels_of(const Film& film);
 /// Root mean square difference of two pictures' levels.
 [[nodiscard]] double rms_difference(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Where two pictures differ, in the colors of `compare`'s maps.
+///
+/// @param reach  each pixel is drawn as far to all sides, so that a single one is seen; the larger
+///               difference covers others
+[[nodiscard]] Image differences(const Image& a, const Image& b, int reach);
 
 /// Fills in the errors of the rows of one part, which may be a few of them.
 ///

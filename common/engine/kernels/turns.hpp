@@ -58,6 +58,8 @@ template <int Degree, class Real>
 /// Bound: `worst<Real>`.
 template <int Degree>
 struct FastUnitMapping {
+  static constexpr int degree = Degree;
+
   template <class Real>
   [[nodiscard]] Uv<Real> operator()(const Vec3<Real>& p) const {
     const Real sine = sqrt(p.x * p.x + p.z * p.z);

@@ -102,6 +102,8 @@ template <class Work>
                                                   [[maybe_unused]] Instructions instructions) {
   if constexpr (all_numbers) {
     if (number == NumberKind::float_) return work.template run<float>();
+  }
+  if constexpr (all_numbers && wide_numbers) {
     if (number == NumberKind::extended) return work.template run<long double>();
     if constexpr (!requires { requires !Work::for_packs; }) {
       if (number == NumberKind::float_pack || number == NumberKind::double_pack) {

@@ -42,6 +42,12 @@ constexpr bool all_numbers = false;
 #else
 constexpr bool all_numbers = true;
 #endif
+/// False in a page's module: it has float and double alone, so that it is half as large.
+#ifdef TEXMAP_PAGE
+constexpr bool wide_numbers = false;
+#else
+constexpr bool wide_numbers = true;
+#endif
 
 /// How a picture is rendered; only `samples` changes what it shows.
 struct RenderSettings {

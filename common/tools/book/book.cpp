@@ -370,23 +370,32 @@ class Book {
     }
     const std::string live = up.empty() ? live_chapter(current) : "";
     html += "</header>\n<main id=\"main\"";
-    if (!live.empty()) html.append(" data-live=\"").append(live).append("\"");
+    if (!live.empty() && !fs::exists(playground() / ("page_" + live + ".js")))
+      html.append(" data-live=\"").append(live).append("\"");
     html.append(">\n").append(body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
     if (!live.empty()) {
       html +=
           "<link rel=\"stylesheet\" href=\"live/live.css\">\n"
           "<script src=\"live/live.js\" defer></script>\n";
+      const std::string own = "page_" + live + ".js";
+      if (fs::exists(playground() / own))
+        html.append("<script src=\"live/").append(own).append("\" defer></script>\n");
     }
     return html + "</body>\n</html>\n";
   }
+
+  /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone.
+  [[nodiscard]] fs::path playground() const { return root_ / "common/tools/playground"; }
 
   /// The number of a page's chapter if its picture is live, else nothing.
   [[nodiscard]] std::string live_chapter(std::size_t page) const {
     if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
     std::string number = pages_[page].chapter.substr(0, 2);
     const std::string in_utf16{'"', '\0', number[0], '\0', number[1], '\0', '"', '\0'};
-    return modules_.find(in_utf16) == std::string::npos ? "" : number;
+    const bool is_live = modules_.find(in_utf16) != std::string::npos ||
+                         fs::exists(playground() / ("page_" + number + ".js"));
+    return is_live ? number : "";
   }
 
   /// What live pictures load: modules and textures, and the code of their page.
@@ -397,9 +406,11 @@ class Book {
       const fs::path& file = entry.path();
       if (file.extension() == ".js") write(out_ / "live" / file.filename(), contents_of(file));
     }
-    const fs::path code = root_ / "common/tools/playground";
-    write(out_ / "live/live.js", contents_of(code / "live.js"));
-    write(out_ / "live/live.css", contents_of(code / "live.css"));
+    for (const auto& entry : fs::directory_iterator(playground())) {
+      const fs::path& file = entry.path();
+      if (file.extension() == ".js" || file.extension() == ".css")
+        write(out_ / "live" / file.filename(), contents_of(file));
+    }
   }
 
   /// What the course's programs made for a chapter: its step, its turntable, its plots.

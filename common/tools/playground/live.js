@@ -3,6 +3,47 @@
 "use strict";
 const texmapLive = (() => {
 
+// ---- For workers: what a script packed, and a module.
+const unpacked = (bytes) => new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
+// An instance of the module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the
+// buffer again.
+async function open(module) {
+  const imports = {};
+  for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
+  const own = {
+    memory: () => new Uint8Array(own.calls.memory.buffer),
+    text: (start) => new TextDecoder().decode(own.memory().slice(start, own.memory().indexOf(0, start))),
+    answer(start) {
+      const text = own.text(start);
+      if (text[0] === "!") throw {refusal: text.slice(1)};
+      return text;
+    },
+    // Calls `use` with copies of texts and bytes in the module's memory, each ended by 0.
+    lend(things, use) {
+      const starts = [];
+      try {
+        for (const thing of things) {
+          const bytes = typeof thing === "string" ? new TextEncoder().encode(thing) : thing;
+          const start = own.calls.take(bytes.length + 1);
+          if (!start) throw {refusal: "there is not enough memory for this"};
+          starts.push(start);
+          own.memory().set(bytes, start);
+          own.memory()[start + bytes.length] = 0;
+        }
+        return use(...starts);
+      } finally {
+        starts.forEach(own.calls.give_back);
+      }
+    },
+  };
+  if (imports.page) imports.page.number = (text) => Number(own.text(text));
+  own.calls = (await WebAssembly.instantiate(module, imports)).exports;
+  own.calls._initialize();
+  return own;
+}
+
+const ofWorkers = `const unpacked = ${unpacked};\n${open}\n`;
+
 // ---- The worker. A Blob of this function's text: a worker's own file cannot be opened from file://.
 function worker() {
   let module, code;   // compiled; an instance that draws
@@ -14,43 +55,6 @@ function worker() {
   // Lets messages in: setTimeout would wait 4 ms.
   const pause = () => new Promise((done) => { channel.port1.onmessage = done; channel.port2.postMessage(0); });
 
-  const unpacked = (bytes) => new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
-  // An instance of the module with what a page can tell it and ask it. Its memory moves when it grows, so each access takes the
-  // buffer again.
-  async function open() {
-    const imports = {};
-    for (const {module: from, name} of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
-    const own = {
-      memory: () => new Uint8Array(own.calls.memory.buffer),
-      text: (start) => new TextDecoder().decode(own.memory().slice(start, own.memory().indexOf(0, start))),
-      answer(start) {
-        const text = own.text(start);
-        if (text[0] === "!") throw {refusal: text.slice(1)};
-        return text;
-      },
-      // Calls `use` with copies of texts and bytes in the module's memory, each ended by 0.
-      lend(things, use) {
-        const starts = [];
-        try {
-          for (const thing of things) {
-            const bytes = typeof thing === "string" ? new TextEncoder().encode(thing) : thing;
-            const start = own.calls.take(bytes.length + 1);
-            if (!start) throw {refusal: "there is not enough memory for this"};
-            starts.push(start);
-            own.memory().set(bytes, start);
-            own.memory()[start + bytes.length] = 0;
-          }
-          return use(...starts);
-        } finally {
-          starts.forEach(own.calls.give_back);
-        }
-      },
-    };
-    if (imports.page) imports.page.number = (text) => Number(own.text(text));
-    own.calls = (await WebAssembly.instantiate(module, imports)).exports;
-    own.calls._initialize();
-    return own;
-  }
   function set(words, widest) {
     const lines = words.map((word) => word + "\n").join("");
     if (used !== lines + widest) size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ").map(Number);
@@ -81,11 +85,11 @@ function worker() {
   const can = {
     async load({packed}) {
       module = await WebAssembly.compile(await unpacked(packed));
-      code = await open();
+      code = await open(module);
     },
     // An instance lives for one file: what decoding it needed is free afterwards.
     async keep({name, shown, bytes}) {
-      const loader = await open();
+      const loader = await open(module);
       const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
         .split(" ").map(Number);
       const start = loader.calls.pixels();
@@ -264,7 +268,7 @@ function live(main, packed) {
     again.hidden = true;
     say("");
     panel.disabled = false;
-    const address = URL.createObjectURL(new Blob([`(${worker})()`]));
+    const address = URL.createObjectURL(new Blob([ofWorkers, `(${worker})()`]));
     try {
       hand = new Worker(address);
     } catch (error) {
@@ -765,5 +769,6 @@ addEventListener("DOMContentLoaded", async () => {
 return {
   modules: (chapters, text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
+  of: {element, rounded, bytesOf, fetched, ofWorkers},  // for scripts of single pages
 };
 })();

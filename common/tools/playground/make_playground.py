@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes what the live pictures load, out of the module and pictures.
 
-usage: make_playground.py MODULE ASSETS OUT     MODULE in OUT/modules.js, ASSETS' Earth in OUT/earth.js, and OUT/playground.html:
+usage: make_playground.py MODULE MODULE_13 ASSETS OUT     MODULE in OUT/modules.js, MODULE_13 in OUT/module_13.js, ASSETS' Earth in OUT/earth.js, and OUT/playground.html:
                                                 chapters 02 to 06 in one file
 """
 import base64
@@ -45,13 +45,13 @@ def module_script(module, as_text):
     return f'texmapLive.modules({CHAPTERS}, "{as_text(zlib.compress(read(module), 9))}");\n'
 
 
-def file_script(path, name, as_text):
-    return f'texmapLive.file("{name}", "{as_text(read(path))}");\n'
+def file_script(data, name, as_text):
+    return f'texmapLive.file("{name}", "{as_text(data)}");\n'
 
 
 def page(module):
     # The chapters ask for earth.png; the bytes say that it is a JPEG. To make it again: convert assets/earth.png -scale 25% -quality 78
-    scripts = [module_script(module, in_base64), file_script(os.path.join(HERE, "small_earth.jpg"), "earth.png", in_base64)]
+    scripts = [module_script(module, in_base64), file_script(read(os.path.join(HERE, "small_earth.jpg")), "earth.png", in_base64)]
     parts = {
         "colors": source("../book/book.css").split("* {")[0].strip(),  # the book's, light and dark
         "css": source("live.css"),
@@ -71,11 +71,12 @@ def write_script(path, text):
 
 
 def main(words):
-    if len(words) != 3:
+    if len(words) != 4:
         raise SystemExit(__doc__.strip())
-    module, assets, out = words
+    module, budget, assets, out = words
     write_script(os.path.join(out, "modules.js"), module_script(module, in_15_bits))
-    write_script(os.path.join(out, "earth.js"), file_script(os.path.join(assets, "earth.png"), "earth.png", in_15_bits))
+    write_script(os.path.join(out, "earth.js"), file_script(read(os.path.join(assets, "earth.png")), "earth.png", in_15_bits))
+    write_script(os.path.join(out, "module_13.js"), file_script(zlib.compress(read(budget), 9), "module_13", in_15_bits))
     write(os.path.join(out, "playground.html"), page(module))
 
 

@@ -1,0 +1,355 @@
+// Chapter 13's live picture: an error budget as a slider, with the chapter's own ways to draw the globe, timed in this browser; and the
+// same (u, v) by the reader's graphics processor, held against double.
+"use strict";
+(() => {
+const {element, rounded, fetched, ofWorkers} = texmapLive.of;
+
+// ---- The worker: answers one call after another. A call has the name of one of these, and what it takes.
+function worker() {
+  let code;
+  const json = (start) => JSON.parse(code.answer(start));
+  const pixels = (start, count) => code.memory().slice(start, start + 4 * count);
+  const can = {
+    async load(packed, picture) {
+      code = await open(await WebAssembly.compile(await unpacked(packed)));
+      return code.lend([picture], (start) => json(code.calls.begin(start, picture.length)));
+    },
+    compare: (way) => json(code.calls.compare(way)),
+    draw: (way, count) => pixels(code.calls.draw(way), count),
+    changes: (way, count) => pixels(code.calls.show_changes(way), count),
+    time(way) {
+      const began = performance.now();
+      code.calls.draw(way);
+      return performance.now() - began;
+    },
+    choose: (limit, times) => code.lend([new Uint8Array(times.buffer)], (start) => json(code.calls.choose(limit, start))),
+    coefficients: (degree) => json(code.calls.coefficients(degree)),
+    directions(ofMap, count) {
+      const start = code.calls.probe(ofMap);  // the memory may move
+      return new Float32Array(code.memory().slice(start, start + 16 * count).buffer);
+    },
+    judge(places, ofMap, count) {
+      code.calls.probe(ofMap);
+      const found = code.lend([new Uint8Array(places.buffer)], (start) => json(code.calls.judge(start)));
+      return {...found, picture: pixels(code.calls.judged(), count)};
+    },
+  };
+  let before = Promise.resolve();
+  onmessage = ({data: [id, call, ...given]}) => {
+    before = before.then(async () => {
+      try {
+        postMessage([id, await can[call](...given)]);
+      } catch (error) {
+        postMessage([id, null, error.refusal || String(error)]);
+      }
+    });
+  };
+}
+function hire() {
+  const address = URL.createObjectURL(new Blob([ofWorkers, `(${worker})()`]));
+  const hand = new Worker(address);
+  URL.revokeObjectURL(address);
+  const waiting = new Map();
+  let last = 0;
+  const fail = (reason) => { for (const {refuse} of waiting.values()) refuse(new Error(reason)); };
+  hand.onmessage = ({data: [id, answer, fault]}) => {
+    const {give, refuse} = waiting.get(id);
+    waiting.delete(id);
+    fault ? refuse(new Error(fault)) : give(answer);
+  };
+  hand.onerror = (event) => fail(event.message);
+  return (...call) => new Promise((give, refuse) => {
+    waiting.set(++last, {give, refuse});
+    hand.postMessage([last, ...call]);
+  });
+}
+
+// ---- Words.
+const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−") : rounded(value, 2);
+const named = ({number, kernel}) => `${number}, ${kernel === "reference" ? "atan2" : kernel}`;
+const counted = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
+const svg = (name, properties, ...children) => {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(properties)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+};
+function painted(canvas, pixels, width, height) {
+  Object.assign(canvas, {width, height});
+  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width), 0, 0);
+}
+const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
+
+// ---- The plot: time across, texels off at most up, both logarithmic.
+const plotWidth = 460, plotHeight = 330, left = 62, bottom = 46;
+const most = 1, least = 1e-12;
+const upFor = (bound) => 12 + (plotHeight - bottom - 12) * Math.log10(most / Math.max(bound, least)) / Math.log10(most / least);
+function plotted(ways, front, chosen, limit, choose) {
+  const known = ways.filter((way) => way.times.length).sort((a, b) => (b === ways[chosen]) - (a === ways[chosen]) || b.bound - a.bound);
+  const plain = ways[0].times.length ? Math.min(...ways[0].times) : 1;
+  const ratio = (time) => time / plain;
+  const reach = known.map((way) => ratio(median(way.times)));
+  const first = Math.min(0.5, ...known.map((way) => ratio(Math.min(...way.times)))) * 0.9, last = Math.max(1.2, ...reach) * 1.1;
+  const acrossFor = (time) => left + (plotWidth - left - 14) * Math.log(ratio(time) / first) / Math.log(last / first);
+  const drawing = svg("svg", {viewBox: `0 0 ${plotWidth} ${plotHeight}`, role: "group", "aria-label": "Time and error of each way; each point is a button"});
+  for (let power = -12; power <= 0; power += 3) {
+    const y = upFor(10 ** power);
+    drawing.append(svg("line", {x1: left, x2: plotWidth - 14, y1: y, y2: y, class: "budget-grid"}),
+      svg("text", {x: left - 8, y: y + 4, "text-anchor": "end"}, power ? `1e−${-power}` : "1"));
+  }
+  for (const part of [0.25, 0.5, 0.7, 1, 1.4, 2]) {
+    if (part < first || part > last) continue;
+    const x = acrossFor(part * plain);
+    drawing.append(svg("line", {x1: x, x2: x, y1: 12, y2: plotHeight - bottom, class: "budget-grid"}),
+      svg("text", {x, y: plotHeight - bottom + 18, "text-anchor": "middle"}, String(part)));
+  }
+  drawing.append(svg("text", {x: (left + plotWidth) / 2, y: plotHeight - 6, "text-anchor": "middle"}, "time; double with atan2 = 1"));
+  drawing.append(svg("rect", {x: left, width: plotWidth - left - 14, y: upFor(limit), height: plotHeight - bottom - upFor(limit), class: "budget-allowed"}));
+  drawing.append(svg("line", {x1: left, x2: plotWidth - 14, y1: upFor(limit), y2: upFor(limit), class: "budget-limit"}));
+  const at = (way) => [acrossFor(Math.min(...way.times)), upFor(way.bound)];
+  const path = front.map((i) => ways[i]).filter((way) => known.includes(way)).map((way) => at(way).join(","));
+  if (path.length > 1) drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
+  const labels = [];  // of points that lie together only the first has one
+  for (const way of known) {
+    const [x, y] = at(way);
+    if (way === ways[chosen] || !labels.some(([a, b]) => Math.abs(a - x) < 60 && Math.abs(b - y) < 13)) {
+      labels.push([x, y]);
+      drawing.append(svg("text", {x: x - 11, y: y + 5, "text-anchor": "end", class: way === ways[chosen] ? "chosen" : ""}, way.kernel.replace("reference", "atan2").replace("degree ", "")));
+    }
+    const point = svg("g", {tabindex: 0, role: "button", "aria-label": `${named(way)}: at most ${small(way.bound)} texels off`,
+      class: `budget-point ${way.number}${ways[chosen] === way ? " chosen" : ""}`});
+    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}), svg("circle", {cx: x, cy: y, r: ways[chosen] === way ? 8 : 5}),
+      svg("title", {}, named(way)));
+    point.onclick = () => choose(way);
+    point.onkeydown = (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); choose(way); } };
+    drawing.append(point);
+  }
+  return drawing;
+}
+
+// ---- The graphics processor: (u, v) of the directions in a texture, as floats in another.
+const head = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D directions;
+out vec4 place;
+const float pi = 3.14159265358979;
+float turn(vec3 n) { return 0.5 - atan(n.z, n.x) / (2.0 * pi); }
+`;
+const tail = `
+void main() {
+  vec4 n = texelFetch(directions, ivec2(gl_FragCoord.xy), 0);
+  place = vec4(uv(n.xyz), 0.0, 1.0);
+}`;
+const built = [
+  ["atan, acos", "vec2 uv(vec3 n) { return vec2(turn(n), acos(-n.y) / pi); }"],
+  ["atan, asin", "vec2 uv(vec3 n) { return vec2(turn(n), 0.5 + asin(n.y) / pi); }"],
+  ["atan twice, as the course", "vec2 uv(vec3 n) { return vec2(turn(n), atan(length(n.xz), -n.y) / pi); }"],
+];
+const literal = (value) => /[.e]/.test(String(value)) ? String(value) : `${value}.0`;
+const horner = (list, x) => list.reduceRight((sum, power) => sum === "" ? literal(power) : `${literal(power)} + ${x} * (${sum})`, "");
+// FastUnitMapping, as common/engine/kernels/turns.hpp has it.
+const byPolynomials = ({tangent, cosine}) => `
+vec2 uv(vec3 n) {
+  vec2 wide = abs(n.xz);
+  float t = min(wide.x, wide.y) / max(max(wide.x, wide.y), 1e-37);
+  float s = t * t, c = abs(n.y);
+  float eighth = t * (${horner(tangent, "s")});
+  float quarter = wide.y > wide.x ? 0.25 - eighth : eighth;
+  float part = n.x < 0.0 ? quarter : 0.5 - quarter;
+  float pole = sqrt(n.x * n.x + n.z * n.z) * (${horner(cosine, "c")});
+  return vec2(n.z < 0.0 ? 1.0 - part : part, n.y > 0.0 ? 1.0 - pole : pole);
+}`;
+function graphics() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl || !gl.getExtension("EXT_color_buffer_float")) return null;
+  const shader = (kind, text) => {
+    const made = gl.createShader(kind);
+    gl.shaderSource(made, text);
+    gl.compileShader(made);
+    if (!gl.getShaderParameter(made, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(made));
+    return made;
+  };
+  const texture = (width, height, data) => {
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, data);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+    return gl.getParameter(gl.TEXTURE_BINDING_2D);
+  };
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  return {
+    name: gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER),
+    // Two floats for each direction.
+    async places(formula, directions, width, height) {
+      const program = gl.createProgram();
+      gl.attachShader(program, shader(gl.VERTEX_SHADER, `#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`));
+      gl.attachShader(program, shader(gl.FRAGMENT_SHADER, head + formula + tail));
+      gl.linkProgram(program);
+      gl.useProgram(program);
+      const into = texture(width, height, null);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, into, 0);
+      texture(width, height, directions);
+      gl.viewport(0, 0, width, height);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      // By a buffer: the page answers meanwhile.
+      const four = new Float32Array(4 * width * height);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, gl.createBuffer());
+      gl.bufferData(gl.PIXEL_PACK_BUFFER, four.byteLength, gl.STREAM_READ);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
+      const done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      gl.flush();
+      while (gl.clientWaitSync(done, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((give) => { setTimeout(give, 5); });
+      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, four);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      return new Float32Array(2 * width * height).map((_, i) => four[4 * (i >> 1) + (i & 1)]);
+    },
+  };
+}
+
+// ---- The section.
+async function begin() {
+  const main = document.querySelector("main");
+  const image = main.querySelector("img");
+  const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
+  const ask = hire();
+  const facts = await ask("load", packed, picture);
+  const {width, height} = facts;
+  const ways = facts.ways.map((way, index) => ({...way, index, times: []}));
+
+  const shown = element("canvas", {role: "img", ariaLabel: "The globe, drawn in the chosen way"});
+  const changed = element("canvas", {role: "img", ariaLabel: "The pixels that the chosen way changes"});
+  const slider = element("input", {type: "range", id: "budget", min: -12, max: 0, step: 0.05, value: -2});
+  const allowed = element("output", {htmlFor: "budget"});
+  const says = element("p", {className: "budget-says", ariaLive: "polite"});
+  const command = element("code"), copy = element("button", {type: "button", textContent: "Copy"});
+  const clock = element("p", {className: "budget-clock"});
+  const plot = element("div"), key = element("figcaption", {textContent: "Each point is a way to draw: filled in float, open in double. A number is the degree of its polynomial. A bar goes to the median time. The line is the front. Click a point to see its picture."});
+  const table = element("table");
+  const again = element("button", {type: "button", textContent: "Time again"});
+  const card = element("div", {className: "budget-card"});
+  const section = element("section", {className: "wide budget", ariaLabel: "An error budget"},
+    element("p", {}, element("label", {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}), allowed, " texels."), slider,
+    element("div", {className: "budget-pair"}, element("figure", {className: "budget-plot"}, plot, key), element("figure", {}, shown, element("figcaption", {textContent: "the globe, drawn in this way"})),
+      element("figure", {}, changed, element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
+    says, element("p", {className: "live-command"}, command, " ", copy), clock, element("p", {}, again),
+    element("details", {}, element("summary", {textContent: "All ways in numbers"}), element("div", {className: "scroll"}, table)), card);
+  (image && image.parentElement !== main ? image.parentElement : image).before(section);
+
+  section.ways = ways;  // for the tests
+  let chosen = 0, front = [], pictureOf = -1, wanted = -1;
+  const timesOf = () => Float64Array.from(ways.flatMap((way) => way.times.length ? [Math.min(...way.times), median(way.times)] : [1, 1]));
+  const limit = () => 10 ** slider.value;
+  async function show(way) {
+    wanted = way;
+    if (pictureOf === way) return;
+    const [one, other] = await Promise.all([ask("draw", way, width * height), ask("changes", way, width * height)]);
+    if (wanted !== way) return;
+    pictureOf = way;
+    painted(shown, one, width, height);
+    painted(changed, other, width, height);
+  }
+  function tell(best) {
+    const way = ways[chosen];
+    const ratio = ways[0].times.length && way.times.length ? Math.min(...ways[0].times) / Math.min(...way.times) : 0;
+    says.replaceChildren(best < 0 ? "Nothing that was tried keeps to that. The most exact: " : "", element("b", {textContent: named(way)}),
+      `, at most ${small(way.bound)} texels off, ${small(way.worst)} seen. `,
+      way.changed ? `${counted(way.changed, "pixel")} of ${(width * height).toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}.` : "No pixel differs.",
+      ratio && chosen ? ` Here ${rounded(ratio, 2)} times as fast as double with atan2.` : "");
+    command.textContent = `./course run 07 --scene book --number ${way.number}${way.budget === "exact" ? "" : ` --budget ${way.budget}`}`;
+    section.dataset.way = way.index;
+  }
+  async function change(way) {
+    allowed.textContent = small(limit());
+    slider.setAttribute("aria-valuetext", `${small(limit())} texels`);
+    const found = await ask("choose", limit(), timesOf());
+    front = found.front;
+    const exact = ways.reduce((a, b) => b.bound < a.bound ? b : a);
+    chosen = way ? way.index : found.best < 0 ? exact.index : found.best;
+    tell(way ? 0 : found.best);
+    plot.replaceChildren(plotted(ways, front, chosen, limit(), choose));
+    table.replaceChildren(element("tr", {}, ...["way", "at most, texels", "seen", "pixels that differ", "time", "spread"].map((name) => element("th", {scope: "col", textContent: name}))),
+      ...ways.map((one) => element("tr", {}, ...[named(one), small(one.bound), small(one.worst), String(one.changed),
+        one.times.length ? rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3) : "", one.times.length ? rounded(median(one.times) / Math.min(...one.times), 3) : ""]
+        .map((text) => element("td", {textContent: text})))));
+    await show(chosen);
+  }
+  function choose(way) {
+    slider.value = Math.min(0, Math.max(-12, Math.ceil(20 * Math.log10(way.bound)) / 20));
+    change(way);
+  }
+  async function time() {
+    again.disabled = true;
+    for (const way of ways) way.times = [];
+    const rounds = 15;
+    for (let round = -1; round < rounds; ++round) {  // the first warms up
+      for (const way of ways) {
+        const took = await ask("time", way.index);
+        if (round >= 0) way.times.push(took);
+      }
+      clock.textContent = `Timing: round ${Math.max(round + 1, 1)} of ${rounds} …`;
+      if (round % 5 === 4) await change();
+    }
+    const busy = ways.filter((way) => median(way.times) > 1.1 * Math.min(...way.times)).length;
+    clock.textContent = `Timed in this browser, one thread, without packs: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
+      + (busy ? `The machine was busy: ${busy} of ${ways.length} medians are more than 10 % above the shortest.` : "The medians are within 10 % of the shortest.")
+      + " The program of this chapter times packs, too.";
+    again.disabled = false;
+  }
+  slider.oninput = () => change();
+  again.onclick = async () => { await time(); section.dataset.state = "done"; };
+  copy.onclick = async () => {
+    try { await navigator.clipboard.writeText(command.textContent); } catch { getSelection().selectAllChildren(command); document.execCommand("copy"); }
+    copy.textContent = "Copied";
+    setTimeout(() => { copy.textContent = "Copy"; }, 2000);
+  };
+  for (const way of ways) {
+    clock.textContent = `Comparing with the exact picture: ${way.index + 1} of ${ways.length} …`;
+    Object.assign(way, await ask("compare", way.index));
+  }
+  allowed.textContent = small(limit());
+  await time();
+  section.dataset.state = "done";
+
+  // The reader's graphics processor.
+  card.append(element("h3", {textContent: "Your graphics processor"}));
+  const machine = graphics();
+  if (!machine) {
+    card.append(element("p", {textContent: "This browser gives no graphics processor that writes floats (WebGL 2 with EXT_color_buffer_float), so its arc tangent cannot be measured here."}));
+    return;
+  }
+  const measure = element("button", {type: "button", textContent: "Measure it"});
+  const results = element("table"), errors = element("canvas", {role: "img", hidden: true, ariaLabel: "The error of each place on the map"}), caption = element("p", {className: "live-legend"});
+  card.append(element("p", {textContent: "A shader has atan, asin and acos, too. How exact they are the language leaves open. Here your graphics processor computes (u, v) of half a million directions by them and by the course's polynomials, and each is held against double."}),
+    measure, element("div", {className: "scroll"}, results), errors, caption);
+  measure.onclick = async () => {
+    measure.disabled = true;
+    try {
+      const [across, down] = facts.map;
+      const ofMap = await ask("directions", 1, across * down), ofPicture = await ask("directions", 0, width * height);
+      const formulas = [...built];
+      for (const degree of [5, 9, 17]) formulas.push([`degree ${degree}`, byPolynomials(await ask("coefficients", degree))]);
+      results.replaceChildren(element("tr", {}, ...["in the shader", "texels off", "half below", "beside the seam", "at the poles", "pixels that differ"].map((name) => element("th", {scope: "col", textContent: name}))));
+      const paint = (name, found) => {
+        painted(errors, found.picture, across, down);
+        errors.hidden = false;
+        caption.replaceChildren(`${name}: the error on the map, `, element("i", {className: "live-errors"}), " from 10⁻⁵ texel or less to 1 texel or more.");
+      };
+      for (const [name, formula] of formulas) {
+        const found = await ask("judge", await machine.places(formula, ofMap, across, down), 1, across * down);
+        const inPicture = await ask("judge", await machine.places(formula, ofPicture, width, height), 0, width * height);
+        results.append(element("tr", {}, element("td", {}, element("button", {type: "button", textContent: name, onclick: () => paint(name, found)})),
+          ...[small(found.worst), small(found.median), small(found.seam), small(found.pole), counted(inPicture.changed, "pixel")].map((text) => element("td", {textContent: text}))));
+        if (errors.hidden) paint(name, found);
+      }
+      caption.append(` By ${machine.name}.`);
+      card.dataset.state = "done";
+    } catch (error) {
+      caption.textContent = `The graphics processor refused: ${error.message}`;
+    }
+    measure.disabled = false;
+  };
+}
+addEventListener("DOMContentLoaded", () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
+})();
