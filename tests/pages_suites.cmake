@@ -49,8 +49,8 @@ if(nlohmann_json_INCLUDE_DIR)
 endif()
 # The live pictures in a browser, as they are in docs/live/. Where there is no browser the tests are skipped.
 if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
-  foreach(script test_live test_budget)
-    string(REPLACE test_ page_ name ${script})
+  foreach(script test_live test_pages)
+    string(REPLACE test_ browser_ name ${script})
     add_test(NAME ${name} COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/${script}.py" "${CMAKE_SOURCE_DIR}"
       "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live")
     set_tests_properties(${name} PROPERTIES LABELS playground SKIP_RETURN_CODE 77 TIMEOUT 900)

@@ -26,18 +26,6 @@ void draw_row(Panel& panel, const Scene& scene, Formulas formulas, int row) {
   }
 }
 
-/// A scene with one of its formulas, as a lesson that a picture is drawn of.
-template <class Scene>
-struct SceneWith {
-  const Scene& scene;
-  Formulas formulas;
-
-  template <class Real>
-  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    return scene(ray, formulas).color;
-  }
-};
-
 template <class Scene>
 Exhibit exhibit_of(const Scene& moved) {
   const auto scene = std::make_shared<const Scene>(moved);

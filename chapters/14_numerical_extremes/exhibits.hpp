@@ -208,6 +208,18 @@ struct OddExponent : Placed {
   }
 };
 
+/// A scene with one of its formulas, as a lesson that a picture is drawn of.
+template <class Scene>
+struct SceneWith {
+  const Scene& scene;
+  Formulas formulas;
+
+  template <class Real>
+  [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
+    return scene(ray, formulas).color;
+  }
+};
+
 /// All exhibits, in the order of the sheet.
 [[nodiscard]] inline auto exhibit_scenes(const Image& earth, const Image& labels) {
   const Sphere<> globe{{0, 0, 0}, 1};

@@ -211,6 +211,43 @@ function fetched(name, script) {
   return one.promise;
 }
 
+// ---- For the pages of single chapters: a worker that answers one call after another, each by its name and what it takes.
+function answering(can) {
+  let before = Promise.resolve();
+  onmessage = ({data: [id, call, ...given]}) => {
+    before = before.then(async () => {
+      try {
+        postMessage([id, await can[call](...given)]);
+      } catch (error) {
+        postMessage([id, null, error.refusal || String(error)]);
+      }
+    });
+  };
+}
+function hire(worker) {
+  const address = URL.createObjectURL(new Blob([ofWorkers, `(${answering})((${worker})())`]));
+  const hand = new Worker(address);
+  URL.revokeObjectURL(address);
+  const waiting = new Map();
+  let last = 0;
+  const fail = (reason) => { for (const {refuse} of waiting.values()) refuse(new Error(reason)); };
+  hand.onmessage = ({data: [id, answer, fault]}) => {
+    const {give, refuse} = waiting.get(id);
+    waiting.delete(id);
+    fault ? refuse(new Error(fault)) : give(answer);
+  };
+  hand.onerror = (event) => fail(event.message);
+  return (...call) => new Promise((give, refuse) => {
+    waiting.set(++last, {give, refuse});
+    hand.postMessage([last, ...call]);
+  });
+}
+const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−") : rounded(value, 2);
+function painted(canvas, pixels, width, height) {
+  Object.assign(canvas, {width, height});
+  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width), 0, 0);
+}
+
 // ---- A live picture, its form and its loupe.
 function live(main, packed) {
   const image = main.querySelector("img");
@@ -769,6 +806,6 @@ addEventListener("DOMContentLoaded", async () => {
 return {
   modules: (chapters, text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
-  of: {element, rounded, bytesOf, fetched, ofWorkers},  // for scripts of single pages
+  of: {element, rounded, small, painted, fetched, hire},
 };
 })();

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Makes what the live pictures load, out of the module and pictures.
 
-usage: make_playground.py MODULE MODULE_13 ASSETS OUT     MODULE in OUT/modules.js, MODULE_13 in OUT/module_13.js, ASSETS' Earth in OUT/earth.js, and OUT/playground.html:
-                                                chapters 02 to 06 in one file
+usage: make_playground.py BIN ASSETS OUT
+
+Into OUT go modules.js from BIN/playground.wasm, module_NN.js from BIN/playground_NN.wasm, earth.js from the Earth in ASSETS, and
+playground.html: chapters 02 to 06 in one file.
 """
 import base64
 import os
@@ -71,12 +73,15 @@ def write_script(path, text):
 
 
 def main(words):
-    if len(words) != 4:
+    if len(words) != 3:
         raise SystemExit(__doc__.strip())
-    module, budget, assets, out = words
+    programs, assets, out = words
+    module = os.path.join(programs, "playground.wasm")
     write_script(os.path.join(out, "modules.js"), module_script(module, in_15_bits))
     write_script(os.path.join(out, "earth.js"), file_script(read(os.path.join(assets, "earth.png")), "earth.png", in_15_bits))
-    write_script(os.path.join(out, "module_13.js"), file_script(zlib.compress(read(budget), 9), "module_13", in_15_bits))
+    for number in ("13", "14"):
+        packed = zlib.compress(read(os.path.join(programs, f"playground_{number}.wasm")), 9)
+        write_script(os.path.join(out, f"module_{number}.js"), file_script(packed, f"module_{number}", in_15_bits))
     write(os.path.join(out, "playground.html"), page(module))
 
 

@@ -2,9 +2,9 @@
 // same (u, v) by the reader's graphics processor, held against double.
 "use strict";
 (() => {
-const {element, rounded, fetched, ofWorkers} = texmapLive.of;
+const {element, rounded, small, painted, fetched, hire} = texmapLive.of;
 
-// ---- The worker: answers one call after another. A call has the name of one of these, and what it takes.
+// ---- What the worker can do.
 function worker() {
   let code;
   const json = (start) => JSON.parse(code.answer(start));
@@ -34,38 +34,9 @@ function worker() {
       return {...found, picture: pixels(code.calls.judged(), count)};
     },
   };
-  let before = Promise.resolve();
-  onmessage = ({data: [id, call, ...given]}) => {
-    before = before.then(async () => {
-      try {
-        postMessage([id, await can[call](...given)]);
-      } catch (error) {
-        postMessage([id, null, error.refusal || String(error)]);
-      }
-    });
-  };
+  return can;
 }
-function hire() {
-  const address = URL.createObjectURL(new Blob([ofWorkers, `(${worker})()`]));
-  const hand = new Worker(address);
-  URL.revokeObjectURL(address);
-  const waiting = new Map();
-  let last = 0;
-  const fail = (reason) => { for (const {refuse} of waiting.values()) refuse(new Error(reason)); };
-  hand.onmessage = ({data: [id, answer, fault]}) => {
-    const {give, refuse} = waiting.get(id);
-    waiting.delete(id);
-    fault ? refuse(new Error(fault)) : give(answer);
-  };
-  hand.onerror = (event) => fail(event.message);
-  return (...call) => new Promise((give, refuse) => {
-    waiting.set(++last, {give, refuse});
-    hand.postMessage([last, ...call]);
-  });
-}
-
 // ---- Words.
-const small = (value) => value === 0 ? "0" : value < 1e-3 ? value.toExponential(1).replace("-", "−") : rounded(value, 2);
 const named = ({number, kernel}) => `${number}, ${kernel === "reference" ? "atan2" : kernel}`;
 const counted = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
 const svg = (name, properties, ...children) => {
@@ -74,10 +45,6 @@ const svg = (name, properties, ...children) => {
   made.append(...children);
   return made;
 };
-function painted(canvas, pixels, width, height) {
-  Object.assign(canvas, {width, height});
-  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width), 0, 0);
-}
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
 // ---- The plot: time across, texels off at most up, both logarithmic.
@@ -213,7 +180,7 @@ async function begin() {
   const main = document.querySelector("main");
   const image = main.querySelector("img");
   const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
-  const ask = hire();
+  const ask = hire(worker);
   const facts = await ask("load", packed, picture);
   const {width, height} = facts;
   const ways = facts.ways.map((way, index) => ({...way, index, times: []}));

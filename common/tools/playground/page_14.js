@@ -1,0 +1,90 @@
+// Chapter 14's live picture: an exhibit with a slider, once by the published formula and once by the course's.
+"use strict";
+(() => {
+const {element, small, painted, fetched, hire} = texmapLive.of;
+
+function worker() {
+  let code;
+  return {
+    async load(packed, picture) {
+      code = await open(await WebAssembly.compile(await unpacked(packed)));
+      return code.lend([picture], (start) => JSON.parse(code.answer(code.calls.begin(start, picture.length))));
+    },
+    draw(dial, value, published, inFloat, width, height) {
+      const start = code.calls.draw(dial, value, published, inFloat, width, height);
+      return code.memory().slice(start, start + 4 * width * height);
+    },
+  };
+}
+
+const width = 320, height = 240;
+// Pixels of another color, by more than a level of 255, as the program's table counts them.
+const unlike = (a, b) => {
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) {
+    if (Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]), Math.abs(a[i + 2] - b[i + 2])) > 1) ++count;
+  }
+  return count;
+};
+
+async function begin() {
+  const image = document.querySelector("main img");
+  const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_14", "module_14.js"), fetched("earth.png", "earth.js")]);
+  const ask = hire(worker);
+  const dials = await ask("load", packed, picture);
+
+  const choice = element("select", {id: "exhibit"}, ...dials.map(({exhibit}, i) => element("option", {value: i, textContent: exhibit})));
+  const slider = element("input", {type: "range", id: "extreme", step: 0.01}), label = element("label", {htmlFor: "extreme"}), value = element("output", {htmlFor: "extreme"});
+  const inFloat = element("input", {type: "checkbox", checked: true, id: "in-float"});
+  const sides = ["as published", "this course"].map((name, i) => {
+    const canvas = element("canvas", {role: "img", ariaLabel: name}), formula = element("b"), wrong = element("span");
+    return {published: 1 - i, canvas, formula, wrong, figure: element("figure", {}, canvas, element("figcaption", {}, `${name}: `, formula, element("br"), wrong))};
+  });
+  const note = element("p", {className: "budget-clock"});
+  const section = element("section", {className: "wide budget", ariaLabel: "The exhibits with sliders"},
+    element("p", {className: "budget-row"}, element("label", {htmlFor: "exhibit", textContent: "Exhibit "}), choice, " ",
+      element("label", {}, inFloat, " in float")),
+    element("p", {className: "budget-row"}, label, ": ", value), slider, element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
+  (image.parentElement !== document.querySelector("main") ? image.parentElement : image).before(section);
+
+  const isWhole = (dial) => dial.exhibit === "highlight";
+  const valueOf = (dial) => isWhole(dial) ? Number(slider.value) : Math.abs(slider.value - Math.log10(dial.value)) < 0.005 ? dial.value : 10 ** slider.value;
+  function choose() {
+    const dial = dials[choice.value];
+    const at = isWhole(dial) ? (x) => x : Math.log10;
+    Object.assign(slider, {min: at(dial.least), max: at(dial.most), step: isWhole(dial) ? 1 : 0.01});
+    slider.value = at(dial.value);
+    label.textContent = dial.label[0].toUpperCase() + dial.label.slice(1);
+    for (const side of sides) side.formula.textContent = side.published ? dial.published : dial.course;
+    change();
+  }
+  let last = 0, drawing = false, again = false;
+  async function change() {
+    if (drawing) { again = true; return; }  // the newest setting is drawn next, not all in between
+    drawing = true;
+    const dial = dials[choice.value], at = valueOf(dial), mine = ++last;
+    section.dataset.state = "drawing";
+    const shown = at >= 1e7 ? at.toExponential(1).replace("e+", "e") : at >= 1000 ? Math.round(at).toLocaleString("en") : small(at);
+    value.textContent = shown;
+    slider.setAttribute("aria-valuetext", shown);
+    const number = inFloat.checked ? 1 : 0;
+    const pictures = await Promise.all([...sides.map(({published}) => ask("draw", choice.value, at, published, number, width, height)),
+      ask("draw", choice.value, at, 0, 0, width, height)]);
+    sides.forEach((side, i) => {
+      painted(side.canvas, pictures[i], width, height);
+      const count = unlike(pictures[i], pictures[2]);
+      side.wrong.textContent = `${inFloat.checked ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
+      section.dataset[side.published ? "published" : "course"] = count;
+    });
+    note.textContent = at === dial.value && dial.exhibit !== "needle" ? `The program draws this: ./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${inFloat.checked ? "float" : "double"}`
+      : `The program's ${dial.exhibit} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−") : dial.value.toLocaleString("en")}.`;
+    section.dataset.state = mine === last ? "done" : "drawing";
+    drawing = false;
+    if (again) { again = false; change(); }
+  }
+  choice.onchange = choose;
+  slider.oninput = inFloat.onchange = () => change();
+  choose();
+}
+addEventListener("DOMContentLoaded", () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
+})();
