@@ -2,6 +2,7 @@
 #include "engine/measure/text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -71,6 +72,16 @@ std::string shown(double value, int digits) {
 #endif
 
 std::optional<double> read_decimal(std::string_view text) {
+#if defined(__cpp_lib_to_chars) && !defined(__EMSCRIPTEN__)
+  // Much faster than a stream. What it does not take (too large, too small) the stream judges.
+  const std::size_t sign = text.find_first_not_of("+-") == 1 ? 1 : 0;
+  const char* const end = text.data() + text.size();
+  double number = 0;
+  if (text.size() > sign && (text[sign] == '.' || all_digits(text.substr(sign, 1)))) {
+    const auto [stopped, error] = std::from_chars(text.data() + sign, end, number);
+    if (error == std::errc() && stopped == end) return text.front() == '-' ? -number : number;
+  }
+#endif
   if (!is_decimal(text)) return {};
   bool fails = false;
   const double value = read_number(std::string(text), fails);

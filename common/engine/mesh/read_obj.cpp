@@ -25,16 +25,24 @@ std::string quoted(std::string_view word) {
   return shown + (word.size() > 24 ? "...'" : "'");
 }
 
+// The words of a line up to a comment.
 void split_words(std::string_view line, Words& words) {
-  constexpr std::string_view blanks = " \t";
   words.clear();
-  for (;;) {
-    const std::size_t first = line.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return;
-    const std::size_t end = std::min(line.find_first_of(blanks, first), line.size());
-    words.push_back(line.substr(first, end - first));
-    line.remove_prefix(end);
+  bool in_comment = false;
+  std::size_t first = 0;
+  const auto end_word = [&](std::size_t end) {
+    if (end > first && !in_comment) words.push_back(line.substr(first, end - first));
+    first = end + 1;
+  };
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c > '#') continue;
+    if (c == ' ' || c == '\t' || c == '#') end_word(i);
+    if (c == '#') in_comment = true;
+    if (c == '\0' || c == '\r' || c == '\f' || c == '\v')
+      throw FileError("it has a byte that is not text; is this an OBJ file?");
   }
+  end_word(line.size());
 }
 
 double coordinate(std::string_view word) {
@@ -69,13 +77,11 @@ class ObjReader {
   TexturedMesh take() { return std::move(result_); }
 
   void read_line(std::string_view line) {
-    if (line.find_first_of(std::string_view("\0\r\f\v", 4)) != std::string_view::npos)
-      throw FileError("it has a byte that is not text; is this an OBJ file?");
+    split_words(line, words_);
     if (!line.empty() && line.back() == '\\') {
       throw FileError(
           "it continues in the next line (\\), which is not supported: join the two lines");
     }
-    split_words(line.substr(0, line.find('#')), words_);
     if (words_.empty()) return;
     const std::string_view kind = words_.front();
     if (kind == "v") return add_point();
