@@ -70,7 +70,7 @@ std::array<RelativeTimes, projections.size()> measure_times() {
       for (const Uv<double>& uv : places) kept += unproject(projection, uv).y;
     });
   }
-  const std::vector<WorkTime> times = work_times(works, 30);
+  const std::vector<WorkTime> times = work_times(works, 10);
   std::array<RelativeTimes, projections.size()> result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = {times[2 * i].processor / times[0].processor,

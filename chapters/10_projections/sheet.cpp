@@ -5,11 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "engine/measure/text.hpp"
 #include "engine/picture/sheet.hpp"
 #include "engine/render/convert_projection.hpp"
 #include "engine/render/render.hpp"
+#include "engine/render/threads.hpp"
 #include "engine/system/system.hpp"
 #include "figures.hpp"
 #include "probable_layout.hpp"
@@ -35,19 +37,39 @@ Rgb8 in_steps(Rgb8 c) {
   return {step(c.r), step(c.g), step(c.b)};
 }
 
-/// True within 6 degrees of a center; the centers are on circles of latitude, every 22.5 degrees.
-bool in_small_circle(const Vec3<double>& n) {
-  constexpr double degree = std::numbers::pi / 180;
-  const double latitude = std::asin(clamp(n.y, -1.0, 1.0)) / degree;
-  const double ring = std::round(latitude / 22.5) * 22.5;
-  const int count = std::max(1, static_cast<int>(std::lround(16 * std::cos(ring * degree))));
-  const double step = 360.0 / count;
-  const double longitude = std::atan2(n.z, n.x) / degree;
-  const double nearest = std::round(longitude / step) * step;
-  const double radius = std::cos(ring * degree);
-  const Vec3<double> center{radius * std::cos(nearest * degree), std::sin(ring * degree),
-                            radius * std::sin(nearest * degree)};
-  return dot(center, n) > std::cos(6 * degree);
+/// A circle of latitude with the centers of small circles.
+struct Ring {
+  double sine, cosine;  ///< of its latitude
+  double low, high;     ///< y 6.5 degrees below and above
+  double centers;
+};
+constexpr double degree = std::numbers::pi / 180;
+
+/// Every 22.5 degrees, from the south pole.
+std::vector<Ring> rings() {
+  std::vector<Ring> all;
+  for (const int i : {-4, -3, -2, -1, 0, 1, 2, 3, 4}) {
+    const double latitude = 22.5 * degree * i, cosine = std::cos(latitude);
+    all.push_back({std::sin(latitude), cosine, i == -4 ? -2 : std::sin(latitude - 6.5 * degree),
+                   i == 4 ? 2 : std::sin(latitude + 6.5 * degree),
+                   std::max(1.0, std::round(16 * cosine))});
+  }
+  return all;
+}
+
+/// Above 0 within 6 degrees of a center: the cosine of the angle from it, less that of 6 degrees.
+double in_small_circle(const Vec3<double>& n) {
+  static const std::vector<Ring> all = rings();
+  for (const Ring& ring : all) {
+    if (n.y < ring.low || n.y > ring.high) continue;
+    const double step = 2 * std::numbers::pi / ring.centers;
+    const double longitude = std::atan2(n.z, n.x);
+    const double from_center = longitude - step * std::round(longitude / step);
+    return ring.sine * n.y +
+           ring.cosine * std::sqrt(n.x * n.x + n.z * n.z) * std::cos(from_center) -
+           std::cos(6 * degree);
+  }
+  return -1;
 }
 
 std::string bound_of(double value) { return std::isinf(value) ? "no bound" : shown(value, 4); }
@@ -58,24 +80,26 @@ std::string bound_of(double value) { return std::isinf(value) ? "no bound" : sho
 /// @param plain  white everywhere
 Image distortion_picture(Projection projection, int width, int height, bool plain = false) {
   Image image(width, height, paper);
-  for (int row = 0; row < height; ++row) {
+  const auto color_at = [&](double column, double row) {
+    const Uv<double> uv{column / width, 1 - row / height};
+    if (!shows(projection, uv)) return Rgb{1, 1, 1};
+    const Vec3<double> n = unproject(projection, uv);
+    if (in_small_circle(n) > 0) return dot_color;
+    return plain ? Rgb{1, 1, 1} : area_color(distortion(projection, n).area);
+  };
+  for_each_row(height, 0, {}, [&](int row) {
     for (int column = 0; column < width; ++column) {
+      // Far from a circle's edge all places of a texel are alike.
+      const Uv<double> middle{(column + 0.5) / width, 1 - (row + 0.5) / height};
+      const double inside = plain ? in_small_circle(unproject(projection, middle)) : 0;
+      const int places = std::abs(inside) > 0.5 / width ? 1 : 9;
       Rgb sum{};
-      for (int k = 0; k < 9; ++k) {
-        const int across = k % 3, down = k / 3;
-        const Uv<double> uv{(column + (across + 0.5) / 3) / width,
-                            1 - (row + (down + 0.5) / 3) / height};
-        if (!shows(projection, uv)) {
-          sum = sum + Rgb{1, 1, 1};
-          continue;
-        }
-        const Vec3<double> n = unproject(projection, uv);
-        const Rgb ground = plain ? Rgb{1, 1, 1} : area_color(distortion(projection, n).area);
-        sum = sum + (in_small_circle(n) ? dot_color : ground);
-      }
-      image.at(column, row) = {byte_of(sum.r / 9), byte_of(sum.g / 9), byte_of(sum.b / 9)};
+      for (int k = 0; k < places; ++k)
+        sum = sum + color_at(column + (k % 3 + 0.5) / 3, row + (k / 3 + 0.5) / 3);
+      image.at(column, row) = {byte_of(sum.r / places), byte_of(sum.g / places),
+                               byte_of(sum.b / places)};
     }
-  }
+  });
   return image;
 }
 

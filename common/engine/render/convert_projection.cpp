@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/kernels/turns.hpp"
 #include "engine/render/threads.hpp"
 #include "math/srgb.hpp"
 #include "texture/wrap.hpp"
@@ -116,12 +117,15 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   const int left = static_cast<int>(std::floor(x));
   const int top = static_cast<int>(std::floor(y));
   const Texel home = texel_of(uv, width, height);
+  const bool cube = facts_of(projection).aspect == 1.5;
+  const bool inside = !cube && left >= 0 && left + 1 < width && top >= 0 && top + 1 < height;
   std::array<Color<double>, 4> lights;  // from the left, then from the top
   for (int i = 0; i < 4; ++i) {
-    const Texel texel = texel_beside(projection, home, left + i % 2, top + i / 2, width, height);
+    const Texel beside{left + i % 2, top + i / 2};
+    const Texel texel =
+        inside ? beside : texel_beside(projection, home, beside.column, beside.row, width, height);
     lights[static_cast<std::size_t>(i)] = number_cast<double>(image.at(texel.column, texel.row));
   }
-  const bool cube = facts_of(projection).aspect == 1.5;
   if (cube && (left + 1) * 3 % width == 0 && (top + 1) * 2 % height == 0) {
     // A corner of the cube, where three texels meet: their mean takes the place of the fourth.
     const int fourth = (home.column == left ? 1 : 0) + (home.row == top ? 2 : 0);
@@ -152,7 +156,9 @@ Image convert_projection(const Image& image, Projection from, Projection to,
                             1 - (row + (down + 0.5) / n) / size.height};
         const Vec3<double> direction = unproject(to, uv);
         if (from == Projection::plane && direction.y < 0) continue;
-        sum = sum + light_at(light, from, project(from, direction));
+        const Uv<double> place = from == Projection::equirect ? FastUnitMapping<29>{}(direction)
+                                                              : project(from, direction);
+        sum = sum + light_at(light, from, place);
       }
       const double share = 1.0 / (n * n);
       result.at(column, row) = {encoded(sum.r * share), encoded(sum.g * share),
