@@ -9,9 +9,15 @@ if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
   target_compile_options(page_figures PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(page_figures PRIVATE TEXMAP_NO_FLATTEN)
 endif()
+# What stands on the sheets, which the book shows in pieces.
+add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)
+target_include_directories(page_sheets PRIVATE "${TEXMAP_CHAPTERS}")
+target_link_libraries(page_sheets PRIVATE project_options app chapters_code 13_speed_for_accuracy_code)
 if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
-  set_target_properties(page_figures PROPERTIES EXCLUDE_FROM_ALL OFF)
-  add_check(page_figures pages "${SH}" -c "\"$0\" | diff \"$1\" -" "$<TARGET_FILE:page_figures>" "${CMAKE_SOURCE_DIR}/docs/figures.txt")
+  foreach(list figures sheets)
+    set_target_properties(page_${list} PROPERTIES EXCLUDE_FROM_ALL OFF)
+    add_check(page_${list} pages "${SH}" -c "\"$0\" | diff \"$1\" -" "$<TARGET_FILE:page_${list}>" "${CMAKE_SOURCE_DIR}/docs/${list}.txt")
+  endforeach()
 endif()
 
 # The page of chapter 03 shows pieces of code, each after a mark that says where it goes in chapter 00's file: with all of them the

@@ -78,14 +78,14 @@ std::string table_of_relations() {
   for (const Relation& relation : measure_relations()) {
     table += text("%-32s%.1e\n", relation.text.c_str(), relation.residual);
   }
-  table += "\ndocument            u runs  v runs  a picture on it\n";
+  table += "\n";
   for (const PublishedMapping& mapping : published_mappings) {
     const Uv<double> here = mapping.formula(direction_at(0.4, 0.6));
     const bool east = mapping.formula(direction_at(0.41, 0.6)).u > here.u;
     const bool north = mapping.formula(direction_at(0.4, 0.61)).v > here.v;
-    table +=
-        text("%-20s%-8s%-8s%s\n", mapping.title, east ? "east" : "west", north ? "north" : "south",
-             handedness(mapping) > 0 ? "reads as printed" : "is mirrored");
+    table += text("%s: u runs %s, v runs %s, a picture on it %s\n", mapping.title,
+                  east ? "east" : "west", north ? "north" : "south",
+                  handedness(mapping) > 0 ? "reads as printed" : "is mirrored");
   }
   return table + "\n";
 }

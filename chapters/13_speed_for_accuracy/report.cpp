@@ -35,9 +35,20 @@ std::string heads_of(const Measurements& all, Part part) {
          "    worst     mean  at most   seen at most seen at most\n";
 }
 
+/// The command that draws chapter 07 with a row's number, for a budget.
+std::string command_of(const Row& row, const std::string& budget) {
+  const Variant& variant = row.variant;
+  std::string command = "./course run 07 --scene book --number ";
+  command.append(name_of(variant.number));
+  if (is_pack(variant.number) &&
+      variant.instructions != usable_instructions(Instructions::avx512).back())
+    command.append(" --instructions ").append(name_of(variant.instructions));
+  return budget == "exact" ? command : command + " --budget " + budget;
+}
+
 // JSON.
 
-Json json_of(const Row& row) {
+Json json_of(const Row& row, const Image& texture) {
   const Variant& v = row.variant;
   const auto& [processor, wall, spread] = row.took;
   if (row.part == Part::samplers) {
@@ -50,7 +61,9 @@ Json json_of(const Row& row) {
                          {"spread", spread}});
   }
   const bool is_place = row.part == Part::places;
-  return Json::object({{"number", name_of(v.number)},
+  const bool by_07 = is_place && v.filter == Filter::nearest;
+  return Json::object({{"command", by_07 ? command_of(row, budget_for(v.degree, texture)) : ""},
+                       {"number", name_of(v.number)},
                        {"instructions", name_of(v.instructions)},
                        {"degree", v.degree},
                        {"filter", name_of(v.filter)},
@@ -134,13 +147,8 @@ std::string about_picture(const Measurements& all, const Row& row, const std::st
                     : text("at most %.2f levels off, not rounded", row.bound);
   lines += text("; pixels that may change: %ld, levels: %d", row.may_change, row.levels_bound);
   if (variant.filter != Filter::nearest) return lines;
-  lines.append(next_line)
-      .append("./course run 07 --scene book --number ")
-      .append(name_of(variant.number));
-  if (is_pack(variant.number) &&
-      variant.instructions != usable_instructions(Instructions::avx512).back())
-    lines.append(" --instructions ").append(name_of(variant.instructions));
-  return budget == "exact" ? lines : lines + " --budget " + budget + next_line + note;
+  lines.append(next_line).append(command_of(row, budget));
+  return budget == "exact" ? lines : lines + next_line + note;
 }
 
 }  // namespace
@@ -215,7 +223,7 @@ std::string table_of(const Measurements& all) {
   return tables + judge_line() + busy_text(all);
 }
 
-std::string json_of(const Measurements& all) {
+std::string json_of(const Measurements& all, const Image& texture) {
   std::vector<std::pair<const char*, Json>> object = {{"machine", all.machine.json()},
                                                       {"width", all.width},
                                                       {"height", all.height},
@@ -223,8 +231,9 @@ std::string json_of(const Measurements& all) {
                                                       {"noise_height", noise_height}};
   constexpr std::array keys = {"places", "curves", "noise"};
   for (const Part part : all_parts) {
-    object.emplace_back(keys[static_cast<std::size_t>(part)],
-                        Json::list_of(all.of(part), [](const Row& row) { return json_of(row); }));
+    object.emplace_back(
+        keys[static_cast<std::size_t>(part)],
+        Json::list_of(all.of(part), [&](const Row& row) { return json_of(row, texture); }));
   }
   return Json::object(object, true).text + "\n";
 }

@@ -111,17 +111,18 @@ struct Sheet {
   }
   /// Writes above all panels what the colors mean.
   void add_legend() {
-    int left = gap / 2;
-    const int top = line / 2;
+    SheetColumn column{image, gap / 2, line / 2, scale, line, 0};
     const auto write = [&](const std::string& words) {
-      draw_text(image, left, top, words, black, scale);
-      left += text_width(words, scale) + line;
+      column.write(words, black);
+      column.left += text_width(words, scale) + line;
+      column.top = line / 2;
     };
     write(
         "Differences in levels of 255; in the upper two rows a changed pixel is drawn three wide:");
     for (const int levels : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
-      blit(image, Image(line, 7 * scale, difference_color(levels)), left, top);
-      left += line + 2 * scale;
+      column.lay(Image(line, 7 * scale, difference_color(levels)));
+      column.left += line + 2 * scale;
+      column.top = line / 2;
       write(std::to_string(levels));
     }
   }
@@ -192,7 +193,7 @@ void Lesson::draw_all(Session& session) {
   if (!report.empty()) {
     std::vector<std::string> contents;
     for (const Plot& plot : plots_of(all)) contents.push_back(svg_of(plot));
-    contents.push_back(json_of(all));
+    contents.push_back(json_of(all, globe.nearest.image));
     for (std::size_t i = 0; i < report.size(); ++i)
       with_name("cannot write", report[i], [&] { write_text_atomically(report[i], contents[i]); });
   }

@@ -238,8 +238,11 @@ inline std::string name_of_kernel(int degree) {
 /// What to know of the times if the machine was busy; empty if it was not.
 [[nodiscard]] std::string busy_text(const Measurements& all);
 [[nodiscard]] std::string table_of(const Measurements& all);
-/// The same as JSON: an object with a list for each part.
-[[nodiscard]] std::string json_of(const Measurements& all);
+/// The same as JSON: an object with a list for each part. A place by the nearest texel has the
+/// command of chapter 07 that draws with its number and kernel.
+///
+/// @param texture  the globe's
+[[nodiscard]] std::string json_of(const Measurements& all, const Image& texture);
 /// A plot of each part.
 [[nodiscard]] std::vector<Plot> plots_of(const Measurements& all);
 

@@ -293,7 +293,7 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
   }
   std::stringstream lines(table);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 110);
-  const std::string json = json_of(all);
+  const std::string json = json_of(all, earth().nearest.image);
   const auto count = [&json](const std::string& word) {
     std::size_t found = 0;
     for (std::size_t at = json.find(word); at != std::string::npos; at = json.find(word, at + 1))
@@ -306,6 +306,14 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
   CHECK(count("\"spread\"") == tried);
   CHECK(count("{") == count("}"));
   CHECK(count("[") == 4);
+  // The book shows the commands: each is one that the run recommends, for a budget of its own.
+  CHECK(count("--number double --budget texels=") ==
+        all.some_of(Part::places,
+                    [](const Row& row) {
+                      return row.variant.number == NumberKind::double_ && row.variant.degree > 0 &&
+                             row.variant.filter == Filter::nearest;
+                    })
+            .size());
 }
 
 #ifdef TEXMAP_REFERENCE_PLATFORM

@@ -7,10 +7,12 @@ BOOK makes the book, ROOT is the project, BIN has the chapters' programs. Status
 out/ as a whole is small enough to be sent: the book, the chapters' pictures, the turntable and the pages of ./course diff.
 """
 import html
+import json
 import pathlib
 import re
 import shlex
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -138,9 +140,30 @@ USES = {
     "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],
     "06_phong_texture_blend.html": [("", "fraction('|r−e|2', '2')")],
     "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && texts('mtext').includes('if it misses')")],
-    "09_texture_filtering.html": [("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
-    "10_projections.html": [("", "fraction('(p−c)·a', '2a·a')")],
+    "09_texture_filtering.html": [("", "texts('.trio figcaption')[0] === 'nearest: 1 read, 0.304 off'"), ("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
+    "10_projections.html": [
+        ("", "fraction('(p−c)·a', '2a·a')"),
+        # Bars on common axes: twice as long for twice the number.
+        ("", "texts('.bars th').join('|') === 'layout|largest texel, 0 to 2|stretch, 0 to 3|seams, 0 to 600'"),
+        ("", "[...document.querySelectorAll('.bars td[data-head=seams]')].every((e) => Math.abs(e.querySelector('.bar').width.baseVal.value * 6 - "
+             "parseFloat(e.textContent)) < 0.5) && document.querySelectorAll('.bars .open').length === 4"),
+    ],
     "12_environment_map.html": [("", "fraction('2π', 'width') && texts('mi').includes('polar_angle')")],
+    "04_uv_conventions.html": [("", "texts('.quad figcaption')[0] === 'daily exercise: u runs west, v runs south, a picture on it is mirrored'")],
+    "13_speed_for_accuracy.html": [
+        ("", "texts('.plot .front span').join() === 'double, atan2,float-pack, degree 5' && document.querySelectorAll('.plot button').length === 3"),
+        ("", "document.querySelector('.about').textContent.includes('no pixel differs') && texts('.about code').join() === 'run double'"),
+        ("document.querySelector('[aria-label=\"float-pack, degree 5\"]').click()",
+         "/20 times as fast as plain double; at most 0.21 texels off; 5747 pixels differ, by up to 156 levels/.test(texts('.about')[0])"),
+        ("", "texts('.about code').join() === 'run packs' && [...document.querySelectorAll('.about svg')].map((e) => e.getAttribute('viewBox').split('.')[0]).join() "
+             "=== [0, 2].map((i) => document.querySelectorAll('.four svg')[i].getAttribute('viewBox').split('.')[0]).join()"),
+    ],
+    "14_numerical_extremes.html": [
+        ("", "texts('.pairs strong').join() === 'from-1e5,pole,needle,small' && texts('.pairs figcaption')[1].endsWith('acos magnifies the rounding of y')"),
+        ("", "texts('.exhibits article').length === 20 && shown('.pairs .two span')[0].startsWith('published, float29669 wrong')"),
+        ("document.querySelector('.pairs svg').dispatchEvent(new MouseEvent('click', {bubbles: true}))",
+         "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, 1.1e-01 tx|robust, double0 wrong, 1.2e-11 tx||published, float')"),
+    ],
     "05_y_rotation.html": [
         ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate')"),
         ("document.querySelector('button[data-frames]').click()", "/_00[1-9].png$/.test(turning().src)"),
@@ -149,6 +172,7 @@ USES = {
 }
 HELPERS = """
 function find(words) { const box = document.querySelector('#search'); box.value = words; box.dispatchEvent(new Event('input')); }
+function shown(what) { return [...document.querySelectorAll(what)].filter((e) => e.getClientRects().length).map((e) => e.textContent); }
 function cut() { return document.querySelector('.pair').style.getPropertyValue('--cut'); }
 function texts(what) { return [...document.querySelectorAll(what)].map((e) => e.textContent); }
 function fraction(above, below) { return [...document.querySelectorAll("mfrac")].some((e) => e.children[0].textContent === above && e.children[1].textContent === below); }
@@ -157,6 +181,12 @@ function turning() { return document.querySelector('button[data-frames]').closes
 
 def run(*words):
     subprocess.run([str(word) for word in words], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def made_up_way(number, degree, time, bound, changed, levels, command):
+    """As chapter 13 writes what it measured."""
+    return {"command": command, "number": number, "instructions": "baseline", "degree": degree, "filter": "nearest", "time": time,
+            "texels_bound": bound, "changed": changed, "levels": levels}
 
 
 def make_out(book, root, programs, out):
@@ -175,6 +205,9 @@ def make_out(book, root, programs, out):
     run(programs / "pack_png", out)
     run("cmake", f"-DCHAPTERS={';'.join(names)}", f"-DFOLDER={root / 'chapters'}", f"-DGALLERY={out}", "-P", root / "common/tools/gallery.cmake")
     (out / "index.html").rename(out / "gallery.html")
+    places = [made_up_way("double", 0, 1, 1.6e-11, 0, 0, "run double"), made_up_way("double", 23, 1.5, 7e-9, 0, 0, "run 23"),
+              made_up_way("float-pack", 5, 0.05, 0.21, 5747, 156, "run packs")]
+    (out / "13_speed_for_accuracy.json").write_text(json.dumps({"places": places}))
     (out / "exercises").mkdir()
     (out / "exercises" / "passed.txt").write_text("01.1 1 2\n02.3 1 2\n01.2 1 2\n")  # as ./course check writes it
     run(book, root, out)
@@ -223,6 +256,27 @@ def faults_of_places(out, root):
             lines = (root / path).read_text().splitlines()
             if not shown or not plain(shown[1]) == plain(first) == lines[int(line) - 1].strip():
                 yield f"{page.name}: {path}:{line} is not: {plain(first)}"
+
+
+def faults_of_sheets(out, root):
+    """All pictures and all words of a sheet are on its chapter's page, but not the sheet as a whole, whose letters are small."""
+    for sheet in (root / "docs/sheets.txt").read_text().split("sheet ")[1:]:
+        head, *parts = sheet.splitlines()
+        chapter, width, height = head.split()[:3]
+        page = (out / f"{chapter}.html").read_text()
+        words = html.unescape(re.sub("<[^>]*>", "", page))
+        picture = f"pictures/tests-golden-{chapter}.png"
+        size = struct.unpack(">II", (out / picture).read_bytes()[16:24])
+        if re.search(f'<img[^>]*{picture}', page) or (int(width), int(height)) != size:
+            yield f"{chapter}.html shows {picture}, {size}, in one piece or in another size"
+        for part in parts:
+            kind, what = part.split(" ", 1)
+            if kind == "picture":
+                left, top, across, down = map(int, what.split())
+                if f'"{left}.5 {top}.5 {across - 1} {down - 1}"' not in page:
+                    yield f"{chapter}.html lacks the picture at {what}"
+            elif not all(word in words for word in re.split(r"  +| (?=no bound$|[\d.]+°?$)", what)):
+                yield f"{chapter}.html lacks: {what}"
 
 
 def faults_of_pages(out, pages):
@@ -275,7 +329,8 @@ def main(words):
         make_out(book, root, programs, out)
         pages = sorted(page.name for page in out.glob("*.html")) + ["diff/02-03/index.html"]
         print(f"{len(pages)} pages", flush=True)
-        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_places(out, root), *faults_of_links(book, root, pathlib.Path(folder) / "root")]
+        faults = [*faults_of_files(out), *faults_of_formulas(out), *faults_of_places(out, root), *faults_of_sheets(out, root),
+                  *faults_of_links(book, root, pathlib.Path(folder) / "root")]
         try:
             for fault in faults_of_pages(out, pages):
                 faults.append(fault)

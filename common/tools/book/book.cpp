@@ -24,6 +24,7 @@
 #include "engine/picture/save_png.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
+#include "sheets.hpp"
 #include "tools/page/page.hpp"
 
 namespace texmap::book {
@@ -151,6 +152,8 @@ class Book {
     const fs::path modules = root_ / "docs/live/modules.js";
     if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
+    const fs::path sheets = root_ / "docs/sheets.txt";
+    if (fs::exists(sheets)) sheets_ = contents_of(sheets);
     for (Page& page : pages_) {
       page.converted = html_of_markdown(
           contents_of(root_ / page.source),
@@ -168,8 +171,10 @@ class Book {
     write_live();
     fs::remove(out_ / "print.html");
     if (with_print_) write_print();
-    write(out_ / "book.css", contents_of(folder() / "book.css") + line_numbers());
-    write(out_ / "book.js", search_index() + contents_of(folder() / "book.js"));
+    write(out_ / "book.css", contents_of(folder() / "book.css") +
+                                 contents_of(folder() / "sheets.css") + line_numbers());
+    write(out_ / "book.js",
+          search_index() + contents_of(folder() / "book.js") + contents_of(folder() / "sheets.js"));
   }
 
   /// Links and pictures that lead nowhere.
@@ -458,19 +463,13 @@ class Book {
 
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
-    std::string body = with_cards(page.converted.html);
+    const fs::path measured = out_ / (page.chapter + ".json");
+    std::string body = with_sheet(sheets_, page.chapter, with_cards(page.converted.html),
+                                  fs::exists(measured) ? contents_of(measured) : "");
     if (!page.chapter.empty()) {
       replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
       replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");
       body += made_for(page.chapter);
-    }
-    const std::string trade = page.chapter + "_speed_error.svg";
-    const std::size_t first_picture = body.find("<p class=\"figure");
-    if (fs::exists(out_ / trade) && first_picture != std::string::npos) {
-      body.insert(first_picture, "<figure><img src=\"" + trade +
-                                     "\" alt=\"Time across, error up: each way to draw, and the "
-                                     "front of those that nothing beats\"><figcaption>Measured on "
-                                     "this machine</figcaption></figure>\n");
     }
     body += "<nav class=\"turn\" aria-label=\"Next and previous page\">";
     if (i > 0) {
@@ -635,6 +634,7 @@ class Book {
   std::string modules_;       // of live pictures; empty: there are none
   std::map<std::string, std::set<std::size_t>> sources_;  ///< and the lines that links lead to
   std::set<std::string> pictures_;
+  std::string sheets_;  ///< what stands on them
   std::vector<std::string> faults_;
 };
 
