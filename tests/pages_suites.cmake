@@ -2,17 +2,17 @@
 
 # The figures are those of the reference platform: another C library may round a pixel another way.
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
-target_include_directories(page_figures PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
-target_link_libraries(page_figures PRIVATE project_options app chapters_code compare)
-set_target_properties(page_figures PROPERTIES WIDER_REFERENCES ON)
-if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
-  target_compile_options(page_figures PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_compile_definitions(page_figures PRIVATE TEXMAP_NO_FLATTEN)
-endif()
-# What stands on the sheets, which the book shows in pieces.
-add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)
-target_include_directories(page_sheets PRIVATE "${TEXMAP_CHAPTERS}")
-target_link_libraries(page_sheets PRIVATE project_options app chapters_code 13_speed_for_accuracy_code)
+add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)  # what stands on the sheets, which the book shows in pieces
+target_link_libraries(page_sheets PRIVATE 13_speed_for_accuracy_code)
+foreach(program page_figures page_sheets)
+  target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/support" "${TEXMAP_CHAPTERS}")
+  target_link_libraries(${program} PRIVATE project_options app chapters_code compare)
+  set_target_properties(${program} PROPERTIES WIDER_REFERENCES ON)
+  if(TAKES_GNU_OPTIONS)  # as the suites: the figures are the same
+    target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_definitions(${program} PRIVATE TEXMAP_NO_FLATTEN)
+  endif()
+endforeach()
 if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   foreach(list figures sheets)
     set_target_properties(page_${list} PROPERTIES EXCLUDE_FROM_ALL OFF)

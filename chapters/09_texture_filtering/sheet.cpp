@@ -40,8 +40,8 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
                                       [&name = name](const auto& one) { return one.name == name; });
     std::string label = name;
     if (figures != all.end()) {
-      label += text(": %.0f read%s, %.3f off", figures->reads, figures->reads > 1 ? "s" : "",
-                    figures->error);
+      label += text(": %.0f read%s, %.1f %% off", figures->reads, figures->reads > 1 ? "s" : "",
+                    100 * figures->error);
     }
     const int left = panel % columns * (panel_width + gap);
     const int top = panel / columns * (panel_height + line + gap);

@@ -140,7 +140,7 @@ USES = {
     "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],
     "06_phong_texture_blend.html": [("", "fraction('|r−e|2', '2')")],
     "07_earth_by_sampling.html": [("", "fraction('x+0.055', '1.055') && fraction('cosθ', 'π') && texts('mtext').includes('if it misses')")],
-    "09_texture_filtering.html": [("", "texts('.trio figcaption')[0] === 'nearest: 1 read, 0.304 off'"), ("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
+    "09_texture_filtering.html": [("", "texts('.trio figcaption')[0] === 'nearest: 1 read, 30.4 % off'"), ("", "fraction('|puqv−qupv|', 'longer') && texts('msqrt').includes('(A−B2)2+C2') && texts('msubsup').includes('pu2')")],
     "10_projections.html": [
         ("", "fraction('(p−c)·a', '2a·a')"),
         # Bars on common axes: twice as long for twice the number.

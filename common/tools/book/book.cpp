@@ -153,7 +153,7 @@ class Book {
     if (fs::exists(modules)) modules_ = contents_of(modules);
     find_pages();
     const fs::path sheets = root_ / "docs/sheets.txt";
-    if (fs::exists(sheets)) sheets_ = contents_of(sheets);
+    const std::string list = fs::exists(sheets) ? contents_of(sheets) : "";
     for (Page& page : pages_) {
       page.converted = html_of_markdown(
           contents_of(root_ / page.source),
@@ -163,6 +163,9 @@ class Book {
           });
       if (page.converted.sections.empty())
         throw std::runtime_error(page.source + " does not begin with a title");
+      const fs::path measured = out_ / (page.chapter + ".json");
+      page.converted.html = with_sheet(list, page.chapter, page.converted.html,
+                                       fs::exists(measured) ? contents_of(measured) : "");
     }
     check_names();
     for (std::size_t i = 0; i < pages_.size(); ++i) write_page(i);
@@ -463,9 +466,7 @@ class Book {
 
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
-    const fs::path measured = out_ / (page.chapter + ".json");
-    std::string body = with_sheet(sheets_, page.chapter, with_cards(page.converted.html),
-                                  fs::exists(measured) ? contents_of(measured) : "");
+    std::string body = with_cards(page.converted.html);
     if (!page.chapter.empty()) {
       replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
       replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");
@@ -634,7 +635,6 @@ class Book {
   std::string modules_;       // of live pictures; empty: there are none
   std::map<std::string, std::set<std::size_t>> sources_;  ///< and the lines that links lead to
   std::set<std::string> pictures_;
-  std::string sheets_;  ///< what stands on them
   std::vector<std::string> faults_;
 };
 
