@@ -378,7 +378,7 @@ class Book {
     }
     const std::string live = up.empty() ? live_chapter(current) : "";
     html += "</header>\n<main id=\"main\"";
-    if (!live.empty() && !fs::exists(playground() / ("page_" + live + ".js")))
+    if (!live.empty() && !fs::exists(playground() / own_script(live)))
       html.append(" data-live=\"").append(live).append("\"");
     html.append(">\n").append(body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
@@ -386,15 +386,17 @@ class Book {
       html +=
           "<link rel=\"stylesheet\" href=\"live/live.css\">\n"
           "<script src=\"live/live.js\" defer></script>\n";
-      const std::string own = "page_" + live + ".js";
-      if (fs::exists(playground() / own))
-        html.append("<script src=\"live/").append(own).append("\" defer></script>\n");
+      if (fs::exists(playground() / own_script(live)))
+        html.append("<script src=\"live/" + own_script(live) + "\" defer></script>\n");
     }
     return html + "</body>\n</html>\n";
   }
 
   /// Where the code of live pictures is; page_NN.js is that of one chapter's page alone.
   [[nodiscard]] fs::path playground() const { return root_ / "common/tools/playground"; }
+  [[nodiscard]] static std::string own_script(const std::string& number) {
+    return text("page_%s.js", number.c_str());
+  }
 
   /// The number of a page's chapter if its picture is live, else nothing.
   [[nodiscard]] std::string live_chapter(std::size_t page) const {
@@ -402,7 +404,7 @@ class Book {
     std::string number = pages_[page].chapter.substr(0, 2);
     const std::string in_utf16{'"', '\0', number[0], '\0', number[1], '\0', '"', '\0'};
     const bool is_live = modules_.find(in_utf16) != std::string::npos ||
-                         fs::exists(playground() / ("page_" + number + ".js"));
+                         fs::exists(playground() / own_script(number));
     return is_live ? number : "";
   }
 
