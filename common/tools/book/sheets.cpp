@@ -14,6 +14,13 @@
 namespace texmap::book {
 namespace {
 
+template <class... Words>
+std::string joined(const Words&... words) {
+  std::string all;
+  ((all += words), ...);
+  return all;
+}
+
 /// What a sheet has at a place: a picture, or a line of text, which has no size.
 struct Piece {
   std::string words;
@@ -63,11 +70,10 @@ struct Reader {
   /// @param more  further attributes
   [[nodiscard]] std::string shown(const Piece& piece, const std::string& label,
                                   const std::string& more = "") const {
-    return text("<svg viewBox=\"%d.5 %d.5 %d %d\" role=\"img\"", piece.left, piece.top,
-                piece.width - 1, piece.height - 1) +
-           more + " style=\"max-width: " + std::to_string(2 * piece.width) + "px\" aria-label=\"" +
-           label + "\"><image href=\"" + file +
-           text("\" width=\"%d\" height=\"%d\"/></svg>", width, height);
+    return joined(text("<svg viewBox=\"%d.5 %d.5 %d %d\" style=\"max-width: %dpx\"", piece.left,
+                       piece.top, piece.width - 1, piece.height - 1, 2 * piece.width),
+                  more, " role=\"img\" aria-label=\"", label, "\"><image href=\"", file,
+                  text("\" width=\"%d\" height=\"%d\"/></svg>", width, height));
   }
 };
 
@@ -91,10 +97,12 @@ std::string conventions(Reader reader, std::string& rest) {
     const std::string title = reader.words();
     globe = reader.picture(title);
     std::string words = reader.words();
-    maps += figure(reader.picture(title + ", " + words), strong(title) + "<br>" + words);
+    maps +=
+        figure(reader.picture(joined(title, ", ", words)), joined(strong(title), "<br>", words));
     for (int part = 0; part < 4; ++part) {
       words = reader.words();
-      parts += figure(reader.picture(title + ", " + words), strong(words) + "<br>" + title);
+      parts +=
+          figure(reader.picture(joined(title, ", ", words)), joined(strong(words), "<br>", title));
     }
   }
   rest = "<div class=\"sheet wide quad\">\n" + maps + "</div>\n<div class=\"sheet wide four\">\n" +
@@ -124,9 +132,10 @@ std::array<std::string, 2> head_and_number(const std::string& words) {
 std::string layouts(Reader reader) {
   constexpr std::array axes{2, 3, 600};
   std::string html = "<table class=\"sheet wide bars\">\n<thead><tr><th>layout</th>";
-  for (std::size_t k = 0; k < axes.size(); ++k)
-    html += "<th>" + head_and_number(reader.pieces.at(k + 1).words)[0] +
-            text(", 0 to %d</th>", axes[k]);
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    html += joined("<th>", head_and_number(reader.pieces.at(k + 1).words)[0],
+                   text(", 0 to %d</th>", axes[k]));
+  }
   html += "</tr></thead>\n<tbody>\n";
   while (reader.pieces.size() - reader.next > 4) {
     const std::string name = reader.words();
@@ -134,17 +143,17 @@ std::string layouts(Reader reader) {
     for (const int axis : axes) {
       const auto [head, number] = head_and_number(reader.words());
       const bool is_open = number == "no bound";
-      bars += "<td data-head=\"" + head + "\">" + number +
-              text(
-                  "<svg viewBox=\"0 0 100 1\" preserveAspectRatio=\"none\" "
-                  "aria-hidden=\"true\"><rect width=\"100\" height=\"1\"/>"
-                  "<rect width=\"%.1f\" height=\"1\" class=\"%s\"/></svg></td>\n",
-                  is_open ? 100 : 100 * std::atof(number.c_str()) / axis, is_open ? "open" : "bar");
+      bars += joined(
+          "<td data-head=\"", head, "\">", number,
+          text("<svg viewBox=\"0 0 100 1\" preserveAspectRatio=\"none\" "
+               "aria-hidden=\"true\"><rect width=\"100\" height=\"1\"/>"
+               "<rect width=\"%.1f\" height=\"1\" class=\"%s\"/></svg></td>\n",
+               is_open ? 100 : 100 * std::atof(number.c_str()) / axis, is_open ? "open" : "bar"));
     }
-    html += "<tr><td><span>" + name + "</span><div class=\"two\">" +
-            reader.picture("the Earth in the layout " + name);
-    html +=
-        reader.picture("equal circles in the layout " + name) + "</div></td>\n" + bars + "</tr>\n";
+    const std::string map = reader.picture("the Earth in the layout " + name);
+    html += joined("<tr><td><span>", name, "</span><div class=\"two\">", map,
+                   reader.picture("equal circles in the layout " + name), "</div></td>\n", bars,
+                   "</tr>\n");
   }
   std::string caption = reader.words();
   while (reader.at_words()) caption += "; " + reader.words();
@@ -187,13 +196,13 @@ std::map<std::string, std::string> pairs_of(Reader reader) {
       const char* const number = variant < 2 ? "in-float" : "in-double";
       const Piece& picture = reader.picture();
       const std::string by = reader.words();
-      words += text("<span class=\"%s\">", number) + by + "<br>" + reader.words() + "</span>";
-      pictures += reader.shown(picture, name + ", " + by, text(" class=\"%s\"", number));
+      words += joined("<span class=\"", number, "\">", by, "<br>", reader.words(), "</span>");
+      pictures += reader.shown(picture, joined(name, ", ", by), joined(" class=\"", number, "\""));
     }
-    all[name] = "<figure><label class=\"two\"><input type=\"checkbox\" aria-label=\"" + name +
-                " in double\">" + pictures + words +
-                "<span class=\"swap\" aria-hidden=\"true\"></span></label><figcaption>" +
-                strong(name) + " " + what;
+    all[name] = joined("<figure><label class=\"two\"><input type=\"checkbox\" aria-label=\"", name,
+                       " in double\">", pictures, words,
+                       "<span class=\"swap\" aria-hidden=\"true\"></span></label><figcaption>",
+                       strong(name), " ", what);
   }
   return all;
 }
