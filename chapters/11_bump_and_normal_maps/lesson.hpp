@@ -35,7 +35,7 @@ struct Lesson : LessonHooks {
       .sky = {.below = {0.02, 0.02, 0.03}, .above = {0.02, 0.02, 0.03}},
       .camera = {.eye = {0, 0, 6}, .target = {0, 0, 0}, .fov_y_degrees = 20},
   };
-  Lambertian surface{.ambient = 0.04, .diffuse = 0.96};
+  Lambertian surface{.ambient = 0.12, .diffuse = 0.88};
   std::vector<Object> objects = {
       Object{.shape = {.center = {0.0, 0.0, 0.0}, .radius = 1.0}, .paint = Solid{white}},
   };

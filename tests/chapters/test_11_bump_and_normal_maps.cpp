@@ -105,7 +105,7 @@ TEST_CASE("green is up or down in the image, in every convention: the normal is 
 }
 
 TEST_CASE("a flat normal map leans by sqrt(2) / 255: each byte is within 2 levels of no map") {
-  // By so much the cosine differs at most; times 0.96 and 255 that is 1.36, and bytes are cut off.
+  // By so much the cosine differs at most; times 0.88 and 255 that is 1.25, and bytes are cut off.
   const TemporaryFolder folder;
   const std::string file = folder / "flat.png";
   save_png(Image(2, 1, {128, 128, 255}), file);
