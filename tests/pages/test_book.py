@@ -172,7 +172,7 @@ USES = {
 }
 HELPERS = """
 function find(words) { const box = document.querySelector('#search'); box.value = words; box.dispatchEvent(new Event('input')); }
-function shown(what) { return [...document.querySelectorAll(what)].filter((e) => e.getClientRects().length).map((e) => e.textContent); }
+function shown(what) { return [...document.querySelectorAll(what)].filter((e) => e.getClientRects().length).map((e) => e.textContent.replaceAll("\\u2060", "")); }
 function cut() { return document.querySelector('.pair').style.getPropertyValue('--cut'); }
 function texts(what) { return [...document.querySelectorAll(what)].map((e) => e.textContent); }
 function fraction(above, below) { return [...document.querySelectorAll("mfrac")].some((e) => e.children[0].textContent === above && e.children[1].textContent === below); }
@@ -264,7 +264,7 @@ def faults_of_sheets(out, root):
         head, *parts = sheet.splitlines()
         chapter, width, height = head.split()[:3]
         page = (out / f"{chapter}.html").read_text()
-        words = html.unescape(re.sub("<[^>]*>", "", page))
+        words = html.unescape(re.sub("<[^>]*>|\u2060", "", page))
         picture = f"pictures/tests-golden-{chapter}.png"
         size = struct.unpack(">II", (out / picture).read_bytes()[16:24])
         if re.search(f'<img[^>]*{picture}', page) or (int(width), int(height)) != size:

@@ -59,7 +59,11 @@ struct Reader {
       throw std::runtime_error("docs/sheets.txt does not go with " + file);
     return pieces[next++];
   }
-  std::string words() { return escaped_markup(take(true).words); }
+  std::string words() {
+    std::string words = escaped_markup(take(true).words);
+    replace_all(words, "e-", "e-\u2060");  // a joiner: no line ends within 2.0e-01
+    return words;
+  }
 
   const Piece& picture() { return take(false); }
   std::string picture(const std::string& label) { return shown(picture(), label); }
