@@ -5,6 +5,7 @@
 //        --print: also OUT/print.html, the pages of students and instructors in one, for paper
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -21,9 +22,11 @@
 
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
+#include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
+#include "microscope.hpp"
 #include "sheets.hpp"
 #include "tools/page/page.hpp"
 
@@ -178,6 +181,7 @@ class Book {
                                  contents_of(folder() / "sheets.css") + line_numbers());
     write(out_ / "book.js",
           search_index() + contents_of(folder() / "book.js") + contents_of(folder() / "sheets.js"));
+    write(out_ / "cover.js", contents_of(folder() / "cover.js"));
   }
 
   /// Links and pictures that lead nowhere.
@@ -382,6 +386,11 @@ class Book {
       html.append(" data-live=\"").append(live).append("\"");
     html.append(">\n").append(body).append("</main>\n");
     if (up.empty()) html += "<script src=\"book.js\"></script>\n";
+    if (body.find("class=\"hero\"") != std::string::npos) {
+      html +=
+          "<script src=\"cover.js\" defer></script>\n"
+          "<script src=\"live/cover.js\" defer></script>\n";
+    }
     if (!live.empty()) {
       html +=
           "<link rel=\"stylesheet\" href=\"live/live.css\">\n"
@@ -528,9 +537,74 @@ class Book {
                 dots.c_str());
   }
 
+  /// The error microscope, its still picture drawn here: the browser may lack what draws it again.
+  [[nodiscard]] std::string hero() {
+    const fs::path map = root_ / "assets/earth.png";
+    if (!fs::exists(map)) return "<h1>Texture Mapping, Step by Step</h1>\n";
+    const double radii = std::pow(10, 3.3);  // where the slider of cover.html begins
+    fs::create_directories(out_ / "pictures");
+    save_png(microscope::draw({load_image(map)}, radii, 480, 0, 480),
+             out_ / "pictures/microscope.png");
+    std::string html = contents_of(folder() / "cover.html");
+    if (page_of("chapters/14_numerical_extremes/README.md") == nullptr)
+      replace_first(html, "<a" + between(html, "<a", "</a>") + "</a>", "");
+    return html;
+  }
+
+  /// Lines of code in the files below a folder, or in one file; pages and pictures are no code.
+  [[nodiscard]] std::ptrdiff_t lines_below(const std::string& place) const {
+    static const std::set<std::string> endings{".cpp", ".hpp", ".h",   ".in",   ".py",
+                                               ".sh",  ".js",  ".css", ".html", ".cmake"};
+    const auto lines = [](const fs::path& path) {
+      const std::string code = contents_of(path);
+      return std::count(code.begin(), code.end(), '\n');
+    };
+    if (fs::is_regular_file(root_ / place)) return lines(root_ / place);
+    std::ptrdiff_t sum = 0;
+    if (!fs::exists(root_ / place)) return sum;
+    for (const auto& entry : fs::recursive_directory_iterator(root_ / place)) {
+      const fs::path& path = entry.path();
+      if (endings.count(path.extension().string()) != 0 || path.filename() == "CMakeLists.txt")
+        sum += lines(path);
+    }
+    return sum;
+  }
+
+  /// Three squares, their areas as large as the lessons, the textbook's rooms, and all code.
+  [[nodiscard]] std::string squares() const {
+    std::ptrdiff_t lessons = 0, rooms = 0, all = 0;
+    for (const Page& page : pages_) {
+      if (!page.chapter.empty()) lessons += lines_below("chapters/" + page.chapter + "/lesson.hpp");
+    }
+    for (const char* room : {"number", "math", "sampling", "scene", "texture", "published"})
+      rooms += lines_below(std::string("common/") + room);
+    rooms -= lines_below("common/number/kinds");
+    for (const char* part : {"chapters", "common", "tests", "assets", ".ci/run", "course"})
+      all += lines_below(part);
+    if (lessons == 0 || rooms == 0) return "";
+    rooms += lessons;
+    const auto row = [all](std::ptrdiff_t lines, const char* words) {
+      std::string number = std::to_string(lines);
+      for (std::size_t place = number.size(); place > 3; place -= 3)
+        number.insert(place - 3, 1, ',');
+      return text("<li style=\"--side: %.4f\"><strong>%s</strong> %s</li>\n",
+                  std::sqrt(double(lines) / double(all)), number.c_str(), words);
+    };
+    const auto side = [all](std::ptrdiff_t lines) {
+      return text("<s style=\"width: %.2f%%\"></s>", 100 * std::sqrt(double(lines) / double(all)));
+    };
+    return text("<h2>You read %td lines; the rest checks them</h2>\n", lessons) +
+           "<figure class=\"squares wide\"><div role=\"img\" aria-label=\"Three squares, one in "
+           "another, their areas to scale\">" +
+           side(rooms) + side(lessons) + "</div>\n<ul>\n" +
+           row(all, "lines in all: the rest checks them, measures them and makes them fast.") +
+           row(rooms, "with the textbook, where you look up what a lesson calls.") +
+           row(lessons, "lines of lessons: you read these.") + "</ul></figure>\n";
+  }
+
   void write_index() {
     std::string body =
-        "<h1>Texture Mapping, Step by Step</h1>\n"
+        hero() +
         "<p class=\"lead\">How a picture is wrapped round a surface, in a ray tracer that is small "
         "enough to read. Each chapter is one program that adds one idea to the chapter before "
         "it.</p>\n<ol class=\"path wide\" id=\"contents\">\n";
@@ -556,7 +630,7 @@ class Book {
               between(html, "</h1>\n<p>", "</p>") + "</p></div><p>" + number + "</p><p>" +
               between(html, "<p><em>", ",") + exercises_done(page.chapter) + "</p></li>\n";
     }
-    body += "</ol>\n";
+    body += "</ol>\n" + squares();
     for (std::size_t part = 1; part + 1 < parts_.size(); ++part) body += contents(parts_[part]);
     body += "<h2>How it is checked</h2>\n<p><a href=\"checked.html\">" +
             escaped_markup(parts_.back().title) + "</a></p>\n";

@@ -47,6 +47,7 @@ cmake -S "$tree" -B "$build" -D CMAKE_TOOLCHAIN_FILE="$toolchain" -D CMAKE_BUILD
   -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti \"-fmacro-prefix-map=$tree/=\" -include \"$tree/common/tools/playground/libcxx_13.hpp\""
 cmake --build "$build" --target playground playground_13 playground_14 --parallel 2
 python3 "$tree/common/tools/playground/make_playground.py" "$build/bin" "$tree/assets" "$place"
+python3 "$tree/common/tools/playground/make_microscope.py" "$build/bin/microscope.wasm" "$place"
 [ "$place" != "$build/live" ] || {
   stale=""
   for file in "$place"/*; do
