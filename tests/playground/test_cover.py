@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
-"""The book's cover in a real browser, from file://: the error microscope's numbers against the common code, its red digits, its controls,
-and the squares drawn to scale.
+"""The book's cover in a real browser, from file://: the error microscope against the same code as a program, and the squares to scale.
 
-usage: test_cover.py BOOK ROOT PRINT [CHECK ...]
-BOOK makes the book, ROOT is the project, PRINT is print_microscope. Status 77 where no browser is installed, or docs/live/cover.js is missing.
+usage: test_cover.py BOOK ROOT PRINT     BOOK makes the book, ROOT is the project, PRINT is print_microscope
+Status 77 where no browser is installed, or docs/live/cover.js is missing.
 """
 import math
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,90 +25,70 @@ PIXELS = ((0.15, 0.4), (0.22, 0.62), (0.3, 0.25), (0.35, 0.75), (0.45, 0.5), (0.
 ROWS = "[...document.querySelectorAll('.hero tbody tr')].map((row) => [...row.cells].slice(1).map((cell) => cell.innerHTML))"
 
 
-def settle(browser):
+def move(browser, value):
+    browser.run(f"{HERO}.dataset.state = ''; {SLIDER}.value = {value}; {SLIDER}.dispatchEvent(new Event('input'))")
     browser.wait(f"{HERO}.dataset.state === 'done'", 30)
 
 
-def move(browser, value):
-    browser.run(f"{HERO}.dataset.state = ''; {SLIDER}.value = {value}; {SLIDER}.dispatchEvent(new Event('input'))")
-    settle(browser)
-
-
-def point(browser, across, down):
-    left, top, width = browser.run(f"(({{left, top, width}}) => [left, top, width])({CANVAS}.getBoundingClientRect())")
-    browser.mouse("mouseMoved", left + across * width, top + down * width)
+def at_all(browser, pixels=PIXELS):
+    """Points at pixels, at each distance; gives the slider's value and the module's numbers."""
+    for value in DISTANCES:
+        move(browser, value)
+        left, top, width = browser.run(f"(({{left, top, width}}) => [left, top, width])({CANVAS}.getBoundingClientRect())")
+        for across, down in pixels:
+            browser.mouse("mouseMoved", left + across * width, top + down * width)
+            yield value, [float(text) for text in browser.run(f"{HERO}.numbers.all.map(String)")]
 
 
 def check_numbers(place, browser):
     """At ten pixels and five distances the module has the numbers and the color that the same code has as a program."""
     asked, heard = [], []
-    for value in DISTANCES:
-        move(browser, value)
-        radii = browser.run(f"10 ** ({SLIDER}.value / 100)")
-        for across, down in PIXELS:
-            point(browser, across, down)
-            pixel, numbers, color = browser.run(f"""(() => {{
-              const {{pixel, all}} = {HERO}.numbers;
-              return [pixel, all.map(String), [...{CANVAS}.getContext("2d").getImageData(pixel[1], pixel[2], 1, 1).data].slice(0, 3)];
-            }})()""")
-            asked.append(f"{radii!r} {pixel[0]} {pixel[1]} {pixel[2]}")
-            heard.append([*map(float, numbers), *color])
+    for _, numbers in at_all(browser):
+        radii, pixel, color = browser.run(f"""(({{pixel}}) => [10 ** ({SLIDER}.value / 100), pixel,
+          [...{CANVAS}.getContext("2d").getImageData(pixel[1], pixel[2], 1, 1).data].slice(0, 3)])({HERO}.numbers)""")
+        asked.append(f"{radii!r} {pixel[0]} {pixel[1]} {pixel[2]}")
+        heard.append([*numbers, *color])
     earth = place.root / "common/tools/playground/cover_earth.jpg"
     said = subprocess.run([place.printer, earth], input="\n".join(asked), stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
     if len(set(asked)) != 50 or len(said) != 50:
         yield f"{len(set(asked))} pixels, {len(said)} answers"
     for pixel, mine, native in zip(asked, heard, said):
-        native = [float(word) for word in native.split()]
-        for i, (one, other) in enumerate(zip(mine, native)):
+        for i, (one, other) in enumerate(zip(mine, map(float, native.split()))):
             # C libraries round atan2 and acos in two ways: one float apart, and of pairs the last digits.
             allowed = 6e-8 if i in (5, 6, 14, 15) else 1e-25 if i in (29, 31) else 0
             if one != other and not abs(one - other) <= allowed and not (math.isnan(one) and math.isnan(other)):
                 yield f"{pixel}: number {i} is {one!r}, not {other!r}"
 
 
-def first_wrong(number, truth, text):
-    """How many digits of a text, which has all digits of a number, are right: rounded to each place as the true number is."""
+def right_digits(number, truth, text):
+    """How many digits of a text are right: its number, rounded to their place, is the true number, rounded."""
     def rounded(value, places):
-        scaled = abs(value) * Fraction(10) ** places
-        whole = (2 * scaled + 1) // 2
+        whole = (2 * abs(value) * Fraction(10) ** places + 1) // 2
         return -whole if value < 0 else whole
-    digits = re.sub(r"\D", "", text)
-    before = len(digits) - len(text.partition(".")[2])
-    for i in range(len(digits)):
-        if rounded(number, i + 1 - before) != rounded(truth, i + 1 - before):
-            return i
-    return len(digits)
+    count = len(re.sub(r"\D", "", text))
+    places = range(len(text.partition(".")[2]) - count + 1, count)
+    return next((i for i in range(count) if rounded(number, places[i]) != rounded(truth, places[i])), count)
 
 
 def check_digits(place, browser):
     """Each digit is red from the first place where the number, rounded to it, is not the true number, rounded to it."""
-    wrong = {value: 0 for value in DISTANCES}
-    for value in DISTANCES:
-        move(browser, value)
-        for across, down in PIXELS[:-1]:
-            point(browser, across, down)
-            numbers = [Fraction(float(one)) if one not in ("Infinity", "NaN") else None
-                       for one in browser.run(f"{HERO}.numbers.all.map(String)")]
-            for row, cells in enumerate(browser.run(ROWS)[:7]):
-                truth = numbers[18 + 2 * row] + numbers[19 + 2 * row]
-                for column, cell in enumerate(cells):
-                    if not re.match("[−\\d<]", cell) or ">miss<" in cell:
-                        continue
-                    number = truth if column == 2 else numbers[9 * column + row]
-                    right, _, red = re.sub("<span.*?</span>|</i>", "", cell).replace("\u200b", "").partition("<i>")
-                    if number is None:
-                        if red != "NaN":
-                            yield f"{value}, {across}: {cell} for no number"
-                        continue
-                    text = (right + red).replace(",", "").replace("−", "-")
-                    # Not more than half a unit of the last digit off.
-                    if abs(Fraction(text) - number) * 10 ** len(text.partition(".")[2]) > Fraction(1, 2):
-                        yield f"{value}, row {row}: {text} for {float(number)!r}"
-                    if first_wrong(number, truth, text) != len(re.sub(r"\D", "", right)):
-                        yield f"{value}, {across}, row {row}: {cell}, and the true number is {float(truth)!r}"
-                    if column == 1 and row in (2, 3, 5, 6) and len(red) > 1:
-                        yield f"{value}, {across}, row {row}: ours is wrong: {cell}"
-                    wrong[value] += len(red) if column == 0 and row == 3 else 0
+    wrong = dict.fromkeys(DISTANCES, 0)
+    for value, numbers in at_all(browser, PIXELS[:-1]):  # the last sees the sky
+        for row, cells in enumerate(browser.run(ROWS)[:7]):
+            truth = Fraction(numbers[18 + 2 * row]) + Fraction(numbers[19 + 2 * row])
+            for column, cell in enumerate(cells):
+                right, _, red = re.sub("<span.*?</span>|</i>|[,\u200b]", "", cell).partition("<i>")
+                text = (right + red).replace("−", "-")
+                if not re.fullmatch(r"-?[\d.]+", text):  # no such step, no hit or no number
+                    continue
+                number = truth if column == 2 else Fraction(numbers[9 * column + row])
+                if abs(Fraction(text) - number) * 10 ** len(text.partition(".")[2]) > Fraction(1, 2):
+                    yield f"{value}, row {row}: {text} for {float(number)!r}"
+                if right_digits(number, truth, text) != len(re.sub(r"\D", "", right)):
+                    yield f"{value}, row {row}: {cell}, and the true number is {float(truth)!r}"
+                if column == 1 and row in (2, 3, 5, 6) and len(red) > 1:
+                    yield f"{value}, row {row}: ours is wrong: {cell}"
+                wrong[value] += len(red) if column == 0 and row == 3 else 0
     if wrong[0] > 3 or wrong[330] < 30:
         yield f"wrong digits of b² - a c: {wrong}"
 
@@ -169,23 +147,18 @@ def check_narrow(place, browser):
 
 def check_still(place, browser):
     """Without JavaScript, WebAssembly, DecompressionStream or the module's file the still picture stays, and no control is there."""
-    for lacks in ("", "delete window.WebAssembly", "delete window.DecompressionStream", "no module"):
+    for lacks in ("delete window.WebAssembly", "delete window.DecompressionStream", "", "no module"):
         with Browser() as other:
-            if lacks == "":
-                other.call("Emulation.setScriptExecutionDisabled", value=True)
-            elif lacks == "no module":
-                (place.out / "live/cover.js").rename(place.out / "cover.away")
-            else:
-                other.call("Page.addScriptToEvaluateOnNewDocument", source=lacks)
+            other.call("Page.addScriptToEvaluateOnNewDocument", source=lacks if lacks != "no module" else "")
+            other.call("Emulation.setScriptExecutionDisabled", value=lacks == "")
+            if lacks == "no module":  # the browser itself says so
+                (place.out / "live/cover.js").unlink()
             other.open(place.page)
             time.sleep(1)
             other.call("Emulation.setScriptExecutionDisabled", value=False)
             if other.run(f"{CANVAS}.offsetWidth + {SLIDER}.offsetWidth > 0 || document.querySelector('.stage img').offsetHeight < 100"):
                 yield f"{lacks}: there are controls, or no picture"
-            if lacks == "no module":
-                (place.out / "cover.away").rename(place.out / "live/cover.js")
-            else:
-                yield from other.log
+            yield from other.log if lacks != "no module" else []
 
 
 def check_squares(place, browser):
@@ -200,13 +173,10 @@ def check_squares(place, browser):
     everything = lines(rf"((chapters|common|tests|assets)/{code}|course$|\.ci/run$)")
     if (place.root / ".git").exists() and mine != [everything, rooms, lessons]:
         yield f"the numbers are {mine}, and git has {[everything, rooms, lessons]}"
-    sides = browser.run("[...document.querySelectorAll('.squares div, .squares s')].map((e) => e.getBoundingClientRect().width)")
+    sides = browser.run("[...document.querySelectorAll('.squares s')].map((e) => e.getBoundingClientRect().width)")
     for side, number in zip(sides, mine):
         if abs(side / sides[0] - math.sqrt(number / mine[0])) > 0.005:
             yield f"{number} lines have the side {side}, all have {sides[0]}"
-
-
-CHECKS = {name[6:]: check for name, check in list(globals().items()) if name.startswith("check_")}
 
 
 class Place:
@@ -216,32 +186,30 @@ class Place:
 
 
 def main(words):
-    if len(words) < 3:
+    if len(words) != 3:
         raise SystemExit(__doc__.strip())
-    book, root, printer = (Path(word).resolve() for word in words[:3])
+    book, root, printer = (Path(word).resolve() for word in words)
     if not installed() or not (root / "docs/live/cover.js").exists():
         print("skipped: no browser (chromium or google-chrome) is installed, or ./course playground has made nothing")
         return 77
-    folder = tempfile.mkdtemp()
-    place = Place(book, root, printer, Path(folder))
     failed = 0
-    for name in words[3:] or CHECKS:
-        print(f"{name}: {CHECKS[name].__doc__.strip()}", flush=True)
-        faults = []
-        with Browser() as browser:
-            try:
-                browser.size(1280, 900)
-                browser.open(place.page)
-                settle(browser)
-                for fault in CHECKS[name](place, browser):
-                    faults.append(fault)
-            except Fault as fault:
-                faults.append(str(fault))
-            faults += browser.log
-        for fault in faults:
-            print(f"  FAIL: {fault}"[:400])
-        failed += len(faults)
-    shutil.rmtree(folder)
+    with tempfile.TemporaryDirectory() as folder:
+        place = Place(book, root, printer, Path(folder))
+        for check in (check_numbers, check_digits, check_controls, check_narrow, check_squares, check_still):
+            print(check.__doc__, flush=True)
+            faults = []
+            with Browser() as browser:
+                try:
+                    browser.size(1280, 900)
+                    browser.open(place.page)
+                    browser.wait(f"{HERO}.dataset.state === 'done'", 30)
+                    faults.extend(check(place, browser))
+                except Fault as fault:
+                    faults.append(str(fault))
+                faults += browser.log
+            for fault in faults:
+                print(f"  FAIL: {fault}"[:400])
+            failed += len(faults)
     return 1 if failed else 0
 
 

@@ -551,55 +551,49 @@ class Book {
     return html;
   }
 
-  /// Lines of code in the files below a folder, or in one file; pages and pictures are no code.
-  [[nodiscard]] std::ptrdiff_t lines_below(const std::string& place) const {
-    static const std::set<std::string> endings{".cpp", ".hpp", ".h",   ".in",   ".py",
-                                               ".sh",  ".js",  ".css", ".html", ".cmake"};
-    const auto lines = [](const fs::path& path) {
-      const std::string code = contents_of(path);
-      return std::count(code.begin(), code.end(), '\n');
-    };
-    if (fs::is_regular_file(root_ / place)) return lines(root_ / place);
+  /// Lines of code in a file, or in all files of a folder; pages and data are no code.
+  static std::ptrdiff_t code_lines(const fs::path& place) {
     std::ptrdiff_t sum = 0;
-    if (!fs::exists(root_ / place)) return sum;
-    for (const auto& entry : fs::recursive_directory_iterator(root_ / place)) {
-      const fs::path& path = entry.path();
-      if (endings.count(path.extension().string()) != 0 || path.filename() == "CMakeLists.txt")
-        sum += lines(path);
+    if (fs::is_directory(place)) {
+      for (const auto& entry : fs::directory_iterator(place)) sum += code_lines(entry.path());
+      return sum;
     }
-    return sum;
+    static const std::set<fs::path> code{
+        ".cpp", ".hpp",  ".h",     ".in",    ".py", ".sh",           ".js",
+        ".css", ".html", ".cmake", "course", "run", "CMakeLists.txt"};
+    if (!fs::exists(place) || code.count(place.extension()) + code.count(place.filename()) == 0)
+      return sum;
+    const std::string lines = contents_of(place);
+    return std::count(lines.begin(), lines.end(), '\n');
   }
 
-  /// Three squares, their areas as large as the lessons, the textbook's rooms, and all code.
+  /// Squares with areas as large as all code, the textbook's rooms and the lessons.
   [[nodiscard]] std::string squares() const {
-    std::ptrdiff_t lessons = 0, rooms = 0, all = 0;
-    for (const Page& page : pages_) {
-      if (!page.chapter.empty()) lessons += lines_below("chapters/" + page.chapter + "/lesson.hpp");
-    }
+    std::ptrdiff_t lessons = 0, rooms = -code_lines(root_ / "common/number/kinds"), all = 0;
+    for (const Page& page : pages_)
+      lessons += code_lines(root_ / fs::path(page.source).replace_filename("lesson.hpp"));
     for (const char* room : {"number", "math", "sampling", "scene", "texture", "published"})
-      rooms += lines_below(std::string("common/") + room);
-    rooms -= lines_below("common/number/kinds");
+      rooms += code_lines(root_ / "common" / room);
     for (const char* part : {"chapters", "common", "tests", "assets", ".ci/run", "course"})
-      all += lines_below(part);
-    if (lessons == 0 || rooms == 0) return "";
-    rooms += lessons;
-    const auto row = [all](std::ptrdiff_t lines, const char* words) {
+      all += code_lines(root_ / part);
+    if (lessons == 0) return "";
+
+    std::string sides, words;
+    const auto add = [&](std::ptrdiff_t lines, const char* what) {
       std::string number = std::to_string(lines);
-      for (std::size_t place = number.size(); place > 3; place -= 3)
-        number.insert(place - 3, 1, ',');
-      return text("<li style=\"--side: %.4f\"><strong>%s</strong> %s</li>\n",
-                  std::sqrt(double(lines) / double(all)), number.c_str(), words);
+      if (number.size() > 3) number.insert(number.size() - 3, 1, ',');
+      const double side = std::sqrt(double(lines) / double(all));
+      sides += text("<s style=\"--side: %.4f\"></s>", side);
+      words += text("<li style=\"--side: %.4f\"><strong>%s</strong> %s</li>\n", side,
+                    number.c_str(), what);
     };
-    const auto side = [all](std::ptrdiff_t lines) {
-      return text("<s style=\"width: %.2f%%\"></s>", 100 * std::sqrt(double(lines) / double(all)));
-    };
+    add(all, "lines in all: the rest checks them, measures them and makes them fast.");
+    add(lessons + rooms, "with the textbook, where you look up what a lesson calls.");
+    add(lessons, "lines of lessons: you read these.");
     return text("<h2>You read %td lines; the rest checks them</h2>\n", lessons) +
            "<figure class=\"squares wide\"><div role=\"img\" aria-label=\"Three squares, one in "
            "another, their areas to scale\">" +
-           side(rooms) + side(lessons) + "</div>\n<ul>\n" +
-           row(all, "lines in all: the rest checks them, measures them and makes them fast.") +
-           row(rooms, "with the textbook, where you look up what a lesson calls.") +
-           row(lessons, "lines of lessons: you read these.") + "</ul></figure>\n";
+           sides + "</div>\n<ul>\n" + words + "</ul></figure>\n";
   }
 
   void write_index() {

@@ -15,10 +15,6 @@
 
 namespace texmap::microscope {
 
-/// The cover's dark ground, and what stands for a place outside the map.
-inline constexpr Rgb8 sky{20, 24, 33};
-inline constexpr Rgb8 no_texel{255, 0, 255};
-
 /// The square window of `size` x `size` pixels that shows the unit sphere equally large from
 /// everywhere. The eye is on the z axis: there a float's ray keeps its digits however far it goes.
 ///
@@ -32,19 +28,24 @@ inline constexpr Rgb8 no_texel{255, 0, 255};
                  size, size);
 }
 
-/// Where a ray meets the unit sphere.
+/// Where a ray meets the unit sphere, and its (u, v) there: by the plain form and Next Week's (u, v)
+/// as chapter 14's published globes, by the hybrid form and the course's as its robust ones.
 template <class Real>
-[[nodiscard]] Meeting<Real> meeting_of(const Ray<Real>& ray, SphereForm form) {
-  if (form == SphereForm::hybrid) return hybrid_meeting<Real>({}, Real(1), ray);
+struct Place {
+  Real distance;
+  Vec3<Real> normal;
+  Uv<Real> uv;
+};
+template <class Real>
+[[nodiscard]] Place<Real> place_of(const Ray<Real>& ray, SphereForm form) {
+  if (form == SphereForm::hybrid) {
+    const auto [distance, normal] = hybrid_meeting<Real>({}, Real(1), ray);
+    return {distance, normal, uv_rtiow(normal)};
+  }
   const Sphere<> globe{{}, 1, form};
   const Real distance = distance_to(globe, ray);
-  return {distance, normal_at(globe, ray, distance)};
-}
-
-/// Next Week's (u, v) as printed for the plain form, the course's for the others.
-template <class Real>
-[[nodiscard]] Uv<Real> uv_by(SphereForm form, const Vec3<Real>& normal) {
-  return form == SphereForm::plain ? published::uv_next_week_v4(normal) : uv_rtiow(normal);
+  const Vec3<Real> normal = normal_at(globe, ray, distance);
+  return {distance, normal, published::uv_next_week_v4(normal)};
 }
 
 /// b^2, a c, |f x d|^2, b^2 - a c, the distance, u, v, column and row, in this order. What comes
@@ -52,7 +53,6 @@ template <class Real>
 template <class Real>
 using Steps = std::array<Real, 9>;
 
-/// The steps of chapter 14's globes: plain is what they call published, hybrid is the course's.
 template <class Real>
 [[nodiscard]] Steps<Real> steps_of(const Ray<Real>& ray, SphereForm form, int columns, int rows) {
   const Vec3<Real>& f = ray.origin;
@@ -63,26 +63,18 @@ template <class Real>
   const Real squared = dot(moment, moment);
   const Real discriminant = form == SphereForm::plain ? b * b - a_c : precise_dot(d, d) - squared;
 
-  const auto [distance, normal] = meeting_of(ray, form);
-  Steps<Real> steps{b * b, a_c, squared, discriminant, distance};
-  if (!(distance < infinity<Real>())) return steps;
-  const Uv<Real> uv = uv_by(form, normal);
+  const auto [distance, normal, uv] = place_of(ray, form);
   const auto texel = texel_place(uv, columns, rows, VAxis::up, TexelRounding::floor);
-  steps[5] = uv.u;
-  steps[6] = uv.v;
-  steps[7] = Real(texel.column);
-  steps[8] = Real(texel.row);
-  return steps;
+  return {b * b,          a_c, squared, discriminant, distance, uv.u, uv.v, Real(texel.column),
+          Real(texel.row)};
 }
 
 /// The color that a ray sees, under a light from the left and above.
 [[nodiscard]] inline Rgb8 color_along(const Ray<float>& ray, SphereForm form,
                                       const ImageTexture& map) {
-  const auto [distance, normal] = meeting_of(ray, form);
-  if (!(distance < infinity<float>())) return sky;
-  const Uv<float> uv = uv_by(form, normal);
-  const bool on_map = uv.u >= 0 && uv.u < 1 && uv.v >= 0 && uv.v <= 1;
-  if (!on_map) return no_texel;
+  const auto [distance, normal, uv] = place_of(ray, form);
+  if (!(distance < infinity<float>())) return {20, 24, 33};  // the cover's ground
+  if (!(uv.u >= 0 && uv.u < 1 && uv.v >= 0 && uv.v <= 1)) return {255, 0, 255};
   constexpr Vec3<float> to_light{0.28F, 0.46F, -0.84F};
   const float light = lambert(Lambertian{.ambient = 0.15, .diffuse = 0.95},
                               LightSample<float>{to_light, max(dot(normal, to_light), 0.0F)});

@@ -1,8 +1,5 @@
 #!/usr/bin/env python3
-"""Makes what the error microscope of the book's cover loads: its module and its map of the Earth, in one script.
-
-usage: make_microscope.py MODULE OUT
-"""
+"""Makes what the error microscope of the book's cover loads: make_microscope.py MODULE OUT writes both MODULE and a map in OUT/cover.js."""
 import os
 import sys
 import zlib
@@ -10,15 +7,8 @@ import zlib
 sys.dont_write_bytecode = True
 from make_playground import HERE, in_base64, read, write  # noqa: E402
 
-
-def main(words):
-    if len(words) != 2:
-        raise SystemExit(__doc__.strip())
-    module, out = words
-    # To make the map again: convert assets/earth.png -quality 60
-    earth = read(os.path.join(HERE, "cover_earth.jpg"))
-    write(os.path.join(out, "cover.js"), f'texmapCover("{in_base64(zlib.compress(read(module), 9))}", "{in_base64(earth)}");\n')
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+if len(sys.argv) != 3:
+    raise SystemExit(__doc__)
+earth = read(os.path.join(HERE, "cover_earth.jpg"))  # to make it again: convert assets/earth.png -quality 60
+packed = zlib.compress(read(sys.argv[1]), 9)
+write(os.path.join(sys.argv[2], "cover.js"), f'texmapCover("{in_base64(packed)}", "{in_base64(earth)}");\n')

@@ -10,13 +10,8 @@
 
 #define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
 
-namespace {
-
 using namespace texmap;
-
-ImageTexture map;
-
-}  // namespace
+static ImageTexture map;
 
 /// Memory for the map's file.
 EXPORTED(take) void* take(int bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
