@@ -11,9 +11,18 @@
 #include "03_image_texture/lesson.hpp"
 #include "04_uv_conventions/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
+#include "chapter_07.hpp"
+#include "chapter_08.hpp"
+#include "chapter_09.hpp"
+#include "chapter_10.hpp"
+#include "chapter_11.hpp"
+#include "chapter_12.hpp"
+#include "engine/app/prepared.hpp"
 #include "published/uv.hpp"
+#include "sampling/hash.hpp"
 #include "support/pictures.hpp"
 #include "support/same_picture.hpp"
+#include "texture/uv_inverse.hpp"
 
 using namespace texmap;
 using live::Live;
@@ -24,10 +33,28 @@ namespace {
 
 constexpr int widest = 120;
 
-Image whole(const LiveLesson& lesson) { return lesson.rows(0, lesson.size().height); }
+Image whole(LiveLesson& lesson) {
+  return lesson.rows(0, lesson.size().height, lesson.passes() - 1);
+}
 
 nlohmann::json seen(const LiveLesson& lesson, int column, int row) {
   return nlohmann::json::parse(lesson.look(column, row));
+}
+
+/// The numbers of a row that a module tells of a pixel.
+std::vector<double> numbers_of(const nlohmann::json& seen, const char* name) {
+  std::vector<double> numbers;
+  for (const auto& row : seen["rows"]) {
+    if (row[0] != name) continue;
+    for (const auto& part : row)
+      if (part.is_number()) numbers.push_back(part);
+  }
+  return numbers;
+}
+
+template <class Lesson>
+View<> view_of_lesson(const Lesson& lesson, const Size& size) {
+  return view_of(lesson.stage.camera, size.width, size.height);
 }
 
 }  // namespace
@@ -129,4 +156,127 @@ TEST_CASE("far away, float's texels are off by the textbook's sphere more than b
   };
   CHECK(yellow_pixels("plain") > 200);
   CHECK(yellow_pixels("hybrid") < 60);  // 8000 radii away, a float's ray is 5e-4 radii off
+}
+
+TEST_CASE("07: passes end with the program's picture, and its samples have the film's mean") {
+  const Words words = {"--samples", "5", "--seed", "3", "--width", "60", "--height", "40"};
+  chapter_07::Lesson lesson;
+  const Settings settings = make_ready(lesson, words);
+  const View<> view = view_of_lesson(lesson, {60, 40});
+  const Sampler sampler(lesson.sampling.sampler, 5, 3);
+  const Film film =
+      gather<double>(lesson, lesson.objects, view, sampler, {}, RenderSettings{.threads = 1});
+  live::Chapter07 page;
+  page.set(words, 800);
+  CHECK(page.passes() == 4);  // 1, 2, 4, 5 samples
+  for (int pass = 0; pass < 3; ++pass) static_cast<void>(page.rows(7, 20, pass));
+  test::expect_same_picture(whole(page), develop<double>(film, lesson.sampling.transfer));
+  for (int i = 0; i < 10; ++i) {
+    const auto pixel = seen(page, 5 * i + 3, 3 * i + 5);
+    const Rgb light = film.light(5 * i + 3, 3 * i + 5);
+    const auto mean = numbers_of(pixel, "mean light");
+    CHECK(mean[0] == doctest::Approx(light.r).epsilon(1e-12));
+    CHECK(mean[2] == doctest::Approx(light.b).epsilon(1e-12));
+    CHECK(pixel["figure"]["shapes"].size() == 5);
+  }
+  CHECK(settings.samples == 5);
+}
+
+TEST_CASE("08: weights and (u, v) are those of the mesh, and areas give the weights") {
+  const auto lesson = prepared<chapter_08::Lesson>();
+  live::Chapter08 page;
+  page.set({}, 800);
+  const View<> view = view_of_lesson(lesson, page.size());
+  for (int i = 0; i < 10; ++i) {
+    const int column = 30 * i + 70, row = 15 * i + 180;
+    const auto hit = first_hit(lesson.scene.mesh, ray_through(view, 1.0 * column, 1.0 * row));
+    REQUIRE(hit.met);
+    const auto pixel = seen(page, column, row);
+    const Uv<double> uv = lesson.paint.mapping(hit);
+    CHECK(numbers_of(pixel, "u").back() == doctest::Approx(uv.u).epsilon(1e-12));
+    CHECK(numbers_of(pixel, "v").back() == doctest::Approx(uv.v).epsilon(1e-12));
+    double sum = 0;
+    for (const char* corner : {"a", "b", "c"}) {
+      const auto numbers = numbers_of(pixel, corner);  // area, sum, weight, u, v
+      CHECK(numbers[0] / numbers[1] == doctest::Approx(numbers[2]));
+      sum += numbers[2];
+    }
+    CHECK(sum == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("09: texels times the weights of their reads are what the filter returns") {
+  FilteredTexture texture;
+  Image noise(64, 32);
+  for (std::size_t i = 0; i < noise.pixels.size(); ++i) {
+    const std::uint32_t bits = hash_bits(static_cast<std::uint32_t>(i));
+    noise.pixels[i].r = static_cast<std::uint8_t>(bits);
+  }
+  static_cast<Pyramid&>(texture.pyramid) = pyramid_of(light_of(noise, TexelLight::linear));
+  for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear,
+                              Filter::anisotropic, Filter::ewa, Filter::stochastic}) {
+    texture.filter = filter;
+    for (int i = 0; i < 10; ++i) {
+      const Uv<Dual<double>> uv{{0.31 + 0.09 * i, 0.02 * i, 0.07}, {0.2 + 0.05 * i, 0.04, -0.03}};
+      double sum = 0;
+      for (const live::TexelRead& read : live::reads_of(texture, uv)) {
+        const auto level = level_of(texture.pyramid, std::log2(read.wide));
+        sum += read.weight *
+               texel_light(texture.pyramid, level, read.x / read.wide, read.y / read.high).r;
+      }
+      CHECK(sum == doctest::Approx(texture.filtered(uv).r).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("10: from the globe to the map and back is the same pixel") {
+  live::Chapter10 page;
+  for (const char* layout : {"equirect", "cube", "octahedral"}) {
+    page.set({"--width", "800", "--height", "600", "--projection", layout}, 800);
+    for (int i = 0; i < 10; ++i) {
+      const int column = 360 + 9 * i, row = 265 + 5 * i;
+      const auto pixel = seen(page, column, row);
+      REQUIRE(pixel.contains("spot"));
+      const auto back = nlohmann::json::parse(page.find(pixel["spot"][0], pixel["spot"][1]));
+      CHECK(back[0].get<double>() == doctest::Approx(column).epsilon(1e-7));
+      CHECK(back[1].get<double>() == doctest::Approx(row).epsilon(1e-7));
+    }
+    const Size map = page.size_beside();
+    CHECK(page.rows(0, map.height, page.passes()).width == map.width);
+  }
+}
+
+TEST_CASE("11: the lamp behind the eye lights the middle fully; normals are the lesson's") {
+  live::Chapter11 page;
+  page.set({"--lamp-around", "0", "--lamp-up", "0", "--bump", "off", "--width", "601"}, 800);
+  const auto middle = seen(page, 300, 300);  // half a pixel off the middle row
+  CHECK(numbers_of(middle, "light l").back() == doctest::Approx(1).epsilon(1e-4));
+  const auto lesson = prepared<chapter_11::Lesson>();
+  page.set({}, 800);
+  const View<> view = view_of_lesson(lesson, page.size());
+  for (int i = 0; i < 10; ++i) {
+    const auto pixel = seen(page, 250 + 10 * i, 130 + 5 * i);
+    const auto surface = surface_along(lesson, ray_through(view, 250.0 + 10 * i, 130.0 + 5 * i));
+    const auto normal = numbers_of(pixel, "bump's n");
+    CHECK(normal[0] == doctest::Approx(surface.normal.x).epsilon(1e-12));
+    CHECK(normal[1] == doctest::Approx(surface.normal.y).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("12: by the cosine, all samples leave the ball to its own side, with the weight 1") {
+  live::Chapter12 page;
+  page.set({"--light", "cosine", "--samples", "16"}, 800);
+  const auto pixel = seen(page, 135, 110);
+  const auto lesson = prepared<chapter_12::Lesson>();
+  const Vec3d normal =
+      surface_along(lesson, ray_through(view_of_lesson(lesson, page.size()), 135.0, 110.0)).normal;
+  int dots = 0;
+  for (const auto& shape : pixel["figure"]["shapes"]) {
+    if (shape[0] != "dot") continue;
+    ++dots;
+    CHECK(shape[1] == "rgb(255,255,255)");
+    const double x = shape[2], y = shape[3];
+    CHECK(dot(normal, direction_rtiow(Uv<double>{x / 2, 1 - y})) > 0);
+  }
+  CHECK(dots == 16);
 }

@@ -7,7 +7,9 @@
 
 namespace texmap {
 
-std::vector<std::uint8_t> read_file(const std::filesystem::path&, std::uint64_t) {
+// Weak: a module that keeps files has its own.
+__attribute__((weak)) std::vector<std::uint8_t> read_file(const std::filesystem::path&,
+                                                          std::uint64_t) {
   throw FileError("this page does not have the file");
 }
 

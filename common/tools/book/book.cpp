@@ -152,8 +152,7 @@ class Book {
 
   /// Errors: std::runtime_error if a page cannot be read or written.
   void make() {
-    const fs::path modules = root_ / "docs/live/modules.js";
-    if (fs::exists(modules)) modules_ = contents_of(modules);
+    live_ = fs::exists(root_ / "docs/live/modules.js");
     find_pages();
     const fs::path sheets = root_ / "docs/sheets.txt";
     const std::string list = fs::exists(sheets) ? contents_of(sheets) : "";
@@ -411,16 +410,15 @@ class Book {
   [[nodiscard]] std::string live_chapter(std::size_t page) const {
     if (page >= pages_.size() || pages_[page].chapter.empty()) return "";
     std::string number = pages_[page].chapter.substr(0, 2);
-    const std::string in_utf16{'"', '\0', number[0], '\0', number[1], '\0', '"', '\0'};
-    const bool is_live = modules_.find(in_utf16) != std::string::npos ||
+    const bool has_own = fs::exists(root_ / "docs/live" / (number + ".js")) ||
                          fs::exists(playground() / own_script(number));
-    return is_live ? number : "";
+    return has_own || (number <= "06" && number > "00" && live_) ? number : "";
   }
 
   /// What live pictures load: modules and textures, and the code of their page.
   void write_live() const {
     fs::remove_all(out_ / "live");
-    if (modules_.empty()) return;
+    if (!live_) return;
     for (const auto& entry : fs::directory_iterator(root_ / "docs/live")) {
       const fs::path& file = entry.path();
       if (file.extension() == ".js") write(out_ / "live" / file.filename(), contents_of(file));
@@ -702,7 +700,7 @@ class Book {
   std::vector<Page> pages_;
   std::vector<Part> parts_;
   std::vector<Named> named_;  ///< links from one page to a heading of another
-  std::string modules_;       // of live pictures; empty: there are none
+  bool live_ = false;         // whether there are live pictures
   std::map<std::string, std::set<std::size_t>> sources_;  ///< and the lines that links lead to
   std::set<std::string> pictures_;
   std::vector<std::string> faults_;

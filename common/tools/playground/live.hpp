@@ -3,12 +3,15 @@
 #pragma once
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
 #include "engine/measure/json.hpp"
+#include "gathered.hpp"
 #include "texel_error.hpp"
 #include "what_a_ray_meets.hpp"
 
@@ -31,8 +34,17 @@ class LiveLesson {
   virtual void set(const std::vector<std::string>& words, int widest) = 0;
   /// Columns and rows of the picture.
   [[nodiscard]] virtual Size size() const = 0;
-  /// Rows of the picture, the same pixels as if the whole were drawn at once.
-  [[nodiscard]] virtual Image rows(int first, int count) const = 0;
+  /// How often the picture is drawn, better each time.
+  [[nodiscard]] virtual int passes() const = 0;
+  /// The size of a second picture beside the first; 0 x 0: there is none.
+  [[nodiscard]] virtual Size size_beside() const = 0;
+  /// Rows of the picture; after the last pass the same pixels as if the whole were drawn at once.
+  ///
+  /// @param pass  0 and on; passes(): of the picture beside it
+  [[nodiscard]] virtual Image rows(int first, int count, int pass) = 0;
+  /// The pixel that shows a place on the picture beside, 0 to 1 from the left and from the top, as
+  /// JSON; null if there is none.
+  [[nodiscard]] virtual std::string find(double x, double y) const = 0;
   /// What the ray through the center of a pixel meets, with every number on the way, as JSON.
   [[nodiscard]] virtual std::string look(int column, int row) const = 0;
 };
@@ -44,6 +56,7 @@ struct Knobs {
   double eye = 1;       ///< how many times as far away the eye is
   bool errors = false;  ///< shows texel errors
 
+  static constexpr bool may_err = HasSpheres<Lesson>;
   static constexpr bool has_squares = requires(Lesson & lesson) {
     lesson.checkered.texture.squares;
   };
@@ -72,7 +85,17 @@ struct Knobs {
   }
 };
 
+/// The light of a lesson that gathers it; nothing of another.
 template <class Lesson>
+using GatheredOf = typename std::conditional_t<GathersLight<Lesson>,
+                                               std::type_identity<std::optional<Gathered<Lesson>>>,
+                                               std::type_identity<std::nullptr_t>>::type;
+
+/// A lesson for a page.
+///
+/// @tparam Choices  may have `declare` and `apply` as Knobs does, `look` for a pixel's facts, and
+///                  `size_beside`, `draw_beside` and `find` for another picture
+template <class Lesson, class Choices = Knobs<Lesson>>
 class Live final : public LiveLesson {
  public:
   [[nodiscard]] std::string options() const override {
@@ -87,22 +110,40 @@ class Live final : public LiveLesson {
   }
 
   void set(const std::vector<std::string>& words, int widest) override {
+    if (state_->words == words) return state_->fit(widest);  // its textures stay
     auto next = std::make_unique<State>();
     if (!next->line.parse(words)) throw UsageError("a page draws pictures, and prints no help");
-    next->get_ready(widest);
+    next->get_ready();
+    next->fit(widest);
+    next->words = words;
     state_ = std::move(next);
   }
 
   [[nodiscard]] Size size() const override { return {state_->whole.width, state_->whole.height}; }
 
-  [[nodiscard]] Image rows(int first, int count) const override {
+  [[nodiscard]] int passes() const override {
+    if constexpr (GathersLight<Lesson>) {
+      if (state_->gathered) return state_->gathered->passes();
+    }
+    return 1;
+  }
+
+  [[nodiscard]] Size size_beside() const override {
+    if constexpr (has_beside) return state_->knobs.size_beside(state_->lesson, size());
+    return {0, 0};
+  }
+
+  [[nodiscard]] Image rows(int first, int count, int pass) override {
     View<> strip = state_->whole;
     strip.height = count;
     strip.center_row -= first;  // a half or a whole number: exact
     const Lesson& lesson = state_->lesson;
     const Settings& settings = state_->session.settings;
     const RenderSettings how{.samples = settings.samples, .threads = 1};
-    if constexpr (HasSpheres<Lesson>) {
+    if constexpr (has_beside) {
+      if (pass == passes()) return state_->knobs.draw_beside(lesson, strip, first, how);
+    }
+    if constexpr (may_err) {
       if (state_->knobs.errors) return draw_errors(lesson, strip);
     }
     if constexpr (HasSurfaces<Lesson>) {
@@ -111,29 +152,48 @@ class Live final : public LiveLesson {
                               {.samples = 1, .threads = 1});
       }
     }
-    if (settings.number == NumberKind::float_) return render<float>(lesson, strip, how);
-    return render<double>(lesson, strip, how);
+    if constexpr (GathersLight<Lesson>) {
+      return state_->gathered->rows(first, count, pass);
+    } else {
+      if (settings.number == NumberKind::float_) return render<float>(lesson, strip, how);
+      return render<double>(lesson, strip, how);
+    }
   }
 
   [[nodiscard]] std::string look(int column, int row) const override {
     const Lesson& lesson = state_->lesson;
     const View<>& view = state_->whole;
-    Members members = what_a_ray_meets(lesson, ray_through(view, double(column), double(row)));
-    if constexpr (HasSpheres<Lesson>) {
-      if (state_->knobs.errors || state_->session.settings.number == NumberKind::float_) {
-        const TexelError error = texel_error(lesson, view, column, row);
-        Members found{{"object", error.object}};
-        if (error.has_uv) {
-          found.emplace_back("uv", Json::list({error.uv.u, error.uv.v}));
-          found.emplace_back("apart", error.apart);
+    if constexpr (requires { state_->knobs.look(*state_, column, row); }) {
+      return Json::object(state_->knobs.look(*state_, column, row)).text;
+    } else {
+      Members members = what_a_ray_meets(lesson, ray_through(view, double(column), double(row)));
+      if constexpr (may_err) {
+        if (state_->knobs.errors || state_->session.settings.number == NumberKind::float_) {
+          const TexelError error = texel_error(lesson, view, column, row);
+          Members found{{"object", error.object}};
+          if (error.has_uv) {
+            found.emplace_back("uv", Json::list({error.uv.u, error.uv.v}));
+            found.emplace_back("apart", error.apart);
+          }
+          members.emplace_back("float", Json::object(found));
         }
-        members.emplace_back("float", Json::object(found));
       }
+      return Json::object(members).text;
     }
-    return Json::object(members).text;
+  }
+
+  [[nodiscard]] std::string find(double x, double y) const override {
+    if constexpr (requires { state_->knobs.find(*state_, x, y); }) {
+      if (const auto at = state_->knobs.find(*state_, x, y))
+        return Json::list({at->column, at->row}).text;
+    }
+    return "null";
   }
 
  private:
+  static constexpr bool may_err = requires { requires Choices::may_err; };
+  static constexpr bool has_beside = requires { &Choices::draw_beside; };
+
   /// A page shows one picture: the sheets that some lessons save stay out of the module.
   struct OnePicture : Lesson {
     void draw_all(Session&) override {}
@@ -142,34 +202,45 @@ class Live final : public LiveLesson {
     OnePicture lesson;
     CommandLine line{"live", Lesson::about.idea};
     Session session = make_session();
-    Knobs<Lesson> knobs;
+    Choices knobs;
     View<> whole;
+    std::optional<std::vector<std::string>> words{};  ///< that it is ready for
+    GatheredOf<Lesson> gathered{};
 
     Session make_session() {
       lesson.options(line);
       return {"live", line, Lesson::about, offers_for(lesson)};
     }
 
-    State() { knobs.declare(line); }
+    State() {
+      if constexpr (requires { knobs.declare(line); }) knobs.declare(line);
+    }
 
-    void get_ready(int widest) {
-      Settings& settings = session.settings;
-      settings.quiet = true;
-      settings.threads = 1;
+    void get_ready() {
+      session.settings.quiet = true;
+      session.settings.threads = 1;
       lesson.prepare(session);
-      knobs.apply(lesson);
+      if constexpr (requires { knobs.apply(lesson); }) knobs.apply(lesson);
       choose_spheres(session, lesson);
       session.plan();
-      if (settings.width > widest) {
-        settings.height =
-            std::max(1, (settings.height * widest + settings.width / 2) / settings.width);
-        settings.width = widest;
+      if constexpr (requires { knobs.eye; }) session.settings.zoom *= knobs.eye;
+    }
+    void fit(int widest) {
+      const Settings& settings = session.settings;
+      Size size{settings.width, settings.height};
+      if (size.width > widest) {
+        size = {widest, std::max(1, (size.height * widest + size.width / 2) / size.width)};
       }
-      settings.zoom *= knobs.eye;
-      whole = session.view(lesson.stage.camera, settings.width, settings.height);
+      whole = session.view(lesson.stage.camera, size.width, size.height);
+      if constexpr (GathersLight<Lesson>) {
+        if (settings.show == Shown::color) gathered.emplace(lesson, whole, settings);
+      }
     }
   };
   std::unique_ptr<State> state_ = std::make_unique<State>();
 };
+
+/// The chapter's lesson, begun anew: each module has its own chapters.
+[[nodiscard]] std::unique_ptr<LiveLesson> make_lesson(int chapter);
 
 }  // namespace texmap::live

@@ -60,22 +60,27 @@ function worker() {
     if (used !== lines + widest) size = code.lend([lines], (text) => code.answer(code.calls.set(text, widest))).split(" ").map(Number);
     used = lines + widest;
   }
-  // Draws in strips, and lets messages in between. A full picture is given up for a newer request; a small one is not, or a
-  // fast hand would see none.
+  // Draws in strips, and lets messages in between; a picture of many samples in passes, and then the picture beside it. A full picture
+  // is given up for a newer request; a small one is not, or a fast hand would see none.
   async function draw({id, words, widest, small}) {
-    for (let first = 0, most = 16;;) {
+    set(words, widest);
+    const passes = size[2], all = passes + (size[4] ? 1 : 0);
+    for (let pass = small ? passes - 1 : 0, most = 16, first = 0; pass < all;) {
       set(words, widest);  // a look may have set something else meanwhile
-      const [columns, rows] = size;
+      const isBeside = pass === passes;
+      const [columns, rows] = isBeside ? size.slice(3) : size;
       const count = Math.min(most, rows - first);
       const began = performance.now();
-      const start = code.calls.rows(first, count);
+      const start = code.calls.rows(first, count, pass);
       const strip = code.memory().slice(start, start + 4 * columns * count);
-      const last = first + count === rows;
-      postMessage({kind: "rows", id, columns, rows, first, strip, small, last}, [strip.buffer]);
+      const ends = first + count === rows;
+      const last = ends && pass === all - 1;
+      postMessage({kind: "rows", id, columns, rows, first, strip, small, isBeside, ends, last, pass, passes}, [strip.buffer]);
       if (last) return;
       const took = Math.max(performance.now() - began, 0.1);
       most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));  // 50 ms, 15 ms
       first += count;
+      if (ends) { ++pass; first = 0; most = Math.ceil(most / 2); }  // a pass takes as long as all before it
       await pause();
       if (job && !small) return;
     }
@@ -88,18 +93,30 @@ function worker() {
       code = await open(module);
     },
     // An instance lives for one file: what decoding it needed is free afterwards.
-    async keep({name, shown, bytes}) {
+    async keep({name, shown, bytes, option, isRaw}) {
+      if (isRaw) {
+        code.lend([name, bytes], (text, start) => code.answer(code.calls.keep_file(text, start, bytes.length)));
+        postMessage({kind: "kept", name, bytes, shown, option, isRaw});
+        return;
+      }
       const loader = await open(module);
       const [width, height] = loader.lend([shown, bytes], (text, start) => loader.answer(loader.calls.decode(text, start, bytes.length)))
         .split(" ").map(Number);
       const start = loader.calls.pixels();
       keepPixels(name, loader.memory().subarray(start, start + 3 * width * height), width, height);
-      postMessage({kind: "kept", name, bytes, shown});
+      postMessage({kind: "kept", name, bytes, shown, option});
     },
-    drop: ({name}) => keepPixels(name, new Uint8Array(3), 1, 1),
+    drop: ({name, isRaw}) => isRaw ? code.lend([name], (text) => code.answer(code.calls.keep_file(text, 0, 0))) : keepPixels(name, new Uint8Array(3), 1, 1),
     begin({chapter}) {
       used = "";
       postMessage({kind: "options", options: JSON.parse(code.answer(code.calls.begin(Number(chapter))))});
+    },
+    // From a place on the picture beside to a pixel, and what that pixel meets.
+    find({words, widest, x, y}) {
+      set(words, widest);
+      const at = JSON.parse(code.answer(code.calls.find(x, y)));
+      if (!at || at.some((place, i) => place < -0.5 || place > size[i] - 0.5)) postMessage({kind: "seen", seen: {spot: [x, y]}});
+      else can.look({words, widest, column: Math.round(at[0]), row: Math.round(at[1])});
     },
     look({words, widest, column, row}) {
       set(words, widest);
@@ -133,8 +150,28 @@ function worker() {
 }
 
 // ---- Which controls there are. A chapter has those that its module offers; the choices' words come from the module.
+const early = "01 02 03 04 05 06";
 const controls = [
+  {option: "--samples", label: "Samples", range: [1, 1024, 0.01], log: true, whole: true, in: "07 12"},
+  {option: "--sampler", label: "Pattern"},
+  {option: "--light", label: "Light by"},
+  {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true},
+  {option: "--filter", label: "Filter", in: "09"},
+  {option: "--beside", label: "Beside it"},
+  {option: "--projection", label: "Layout"},
+  {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005]},
+  {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
+  {option: "--lamp-up", label: "Lamp up", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
+  {option: "--bump", label: "Normals"},
+  {option: "--green", label: "Green is"},
   {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
+  {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1]},
+  {option: "--weights", label: "Weights"},
+  {option: "--wrap", label: "At the edge"},
+  {option: "--sky", label: "Sky"},
+  {option: "--defocus", label: "Lens angle", range: [0, 10, 0.1]},
+  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1]},
+  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true},
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention"},
   {option: "--rounding", label: "Rounding"},
@@ -145,13 +182,38 @@ const controls = [
   {option: "--show", label: "Show"},
   {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, help: "the picture is enlarged by the same factor",
    here: (value) => `Eye distance × ${value}`},
-  {option: "--number", label: "Number", only: ["double", "float"], more: true},
-  {option: "--spheres", label: "Spheres", more: true, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
+  {option: "--number", label: "Number", only: ["double", "float"], more: true, in: early + " 08"},
+  {option: "--spheres", label: "Spheres", more: true, in: early, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
+  {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true},
+  {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true},
+  {option: "--gamma", label: "Light to bytes", more: true},
+  {option: "--decode", label: "Bytes to light", more: true},
+  {option: "--slopes", label: "Slopes", more: true},
 ];
+// The files that a reader may choose: what the button says and takes, and whether the module reads them itself.
+const pictureFiles = "image/png,image/jpeg";
+const fileControls = [
+  {option: "--texture", button: "Open file…", takes: pictureFiles, hint: "a PNG or JPEG; or drop it on the picture"},
+  {option: "--floor", button: "Open floor…", takes: pictureFiles, hint: "a PNG or JPEG for the floor"},
+  {option: "--mesh", button: "Open mesh…", takes: ".obj", hint: "an OBJ file with texture coordinates", isRaw: true},
+  {option: "--sky", button: "Open sky…", takes: ".hdr," + pictureFiles, hint: "a Radiance .hdr, PNG or JPEG, twice as wide as high", isRaw: true},
+  {option: "--relief-image", button: "Open heights…", takes: pictureFiles, hint: "a PNG or JPEG, twice as wide as high"},
+  {option: "--normals", button: "Open normals…", takes: pictureFiles, hint: "a normal map in place of heights"},
+];
+// Chapters whose second picture lies on the first, up to a line.
+const lies = {"09": true};
+// What else the pointer does on a chapter's picture.
+const hints = {
+  "09": (values) => `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}. Drag the knob below.`,
+  "10": () => "Point at the globe or at the map: the place is marked on both.",
+  "11": () => "Drag on the globe to move the lamp.",
+};
+// How a picture of many samples is drawn while the reader drags.
+const drafts = {"07": {widest: 200, words: ["--samples", "2"]}, "12": {widest: 128, words: ["--samples", "2"]}};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
-const always = {"04": "--convention"};
+const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
 const sizeOfOne = ["--width", "800", "--height", "600"];
 // What the lecture's scene presets otherwise.
 const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500", "--blend": "0.3"}};
@@ -163,7 +225,7 @@ const legends = {
     " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts as 2048 × 1024 texels."],
 };
 const smallest = 480, widest = 800;  // columns while the reader drags, and after
-const lacks = {"01": ["uv", "--errors"]};  // nothing there has (u, v)
+const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily"]};  // nothing in 01 has (u, v); sheets are not live
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
 // ---- Small tools.
@@ -191,7 +253,7 @@ function bytesOf(text) {
 const quoted = (word) => /^[\w.\/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 const rounded = (value, digits) => String(Number(Number(value).toPrecision(digits))).replaceAll("-", "−");
 
-// ---- What scripts hand over: modules.js calls texmapLive.modules, earth.js calls texmapLive.file.
+// ---- What scripts hand over: modules.js and 07.js call texmapLive.modules, earth.js calls texmapLive.file.
 const folder = (document.currentScript.src || "").replace(/[^/]*$/, "");  // none: all is in the page
 const arrivals = new Map();
 function arrival(name) {
@@ -264,7 +326,16 @@ function live(main, packed) {
   const zoomed = element("canvas", {width: 11, height: 11});
   const facts = element("table");
   const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, facts);
-  const picture = element("div", {className: "live-picture"}, canvas, mark, loupe);
+  const beside = element("canvas");
+  const besidePaper = beside.getContext("2d");
+  // Where two pictures lie on each other: the line between them, which a slider moves.
+  const line = element("input", {type: "range", className: "live-line", min: 0, max: 100, step: 0.1, value: 50, hidden: true,
+    ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
+  const spot = element("div", {className: "live-mark", hidden: true});
+  const besideFrame = element("div", {className: "live-beside", hidden: true}, beside, spot);
+  const picture = element("div", {className: "live-picture"}, canvas, besideFrame, line, mark, loupe);
+  const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
+  const refined = element("p", {className: "live-refined", hidden: true}, refining, " ", element("span"));
   const legend = element("p", {className: "live-legend"});
   const hint = "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with Shift by ten pixels), Esc closes.";
   const says = element("p", {className: "live-says"});
@@ -276,14 +347,12 @@ function live(main, packed) {
   const command = element("code");
   const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
   const hereOnly = element("span");
-  const choose = element("input", {type: "file", accept: "image/png,image/jpeg", onchange: () => openFile(choose.files[0])});
-  const opened = element("span");
-  const opener = element("span", {className: "live-open"}, element("label", {className: "live-button"}, "Open file…", choose), " ", opened);
+  const openers = element("span", {className: "live-openers"});
   const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
-    element("div", {className: "live-actions"}, opener, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
+    element("div", {className: "live-actions"}, openers, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live"}, picture, legend, says, again, form);
+  const section = element("section", {className: "live"}, picture, refined, legend, says, again, form);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
   frame ? frame.after(section) : main.append(section);
@@ -293,11 +362,12 @@ function live(main, packed) {
   let chapter = main.dataset.live;
   let built = "";                      // the chapter whose form is there
   let presets = {}, values = {}, widgets = {};
-  let fileOption = "";                 // the option that takes the reader's file
+  let ownFiles = [];                   // the options that take the reader's files, those of `fileControls`
   let carried = {};                    // what the reader chose in chapters before this one
   const files = new Map();             // what the module was given, for a new worker
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
+  let undo = null;                     // the file before the newest, which the chapter has not read yet
   let patience = 0, idle = 0, full = null;
 
   // -- The worker's life.
@@ -364,7 +434,7 @@ function live(main, packed) {
           if (words !== "FILE" || !/^\w+\.\w+$/.test(preset) || files.has(preset)) continue;
           const file = await fetched(preset, preset.replace(/\.\w+$/, ".js"));
           if (mine !== hand) return;
-          files.set(preset, {shown: preset, ...file});
+          files.set(preset, {shown: preset, isRaw: preset.endsWith(".hdr"), ...file});
           send({kind: "keep", name: preset, ...files.get(preset)});
         }
       } catch (error) {
@@ -374,40 +444,59 @@ function live(main, packed) {
       if (built !== chapter) { build(found); carryOver(); }
       change();
     },
-    rows({id, columns, rows, first, strip, small: isSmall, last}) {
+    rows({id, columns, rows, first, strip, small: isSmall, isBeside, ends, last, pass, passes}) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
-      if (isSmall) {
+      if (isBeside) {
+        if (!isSmall && id !== latest) return;
+        if (first === 0 && (beside.width !== columns || beside.height !== rows)) Object.assign(beside, {width: columns, height: rows});
+        besidePaper.putImageData(data, 0, first);
+        besideFrame.hidden = false;
+        line.hidden = !lies[chapter];
+      } else if (isSmall) {
         if (first === 0) Object.assign(small, {width: columns, height: rows});
         smallPaper.putImageData(data, 0, first);
-        if (last) showSmall(columns, rows);
+        if (ends) showSmall(columns, rows);
       } else if (id === latest) {  // not a strip of what is out of date
-        if (first === 0) fit(columns, rows);
+        if (first === 0 && pass === 0) fit(columns, rows);
         paper.putImageData(data, 0, first);
-        if (last) full = [columns, rows];
+        if (ends) full = [columns, rows];
+        if (passes > 1) showProgress(pass, passes, (first + data.height) / rows);
       }
       if (!last || id !== latest) return;
       unfinished = false;
+      undo = null;
       if (isSmall) return;
       section.dataset.state = "done";
-      if (pixel) look(pixel);
+      if (pixel?.column !== undefined) look(pixel);
     },
     seen({column, row, seen}) {
       looking = null;
+      if (pixel && pixel.column === undefined && column !== undefined) pixel = {column, row};
       if (nextLook) look(nextLook);
+      else if (column === undefined) closeLoupe();
       else if (pixel) showLoupe(column, row, seen);
+      showSpot(seen.spot);
     },
     refused({of, id, reason}) {
-      if (of === "look") { looking = null; return; }
+      if (of === "look" || of === "find") { looking = null; return; }
       if (of === "draw" && id !== latest) return;
       unfinished = false;
+      for (const [name, {shown}] of files) reason = reason.replaceAll(name, shown);
+      if (undo) {
+        files.delete(values[undo.option]);
+        values[undo.option] = undo.before;
+        undo = null;
+        refresh();
+      }
       say(reason);
       section.dataset.state = "refused";
     },
-    kept({name, shown, bytes}) {
-      if (!name.startsWith("own_") || files.has(name)) return;  // one of the chapter's, or given again
-      files.set(name, {shown, bytes});
-      forgetFiles(name);
-      values[fileOption] = name;
+    kept({name, shown, bytes, option, isRaw}) {
+      if (!option || files.has(name)) return;  // one of the chapter's, or given again
+      if (isRaw) undo = {option, before: values[option]};  // what is wrong in it shows when it is drawn
+      else forgetFiles(option);
+      files.set(name, {shown, bytes, option, isRaw});
+      values[option] = name;
       change();
     },
     lost: ({reason}) => lost(reason),
@@ -415,7 +504,6 @@ function live(main, packed) {
 
   // -- The picture.
   function fit(columns, rows) {
-    picture.style.maxWidth = columns + "px";
     if (canvas.width === columns && canvas.height === rows) return;
     Object.assign(canvas, {width: columns, height: rows});
     if (small.width) paper.drawImage(small, 0, 0, columns, rows);
@@ -431,6 +519,18 @@ function live(main, packed) {
     if (turning) requestAnimationFrame(turn);
     if (turning && pixel) look(pixel);
   }
+  // Each pass has twice the samples of the one before it.
+  function showProgress(pass, passes, share) {
+    const most = Number(values["--samples"]);
+    const before = pass ? 2 ** (pass - 1) : 0, after = Math.min(2 ** pass, most);
+    refining.value = (before + (after - before) * share) / most;
+    refined.lastChild.textContent = `${share < 1 ? before : after} of ${most} samples`;
+    refined.hidden = false;
+  }
+  function moveLine() {
+    besideFrame.style.setProperty("--line", `${line.value}%`);
+    line.setAttribute("aria-valuetext", `${line.value} % from the left`);
+  }
   // Asks for a small picture now, and for the full one when the reader rests.
   function change() {
     if (!hand) return;
@@ -443,26 +543,28 @@ function live(main, packed) {
   }
   function ask(isSmall) {
     unfinished = true;
-    send({kind: "draw", id: ++latest, words: words(isSmall), widest: isSmall ? smallest : widest, small: isSmall});
+    if (isSmall) small.dataset.words = JSON.stringify(words(isSmall));
+    send({kind: "draw", id: ++latest, words: words(isSmall), widest: isSmall ? drafts[chapter]?.widest || smallest : widest, small: isSmall});
   }
 
   // -- The options.
   const preset = (option) => sceneSets[values["--scene"]]?.[option] ?? presets[option];
-  const plainView = () => ["color", undefined].includes(values["--show"]);
+  const plainView = () => ["color", "globe", undefined].includes(values["--show"]);
   // Only what differs from the presets. A small picture takes one ray per pixel; so do normals and objects, of which
   // there is no mean.
   function given(isSmall) {
     const list = [];
-    for (const {option, here} of controls) {
+    for (const [option, {here}] of Object.entries(widgets)) {
       const value = values[option];
-      if (!(option in widgets) || value === "" || (value === preset(option) && always[chapter] !== option)) continue;
+      if (value === "" || (value === preset(option) && always[chapter] !== option)) continue;
       if (option === "--samples" && (isSmall || !plainView())) continue;
       list.push(value === "--errors" ? {words: [value], here: () => "errors in texels"} : {words: [option, value], here});
     }
-    if (fileOption && values[fileOption] !== presets[fileOption]) list.push({words: [fileOption, values[fileOption]]});
+    for (const {option} of ownFiles) if (values[option] !== presets[option]) list.push({words: [option, values[option]]});
     return list;
   }
-  const words = (isSmall) => [...(always[chapter] ? sizeOfOne : []), ...given(isSmall).flatMap((one) => one.words)];
+  const words = (isSmall) => [...(always[chapter] ? sizeOfOne : []), ...given(isSmall).flatMap((one) => one.words),
+    ...(isSmall && drafts[chapter]?.words || [])];
   function reset() {
     stopTurning();
     values = {...presets};
@@ -486,19 +588,21 @@ function live(main, packed) {
     const off = (option, isOff) => { if (widgets[option]) widgets[option].field.disabled = isOff; };
     off("--samples", !plainView());
     off("--number", values["--show"] === "--errors");
+    off("--green", values["--normals"] === "");
     off("--squares", values["--scene"] === "lecture");
     const all = given();
     const native = all.filter((one) => !one.here).flatMap((one) => one.words);
     const typed = ["./course run", chapter, ...native.map((word) => quoted(files.get(word)?.shown || word))];
     command.replaceChildren(...typed.flatMap((word, i) => [i ? " " : "", element("span", {textContent: word})]));
     copy.textContent = "Copy";
-    const own = values[fileOption] !== presets[fileOption] && files.get(values[fileOption]);
-    opened.textContent = own ? own.shown + (isTransparent(own.bytes) ? ", as if it were opaque: a surface here has no transparency" : "")
-      : "a PNG or JPEG; or drop it on the picture";
+    for (const {option, opened, hint} of ownFiles) {
+      const own = values[option] !== presets[option] && files.get(values[option]);
+      opened.textContent = own ? own.shown + (isTransparent(own.bytes) ? ", as if it were opaque: a surface here has no transparency" : "") : hint;
+    }
     hereOnly.textContent = all.some((one) => one.here)
       ? `The command draws the picture without what only this page can do: ${all.filter((one) => one.here).map((one) => one.here(one.words[1])).join("; ")}.`
       : main.dataset.note || "";
-    legend.replaceChildren(...[legends[values["--show"]] || hint].flat());
+    legend.replaceChildren(...[legends[values["--show"]] || [hints[chapter]?.(values), hint].filter(Boolean).join(" ")].flat());
   }
   async function copyCommand() {
     try {
@@ -521,16 +625,24 @@ function live(main, packed) {
     presets = Object.fromEntries(Object.values(found).map(({name, preset}) => [name, preset]));
     for (const control of controls) {
       const option = found[control.option];
-      if (!option) continue;
+      if (!option || option.words.startsWith("FILE") || control.option in widgets || control.in?.includes(chapter) === false) continue;
       if (control.off) presets[control.option] = "";
       const widget = control.range ? slider(control, option) : choice(control, option, "--errors" in found);
       if (!widget) continue;
-      widgets[control.option] = widget;
+      widgets[control.option] = Object.assign(widget, {here: control.here});
       (control.more ? moreRows : rows).append(widget.row);
     }
     more.hidden = !moreRows.children.length;
-    fileOption = "--texture" in found ? "--texture" : "";
-    opener.hidden = !fileOption;
+    ownFiles = fileControls.filter(({option}) => found[option]?.words === "FILE").map((one) => ({...one, opened: element("span")}));
+    openers.replaceChildren(...ownFiles.map(({option, button, takes, opened}) => {
+      const choose = element("input", {type: "file", accept: takes, onchange: () => { openFile(choose.files[0], option); choose.value = ""; }});
+      return element("span", {className: "live-open"}, element("label", {className: "live-button"}, button, choose), " ", opened);
+    }));
+    openers.hidden = !ownFiles.length;
+    refined.hidden = besideFrame.hidden = line.hidden = true;
+    besideFrame.classList.toggle("live-over", !!lies[chapter]);
+    canvas.classList.toggle("live-lamp", "--lamp-up" in found);
+    moveLine();
     reset();
   }
   function slider({option, label, help, range: [least, most, step], log, whole, off, turns}, {preset: first, help: about}) {
@@ -561,7 +673,8 @@ function live(main, packed) {
     const id = "live" + option;
     const words = (only && !offered.includes("|") ? only
       : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])].filter((word) => !only || only.includes(word)))
-      .filter((word) => !lacks[chapter]?.includes(word));
+      .filter((word) => option !== "--show" || !lacks[chapter]?.includes(word));
+    if (words.length < 2) return null;
     const field = element("select", {id, onchange: () => put(option, field.value)},
       ...words.map((value) => element("option", {value, textContent: own[value] || names[value] || value})));
     return {row: element("div", {title: help}, element("label", {htmlFor: id, textContent: label}), field), field, first: words[0],
@@ -573,14 +686,14 @@ function live(main, packed) {
       if (option in carried && widgets[option]?.takes(carried[option])) values[option] = carried[option];
       else if (widgets[option] && values["--scene"] !== presets["--scene"]) values[option] = preset(option) || widgets[option].first;
     }
-    if (fileOption && files.has(carried.file)) values[fileOption] = carried.file;
+    for (const {option} of ownFiles) if (files.has(carried[option])) values[option] = carried[option];
   }
   function remember() {
     for (const option of Object.keys(widgets)) {
       if (values[option] === (preset(option) || widgets[option].first)) delete carried[option];
       else carried[option] = values[option];
     }
-    if (fileOption) carried.file = values[fileOption];
+    for (const {option} of ownFiles) carried[option] = values[option];
   }
   // Turns the globe, a picture after another; not for readers who asked for less motion.
   let turning = 0;
@@ -602,9 +715,9 @@ function live(main, packed) {
   document.addEventListener("visibilitychange", () => { if (document.hidden) stopTurning(); });
 
   // -- The reader's own file. It is read under another name than the one before, which stays if the new one is refused.
-  async function openFile(file) {
-    if (!file || !fileOption || !hand) return;
-    choose.value = "";
+  async function openFile(file, option) {
+    const {isRaw} = ownFiles.find((one) => one.option === option) || {};
+    if (!file || !option || !hand) return;
     if (file.size > largestFile) {
       say(`${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`);
       return;
@@ -618,13 +731,23 @@ function live(main, packed) {
     }
     section.dataset.state = "reading";
     unfinished = true;
-    send({kind: "keep", name: values[fileOption] === "own_a" ? "own_b" : "own_a", shown: file.name, bytes});
+    send({kind: "keep", name: `own${option}${values[option].endsWith("_a") ? "_b" : "_a"}`, shown: file.name, bytes, option, isRaw});
   }
-  function forgetFiles(except) {
-    for (const name of ["own_a", "own_b"]) if (name !== except && files.delete(name)) send({kind: "drop", name});
+  // Those of an option, or all.
+  function forgetFiles(option) {
+    for (const [name, file] of [...files]) {
+      if (!file.option || (option && file.option !== option)) continue;
+      files.delete(name);
+      send({kind: "drop", name, isRaw: file.isRaw});
+    }
   }
-  section.addEventListener("dragover", (event) => { if (fileOption) event.preventDefault(); });
-  section.addEventListener("drop", (event) => { event.preventDefault(); openFile(event.dataTransfer.files[0]); });
+  section.addEventListener("dragover", (event) => { if (ownFiles.length) event.preventDefault(); });
+  section.addEventListener("drop", (event) => {
+    event.preventDefault();
+    const file = event.dataTransfer.files[0];
+    const ending = /\.\w+$/.exec(file?.name)?.[0].toLowerCase();
+    openFile(file, (ownFiles.find(({takes}) => ending && takes.startsWith(ending)) || ownFiles[0])?.option);
+  });
 
   // -- The loupe: a pixel, and each number between its ray and its color.
   function place(event) {
@@ -640,14 +763,41 @@ function live(main, packed) {
     looking = where;
     send({kind: "look", words: words(), widest, ...where});
   }
+  function findFrom(event) {
+    const box = beside.getBoundingClientRect();
+    if (lies[chapter] || looking || pinned || !full) return;
+    looking = pixel = {};  // any: the answer has its place
+    send({kind: "find", words: words(), widest, x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
+  }
+  function showSpot(at) {
+    spot.hidden = !at;
+    if (at) Object.assign(spot.style, {left: `${100 * at[0]}%`, top: `${100 * at[1]}%`});
+  }
+  beside.addEventListener("pointermove", findFrom);
+  beside.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
+  // The lamp shines from where the pointer drags it: the picture is half of a ball around the globe.
+  function dragLamp(event) {
+    if (!("--lamp-up" in widgets) || !event.buttons) return;
+    const box = canvas.getBoundingClientRect();
+    const at = (share) => Math.max(-1, Math.min(1, 2 * share - 1));
+    const x = at((event.clientX - box.left) / box.width), y = -at((event.clientY - box.top) / box.height);
+    const degrees = (radians) => String(Math.round(radians * 180 / Math.PI));
+    values["--lamp-around"] = degrees(Math.atan2(x, Math.sqrt(Math.max(0, 1 - x * x - y * y))));
+    put("--lamp-up", degrees(Math.asin(y)));
+    dragged = true;
+  }
+  let dragged = false;
+  canvas.addEventListener("pointerdown", (event) => { dragged = false; if ("--lamp-up" in widgets) canvas.setPointerCapture(event.pointerId); });
+  canvas.addEventListener("pointermove", dragLamp);
   function closeLoupe() {
+    spot.hidden = true;
     pixel = null;
     pinned = false;
     loupe.hidden = mark.hidden = true;
   }
   canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) look(place(event)); });
   canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
-  canvas.addEventListener("click", (event) => { pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
+  canvas.addEventListener("click", (event) => { if (dragged) return; pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
   canvas.addEventListener("blur", () => { if (pinned) closeLoupe(); });
   loupe.addEventListener("click", closeLoupe);
   // While the loupe is open, arrow keys are its own, wherever the focus is but in a field.
@@ -762,8 +912,35 @@ function live(main, packed) {
     }
     return seen.to_light ? [...list, ...shadingOf(seen, color)] : list;
   }
+  // Rows and a drawing that the module made: chapters 07 and on.
+  function moduleFacts(column, row, seen) {
+    const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
+    const parts = (list) => list.map((part) => typeof part === "number" ? number(part) : part);
+    return [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color),
+      ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+      ...(seen.figure ? [["", drawing(seen.figure)]] : []), ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
+  }
+  function drawing({says, width, height, shapes}) {
+    const make = (name, properties) => {
+      const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+      for (const [key, value] of Object.entries(properties)) made.setAttribute(key, value);
+      return made;
+    };
+    const unit = Math.max(width, height) / 100;
+    const paint = (word) => ({ink: "currentColor", accent: "var(--link)"})[word] || word;
+    const shape = {
+      dot: (color, cx, cy) => make("circle", {cx, cy, r: 1.2 * unit, fill: paint(color), stroke: "#888", "stroke-width": 0.25 * unit}),
+      line: (color, x1, y1, x2, y2) => make("line", {x1, y1, x2, y2, stroke: paint(color), "stroke-width": 0.7 * unit}),
+      box: (color, x, y, width, height) => make("rect", {x, y, width, height, fill: paint(color), "shape-rendering": "crispEdges"}),
+      word: (color, x, y, text) => Object.assign(make("text", {x, y, fill: paint(color), "font-size": 6 * unit}), {textContent: text}),
+    };
+    const svg = make("svg", {viewBox: `${-unit} ${-unit} ${width + 2 * unit} ${height + 2 * unit}`, role: "img", "aria-label": says});
+    svg.append(make("rect", {width, height, fill: "none", stroke: "currentColor", "stroke-width": 0.3 * unit}),
+      ...shapes.map(([kind, ...rest]) => shape[kind](...rest)));
+    return element("figure", {className: "live-drawing"}, svg, element("figcaption", {textContent: says}));
+  }
   function showLoupe(column, row, seen) {
-    facts.replaceChildren(...factsOf(column, row, seen).map(([name, ...what]) =>
+    facts.replaceChildren(...(seen.rows ? moduleFacts(column, row, seen) : factsOf(column, row, seen)).map(([name, ...what]) =>
       element("tr", {}, element("th", {scope: "row", textContent: name}), element("td", {}, ...what))));
     const lens = zoomed.getContext("2d");
     lens.imageSmoothingEnabled = false;
@@ -797,14 +974,14 @@ addEventListener("DOMContentLoaded", async () => {
   const main = document.querySelector("main[data-live]");
   if (!main || typeof WebAssembly === "undefined" || !hasExceptions() || typeof DecompressionStream === "undefined") return;
   try {
-    live(main, await fetched("modules", "modules.js"));
+    live(main, await fetched("modules", main.dataset.live > "06" ? `${main.dataset.live}.js` : "modules.js"));
   } catch (error) {
     console.info(`The pictures stay still: ${error.message}`);
   }
 });
 
 return {
-  modules: (chapters, text) => arrival("modules").give(bytesOf(text)),
+  modules: (text) => arrival("modules").give(bytesOf(text)),
   file: (name, text) => arrival(name).give({bytes: bytesOf(text)}),
   of: {element, rounded, small, painted, fetched, hire},
 };

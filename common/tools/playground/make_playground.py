@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 """Makes what the live pictures load, out of the module and pictures.
 
-usage: make_playground.py BIN ASSETS OUT
-
-Into OUT go modules.js from BIN/playground.wasm, module_NN.js from BIN/playground_NN.wasm, earth.js from the Earth in ASSETS, and
-playground.html: chapters 02 to 06 in one file.
+usage: make_playground.py MODULES ASSETS OUT     MODULES' chapters_01_to_06.wasm in OUT/modules.js, chapter_NN.wasm in OUT/NN.js,
+                                                 page_NN.wasm in OUT/module_NN.js, the pictures that they load in OUT/NAME.js, and OUT/playground.html: 02 to 06 in one file
 """
 import base64
 import os
@@ -13,7 +11,7 @@ import sys
 import zlib
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-CHAPTERS = '["01", "02", "03", "04", "05", "06"]'  # the book, too, reads in modules.js which chapters are live
+FILES = ("earth.png", "crate.png", "earth_relief.png", "sky.hdr")  # of ASSETS
 
 
 def read(path):
@@ -44,7 +42,7 @@ def in_15_bits(data):
 
 
 def module_script(module, as_text):
-    return f'texmapLive.modules({CHAPTERS}, "{as_text(zlib.compress(read(module), 9))}");\n'
+    return f'texmapLive.modules("{as_text(zlib.compress(read(module), 9))}");\n'
 
 
 def file_script(data, name, as_text):
@@ -75,14 +73,20 @@ def write_script(path, text):
 def main(words):
     if len(words) != 3:
         raise SystemExit(__doc__.strip())
-    programs, assets, out = words
-    module = os.path.join(programs, "playground.wasm")
-    write_script(os.path.join(out, "modules.js"), module_script(module, in_15_bits))
-    write_script(os.path.join(out, "earth.js"), file_script(read(os.path.join(assets, "earth.png")), "earth.png", in_15_bits))
-    for number in ("13", "14"):
-        packed = zlib.compress(read(os.path.join(programs, f"playground_{number}.wasm")), 9)
-        write_script(os.path.join(out, f"module_{number}.js"), file_script(packed, f"module_{number}", in_15_bits))
-    write(os.path.join(out, "playground.html"), page(module))
+    modules, assets, out = words
+    first = os.path.join(modules, "chapters_01_to_06.wasm")
+    write_script(os.path.join(out, "modules.js"), module_script(first, in_15_bits))
+    for name in sorted(os.listdir(modules)):
+        chapter = re.fullmatch(r"chapter_(\d\d)\.wasm", name)
+        if chapter:
+            write_script(os.path.join(out, f"{chapter[1]}.js"), module_script(os.path.join(modules, name), in_15_bits))
+        own = re.fullmatch(r"page_(\d\d)\.wasm", name)
+        if own:
+            packed = zlib.compress(read(os.path.join(modules, name)), 9)
+            write_script(os.path.join(out, f"module_{own[1]}.js"), file_script(packed, f"module_{own[1]}", in_15_bits))
+    for name in FILES:
+        write_script(os.path.join(out, name.split(".")[0] + ".js"), file_script(read(os.path.join(assets, name)), name, in_15_bits))
+    write(os.path.join(out, "playground.html"), page(first))
 
 
 if __name__ == "__main__":

@@ -12,12 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "01_plain_spheres/lesson.hpp"
-#include "02_checkerboard_uv/lesson.hpp"
-#include "03_image_texture/lesson.hpp"
-#include "04_uv_conventions/lesson.hpp"
-#include "05_y_rotation/lesson.hpp"
-#include "06_phong_texture_blend/lesson.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_image.hpp"
@@ -35,6 +29,7 @@ std::unique_ptr<live::LiveLesson> lesson;
 std::vector<std::uint8_t> drawn;
 Image decoded;
 std::map<std::string, Image> pictures;  // those that the page handed over
+std::map<std::string, std::vector<std::uint8_t>> files;
 
 /// The text that `work` returns, or why it failed; valid until the next call.
 template <class Work>
@@ -64,11 +59,6 @@ std::vector<std::string> words_of(const char* lines) {
   return words;
 }
 
-template <class Lesson>
-void begin_with() {
-  lesson = std::make_unique<live::Live<Lesson>>();
-}
-
 }  // namespace
 
 // Linked before the library, these take the place of those that read and write the disk.
@@ -80,6 +70,12 @@ Image load_image(const std::filesystem::path& path) {
   const auto kept = pictures.find(name_of(path));
   if (kept != pictures.end()) return kept->second;
   throw FileError("cannot load texture '" + name_of(path) + "': this page does not have it");
+}
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t) {
+  const auto kept = files.find(name_of(path));
+  if (kept != files.end()) return kept->second;
+  throw FileError("this page does not have it");
 }
 
 void check_output(const std::filesystem::path&) {}
@@ -118,30 +114,42 @@ const char* keep_picture(const char* name, const Rgb8* pixels, int width, int he
   });
 }
 
+/// Keeps a file that the chapter reads itself, under a name; none of 0 bytes.
+EXPORTED(keep_file)
+const char* keep_file(const char* name, const std::uint8_t* bytes, int size) {
+  return answer([&] {
+    if (size == 0) {
+      files.erase(name);
+    } else {
+      files[name].assign(bytes, bytes + size);
+    }
+    return std::string();
+  });
+}
+
 /// Begins with a chapter, such as 6; returns its options.
 EXPORTED(begin) const char* begin(int chapter) {
   return answer([&] {
-    if (chapter == 1) begin_with<chapter_01::Lesson>();
-    if (chapter == 2) begin_with<chapter_02::Lesson>();
-    if (chapter == 3) begin_with<chapter_03::Lesson>();
-    if (chapter == 4) begin_with<chapter_04::Lesson>();
-    if (chapter == 5) begin_with<chapter_05::Lesson>();
-    if (chapter == 6) begin_with<chapter_06::Lesson>();
+    lesson = live::make_lesson(chapter);
     return lesson->options();
   });
 }
 
-/// Sets the options; returns columns and rows.
+/// Sets the options; returns columns, rows, passes, and columns and rows of the picture beside.
 EXPORTED(set) const char* set(const char* words, int widest) {
   return answer([&] {
     lesson->set(words_of(words), widest);
-    return std::to_string(lesson->size().width) + " " + std::to_string(lesson->size().height);
+    const Size size = lesson->size(), beside = lesson->size_beside();
+    std::string numbers;
+    for (const int n : {size.width, size.height, lesson->passes(), beside.width, beside.height})
+      numbers += std::to_string(n) + " ";
+    return numbers;
   });
 }
 
-/// Draws rows; returns their pixels, 4 bytes each.
-EXPORTED(rows) const std::uint8_t* rows(int first, int count) {
-  const Image image = lesson->rows(first, count);
+/// Draws rows in a pass; returns their pixels, 4 bytes each.
+EXPORTED(rows) const std::uint8_t* rows(int first, int count, int pass) {
+  const Image image = lesson->rows(first, count, pass);
   drawn.resize(image.pixels.size() * 4);
   auto out = drawn.begin();
   for (const Rgb8& pixel : image.pixels) {
@@ -153,4 +161,9 @@ EXPORTED(rows) const std::uint8_t* rows(int first, int count) {
 /// What the ray of a pixel meets.
 EXPORTED(look) const char* look(int column, int row) {
   return answer([&] { return lesson->look(column, row); });
+}
+
+/// The pixel that shows a place on the picture beside.
+EXPORTED(find) const char* find(double x, double y) {
+  return answer([&] { return lesson->find(x, y); });
 }

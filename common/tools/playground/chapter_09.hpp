@@ -1,0 +1,146 @@
+// Chapter 09: another filter beside the chosen one, and what a filter reads.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "09_texture_filtering/surface.hpp"
+#include "figure.hpp"
+#include "live.hpp"
+
+namespace texmap::live {
+
+/// A read of a texel: where it is on level 0, in texels, and its weight.
+struct TexelRead {
+  double x, y, wide, high, weight;
+};
+
+/// A pyramid without texels that writes down what is read. A filter is linear in the texels' light,
+/// so its result with light 1 in one read and 0 in all others is the weight of that read.
+struct ProbedPyramid : Pyramid {
+  std::vector<TexelRead>* reads = nullptr;
+  std::size_t* number = nullptr;  ///< of the next read
+  std::size_t lit = 0;
+};
+template <class Real>
+Color<Real> texel_light(const ProbedPyramid& pyramid, const PyramidLevel<Real>& level,
+                        const Real& column, const Real& row) {
+  const PyramidLevel<int>& whole = pyramid.levels.front();
+  const double wide = whole.width / level.width, high = whole.height / level.height;
+  const std::size_t number = (*pyramid.number)++;
+  if (number == pyramid.reads->size())
+    pyramid.reads->push_back({column * wide, row * high, wide, high, 0});
+  return gray(Real(number == pyramid.lit ? 1 : 0));
+}
+
+/// The reads of a filter at a pixel's (u, v), with their weights.
+[[nodiscard]] inline std::vector<TexelRead> reads_of(const FilteredTexture& texture,
+                                                     const Uv<Dual<double>>& uv) {
+  std::vector<TexelRead> reads;
+  std::size_t number = 0;
+  Filtered<ProbedPyramid> probe;
+  probe.pyramid.levels = texture.pyramid.levels;
+  probe.pyramid.reads = &reads;
+  probe.pyramid.number = &number;
+  probe.filter = texture.filter;
+  probe.wrap = texture.wrap;
+  probe.taps = texture.taps;
+  probe.v_axis = texture.v_axis;
+  for (std::size_t i = 0; i == 0 || i < reads.size(); ++i) {
+    number = 0;
+    probe.pyramid.lit = i;
+    const double weight = probe.filtered(uv).r;
+    reads[i].weight = weight;
+  }
+  return reads;
+}
+
+struct TwoFilters {
+  Filter other = Filter::nearest;
+
+  void declare(CommandLine& line) {
+    line.choice("--beside", other, "nearest|bilinear|trilinear|anisotropic|ewa|stochastic",
+                "the filter left of the line");
+  }
+  void apply(chapter_09::Lesson& lesson) { with_other = lesson; }
+
+  [[nodiscard]] Size size_beside(const chapter_09::Lesson& /*lesson*/, const Size& size) const {
+    return size;
+  }
+  [[nodiscard]] Image draw_beside(const chapter_09::Lesson& lesson, const View<>& strip,
+                                  int /*first*/, const RenderSettings& how) {
+    read_by(with_other, other, lesson.filtering.taps);
+    return render<double>(with_other, strip, how);
+  }
+
+  template <class State>
+  [[nodiscard]] Members look(const State& state, int column, int row) const {
+    const chapter_09::Lesson& lesson = state.lesson;
+    using Number = Dual<double>;
+    const Ray<Number> ray =
+        ray_through(state.whole, Number{double(column), 1.0, 0.0}, Number{double(row), 0.0, 1.0});
+    const Ray<double> middle = ray_through(state.whole, double(column), double(row));
+    const Surface<double> seen = surface_along(lesson, middle);
+    if (seen.object < 0) return {{"rows", Json::list({fact({"hit", "nothing: the sky"})})}};
+    const bool is_floor = seen.object == static_cast<int>(lesson.objects.size());
+    if (is_floor) {
+      return facts(lesson.ground.texture, lesson.ground.mapping(point_on(
+                                              lesson.floor, ray, distance_to(lesson.floor, ray))));
+    }
+    const auto& globe = lesson.objects[static_cast<std::size_t>(seen.object)];
+    return facts(globe.paint.texture,
+                 globe.paint.mapping(normal_at(globe.shape, ray, distance_to(globe.shape, ray))));
+  }
+
+ private:
+  chapter_09::Lesson with_other;
+
+  [[nodiscard]] static Members facts(const FilteredTexture& texture, const Uv<Dual<double>>& uv) {
+    const PyramidLevel<int>& whole = texture.pyramid.levels.front();
+    const auto footprint = footprint_of<double>(uv, whole.width, whole.height);
+    std::vector<TexelRead> reads = reads_of(texture, uv);
+    const bool up = texture.v_axis == VAxis::up;
+    const auto in_texels = [](const Dual<double>& x, double n) {
+      return Vec3d{(x.value - std::floor(x.value)) * n, x.dx * n, x.dy * n};
+    };
+    const Vec3d x = in_texels(uv.u, whole.width);
+    Vec3d y = in_texels(up ? Dual<double>(1.0) - uv.v : uv.v, whole.height);
+    double heaviest = 0, reach = 2;
+    for (TexelRead& read : reads) {  // the copy of the picture that is nearest to the pixel
+      read.x += whole.width * std::round((x.x - read.x - read.wide / 2) / whole.width);
+      read.y += whole.height * std::round((y.x - read.y - read.high / 2) / whole.height);
+      heaviest = std::max(heaviest, std::abs(read.weight) / (read.wide * read.high));
+      reach = std::max({reach, std::abs(read.x - x.x), std::abs(read.y - y.x),
+                        std::abs(read.x + read.wide - x.x), std::abs(read.y + read.high - y.x)});
+    }
+    const double across = (std::abs(x.y) + std::abs(x.z)) / 2;
+    const double down = (std::abs(y.y) + std::abs(y.z)) / 2;
+    reach = 1.1 * std::max({reach, std::min(across, 4096.0), std::min(down, 4096.0)});
+    Figure figure{"Texels read, darker where they weigh more; the outline is the pixel", 2 * reach,
+                  2 * reach};
+    const double left = x.x - reach, top = y.x - reach;
+    for (const TexelRead& read : reads) {
+      const double share = std::abs(read.weight) / (read.wide * read.high) / heaviest;
+      figure.box(read.x - left, read.y - top, read.wide, read.high,
+                 "rgba(80,140,220," + std::to_string(0.15 + 0.7 * share) + ")");
+    }
+    const double corners[][2] = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}, {-.5, -.5}};
+    for (int i = 0; i < 4; ++i) {
+      const auto at = [&](const Vec3d& c, const double* p) {
+        return c.x + p[0] * c.y + p[1] * c.z;
+      };
+      figure.line(at(x, corners[i]) - left, at(y, corners[i]) - top, at(x, corners[i + 1]) - left,
+                  at(y, corners[i + 1]) - top, "ink");
+    }
+    return {
+        {"rows",
+         Json::list({fact({"u, v", uv.u.value, ", ", uv.v.value}),
+                     fact({"footprint", footprint.longer, " × ", footprint.shorter, " texels of ",
+                           whole.width, " × ", whole.height}),
+                     fact({"reads", static_cast<int>(reads.size()), " texels of the pyramid"})})},
+        {"figure", figure.json()}};
+  }
+};
+
+using Chapter09 = Live<chapter_09::Lesson, TwoFilters>;
+
+}  // namespace texmap::live
