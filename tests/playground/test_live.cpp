@@ -7,9 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
 #include "04_uv_conventions/lesson.hpp"
+#include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "chapter_07.hpp"
 #include "chapter_08.hpp"
@@ -117,6 +119,70 @@ TEST_CASE("look tells what the published formulas give") {
     const int from_zero = static_cast<int>(uv.v * 1024);
     CHECK(pixel["texel"]["row"] == (one.down ? from_zero : 1023 - from_zero));
   }
+}
+
+namespace {
+
+/// Compares the map of ten pixels with what rays through them and their corners meet.
+template <class Lesson>
+void expect_maps(const Words& words) {
+  Live<Lesson> shown;
+  shown.set(words, 800);
+  const auto lesson = prepared<Lesson>(words);
+  const View<> view = view_of(lesson.stage.camera, 800, 600);
+  for (int i = 0; i < 10; ++i) {
+    const int column = 372 + 5 * i, row = 268 + 6 * i;
+    INFO("column ", column, ", row ", row);
+    const nlohmann::json pixel = seen(shown, column, row);
+    const nlohmann::json& map = pixel["map"];
+    const double x = map["at"][0], y = map["at"][1];
+    const auto expect_at = [&](const nlohmann::json& place, double right, double down) {
+      const auto met = surface_along(lesson, ray_through(view, column + right, row + down));
+      const double turns = place[0].get<double>() - met.uv.u;  // whole ones, across the seam
+      CHECK(turns == doctest::Approx(std::round(turns)));
+      CHECK(std::abs(place[0].get<double>() - x) < 0.5);
+      CHECK(place[1] == (words[1] == "daily" ? met.uv.v : 1 - met.uv.v));
+    };
+    expect_at(map["at"], 0, 0);
+    expect_at(map["corners"][0], -0.5, -0.5);
+    expect_at(map["corners"][1], 0.5, -0.5);
+    expect_at(map["corners"][2], 0.5, 0.5);
+    expect_at(map["corners"][3], -0.5, 0.5);
+    // There the flat texture has the pixel's paint.
+    const Rgb8 flat = shown.flat(map["object"], {x - 1e-9, y - 1e-9, 2e-9, 2e-9, 1, 1}).at(0, 0);
+    const std::vector<double> paint = pixel["paint"];
+    CHECK(std::abs(paint[0] - flat.r) + std::abs(paint[2] - flat.b) < 1.5);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the map has the pixel's point and corners, and the flat texture its paint") {
+  expect_maps<chapter_02::Lesson>({"--number", "double"});
+  expect_maps<chapter_04::Lesson>({"--convention", "daily", "--width", "800", "--height", "600"});
+  expect_maps<chapter_05::Lesson>({"--degrees", "-135"});
+  expect_maps<chapter_06::Lesson>({"--convention", "lecture", "--blend", "0.5"});
+}
+
+TEST_CASE("01's quadratic equation has the distance as its root, and none in the sky") {
+  Live<chapter_01::Lesson> shown;
+  shown.set({}, 800);
+  const chapter_01::Lesson lesson;
+  const View<> view = view_of(lesson.stage.camera, 800, 600);
+  for (int i = 0; i < 10; ++i) {
+    const int column = 220 + 40 * i, row = 200 + 20 * i;
+    const auto pixel = seen(shown, column, row);
+    const auto& one = pixel["quadratic"];
+    const double a = one[2], b = one[3], c = one[4];
+    const double distance = distance_to(lesson.objects[one[0].get<std::size_t>()].shape,
+                                        ray_through(view, double(column), double(row)));
+    CHECK((b * b - a * c < 0) == (i == 0));  // the sky
+    CHECK(std::isinf(distance) == (i == 0));
+    if (i == 0) continue;
+    CHECK(one[0] == pixel["object"]);
+    CHECK((b - std::sqrt(b * b - a * c)) / a == doctest::Approx(distance).epsilon(1e-9));
+  }
+  CHECK(seen(shown, 220, 200)["quadratic"][0] == chapter_01::left);  // the ray is just above it
 }
 
 TEST_CASE("in float, look tells what float meets and how far its place is off") {

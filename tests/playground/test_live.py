@@ -45,6 +45,8 @@ STATE = "document.querySelector('.live')?.dataset.state"
 CANVAS = "document.querySelector('.live-picture > canvas')"
 SAYS = "document.querySelector('.live-says').textContent"
 COMMAND = "document.querySelector('.live-command code').textContent"
+# Rows of the loupe, and the chapters that explain them.
+FIRST_IN = (("02", "u"), ("02", "v"), ("02", "square"), ("03", "texel"), ("05", "n rotated"), ("06", "r"), ("06", "highlight"))
 LOUPE = "document.querySelector('.live-loupe')"
 BOX = f"(({{left, top, width, height}}) => [left, top, width, height])({CANVAS}.getBoundingClientRect())"
 
@@ -269,7 +271,7 @@ def check_loupe(place, browser):
     """The loupe's formulas, evaluated, give the module's (u, v), light and the picture's color; keys, pointer and Escape work."""
     count = 0
     browser.size(1280, 1000)
-    for chapter, settings in (("02", [{}]), ("04", [{"convention": "daily"}, {"convention": "lecture"}]), ("05", [{"degrees": "-135"}]),
+    for chapter, settings in (("01", [{}]), ("02", [{}]), ("03", [{"show": "uv"}, {"show": "normal"}]), ("04", [{"convention": "daily"}, {"convention": "lecture"}]), ("05", [{"degrees": "-135"}]),
                               ("06", [{"degrees": "33", "convention": "daily"}, {"blend": "0.6", "scene": "stage"}, {"scene": "lecture"},
                                       {"highlight": "lecture"}])):
         place.open(browser, f"{chapter}.html")
@@ -289,13 +291,16 @@ def check_loupe(place, browser):
                   return [row.cells[0].textContent, exact.cells[1].textContent];
                 })""")
                 names = {name for name, _ in rows}
-                if "lambert" in names and not names & {"red", "green", "blue"}:
+                if names & {"lambert", "normal n"} and not {"red", "green", "blue"} <= names:
                     yield f"{chapter} {setting}: at {across}, {down} the light and the paint do not make the pixel's color"
+                early = {name for name in names for first, word in FIRST_IN if name == word and chapter < first}
+                if early or ("discriminant" in names) != (chapter == "01") or re.search(r"object \d", str(rows)):
+                    yield f"{chapter}: rows of another chapter, or a number for a name: {early or rows}"
                 for name, exact in rows:
                     parts = re.sub(", at most 255|: .*", "", exact).split(" = ")
                     if name in ("u", "v") and len(parts) != 3:
                         yield f"{chapter} {setting}: no formula in {exact}"
-                    elif name in ("u", "v", "lambert", "highlight", "red", "green", "blue") and len(parts) > 1:
+                    elif name in ("u", "v", "lambert", "highlight", "red", "green", "blue", "discriminant") and len(parts) > 1:
                         count += name in ("u", "v")
                         if abs(evaluated(parts[-2]) - float(parts[-1])) > 1e-9:
                             yield f"{chapter} {setting}: {name}: {exact} is {evaluated(parts[-2])}"
@@ -328,6 +333,35 @@ def check_loupe(place, browser):
         yield "a shadow in the scene that has none"
 
 
+def box_of(browser, script):
+    return browser.run(f"(({{left, top, right, bottom}}) => [left, top, right, bottom])({script}.getBoundingClientRect())")
+
+
+def check_beside(place, browser):
+    """The loupe covers no part of the picture, and its map is in the window with it; a pixel that is held stays while a slider moves."""
+    for width, height in ((1280, 800), (1920, 1080), (360, 800)):
+        browser.size(width, height)
+        for chapter in SETTINGS:
+            place.open(browser, f"{chapter}.html")
+            settle(browser)
+            browser.run(CANVAS + ".scrollIntoView()")
+            left, top, right, bottom = box_of(browser, CANVAS)
+            for kind in ("mousePressed", "mouseReleased"):
+                browser.mouse(kind, (left + right) / 2, (top + bottom) / 2, button="left", clickCount=1)
+            browser.wait(f"!{LOUPE}.hidden")
+            left, top, right, bottom = box_of(browser, CANVAS)
+            its_left, its_top, its_right, its_bottom = box_of(browser, LOUPE)
+            if its_left < right and its_right > left and its_top < bottom - 1 and its_bottom > top:
+                yield f"{chapter} at {width}: the loupe covers the picture"
+            shown = box_of(browser, "[...document.querySelectorAll('.live-map')].find((one) => !one.hidden)")
+            if shown[1] < 0 or shown[3] > height or shown[3] - shown[1] < 100 or shown[2] > width:
+                yield f"{chapter} at {width}: the map or drawing is at {shown}"
+    before = browser.run(LOUPE + ".textContent")
+    browser.run("document.getElementById('live--degrees').focus()")
+    change(browser, degrees="100")
+    browser.wait(f"!{LOUPE}.hidden && {LOUPE}.textContent !== {before!r}", 20)
+
+
 def check_motion(place, browser):
     """The globe turns by itself only when asked, not for who asked for less motion, and not where nobody sees it."""
     degrees = "Number(document.getElementById('live--degrees').value)"
@@ -348,7 +382,7 @@ def check_motion(place, browser):
 
 
 def check_narrow(place, browser):
-    """At 360 pixels nothing sticks out, whatever is open, all has a name, and a finger's loupe moves no control."""
+    """At 360 pixels nothing sticks out, whatever is open, all has a name, and once a finger has opened the loupe it moves no control."""
     controls = "document.querySelector('.live form').getBoundingClientRect().top + scrollY"
     browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
     browser.size(360, 900)
@@ -358,13 +392,17 @@ def check_narrow(place, browser):
         browser.run("for (const one of document.querySelectorAll('.live details')) one.open = true")
         change(browser, show="--errors" if "01" < chapter < "07" else "normal")
         browser.run(CANVAS + ".scrollIntoView()")
-        before = browser.run(controls)
         left, top, width, height = browser.run(BOX)
-        browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": left + 0.1 * width, "y": top + 0.9 * height}])
-        browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-        browser.wait(f"/column {'[78]., row 5..' if chapter < '07' else ''}/.test({LOUPE}.textContent)", 20)
-        if abs(browser.run(controls) - before) > 1:
-            yield f"{chapter}: a tap moves the controls"
+        heights = []
+        for across, down, row in ((0.1, 0.9, "5.."), (0.5, 0.5, "[23].."), (0.1, 0.1, ".."), (0.1, 0.9, "5..")):
+            browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": left + across * width, "y": top + down * height}])
+            browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+            browser.wait(f"/column [^:]*, row {row if chapter < "07" else ".*"}:/.test({LOUPE}.textContent)", 20)
+            heights.append(browser.run(controls))
+        browser.key("Escape")
+        browser.wait(f"{LOUPE}.hidden", 20)
+        if max(abs(one - heights[1]) for one in [*heights[2:], browser.run(controls)]) > 1:  # by now the tallest was there
+            yield f"{chapter}: the controls move: {heights}"
         out = browser.run("""[...document.querySelectorAll(".live *")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
           .map((one) => one.outerHTML.slice(0, 80))""")
         if out or browser.run("document.documentElement.scrollWidth") > 360:

@@ -47,6 +47,8 @@ class LiveLesson {
   [[nodiscard]] virtual std::string find(double x, double y) const = 0;
   /// What the ray through the center of a pixel meets, with every number on the way, as JSON.
   [[nodiscard]] virtual std::string look(int column, int row) const = 0;
+  /// A part of an object's texture, laid flat.
+  [[nodiscard]] virtual Image flat(int object, const FlatPart& part) const = 0;
 };
 
 /// The choices that a page offers and a chapter's program does not.
@@ -167,6 +169,7 @@ class Live final : public LiveLesson {
       return Json::object(state_->knobs.look(*state_, column, row)).text;
     } else {
       Members members = what_a_ray_meets(lesson, ray_through(view, double(column), double(row)));
+      add_map(lesson, view, column, row, members);
       if constexpr (may_err) {
         if (state_->knobs.errors || state_->session.settings.number == NumberKind::float_) {
           const TexelError error = texel_error(lesson, view, column, row);
@@ -188,6 +191,15 @@ class Live final : public LiveLesson {
         return Json::list({at->column, at->row}).text;
     }
     return "null";
+  }
+
+  [[nodiscard]] Image flat(int object, const FlatPart& part) const override {
+    if constexpr (requires { state_->knobs.look(*state_, 0, 0); }) {
+      return {};  // its loupe has drawings of its own
+    } else {
+      return with_paint(state_->lesson.objects[static_cast<std::size_t>(object)].paint,
+                        [&](const auto& paint) { return flat_texture(paint, part); });
+    }
   }
 
  private:

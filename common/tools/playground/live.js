@@ -48,6 +48,7 @@ const ofWorkers = `const unpacked = ${unpacked};\n${open}\n`;
 function worker() {
   let module, code;   // compiled; an instance that draws
   let used = "";      // the words and width that the module is set to
+  let flatUsed = "";  // the flat texture that the page has
   let size = [0, 0];  // of that picture
   let job = null;     // the drawing that waits
   let drawing = false;
@@ -85,6 +86,16 @@ function worker() {
       if (job && !small) return;
     }
   }
+  // The detail of a flat texture, and the whole if the page does not have it.
+  function flats({object, aspect, detail}, texture) {
+    const flat = (window, columns, rows) => {
+      const start = code.calls.flat(object, ...window, columns, rows);
+      return {columns, bytes: code.memory().slice(start, start + 4 * columns * rows)};
+    };
+    const width = Math.min(700, 350 * aspect);
+    const whole = flatUsed !== (flatUsed = `${texture} ${object}`) && flat([0, 0, 1, 1], Math.ceil(width), Math.ceil(width / aspect));
+    return {whole, detail: flat(detail, 180, 180)};
+  }
   const keepPixels = (name, pixels, width, height) =>
     code.lend([name, pixels], (text, start) => code.answer(code.calls.keep_picture(text, start, width, height)));
   const can = {
@@ -118,9 +129,10 @@ function worker() {
       if (!at || at.some((place, i) => place < -0.5 || place > size[i] - 0.5)) postMessage({kind: "seen", seen: {spot: [x, y]}});
       else can.look({words, widest, column: Math.round(at[0]), row: Math.round(at[1])});
     },
-    look({words, widest, column, row}) {
+    look({words, widest, column, row, texture}) {
       set(words, widest);
-      postMessage({kind: "seen", column, row, seen: JSON.parse(code.answer(code.calls.look(column, row)))});
+      const seen = JSON.parse(code.answer(code.calls.look(column, row)));
+      postMessage({kind: "seen", column, row, seen, flats: seen.map && flats(seen.map, texture)});
     },
     async draw(message) {
       job = message;
@@ -239,6 +251,28 @@ function element(name, properties = {}, ...children) {
   made.append(...children);
   return made;
 }
+// A formula as MathML: a letter is a variable, more are a name; / is a fraction of the neighbors, {…} groups.
+function math(text) {
+  const signs = text.match(/[a-zα-ωβ]+2?|[\d.]+|\S/gi);
+  const make = (name, ...children) => {
+    const made = document.createElementNS("http://www.w3.org/1998/Math/MathML", name);
+    made.append(...children);
+    return made;
+  };
+  function row(end) {
+    const list = [];
+    while (signs.length && signs[0] !== end) list.push(term());
+    signs.shift();
+    return make("mrow", ...list);
+  }
+  function term() {
+    const sign = signs.shift();
+    let one = sign === "{" ? row("}") : sign === "√" ? make("msqrt", term()) : make(/\d/.test(sign[0]) ? "mn" : /[a-zα-ω]/i.test(sign) ? "mi" : "mo", sign);
+    if (signs[0] === "²") one = make("msup", one, make("mn", signs.shift() && "2"));
+    return signs[0] === "/" ? make("mfrac", one, signs.shift() && term()) : one;
+  }
+  return make("math", row());
+}
 // Bytes from base64, or from fifteen bits a character, as make_playground.py writes them; the first says if there is a byte too many.
 function bytesOf(text) {
   if (text < "\u3400") return Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
@@ -325,7 +359,6 @@ function live(main, packed) {
   const mark = element("div", {className: "live-mark", hidden: true});
   const zoomed = element("canvas", {width: 11, height: 11});
   const facts = element("table");
-  const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, facts);
   const beside = element("canvas");
   const besidePaper = beside.getContext("2d");
   // Where two pictures lie on each other: the line between them, which a slider moves.
@@ -333,9 +366,16 @@ function live(main, packed) {
     ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
   const besideFrame = element("div", {className: "live-beside", hidden: true}, beside, spot);
-  const picture = element("div", {className: "live-picture"}, canvas, besideFrame, line, mark, loupe);
+  const picture = element("div", {className: "live-picture"}, canvas, besideFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
   const refined = element("p", {className: "live-refined", hidden: true}, refining, " ", element("span"));
+  const whole = element("canvas"), detail = element("canvas"), mapSays = element("figcaption");
+  whole.setAttribute("role", "img");
+  detail.ariaHidden = true;
+  const map = element("figure", {className: "live-map"}, whole, detail, mapSays);
+  const drawn = element("figure", {className: "live-map"});
+  const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, map, drawn, facts);
+  const side = element("div", {className: "live-side"}, loupe);
   const legend = element("p", {className: "live-legend"});
   const hint = "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with Shift by ten pixels), Esc closes.";
   const says = element("p", {className: "live-says"});
@@ -352,7 +392,7 @@ function live(main, packed) {
     element("div", {className: "live-actions"}, openers, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live"}, picture, refined, legend, says, again, form);
+  const section = element("section", {className: "live", hidden: true}, picture, side, refined, legend, says, again, form);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
   frame ? frame.after(section) : main.append(section);
@@ -408,6 +448,7 @@ function live(main, packed) {
   }
   function say(words, isFault = true) {
     says.textContent = words;
+    if (words) section.hidden = false;
     says.classList.toggle("live-fault", isFault && words !== "");
   }
   function lost(reason) {
@@ -469,8 +510,9 @@ function live(main, packed) {
       section.dataset.state = "done";
       if (pixel?.column !== undefined) look(pixel);
     },
-    seen({column, row, seen}) {
+    seen({column, row, seen, flats}) {
       looking = null;
+      if (flats) keepFlats(seen.map, flats);
       if (pixel && pixel.column === undefined && column !== undefined) pixel = {column, row};
       if (nextLook) look(nextLook);
       else if (column === undefined) closeLoupe();
@@ -514,10 +556,10 @@ function live(main, packed) {
       Object.assign(canvas, {width: columns, height: rows});
     }
     paper.drawImage(small, 0, 0, canvas.width, canvas.height);
-    canvas.hidden = false;
+    section.hidden = canvas.hidden = false;
     if (still) still.style.display = "none";
     if (turning) requestAnimationFrame(turn);
-    if (turning && pixel) look(pixel);
+    if (pixel) look(pixel);
   }
   // Each pass has twice the samples of the one before it.
   function showProgress(pass, passes, share) {
@@ -761,7 +803,8 @@ function live(main, packed) {
     if (looking) { nextLook = where; return; }
     nextLook = null;
     looking = where;
-    send({kind: "look", words: words(), widest, ...where});
+    const texture = ["--scene", "--squares", "--convention", "--rounding", fileOption].map((one) => values[one]).join();
+    send({kind: "look", words: words(), widest, texture, ...where});
   }
   function findFrom(event) {
     const box = beside.getBoundingClientRect();
@@ -793,12 +836,12 @@ function live(main, packed) {
     spot.hidden = true;
     pixel = null;
     pinned = false;
-    loupe.hidden = mark.hidden = true;
+    loupe.hidden = mark.hidden = true;  // its room stays: nothing below moves
   }
   canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) look(place(event)); });
   canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
   canvas.addEventListener("click", (event) => { if (dragged) return; pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
-  canvas.addEventListener("blur", () => { if (pinned) closeLoupe(); });
+  canvas.addEventListener("blur", ({relatedTarget}) => { if (pinned && !section.contains(relatedTarget)) closeLoupe(); });
   loupe.addEventListener("click", closeLoupe);
   // While the loupe is open, arrow keys are its own, wherever the focus is but in a field.
   document.addEventListener("keydown", (event) => {
@@ -821,13 +864,13 @@ function live(main, packed) {
   const swatch = (color) => [element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`];
   // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates them.
   const across = {
-    daily: ["1/2 + atan2({z}, {x}) / 2π", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
-    rtiow: ["1/2 − atan2({z}, {x}) / 2π", ([x, , z]) => 0.5 - Math.atan2(z, x) / (2 * Math.PI)],
-    lecture: ["frac(atan2({x}, {z}) / 2π)", ([x, , z]) => (1 + Math.atan2(x, z) / (2 * Math.PI)) % 1],
+    daily: ["1/2 + atan2({z}, {x}) / 2π", "1/2 + {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
+    rtiow: ["1/2 − atan2({z}, {x}) / 2π", "1/2 − {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 - Math.atan2(z, x) / (2 * Math.PI)],
+    lecture: ["frac(atan2({x}, {z}) / 2π)", "frac({atan2(x, z)}/{2π})", ([x, , z]) => (1 + Math.atan2(x, z) / (2 * Math.PI)) % 1],
   };
-  const upward = ["atan2(√({x}² + {z}²), {-y}) / π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), -y) / Math.PI];
-  const downward = ["atan2(√({x}² + {z}²), {y}) / π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), y) / Math.PI];
-  function formula(name, [text, by], normal, result) {
+  const upward = ["atan2(√({x}² + {z}²), {-y}) / π", "{atan2(√{x² + z²}, −y)}/π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), -y) / Math.PI];
+  const downward = ["atan2(√({x}² + {z}²), {y}) / π", "{atan2(√{x² + z²}, y)}/π", ([x, y, z]) => Math.atan2(Math.hypot(x, z), y) / Math.PI];
+  function formula(name, [text, symbols, by], normal, result) {
     if (!(Math.abs(by(normal) - result) < 1e-9)) return [name, number(result, 6)];  // this chapter has another formula
     const filled = [];
     for (const part of text.split(/(\{-?[xyz]\}²?)/)) {
@@ -835,7 +878,7 @@ function live(main, packed) {
       const value = axis && (sign ? -1 : 1) * normal["xyz".indexOf(axis)];
       filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value), value < 0 ? ")²" : "²"] : [number(value)]));
     }
-    return [name, element("span", {className: "live-formula"}, text.replace(/[{}]/g, "").replace("-y", "−y"),
+    return [name, element("span", {className: "live-formula"}, math(symbols),
       element("span", {}, " = ", ...filled), element("span", {}, " = ", number(result, 6)))];
   }
   // filled`n · l = ${x}`: text with numbers.
@@ -859,34 +902,46 @@ function live(main, packed) {
         : filled`${specular} · ${base < 0 ? ["(", base, ")"] : base}^${shininess} = ${highlight}`),
         bySlides && base < 0 && shininess % 2 ? ": a negative number to this power is negative, or no number" : ""]);
     }
-    // One channel in numbers, where the picture has this color: one ray, the color itself, double.
+    // The channels in numbers, where the picture has this color: one ray, the color itself, double.
     const blends = blend !== undefined && seen.texel;
-    const bright = Math.max(...paint);
-    const one = paint.indexOf(bright);
-    const gray = Math.min(1, light + highlight);
-    const result = blends ? 255 * gray * (1 - blend) + bright * blend : bright * light + 255 * highlight;
-    if (Math.floor(Math.min(Math.max(result, 0), 255) + 1e-6) !== color[one]) return list;
-    const sum = blends ? filled`${255 * gray} · (1 − ${blend}) + ${bright} · ${blend} = ${result}`
-      : highlight ? filled`${bright} · ${light} + 255 · ${highlight} = ${result}` : filled`${bright} · ${light} = ${result}`;
-    list.push([["red", "green", "blue"][one], ...sum, result >= 256 ? ", at most 255" : ""]);
-    return list;
+    const white = Math.min(1, light + highlight);
+    return [...list, ...channels(color, paint.map((paint) => {
+      const result = blends ? 255 * white * (1 - blend) + paint * blend : paint * light + 255 * highlight;
+      return [result, blends ? filled`${255 * white} · (1 − ${blend}) + ${paint} · ${blend} = ${result}`
+        : highlight ? filled`${paint} · ${light} + 255 · ${highlight} = ${result}` : filled`${paint} · ${light} = ${result}`];
+    }))];
+  }
+  // Rows for red, green and blue; none if they do not make the pixel's color.
+  function channels(color, results) {
+    const byteOf = (result) => Math.floor(Math.min(Math.max(result, 0), 255) + 1e-6);
+    if (results.some(([result], i) => byteOf(result) !== color[i])) return [];
+    return results.map(([result, words], i) => [["red", "green", "blue"][i], ...words, result >= 256 ? ", at most 255" : ""]);
+  }
+  // From what is shown in place of the color to the pixel.
+  function shownOf(seen, color) {
+    if (values["--show"] === "uv" && seen.uv) {
+      const [u, v] = seen.uv;
+      return channels(color, [[255 * u, filled`255 u = 255 · ${u} = ${255 * u}`], [255 * v, filled`255 v = 255 · ${v} = ${255 * v}`], [0, ["0"]]]);
+    }
+    if (values["--show"] !== "normal") return [];
+    return channels(color, seen.normal.map((n, i) => [127.5 * (n + 1), [math(`255 {n + 1}/2`.replace("n", "xyz"[i])), ...filled` = 255 · (${n} + 1) / 2 = ${127.5 * (n + 1)}`]]));
   }
   function factsOf(column, row, seen) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
     const list = [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
       [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ", ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
-    if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"]];
+    if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"], ...quadraticOf(seen)];
     const center = seen.center.some((x) => x) ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
-    list.push(["hit", `${seen.texel ? "the globe, " : ""}object ${seen.object}`, " of radius ", number(seen.radius), " at distance ", number(seen.distance)],
-      ["point", ...vector(seen.point)],
+    list.push(["hit", seen.names[seen.object], ", radius ", number(seen.radius), ", at distance ", number(seen.distance)],
+      ...quadraticOf(seen), ["point", ...vector(seen.point)],
       ["normal n", ...vector(seen.normal), " = ", ...center]);
     if (seen.rotated && seen.turn[1] !== 1) {
       const [sine, cosine] = seen.turn;
       const [x, , z] = seen.normal;
       list.push(["n rotated", ...vector(seen.rotated), element("span", {className: "live-formula"},
-        element("span", {}, ...filled`x′ = x cos β + z sin β = ${x} · ${cosine} + ${z} · ${sine}`),
-        element("span", {}, ...filled`z′ = z cos β − x sin β = ${z} · ${cosine} − ${x} · ${sine}`))]);
+        element("span", {}, math("x ′ = x cos β + z sin β"), ...filled` = ${x} · ${cosine} + ${z} · ${sine}`),
+        element("span", {}, math("z ′ = z cos β − x sin β"), ...filled` = ${z} · ${cosine} − ${x} · ${sine}`))]);
     }
     if (seen.uv) {
       const [u, v] = seen.uv;
@@ -907,10 +962,66 @@ function live(main, packed) {
     }
     if (seen.float) {
       const {object, uv, apart} = seen.float;
-      list.push(["in float", ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : `object ${object}`]
+      list.push(["in float", ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : seen.names[object]]
         : uv ? filled`u = ${uv[0]}, v = ${uv[1]}: ${apart} texel from double's` : ["the same object"]), ". The other rows are in double."]);
     }
-    return seen.to_light ? [...list, ...shadingOf(seen, color)] : list;
+    return [...list, ...(!plainView() ? shownOf(seen, color) : seen.to_light ? shadingOf(seen, color) : [])];
+  }
+  // Chapter 01's equation of ray and sphere.
+  function quadraticOf({quadratic: one, distance, names}) {
+    if (!one) return [];
+    const [object, radius, a, b, c, f] = one;
+    const discriminant = b * b - a * c, root = Math.sqrt(discriminant);
+    const list = [["f", math("f = eye − center"), " = ", ...vector(f), distance === undefined ? `, of ${names[object]}: the ray comes nearest to it` : ""],
+      ["a, b, c", element("span", {className: "live-formula"}, element("span", {}, math("a = d · d"), " = ", number(a)),
+        element("span", {}, math("b = − f · d"), " = ", number(b)), element("span", {}, math("c = f · f − r²"), ...filled` = ${dot(f, f)} − ${radius}² = ${c}`))],
+      ["discriminant", math("b² − a c"), ...filled` = ${b}² − ${a} · ${c} = ${discriminant}`]];
+    return discriminant < 0 ? list : [...list, ["t", math("{b ± √{b² − a c}}/a"), ...filled` = ${(b - root) / a} and ${(b + root) / a}; the smaller is what we see`]];
+  }
+  // The ray's line and the sphere, in radii: where they meet.
+  function drawQuadratic({quadratic: one, names}) {
+    drawn.hidden = !one;
+    if (!one) return;
+    const [object, radius, a, b, c] = one;
+    const share = (b * b - a * c) / (a * radius ** 2);  // 1 − (distance of the line from the center / radius)²
+    const away = Math.sqrt(Math.max(0, 1 - share)), size = 44 / Math.max(1, away), half = Math.sqrt(Math.max(0, share)) * size;
+    const y = 52 - away * size;
+    const says = share < 0 ? "the ray misses it, no root" : share > 0 ? "the ray's line cuts it twice, two roots" : "the ray touches it, one root";
+    drawn.innerHTML = `<svg viewBox="0 0 240 104" role="img" aria-label="A line and a sphere: ${says}"><circle cx="120" cy="52" r="${size}"/>
+      <path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>${share < 0 ? "" : [-half, half].map((x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`).join("")}</svg>`;
+    drawn.append(element("figcaption", {textContent: `${names[object]}: ${says}`}));
+  }
+  // The flat texture with the point in a square and the pixel's outline; and a detail of it.
+  let flat = null, part = null;
+  function keepFlats({aspect, object}, {whole: all, detail: some}) {
+    const image = ({columns, bytes}) => new ImageData(new Uint8ClampedArray(bytes.buffer), columns);
+    if (all) flat = image(all);
+    part = image(some);
+  }
+  function drawMap({map: seen}) {
+    map.hidden = !seen;
+    if (!seen) return;
+    const {at, corners, aspect, detail: [left, top, width, height]} = seen;
+    const outlined = (canvas, image, [left, top, width, height], square) => {
+      Object.assign(canvas, {width: image.width, height: image.height});
+      const pen = canvas.getContext("2d"), dot = canvas.width / canvas.clientWidth;
+      pen.putImageData(image, 0, 0);
+      for (const turn of [-1, 0, 1]) {  // what goes over the seam comes in on the other side
+        const to = ([x, y]) => [(x + turn - left) / width * canvas.width, (y - top) / height * canvas.height];
+        pen.beginPath();
+        for (const corner of corners) pen.lineTo(...to(corner));
+        pen.closePath();
+        const [x, y] = to(at);
+        pen.rect(x - square * dot, y - square * dot, 2 * square * dot, 2 * square * dot);
+        for (const [color, size] of [["#000", 3.5], ["#fff", 1.5]]) Object.assign(pen, {strokeStyle: color, lineWidth: size * dot}).stroke();
+      }
+    };
+    whole.style.width = `${Math.min(22, 11 * aspect)}rem`;
+    outlined(whole, flat, [0, 0, 1, 1], 6.5);
+    outlined(detail, part, [left, top, width, height], 0);
+    whole.setAttribute("aria-label", `The flat texture. The pixel's point is ${Math.round(100 * at[0])} % from the left and ${Math.round(100 * at[1])} % from the top.`);
+    mapSays.textContent = `The pixel's point on the flat texture, and ${corners.length < 4 ? `the ${corners.length} corners of the pixel that meet it` : "the pixel's outline"}, `
+      + `${rounded(detail.clientWidth / (width * whole.clientWidth), 2)} times enlarged`;
   }
   // Rows and a drawing that the module made: chapters 07 and on.
   function moduleFacts(column, row, seen) {
@@ -947,9 +1058,11 @@ function live(main, packed) {
     lens.clearRect(0, 0, 11, 11);
     lens.drawImage(canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
     loupe.classList.toggle("live-pinned", pinned);
-    loupe.classList.toggle("live-left", column > full[0] / 2);  // on the other half of the picture
     Object.assign(mark.style, {left: `${(column + 0.5) / full[0] * canvas.clientWidth}px`, top: `${(row + 0.5) / full[1] * canvas.clientHeight}px`});
     loupe.hidden = mark.hidden = false;
+    drawMap(seen);
+    drawQuadratic(seen);
+    side.style.minHeight = `${Math.max(loupe.offsetHeight, parseFloat(side.style.minHeight) || 0)}px`;
   }
 
   // A book's arrow keys turn its pages: not while they move something here.

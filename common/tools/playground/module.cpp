@@ -59,6 +59,16 @@ std::vector<std::string> words_of(const char* lines) {
   return words;
 }
 
+/// Pixels as a page takes them, 4 bytes each.
+const std::uint8_t* rgba_of(const Image& image) {
+  drawn.resize(image.pixels.size() * 4);
+  auto out = drawn.begin();
+  for (const Rgb8& pixel : image.pixels) {
+    for (const std::uint8_t byte : {pixel.r, pixel.g, pixel.b, std::uint8_t{255}}) *out++ = byte;
+  }
+  return drawn.data();
+}
+
 }  // namespace
 
 // Linked before the library, these take the place of those that read and write the disk.
@@ -149,13 +159,14 @@ EXPORTED(set) const char* set(const char* words, int widest) {
 
 /// Draws rows in a pass; returns their pixels, 4 bytes each.
 EXPORTED(rows) const std::uint8_t* rows(int first, int count, int pass) {
-  const Image image = lesson->rows(first, count, pass);
-  drawn.resize(image.pixels.size() * 4);
-  auto out = drawn.begin();
-  for (const Rgb8& pixel : image.pixels) {
-    for (const std::uint8_t byte : {pixel.r, pixel.g, pixel.b, std::uint8_t{255}}) *out++ = byte;
-  }
-  return drawn.data();
+  return rgba_of(lesson->rows(first, count, pass));
+}
+
+/// Draws a part of an object's texture; returns its pixels.
+EXPORTED(flat)
+const std::uint8_t* flat(int object, double left, double top, double width, double height,
+                         int columns, int rows) {
+  return rgba_of(lesson->flat(object, {left, top, width, height, columns, rows}));
 }
 
 /// What the ray of a pixel meets.

@@ -1,5 +1,6 @@
 // What a ray meets, with every number between the pixel and its color, for a page.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,6 +17,26 @@ namespace texmap::live {
 using Members = std::vector<std::pair<const char*, Json>>;
 
 [[nodiscard]] inline Json list_of(const Vec3d& v) { return Json::list({v.x, v.y, v.z}); }
+
+/// What a page calls an object of the stage or of the lecture's scene.
+[[nodiscard]] inline Json name_of(double x, double radius, bool has_picture) {
+  return radius > 50   ? "the ground"
+         : has_picture ? "the globe"
+         : x == 0      ? "the middle sphere"
+         : x < 0       ? "the left sphere"
+                       : "the right sphere";
+}
+template <class Lesson>
+[[nodiscard]] Json names_of(const Lesson& lesson) {
+  std::vector<Json> names;
+  for (const auto& object : lesson.objects) {
+    const bool has_picture = with_paint(object.paint, [](const auto& paint) {
+      return requires { inside_of(paint.texture).image; };
+    });
+    names.push_back(name_of(object.shape.center.x, object.shape.radius, has_picture));
+  }
+  return Json::list(names);
+}
 
 /// What a texture has at (u, v): the texel of a picture, or the square of a checkerboard.
 template <class Paint>
@@ -98,11 +119,115 @@ void add_shading(const Lesson& lesson, const Object& object, const Hit<double>& 
   members.emplace_back("paint", Json::list({255 * paint.r, 255 * paint.g, 255 * paint.b}));
 }
 
+/// The equation a t^2 - 2 b t + c = 0 of a ray and a sphere, as chapter 01 has it: of the object
+/// that it meets first; -1: of the one ahead that it passes at the least distance. In the list: the
+/// object, its radius, a, b, c, and the vector f from its center to the eye.
+template <HasObjects Lesson>
+[[nodiscard]] Json quadratic(const Lesson& lesson, const Ray<double>& ray, int met) {
+  Json found = nullptr;
+  double least = infinity<double>();
+  for (int i = 0; i < static_cast<int>(lesson.objects.size()); ++i) {
+    const auto& sphere = lesson.objects[static_cast<std::size_t>(i)].shape;
+    const Vec3d f = ray.origin - sphere.center;
+    const double a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction);
+    const double c = dot(f, f) - square(sphere.radius);
+    const double distance = std::sqrt(std::max(0.0, dot(f, f) - b * b / a)) - sphere.radius;
+    if (met < 0 ? b <= 0 || distance >= least : i != met) continue;
+    least = distance;
+    found = Json::list({i, sphere.radius, a, b, c, list_of(f)});
+  }
+  return found;
+}
+
+/// How a paint's texture lies flat.
+struct FlatShape {
+  bool down = false;    ///< whether v runs down
+  double aspect = 1;    ///< columns for each row
+  double least = 1e-9;  ///< of the width, what a page enlarges: 12 texels or more
+};
+template <class Paint>
+[[nodiscard]] FlatShape flat_shape(const Paint& paint) {
+  if constexpr (requires { inside_of(paint.texture).image; }) {
+    const auto& texture = inside_of(paint.texture);
+    const double width = std::max(1, texture.image.width);
+    return {texture.v_axis == VAxis::down, width / std::max(1, texture.image.height), 12 / width};
+  }
+  return {};
+}
+
+/// A part of a texture, laid flat: its edges as shares of the whole, and its points.
+struct FlatPart {
+  double left, top, width, height;  ///< the whole goes on to the left and right
+  int columns, rows;
+};
+template <class Paint>
+[[nodiscard]] Image flat_texture(const Paint& paint, const FlatPart& part) {
+  Image image(part.columns, part.rows);
+  if constexpr (requires { paint.texture; }) {
+    const bool down = flat_shape(paint).down;
+    for (int row = 0; row < part.rows; ++row) {
+      for (int column = 0; column < part.columns; ++column) {
+        const double x = part.left + (column + 0.5) / part.columns * part.width;
+        const double y = part.top + (row + 0.5) / part.rows * part.height;
+        const Rgb color = paint.texture(Uv<double>{x - std::floor(x), down ? y : 1 - y});
+        image.at(column, row) = {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
+      }
+    }
+  }
+  return image;
+}
+
+/// A pixel on the flat texture: its point, its corners, and the part that a page enlarges; x to the
+/// right, y downward, as shares.
+///
+/// @param places  (u, v) of the point, then of the corners that meet the object
+[[nodiscard]] inline Json map_of(int object, const FlatShape& shape,
+                                 const std::vector<Uv<double>>& places) {
+  const auto y_of = [&](const Uv<double>& uv) { return shape.down ? uv.v : 1 - uv.v; };
+  const double x = places.front().u, y = y_of(places.front());
+  double reach = shape.least / 4;  // of the corners from the point
+  std::vector<Json> corners;
+  for (const Uv<double>& uv : places) {
+    const double u = uv.u - std::round(uv.u - x);  // on this side of the seam
+    reach = std::max({reach, std::abs(u - x), std::abs(y_of(uv) - y) / shape.aspect});
+    corners.push_back(Json::list({u, y_of(uv)}));
+  }
+  corners.erase(corners.begin());
+  const double width = std::min({4 * reach, 1.0, 1 / shape.aspect});
+  const double height = width * shape.aspect;
+  const double top = clamp(y - height / 2, 0.0, 1 - height);
+  return Json::object({{"object", object},
+                       {"aspect", shape.aspect},
+                       {"at", Json::list({x, y})},
+                       {"corners", Json::list(corners)},
+                       {"detail", Json::list({x - width / 2, top, width, height})}});
+}
+
+/// Where a pixel is on the flat texture that its ray meets.
+template <class Lesson>
+void add_map(const Lesson& lesson, const View<>& view, int column, int row, Members& members) {
+  std::vector<Uv<double>> places;
+  int object = -1;
+  for (const auto& [right, down] :
+       {std::pair{0.0, 0.0}, {-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+    const auto met = surface_along(lesson, ray_through(view, column + right, row + down));
+    if (places.empty()) object = met.object;
+    if (places.empty() && (object < 0 || !met.has_uv())) return;
+    if (met.object == object) places.push_back(met.uv);
+  }
+  const FlatShape shape = with_paint(lesson.objects[static_cast<std::size_t>(object)].paint,
+                                     [](const auto& one) { return flat_shape(one); });
+  members.emplace_back("map", map_of(object, shape, places));
+}
+
 /// Ray, hit, normal, (u, v), texel and light of a ray, as far as there are any.
 template <HasObjects Lesson>
 [[nodiscard]] Members what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
   Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
+  members.emplace_back("names", names_of(lesson));
   const Nearest<double> nearest = find_nearest(lesson.objects, ray);
+  if constexpr (requires { lesson.objects.front().paint.color; })  // chapter 01: nothing has (u, v)
+    members.emplace_back("quadratic", quadratic(lesson, ray, static_cast<int>(nearest.index)));
   if (nearest.index >= 0) {
     const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
     Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
