@@ -878,8 +878,7 @@ function live(main, packed) {
       const value = axis && (sign ? -1 : 1) * normal["xyz".indexOf(axis)];
       filled.push(...(!axis ? [part] : power ? [value < 0 ? "(" : "", number(value), value < 0 ? ")²" : "²"] : [number(value)]));
     }
-    return [name, element("span", {className: "live-formula"}, math(symbols),
-      element("span", {}, " = ", ...filled), element("span", {}, " = ", number(result, 6)))];
+    return [name, math(symbols), " = ", ...filled, " = ", number(result, 6)];
   }
   // filled`n · l = ${x}`: text with numbers.
   const filled = (texts, ...parts) => texts.flatMap((text, i) =>
