@@ -168,6 +168,9 @@ USES = {
         ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate')"),
         ("document.querySelector('button[data-frames]').click()", "/_00[1-9].png$/.test(turning().src)"),
         ("document.querySelector('button[data-frames]').click()", "turning().getAttribute('src') === '05_y_rotation_000.png'"),
+        ("Object.defineProperty(navigator, 'clipboard', {value: {writeText(words) { window.copied = words; }}}); document.querySelector('.command button').click()",
+         "copied === './course run 05 --degrees 30' && texts('.command button')[0] === 'Copied'"),
+        ("", "[...document.querySelectorAll('.command button')].every((e) => e.offsetHeight >= 36)"),
     ],
 }
 HELPERS = """

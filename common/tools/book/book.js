@@ -99,6 +99,35 @@ document.addEventListener("keydown", (event) => {
   }
 });
 
+// A button beside each command, which copies it without what two blanks part from it: words about it.
+const command = /^(\.\/course|cmake|git|cd|sudo|apt-get|brew|pacman|bash|curl) /;
+for (const code of document.querySelectorAll(".code > pre > code")) {
+  if (code.children.length || !code.textContent.split("\n").some((line) => command.test(line))) continue;
+  code.replaceChildren(...code.textContent.trimEnd().split("\n").map((line) => {
+    if (!command.test(line)) return line + "\n";
+    const [typed] = line.split("  ");
+    const words = document.createElement("span");
+    const copy = document.createElement("button");
+    const row = document.createElement("span");
+    row.className = "command";
+    row.append(words, copy);
+    words.textContent = line;
+    copy.textContent = "Copy";
+    copy.setAttribute("aria-label", `Copy ${typed}`);
+    copy.addEventListener("click", async () => {
+      try {
+        await navigator.clipboard.writeText(typed);
+      } catch {
+        getSelection().selectAllChildren(words);
+        document.execCommand("copy");
+      }
+      copy.textContent = "Copied";
+      setTimeout(() => { copy.textContent = "Copy"; }, 2000);
+    });
+    return row;
+  }));
+}
+
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {
   const image = button.parentElement.closest("figure, section").querySelector("img");
