@@ -4,6 +4,7 @@ add_suite(engine/compare/test_difference ON compare LABELS compare)
 add_suite(engine/compare/test_difference_map ON test_support LABELS compare)
 add_suite(support/test_same_picture ON compare test_support LABELS compare)
 add_suite(engine/compare/test_known_mistakes ON compare app LABELS compare)
+add_suite(engine/compare/test_diagnose POSIX ON compare app RUNS DIAGNOSE diagnose LABELS compare)
 if(NOT TEXMAP_INSTRUMENT)  # 32 s of processor time, ten times as many with instruments
   add_suite(engine/compare/test_draw_mistakes ON compare app RUNS DRAW_MISTAKES draw_mistakes LABELS compare)
 endif()

@@ -143,10 +143,13 @@ class Pictures(Course):
         self.assertIn('1 of 1    allowed                  all right\n', self.ended.stdout)
         self.assertIn(f'Look at {self.at}/out/index.html\n', self.ended.stdout)
         jpeg = (TESTS / 'corpus/jpg_420.jpg').read_bytes()
-        self.put({'tree/tests/golden/04_uv_conventions.png': png(ramps(49, 35)), 'jpeg/04.png': jpeg})
-        row = self.grade('--chapters', '4', 'jpeg')['jpeg', '04']
-        self.assertEqual(row['verdict'], 'a JPEG')
-        self.assertIn('the file is a JPEG, which has other colors', row['note'])
+        right = png(ramps(49, 35))
+        self.put({'tree/tests/golden/04_uv_conventions.png': right, 'jpegs/named_png/04.png': jpeg, 'jpegs/alone/04.jpg': jpeg,
+                  'jpegs/both/4.jpeg': jpeg, 'jpegs/both/below/uv-04.png': right, 'jpegs/photo/me_4.jpg': jpeg})
+        rows = self.grade('--chapters', '4', 'jpegs')
+        self.assertEqual({name: row['verdict'] for (name, _), row in rows.items()},
+                         {'named_png': 'a JPEG', 'alone': 'a JPEG', 'both': 'ok', 'photo': 'missing'})
+        self.assertIn('the file is a JPEG, which has other colors than the picture: hand in a PNG', rows['alone', '04']['note'])
 
     def test_page_shows_the_part_that_is_wrong_and_a_single_pixel_of_it(self):
         corners = [(0, 0), (799, 599)]

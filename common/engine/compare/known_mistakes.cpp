@@ -452,6 +452,38 @@ std::vector<WrongPicture> load_wrong_pictures(const std::filesystem::path& folde
   return wrong;
 }
 
+bool has_drawn_mistakes(const std::filesystem::path& folder, const Image& right) {
+  if (!exists(folder / "mistakes.txt")) return false;
+  const std::filesystem::path drawn = folder / "right.png";
+  return !exists(drawn) || is_same_picture(load_image(drawn), right);
+}
+
+std::vector<WrongPicture> known_mistakes(const std::filesystem::path& folder, const Image& right) {
+  std::vector<WrongPicture> known;
+  if (has_drawn_mistakes(folder, right)) known = load_wrong_pictures(folder);
+  for (WrongPicture& one : mistakes_of_the_whole(right)) {
+    if (std::ranges::none_of(known, [&](const auto& drawn) { return drawn.name == one.name; }))
+      known.push_back(std::move(one));
+  }
+  return known;
+}
+
+std::vector<WrongPicture> right_pictures(const std::filesystem::path& folder) {
+  std::vector<WrongPicture> right;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    const std::string name = name_of(entry.path().stem());
+    if (entry.path().extension() != ".png") continue;
+    try {
+      right.push_back(
+          {name, "a picture of chapter " + name.substr(0, 2), load_image(entry.path())});
+    } catch (const FileError&) {  // less is known
+    }
+  }
+  std::ranges::sort(right, {}, &WrongPicture::name);
+  return right;
+}
+
 void save_wrong_pictures(std::span<const WrongPicture> wrong, const std::filesystem::path& folder) {
   std::error_code trouble;
   std::filesystem::create_directories(folder, trouble);  // if it fails, writing says so

@@ -55,6 +55,19 @@ inline constexpr double nearly_the_same = 0.004;
 /// `FILE, a tab, the words`. Errors: FileError.
 [[nodiscard]] std::vector<WrongPicture> load_wrong_pictures(const std::filesystem::path& folder);
 
+/// True if the program draw_mistakes drew into a folder, by a lesson that draws this right picture:
+/// a reader may have changed it. Errors: FileError.
+[[nodiscard]] bool has_drawn_mistakes(const std::filesystem::path& folder, const Image& right);
+
+/// What is known to go wrong with a chapter's picture: what draw_mistakes left in a folder, if it
+/// has drawn any there, and the mistakes of the whole picture. Errors: FileError.
+[[nodiscard]] std::vector<WrongPicture> known_mistakes(const std::filesystem::path& folder,
+                                                       const Image& right);
+
+/// The right pictures in a folder by their names, with words such as "a picture of chapter 02".
+/// What is no picture, or cannot be read, is left out.
+[[nodiscard]] std::vector<WrongPicture> right_pictures(const std::filesystem::path& folder);
+
 /// Writes the pictures and their mistakes.txt into a folder, which is made if it is not there.
 /// Errors: FileError.
 void save_wrong_pictures(std::span<const WrongPicture> wrong, const std::filesystem::path& folder);

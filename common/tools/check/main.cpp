@@ -235,7 +235,7 @@ int main(int argc, char** argv) {
     if (!line.parse(argc, argv)) return;
     const ExercisesOfChapter& chapter = exercises_of_chapter();
     if (!request.question.empty() && request.answer.empty()) {
-      print(with_id(chapter.questions, request.question).text + "\n");
+      print(request.question + "  " + with_id(chapter.questions, request.question).text + "\n");
     } else if (!request.question.empty()) {
       found = check_answer(with_id(chapter.questions, request.question),
                            predicted_number(request.answer), request.again);

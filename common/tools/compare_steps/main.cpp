@@ -138,30 +138,23 @@ DrawnStep picture_in(const std::string& typed) {
   return {typed, with_name("cannot load", path, decoded), {}, {}};
 }
 
-/// What is wrong with one of two pictures, in words. The right one is the golden picture of a
-/// chapter, or else the first. If the chapter's known mistakes were not drawn yet, `undrawn` is set
-/// to its name.
+/// What is wrong with one of two pictures, in words; nothing unless the other is the golden picture
+/// of a chapter. If that chapter's mistakes were not drawn yet, `undrawn` is set to its name.
 std::string mistake_in(const Comparison& c, const Choices& choices, std::string& undrawn) {
   const Image *right = &c.before.picture, *drawn = &c.after.picture;
   const std::filesystem::path root = path_of(choices.source).parent_path();
-  std::vector<WrongPicture> known;
   for (const std::string& chapter : chapters_in(path_of(choices.source))) {
     const std::filesystem::path golden = root / "tests" / "golden" / (chapter + ".png");
     const Image picture = exists(golden) ? load_image(golden) : Image();
     if (is_same_picture(picture, *drawn)) std::swap(right, drawn);
     if (!is_same_picture(picture, *right)) continue;
     const std::filesystem::path mistakes = root / "build/learn/mistakes" / chapter;
-    if (exists(mistakes / "mistakes.txt")) {
-      known = load_wrong_pictures(mistakes);
-    } else {
-      undrawn = chapter;
-    }
-    break;
+    if (!has_drawn_mistakes(mistakes, *right)) undrawn = chapter;
+    const std::string words = name_mistake(*drawn, *right, known_mistakes(mistakes, *right));
+    const std::string which = drawn == &c.after.picture ? "The second: " : "The first: ";
+    return words.empty() ? "" : which + words;
   }
-  for (WrongPicture& wrong : mistakes_of_the_whole(*right)) known.push_back(std::move(wrong));
-  const std::string words = name_mistake(*drawn, *right, known);
-  const std::string which = drawn == &c.after.picture ? "The second: " : "The first: ";
-  return words.empty() ? "" : which + words;
+  return "";
 }
 
 /// Compares two picture files and writes the page; true if they are the same.

@@ -134,14 +134,7 @@ class KnownWords {
                                       const std::string& folder) {
     if (loaded_.size() == most_chapters && !loaded_.contains(folder)) loaded_.clear();
     std::vector<WrongPicture>& known = loaded_[folder];
-    if (known.empty()) {
-      known = drawn_in(path_of(folder));
-      for (WrongPicture& one : mistakes_of_the_whole(should)) {
-        if (std::none_of(known.begin(), known.end(),
-                         [&](const WrongPicture& drawn) { return drawn.name == one.name; }))
-          known.push_back(std::move(one));
-      }
-    }
+    if (known.empty()) known = known_in(path_of(folder), should);
     std::string words = name_mistake(is, should, known);
     for (const WrongPicture& other : beside(golden)) {
       if (is_of_another_chapter(other, golden) && is_same_picture(is, other.picture))
@@ -153,16 +146,7 @@ class KnownWords {
   /// The pictures in the folder of a golden one, with words such as "a picture of chapter 02".
   [[nodiscard]] const std::vector<WrongPicture>& beside(const std::filesystem::path& golden) {
     const auto [place, is_new] = beside_.try_emplace(golden.parent_path());
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(golden.parent_path(), none)) {
-      const std::string name = name_of(entry.path().filename());
-      if (!is_new || !name.ends_with(".png")) continue;
-      try {
-        const std::string words = "a picture of chapter " + name.substr(0, 2);
-        place->second.push_back({name, words, load_image(entry.path())});
-      } catch (const FileError&) {  // less is said, and the grades are the same
-      }
-    }
+    if (is_new) place->second = right_pictures(golden.parent_path());
     return place->second;
   }
   [[nodiscard]] static bool is_of_another_chapter(const WrongPicture& other,
@@ -172,14 +156,15 @@ class KnownWords {
 
  private:
   /// Without these pictures the grades are the same, and less is said about them.
-  static std::vector<WrongPicture> drawn_in(const std::filesystem::path& folder) {
+  static std::vector<WrongPicture> known_in(const std::filesystem::path& folder,
+                                            const Image& should) {
     try {
-      if (std::filesystem::exists(folder / "mistakes.txt")) return load_wrong_pictures(folder);
+      return known_mistakes(folder, should);
     } catch (const FileError&) {
       std::fprintf(stderr, "the known mistakes in %s cannot be loaded: they are not named\n",
                    name_of(folder).c_str());
+      return mistakes_of_the_whole(should);
     }
-    return {};
   }
 
   std::map<std::string, std::vector<WrongPicture>> loaded_;  ///< by folder
@@ -233,7 +218,8 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
   const Image is = decode_image(file);
   if (has_wrong_size(is.width, is.height)) return answer;
   const bool is_jpeg = !looks_like_png(file);
-  if (is_jpeg) answer.add_note("the file is a JPEG, which has other colors than the picture");
+  if (is_jpeg)
+    answer.add_note("the file is a JPEG, which has other colors than the picture: hand in a PNG");
   const Figures figures = measure(should, is, {}, Detail::similarity);
   const std::size_t off = pixels_off_by_more_than(figures, 1);
   answer.measured = true;
@@ -253,7 +239,7 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
   const bool has_cause =
       !mistake.empty() && !mistake.starts_with("softer") && !mistake.starts_with("rougher");
   if (looks_like_jpeg(file) && !has_cause && apart_when_soft(is, should) < nearly_the_same)
-    mistake = "saved as a JPEG: its losses change colors; hand in the file that the program writes";
+    mistake = "a JPEG: its losses change colors; hand in the file that the program writes";
   if (!mistake.empty()) {
     answer.word = short_words(mistake);
     answer.add_note(mistake);

@@ -77,7 +77,7 @@ def unpacked(path):
                     continue
                 target = Path(folder, *parts)
                 (target if info.is_dir() else target.parent).mkdir(parents=True, exist_ok=True)
-                if re.search(r'\.(png|[hc]pp|[hc]|in[cl]|txt|zip)$', name.lower()):
+                if re.search(r'\.(png|jpe?g|[hc]pp|[hc]|in[cl]|txt|zip)$', name.lower()):
                     left -= info.file_size
                     if left < 0:
                         return None
@@ -187,14 +187,16 @@ class Search:
 
     def take_picture(self, entry, level):
         stem, ending = os.path.splitext(entry.name)
-        if ending.lower() in ('.jpg', '.jpeg', '.bmp', '.ppm', '.zip', '.rar', '.7z', '.gz'):
+        if ending.lower() in ('.bmp', '.ppm', '.zip', '.rar', '.7z', '.gz'):
             self.seen.append(entry.name + (', which is not read' if ending.lower() == '.zip' else ''))
-        if ending.lower() != '.png':
+        jpeg = ending.lower() in ('.jpg', '.jpeg')
+        if ending.lower() != '.png' and not jpeg:
             return
         fits = False
         for item in self.items:
             fit = None if item.exercise else misfit(stem, item)
-            if fit is not None:
+            if fit is not None and not (jpeg and fit > 2):  # a photo may have any number
+                fit += 4 * jpeg  # any PNG is better
                 self.candidates.setdefault(item.name, []).append((fit, level, entry.when, entry.path, entry.name, entry.is_link))
                 fits = True
         if not fits:
@@ -221,7 +223,7 @@ class Search:
             why_not = ''
             if is_link:
                 why_not = f'{name} is a link; links are not followed'
-            elif others and rank[0] >= 2 and list(others[0][:3]) == rank:
+            elif others and rank[0] % 4 >= 2 and list(others[0][:3]) == rank:
                 why_not = f'{name} or {others[0][4]}? Name the picture {item}.png'
             result[item] = (path, why_not)
         return result

@@ -1,0 +1,234 @@
+// Names the mistake in a picture of the reader's own: ./course diagnose FILE. The right pictures of
+// its size are tried, the nearest first, so nobody has to say of which chapter it is.
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "engine/app/command_line.hpp"
+#include "engine/app/run_guarded.hpp"
+#include "engine/compare/difference.hpp"
+#include "engine/compare/known_mistakes.hpp"
+#include "engine/compare/show_figures.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
+#include "engine/picture/codecs/read_jpeg.hpp"
+#include "engine/picture/codecs/read_png.hpp"
+#include "engine/picture/decode_image.hpp"
+#include "engine/system/system.hpp"
+
+namespace {
+
+using namespace texmap;
+namespace fs = std::filesystem;
+
+struct Choices {
+  std::string file, chapter, undrawn;
+  std::string source = TEXMAP_CHAPTERS_DIR;
+
+  [[nodiscard]] fs::path root() const { return fs::absolute(path_of(source)).parent_path(); }
+  [[nodiscard]] fs::path mistakes_of(const std::string& name) const {
+    return root() / "build/learn/mistakes" / name;
+  }
+};
+
+/// What a mistake's words hold, and its card: the name of the card's picture in docs/symptoms.md.
+constexpr struct {
+  const char *words, *card;
+} cards[] = {
+    {"mirrored: u runs", "mirrored"},
+    {"upside down: v runs", "upside_down"},
+    {"turned by half: u and v", "half_turn"},
+    {"a quarter turn off", "quarter_turn"},
+    {"striped", "stripes"},
+    {"half a texel", "half_a_texel"},
+    {"squeezed at the poles", "squeezed_pole"},
+    {"black texture", "black"},
+    {"too dark: light was", "too_dark"},
+    {"the texture is too dark", "too_dark"},
+    {"too pale", "too_pale"},
+    {"dark at the outline", "dark_rim"},
+    {"shining on its night side", "night_highlight"},
+    {"dents and not bumps", "dents"},
+};
+
+/// A page, in the book where that is made, and as Markdown.
+std::string place_of(const fs::path& root, const std::string& html, const std::string& anchor,
+                     const std::string& markdown) {
+  const fs::path file = root / "out" / html;
+  return "out/" + html + anchor + "\n              " +
+         (exists(file) ? "file://" + file.generic_string() + anchor
+                       : markdown + " (./course book makes the book)") +
+         "\n";
+}
+
+/// What a card says to change, where it is, and the page that explains it.
+std::string card_in(const fs::path& root, const std::string& card, std::string& chapter) {
+  const std::vector<std::uint8_t> page = read_file(root / "docs/symptoms.md", max_file_bytes);
+  std::istringstream lines(std::string(page.begin(), page.end()));
+  for (std::string line; std::getline(lines, line);) {
+    static const std::regex row(
+        R"(\| !\[[^\]]*\]\([^)]*?(\w+)\.png\)(?: !\[[^\]]*\]\([^)]*\))* (.*) \|)"
+        R"( .* \| (.*) \| .*chapter (\d\d).*)");
+    std::smatch cells;
+    if (!std::regex_match(line, cells, row) || cells[1] != card) continue;
+    chapter = cells[4];
+    return "  change      " + cells[3].str() + "\n  the card    My Earth is … " + cells[2].str() +
+           "\n              " + place_of(root, "symptoms.html", "#" + card, "docs/symptoms.md");
+  }
+  return "";
+}
+
+std::string page_of(const Choices& choices, const std::string& chapter) {
+  for (const auto& entry : fs::directory_iterator(path_of(choices.source))) {
+    const std::string name = name_of(entry.path().filename());
+    if (!name.starts_with(chapter + "_")) continue;
+    return "  the page    chapter " + chapter + ": " +
+           place_of(choices.root(), name + ".html", "", "chapters/" + name + "/README.md");
+  }
+  return "";
+}
+
+/// The words of a mistake, and where it is explained.
+std::string explained(const Choices& choices, const WrongPicture& right, const std::string& words) {
+  std::string said =
+      choices.file + ": wrong. Chapter " + right.name.substr(0, 2) + "'s picture, " + words + "\n";
+  std::string chapter = right.name.substr(0, 2);
+  for (const auto& row : cards) {
+    if (words.find(row.words) != std::string::npos)
+      said += card_in(choices.root(), row.card, chapter);
+  }
+  const std::string page = page_of(choices, chapter);  // its chapter may not be in a students' copy
+  return said + (page.empty() ? page_of(choices, right.name.substr(0, 2)) : page);
+}
+
+/// Errors: FileError, with the remedy.
+Image picture_in(const std::string& typed) {
+  const fs::path path = path_of(typed);
+  return with_name("cannot diagnose", path, [&] {
+    const std::vector<std::uint8_t> file = read_file(path, max_file_bytes);
+    if (looks_like_jpeg(file))
+      throw FileError("it is a JPEG, which has other colors: name the PNG file that you drew");
+    if (!looks_like_png(file)) throw FileError("it is no PNG: name the file that you drew");
+    return decode_image(file);
+  });
+}
+
+std::string number_of(const std::string& typed) {
+  const std::string number = typed.size() == 1 ? "0" + typed : typed;
+  return number == "00" ? "02" : number;  // chapter 00 draws the picture of 02
+}
+
+/// The chapters' own pictures that may be meant. Errors: UsageError, FileError with the sizes.
+std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
+                                const std::vector<WrongPicture>& right) {
+  std::map<std::string, std::string> sizes;
+  std::vector<WrongPicture> fitting;
+  for (const WrongPicture& one : right) {
+    if (!exists(path_of(choices.source) / one.name)) continue;
+    if (!choices.chapter.empty() && !one.name.starts_with(number_of(choices.chapter) + "_"))
+      continue;
+    const Image& picture = one.picture;
+    if (picture.width == mine.width && picture.height == mine.height) fitting.push_back(one);
+    std::string& chapters = sizes[text("%d x %d", picture.width, picture.height)];
+    chapters += (chapters.empty() ? "" : ", ") + one.name.substr(0, 2);
+  }
+  if (sizes.empty()) throw UsageError("there is no picture of a chapter '" + choices.chapter + "'");
+  std::string all;
+  for (const auto& [size, chapters] : sizes)
+    all += (all.empty() ? "" : "; ") + size + " (" + chapters + ")";
+  if (fitting.empty()) {
+    throw FileError(text("'%s' has %d x %d pixels, and pictures of chapters have ",
+                         choices.file.c_str(), mine.width, mine.height) +
+                    all + ": draw it in one of these sizes, without --width and --height");
+  }
+  // How near a picture is, in few pixels: by itself or with what goes wrong with a whole picture.
+  const auto small = [](const Image& image) {
+    return shrunk(image, (image.width + 7) / 8, (image.height + 7) / 8);
+  };
+  const auto error = [&, seen = small(mine)](const WrongPicture& one) {
+    const Image itself = small(one.picture);
+    std::vector<WrongPicture> ways = mistakes_of_the_whole(itself);
+    ways.push_back({"", "", itself});
+    double least = std::numeric_limits<double>::infinity();
+    for (const WrongPicture& way : ways) {
+      const Figures figures = measure(seen, way.picture, {}, Detail::pixels);
+      least = std::min(least, figures.root_mean_square_error);
+    }
+    return least;
+  };
+  std::ranges::sort(fitting, {}, error);
+  return fitting;
+}
+
+/// True if the picture is right; else what it is, in words.
+bool diagnose(const Choices& choices) {
+  const Image mine = picture_in(choices.file);
+  const std::vector<WrongPicture> right = right_pictures(choices.root() / "tests/golden");
+  std::string other;
+  for (const WrongPicture& one : right) {
+    if (!is_same_picture(mine, one.picture)) continue;
+    const std::string and_00 = one.name == "02_checkerboard_uv" ? " (and of 00)" : "";
+    if (choices.chapter.empty() || one.name.starts_with(number_of(choices.chapter) + "_")) {
+      print(choices.file + ": right, " + one.words + and_00 + "\n");
+      return true;
+    }
+    other = choices.file + ": not chapter " + choices.chapter + "'s picture. It is " + one.words +
+            and_00 + "\n";
+  }
+  if (!other.empty()) {
+    print(other);
+    return false;
+  }
+  std::string found;
+  const std::vector<WrongPicture> candidates = meant(choices, mine, right);
+  for (const WrongPicture& one : candidates) {
+    if (!choices.undrawn.empty() && one.name < "13" &&
+        !has_drawn_mistakes(choices.mistakes_of(one.name), one.picture)) {
+      write_text_atomically(path_of(choices.undrawn), one.name);
+      return false;
+    }
+    const std::string words =
+        name_mistake(mine, one.picture, known_mistakes(choices.mistakes_of(one.name), one.picture));
+    const bool is_vague = words.starts_with("softer") || words.starts_with("rougher");
+    if (!words.empty() && (found.empty() || !is_vague)) found = explained(choices, one, words);
+    if (!words.empty() && !is_vague) break;
+  }
+  if (found.empty()) {
+    const WrongPicture& nearest = candidates.front();
+    found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
+            nearest.name.substr(0, 2) +
+            "'s: " + differing_pixels(measure(mine, nearest.picture, {}, Detail::pixels)) +
+            " differ\n  where       ./course diff " + choices.file + " tests/golden/" +
+            nearest.name + ".png\n  more        " +
+            place_of(choices.root(), "symptoms.html", "", "docs/symptoms.md");
+  }
+  if (choices.chapter.empty() && candidates.size() > 1)
+    found += "If it should be another chapter's picture, name it: --chapter NN\n";
+  print(found);
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  CommandLine line("diagnose", "names the mistake in a picture, and the page that explains it");
+  line.positional("FILE", choices.file, "the picture, a PNG in the size that a chapter draws");
+  line.text("--chapter", "NN", choices.chapter,
+            "the chapter that should have drawn it; the default is the nearest");
+  line.text("--source", "FOLDER", choices.source, "the folder of the chapters");
+  line.text("--undrawn", "FILE", choices.undrawn,
+            "where a chapter's known mistakes are not drawn yet, write its name into this file");
+  line.statuses("0 the picture is right; 1 it is wrong; 2 an error, no diagnosis");
+  bool is_right = true;
+  const int status = run_guarded(line, [&] {
+    if (line.parse(argc, argv)) is_right = diagnose(choices);
+  });
+  return status != 0 ? 2 : is_right ? 0 : 1;
+}
