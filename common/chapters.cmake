@@ -95,12 +95,8 @@ function(add_wide_packs name)
 endfunction()
 
 # Programs for learning have one number, double, read the common headers precompiled and are optimised a little: a lesson then
-# compiles in about a second. They draw the same pictures. What they are linked with, and what measures times, is compiled as for
+# compiles in about a second. They draw the same pictures. What takes time when they run, and what measures times, is compiled as for
 # release: the user's times are those of fast programs.
-set(learn_options "")
-if(TAKES_GNU_OPTIONS AND NOT EMSCRIPTEN)
-  set(learn_options $<$<CONFIG:Release>:-O1>)
-endif()
 if(TEXMAP_LEARN)
   set(CMAKE_PCH_PROLOGUE "")  # else the common headers count as a system's, and a switch that lacks a case is no error
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
