@@ -7,6 +7,7 @@
 #include "engine/app/layout_options.hpp"
 #include "engine/app/phong_options.hpp"
 #include "engine/app/run_chapter.hpp"
+#include "engine/app/sky_options.hpp"
 #include "engine/app/turntable.hpp"
 #include "scene/path.hpp"
 #include "scene/stage.hpp"
@@ -14,3 +15,12 @@
 #include "texture/image_texture.hpp"
 #include "texture/mapped.hpp"
 #include "texture/rotated.hpp"
+
+namespace texmap {
+
+// Chapter 12's paths, compiled once and for release (sky_options.cpp).
+extern template Color<double> light_under_sky(const std::vector<PreparedObject<double, Coat>>&,
+                                              Ray<double>, const SkyLight&, const MatteLight&, int,
+                                              SampleRandom<double>&);
+
+}  // namespace texmap

@@ -13,9 +13,11 @@
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
 #include "engine/app/sky_choice.hpp"
+#include "engine/kernels/prepared_scene.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_light.hpp"
+#include "engine/render/sample_random.hpp"
 #include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
 
@@ -113,5 +115,9 @@ SkyLight SkyOptions::load(const Session& session) {
   }
   return sky;
 }
+
+template TEXMAP_FLATTEN Color<double> light_under_sky(
+    const std::vector<PreparedObject<double, Coat>>&, Ray<double>, const SkyLight&,
+    const MatteLight&, int, SampleRandom<double>&);
 
 }  // namespace texmap
