@@ -462,7 +462,8 @@ std::vector<WrongPicture> known_mistakes(const std::filesystem::path& folder, co
   std::vector<WrongPicture> known;
   if (has_drawn_mistakes(folder, right)) known = load_wrong_pictures(folder);
   for (WrongPicture& one : mistakes_of_the_whole(right)) {
-    if (std::ranges::none_of(known, [&](const auto& drawn) { return drawn.name == one.name; }))
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const auto& drawn) { return drawn.name == one.name; }))
       known.push_back(std::move(one));
   }
   return known;
@@ -480,7 +481,8 @@ std::vector<WrongPicture> right_pictures(const std::filesystem::path& folder) {
     } catch (const FileError&) {  // less is known
     }
   }
-  std::ranges::sort(right, {}, &WrongPicture::name);
+  std::sort(right.begin(), right.end(),
+            [](const auto& a, const auto& b) { return a.name < b.name; });
   return right;
 }
 

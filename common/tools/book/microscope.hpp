@@ -28,8 +28,8 @@ namespace texmap::microscope {
                  size, size);
 }
 
-/// Where a ray meets the unit sphere, and its (u, v) there: by the plain form and Next Week's (u, v)
-/// as chapter 14's published globes, by the hybrid form and the course's as its robust ones.
+/// Where a ray meets the unit sphere, and its (u, v): by the plain form and Next Week's (u, v), as
+/// chapter 14's published globes, or by the hybrid form and the course's, as its robust ones.
 template <class Real>
 struct Place {
   Real distance;
