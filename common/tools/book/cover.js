@@ -64,16 +64,16 @@ const texmapCover = async (packed, earth) => {
   // ---- A pixel's numbers. All of them are exact here: whole multiples of 2^-256.
   const unit = 2n ** 256n;
   const exact = (...parts) => parts.reduce((sum, one) => sum + BigInt(Math.trunc(one * 2 ** 256)), 0n);
-  const size = (number) => number < 0n ? -number : number;
+  const magnitude = (number) => number < 0n ? -number : number;
   // A number times 10^places, rounded.
   const rounded = (number, places) => {
     const [up, down] = places < 0 ? [1n, 10n ** BigInt(-places)] : [10n ** BigInt(places), 1n];
-    const whole = (2n * size(number) * up + unit * down) / (2n * unit * down);
+    const whole = (2n * magnitude(number) * up + unit * down) / (2n * unit * down);
     return number < 0n ? -whole : whole;
   };
   // A number's text in two pieces: the second begins at the first place where it, rounded, is not the true number, rounded.
   function pieces(number, truth, places, grouped) {
-    const digits = String(size(rounded(number, places))).padStart(places + 1, "0");
+    const digits = String(magnitude(rounded(number, places))).padStart(places + 1, "0");
     const before = digits.length - places;
     const text = [rounded(number, places) < 0n ? "−" : "", ""];
     let wrong = truth === null ? 1 : 0;
@@ -90,8 +90,6 @@ const texmapCover = async (packed, earth) => {
     Object.assign(document.createElement("i"), {textContent: text})];
   const written = ([right, wrong]) => wrong ? [right, ...wrongly(wrong)] : [right];
 
-  const missing = "—", miss = "miss", none = "none";
-  const names = ["published", "ours", "true"];
   function look() {
     const across = Math.min(canvas.width - 1, Math.floor(place.across * canvas.width));
     const down = Math.min(canvas.width - 1, Math.floor(place.down * canvas.width));
@@ -104,11 +102,11 @@ const texmapCover = async (packed, earth) => {
     const squares = Math.max(0, Math.min(5, 13 - String(Math.trunc(all[0])).length));  // decimals, so that the points stand in line
     const ahead = Math.max(0, 7 - String(Math.trunc(radii())).length);
     const cell = (column, row) => {
-      if (column === 0 && row === 2 || column === 1 && row < 2) return [missing];
-      if (row > 3 && !met[column]) return row > 4 ? [missing] : met[2] ? wrongly(miss) : [miss];
+      if (column === 0 && row === 2 || column === 1 && row < 2) return ["—"];
+      if (row > 3 && !met[column]) return row > 4 ? ["—"] : met[2] ? wrongly("miss") : ["miss"];
       const steps = row < 7 ? [row] : [7, 8];
       const [u, v] = [parts(column, 5)[0], parts(column, 6)[0]];
-      if (row === 7 && !(u >= 0 && u < 1 && v >= 0 && v <= 1)) return wrongly(none);
+      if (row === 7 && !(u >= 0 && u < 1 && v >= 0 && v <= 1)) return wrongly("none");
       const places = row < 2 || row === 3 && column === 0 ? squares : row === 4 ? ahead : row === 7 ? 0 : 5;
       return steps.flatMap((step, i) => {
         const number = parts(column, step);
@@ -117,22 +115,21 @@ const texmapCover = async (packed, earth) => {
         return [i ? ", " : "", ...written(pieces(exact(...number), truth, places, row < 7))];
       });
     };
-    [...table.tBodies[0].rows].forEach((line, row) => names.forEach((name, column) => {
+    [...table.tBodies[0].rows].forEach((line, row) => [0, 1, 2].forEach((column) => {
       (line.cells[column + 1] ?? line.insertCell()).replaceChildren(...cell(column, row));
     }));
     const lost = Math.floor(Math.log10(all[18] / Math.abs(all[24])));  // b² over b² - a c
     part(".why b").textContent = lost < 1 ? "here none of them cancels" : `here ${lost < 7 ? `${lost} of the` : "all"} 7 digits cancel`;
-    table.caption.firstChild.textContent = `Pixel ${across}, ${down}, step by step.`;
-    const away = `${Number(radii().toPrecision(3)).toLocaleString("en")} ${radii() === 1 ? "radius" : "radii"}`;
-    shown.textContent = away;
-    slider.setAttribute("aria-valuetext", `${away} from the surface`);
+    table.caption.firstChild.textContent = `Point at any pixel. This is ${across}, ${down}.`;
+    shown.textContent = `${Number(radii().toPrecision(3)).toLocaleString("en")} ${radii() === 1 ? "radius" : "radii"}`;
+    slider.setAttribute("aria-valuetext", `${shown.textContent} from the surface`);
   }
   // For screen readers, when the pixel rests.
   function tell() {
     clearTimeout(telling);
     telling = setTimeout(() => {
       const [u, column] = [5, 7].map((row) => [...table.tBodies[0].rows[row].cells].map((one) => one.textContent));
-      said.textContent = `${table.caption.firstChild.textContent} u: published ${u[1]}, ours ${u[2]}, true ${u[3]}. Texel: published ${column[1]}, true ${column[3]}.`;
+      said.textContent = `Pixel ${hero.numbers.pixel.slice(1).join(", ")}. u: published ${u[1]}, ours ${u[2]}, true ${u[3]}. Texel: published ${column[1]}, true ${column[3]}.`;
     }, 400);
   }
 
