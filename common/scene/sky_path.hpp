@@ -43,13 +43,13 @@ struct Scattered {
 /// The next direction of a path at a matte surface. The mean of weight times light over many of
 /// them is the light that a white surface sends out.
 ///
-/// @param normal, place, choice  of unit length; two samples in [0, 1), `choice` for the sky alone
+/// @param normal, place, within  of unit length; two samples in [0, 1), `within` in a texel alone
 /// Source: Veach and Guibas (1995): `mis` is their balance heuristic with one direction.
 /// `importance` takes one in eight by the cosine: a ball before a black sky sends light, too.
 template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
                                       const Vec3<Real>& normal, const Point2<Real>& place,
-                                      const Point2<Real>& choice) {
+                                      const Point2<Real>& within) {
   switch (lighting) {
     case SkyLighting::cosine:
       return {cosine_direction(normal, place), Real(1)};
@@ -65,15 +65,15 @@ template <class Real, class Sky>
     case SkyLighting::coefficients:
       break;
   }
-  const bool by_half = lighting == SkyLighting::mis;
-  const Real share = Real(by_half ? 0.5 : 0.125);  // of directions that the cosine draws
-  const Mask<Real> by_cosine = choice.u < share;
-  const Point2<Real> of_sky = {
-      select(by_cosine, choice.u / share, (choice.u - share) / (Real(1) - share)), choice.v};
+  const bool mis = lighting == SkyLighting::mis;
+  const Real share = Real(mis ? 0.5 : 0.125);  // of directions that the cosine draws
+  const Mask<Real> by_cosine = place.u < share;
+  const Point2<Real> spread = {
+      select(by_cosine, place.u / share, (place.u - share) / (Real(1) - share)), place.v};
   const Vec3<Real> direction =
-      select(by_cosine, cosine_direction(normal, place), sky.direction(of_sky, place));
+      select(by_cosine, cosine_direction(normal, spread), sky.direction(mis, spread, within));
   const Real cosine = max(dot(normal, direction), Real(0));
-  const Real both = share * cosine + (Real(1) - share) * pi<Real>() * sky.density(direction);
+  const Real both = share * cosine + (Real(1) - share) * pi<Real>() * sky.density(mis, direction);
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
@@ -102,10 +102,10 @@ template <class Real, class Objects, class Sky, class Random>
     if (bounce == bounces || !any(under_way)) return light;
 
     // Every path draws as many numbers: packs and single numbers then follow the same paths.
-    Point2<Real> place{}, choice{};
+    Point2<Real> place{}, within{};
     if (matte.way != SkyLighting::coefficients) place = random.next_2d();
     if (matte.way == SkyLighting::importance || matte.way == SkyLighting::mis)
-      choice = random.next_2d();
+      within = random.next_2d();
     Ray<Real> next = ray;
     Mask<Real> dull = mask_of<Real>(false);
     double index = 0;
@@ -127,7 +127,7 @@ template <class Real, class Objects, class Sky, class Random>
         under_way = under_way && !scatters;
         continue;
       }
-      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place, choice);
+      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place, within);
       carried = select(scatters, carried * next_way.weight, carried);
       next.direction = select(scatters, next_way.direction, next.direction);
       under_way = under_way && !(scatters && next_way.weight <= Real(0));

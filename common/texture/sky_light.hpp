@@ -8,15 +8,32 @@
 
 namespace texmap {
 
+/// Draws by what of a sky is brighter than its mean; by all of it if that is next to nothing. What
+/// is not, the cosine finds as well, where half of all directions are drawn by the cosine.
+/// Source: Karlik et al., "MIS Compensation" (2019).
+[[nodiscard]] inline SkySampler sampler_above_mean(const Environment& sky, double total) {
+  LightImage rest = sky.map();
+  for (Color<float>& texel : rest.pixels) {
+    const double above = brightness_of(texel) - total / (4 * pi<double>());
+    texel = gray(static_cast<float>(max(above, 0.0)));
+  }
+  SkySampler sampler(Environment(std::move(rest), sky.filter()));
+  return sampler.total() > 0.01 * total ? sampler : SkySampler(sky);
+}
+
 /// A sky that light_under_sky can ask for directions and for its light as a whole.
 struct SkyLight {
   Environment picture;
   SkySampler sampler;
+  SkySampler above_mean;  ///< for `mis`
   SkyMoments moments;
 
   SkyLight() = default;
   explicit SkyLight(Environment sky)
-      : picture(std::move(sky)), sampler(picture), moments(picture) {}
+      : picture(std::move(sky)),
+        sampler(picture),
+        above_mean(sampler_above_mean(picture, sampler.total())),
+        moments(picture) {}
 
   [[nodiscard]] bool is_constant() const { return picture.is_constant(); }
   /// The light along a ray; as Environment's.
@@ -24,14 +41,16 @@ struct SkyLight {
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
     return picture(ray);
   }
-  /// A direction drawn in proportion to the sky's light, and the density of any direction.
+  [[nodiscard]] const SkySampler& sampler_for(bool mis) const { return mis ? above_mean : sampler; }
+  /// A direction drawn by the sky's light, and the density of any direction.
   template <class Real>
-  [[nodiscard]] Vec3<Real> direction(const Point2<Real>& texel, const Point2<Real>& within) const {
-    return sampler.direction(picture, texel, within);
+  [[nodiscard]] Vec3<Real> direction(bool mis, const Point2<Real>& texel,
+                                     const Point2<Real>& within) const {
+    return sampler_for(mis).direction(picture, texel, within);
   }
   template <class Real>
-  [[nodiscard]] Real density(const Vec3<Real>& direction) const {
-    return sampler.density(picture, direction);
+  [[nodiscard]] Real density(bool mis, const Vec3<Real>& direction) const {
+    return sampler_for(mis).density(picture, direction);
   }
   /// The light that a white matte surface with this normal sends out, by nine numbers.
   template <class Real>

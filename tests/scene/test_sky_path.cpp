@@ -134,6 +134,19 @@ TEST_CASE("light between balls is found by all ways where the sky behind them is
   }
 }
 
+TEST_CASE("mis draws by what is brighter than the mean; by all of a sky of one brightness") {
+  LightImage halves(8, 4, gray(1.0F));
+  for (int row = 0; row < 4; ++row)
+    for (int column = 4; column < 8; ++column) halves.at(column, row) = gray(3.0F);
+  const SkyLight sky(Environment(std::move(halves), TexelFilter::nearest));
+  const double sphere = 4 * pi<double>();
+  CHECK(sky.density(true, Vec3d{0, 0, 1}) == 0);  // u = 1/4
+  CHECK(sky.density(true, Vec3d{0, 0, -1}) == doctest::Approx(2 / sphere));
+  CHECK(sky.density(false, Vec3d{0, 0, 1}) == doctest::Approx(0.5 / sphere));
+  CHECK(SkyLight(Environment(LightImage(8, 4, gray(0.7F)), TexelFilter::nearest))
+            .density(true, Vec3d{0, 0, 1}) == doctest::Approx(1 / sphere));
+}
+
 TEST_CASE("the weights of mis stay below 2: no direction can be a dot brighter than its light") {
   const SkyLight sky(Environment(with_sun(1e4F)));
   double most = 0;

@@ -324,7 +324,6 @@ void SamplingOptions::declare_gathering(CommandLine& line) {
 }
 
 void SamplingOptions::declare(CommandLine& line) {
-  samples = 64;
   declare_gathering(line);
   line.wishes.budget =
       "the allowed error: exact, texels=0.01 (a place on the texture) or levels=1 (a byte of the "

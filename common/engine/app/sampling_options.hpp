@@ -15,7 +15,7 @@ class CommandLine;
 /// The user's choices of samples and light.
 struct SamplingOptions {
   SamplerKind sampler = SamplerKind::sobol;
-  int samples = 100;  ///< rays per pixel, unless --samples is given
+  int samples = 64;  ///< rays per pixel, unless --samples is given
   int seed = 0;
   int bounces = 50;
   double time_limit = 0;    ///< seconds; 0: no limit
@@ -26,7 +26,7 @@ struct SamplingOptions {
   bool book = false;      ///< the book's scene: the globe alone; else on a ground
   bool gradient = false;  ///< a sky that changes; else uniform
 
-  /// All options of a scene with a texture, which has 64 samples.
+  /// All options of a scene with a texture.
   void declare(CommandLine& line);
   /// The options that are not about a texture or its sky: samples, limits, lens.
   void declare_gathering(CommandLine& line);

@@ -61,7 +61,8 @@ SkyNoise noise_of(const SkyLight& sky) {
     const double y = band.y_sign * (1 - below_pole);
     const double radius = std::sqrt(below_pole * (2 - below_pole));
     for (const OnCircle<double>& turned : around) {
-      const double density = sky.sampler.probabilities()[texel++] / band.solid_angle;
+      const double density = sky.sampler.probabilities()[texel] / band.solid_angle;
+      const double above_mean = sky.above_mean.probabilities()[texel++] / band.solid_angle;
       if (density == 0) continue;
       const std::array direction = {radius * turned.cosine, y, radius * turned.sine};
       for (std::size_t axis = 0; axis < 3; ++axis) {  // one of its two ways faces the texel
@@ -73,7 +74,7 @@ SkyNoise noise_of(const SkyLight& sky) {
         second.uniform += square_of_it * 4 * std::numbers::pi;
         second.cosine += square_of_it / lambert;
         second.importance += square_of_it * 8 / (lambert + 7 * density);
-        second.mis += square_of_it * 2 / (lambert + density);
+        second.mis += square_of_it * 2 / (lambert + above_mean);
       }
     }
   }

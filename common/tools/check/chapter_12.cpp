@@ -57,16 +57,17 @@ struct SkyLight : texmap::SkyLight {
     }
     if (solid_angle) moments = SkyMoments(Environment(weighted_by_student(loaded.map())));
     const auto width = static_cast<std::ptrdiff_t>(picture.map().width);
-    for (auto p = sampler.probabilities().begin(); p != sampler.probabilities().end(); p += width) {
+    const auto& drawn = above_mean.probabilities();
+    for (auto p = drawn.begin(); p != drawn.end(); p += width) {
       Sums& sums = texel_sums.emplace_back(width);
       std::partial_sum(p, p + width, sums.begin());
       const double row = sums.back();
-      for (double& sum : sums) sum /= row;
+      for (double& sum : sums) sum = row > 0 ? sum / row : 0;
       row_sums.push_back(row_sums.empty() ? row : row_sums.back() + row);
     }
   }
 
-  Vec3d direction(const Point2<double>& texel, const Point2<double>& within) const {
+  Vec3d direction(bool /*mis*/, const Point2<double>& texel, const Point2<double>& within) const {
     const int row = one_of(row_sums, texel.v);
     const int column = one_of(texel_sums[static_cast<std::size_t>(row)], texel.u);
     return picture.from_map(direction_rtiow(Uv<double>{
