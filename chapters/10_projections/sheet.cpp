@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "engine/measure/text.hpp"
 #include "engine/picture/sheet.hpp"
@@ -37,39 +36,19 @@ Rgb8 in_steps(Rgb8 c) {
   return {step(c.r), step(c.g), step(c.b)};
 }
 
-/// A circle of latitude with the centers of small circles.
-struct Ring {
-  double sine, cosine;  ///< of its latitude
-  double low, high;     ///< y 6.5 degrees below and above
-  double centers;
-};
-constexpr double degree = std::numbers::pi / 180;
-
-/// Every 22.5 degrees, from the south pole.
-std::vector<Ring> rings() {
-  std::vector<Ring> all;
-  for (const int i : {-4, -3, -2, -1, 0, 1, 2, 3, 4}) {
-    const double latitude = 22.5 * degree * i, cosine = std::cos(latitude);
-    all.push_back({std::sin(latitude), cosine, i == -4 ? -2 : std::sin(latitude - 6.5 * degree),
-                   i == 4 ? 2 : std::sin(latitude + 6.5 * degree),
-                   std::max(1.0, std::round(16 * cosine))});
-  }
-  return all;
-}
-
 /// Above 0 within 6 degrees of a center: the cosine of the angle from it, less that of 6 degrees.
+/// The centers are on circles of latitude, every 22.5 degrees; -1 far from these.
 double in_small_circle(const Vec3<double>& n) {
-  static const std::vector<Ring> all = rings();
-  for (const Ring& ring : all) {
-    if (n.y < ring.low || n.y > ring.high) continue;
-    const double step = 2 * std::numbers::pi / ring.centers;
-    const double longitude = std::atan2(n.z, n.x);
-    const double from_center = longitude - step * std::round(longitude / step);
-    return ring.sine * n.y +
-           ring.cosine * std::sqrt(n.x * n.x + n.z * n.z) * std::cos(from_center) -
-           std::cos(6 * degree);
-  }
-  return -1;
+  constexpr double degree = std::numbers::pi / 180;
+  const double latitude = std::asin(clamp(n.y, -1.0, 1.0)) / degree;
+  const double ring = std::round(latitude / 22.5) * 22.5;
+  if (std::abs(latitude - ring) > 6.5) return -1;
+  const double radius = std::cos(ring * degree);
+  const double step = 2 * std::numbers::pi / std::max(1.0, std::round(16 * radius));
+  const double longitude = std::atan2(n.z, n.x);
+  const double from_center = longitude - step * std::round(longitude / step);
+  return std::sin(ring * degree) * n.y +
+         radius * std::sqrt(n.x * n.x + n.z * n.z) * std::cos(from_center) - std::cos(6 * degree);
 }
 
 std::string bound_of(double value) { return std::isinf(value) ? "no bound" : shown(value, 4); }
