@@ -14,7 +14,6 @@
 #include "engine/app/run_guarded.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/compare/show_figures.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/codecs/read_jpeg.hpp"
@@ -28,13 +27,11 @@ using namespace texmap;
 namespace fs = std::filesystem;
 
 struct Choices {
-  std::string file, chapter, undrawn;
+  std::string file, undrawn;
+  std::string chapter;  ///< two digits, or empty: any
   std::string source = TEXMAP_CHAPTERS_DIR;
 
   [[nodiscard]] fs::path root() const { return fs::absolute(path_of(source)).parent_path(); }
-  [[nodiscard]] fs::path mistakes_of(const std::string& name) const {
-    return root() / "build/learn/mistakes" / name;
-  }
 };
 
 /// What a mistake's words hold, and its card: the name of the card's picture in docs/symptoms.md.
@@ -119,98 +116,87 @@ Image picture_in(const std::string& typed) {
   });
 }
 
-std::string number_of(const std::string& typed) {
-  const std::string number = typed.size() == 1 ? "0" + typed : typed;
-  return number == "00" ? "02" : number;  // chapter 00 draws the picture of 02
-}
-
-/// The chapters' own pictures that may be meant. Errors: UsageError, FileError with the sizes.
-std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
-                                const std::vector<WrongPicture>& right) {
-  std::map<std::string, std::string> sizes;
-  std::vector<WrongPicture> fitting;
-  for (const WrongPicture& one : right) {
-    if (!exists(path_of(choices.source) / one.name)) continue;
-    if (!choices.chapter.empty() && !one.name.starts_with(number_of(choices.chapter) + "_"))
-      continue;
-    const Image& picture = one.picture;
-    if (picture.width == mine.width && picture.height == mine.height) fitting.push_back(one);
-    std::string& chapters = sizes[text("%d x %d", picture.width, picture.height)];
-    chapters += (chapters.empty() ? "" : ", ") + one.name.substr(0, 2);
-  }
-  if (sizes.empty()) throw UsageError("there is no picture of a chapter '" + choices.chapter + "'");
-  std::string all;
-  for (const auto& [size, chapters] : sizes)
-    all += (all.empty() ? "" : "; ") + size + " (" + chapters + ")";
-  if (fitting.empty()) {
-    throw FileError(text("'%s' has %d x %d pixels, and pictures of chapters have ",
-                         choices.file.c_str(), mine.width, mine.height) +
-                    all + ": draw it in one of these sizes, without --width and --height");
-  }
-  // How near a picture is, in few pixels: by itself or with what goes wrong with a whole picture.
+/// How far a picture is from a right one, in few pixels: from itself, or from what goes wrong with
+/// a whole picture.
+double distance(const Image& mine, const Image& right) {
   const auto small = [](const Image& image) {
     return shrunk(image, (image.width + 7) / 8, (image.height + 7) / 8);
   };
-  const auto error = [&, seen = small(mine)](const WrongPicture& one) {
-    const Image itself = small(one.picture);
-    std::vector<WrongPicture> ways = mistakes_of_the_whole(itself);
-    ways.push_back({"", "", itself});
-    double least = std::numeric_limits<double>::infinity();
-    for (const WrongPicture& way : ways) {
-      const Figures figures = measure(seen, way.picture, {}, Detail::pixels);
-      least = std::min(least, figures.root_mean_square_error);
-    }
-    return least;
-  };
-  std::ranges::sort(fitting, {}, error);
+  const Image seen = small(mine), itself = small(right);
+  std::vector<WrongPicture> ways = mistakes_of_the_whole(itself);
+  ways.push_back({"", "", itself});
+  double least = std::numeric_limits<double>::infinity();
+  for (const WrongPicture& way : ways) {
+    least = std::min(least, measure(seen, way.picture, {}, Detail::pixels).root_mean_square_error);
+  }
+  return least;
+}
+
+/// The chapters' own pictures that may be meant, the nearest first.
+/// Errors: UsageError; FileError with the sizes that there are.
+std::vector<WrongPicture> meant(const Choices& choices, const Image& mine,
+                                const std::vector<WrongPicture>& right) {
+  std::multimap<double, WrongPicture> nearest;
+  std::string sizes;
+  for (const WrongPicture& one : right) {
+    if (!one.name.starts_with(choices.chapter) || !exists(path_of(choices.source) / one.name))
+      continue;
+    const Image& picture = one.picture;
+    if (picture.width == mine.width && picture.height == mine.height)
+      nearest.emplace(distance(mine, picture), one);
+    sizes += text(" %s: %d x %d,", one.name.substr(0, 2).c_str(), picture.width, picture.height);
+  }
+  if (sizes.empty()) throw UsageError("there is no picture of a chapter '" + choices.chapter + "'");
+  sizes.back() = '.';
+  if (nearest.empty()) {
+    throw FileError(text("'%s' has %d x %d pixels: draw it as large as its chapter does, without "
+                         "--width and --height.",
+                         choices.file.c_str(), mine.width, mine.height) +
+                    sizes);
+  }
+  std::vector<WrongPicture> fitting;
+  for (auto& [error, one] : nearest) fitting.push_back(std::move(one));
   return fitting;
 }
 
-/// True if the picture is right; else what it is, in words.
+/// Says what a picture is; true if it is right.
 bool diagnose(const Choices& choices) {
   const Image mine = picture_in(choices.file);
   const std::vector<WrongPicture> right = right_pictures(choices.root() / "tests/golden");
-  std::string other;
+  std::string found;
+  bool is_it = false;
   for (const WrongPicture& one : right) {
     if (!is_same_picture(mine, one.picture)) continue;
-    const std::string and_00 = one.name == "02_checkerboard_uv" ? " (and of 00)" : "";
-    if (choices.chapter.empty() || one.name.starts_with(number_of(choices.chapter) + "_")) {
-      print(choices.file + ": right, " + one.words + and_00 + "\n");
-      return true;
-    }
-    other = choices.file + ": not chapter " + choices.chapter + "'s picture. It is " + one.words +
-            and_00 + "\n";
+    is_it = one.name.starts_with(choices.chapter);
+    found = choices.file + (is_it ? ": right, " : ": not chapter " + choices.chapter + "'s, but ") +
+            one.words + (one.name.starts_with("02") ? ", which 00 draws, too\n" : "\n");
+    if (is_it) break;
   }
-  if (!other.empty()) {
-    print(other);
-    return false;
+  if (!found.empty()) {
+    print(found);
+    return is_it;
   }
-  std::string found;
   const std::vector<WrongPicture> candidates = meant(choices, mine, right);
   for (const WrongPicture& one : candidates) {
-    if (!choices.undrawn.empty() && one.name < "13" &&
-        !has_drawn_mistakes(choices.mistakes_of(one.name), one.picture)) {
+    const fs::path drawn = choices.root() / "build/learn/mistakes" / one.name;
+    if (!choices.undrawn.empty() && one.name < "13" && !has_drawn_mistakes(drawn, one.picture)) {
       write_text_atomically(path_of(choices.undrawn), one.name);
       return false;
     }
-    const std::string words =
-        name_mistake(mine, one.picture, known_mistakes(choices.mistakes_of(one.name), one.picture));
+    const std::string words = name_mistake(mine, one.picture, known_mistakes(drawn, one.picture));
     const bool is_vague = words.starts_with("softer") || words.starts_with("rougher");
     if (!words.empty() && (found.empty() || !is_vague)) found = explained(choices, one, words);
     if (!words.empty() && !is_vague) break;
   }
   if (found.empty()) {
-    const WrongPicture& nearest = candidates.front();
+    const std::string& nearest = candidates.front().name;
     found = choices.file + ": wrong, by a mistake that is not known. The nearest picture is " +
-            nearest.name.substr(0, 2) +
-            "'s: " + differing_pixels(measure(mine, nearest.picture, {}, Detail::pixels)) +
-            " differ\n  where       ./course diff " + choices.file + " tests/golden/" +
-            nearest.name + ".png\n  more        " +
+            nearest.substr(0, 2) + "'s:\n  where       ./course diff " + choices.file +
+            " tests/golden/" + nearest + ".png\n  more        " +
             place_of(choices.root(), "symptoms.html", "", "docs/symptoms.md");
   }
-  if (choices.chapter.empty() && candidates.size() > 1)
-    found += "If it should be another chapter's picture, name it: --chapter NN\n";
-  print(found);
+  print(found +
+        (candidates.size() > 1 ? "If it is another chapter's, name it: --chapter NN\n" : ""));
   return false;
 }
 
@@ -228,7 +214,10 @@ int main(int argc, char** argv) {
   line.statuses("0 the picture is right; 1 it is wrong; 2 an error, no diagnosis");
   bool is_right = true;
   const int status = run_guarded(line, [&] {
-    if (line.parse(argc, argv)) is_right = diagnose(choices);
+    if (!line.parse(argc, argv)) return;
+    if (choices.chapter.size() == 1) choices.chapter.insert(0, "0");
+    if (choices.chapter == "00") choices.chapter = "02";  // whose picture 00 draws
+    is_right = diagnose(choices);
   });
   return status != 0 ? 2 : is_right ? 0 : 1;
 }
