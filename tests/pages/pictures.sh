@@ -51,8 +51,10 @@ for strip in $(cut -d ' ' -f 1 "$work/crops" | uniq); do
   # The file has 256 colors: few pixels are far from what is drawn.
   "$bin/compare" --pixels-off-by-more-than 24 --at-most 0.1% "$work/strip.png" "$root/docs/pictures/$strip" >>"$work/log" 2>&1 && continue
   if [ "$mode" = --write ]; then
-    # A palette, and no row filters: a third of the bytes.
-    convert "$work/strip.png" +dither -colors 256 -strip -define png:compression-filter=0 -define png:compression-level=9 \
+    # A palette, and no row filters: a third of the bytes. The grain of wood takes few colors.
+    colors=256
+    [ "$strip" != thumb_08.png ] || colors=96
+    convert "$work/strip.png" +dither -colors "$colors" -strip -define png:compression-filter=0 -define png:compression-level=9 \
       -define png:include-chunk=none "png8:$root/docs/pictures/$strip"
     echo "docs/pictures/$strip is new"
   else

@@ -130,11 +130,13 @@ USES = {
     "index.html": [
         ("", "texts('.path span').slice(0, 3).join() === '●●○,○○●,○○○'"),
         ("", "texts('.path li').length === 15 && texts('.path li').every((e) => e.includes('?') && e.includes('hour'))"),
+        ("", "texts('.path li > p:nth-of-type(1)').every((e) => /[0-9]|One/.test(e)) && texts('.path li')[1].includes('changes 76 of 480,000 pixels')"),
     ],
     "symptoms.html": [
         ("", "texts('.cards article').length >= 19 && !texts('th').length"),
         ("", "texts('.two')[0].trim() === 'yoursright' && texts('.cards h3')[0].startsWith('… mirrored') && texts('.cards a')[0] === 'chapter 04'"),
-        ("", "[...document.querySelectorAll('.two')].every((e) => e.querySelectorAll('img').length === e.querySelectorAll('span').length)"),
+        ("", "texts('.two').every((e) => e.trim() === 'yoursright') && document.querySelectorAll('.two img').length === 2 * texts('.two').length"),
+        ("", "[...document.querySelectorAll('.cards article')].every((e) => e.querySelector('img').src.includes('-' + e.id + '.png')) && !!document.getElementById('mirrored')"),
     ],
     # Formulas. Fractions with blanks take all between two signs, without blanks their neighbors; parentheses fall away.
     "02_checkerboard_uv.html": [("", "fraction('atan2(z,x)', '2π') && fraction('1', '2') && fraction('atan2(x2+z2,−y)', 'π')")],

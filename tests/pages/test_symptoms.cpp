@@ -151,8 +151,9 @@ Image tripled(const Image& small) {
 Rgb8 pixel_of(const Rgb& color) { return {byte_of(color.r), byte_of(color.g), byte_of(color.b)}; }
 
 /// A mip-mapped globe seen from the seam's side, its pixels drawn three wide. The footprint of a
-/// pixel is the difference of (u, v) to the next pixel; at the seam that is nearly 1.
-Image seam_line() {
+/// pixel is the difference of (u, v) to the next pixel; at the seam that is nearly 1, or, the short
+/// way round, as small as elsewhere.
+Image seam_line(bool short_way) {
   const Filtered<Pyramid> texture{
       .pyramid =
           pyramid_of(light_of(load_image(TEXMAP_ASSETS_DIR "/uv_map.png"), TexelLight::encoded)),
@@ -171,20 +172,24 @@ Image seam_line() {
         continue;
       const Uv<double> here = uv_at(column, row);
       const Uv<double> across = uv_at(column + 1, row), down = uv_at(column, row + 1);
-      image.at(column, row) = pixel_of(
-          texture.filtered(Uv<Dual<double>>{{here.u, across.u - here.u, down.u - here.u},
-                                            {here.v, across.v - here.v, down.v - here.v}}));
+      const auto step = [&](double to) {
+        return to - here.u - (short_way ? std::round(to - here.u) : 0);
+      };
+      image.at(column, row) = pixel_of(texture.filtered(Uv<Dual<double>>{
+          {here.u, step(across.u), step(down.u)}, {here.v, across.v - here.v, down.v - here.v}}));
     }
   }
   return tripled(image);
 }
 
-/// The pole from above: v is the square of what it should be, as if its arc cosine were missing.
-Image squeezed_pole() {
+/// The pole from above: v is the square of what it should be, as if its arc cosine were missing,
+/// or what it should be.
+Image squeezed_pole(bool with_angle) {
   const ImageTexture map{load_image(TEXMAP_ASSETS_DIR "/uv_map.png")};
   const Camera camera{.eye = {0, 3.2, 1.6}, .target = {0, 0, 0}, .fov_y_degrees = 40};
   const auto paint = [&](const Hit<double>& hit) {
-    return map(Uv<double>{uv_rtiow(hit.normal).u, (hit.normal.y + 1) / 2});
+    const Uv<double> uv = uv_rtiow(hit.normal);
+    return map(Uv<double>{uv.u, with_angle ? uv.v : (hit.normal.y + 1) / 2});
   };
   return stage(paint, light_of, camera);
 }
@@ -204,10 +209,11 @@ Image with_acne() {
   });
 }
 
-/// The globe of the stage, its pixels drawn three wide; each from one ray.
-Image frayed_coasts() {
+/// The globe of the stage, its pixels drawn three wide; each from so many rays across and down.
+Image frayed_coasts(int rays) {
   const Camera camera{.eye = {0, 1.6, 6.4}, .target = {0, 0.05, 0}, .fov_y_degrees = 24};
-  return tripled(render<double>(lesson(), view_of(camera, width / 3, height / 3)));
+  const Image fine = render<double>(lesson(), view_of(camera, width / 3 * rays, height / 3 * rays));
+  return tripled(shrunk(fine, width / 3, height / 3));
 }
 
 /// Each byte of the picture through a curve.
@@ -220,10 +226,14 @@ Image through(double (*curve)(double)) {
   return image;
 }
 
-Image egg() {
-  const double degrees = 100;
-  const Camera camera{.eye = {0, 0, 4}, .target = {0, 0, 0}, .fov_y_degrees = degrees};
-  const double half_width = std::tan(degrees * std::numbers::pi / 360) * width / height;
+/// A globe at the edge, seen with an angle of view of 100 degrees, or from so many times as far.
+Image egg(double times_as_far) {
+  const double half_height = std::tan(50 * std::numbers::pi / 180);
+  const Camera camera{
+      .eye = {0, 0, 4 * times_as_far},
+      .target = {0, 0, 0},
+      .fov_y_degrees = std::atan(half_height / times_as_far) * 360 / std::numbers::pi};
+  const double half_width = half_height * width / height;
   const Sphere<> globe{{0.62 * half_width * 4, 0, 0}, 0.22 * half_width * 4};
   return drawn(camera, [&](const Ray<double>& ray) -> Rgb {
     const double distance = distance_to(globe, ray);
@@ -233,25 +243,35 @@ Image egg() {
   });
 }
 
-Image blocks() {
+/// The mean of the four texels around a place.
+Rgb bilinear_paint(const Hit<double>& hit) {
+  const Uv<double> uv = uv_rtiow(hit.normal);
+  const double x = uv.u * earth().image.width - 0.5, y = (1 - uv.v) * earth().image.height - 0.5;
+  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+  const auto along = [&](int r) { return mix(texel(column, r), texel(column + 1, r), x - column); };
+  return mix(along(row), along(row + 1), y - row);
+}
+
+template <class Paint>
+Image blocks(const Paint& paint) {
   const Camera camera{.eye = {-0.1, 0.5, 1.2}, .target = {-0.15, 0.62, 0}, .fov_y_degrees = 16};
   return stage(
-      right_paint, [](const Hit<double>&, const Ray<double>&) { return 1.0; }, camera);
+      paint, [](const Hit<double>&, const Ray<double>&) { return 1.0; }, camera);
 }
 
 /// A checkerboard as an image of ten by ten texels, with a tenth of red at each square's lower edge
-/// drawn by formula: the squares of the image should begin there, and not half a square away.
-Image half_a_texel() {
-  return stage([](const Hit<double>& hit) -> Rgb {
+/// drawn by formula: the squares of the image should begin there, and not so much of a square away.
+Image half_a_texel(double off) {
+  return stage([off](const Hit<double>& hit) -> Rgb {
     const Uv<double> uv = uv_rtiow(hit.normal);
     const double u = uv.u * 10, v = uv.v * 10;
     if (u - std::floor(u) < 0.08 || v - std::floor(v) < 0.08) return red;
-    return std::lround(std::floor(u + 0.5) + std::floor(v + 0.5)) % 2 == 0 ? blue : white;
+    return std::lround(std::floor(u + off) + std::floor(v + off)) % 2 == 0 ? blue : white;
   });
 }
 
-Image dents() {
-  auto bumpy = prepared<chapter_11::Lesson>({"--relief", "-0.06"});
+Image dents(const char* relief) {
+  auto bumpy = prepared<chapter_11::Lesson>({"--relief", relief});
   bumpy.stage.camera.fov_y_degrees = 18;
   return picture(bumpy, width, height);
 }
@@ -263,10 +283,14 @@ Image dark_rim() {
   });
 }
 
-Image night_highlight() {
+Image night_highlight(const char* formula) {
   return picture(prepared<chapter_06::Lesson>({"--scene", "lecture", "--shininess", "20", "--blend",
-                                               "0.1", "--highlight", "lecture"}),
+                                               "0.1", "--highlight", formula}),
                  width, width / 2);
+}
+
+Image filtered(const char* filter) {
+  return picture(prepared<chapter_09::Lesson>({"--filter", filter}), width, height);
 }
 
 }  // namespace
@@ -295,19 +319,28 @@ TEST_CASE("each symptom's picture is drawn by its fault, and has a row") {
   for (const LookUpMistake& mistake : look_up_mistakes) {
     if (mistake.picture != nullptr) check(mistake.picture, looked_up(mistake.look_up));
   }
-  check("seam_line", seam_line());
-  check("squeezed_pole", squeezed_pole());
+  check("seam_line", seam_line(false));
+  check("seam_line_right", seam_line(true));
+  check("squeezed_pole", squeezed_pole(false));
+  check("squeezed_pole_right", squeezed_pole(true));
   check("black_dots", with_acne());
-  check("frayed_coasts", frayed_coasts());
+  check("frayed_coasts", frayed_coasts(1));
+  check("frayed_coasts_right", frayed_coasts(4));
   check("too_dark", through(srgb_decode<double>));
   check("too_pale", through(srgb_encode<double>));
-  check("egg", egg());
-  check("blocks", blocks());
-  check("half_a_texel", half_a_texel());
-  check("dents", dents());
-  check("blurred", picture(prepared<chapter_09::Lesson>({"--filter", "trilinear"}), width, height));
+  check("egg", egg(1));
+  check("egg_right", egg(8));
+  check("blocks", blocks(right_paint));
+  check("blocks_right", blocks(bilinear_paint));
+  check("half_a_texel", half_a_texel(0.5));
+  check("half_a_texel_right", half_a_texel(0));
+  check("dents", dents("-0.06"));
+  check("dents_right", dents("0.06"));
+  check("blurred", filtered("trilinear"));
+  check("blurred_right", filtered("anisotropic"));
   check("dark_rim", dark_rim());
-  check("night_highlight", night_highlight());
+  check("night_highlight", night_highlight("lecture"));
+  check("night_highlight_right", night_highlight("phong"));
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     CHECK_MESSAGE(names.count(entry.path().stem().string()) == 1, entry.path().string());
 }

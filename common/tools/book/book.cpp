@@ -62,6 +62,7 @@ std::string between(const std::string& in, const std::string& before, const std:
 
 /// Cards in place of each table that begins with `your picture`: that picture, then how it is drawn
 /// right if the row has that too, then the reader's words, the cause, the change and the chapter.
+/// A card is named by its picture.
 std::string with_cards(const std::string& html) {
   const std::string table =
       "<div class=\"scroll\" tabindex=\"0\"><table>\n<thead>\n<tr>\n<th>your picture";
@@ -76,7 +77,9 @@ std::string with_cards(const std::string& html) {
     const bool has_right = card.find("<img", 9) < words;  // the first is at 4
     card.insert(words, std::string("<span>yours</span>") + (has_right ? "<span>right</span>" : "") +
                            "</div><h3>… ");
-    replace_first(card, "<td>", "<article><div class=\"two\">");
+    const std::string file = between(card, "src=\"", ".png\"");
+    replace_first(card, "<td>",
+                  "<article id=\"" + file.substr(file.rfind('-') + 1) + "\"><div class=\"two\">");
     replace_first(card, "</td>", "</h3>");
     replace_all(card, "<td>", "<p>");
     replace_all(card, "</td>", "</p>");
@@ -600,8 +603,6 @@ class Book {
         "<p class=\"lead\">How a picture is wrapped round a surface, in a ray tracer that is small "
         "enough to read. Each chapter is one program that adds one idea to the chapter before "
         "it.</p>\n<ol class=\"path wide\" id=\"contents\">\n";
-    const Page* const about = page_of("README.md");
-    const std::string numbers = about == nullptr ? "" : about->converted.html;
     for (const Page& page : pages_) {
       if (page.chapter.empty()) continue;
       const std::string& html = page.converted.html;
@@ -613,9 +614,7 @@ class Book {
       } else if (fs::exists(out_ / drawn)) {
         shown = drawn;
       }
-      // Its row in README.md ends with one measured number.
-      const std::string row = between(numbers, "<td><a href=\"" + page.file, "</td>\n</tr>");
-      const std::string number = row.empty() ? row : row.substr(row.rfind("<td>") + 4);
+      const std::string number = between(html, "<p><strong>One number.</strong> ", "</p>");
       body += "<li>";
       if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";
       body += "<div><a href=\"" + page.file + "\">" + escaped_markup(page.title()) + "</a><p>" +

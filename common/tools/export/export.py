@@ -25,7 +25,7 @@ KEPT = """
     !common/tools/playground/* common/tools/playground/live.js common/tools/playground/live.css
 """.split()
 PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
-OF_CHAPTER = re.compile(r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter)_(\d\d)\.')
+OF_CHAPTER = re.compile(r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter|thumb)_(\d\d)\.')
 LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
 WORKFLOW = """# Points for a classroom: an exercise is one, the tests of a chapter are one.
 name: points
@@ -118,7 +118,7 @@ def without_dead_links(text, path, is_there):
 
     def row_stays(line):
         first = re.match(r'\| \[[^\]]*\]\((chapters/[^)]*)\)', line)
-        image = re.match(r'<img src="([^"]*)"', line)
+        image = re.match(r'(?:<a href="[^"]*">)?<img src="([^"]*)"', line)
         return not (first and not leads(first[1]) or image and not leads(image[1]))
 
     lines = ''.join(line for line in text.splitlines(keepends=True) if row_stays(line))
@@ -136,7 +136,7 @@ def export(root, folder, chosen):
         pages[path] = text = without_answers(text)
         for url in [link[3] for link in LINK.finditer(text)] + re.findall(r'<img src="([^"]*)"', text):
             target = target_of(path, url)
-            if url.endswith(PICTURES) and (root / target).is_file() and not (target.startswith('tests/golden/') and is_left_out(target, chosen)):
+            if url.endswith(PICTURES) and (root / target).is_file() and not (target.startswith(('tests/golden/', 'docs/pictures/thumb_')) and is_left_out(target, chosen)):
                 kept.add(target)
     folders = {str(parent) for path in kept for parent in pathlib.PurePath(path).parents}
     for path in sorted(kept):
