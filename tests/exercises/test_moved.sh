@@ -31,9 +31,12 @@ cd "$work/first home"
 expect "the first time" gone silent
 : >build/learn/mark
 expect "the second time" kept silent
+mkdir -p build/grade/build
+cp build/learn/CMakeCache.txt build/grade/build
 cp -R "$work/first home" "$work/copy"
 cd "$work/copy"
 expect "in a copy beside the first" gone said
+[ ! -e build/grade/build ] || { echo "FAIL: the build of ./course grade stayed"; exit 1; }
 : >build/learn/mark
 expect "in the copy again" kept silent
 mv "$work/copy" "$work/renamed"
