@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "engine/app/command_line.hpp"
+#include "engine/app/session.hpp"
 #include "engine/mesh/box_tree.hpp"
 #include "engine/mesh/read_obj.hpp"
+#include "engine/system/system.hpp"
 #include "math/rotation.hpp"
 #include "texture/crate.hpp"
 
@@ -40,11 +42,15 @@ void MeshOptions::declare(CommandLine& line) {
   line.text("--mesh", "FILE", file,
             "draw this mesh, an OBJ file with texture coordinates, instead of the crate");
   uv.declare(line);
+  line.wishes.plans.emplace_back([this](const Session& session) {
+    if (skipped.empty() || session.settings.quiet) return;
+    print(file + ": skipped the lines that are no textured triangles: " + skipped + "\n");
+  });
 }
 
 TexturedMesh MeshOptions::load() const {
   const RotationY rotation = rotation_y(degrees);
-  TexturedMesh scene = file.empty() ? crate() : load_obj(path_of(file));
+  TexturedMesh scene = file.empty() ? crate() : load_obj(path_of(file), &skipped);
   if (!file.empty()) fit_to_crate(scene.mesh);
   for (Point& p : scene.mesh.points) p = rotation(p);
   constexpr double reach = 9;

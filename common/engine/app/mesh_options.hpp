@@ -22,6 +22,7 @@ struct MeshOptions {
   WeightsFormula weights = WeightsFormula::signed_areas;
   std::string file;  ///< in OBJ format; empty for the crate
   UvOptions uv{.look_up = {{Wrap::mirror}}};
+  mutable std::string skipped{};  ///< what load() left out of the file
 
   void declare(CommandLine& line);
   /// The crate or the file's mesh, as large and turned, on a floor.

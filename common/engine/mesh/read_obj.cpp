@@ -87,13 +87,28 @@ class ObjReader {
     if (kind == "v") return add_point();
     if (kind == "vt") return add_uv();
     if (kind == "f") return add_face();
-    constexpr std::string_view ignored[] = {"vn", "vp",     "o",      "g", "s",
-                                            "mg", "usemtl", "mtllib", "l", "p"};
-    if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored))
-      throw FileError("it begins with " + quoted(kind) + ", which this program does not know");
+    constexpr std::string_view ignored[] = {"vn", "vp", "o", "g", "s", "mg", "usemtl", "mtllib"};
+    if (std::find(std::begin(ignored), std::end(ignored), kind) == std::end(ignored)) skip(kind);
   }
 
+  std::string skipped;  // what other lines began with, each word once
+
  private:
+  // Lines, points, curved surfaces, and how they are to be shown: all of the format but its calls
+  // of other files and programs.
+  void skip(std::string_view kind) {
+    constexpr std::string_view skippable[] = {
+        "l",    "p",        "curv",       "curv2",     "surf",  "cstype", "deg",
+        "bmat", "step",     "parm",       "trim",      "hole",  "scrv",   "sp",
+        "con",  "end",      "shadow_obj", "trace_obj", "ctech", "stech",  "bevel",
+        "lod",  "c_interp", "d_interp",   "usemap",    "maplib"};
+    if (std::find(std::begin(skippable), std::end(skippable), kind) == std::end(skippable))
+      throw FileError("it begins with " + quoted(kind) + ", which this program does not know");
+    const std::string word = (skipped.empty() ? "" : ", ") + std::string(kind);
+    if ((", " + skipped + ",").find(", " + std::string(kind) + ",") == std::string::npos)
+      skipped += word;
+  }
+
   void add_point() {
     const std::size_t numbers = words_.size() - 1;
     if (numbers != 3 && numbers != 4 && numbers != 6)  // with a weight; with a color
@@ -156,7 +171,7 @@ class ObjReader {
 
 }  // namespace
 
-TexturedMesh read_obj(std::string_view text) {
+TexturedMesh read_obj(std::string_view text, std::string* skipped) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
   ObjReader reader;
@@ -173,15 +188,16 @@ TexturedMesh read_obj(std::string_view text) {
       throw FileError("line " + std::to_string(number) + ": " + error.what());
     }
   }
+  if (skipped != nullptr) *skipped = reader.skipped;
   TexturedMesh result = reader.take();
   if (result.mesh.triangles.empty()) throw FileError("it has no faces (f)");
   return result;
 }
 
-TexturedMesh load_obj(const std::filesystem::path& path) {
+TexturedMesh load_obj(const std::filesystem::path& path, std::string* skipped) {
   return with_name("cannot load mesh", path, [&] {
     const std::vector<std::uint8_t> bytes = read_file(path, max_mesh_bytes);
-    return read_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return read_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, skipped);
   });
 }
 

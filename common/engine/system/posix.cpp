@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <system_error>
 
 #include "engine/system/shared.hpp"
@@ -31,6 +32,21 @@ constexpr int most_links = 40;  // as many as the system itself follows
 // What errno says; a quota that is used up is a full disk.
 std::string last_words() {
   return words_of({errno == EDQUOT ? ENOSPC : errno, std::generic_category()});
+}
+
+std::string called;  // the program's name, as it was called
+
+// The program's file by that name, as the shell found it; empty if it is not there.
+std::filesystem::path file_of_call() {
+  std::error_code error;
+  if (called.find('/') != std::string::npos) return std::filesystem::canonical(called, error);
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::filesystem::path file = std::filesystem::path(folder) / called;
+    if (access(file.c_str(), X_OK) == 0) return std::filesystem::canonical(file, error);
+  }
+  return {};
 }
 
 // Where a chain of symbolic links ends; the file there need not exist.
@@ -144,7 +160,8 @@ std::filesystem::path program_folder() {
   std::uint32_t size = path.size();
   if (_NSGetExecutablePath(path.data(), &size) != 0) return {};
 #else
-  if (readlink("/proc/self/exe", path.data(), path.size() - 1) <= 0) return {};
+  if (readlink("/proc/self/exe", path.data(), path.size() - 1) <= 0)
+    return file_of_call().parent_path();
 #endif
   return std::filesystem::path(path.data()).parent_path();
 }
@@ -183,6 +200,7 @@ double system_load() {
 bool stderr_is_watched() { return isatty(STDERR_FILENO) == 1; }
 
 std::vector<std::string> typed_words(int argc, const char* const* argv) {
+  if (argc > 0) called = argv[0];
   return {argv + (argc > 0 ? 1 : 0), argv + argc};
 }
 

@@ -29,6 +29,17 @@ TEST_CASE("good files load, with all points and triangles") {
   }
 }
 
+TEST_CASE("what is no textured triangle is skipped and named once, but no call of another file") {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+  std::string skipped = "old";
+  CHECK_NOTHROW(static_cast<void>(read_obj("g a\nvn 0 0 1\n" + triangle, &skipped)));
+  CHECK(skipped.empty());
+  const std::string curved = "p 1\nl 1 2\ncurv2 1 2\ncurv 0 1 1 2\nl 2 3\nend\n";
+  CHECK(read_obj(triangle + curved, &skipped).mesh.triangles.size() == 1);
+  CHECK(skipped == "p, l, curv2, curv, end");
+  CHECK_THROWS_AS(static_cast<void>(read_obj(triangle + "call a.obj\n")), FileError);
+}
+
 TEST_CASE("numbers, indices and fans arrive as they are in the file") {
   const TexturedMesh read = read_obj(
       "v 0 0 0\nv 1.5 -2e-3 3\nv 4 5 6\nv 7 8 9\nvt 0.25 0.5\nvt -1 2\n"
