@@ -1,6 +1,7 @@
 // A surface of triangles and the point where a ray first meets it.
 #pragma once
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "scene/edge_function.hpp"
@@ -8,23 +9,23 @@
 
 namespace texmap {
 
-/// A box with edges along the axes. A box without triangles of its own holds two other boxes: the
-/// next one in Mesh::boxes and `second`, which lies further along an axis.
-struct MeshBox {
-  Point center;
-  Point half;      ///< half its extent in x, y and z
-  int first, end;  ///< its own triangles, in Mesh::order
-  int second;
-  int axis;  ///< 0 for x, 1 for y, 2 for z
+/// Eight boxes with edges along the axes, each larger than what it holds by `box_margin` of its
+/// largest coordinate. A box holds a few triangles or eight other boxes.
+struct MeshBoxes {
+  std::array<std::array<float, 8>, 3> low, high;  ///< of each axis; NaN: no box
+  std::array<int, 8> first;  ///< its first triangle in Mesh::order, or its place in Mesh::boxes
+  std::array<int, 8> count;  ///< of its own triangles; -1: it holds eight boxes
 };
 /// The most boxes inside each other.
-inline constexpr std::size_t most_nested_boxes = 64;
+inline constexpr std::size_t most_nested_boxes = 24;
+/// Rounding moves corners, rays and boxes by less than this part of their largest coordinate.
+inline constexpr double box_margin = 0x1.8p-20;
 
 /// Triangles that share corners. Seen from outside, corners run counterclockwise.
 struct Mesh {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;  ///< each with the indices of its corners
-  std::vector<MeshBox> boxes;                 ///< empty: every ray tries all triangles
+  std::vector<MeshBoxes> boxes;               ///< empty: every ray tries all triangles
   std::vector<int> order;                     ///< the triangles in the order of the boxes
 
   /// A corner of a triangle, both counted from 0.
@@ -44,25 +45,64 @@ struct MeshHit : Hit<Real> {
   Real a = Real(1), b{}, c{};             ///< the weights of its corners, 0 to 1
 };
 
-/// True where a ray may meet a triangle in a box before `limit`. Rounding never makes it false:
-/// the box is larger by 24 unit roundoffs; docs/numerics.md counts them.
+/// A ray as boxes see it; distances are depths along its longest axis. Single numbers try eight
+/// boxes at once in float, packs and others one box with all lanes.
 template <class Real>
-[[nodiscard]] Mask<Real> may_meet(const RaySpace<Real>& space, const MeshBox& box,
-                                  const Real& limit) {
-  const Vec3<Real>& d = space.direction;
-  const Vec3<Real> center = number_cast<Real>(box.center);
-  const Vec3<Real> world_half = number_cast<Real>(box.half);
-  const Vec3<Real> half = space.renamed(world_half);
-  const Vec3<Real> p = space.renamed(center - space.origin);
-  const Real far = abs(d.z);
-  const Real size = largest(center) + largest(world_half) + largest(space.origin);
-  const Real margin = Real(24) * unit_roundoff<Real>() * size;
-  const Real depth = half.z + margin;
-  return abs(p.x * d.z - p.z * d.x) <= half.x * far + half.z * abs(d.x) + margin * far &&
-         abs(p.y * d.z - p.z * d.y) <= half.y * far + half.z * abs(d.y) + margin * far &&
-         select(d.z < Real(0), -p.z, p.z) >= -depth &&
-         select(d.z < Real(0), -p.z, p.z) - depth <= limit * far;
-}
+struct BoxRay {
+  using Number = std::conditional_t<std::is_floating_point_v<Real>, float, Real>;
+
+  const RaySpace<Real>& space;
+  Real length;             ///< the depth of its direction
+  Vec3<Number> low, high;  ///< its origin, less and more a margin
+  Vec3<Number> slope;      ///< the depth of a step along each axis, at most 2^60
+
+  BoxRay(const RaySpace<Real>& of, const Vec3<Real>& d) : space(of), length(abs(of.direction.z)) {
+    const Vec3<Number> origin = number_cast<Number>(of.origin);
+    const Number margin = Number(box_margin) * largest(origin);
+    low = origin - Vec3<Number>{margin, margin, margin};
+    high = origin + Vec3<Number>{margin, margin, margin};
+    const Real least = length * Real(0x1p-60);
+    const auto slope_of = [&](const Real& part) {
+      return number_cast<Number>(length / select(abs(part) > least, part, least));
+    };
+    slope = {slope_of(d.x), slope_of(d.y), slope_of(d.z)};
+  }
+
+  /// A distance as a depth, a little beyond.
+  [[nodiscard]] Number depth_of(const Real& distance) const {
+    return number_cast<Number>(distance * length) * Number(1 + 0x1p-19);
+  }
+  /// The depths of eight boxes, less their margins; infinite where the ray meets nothing in them.
+  /// docs/numerics.md proves that rounding never hides a triangle.
+  [[nodiscard]] std::array<Number, 8> depths_of(const MeshBoxes& boxes) const {
+    std::array<Number, 8> near, far, depth, end;
+    near.fill(-infinity<Number>());
+    far.fill(infinity<Number>());
+    depth.fill(infinity<Number>());
+    end.fill(infinity<Number>());
+    const auto cut = [&](std::size_t axis, const Number& from, const Number& to, const Number& by,
+                         const Mask<Real>& longest) {
+      for (std::size_t i = 0; i < 8; ++i) {
+        const Number one = (Number(boxes.low[axis][i]) - to) * by;
+        const Number other = (Number(boxes.high[axis][i]) - from) * by;
+        const Number first = min(one, other);
+        const Number last = max(one, other);
+        near[i] = max(near[i], first);
+        far[i] = min(far[i], last);
+        depth[i] = select(longest, first, depth[i]);
+        end[i] = select(longest, last, end[i]);
+        if (axis < 2) continue;
+        const Number beyond = far[i] + abs(far[i]) * Number(0x1p-19);
+        const Number missed_by = max(near[i] - beyond, -end[i]);
+        depth[i] = max(missed_by * infinity<Number>(), depth[i]);
+      }
+    };
+    cut(0, low.x, high.x, slope.x, space.x_is_longest);
+    cut(1, low.y, high.y, slope.y, space.y_is_longest);
+    cut(2, low.z, high.z, slope.z, !(space.x_is_longest || space.y_is_longest));
+    return depth;
+  }
+};
 
 /// Calls visit(number, crossing) for the triangles of a mesh that a ray crosses before `limit`, in
 /// any order; `visit` may change the limit.
@@ -81,19 +121,36 @@ void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) visit_triangle(static_cast<int>(i));
     return;
   }
-  // Boxes to try; the last one first.
-  std::array<int, most_nested_boxes + 1> boxes{};
+  const BoxRay<Real> box_ray(space, ray.direction);
+  using Number = typename BoxRay<Real>::Number;
+  struct Box {
+    Number depth;
+    int first, count;
+  };
+  std::array<Box, 7 * most_nested_boxes + 8> to_try;  // the last one first, which is the nearest
+  to_try[0] = {Number(0), 0, -1};
   for (std::size_t count = 1; count > 0;) {
-    const int place = boxes[--count];
-    const MeshBox& box = mesh.boxes[static_cast<std::size_t>(place)];
-    if (!any(may_meet(space, box, limit))) continue;
-    for (int k = box.first; k < box.end; ++k)
+    const Box box = to_try[--count];
+    const Number end = box_ray.depth_of(limit);
+    if (!any(box.depth < end)) continue;
+    for (int k = box.first; k < box.first + box.count; ++k)
       visit_triangle(mesh.order[static_cast<std::size_t>(k)]);
-    if (box.first < box.end) continue;
-    const Vec3<Real>& d = ray.direction;
-    const bool backward = any((box.axis == 0 ? d.x : box.axis == 1 ? d.y : d.z) < Real(0));
-    boxes[count++] = backward ? place + 1 : box.second;
-    boxes[count++] = backward ? box.second : place + 1;
+    if (box.count >= 0) continue;
+
+    const MeshBoxes& inside = mesh.boxes[static_cast<std::size_t>(box.first)];
+    const std::array<Number, 8> depths = box_ray.depths_of(inside);
+    const std::size_t kept = count;
+    for (std::size_t i = 0; i < 8; ++i) {
+      to_try[count] = {depths[i], inside.first[i], inside.count[i]};
+      count += any(depths[i] < end) ? 1U : 0U;
+    }
+    for (std::size_t i = kept + 1; i < count; ++i) {
+      const Box moved = to_try[i];
+      std::size_t to = i;
+      for (; to > kept && any(to_try[to - 1].depth < moved.depth); --to)
+        to_try[to] = to_try[to - 1];
+      to_try[to] = moved;
+    }
   }
 }
 
@@ -153,10 +210,11 @@ template <class Real>
 struct OtherTriangles {
   const Mesh& mesh;
   Real own;
+  Mask<Real> lit;  ///< false: no light is asked for, and nothing is tried
 };
 template <class Real>
 [[nodiscard]] OtherTriangles<Real> others(const Mesh& mesh, const MeshHit<Real>& hit) {
-  return {mesh, hit.triangle};
+  return {mesh, hit.triangle, hit.met};
 }
 
 /// True where one of these triangles lies between the ray's origin and `distance` along it.
@@ -164,9 +222,11 @@ template <class Real>
 [[nodiscard]] Mask<Real> is_occluded(const OtherTriangles<Real>& others, const Ray<Real>& ray,
                                      const Real& distance, int /*leaving*/ = -1) {
   Mask<Real> hidden = mask_of<Real>(false);
-  for_each_crossing(others.mesh, ray, distance, [&](int number, const Crossing<Real>& found) {
+  Real limit = select(others.lit, distance, -infinity<Real>());
+  for_each_crossing(others.mesh, ray, limit, [&](int number, const Crossing<Real>& found) {
     hidden = hidden || (found.met && !(others.own == Real(number)) && found.distance > Real(0) &&
-                        found.distance < distance);
+                        found.distance < limit);
+    limit = select(hidden, -infinity<Real>(), limit);  // the first triangle in the way decides
   });
   return hidden;
 }

@@ -69,6 +69,34 @@ template <class Real>
   return torus;
 }
 
+/// A closed mesh in which rays from near its middle meet one triangle: a ball of rows of squares.
+[[nodiscard]] inline Mesh globe(int columns, int rows) {
+  Mesh globe;
+  globe.points = {{0, 1, 0}, {0, -1, 0}};
+  const auto index = [&](int column, int row) {
+    if (row == 0 || row == rows) return row == 0 ? 0 : 1;
+    return 2 + (row - 1) * columns + column % columns;
+  };
+  for (int row = 1; row < rows; ++row) {
+    const OnCircle<double> down = on_circle_of_degrees(180.0 * row / rows);
+    for (int column = 0; column < columns; ++column) {
+      const OnCircle<double> along = on_circle_of_degrees(360.0 * column / columns);
+      globe.points.push_back({down.sine * along.cosine, down.cosine, -down.sine * along.sine});
+    }
+  }
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const int a = index(column, row);
+      const int b = index(column, row + 1);
+      const int c = index(column + 1, row + 1);
+      const int d = index(column + 1, row);
+      if (row + 1 < rows) globe.triangles.push_back({a, b, c});
+      if (row > 0) globe.triangles.push_back({a, c, d});
+    }
+  }
+  return globe;
+}
+
 /// A point of a mesh where triangles meet: a corner, the middle of an edge, or elsewhere on one.
 [[nodiscard]] inline Point point_on_edge(Dice& dice, const Mesh& mesh) {
   const int triangle = dice.below(static_cast<int>(mesh.triangles.size()));

@@ -11,162 +11,181 @@
 namespace texmap {
 namespace {
 
-using Axes = std::array<double, 3>;
+using Axes = std::array<float, 3>;
 
 struct Bounds {
-  Axes low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Axes high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  Axes low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
+  Axes high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
 
-  void add(const Axes& p) {
+  void add(const Axes& from, const Axes& to) {
     for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
+      low[k] = std::min(low[k], from[k]);
+      high[k] = std::max(high[k], to[k]);
     }
   }
-  void add(const Bounds& other) {
-    add(other.low);
-    add(other.high);
-  }
+  void add(const Bounds& other) { add(other.low, other.high); }
+  /// Twice the middle along an axis.
+  [[nodiscard]] float middle(std::size_t axis) const { return low[axis] + high[axis]; }
   /// Half the surface: the chance of a ray to meet the box grows with it.
-  [[nodiscard]] double half_surface() const {
-    const double x = high[0] - low[0];
-    const double y = high[1] - low[1];
-    const double z = high[2] - low[2];
+  [[nodiscard]] float half_surface() const {
+    const float x = high[0] - low[0];
+    const float y = high[1] - low[1];
+    const float z = high[2] - low[2];
     return x >= 0 ? x * y + y * z + z * x : 0;
   }
 };
 
+struct Numbered : Bounds {
+  int triangle;
+};
+
+// Triangles that will share a box: those from `first` to before `end`.
+struct Group : Bounds {
+  int first, end;
+
+  [[nodiscard]] int size() const { return end - first; }
+};
+
 class Builder {
  public:
-  explicit Builder(Mesh& mesh)
-      : mesh_(mesh), bounds_(mesh.triangles.size()), middles_(bounds_.size()) {
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+  explicit Builder(Mesh& mesh) : mesh_(mesh), triangles_(mesh.triangles.size()) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      Numbered& triangle = triangles_[i];
+      triangle.triangle = static_cast<int>(i);
       for (int corner = 0; corner < 3; ++corner) {
         const Point& p = mesh.corner(static_cast<int>(i), corner);
-        bounds_[i].add(Axes{p.x, p.y, p.z});
+        const Axes at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+        triangle.add(at, at);
       }
-      for (std::size_t k = 0; k < 3; ++k)
-        middles_[i][k] = 0.5 * bounds_[i].low[k] + 0.5 * bounds_[i].high[k];
+      for (std::size_t k = 0; k < 3; ++k) {  // rounded outward
+        triangle.low[k] = std::nextafter(triangle.low[k], -infinite);
+        triangle.high[k] = std::nextafter(triangle.high[k], infinite);
+      }
     }
-    mesh.order.resize(bounds_.size());
-    std::iota(mesh.order.begin(), mesh.order.end(), 0);
   }
 
-  // Adds the box of the triangles order[first] to order[end - 1], and the boxes inside it.
-  void add_box(int first, int end, int depth = 0) {
-    Bounds around, middles;
-    for (int i = first; i < end; ++i) {
-      around.add(bounds_of(i));
-      middles.add(middle_of(i));
-    }
-    const std::size_t place = mesh_.boxes.size();
-    mesh_.boxes.push_back(box_of(around));
-    const Split split = split_of(first, end, around, middles, depth);
-    if (split.place == end) {
-      mesh_.boxes[place].first = first;
-      mesh_.boxes[place].end = end;
-      return;
-    }
-    mesh_.boxes[place].axis = split.axis;
-    add_box(first, split.place, depth + 1);
-    mesh_.boxes[place].second = static_cast<int>(mesh_.boxes.size());
-    add_box(split.place, end, depth + 1);
+  void build() {
+    mesh_.boxes.clear();
+    if (!triangles_.empty()) add_boxes(group_of(0, static_cast<int>(triangles_.size())), 0);
+    mesh_.order.clear();
+    for (const Numbered& each : triangles_) mesh_.order.push_back(each.triangle);
   }
 
  private:
-  static constexpr int few = 4;          // triangles that always share a box
-  static constexpr int many = 16;        // triangles that may share one
-  static constexpr int deepest = 40;     // then boxes are halved: 21 more for 2^21 triangles
-  static constexpr int bins = 16;        // places where a box may be cut
-  static constexpr double box_cost = 1;  // of a box, in triangles
+  static constexpr int few = 4;       // triangles that share a box
+  static constexpr int deepest = 16;  // then groups are halved: 7 more for 2^21 triangles
+  static constexpr int bins = 16;     // places where a group may be cut
 
-  [[nodiscard]] const Bounds& bounds_of(int i) const {
-    return bounds_[static_cast<std::size_t>(mesh_.order[static_cast<std::size_t>(i)])];
-  }
-  [[nodiscard]] const Axes& middle_of(int i) const {
-    return middles_[static_cast<std::size_t>(mesh_.order[static_cast<std::size_t>(i)])];
+  Group group_of(int first, int end) const {
+    Group group{{}, first, end};
+    for (int i = first; i < end; ++i) group.add(triangles_[static_cast<std::size_t>(i)]);
+    return group;
   }
 
-  // The box of some bounds; rounding makes it larger.
-  static MeshBox box_of(const Bounds& b) {
-    Axes center{}, half{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      center[k] = 0.5 * b.low[k] + 0.5 * b.high[k];
-      half[k] = std::max(b.high[k] - center[k], center[k] - b.low[k]) *
-                (1 + 4 * std::numeric_limits<double>::epsilon());
+  // Adds the eight boxes in a group, and those inside them.
+  void add_boxes(const Group& all, int depth) {
+    std::vector<Group> groups{all};
+    while (groups.size() < 8) {
+      // The one to be cut: the largest; far down, the one with the most triangles.
+      const auto cost = [&](const Group& group) {
+        if (group.size() <= few) return -1.0F;
+        return depth < deepest ? group.half_surface() : static_cast<float>(group.size());
+      };
+      const auto largest =
+          std::max_element(groups.begin(), groups.end(),
+                           [&](const Group& a, const Group& b) { return cost(a) < cost(b); });
+      if (cost(*largest) < 0) break;
+      const Group cut = *largest;
+      const int middle = depth < deepest ? place_to_cut(cut) : (cut.first + cut.end) / 2;
+      *largest = group_of(cut.first, middle);
+      groups.push_back(group_of(middle, cut.end));
     }
-    return {{center[0], center[1], center[2]}, {half[0], half[1], half[2]}, 0, 0, 0, 0};
+    const std::size_t place = mesh_.boxes.size();
+    mesh_.boxes.emplace_back();
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Group group = i < groups.size() ? groups[i] : Group{{}, 0, 0};
+      const bool has_boxes = group.size() > few;
+      const int inside = has_boxes ? static_cast<int>(mesh_.boxes.size()) : group.first;
+      if (has_boxes) add_boxes(group, depth + 1);
+      float margin = i < groups.size() ? 0 : std::numeric_limits<float>::quiet_NaN();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float size = std::max(std::abs(group.low[k]), std::abs(group.high[k]));
+        margin = std::max(margin, static_cast<float>(box_margin) * size);
+      }
+      MeshBoxes& boxes = mesh_.boxes[place];
+      for (std::size_t k = 0; k < 3; ++k) {
+        boxes.low[k][i] = group.low[k] - margin;
+        boxes.high[k][i] = group.high[k] + margin;
+      }
+      boxes.first[i] = inside;
+      boxes.count[i] = has_boxes ? -1 : group.size();
+    }
   }
 
-  struct Split {
-    int place;  // where the second group begins; `end` for one group
-    int axis;
-  };
-  // Sorts the triangles into two groups.
-  Split split_of(int first, int end, const Bounds& around, const Bounds& middles, int depth) {
-    const int all = end - first;
-    if (all <= few) return {end, 0};
-    if (depth > deepest) return {(first + end) / 2, 0};
-    double best_cost = HUGE_VAL;
-    std::size_t best_axis = 0;
-    int best_bin = 0;
+  // Sorts the triangles of a group into two; gives the place where the second begins.
+  int place_to_cut(const Group& group) {
+    const auto begin = triangles_.begin() + group.first;
+    const auto end = triangles_.begin() + group.end;
+    Bounds middles;
+    for (auto each = begin; each != end; ++each) {
+      const Axes middle{each->middle(0), each->middle(1), each->middle(2)};
+      middles.add(middle, middle);
+    }
+    Axes scale{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!(middles.high[axis] > middles.low[axis])) continue;
-      std::array<Bounds, bins> in_bin;
-      std::array<int, bins> count{};
-      for (int i = first; i < end; ++i) {
-        const int bin = bin_of(middle_of(i)[axis], middles.low[axis], middles.high[axis]);
-        in_bin[static_cast<std::size_t>(bin)].add(bounds_of(i));
-        ++count[static_cast<std::size_t>(bin)];
+      const float extent = middles.high[axis] - middles.low[axis];
+      if (extent > 0) scale[axis] = std::min(bins / extent, std::numeric_limits<float>::max());
+    }
+    const auto bin_of = [&](const Bounds& each, std::size_t axis) {
+      const float at = (each.middle(axis) - middles.low[axis]) * scale[axis];
+      return at < bins - 1 ? static_cast<std::size_t>(at) : bins - 1;
+    };
+    std::array<std::array<Bounds, bins>, 3> in_bin;
+    std::array<std::array<int, bins>, 3> count{};
+    for (auto each = begin; each != end; ++each) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t bin = bin_of(*each, axis);
+        in_bin[axis][bin].add(*each);
+        ++count[axis][bin];
       }
-      std::array<double, bins> cost_above{};
+    }
+    float best_cost = HUGE_VALF;
+    std::size_t best_axis = 0;
+    std::size_t best_bin = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<float, bins> cost_above{};
       Bounds above;
       int triangles = 0;
       for (std::size_t bin = bins - 1; bin > 0; --bin) {
-        above.add(in_bin[bin]);
-        triangles += count[bin];
-        cost_above[bin] = above.half_surface() * triangles;
+        above.add(in_bin[axis][bin]);
+        triangles += count[axis][bin];
+        cost_above[bin] = above.half_surface() * static_cast<float>(triangles);
       }
       Bounds below;
       triangles = 0;
       for (std::size_t bin = 1; bin < bins; ++bin) {
-        below.add(in_bin[bin - 1]);
-        triangles += count[bin - 1];
-        const double cost = below.half_surface() * triangles + cost_above[bin];
-        if (triangles == 0 || triangles == end - first || !(cost < best_cost)) continue;
+        below.add(in_bin[axis][bin - 1]);
+        triangles += count[axis][bin - 1];
+        const float cost = below.half_surface() * static_cast<float>(triangles) + cost_above[bin];
+        if (triangles == 0 || triangles == group.size() || !(cost < best_cost)) continue;
         best_cost = cost;
         best_axis = axis;
-        best_bin = static_cast<int>(bin);
+        best_bin = bin;
       }
     }
-    if (best_bin == 0)  // the middles of all triangles are at one place
-      return {all > many ? (first + end) / 2 : end, 0};
-    const double whole = around.half_surface();
-    if (all <= many && best_cost + box_cost * whole >= whole * all) return {end, 0};
-    const auto middle =
-        std::partition(mesh_.order.begin() + first, mesh_.order.begin() + end, [&](int triangle) {
-          const double at = middles_[static_cast<std::size_t>(triangle)][best_axis];
-          return bin_of(at, middles.low[best_axis], middles.high[best_axis]) < best_bin;
-        });
-    return {static_cast<int>(middle - mesh_.order.begin()), static_cast<int>(best_axis)};
-  }
-
-  static int bin_of(double at, double low, double high) {
-    const double place = (at - low) / (high - low) * bins;
-    return place < bins - 1 ? static_cast<int>(place) : bins - 1;
+    if (best_bin == 0) return (group.first + group.end) / 2;  // all are at one place
+    const auto middle = std::partition(
+        begin, end, [&](const Bounds& each) { return bin_of(each, best_axis) < best_bin; });
+    return static_cast<int>(middle - triangles_.begin());
   }
 
   Mesh& mesh_;
-  std::vector<Bounds> bounds_;
-  std::vector<Axes> middles_;
+  std::vector<Numbered> triangles_;
 };
 
 }  // namespace
 
-void build_box_tree(Mesh& mesh) {
-  mesh.boxes.clear();
-  Builder builder(mesh);
-  if (!mesh.triangles.empty()) builder.add_box(0, static_cast<int>(mesh.triangles.size()));
-}
+void build_box_tree(Mesh& mesh) { Builder(mesh).build(); }
 
 }  // namespace texmap

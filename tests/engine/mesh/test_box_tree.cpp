@@ -24,12 +24,21 @@ long count_lost(const Mesh& list, const Mesh& tree, long rays, double reach) {
   Dice dice;
   long different = 0;
   for (long i = 0; i < rays; ++i) {
-    const Ray<Real> ray = aimed<Real>([&] { return point_within(dice, reach); },
-                                      [&] { return point_on_edge(dice, list); });
+    // From whole points, some rays run along an axis or in the plane of a face.
+    const bool whole = dice.once_in(4);
+    const auto from = [&] {
+      return whole ? whole_point_within(dice, 3) : point_within(dice, reach);
+    };
+    const Ray<Real> ray = aimed<Real>(from, [&] { return point_on_edge(dice, list); });
     const MeshHit<Real> a = first_hit(list, ray);
     const MeshHit<Real> b = first_hit(tree, ray);
-    const bool same = a.met == b.met && (!a.met || (a.triangle == b.triangle && a.a == b.a &&
-                                                    a.b == b.b && a.distance == b.distance));
+    const Ray<Real> onward = ray_from(a, dice.direction<Real>());
+    const Real far = Real(dice.between(0, 2) * reach);
+    const bool same =
+        a.met == b.met &&
+        (!a.met ||
+         (a.triangle == b.triangle && a.a == b.a && a.b == b.b && a.distance == b.distance)) &&
+        is_occluded(others(list, a), onward, far) == is_occluded(others(tree, b), onward, far);
     different += same ? 0 : 1;
   }
   return different;
@@ -43,9 +52,34 @@ TEST_CASE_TEMPLATE("the tree meets what the list meets, to the last bit", Real, 
   Mesh far = ring;
   for (Point& p : far.points) p = p + Point{1000, -3000, 500};
   CHECK(count_lost<Real>(far, with_tree(far), 4000, 4000) == 0);
+  // Small and large: the boxes' margins follow.
+  for (const double scale : {1e-6, 1e5}) {
+    Mesh scaled = ring;
+    for (Point& p : scaled.points) p = p * scale;
+    CHECK(count_lost<Real>(scaled, with_tree(scaled), 4000, 3 * scale) == 0);
+  }
   // In planes along the axes the boxes are flat.
   const Mesh cube = crate().mesh;
   CHECK(count_lost<Real>(cube, with_tree(cube), 4000, 3) == 0);
+}
+
+TEST_CASE_TEMPLATE("a million triangles: no ray slips through, none is counted twice", Real, float,
+                   double, Pack2<Pack<float>>) {
+  static const Mesh ball = with_tree(globe(1000, 500));
+  REQUIRE(ball.triangles.size() == 998'000);
+  Dice dice;
+  long wrong = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Ray<Real> ray = aimed<Real>([&] { return point_within(dice, 0.4); },
+                                      [&] { return point_on_edge(dice, ball); });
+    const CrossingCount<Real> count = count_crossings(ball, ray);
+    for (std::size_t k = 0; k < lanes<Real>; ++k) wrong += lane(count.ahead, k) == 1 ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  const std::size_t bytes = ball.boxes.size() * sizeof(MeshBoxes) +
+                            ball.points.size() * sizeof(Point) +
+                            ball.triangles.size() * (sizeof(ball.triangles[0]) + sizeof(int));
+  CHECK(bytes < 60 * ball.triangles.size());  // as build_box_tree states
 }
 
 TEST_CASE("triangles that grow by powers of two nest no deeper than rays can follow") {
