@@ -312,11 +312,16 @@ TEST_CASE("10: from the globe to the map and back is the same pixel") {
   }
 }
 
-TEST_CASE("11: the lamp behind the eye lights the middle fully; normals are the lesson's") {
+TEST_CASE("11: the lamp is where it is put, as far away as before; normals are the lesson's") {
   live::Chapter11 page;
-  page.set({"--lamp-around", "0", "--lamp-up", "0", "--bump", "off", "--width", "601"}, 800);
-  const auto middle = seen(page, 300, 300);  // half a pixel off the middle row
-  CHECK(numbers_of(middle, "light l").back() == doctest::Approx(1).epsilon(1e-4));
+  const double there = std::sqrt(228.0 / 229);  // from the middle, (0, 0, 1), to 90 degrees
+  const auto to_light = [&page](const char* around, const char* up) {
+    page.set({"--lamp-around", around, "--lamp-up", up, "--width", "601"}, 800);
+    return numbers_of(seen(page, 300, 300), "light l");  // half a pixel off the middle row
+  };
+  CHECK(to_light("0", "0")[2] == doctest::Approx(1).epsilon(1e-3));
+  CHECK(to_light("90", "0")[0] == doctest::Approx(there).epsilon(1e-3));
+  CHECK(to_light("0", "90")[1] == doctest::Approx(there).epsilon(1e-3));
   const auto lesson = prepared<chapter_11::Lesson>();
   page.set({}, 800);
   const View<> view = view_of_lesson(lesson, page.size());

@@ -215,6 +215,35 @@ def check_meshes(place, browser):
                 yield f"{name}: the picture changes, or the command names it"
 
 
+def check_hands(place, browser):
+    """A drag on 11's globe moves the lamp there, a place on 10's map is found on the globe, and 09's line shows as much of the other filter."""
+    browser.size(1280, 1400)
+
+    def at(page, thing=CANVAS):
+        place.open(browser, page)
+        settle(browser)
+        browser.run(thing + ".scrollIntoView({block: 'center'})")
+        left, top, width, height = browser.run(BOX.replace(CANVAS, thing))
+        return lambda kind, x, y, **more: browser.mouse(kind, left + width * x, top + height * y, **more)
+
+    mouse = at("11.html")
+    for kind, x in (("mousePressed", 0.5), ("mouseMoved", 0.7), ("mouseMoved", 0.75), ("mouseReleased", 0.75)):
+        mouse(kind, x, 0.5, button="left", buttons=int(kind != "mouseReleased"), clickCount=1)
+    settle(browser)
+    lamp = [float(browser.run(f"document.getElementById('live--lamp-{way}').value")) for way in ("around", "up")]
+    if abs(lamp[0] - 30) > 1 or abs(lamp[1]) > 1 or not browser.run(LOUPE + ".hidden"):
+        yield f"the lamp is at {lamp}"
+    mouse = at("10.html", "document.querySelector('.live-second > canvas')")
+    for x, shown in ((0.25, True), (0.75, False)):  # the eye looks from +z, which is there by --convention rtiow
+        mouse("mouseMoved", x, 0.42)
+        browser.wait(f"!document.querySelector('.live-second .live-mark').hidden && {LOUPE}.hidden === {str(not shown).lower()}", 20)
+    at("09.html")
+    browser.run("{ const f = document.querySelector('.live-line'); f.value = 20; f.dispatchEvent(new Event('input')); }")
+    clip = browser.run("getComputedStyle(document.querySelector('.live-second > canvas')).clipPath")
+    if "80%" not in clip and "100% - 20%" not in clip:
+        yield f"the line at 20 % cuts by {clip}"
+
+
 def check_lost(place, browser):
     """A worker that dies or breaks leaves the still picture; the button brings the live one back."""
     browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
@@ -397,7 +426,7 @@ def check_narrow(place, browser):
         for across, down, row in ((0.1, 0.9, "5.."), (0.5, 0.5, "[23].."), (0.1, 0.1, ".."), (0.1, 0.9, "5..")):
             browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": left + across * width, "y": top + down * height}])
             browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-            browser.wait(f"/column [^:]*, row {row if chapter < "07" else ".*"}:/.test({LOUPE}.textContent)", 20)
+            browser.wait(f"/column [^:]*, row {row if chapter < '07' else '.*'}:/.test({LOUPE}.textContent)", 20)
             heights.append(browser.run(controls))
         browser.key("Escape")
         browser.wait(f"{LOUPE}.hidden", 20)

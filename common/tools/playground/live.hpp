@@ -169,7 +169,8 @@ class Live final : public LiveLesson {
       return Json::object(state_->knobs.look(*state_, column, row)).text;
     } else {
       Members members = what_a_ray_meets(lesson, ray_through(view, double(column), double(row)));
-      add_map(lesson, view, column, row, members);
+      if constexpr (std::is_same_v<Choices, Knobs<Lesson>>)
+        add_map(lesson, view, column, row, members);
       if constexpr (may_err) {
         if (state_->knobs.errors || state_->session.settings.number == NumberKind::float_) {
           const TexelError error = texel_error(lesson, view, column, row);
@@ -194,11 +195,11 @@ class Live final : public LiveLesson {
   }
 
   [[nodiscard]] Image flat(int object, const FlatPart& part) const override {
-    if constexpr (requires { state_->knobs.look(*state_, 0, 0); }) {
-      return {};  // its loupe has drawings of its own
-    } else {
+    if constexpr (std::is_same_v<Choices, Knobs<Lesson>>) {
       return with_paint(state_->lesson.objects[static_cast<std::size_t>(object)].paint,
                         [&](const auto& paint) { return flat_texture(paint, part); });
+    } else {
+      return {};  // these chapters' pages show no map of their textures
     }
   }
 

@@ -179,7 +179,7 @@ const controls = [
   {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1]},
   {option: "--weights", label: "Weights"},
-  {option: "--wrap", label: "At the edge"},
+  {option: "--wrap", label: "At the edge", in: "08 09"},
   {option: "--sky", label: "Sky"},
   {option: "--defocus", label: "Lens angle", range: [0, 10, 0.1]},
   {option: "--focus", label: "Sharp at", range: [2, 30, 0.1]},
@@ -359,14 +359,14 @@ function live(main, packed) {
   const mark = element("div", {className: "live-mark", hidden: true});
   const zoomed = element("canvas", {width: 11, height: 11});
   const facts = element("table");
-  const beside = element("canvas");
-  const besidePaper = beside.getContext("2d");
+  const second = element("canvas");
+  const secondPaper = second.getContext("2d");
   // Where two pictures lie on each other: the line between them, which a slider moves.
   const line = element("input", {type: "range", className: "live-line", min: 0, max: 100, step: 0.1, value: 50, hidden: true,
     ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
-  const besideFrame = element("div", {className: "live-beside", hidden: true}, beside, spot);
-  const picture = element("div", {className: "live-picture"}, canvas, besideFrame, line, mark);
+  const secondFrame = element("div", {className: "live-second", hidden: true}, second, spot);
+  const picture = element("div", {className: "live-picture"}, canvas, secondFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
   const refined = element("p", {className: "live-refined", hidden: true}, refining, " ", element("span"));
   const whole = element("canvas"), detail = element("canvas"), mapSays = element("figcaption");
@@ -375,7 +375,7 @@ function live(main, packed) {
   const map = element("figure", {className: "live-map"}, whole, detail, mapSays);
   const drawn = element("figure", {className: "live-map"});
   const loupe = element("div", {className: "live-loupe", hidden: true, ariaLive: "polite"}, map, drawn, facts);
-  const side = element("div", {className: "live-side"}, loupe);
+  const beside = element("div", {className: "live-beside"}, loupe);
   const legend = element("p", {className: "live-legend"});
   const hint = "Point at a pixel to see how it gets its color. A click holds it, arrow keys move it (with Shift by ten pixels), Esc closes.";
   const says = element("p", {className: "live-says"});
@@ -392,7 +392,7 @@ function live(main, packed) {
     element("div", {className: "live-actions"}, openers, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live", hidden: true}, picture, side, refined, legend, says, again, form);
+  const section = element("section", {className: "live", hidden: true}, picture, beside, refined, legend, says, again, form);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
   frame ? frame.after(section) : main.append(section);
@@ -489,9 +489,9 @@ function live(main, packed) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
       if (isBeside) {
         if (!isSmall && id !== latest) return;
-        if (first === 0 && (beside.width !== columns || beside.height !== rows)) Object.assign(beside, {width: columns, height: rows});
-        besidePaper.putImageData(data, 0, first);
-        besideFrame.hidden = false;
+        if (first === 0 && (second.width !== columns || second.height !== rows)) Object.assign(second, {width: columns, height: rows});
+        secondPaper.putImageData(data, 0, first);
+        secondFrame.hidden = false;
         line.hidden = !lies[chapter];
       } else if (isSmall) {
         if (first === 0) Object.assign(small, {width: columns, height: rows});
@@ -570,7 +570,7 @@ function live(main, packed) {
     refined.hidden = false;
   }
   function moveLine() {
-    besideFrame.style.setProperty("--line", `${line.value}%`);
+    secondFrame.style.setProperty("--line", `${line.value}%`);
     line.setAttribute("aria-valuetext", `${line.value} % from the left`);
   }
   // Asks for a small picture now, and for the full one when the reader rests.
@@ -681,8 +681,8 @@ function live(main, packed) {
       return element("span", {className: "live-open"}, element("label", {className: "live-button"}, button, choose), " ", opened);
     }));
     openers.hidden = !ownFiles.length;
-    refined.hidden = besideFrame.hidden = line.hidden = true;
-    besideFrame.classList.toggle("live-over", !!lies[chapter]);
+    refined.hidden = secondFrame.hidden = line.hidden = true;
+    secondFrame.classList.toggle("live-over", !!lies[chapter]);
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
     moveLine();
     reset();
@@ -807,7 +807,7 @@ function live(main, packed) {
     send({kind: "look", words: words(), widest, texture, ...where});
   }
   function findFrom(event) {
-    const box = beside.getBoundingClientRect();
+    const box = second.getBoundingClientRect();
     if (lies[chapter] || looking || pinned || !full) return;
     looking = pixel = {};  // any: the answer has its place
     send({kind: "find", words: words(), widest, x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
@@ -816,8 +816,8 @@ function live(main, packed) {
     spot.hidden = !at;
     if (at) Object.assign(spot.style, {left: `${100 * at[0]}%`, top: `${100 * at[1]}%`});
   }
-  beside.addEventListener("pointermove", findFrom);
-  beside.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
+  second.addEventListener("pointermove", findFrom);
+  second.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
   // The lamp shines from where the pointer drags it: the picture is half of a ball around the globe.
   function dragLamp(event) {
     if (!("--lamp-up" in widgets) || !event.buttons) return;
@@ -1061,7 +1061,7 @@ function live(main, packed) {
     loupe.hidden = mark.hidden = false;
     drawMap(seen);
     drawQuadratic(seen);
-    side.style.minHeight = `${Math.max(loupe.offsetHeight, parseFloat(side.style.minHeight) || 0)}px`;
+    beside.style.minHeight = `${Math.max(loupe.offsetHeight, parseFloat(beside.style.minHeight) || 0)}px`;
   }
 
   // A book's arrow keys turn its pages: not while they move something here.
