@@ -374,6 +374,12 @@ def check_beside(place, browser):
             place.open(browser, f"{chapter}.html")
             settle(browser)
             browser.run(CANVAS + ".scrollIntoView()")
+            if width > 360:
+                browser.wait(f"!{LOUPE}.hidden")  # with an example
+                browser.key("ArrowRight")
+                time.sleep(0.2)
+                if "column 424," not in browser.run(LOUPE + ".textContent"):
+                    yield f"{chapter} at {width}: no example, or an arrow key moves it before the reader points at a pixel"
             left, top, right, bottom = box_of(browser, CANVAS)
             for kind in ("mousePressed", "mouseReleased"):
                 browser.mouse(kind, (left + right) / 2, (top + bottom) / 2, button="left", clickCount=1)

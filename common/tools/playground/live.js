@@ -408,6 +408,7 @@ function live(main, packed) {
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
   let undo = null;                     // the file before the newest, which the chapter has not read yet
+  let example = null;                  // whether the page chose the pixel; null: not yet
   let patience = 0, idle = 0, full = null;
 
   // -- The worker's life.
@@ -508,6 +509,11 @@ function live(main, packed) {
       undo = null;
       if (isSmall) return;
       section.dataset.state = "done";
+      // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
+      if (example === null) {
+        example = matchMedia("(min-width: 52rem)").matches && !main.querySelector("[name=live-chapter]");
+        if (example) pixel ??= {column: Math.floor(0.53 * columns), row: Math.floor(0.46 * rows)};
+      }
       if (pixel?.column !== undefined) look(pixel);
     },
     seen({column, row, seen, flats}) {
@@ -835,18 +841,18 @@ function live(main, packed) {
   function closeLoupe() {
     spot.hidden = true;
     pixel = null;
-    pinned = false;
+    pinned = example = false;
     loupe.hidden = mark.hidden = true;  // its room stays: nothing below moves
   }
-  canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) look(place(event)); });
+  canvas.addEventListener("pointermove", (event) => { if (!pinned && event.pointerType === "mouse" && !event.buttons) { example = false; look(place(event)); } });
   canvas.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
-  canvas.addEventListener("click", (event) => { if (dragged) return; pinned = !pinned || event.pointerType !== "mouse"; look(place(event)); });
+  canvas.addEventListener("click", (event) => { if (dragged) return; pinned = !pinned || event.pointerType !== "mouse"; example = false; look(place(event)); });
   canvas.addEventListener("blur", ({relatedTarget}) => { if (pinned && !section.contains(relatedTarget)) closeLoupe(); });
   loupe.addEventListener("click", closeLoupe);
   // While the loupe is open, arrow keys are its own, wherever the focus is but in a field.
   document.addEventListener("keydown", (event) => {
     const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
-    const isMine = event.target === canvas || pixel && !event.target.closest("form, input:not([type=radio]), select, textarea");
+    const isMine = event.target === canvas || pixel && !example && !event.target.closest("form, input:not([type=radio]), select, textarea");
     if (step && isMine && full) {
       event.preventDefault();
       event.stopPropagation();
@@ -854,6 +860,7 @@ function live(main, packed) {
       const from = pixel || {column: full[0] >> 1, row: full[1] >> 1};
       const moved = (at, by, n) => Math.max(0, Math.min(n - 1, at + by * far));
       pinned = true;
+      example = false;
       look(pixel ? {column: moved(from.column, step[0], full[0]), row: moved(from.row, step[1], full[1])} : from);
     }
   }, true);
@@ -1058,6 +1065,7 @@ function live(main, packed) {
     lens.drawImage(canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
     loupe.classList.toggle("live-pinned", pinned);
     Object.assign(mark.style, {left: `${(column + 0.5) / full[0] * canvas.clientWidth}px`, top: `${(row + 0.5) / full[1] * canvas.clientHeight}px`});
+    loupe.ariaLive = example ? "off" : "polite";
     loupe.hidden = mark.hidden = false;
     drawMap(seen);
     drawQuadratic(seen);
