@@ -7,7 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
 #include "04_uv_conventions/lesson.hpp"
@@ -162,27 +161,6 @@ TEST_CASE("the map has the pixel's point and corners, and the flat texture its p
   expect_maps<chapter_04::Lesson>({"--convention", "daily", "--width", "800", "--height", "600"});
   expect_maps<chapter_05::Lesson>({"--degrees", "-135"});
   expect_maps<chapter_06::Lesson>({"--convention", "lecture", "--blend", "0.5"});
-}
-
-TEST_CASE("01's quadratic equation has the distance as its root, and none in the sky") {
-  Live<chapter_01::Lesson> shown;
-  shown.set({}, 800);
-  const chapter_01::Lesson lesson;
-  const View<> view = view_of(lesson.stage.camera, 800, 600);
-  for (int i = 0; i < 10; ++i) {
-    const int column = 220 + 40 * i, row = 200 + 20 * i;
-    const auto pixel = seen(shown, column, row);
-    const auto& one = pixel["quadratic"];
-    const double a = one[2], b = one[3], c = one[4];
-    const double distance = distance_to(lesson.objects[one[0].get<std::size_t>()].shape,
-                                        ray_through(view, double(column), double(row)));
-    CHECK((b * b - a * c < 0) == (i == 0));  // the sky
-    CHECK(std::isinf(distance) == (i == 0));
-    if (i == 0) continue;
-    CHECK(one[0] == pixel["object"]);
-    CHECK((b - std::sqrt(b * b - a * c)) / a == doctest::Approx(distance).epsilon(1e-9));
-  }
-  CHECK(seen(shown, 220, 200)["quadratic"][0] == chapter_01::left);  // the ray is just above it
 }
 
 TEST_CASE("in float, look tells what float meets and how far its place is off") {

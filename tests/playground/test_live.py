@@ -309,7 +309,8 @@ def check_loupe(place, browser):
             change(browser, **setting)
             browser.run(CANVAS + ".scrollIntoView()")
             left, top, width, height = browser.run(BOX)
-            for across, down in ((0.46, 0.45), (0.5, 0.5), (0.53, 0.55), (0.75, 0.55), (0.1, 0.9)):
+            for across, down in ((0.46, 0.45), (0.5, 0.5), (0.53, 0.55), (0.75, 0.55), (0.1, 0.9), (0.2, 0.1), (0.3, 0.5), (0.72, 0.5), (0.9, 0.7),
+                                 (0.6, 0.3)):
                 browser.mouse("mouseMoved", left + width * across, top + height * down)
                 near = f"[-1, 0, 1].some((n) => {LOUPE}.textContent.includes(`column ${{Math.floor({across} * {CANVAS}.width) + n}},`))"
                 browser.wait(f"!{LOUPE}.hidden && {near}", 20)
@@ -320,11 +321,16 @@ def check_loupe(place, browser):
                   return [row.cells[0].textContent, exact.cells[1].textContent];
                 })""")
                 names = {name for name, _ in rows}
-                if names & {"lambert", "normal n"} and not {"red", "green", "blue"} <= names:
+                if names & {"lambert", "u"} and not {"red", "green", "blue"} <= names:
                     yield f"{chapter} {setting}: at {across}, {down} the light and the paint do not make the pixel's color"
                 early = {name for name in names for first, word in FIRST_IN if name == word and chapter < first}
                 if early or ("discriminant" in names) != (chapter == "01") or re.search(r"object \d", str(rows)):
                     yield f"{chapter}: rows of another chapter, or a number for a name: {early or rows}"
+                if chapter == "01":  # the smaller root is the module's distance; in the sky there is none
+                    found = dict(rows)
+                    roots, (_, _, distance) = re.findall(r"[\d.]+", found.get("t", "").split(" = ")[-1]), found["hit"].partition("distance ")
+                    if bool(roots) != bool(distance) or (roots and abs(float(roots[0]) / float(distance) - 1) > 1e-9) or (" = -" in found["discriminant"]) == bool(distance):
+                        yield f"01: the roots {found.get('t')} of {found['discriminant']} at {distance}"
                 for name, exact in rows:
                     parts = re.sub(", at most 255|: .*", "", exact).split(" = ")
                     if name in ("u", "v") and len(parts) != 3:

@@ -939,7 +939,7 @@ function live(main, packed) {
       [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ", ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
     if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"], ...quadraticOf(seen)];
     const center = seen.center.some((x) => x) ? filled`(point − center) / radius, center ${vector(seen.center)}` : ["point / radius"];
-    list.push(["hit", seen.names[seen.object], ", radius ", number(seen.radius), ", at distance ", number(seen.distance)],
+    list.push(["hit", seen.objects[seen.object][0], ", radius ", number(seen.radius), ", at distance ", number(seen.distance)],
       ...quadraticOf(seen), ["point", ...vector(seen.point)],
       ["normal n", ...vector(seen.normal), " = ", ...center]);
     if (seen.rotated && seen.turn[1] !== 1) {
@@ -968,34 +968,42 @@ function live(main, packed) {
     }
     if (seen.float) {
       const {object, uv, apart} = seen.float;
-      list.push(["in float", ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : seen.names[object]]
+      list.push(["in float", ...(object !== seen.object ? [object < 0 ? "nothing: the sky" : seen.objects[object][0]]
         : uv ? filled`u = ${uv[0]}, v = ${uv[1]}: ${apart} texel from double's` : ["the same object"]), ". The other rows are in double."]);
     }
     return [...list, ...(!plainView() ? shownOf(seen, color) : seen.to_light ? shadingOf(seen, color) : [])];
   }
-  // Chapter 01's equation of ray and sphere.
-  function quadraticOf({quadratic: one, distance, names}) {
-    if (!one) return [];
-    const [object, radius, a, b, c, f] = one;
+  // Chapter 01's equation of the ray and the sphere that it meets; or that ahead which it passes at the least distance.
+  function quadratic({objects, object, eye, direction: d}) {
+    const all = objects.map(([name, radius, center]) => {
+      const f = eye.map((x, i) => x - center[i]);
+      const a = dot(d, d), b = -dot(f, d), c = dot(f, f) - radius ** 2;
+      return {name, radius, f, a, b, c, away: b > 0 ? Math.sqrt(Math.max(0, dot(f, f) - b * b / a)) - radius : Infinity};
+    });
+    return all[object] || all.reduce((one, other) => other.away < one.away ? other : one);
+  }
+  function quadraticOf(seen) {
+    if (chapter !== "01") return [];
+    const {name, radius, f, a, b, c} = quadratic(seen);
     const discriminant = b * b - a * c, root = Math.sqrt(discriminant);
-    const list = [["f", math("f = eye − center"), " = ", ...vector(f), distance === undefined ? `, of ${names[object]}: the ray comes nearest to it` : ""],
+    const list = [["f", math("f = eye − center"), " = ", ...vector(f), seen.object === undefined ? `, of ${name}: the ray comes nearest to it` : ""],
       ["a, b, c", element("span", {className: "live-formula"}, element("span", {}, math("a = d · d"), " = ", number(a)),
         element("span", {}, math("b = − f · d"), " = ", number(b)), element("span", {}, math("c = f · f − r²"), ...filled` = ${dot(f, f)} − ${radius}² = ${c}`))],
       ["discriminant", math("b² − a c"), ...filled` = ${b}² − ${a} · ${c} = ${discriminant}`]];
     return discriminant < 0 ? list : [...list, ["t", math("{b ± √{b² − a c}}/a"), ...filled` = ${(b - root) / a} and ${(b + root) / a}; the smaller is what we see`]];
   }
   // The ray's line and the sphere, in radii: where they meet.
-  function drawQuadratic({quadratic: one, names}) {
-    drawn.hidden = !one;
-    if (!one) return;
-    const [object, radius, a, b, c] = one;
+  function drawQuadratic(seen) {
+    drawn.hidden = chapter !== "01";
+    if (drawn.hidden) return;
+    const {name, radius, a, b, c} = quadratic(seen);
     const share = (b * b - a * c) / (a * radius ** 2);  // 1 − (distance of the line from the center / radius)²
     const away = Math.sqrt(Math.max(0, 1 - share)), size = 44 / Math.max(1, away), half = Math.sqrt(Math.max(0, share)) * size;
     const y = 52 - away * size;
     const says = share < 0 ? "the ray misses it, no root" : share > 0 ? "the ray's line cuts it twice, two roots" : "the ray touches it, one root";
     drawn.innerHTML = `<svg viewBox="0 0 240 104" role="img" aria-label="A line and a sphere: ${says}"><circle cx="120" cy="52" r="${size}"/>
       <path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>${share < 0 ? "" : [-half, half].map((x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`).join("")}</svg>`;
-    drawn.append(element("figcaption", {textContent: `${names[object]}: ${says}`}));
+    drawn.append(element("figcaption", {textContent: `${name}: ${says}`}));
   }
   // The flat texture with the point in a square and the pixel's outline; and a detail of it.
   let flat = null, part = null;

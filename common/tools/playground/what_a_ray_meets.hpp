@@ -26,16 +26,20 @@ using Members = std::vector<std::pair<const char*, Json>>;
          : x < 0       ? "the left sphere"
                        : "the right sphere";
 }
+/// Name, radius and center of each object.
 template <class Lesson>
-[[nodiscard]] Json names_of(const Lesson& lesson) {
-  std::vector<Json> names;
+[[nodiscard]] Json named_objects(const Lesson& lesson) {
+  std::vector<Json> objects;
   for (const auto& object : lesson.objects) {
+    const Vec3d& center = object.shape.center;
+    const double radius = object.shape.radius;
     const bool has_picture = with_paint(object.paint, [](const auto& paint) {
       return requires { inside_of(paint.texture).image; };
     });
-    names.push_back(name_of(object.shape.center.x, object.shape.radius, has_picture));
+    objects.push_back(
+        Json::list({name_of(center.x, radius, has_picture), radius, list_of(center)}));
   }
-  return Json::list(names);
+  return Json::list(objects);
 }
 
 /// What a texture has at (u, v): the texel of a picture, or the square of a checkerboard.
@@ -117,26 +121,6 @@ void add_shading(const Lesson& lesson, const Object& object, const Hit<double>& 
   members.emplace_back("diffuse", matte.diffuse);
   const Color<double> paint = object.paint(hit);
   members.emplace_back("paint", Json::list({255 * paint.r, 255 * paint.g, 255 * paint.b}));
-}
-
-/// The equation a t^2 - 2 b t + c = 0 of a ray and a sphere, as chapter 01 has it: of the object
-/// that it meets first; -1: of the one ahead that it passes at the least distance. In the list: the
-/// object, its radius, a, b, c, and the vector f from its center to the eye.
-template <HasObjects Lesson>
-[[nodiscard]] Json quadratic(const Lesson& lesson, const Ray<double>& ray, int met) {
-  Json found = nullptr;
-  double least = infinity<double>();
-  for (int i = 0; i < static_cast<int>(lesson.objects.size()); ++i) {
-    const auto& sphere = lesson.objects[static_cast<std::size_t>(i)].shape;
-    const Vec3d f = ray.origin - sphere.center;
-    const double a = dot(ray.direction, ray.direction), b = -dot(f, ray.direction);
-    const double c = dot(f, f) - square(sphere.radius);
-    const double distance = std::sqrt(std::max(0.0, dot(f, f) - b * b / a)) - sphere.radius;
-    if (met < 0 ? b <= 0 || distance >= least : i != met) continue;
-    least = distance;
-    found = Json::list({i, sphere.radius, a, b, c, list_of(f)});
-  }
-  return found;
 }
 
 /// How a paint's texture lies flat.
@@ -224,10 +208,8 @@ void add_map(const Lesson& lesson, const View<>& view, int column, int row, Memb
 template <HasObjects Lesson>
 [[nodiscard]] Members what_a_ray_meets(const Lesson& lesson, const Ray<double>& ray) {
   Members members{{"eye", list_of(ray.origin)}, {"direction", list_of(ray.direction)}};
-  members.emplace_back("names", names_of(lesson));
+  members.emplace_back("objects", named_objects(lesson));
   const Nearest<double> nearest = find_nearest(lesson.objects, ray);
-  if constexpr (requires { lesson.objects.front().paint.color; })  // chapter 01: nothing has (u, v)
-    members.emplace_back("quadratic", quadratic(lesson, ray, static_cast<int>(nearest.index)));
   if (nearest.index >= 0) {
     const auto& object = lesson.objects[static_cast<std::size_t>(nearest.index)];
     Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
