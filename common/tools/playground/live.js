@@ -809,7 +809,7 @@ function live(main, packed) {
     if (looking) { nextLook = where; return; }
     nextLook = null;
     looking = where;
-    const texture = ["--scene", "--squares", "--convention", "--rounding", fileOption].map((one) => values[one]).join();
+    const texture = ["--scene", "--squares", "--convention", "--rounding", "--texture"].map((one) => values[one]).join();
     send({kind: "look", words: words(), widest, texture, ...where});
   }
   function findFrom(event) {
