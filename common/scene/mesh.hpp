@@ -123,14 +123,14 @@ void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit
   }
   const BoxRay<Real> box_ray(space, ray.direction);
   using Number = typename BoxRay<Real>::Number;
-  struct Box {
+  struct Entered {
     Number depth;
     int first, count;
   };
-  std::array<Box, 7 * most_nested_boxes + 8> to_try;  // the last one first, which is the nearest
+  std::array<Entered, 7 * most_nested_boxes + 8> to_try;  // the last one first, which is the nearest
   to_try[0] = {Number(0), 0, -1};
   for (std::size_t count = 1; count > 0;) {
-    const Box box = to_try[--count];
+    const Entered box = to_try[--count];
     const Number end = box_ray.depth_of(limit);
     if (!any(box.depth < end)) continue;
     for (int k = box.first; k < box.first + box.count; ++k)
@@ -145,7 +145,7 @@ void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit
       count += any(depths[i] < end) ? 1U : 0U;
     }
     for (std::size_t i = kept + 1; i < count; ++i) {
-      const Box moved = to_try[i];
+      const Entered moved = to_try[i];
       std::size_t to = i;
       for (; to > kept && any(to_try[to - 1].depth < moved.depth); --to)
         to_try[to] = to_try[to - 1];
