@@ -127,7 +127,7 @@ void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit
     Number depth;
     int first, count;
   };
-  std::array<Entered, 7 * most_nested_boxes + 8> to_try;  // the last one first, which is the nearest
+  std::array<Entered, 7 * most_nested_boxes + 8> to_try;  // the last one first: the nearest
   to_try[0] = {Number(0), 0, -1};
   for (std::size_t count = 1; count > 0;) {
     const Entered box = to_try[--count];
