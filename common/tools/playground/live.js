@@ -346,7 +346,9 @@ function painted(canvas, pixels, width, height) {
 
 // ---- A live picture, its form and its loupe.
 function live(main, packed) {
-  const image = main.querySelector("img");
+  // The chapter's picture: what comes after the first heading is a diagram.
+  const first = main.querySelector("img"), heading = main.querySelector("h2");
+  const image = first && heading && heading.compareDocumentPosition(first) & Node.DOCUMENT_POSITION_FOLLOWING ? null : first;
   // A paragraph that has only the picture goes with it. A sheet of several pictures stays, above the live one.
   const frame = image && image.parentElement !== main && image.parentElement.childNodes.length === 1 ? image.parentElement : image;
   const still = always[main.dataset.live] ? null : frame;
@@ -395,7 +397,8 @@ function live(main, packed) {
   const section = element("section", {className: "live", hidden: true}, picture, beside, refined, legend, says, again, form);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
-  frame ? frame.after(section) : main.append(section);
+  const above = frame || main.querySelector(".head");
+  above ? above.after(section) : main.append(section);
   main.querySelector(".live-missing")?.remove();
 
   let hand = null;                     // the worker

@@ -177,8 +177,6 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 
 // ---- The section.
 async function begin() {
-  const main = document.querySelector("main");
-  const image = main.querySelector("img");
   const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_13", "module_13.js"), fetched("earth.png", "earth.js")]);
   const ask = hire(worker);
   const facts = await ask("load", packed, picture);
@@ -202,7 +200,7 @@ async function begin() {
       element("figure", {}, changed, element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
     says, element("p", {className: "live-command"}, command, " ", copy), clock, element("p", {}, again),
     element("details", {}, element("summary", {textContent: "All ways in numbers"}), element("div", {className: "scroll"}, table)), card);
-  (image && image.parentElement !== main ? image.parentElement : image).before(section);
+  (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   section.ways = ways;  // for the tests
   let chosen = 0, front = [], pictureOf = -1, wanted = -1;

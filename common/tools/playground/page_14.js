@@ -28,7 +28,6 @@ const unlike = (a, b) => {
 };
 
 async function begin() {
-  const image = document.querySelector("main img");
   const [{bytes: packed}, {bytes: picture}] = await Promise.all([fetched("module_14", "module_14.js"), fetched("earth.png", "earth.js")]);
   const ask = hire(worker);
   const dials = await ask("load", packed, picture);
@@ -45,7 +44,7 @@ async function begin() {
     element("p", {className: "budget-row"}, element("label", {htmlFor: "exhibit", textContent: "Exhibit "}), choice, " ",
       element("label", {}, inFloat, " in float")),
     element("p", {className: "budget-row"}, label, ": ", value), slider, element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
-  (image.parentElement !== document.querySelector("main") ? image.parentElement : image).before(section);
+  (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   const isWhole = (dial) => dial.exhibit === "highlight";
   const valueOf = (dial) => isWhole(dial) ? Number(slider.value) : Math.abs(slider.value - Math.log10(dial.value)) < 0.005 ? dial.value : 10 ** slider.value;
