@@ -607,10 +607,10 @@ class Book {
       if (page.chapter.empty()) continue;
       const std::string& html = page.converted.html;
       const std::string drawn = page.chapter + ".png";
-      const fs::path golden = "tests/golden/" + drawn;
-      std::string shown;
-      if (fs::exists(root_ / golden)) {
-        shown = picture(golden);
+      const fs::path thumb = text("docs/pictures/thumb_%s.png", page.chapter.substr(0, 2).c_str());
+      std::string shown;  // from near by, so that no two chapters look alike
+      if (fs::exists(root_ / thumb)) {
+        shown = picture(thumb);
       } else if (fs::exists(out_ / drawn)) {
         shown = drawn;
       }
