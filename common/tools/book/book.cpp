@@ -544,7 +544,7 @@ class Book {
     if (!fs::exists(map)) return "<h1>Texture Mapping, Step by Step</h1>\n";
     const double radii = std::pow(10, 3.3);  // where the slider of cover.html begins
     fs::create_directories(out_ / "pictures");
-    save_png(microscope::draw({load_image(map)}, radii, 480, 0, 480),
+    save_png(microscope::draw({load_image(map)}, radii, 320, 0, 320),
              out_ / "pictures/microscope.png");
     std::string html = contents_of(folder() / "cover.html");
     if (page_of("chapters/14_numerical_extremes/README.md") == nullptr)
