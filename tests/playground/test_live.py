@@ -376,7 +376,7 @@ def check_beside(place, browser):
     """The loupe covers no part of the picture, and its map is in the window with it; a pixel that is held stays while a slider moves."""
     for width, height in ((1280, 800), (1920, 1080), (360, 800)):
         browser.size(width, height)
-        for chapter in SETTINGS:
+        for chapter in sorted(SETTINGS, key=lambda one: one == "06"):  # whose globe turns in the end
             place.open(browser, f"{chapter}.html")
             settle(browser)
             browser.run(CANVAS + ".scrollIntoView()")
@@ -384,7 +384,7 @@ def check_beside(place, browser):
                 browser.wait(f"!{LOUPE}.hidden")  # with an example
                 browser.key("ArrowRight")
                 time.sleep(0.2)
-                if "column 424," not in browser.run(LOUPE + ".textContent"):
+                if not browser.run(f"{LOUPE}.textContent.includes(`column ${{Math.floor(0.53 * {CANVAS}.width)}},`)"):
                     yield f"{chapter} at {width}: no example, or an arrow key moves it before the reader points at a pixel"
             left, top, right, bottom = box_of(browser, CANVAS)
             for kind in ("mousePressed", "mouseReleased"):
@@ -394,6 +394,8 @@ def check_beside(place, browser):
             its_left, its_top, its_right, its_bottom = box_of(browser, LOUPE)
             if its_left < right and its_right > left and its_top < bottom - 1 and its_bottom > top:
                 yield f"{chapter} at {width}: the loupe covers the picture"
+            if chapter > "06":  # their loupes have drawings of their own
+                continue
             shown = box_of(browser, "[...document.querySelectorAll('.live-map')].find((one) => !one.hidden)")
             if shown[1] < 0 or shown[3] > height or shown[3] - shown[1] < 100 or shown[2] > width:
                 yield f"{chapter} at {width}: the map or drawing is at {shown}"

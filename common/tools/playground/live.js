@@ -515,7 +515,7 @@ function live(main, packed) {
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
       if (example === null) {
         example = matchMedia("(min-width: 52rem)").matches && !main.querySelector("[name=live-chapter]");
-        if (example) pixel ??= {column: Math.floor(0.53 * columns), row: Math.floor(0.46 * rows)};
+        if (example) pixel ??= {column: Math.floor(0.53 * canvas.width), row: Math.floor(0.46 * canvas.height)};
       }
       if (pixel?.column !== undefined) look(pixel);
     },
@@ -830,6 +830,7 @@ function live(main, packed) {
   // The lamp shines from where the pointer drags it: the picture is half of a ball around the globe.
   function dragLamp(event) {
     if (!("--lamp-up" in widgets) || !event.buttons) return;
+    if (!dragged) closeLoupe();
     const box = canvas.getBoundingClientRect();
     const at = (share) => Math.max(-1, Math.min(1, 2 * share - 1));
     const x = at((event.clientX - box.left) / box.width), y = -at((event.clientY - box.top) / box.height);
