@@ -74,7 +74,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
       const int places = std::abs(inside) > 0.5 / width ? 1 : 9;
       Rgb sum{};
       for (int k = 0; k < places; ++k)
-        sum = sum + color_at(column + (k % 3 + 0.5) / 3, row + (k / 3 + 0.5) / 3);
+        sum = sum + color_at(column + (k % 3 + 0.5) / 3, row + (k - k % 3 + 1.5) / 9);
       image.at(column, row) = {byte_of(sum.r / places), byte_of(sum.g / places),
                                byte_of(sum.b / places)};
     }

@@ -74,7 +74,7 @@ def faults_of_14(browser, folder, programs):
           {SECTION}.dataset.state = ""; field.dispatchEvent(new Event("{event}")); }})()""")
         browser.wait(f"{SECTION}.dataset.state === 'done'", 60)
 
-    names = browser.run("[...document.querySelectorAll('#exhibit option')].map((one) => one.textContent)")
+    names = browser.run("[...document.querySelectorAll('#exhibit option')].map((one) => one.textContent.split(':')[0])")
     for i, name in enumerate(names):
         turn("#exhibit", i, "change")
         unlike = int(browser.run(f"{SECTION}.dataset.published"))

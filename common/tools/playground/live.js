@@ -506,6 +506,7 @@ function live(main, packed) {
         paper.putImageData(data, 0, first);
         if (ends) full = [columns, rows];
         if (passes > 1) showProgress(pass, passes, (first + data.height) / rows);
+        else refined.hidden = true;
       }
       if (!last || id !== latest) return;
       unfinished = false;

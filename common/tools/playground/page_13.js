@@ -111,7 +111,7 @@ void main() {
 const built = [
   ["atan, acos", "vec2 uv(vec3 n) { return vec2(turn(n), acos(-n.y) / pi); }"],
   ["atan, asin", "vec2 uv(vec3 n) { return vec2(turn(n), 0.5 + asin(n.y) / pi); }"],
-  ["atan twice, as the course", "vec2 uv(vec3 n) { return vec2(turn(n), atan(length(n.xz), -n.y) / pi); }"],
+  ["atan for u and v, as the course", "vec2 uv(vec3 n) { return vec2(turn(n), atan(length(n.xz), -n.y) / pi); }"],
 ];
 const literal = (value) => /[.e]/.test(String(value)) ? String(value) : `${value}.0`;
 const horner = (list, x) => list.reduceRight((sum, power) => sum === "" ? literal(power) : `${literal(power)} + ${x} * (${sum})`, "");
@@ -190,12 +190,12 @@ async function begin() {
   const says = element("p", {className: "budget-says", ariaLive: "polite"});
   const command = element("code"), copy = element("button", {type: "button", textContent: "Copy"});
   const clock = element("p", {className: "budget-clock"});
-  const plot = element("div"), key = element("figcaption", {textContent: "Each point is a way to draw: filled in float, open in double. A number is the degree of its polynomial. A bar goes to the median time. The line is the front. Click a point to see its picture."});
+  const plot = element("div"), key = element("figcaption", {textContent: "Up: texels off at most. Each point is a way to draw: filled in float, open in double. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
   const table = element("table");
   const again = element("button", {type: "button", textContent: "Time again"});
   const card = element("div", {className: "budget-card"});
   const section = element("section", {className: "wide budget", ariaLabel: "An error budget"},
-    element("p", {}, element("label", {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}), allowed, " texels."), slider,
+    element("p", {}, element("label", {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}), allowed, " texels. The fastest way that keeps to this is chosen; of ways that could be as fast, as far as their times spread, the most exact."), slider,
     element("div", {className: "budget-pair"}, element("figure", {className: "budget-plot"}, plot, key), element("figure", {}, shown, element("figcaption", {textContent: "the globe, drawn in this way"})),
       element("figure", {}, changed, element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
     says, element("p", {className: "live-command"}, command, " ", copy), clock, element("p", {}, again),
@@ -221,7 +221,8 @@ async function begin() {
     says.replaceChildren(best < 0 ? "Nothing that was tried keeps to that. The most exact: " : "", element("b", {textContent: named(way)}),
       `, at most ${small(way.bound)} texels off, ${small(way.worst)} seen. `,
       way.changed ? `${counted(way.changed, "pixel")} of ${(width * height).toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}.` : "No pixel differs.",
-      ratio && chosen ? ` Here ${rounded(ratio, 2)} times as fast as double with atan2.` : "");
+      ratio && chosen ? ` Here ${rounded(ratio, 2)} times as fast as double with atan2.` : "",
+      way.budget === "exact" ? "" : " The command's budget is the polynomial's share of the error; rounding adds the rest.");
     command.textContent = `./course run 07 --scene book --number ${way.number}${way.budget === "exact" ? "" : ` --budget ${way.budget}`}`;
     section.dataset.way = way.index;
   }
@@ -254,7 +255,6 @@ async function begin() {
         if (round >= 0) way.times.push(took);
       }
       clock.textContent = `Timing: round ${Math.max(round + 1, 1)} of ${rounds} …`;
-      if (round % 5 === 4) await change();
     }
     const busy = ways.filter((way) => median(way.times) > 1.1 * Math.min(...way.times)).length;
     clock.textContent = `Timed in this browser, one thread, without packs: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
@@ -286,7 +286,7 @@ async function begin() {
   }
   const measure = element("button", {type: "button", textContent: "Measure it"});
   const results = element("table"), errors = element("canvas", {role: "img", hidden: true, ariaLabel: "The error of each place on the map"}), caption = element("p", {className: "live-legend"});
-  card.append(element("p", {textContent: "A shader has atan, asin and acos, too. How exact they are the language leaves open. Here your graphics processor computes (u, v) of half a million directions by them and by the course's polynomials, and each is held against double."}),
+  card.append(element("p", {textContent: "A graphics processor runs small programs, shaders, whose language has atan, asin and acos. It does not say how exact they are. Here yours computes (u, v) of half a million directions with them, and with the course's polynomials, and the page compares each with double. Click a row to see where on the map it is off."}),
     measure, element("div", {className: "scroll"}, results), errors, caption);
   measure.onclick = async () => {
     measure.disabled = true;
@@ -295,7 +295,7 @@ async function begin() {
       const ofMap = await ask("directions", 1, across * down), ofPicture = await ask("directions", 0, width * height);
       const formulas = [...built];
       for (const degree of [5, 9, 17]) formulas.push([`degree ${degree}`, byPolynomials(await ask("coefficients", degree))]);
-      results.replaceChildren(element("tr", {}, ...["in the shader", "texels off", "half below", "beside the seam", "at the poles", "pixels that differ"].map((name) => element("th", {scope: "col", textContent: name}))));
+      results.replaceChildren(element("tr", {}, ...["in the shader", "texels off, at worst", "median", "worst beside the seam", "worst near the poles", "pixels that differ"].map((name) => element("th", {scope: "col", textContent: name}))));
       const paint = (name, found) => {
         painted(errors, found.picture, across, down);
         errors.hidden = false;

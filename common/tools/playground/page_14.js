@@ -32,22 +32,22 @@ async function begin() {
   const ask = hire(worker);
   const dials = await ask("load", packed, picture);
 
-  const choice = element("select", {id: "exhibit"}, ...dials.map(({exhibit}, i) => element("option", {value: i, textContent: exhibit})));
+  const choice = element("select", {id: "exhibit"}, ...dials.map(({exhibit, label}, i) => element("option", {value: i, textContent: `${exhibit}: ${label}`})));
   const slider = element("input", {type: "range", id: "extreme", step: 0.01}), label = element("label", {htmlFor: "extreme"}), value = element("output", {htmlFor: "extreme"});
-  const inFloat = element("input", {type: "checkbox", checked: true, id: "in-float"});
+  const inDouble = element("input", {type: "checkbox"});
   const sides = ["as published", "this course"].map((name, i) => {
     const canvas = element("canvas", {role: "img", ariaLabel: name}), formula = element("b"), wrong = element("span");
     return {published: 1 - i, canvas, formula, wrong, figure: element("figure", {}, canvas, element("figcaption", {}, `${name}: `, formula, element("br"), wrong))};
   });
   const note = element("p", {className: "budget-clock"});
   const section = element("section", {className: "wide budget", ariaLabel: "The exhibits with sliders"},
-    element("p", {className: "budget-row"}, element("label", {htmlFor: "exhibit", textContent: "Exhibit "}), choice, " ",
-      element("label", {}, inFloat, " in float")),
+    element("p", {className: "budget-row"}, element("label", {htmlFor: "exhibit", textContent: "Ten of the twenty exhibits, each with a slider: "}), choice, " ",
+      element("label", {}, inDouble, " both in double")),
     element("p", {className: "budget-row"}, label, ": ", value), slider, element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
   (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   const isWhole = (dial) => dial.exhibit === "highlight";
-  const valueOf = (dial) => isWhole(dial) ? Number(slider.value) : Math.abs(slider.value - Math.log10(dial.value)) < 0.005 ? dial.value : 10 ** slider.value;
+  const valueOf = (dial) => isWhole(dial) ? Number(slider.value) : Math.abs(slider.value - Math.log10(dial.value)) < 0.005 ? dial.value : slider.value > slider.max - 0.01 ? dial.most : 10 ** slider.value;
   function choose() {
     const dial = dials[choice.value];
     const at = isWhole(dial) ? (x) => x : Math.log10;
@@ -63,26 +63,27 @@ async function begin() {
     drawing = true;
     const dial = dials[choice.value], at = valueOf(dial), mine = ++last;
     section.dataset.state = "drawing";
-    const shown = at >= 1e7 ? at.toExponential(1).replace("e+", "e") : at >= 1000 ? Math.round(at).toLocaleString("en") : small(at);
+    const shown = isWhole(dial) ? String(at) : at >= 1e7 ? at.toExponential(1).replace("e+", "e") : at >= 1000 ? Math.round(at).toLocaleString("en") : small(at);
     value.textContent = shown;
     slider.setAttribute("aria-valuetext", shown);
-    const number = inFloat.checked ? 1 : 0;
+    const number = inDouble.checked ? 0 : 1;
     const pictures = await Promise.all([...sides.map(({published}) => ask("draw", choice.value, at, published, number, width, height)),
       ask("draw", choice.value, at, 0, 0, width, height)]);
     sides.forEach((side, i) => {
       painted(side.canvas, pictures[i], width, height);
       const count = unlike(pictures[i], pictures[2]);
-      side.wrong.textContent = `${inFloat.checked ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
+      side.wrong.textContent = `${number ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
       section.dataset[side.published ? "published" : "course"] = count;
     });
-    note.textContent = at === dial.value && dial.exhibit !== "needle" ? `The program draws this: ./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${inFloat.checked ? "float" : "double"}`
+    note.textContent = at === dial.value && dial.exhibit !== "needle" ? `The program draws this: ./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${number ? "float" : "double"}`
+      : dial.exhibit === "needle" ? "The program's needle has another picture on it."
       : `The program's ${dial.exhibit} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−") : dial.value.toLocaleString("en")}.`;
     section.dataset.state = mine === last ? "done" : "drawing";
     drawing = false;
     if (again) { again = false; change(); }
   }
   choice.onchange = choose;
-  slider.oninput = inFloat.onchange = () => change();
+  slider.oninput = inDouble.onchange = () => change();
   choose();
 }
 addEventListener("DOMContentLoaded", () => begin().catch((error) => console.info(`The picture stays still: ${error.message}`)));
