@@ -48,6 +48,8 @@ def faults_of_13(browser, native):
         for key in ("changed", "may_change", "levels"):
             if way[key] != row[key]:
                 yield f"{way['number']} {degree}: {key} {way[key]}, the program's {row[key]}"
+    if browser.run(f"{SECTION}.dataset.way === undefined || !{SECTION}.querySelector('svg')"):
+        yield "it chooses nothing by itself"
     for power in (-10.5, -6, -2, -0.5):
         browser.run(f"""(async () => {{ const slider = document.querySelector("#budget"); slider.value = {power};
           delete {SECTION}.dataset.way; slider.dispatchEvent(new Event("input")); }})()""")

@@ -261,6 +261,7 @@ async function begin() {
       + (busy ? `The machine was busy: ${busy} of ${ways.length} medians are more than 10 % above the shortest.` : "The medians are within 10 % of the shortest.")
       + " The program of this chapter times packs, too.";
     again.disabled = false;
+    await change();
   }
   slider.oninput = () => change();
   again.onclick = async () => { await time(); section.dataset.state = "done"; };
@@ -274,6 +275,7 @@ async function begin() {
     Object.assign(way, await ask("compare", way.index));
   }
   allowed.textContent = small(limit());
+  show(0);
   await time();
   section.dataset.state = "done";
 
