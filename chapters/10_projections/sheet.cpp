@@ -68,7 +68,7 @@ Image distortion_picture(Projection projection, int width, int height, bool plai
   };
   for_each_row(height, 0, {}, [&](int row) {
     for (int column = 0; column < width; ++column) {
-      // Far from a circle's edge all places of a texel are alike.
+      // Away from the edges of circles the whole texel has one color, and one place is enough.
       const Uv<double> middle{(column + 0.5) / width, 1 - (row + 0.5) / height};
       const double inside = plain ? in_small_circle(unproject(projection, middle)) : 0;
       const int places = std::abs(inside) > 0.5 / width ? 1 : 9;

@@ -210,7 +210,7 @@ template <class Real>
 struct OtherTriangles {
   const Mesh& mesh;
   Real own;
-  Mask<Real> lit;  ///< false: no light is asked for, and nothing is tried
+  Mask<Real> lit;  ///< false: the ray met nothing, so there is no shadow to look for
 };
 template <class Real>
 [[nodiscard]] OtherTriangles<Real> others(const Mesh& mesh, const MeshHit<Real>& hit) {

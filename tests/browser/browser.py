@@ -156,3 +156,24 @@ class Browser:
         root = self.call("DOM.getDocument")["root"]["nodeId"]
         node = self.call("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
         self.call("DOM.setFileInputFiles", nodeId=node, files=[path])
+
+
+def run_checks(checks, *given, prepare=lambda browser: None):
+    """Runs checks of pages, each in a browser of its own. What they yield and what the console logs are faults; says how many."""
+    count = 0
+    for check in checks:
+        began = time.monotonic()
+        print(f"{check.__name__}: {check.__doc__.strip()}", flush=True)
+        faults = []
+        with Browser() as browser:
+            try:
+                prepare(browser)
+                faults.extend(check(*given, browser))
+            except Fault as fault:
+                faults.append(str(fault))
+            faults += browser.log
+        for fault in faults:
+            print(f"  FAIL: {fault}"[:400])
+        count += len(faults)
+        print(f"  {time.monotonic() - began:.0f} s", flush=True)
+    return count

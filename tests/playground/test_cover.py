@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.append(str(Path(__file__).resolve().parents[1] / "browser"))
-from browser import Browser, Fault, installed  # noqa: E402
+from browser import Browser, installed, run_checks  # noqa: E402
 
 HERO = "document.querySelector('.hero')"
 SLIDER = "document.querySelector('.far input')"
@@ -192,24 +192,16 @@ def main(words):
     if not installed() or not (root / "docs/live/cover.js").exists():
         print("skipped: no browser (chromium or google-chrome) is installed, or ./course playground has made nothing")
         return 77
-    failed = 0
     with tempfile.TemporaryDirectory() as folder:
         place = Place(book, root, printer, Path(folder))
-        for check in (check_numbers, check_digits, check_controls, check_narrow, check_squares, check_still):
-            print(check.__doc__, flush=True)
-            faults = []
-            with Browser() as browser:
-                try:
-                    browser.size(1280, 900)
-                    browser.open(place.page)
-                    browser.wait(f"{HERO}.dataset.state === 'done'", 30)
-                    faults.extend(check(place, browser))
-                except Fault as fault:
-                    faults.append(str(fault))
-                faults += browser.log
-            for fault in faults:
-                print(f"  FAIL: {fault}"[:400])
-            failed += len(faults)
+
+        def begin(browser):
+            browser.size(1280, 900)
+            browser.open(place.page)
+            browser.wait(f"{HERO}.dataset.state === 'done'", 30)
+
+        checks = (check_numbers, check_digits, check_controls, check_narrow, check_squares, check_still)
+        failed = run_checks(checks, place, prepare=begin)
     return 1 if failed else 0
 
 

@@ -21,7 +21,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path += [str(Path(__file__).resolve().parents[2] / folder) for folder in ("tests/browser", "common/tools/grade")]
-from browser import Browser, Fault, installed  # noqa: E402
+from browser import Browser, installed, run_checks  # noqa: E402
 from pictures import png  # noqa: E402
 
 # The default picture of each chapter comes first; then what a reader sets on its page, from the default each.
@@ -500,22 +500,7 @@ def main(words):
         print("skipped: no browser (chromium or google-chrome) is installed, or ./course playground has made nothing")
         return 77
     place = Place(root, programs, made)
-    failed = 0
-    for name in words[3:] or CHECKS:
-        began = time.monotonic()
-        print(f"{name}: {CHECKS[name].__doc__.strip()}", flush=True)
-        faults = []
-        with Browser() as browser:
-            try:
-                for fault in CHECKS[name](place, browser):
-                    faults.append(fault)
-            except Fault as fault:
-                faults.append(str(fault))
-            faults += browser.log
-        for fault in faults:
-            print(f"  FAIL: {fault}"[:400])
-        failed += len(faults)
-        print(f"  {time.monotonic() - began:.0f} s", flush=True)
+    failed = run_checks([CHECKS[name] for name in words[3:] or CHECKS], place)
     shutil.rmtree(place.folder)
     return 1 if failed else 0
 

@@ -608,7 +608,7 @@ class Book {
       const std::string& html = page.converted.html;
       const std::string drawn = page.chapter + ".png";
       const fs::path thumb = text("docs/pictures/thumb_%s.png", page.chapter.substr(0, 2).c_str());
-      std::string shown;  // from near by, so that no two chapters look alike
+      std::string shown;  // from close up: golden pictures of 02 and 03 look alike in this size
       if (fs::exists(root_ / thumb)) {
         shown = picture(thumb);
       } else if (fs::exists(out_ / drawn)) {

@@ -68,8 +68,8 @@ struct Reader {
   const Piece& picture() { return take(false); }
   std::string picture(const std::string& label) { return shown(picture(), label); }
 
-  /// A picture as a piece of the sheet's, at most twice as large. At its edges half a pixel is left
-  /// out: where it is enlarged, what lies beside it on the sheet would show.
+  /// A picture as a piece of the sheet's, at most twice as large. Half a pixel at each edge is
+  /// left out: an enlarged edge would be mixed with what is beside it on the sheet.
   ///
   /// @param more  further attributes
   [[nodiscard]] std::string shown(const Piece& piece, const std::string& label,

@@ -1,5 +1,5 @@
-// Names the mistake in a picture of the reader's own: ./course diagnose FILE. The right pictures of
-// its size are tried, the nearest first, so nobody has to say of which chapter it is.
+// Names the mistake in a picture of the reader's own: ./course diagnose FILE. It tries the chapters
+// whose pictures have this size, the most similar first, so the reader need not name the chapter.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>

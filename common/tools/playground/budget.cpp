@@ -1,11 +1,8 @@
 // The WebAssembly module of chapter 13's live picture: the chapter's own ways to draw the globe,
 // with their bounds, errors and pictures, and what a graphics processor's (u, v) are compared with.
-// Texts end with a zero byte; one that begins with ! says what went wrong. Texts and pixels stay
-// where they are until the next call.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -14,9 +11,8 @@
 #include "13_speed_for_accuracy/ways.hpp"
 #include "engine/measure/json.hpp"
 #include "engine/picture/decode_image.hpp"
+#include "exported.hpp"
 #include "texel_error.hpp"
-
-#define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
 
@@ -40,26 +36,13 @@ struct Trade {
   }
 };
 std::unique_ptr<Trade> trade;
-std::vector<std::uint8_t> drawn;
-
-const char* kept(std::string text) {
-  static std::string last;
-  last = std::move(text);
-  return last.c_str();
-}
-
-const std::uint8_t* with_alpha(const Image& image) {
-  drawn.clear();
-  for (const Rgb8& pixel : image.pixels)
-    drawn.insert(drawn.end(), {pixel.r, pixel.g, pixel.b, 255});
-  return drawn.data();
-}
 
 /// A unit vector of float, as the page's graphics processor gets it, and what it gives back.
 struct Probe {
   float x, y, z, met;
 };
 std::vector<Probe> probes;
+Image errors;  ///< of the probes, a row
 constexpr int map_width = 1024, map_height = 512;
 
 /// The directions of a map: its first and last columns are the seam, its first and last rows the
@@ -77,30 +60,24 @@ Uv<double> right_uv(const Probe& probe) {
 
 }  // namespace
 
-EXPORTED(take) void* take(int bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
-EXPORTED(give_back) void give_back(void* memory) { std::free(memory); }
-
 /// Reads the globe's PNG or JPEG; returns the ways to draw it, with what is known beforehand.
 EXPORTED(begin) const char* begin(const std::uint8_t* bytes, int size) {
-  try {
+  return answer([&] {
     trade = std::make_unique<Trade>(decode_image({bytes, static_cast<std::size_t>(size)}));
-  } catch (const std::exception& error) {
-    return kept(std::string("!") + error.what());
-  }
-  return kept(
-      Json::object(
-          {{"width", trade->view.width},
-           {"height", trade->view.height},
-           {"map", Json::list({double(map_width), double(map_height)})},
-           {"ways", Json::list_of(trade->rows,
-                                  [](const Row& row) {
-                                    return Json::object(
-                                        {{"number", name_of(row.variant.number)},
-                                         {"kernel", name_of_kernel(row.variant.degree)},
-                                         {"budget", budget_for(row.variant.degree,
-                                                               trade->globe.nearest.image)}});
-                                  })}})
-          .text);
+    return Json::object(
+               {{"width", trade->view.width},
+                {"height", trade->view.height},
+                {"map", Json::list({double(map_width), double(map_height)})},
+                {"ways", Json::list_of(trade->rows,
+                                       [](const Row& row) {
+                                         return Json::object(
+                                             {{"number", name_of(row.variant.number)},
+                                              {"kernel", name_of_kernel(row.variant.degree)},
+                                              {"budget", budget_for(row.variant.degree,
+                                                                    trade->globe.nearest.image)}});
+                                       })}})
+        .text;
+  });
 }
 
 /// Compares a way with the judge: its bound, what is seen, and how many pixels change. The first
@@ -112,17 +89,19 @@ EXPORTED(compare) const char* compare(int way) {
   }
   Row& row = trade->rows[static_cast<std::size_t>(way)];
   find_errors_of_place(row, trade->globe, trade->view, trade->hits);
-  return kept(Json::object({{"bound", row.bound},
-                            {"worst", row.worst},
-                            {"changed", row.changed},
-                            {"may_change", row.may_change},
-                            {"levels", row.levels}})
-                  .text);
+  return answer([&] {
+    return Json::object({{"bound", row.bound},
+                         {"worst", row.worst},
+                         {"changed", row.changed},
+                         {"may_change", row.may_change},
+                         {"levels", row.levels}})
+        .text;
+  });
 }
 
 /// The picture of a way, 4 bytes a pixel.
 EXPORTED(draw) const std::uint8_t* draw(int way) {
-  return with_alpha(
+  return rgba_of(
       picture_of(trade->globe, trade->view, trade->rows[static_cast<std::size_t>(way)].variant, 1));
 }
 
@@ -139,17 +118,19 @@ EXPORTED(choose) const char* choose(double limit, const double* times) {
   const auto number = [](const Row* row) {
     return row == nullptr ? -1 : int(row - trade->rows.data());
   };
-  return kept(
-      Json::object({{"best", number(fastest(within))},
-                    {"front", Json::list_of(pareto_front(all),
-                                            [&](const Row* row) { return Json(number(row)); })}})
-          .text);
+  return answer([&] {
+    return Json::object(
+               {{"best", number(fastest(within))},
+                {"front", Json::list_of(pareto_front(all),
+                                        [&](const Row* row) { return Json(number(row)); })}})
+        .text;
+  });
 }
 
 /// Where the picture of a way differs from the judge's.
 EXPORTED(show_changes) const std::uint8_t* show_changes(int way) {
   Trade& t = *trade;
-  return with_alpha(
+  return rgba_of(
       differences(picture_of(t.globe, t.view, t.rows[static_cast<std::size_t>(way)].variant, 1),
                   t.reference, 1));
 }
@@ -185,30 +166,32 @@ EXPORTED(probe) const Probe* probe(int of_map) {
 
 /// The coefficients of a degree's polynomials, as FastUnitMapping has them.
 EXPORTED(coefficients) const char* coefficients(int degree) {
-  return kept(with_uv_mapping(degree, [&]<class Mapping>(const Mapping&) {
-    if constexpr (requires { Mapping::degree; }) {
-      const auto list = [](const auto& powers) {
-        return Json::list_of(powers, [](long double power) { return Json(double(power)); });
-      };
-      return Json::object({{"tangent", list(ArcTangentFit<Mapping::degree>::powers)},
-                           {"cosine", list(ArcCosineFit<Mapping::degree>::powers)}})
-          .text;
-    } else {
-      return std::string("!this degree has no polynomial");
-    }
-  }));
+  return answer([&] {
+    return with_uv_mapping(degree, [&]<class Mapping>(const Mapping&) {
+      if constexpr (requires { Mapping::degree; }) {
+        const auto list = [](const auto& powers) {
+          return Json::list_of(powers, [](long double power) { return Json(double(power)); });
+        };
+        return Json::object({{"tangent", list(ArcTangentFit<Mapping::degree>::powers)},
+                             {"cosine", list(ArcCosineFit<Mapping::degree>::powers)}})
+            .text;
+      } else {
+        return std::string("!this degree has no polynomial");
+      }
+    });
+  });
 }
 
-/// Holds (u, v) that were computed elsewhere, two floats a probe, against double's of the same
-/// direction: texels off at worst, in all, beside the seam and beside the poles, and how many
-/// probes show another texel. The picture of the errors follows from `judged`.
+/// Compares (u, v) that were computed elsewhere, two floats a probe, with double's for the same
+/// direction. Returns the largest error in texels, of all probes, near the seam and near the poles,
+/// and how many probes read another texel.
 EXPORTED(judge) const char* judge(const float* uv) {
   const Trade& t = *trade;
   const Size texels{t.globe.nearest.image.width, t.globe.nearest.image.height};
   double worst = 0, seam = 0, pole = 0;
   int changed = 0;
   std::vector<double> off;
-  drawn.clear();
+  errors = Image(static_cast<int>(probes.size()), 1);
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const auto& [x, y, z, met] = probes[i];
     Rgb color = gray(0.0);
@@ -228,16 +211,19 @@ EXPORTED(judge) const char* judge(const float* uv) {
       if (!(a.r == b.r && a.g == b.g && a.b == b.b)) ++changed;
       color = live::color_of_error(texel_off);
     }
-    drawn.insert(drawn.end(), {byte_of(color.r), byte_of(color.g), byte_of(color.b), 255});
+    errors.pixels[i] = {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
   }
   const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
   std::nth_element(off.begin(), middle, off.end());
-  return kept(Json::object({{"worst", worst},
-                            {"median", *middle},
-                            {"seam", seam},
-                            {"pole", pole},
-                            {"changed", changed},
-                            {"probes", int(off.size())}})
-                  .text);
+  return answer([&] {
+    return Json::object({{"worst", worst},
+                         {"median", *middle},
+                         {"seam", seam},
+                         {"pole", pole},
+                         {"changed", changed},
+                         {"probes", int(off.size())}})
+        .text;
+  });
 }
-EXPORTED(judged) const std::uint8_t* judged() { return drawn.data(); }
+/// The errors of the last comparison as colors, 4 bytes a probe.
+EXPORTED(judged) const std::uint8_t* judged() { return rgba_of(errors); }

@@ -1,9 +1,7 @@
 // The WebAssembly module of chapter 14's live picture: the chapter's exhibits, each with a number
-// that a slider sets. Texts end with a zero byte; one that begins with ! says what went wrong.
-// Texts and pixels stay where they are until the next call.
+// that a slider sets.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,8 +10,7 @@
 #include "engine/measure/json.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/render/render.hpp"
-
-#define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
+#include "exported.hpp"
 
 namespace {
 
@@ -30,13 +27,6 @@ struct Dial {
   std::function<Image(double value, Formulas formulas, bool in_float, int width, int height)> draw;
 };
 std::vector<Dial> dials;
-std::vector<std::uint8_t> drawn;
-
-const char* kept(std::string text) {
-  static std::string last;
-  last = std::move(text);
-  return last.c_str();
-}
 
 /// Draws the scene that `scene_at` makes of a value.
 template <class SceneAt>
@@ -118,35 +108,29 @@ std::vector<Dial> all_dials(const Image& earth) {
 
 }  // namespace
 
-EXPORTED(take) void* take(int bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
-EXPORTED(give_back) void give_back(void* memory) { std::free(memory); }
-
 /// Reads the globe's PNG or JPEG; returns the exhibits and their sliders.
 EXPORTED(begin) const char* begin(const std::uint8_t* bytes, int size) {
-  try {
+  return answer([&] {
     dials = all_dials(decode_image({bytes, static_cast<std::size_t>(size)}));
-  } catch (const std::exception& error) {
-    return kept(std::string("!") + error.what());
-  }
-  return kept(Json::list_of(dials, [](const Dial& dial) {
-                return Json::object({{"exhibit", dial.exhibit},
-                                     {"label", dial.label},
-                                     {"value", dial.value},
-                                     {"least", dial.least},
-                                     {"most", dial.most},
-                                     {"published", dial.published},
-                                     {"course", dial.course}});
-              }).text);
+    return Json::list_of(dials,
+                         [](const Dial& dial) {
+                           return Json::object({{"exhibit", dial.exhibit},
+                                                {"label", dial.label},
+                                                {"value", dial.value},
+                                                {"least", dial.least},
+                                                {"most", dial.most},
+                                                {"published", dial.published},
+                                                {"course", dial.course}});
+                         })
+        .text;
+  });
 }
 
 /// A picture of an exhibit at a value, 4 bytes a pixel.
 EXPORTED(draw)
 const std::uint8_t* draw(int dial, double value, int published, int in_float, int width,
                          int height) {
-  const Image image = dials[static_cast<std::size_t>(dial)].draw(
-      value, published != 0 ? Formulas::published : Formulas::robust, in_float != 0, width, height);
-  drawn.clear();
-  for (const Rgb8& pixel : image.pixels)
-    drawn.insert(drawn.end(), {pixel.r, pixel.g, pixel.b, 255});
-  return drawn.data();
+  return rgba_of(dials[static_cast<std::size_t>(dial)].draw(
+      value, published != 0 ? Formulas::published : Formulas::robust, in_float != 0, width,
+      height));
 }

@@ -1,13 +1,8 @@
-// The WebAssembly module of the live chapters: what a page calls, with memory for what it hands
-// over. Texts end with a zero byte, one that begins with ! says what went wrong, and texts and
-// pixels stay where they are until the next call.
+// The WebAssembly module of the live chapters: what a page calls.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <map>
 #include <memory>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,33 +12,17 @@
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
+#include "exported.hpp"
 #include "live.hpp"
-
-#define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
 
 using namespace texmap;
 
 std::unique_ptr<live::LiveLesson> lesson;
-std::vector<std::uint8_t> drawn;
 Image decoded;
 std::map<std::string, Image> pictures;  // those that the page handed over
 std::map<std::string, std::vector<std::uint8_t>> files;
-
-/// The text that `work` returns, or why it failed; valid until the next call.
-template <class Work>
-const char* answer(const Work& work) {
-  static std::string text;
-  try {
-    text = work();
-  } catch (const std::bad_alloc&) {
-    text = "!there is not enough memory for this";
-  } catch (const std::exception& error) {
-    text = std::string("!") + error.what();
-  }
-  return text.c_str();
-}
 
 /// The words of a text that ends each with a line feed.
 std::vector<std::string> words_of(const char* lines) {
@@ -57,16 +36,6 @@ std::vector<std::string> words_of(const char* lines) {
   }
   words.pop_back();
   return words;
-}
-
-/// Pixels as a page takes them, 4 bytes each.
-const std::uint8_t* rgba_of(const Image& image) {
-  drawn.resize(image.pixels.size() * 4);
-  auto out = drawn.begin();
-  for (const Rgb8& pixel : image.pixels) {
-    for (const std::uint8_t byte : {pixel.r, pixel.g, pixel.b, std::uint8_t{255}}) *out++ = byte;
-  }
-  return drawn.data();
 }
 
 }  // namespace
@@ -95,10 +64,6 @@ SavingTime save_png(const Image&, const std::filesystem::path& path) {
 }
 
 }  // namespace texmap
-
-/// Memory for what the page hands over; the page gives it back.
-EXPORTED(take) void* take(int bytes) { return std::malloc(static_cast<std::size_t>(bytes)); }
-EXPORTED(give_back) void give_back(void* memory) { std::free(memory); }
 
 /// Reads a PNG or JPEG file; returns columns and rows.
 EXPORTED(decode) const char* decode(const char* name, const std::uint8_t* bytes, int size) {
