@@ -2,6 +2,7 @@
 // written them fast. The pixels stay.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/render/threads.hpp"
 #include "engine/system/system.hpp"
 
 namespace {
@@ -24,9 +26,9 @@ using File = std::vector<std::uint8_t>;
 
 /// What a folder's pictures took, and take now.
 struct Packed {
-  int pictures = 0;
-  std::size_t before = 0;
-  std::size_t after = 0;
+  std::atomic<int> pictures = 0;
+  std::atomic<std::size_t> before = 0;
+  std::atomic<std::size_t> after = 0;
 };
 
 /// Only plain files are packed again, with 8 bits a channel, RGB and one chunk of pixels: others
@@ -53,16 +55,15 @@ void pack(const std::filesystem::path& path, Packed& packed) {
   });
 }
 
-Packed pack_folder(const std::filesystem::path& folder) {
+void pack_folder(const std::filesystem::path& folder, Packed& packed) {
   std::vector<std::filesystem::path> pictures;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file() && !entry.is_symlink() && entry.path().extension() == ".png")
       pictures.push_back(entry.path());
   }
   std::sort(pictures.begin(), pictures.end());
-  Packed packed;
-  for (const std::filesystem::path& picture : pictures) pack(picture, packed);
-  return packed;
+  for_each_row(static_cast<int>(pictures.size()), 0, {},
+               [&](int i) { pack(pictures[static_cast<std::size_t>(i)], packed); });
 }
 
 }  // namespace
@@ -74,9 +75,10 @@ int main(int argc, char** argv) {
   line.statuses("0 all are packed; 1 one could not be; 2 the command line is wrong");
   return run_guarded(line, [&] {
     if (!line.parse(argc, argv)) return;
-    const Packed packed = pack_folder(path_of(folder));
+    Packed packed;
+    pack_folder(path_of(folder), packed);
     if (packed.pictures == 0) return;
-    print(text("%d pictures packed: %zu KB instead of %zu\n", packed.pictures, packed.after / 1024,
-               packed.before / 1024));
+    print(text("%d pictures packed: %zu KB instead of %zu\n", packed.pictures.load(),
+               packed.after / 1024, packed.before / 1024));
   });
 }
