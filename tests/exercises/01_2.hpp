@@ -1,17 +1,19 @@
-// Exercise 01.2: how straight the light falls
+// Exercise 01.2: light on thin paper
 //
-// point is on a surface; normal points away from the surface there, and its length is 1. lamp is
-// the lamp's position. Return the cosine of the angle between the normal and the direction to the
-// lamp, and 0 if the lamp is behind the surface.
+// The balls are of thin paper. The side that faces the lamp gets the cosine of the angle between
+// its normal and the direction to the lamp. The other side gets the given share, 0 to 1, of the
+// light that falls on the paper from behind. Slanted light counts less there, too.
+// point is on the paper; normal points away from it there, and its length is 1. lamp is the lamp's
+// position. Return the light that the side with this normal gets.
 #include "exercise.hpp"
 
-double cosine_of(Vec3 point, Vec3 normal, Vec3 lamp) {
+double light_on_paper(Vec3 point, Vec3 normal, Vec3 lamp, double share) {
   // solution
-  return std::max(dot(normal, normalize(lamp - point)), 0.0);
-  // start: // Your line here. dot(v, w), normalize(v) and std::max(x, y) are there.
-  // start: // std::max needs two numbers of one type: write 0.0, because 0 is an int.
-  // start: return 0.5;
+  const double cosine = dot(normal, normalize(lamp - point));
+  return cosine > 0 ? cosine : share * -cosine;
+  // start: // Your lines here. dot(v, w) and normalize(v) are there.
+  // start: return share;
 }
 // hint: The dot product of two vectors of length 1 is the cosine of the angle between them.
 // hint: lamp - point goes from the point to the lamp. normalize(...) gives it the length 1.
-// hint: Behind the surface the cosine is negative. std::max(cosine, 0.0) cuts that off.
+// hint: If the cosine is negative, the lamp is behind: what is the cosine for the normal -normal?

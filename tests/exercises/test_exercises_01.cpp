@@ -23,16 +23,42 @@ TEST_CASE("01: strangers' answers get their words") {
   by_roots("cut away", [](D t, D u, auto left) { return t > 0 ? t : u > 0 ? u : infinity; });
   by_roots("behind the origin", [](D t, D u, auto left) { return std::isnan(t) ? infinity : t; });
 
-  cosine_of("", [](V p, V n, V l) { return 0.4; });
-  cosine_of("lamp is a position", [](V p, V n, V l) { return max(dot(n, l), 0.0); });
-  cosine_of("cross product", [](V p, V n, V l) { return length(cross(normalize(l - p), n)); });
+  light_on_paper("", [](V p, V n, V l, D s) { return 0.4; });
+  light_on_paper("lamp is a position", [](V p, V n, V l, D s) { return max(dot(n, l), 0.0); });
+  const auto by_cosine = [](const char* text, auto light) {
+    light_on_paper(text, [=](V p, V n, V l, D s) { return light(dot(n, normalize(l - p)), s); });
+  };
+  light_on_paper.right([](V p, V n, V l, D s) {  // it asks first, and calculates in float
+    const float c = dot(normalize(l - p), n);
+    if (c < 0) return s * dot(-n, normalize(l - p));
+    return D(c);
+  });
+  by_cosine("is dark", [](D c, D s) { return max(c, 0.0); });
+  by_cosine("share is missing", [](D c, D s) { return abs(c); });
+  by_cosine("from behind, too", [](D c, D s) { return c < 0 ? s : c; });
+  by_cosine("negative light", [](D c, D s) { return c < 0 ? s * c : c; });
 
   using Hit = const FirstHit&;
-  in_shadow("behind the surface", [](V p, V n, V l, Hit) { return dot(n, normalize(l - p)) <= 0; });
-  const auto from = [](const char* text, auto hidden) {  // the ray starts where it has to
-    in_shadow(text, [=](V p, V n, V l, Hit hit) { return hidden(p + 0.001 * n, l, hit); });
+  using Row = const std::vector<V>&;
+  const auto by_share = [](const char* text, auto seen, auto share) {  // of start, lamp, way
+    visible(text, [=](V p, V n, Row lamps, Hit hit) {
+      int count = 0;
+      for (const V lamp : lamps) count += seen(p + 0.001 * n, lamp, hit);
+      return share(count, int(lamps.size()));
+    });
   };
-  from("direction and distance do not fit",
-       [](V s, V l, Hit hit) { return hit(s, l - s) < length(l - s); });
-  from("true everywhere", [](V s, V l, Hit hit) { return hit(s, normalize(l - s)) > 0; });
+  const auto right = [](V s, V l, Hit hit) { return hit(s, l - s) > 1; };
+  const auto part = [](int seen, int all) { return 1. * seen / all; };
+  visible.right([=](V p, V n, Row lamps, Hit hit) {
+    float hidden = 0;
+    for (const V& l : lamps) hidden += right(p + n / 1000, l, hit) ? 0 : 1.F / lamps.size();
+    return 1 - hidden;
+  });
+  by_share("no decimals", right, [](int seen, int all) { return D(seen / all); });
+  by_share("how many lamps", right, [](int seen, int all) { return D(seen); });
+  by_share(
+      "direction and distance do not fit",
+      [](V s, V l, Hit hit) { return hit(s, l - s) > length(l - s); }, part);
+  by_share(
+      "behind the lamp", [](V s, V l, Hit hit) { return hit(s, l - s) == infinity; }, part);
 }

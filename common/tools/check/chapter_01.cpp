@@ -1,14 +1,17 @@
 // The exercises of chapter 01. The lesson is the chapter's own. Its color_along and sample_light
 // are these here, which call the student's function.
+#include <span>
+
 #include "exercises.hpp"
 #include "scene/light.hpp"
 
 namespace texmap::chapter_01 {
 
 using FirstHit = std::function<double(Vec3d, Vec3d)>;
+using Lamps = std::vector<Vec3d>;
 static std::function<double(Vec3d, Vec3d, Vec3d, double, double)> distance_to_bowl;
-static std::function<double(Vec3d, Vec3d, Vec3d)> cosine_of;
-static std::function<bool(Vec3d, Vec3d, Vec3d, const FirstHit&)> in_shadow;
+static std::function<double(Vec3d, Vec3d, Vec3d, double)> light_on_paper;
+static std::function<double(Vec3d, Vec3d, const Lamps&, const FirstHit&)> visible;
 
 static const double never = infinity<double>();  // a ray meets nothing
 
@@ -57,15 +60,16 @@ inline constexpr struct {
 inline constexpr struct {
   LightSample<double> operator()(const PointLight& light, const auto& objects,
                                  const Hit<double>& hit) const {
-    const Vec3d path = light.position - hit.point;
-    const Ray<double> ray{hit.outside, normalize(path)};
-    const double cosine = cosine_of ? cosine_of(hit.point, hit.normal, light.position)
-                                    : std::max(dot(hit.normal, ray.direction), 0.0);
-    if (cosine <= 0) return {ray.direction, cosine};
-    const bool hidden =
-        in_shadow ? in_shadow(hit.point, hit.normal, light.position, first_hit_on(objects))
-                  : is_occluded(objects, ray, length(path), hit.object);
-    return {ray.direction, hidden ? 0 : cosine};
+    const auto shadows = std::span(objects).first(visible || light_on_paper ? 0 : objects.size());
+    LightSample<double> sample = texmap::sample_light(light, shadows, hit);
+    if (light_on_paper) sample.cosine = light_on_paper(hit.point, hit.normal, light.position, 0.6);
+    if (visible && sample.cosine > 0) {
+      Lamps row;
+      for (const double x : {-1.2, -0.6, 0., 0.6, 1.2})
+        row.push_back(light.position + Vec3d{x, 0, -x});
+      sample.cosine *= visible(hit.point, hit.normal, row, first_hit_on(objects));
+    }
+    return sample;
   }
 } sample_light;
 
@@ -216,68 +220,86 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double, double> distance_to_bowl_places[] =
      {{0, 3, 3}, {0, -1, -1}, zero, 1, 0.5}},
 };
 
-Slips<double> wrong_cosines(Vec3d p, Vec3d n, Vec3d lamp) {
+double right_light(Vec3d p, Vec3d n, Vec3d lamp, double share) {
+  const double cosine = dot(n, normalize(lamp - p));
+  return cosine > 0 ? cosine : -cosine * share;
+}
+
+Slips<double> wrong_lights(Vec3d p, Vec3d n, Vec3d lamp, double share) {
   const Vec3d to = normalize(lamp - p);
   const Vec3d outward = normalize(p);
   const double c = dot(n, to);
   const double away = length(lamp - p);
   const double long_c = c * away;
   const double cut = max(c, 0.0);
-  const Slips<double> not_cut = {
-      {"the signs are wrong: the direction or the normal points inward, so the dark side is lit",
-       {-long_c, max(-c, 0.0)}},
+  const auto sides = [](double front, double back) {
+    return [=](double cosine) { return cosine * (cosine > 0 ? front : -back); };
+  };
+  const auto light = [=](double front, double back) { return sides(front, back)(c); };
+  const Slips<double> cosines = {
+      {"the direction to the lamp does not have length 1: normalize it", long_c},
+      {"the sides are exchanged: the one that faces the lamp gets all of its light", {-c, -long_c}},
       {"lamp is a position: subtract the point to get the direction from there to the lamp",
        {dot(n, normalize(lamp)), dot(n, lamp)}},
       {"between point and lamp is lamp - point, not their sum", dot(n, normalize(lamp + p))},
       {"the direction to the lamp begins at the point: subtract point, not normal",
        {dot(n, normalize(lamp - n)), dot(n, normalize(lamp - p - n))}},
       {"subtract first: it is lamp - point as a whole that gets the length 1",
-       {dot(n, normalize(lamp) - p), dot(n, normalize(lamp) - outward),
-        dot(n, normalize(normalize(lamp) - outward)), long_c / length(lamp)}},
+       {dot(n, normalize(lamp) - p), dot(n, normalize(normalize(lamp) - outward)),
+        long_c / length(lamp)}},
       {"point is a position, no direction: the surface faces along normal",
-       {dot(p, to), dot(p, lamp - p), dot(outward, to), dot(p, lamp), dot(n, outward),
-        dot(outward, normalize(lamp))}},
+       {dot(p, to), dot(outward, to), dot(p, lamp), dot(outward, normalize(lamp))}},
       {"divide by the length of lamp - point, not by its square", c / away},
-      {"the distance of the lamp does not matter here: return the cosine alone", c / (away * away)},
-      {"this is the angle; the dot product already is its cosine",
-       {acos(c), acos(cut), acos(c) / radian, acos(cut) / radian, 1 - acos(c) * 2 / pi}},
-      {"return the cosine itself: do not multiply it by itself", {c * c, cut * cut}},
-      {"the dot product already is the cosine: take no std::cos of it", {cos(c), cos(cut)}},
+      {"the distance of the lamp does not matter here", c / (away * away)},
+      {"the light is the cosine itself: do not multiply it by itself", c * abs(c)},
       {"the cross product has the length of the sine: the cosine is the dot product",
        {length(cross(n, to)), sqrt(1 - c * c)}},
-      {"0.2 and 0.8 come later, with the color: return the cosine alone",
-       {0.2 + 0.8 * c, 0.8 * c, 0.2 + 0.8 * cut, max(c, 0.2)}},
   };
   return {
-      {"the direction to the lamp does not have length 1: normalize it",
-       {max(long_c, 0.0), clamp(long_c, 0.0, 1.0)}},
-      {"the direction to the lamp does not have length 1, and nothing is cut off at 0", long_c},
-      {"the signs are wrong, and nothing is cut off at 0", -c},
-      changed(not_cut, [](double value) { return max(value, 0.0); }),
-      not_cut,
-      {"a lamp behind the surface gives negative light: nothing is cut off at 0", c},
-      {"the side away from the lamp is lit, too: use std::max(c, 0.0), not the absolute value",
-       {abs(c), abs(long_c)}},
-      {"this says only whether the lamp is in front: return the cosine itself", c > 0 ? 1. : 0.},
-      {"std::min keeps the smaller number: std::max(c, 0.0) cuts off below 0",
-       {min(c, 0.0), min(-c, 0.0), min(long_c, 0.0)}},
+      changed(cosines, sides(1, share)),
+      {"the side away from the lamp is dark: it gets the share of what falls on the paper from "
+       "behind",
+       cut},
+      changed(cosines, [](double cosine) { return max(cosine, 0.0); }),
+      {"a lamp behind the paper gives negative light: there the light is share times -cosine",
+       {c, light(1, -share), long_c, c > 0 ? c : -share}},
+      {"the share is missing: the side away from the lamp gets no more than that", light(1, 1)},
+      {"the side that faces the lamp gets all of its light, not a share",
+       {light(share, share), light(1 - share, share), light(share, 0)}},
+      {"slanted light counts less from behind, too: multiply the share by the cosine",
+       {c > 0 ? c : share, max(c, share)}},
+      {"the share is for the side away from the lamp: add nothing to the other side's light",
+       {cut + share, cut + share * abs(c), cut + share * (1 - c)}},
+      {"the share goes through the paper, and 1 - share does not", light(1, 1 - share)},
+      {"the share is a factor: multiply by it", {light(1, 1 / share), c > 0 ? c : -c - share}},
+      {"0.2 and 0.8 come later, with the color: return the light alone",
+       {0.2 + 0.8 * cut, 0.2 + light(0.8, 0.8 * share), c > 0 ? c : 0.2}},
+      {"this is the angle; the dot product already is its cosine",
+       {acos(c), acos(cut), sides(1, share)(acos(c)), acos(c) / radian}},
+      {"this says only which side the lamp is on: multiply by the cosine",
+       {c > 0 ? 1. : 0., c > 0 ? 1 : share}},
+      {"std::min keeps the smaller number: std::max keeps the larger",
+       {min(c, 0.0), min(c, -share * c)}},
   };
 }
 
-double right_cosine(Vec3d p, Vec3d n, Vec3d lamp) { return max(dot(n, normalize(lamp - p)), 0.0); }
-constexpr Place<Vec3d, Vec3d, Vec3d> cosine_of_places[] = {
-    {"a lamp straight above, at distance 1: the cosine is 1", {zero, up, {0, 1, 0}}},
-    {"a lamp straight above, at distance 3: the cosine is 1, too", {zero, up, {0, 3, 0}}},
+constexpr Place<Vec3d, Vec3d, Vec3d, double> light_on_paper_places[] = {
+    {"a lamp straight above, at distance 1: the cosine is 1", {zero, up, {0, 1, 0}, 0.4}},
+    {"a lamp straight above, at distance 3: the cosine is 1, too", {zero, up, {0, 3, 0}, 0.4}},
     {"a lamp at 60 degrees from the normal: the cosine is 1/2",
-     {zero, up, {std::numbers::sqrt3, 1, 0}}},
+     {zero, up, {std::numbers::sqrt3, 1, 0}, 0.4}},
     {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
-     {{5, 0, 2}, up, {5 + std::numbers::sqrt3, 1, 2}}},
+     {{5, 0, 2}, up, {5 + std::numbers::sqrt3, 1, 2}, 0.4}},
     {"normal (1, 0, 0), point (0, 0, 0), lamp (0.3, 0, 0.4): the cosine is 0.6",
-     {zero, {1, 0, 0}, {0.3, 0, 0.4}}},
+     {zero, {1, 0, 0}, {0.3, 0, 0.4}, 0.25}},
     {"normal (0, 1, 0), point (0, 2, 0), lamp (3, 6, 0): the cosine is 0.8",
-     {{0, 2, 0}, up, {3, 6, 0}}},
-    {"a lamp behind the surface: return 0", {zero, up, {1, -2, 0}}},
-    {"a lamp in the plane of the surface: the cosine is 0", {zero, up, {0, 0, 2}}},
+     {{0, 2, 0}, up, {3, 6, 0}, 0.25}},
+    {"a lamp straight behind the paper, and the share 0.4: the light is 0.4",
+     {zero, up, {0, -3, 0}, 0.4}},
+    {"a lamp behind, at 60 degrees from the opposite of the normal: half of the share",
+     {{5, 0, 2}, up, {5 + std::numbers::sqrt3, -1, 2}, 0.4}},
+    {"normal (0, 1, 0), point (0, 2, 0), lamp (3, -2, 0), share 0.25: 0.25 times 0.8",
+     {{0, 2, 0}, up, {3, -2, 0}, 0.25}},
 };
 
 /// Whether something is nearer than the lamp along a ray that starts so far above the point.
@@ -286,6 +308,13 @@ bool is_hidden(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hit, double l
   return first_hit(start, normalize(lamp - start)) < length(lamp - start);
 }
 
+double right_share(Vec3d p, Vec3d n, const Lamps& lamps, const FirstHit& first_hit) {
+  double seen = 0;
+  for (const Vec3d& lamp : lamps) seen += is_hidden(p, n, lamp, first_hit) ? 0 : 1;
+  return seen / double(lamps.size());
+}
+
+/// Whether one lamp is hidden.
 Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hit) {
   const auto* backward = "the ray runs away from the lamp: its direction is lamp - point";
   const auto* position = "lamp is a position: the direction is lamp - start";
@@ -298,9 +327,8 @@ Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hi
        first_hit(p * 1.001, normalize(lamp - p * 1.001)) < length(lamp - p * 1.001)},
       {"the ray starts too far above the surface and misses what is nearer: add normal * 0.001",
        lifted(1)},
-      {"this is never true: compare what first_hit returns with the distance of the lamp", false},
-      {"this is true everywhere: compare what first_hit returns with the distance of the lamp",
-       true},
+      {"every lamp is seen: compare what first_hit returns with the distance of the lamp", false},
+      {"no lamp is seen: compare what first_hit returns with the distance of the lamp", true},
       {"this says whether the lamp is behind the surface: ask first_hit what is in between",
        dot(n, lamp - p) < 0},
       {"a ray from the lamp meets the sphere of the point, too: start at the point",
@@ -336,11 +364,47 @@ Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hi
          hits(normalize(lamp + start), one)},
         {"you look along the normal: the direction to the lamp is lamp - start", hits(n)},
         {"first_hit takes the start first, then the direction", first_hit(to, start) < away},
-        {"true and false are exchanged: the lamp is hidden if something is nearer than it",
+        {"this is the share of the hidden lamps: a lamp is hidden if something is nearer than it",
          {!hit(to, away), !hit(to, never), !hit(path, away), !hit(to, 1)}},
     };
   }
   return wrong;
+}
+
+Slips<double> wrong_shares(Vec3d p, Vec3d n, const Lamps& lamps, const FirstHit& first_hit) {
+  const auto count = double(lamps.size());
+  const auto of_one = [&](const Vec3d& lamp) { return is_hidden(p, n, lamp, first_hit) ? 0. : 1.; };
+  const double right = right_share(p, n, lamps, first_hit), seen = right * count;
+  const double first = of_one(lamps.front()), last = of_one(lamps.back());
+  Slips<double> hidden = changed(wrong_shadows(p, n, lamps[0], first_hit), [](bool) { return 0.; });
+  for (const Vec3d& lamp : lamps)
+    hidden = combined(std::plus<>(), hidden, wrong_shadows(p, n, lamp, first_hit));
+  return {
+      {"this is how many lamps the point sees: divide by lamps.size()", seen},
+      {"this is 1 only where all lamps are seen: count them, and divide in double, because the "
+       "quotient of whole numbers has no decimals",
+       floor(right)},
+      {"your loop ends with the first lamp: count in the loop, and return after it",
+       {first, first / count}},
+      {"only the last lamp counts: add 1 for each that is seen", {last, last / count}},
+      {"one lamp that the point sees is not all: count them", ceil(right)},
+      {"a lamp in the middle does not stand for the row: ask for each lamp",
+       of_one((lamps.front() + lamps.back()) * 0.5)},
+      {"divide by how many lamps there are, not by one less or more",
+       {seen / (count - 1), seen / (count + 1)}},
+      {"a lamp is missing: all count, from the first to the last",
+       {(seen - first) / count, (seen - last) / count}},
+      changed(hidden, [=](double lamps_hidden) { return 1 - lamps_hidden / count; }),
+  };
+}
+
+/// Draws the chapter's scene with the lamp, or the middle of a row of them, there.
+std::function<Image()> picture_with_lamp(const Vec3d& lamp) {
+  return [=] {
+    auto lesson = prepared<Lesson>();
+    lesson.stage.light.position = lamp;
+    return picture_of(lesson);
+  };
 }
 
 }  // namespace
@@ -352,45 +416,44 @@ const ExercisesOfChapter& exercises_of_chapter() {
                                                     {{{6, 0, 0}, 1}, {}},
                                                     {{{0, -1.5, 0}, 0.25}, {}}};
   static const FirstHit all = first_hit_on(balls);
-  static const Place<Vec3d, Vec3d, Vec3d, FirstHit> in_shadow_places[] = {
-      {"a sphere is between the point and the lamp: the lamp is hidden", {up, up, {0, 8, 0}, all}},
-      {"nothing is between the point and the lamp: the lamp is not hidden",
-       {up, up, {5, 5, 0}, all}},
+  static const Place<Vec3d, Vec3d, Lamps, FirstHit> visible_places[] = {
+      {"one lamp, and a sphere between it and the point: 0", {up, up, {{0, 8, 0}}, all}},
+      {"one lamp, and nothing between it and the point: 1", {up, up, {{5, 5, 0}}, all}},
+      {"of two lamps the first is hidden: 1/2", {up, up, {{0, 8, 0}, {5, 5, 0}}, all}},
+      {"of four lamps the last is hidden: 3/4",
+       {up, up, {{5, 5, 0}, {-5, 5, 0}, {0, 2, 5}, {0, 9, 0}}, all}},
+      {"a sphere hides the middle between two lamps, and none of the lamps: 1",
+       {up, up, {{-4, 8, 0}, {4, 8, 0}}, all}},
       {"rounding put the point 1e-12 below its own sphere: this sphere does not hide the lamp",
-       {{0, 1 - 1e-12, 0}, up, {5, 5, 0}, all}},
+       {{0, 1 - 1e-12, 0}, up, {{5, 5, 0}}, all}},
       {"a point under a sphere, and nothing between it and the lamp below: it is not hidden",
-       {down, down, {5, -5, 0}, all}},
-      {"a sphere behind the lamp does not hide the lamp", {up, up, {0, 3, 0}, all}},
+       {down, down, {{5, -5, 0}}, all}},
+      {"a sphere behind the lamp does not hide the lamp", {up, up, {{0, 3, 0}}, all}},
       {"a sphere 5 times as far away as the lamp does not hide the lamp",
-       {{0, 4.5, 0}, up, {0, 7.3, 0}, all}},
+       {{0, 4.5, 0}, up, {{0, 7.3, 0}}, all}},
       {"a sphere on the other side of the point does not hide the lamp",
-       {{0, 7, 0}, up, {0, 10, 0}, all}},
+       {{0, 7, 0}, up, {{0, 10, 0}}, all}},
       {"point (5, 0, 0), normal (-1, 0, 0), lamp (1, 6, 0): nothing is in between",
-       {{5, 0, 0}, left, {1, 6, 0}, all}},
+       {{5, 0, 0}, left, {{1, 6, 0}}, all}},
       {"point (5, 0, 0), normal (-1, 0, 0), lamp (-2, 4, 0): nothing is in between",
-       {{5, 0, 0}, left, {-2, 4, 0}, all}},
+       {{5, 0, 0}, left, {{-2, 4, 0}}, all}},
       {"point (6, 1, 0), normal (0, 1, 0), lamp (9, 5, 0): nothing is in between",
-       {{6, 1, 0}, up, {9, 5, 0}, all}},
+       {{6, 1, 0}, up, {{9, 5, 0}}, all}},
       {"a sphere that is 4 away does not hide a lamp that is 0.8 away",
-       {{5, 0, 0}, left, {4.2, 0, 0}, all}},
-      {"a sphere that is 4 away hides a lamp that is 8 away", {{5, 0, 0}, left, {-3, 0, 0}, all}},
-      {"a sphere that is 1/4 away hides the lamp", {down, down, {0, -6, 0}, all}},
+       {{5, 0, 0}, left, {{4.2, 0, 0}}, all}},
+      {"a sphere that is 4 away hides a lamp that is 8 away", {{5, 0, 0}, left, {{-3, 0, 0}}, all}},
+      {"a sphere that is 1/4 away hides the lamp", {down, down, {{0, -6, 0}}, all}},
       {"a lamp behind the surface: the point's own sphere hides it",
-       {{7, 0, 0}, {1, 0, 0}, {2, 3, 0}, all}},
+       {{7, 0, 0}, {1, 0, 0}, {{2, 3, 0}}, all}},
   };
   static const ExercisesOfChapter chapter{
       "01",
       {exercise(distance_to_bowl, picture<Lesson>(),
                 {right_distance, wrong_distances, distance_to_bowl_places}),
-       exercise(cosine_of, picture<Lesson>(), {right_cosine, wrong_cosines, cosine_of_places}),
-       exercise(in_shadow,
-                [] {
-                  auto lesson = prepared<Lesson>();
-                  // Between the left and the middle sphere: now spheres are behind the lamp, too.
-                  lesson.stage.light.position = {-1.3, 0.8, 1.2};
-                  return picture_of(lesson);
-                },
-                {[](auto... at) { return is_hidden(at...); }, wrong_shadows, in_shadow_places})},
+       exercise(light_on_paper, picture_with_lamp({0.3, 0.6, 0.2}),
+                {right_light, wrong_lights, light_on_paper_places}),
+       exercise(visible, picture_with_lamp({3, 3, 5}),
+                {right_share, wrong_shares, visible_places})},
       {{"The right sphere has the color (0.2, 0.2, 0.8), and one of its points is in shadow. Which "
         "number, 0 to 255, does the pixel there have for blue? Decimals are cut off.",
         [] { return double(byte_of(blue.b * Lesson{}.surface.ambient)); },
