@@ -26,8 +26,22 @@ TEST_CASE("02: strangers' answers get their words") {
   is_first_color("toward 0", [](D x, D z, D s) { return (int(x / s) + int(z / s)) % 2 == 0; });
   is_first_color.right([](D x, D z, D s) { return sin(x / s * pi) * sin(z / s * pi) >= 0; });
 
-  twice_around("goes on there", [](Uv uv) { return Uv{min(1.0, 2 * uv.u), uv.v}; });
-  twice_around.right([](Uv uv) { return Uv{fmod(2 * uv.u, 1), uv.v}; });
-  twice_around("multiplies by its 10", [](Uv uv) { return Uv{fmod(10 * uv.u, 1), uv.v}; });
-  twice_around("drops the decimals", [](Uv uv) { return Uv{D(int(2 * uv.u)), uv.v}; });
+  const auto by_row = [](const char* text, auto row_of, auto shift) {
+    as_bricks(text, [=](Uv uv, int n) {
+      return Uv{uv.u + (row_of(uv.v * n) % 2 == 0 ? 0 : shift(n)), uv.v};
+    });
+  };
+  const auto down = [](D row) { return int(row); };
+  by_row("nothing is moved", down, [](int n) { return 1 / (2 * n); });
+  by_row("further east", down, [](int n) { return -0.5 / n; });
+  by_row("a whole brick", down, [](int n) { return 1. / n; });
+  by_row(
+      "no rounding", [](D row) { return int(row + 0.5); }, [](int n) { return 0.5 / n; });
+  as_bricks("more than the row", [](Uv uv, int n) {
+    return Uv{uv.u + int(uv.v * n) * 0.5 / n, uv.v};
+  });
+  as_bricks.right([](Uv uv, int n) {  // within the map, and in float
+    const float u = uv.u + std::lround(floor(uv.v * n)) % 2 / (2.F * n);
+    return Uv{fmod(u, 1), uv.v};
+  });
 }

@@ -10,13 +10,12 @@ namespace texmap::chapter_02 {
 
 static std::function<Uv<double>(Vec3d)> uv_of;
 static std::function<bool(double, double, double)> is_first_color;
-static std::function<Uv<double>(Uv<double>)> twice_around;
+static std::function<Uv<double>(Uv<double>, int)> as_bricks;
 
 struct RtiowMapping {
   Uv<double> operator()(const Hit<double>& hit) const {
     if (is_first_color) return {hit.point.x, hit.point.z};
-    const Uv<double> uv = uv_of ? uv_of(hit.normal) : uv_rtiow(hit.normal);
-    return twice_around ? twice_around(uv) : uv;
+    return uv_of ? uv_of(hit.normal) : uv_rtiow(hit.normal);
   }
 };
 
@@ -25,8 +24,9 @@ struct Checkerboard {
   double squares = 10;
 
   Rgb operator()(const Uv<double>& uv) const {
-    if (!is_first_color) return texmap::Checkerboard{even, odd, squares}(uv);
-    return is_first_color(uv.u, uv.v, 0.75) ? even : odd;
+    if (is_first_color) return is_first_color(uv.u, uv.v, 0.75) ? even : odd;
+    const Uv<double> place = as_bricks ? as_bricks(uv, int(squares)) : uv;
+    return texmap::Checkerboard{even, odd, squares}(place);
   }
 };
 
@@ -164,53 +164,60 @@ constexpr Place<double, double, double> is_first_color_places[] = {
     {"on the edge x = 0 the square that begins there counts", {0, 0.5, 1}},
 };
 
-Slips<Place2> wrong_twice_around(Place2 uv) {
+Place2 right_bricks(Place2 uv, int squares) {
+  const bool odd = fmod(floor(uv.v * squares), 2) == 1;
+  return {uv.u + (odd ? 0.5 / squares : 0), uv.v};
+}
+
+Slips<Place2> wrong_bricks(Place2 uv, int squares) {
   const auto [u, v] = uv;
-  const double most = min(2 * u, 1.0);
+  const double half = 0.5 / squares;
+  const auto moved = [=](double row, double by) {
+    return Place2{fmod(row, 2) == 1 ? u + by : u, v};
+  };
+  const double row = floor(v * squares), right = moved(row, half).u;
   return {
-      {"v must stay as it is: the squares are smaller now, and still twice as wide as they are "
-       "high",
-       {{2 * u, 2 * v}, {2 * u, fmod(2 * v, 1.0)}, {2 * u, 10 * v}, {2 * u, 20 * v}}},
-      {"the pattern goes around once in two turns: multiply u, do not divide it", {u / 2, v}},
-      {"the squares are square, but larger and not twice around: multiply u, and leave v",
-       {u, v / 2}},
-      {"v must stay as it is: now the squares are twice as high as they are wide", {2 * u, v / 2}},
-      {"u is a whole number everywhere: 1 / 2 is 0 in C++, and static_cast<int> drops the "
-       "decimals; multiply u by 2",
-       {0, v}},
-      {"v must stay as it is: you lose it", {2 * u, 0}},
-      {"the pattern looks as it was: it goes around twice with 2 * u", uv},
-      {"that is more than twice around: the checkerboard itself multiplies by its 10 squares",
-       {10 * u, v}},
-      {"that is 20 times around: the checkerboard itself multiplies by its 10 squares",
-       {20 * u, v}},
-      {"that is four times around: u is multiplied by 2", {4 * u, v}},
-      {"u is a part of a turn, no angle: multiply it by 2 alone", {2 * pi * u, v}},
-      {"u may be more than 1: let it, the checkerboard goes on there", {{most, v}, {most, 2 * v}}},
-      {"adding to u only turns the pattern: multiply u",
-       {{u + 0.5, v}, {u + 0.25, v}, {2 * u + 0.5, v}}},
-      {"the pattern runs backward: u is multiplied by 2", {{-2 * u, v}, {1 - 2 * u, v}}},
-      {"that is three times around: u is multiplied by 2", {3 * u, v}},
-      {"in the second half the pattern runs backward: it is 2 * u there, too",
-       {u < 0.5 ? 2 * u : 2 - 2 * u, v}},
-      {"the second number of the result comes from v, and u is not in it",
-       {{2 * u, 2 * u}, {2 * u, u}}},
-      {"u and v are exchanged: u comes first, and it is multiplied by 2", {{v, 2 * u}, {2 * v, u}}},
-      {"twice is 2 * u, not u * u", {u * u, v}},
+      {"nothing is moved; if you add something, it is 0: in C++ 1 / 2 and 1 / squares are 0, and "
+       "so "
+       "is static_cast<int>(v)",
+       uv},
+      {"the bricks begin further east: the color that was at u + 1/2 brick should be at u",
+       moved(row, -half)},
+      {"that is a whole brick, and exchanges the colors: half a brick is 0.5 / squares",
+       moved(row, 2 * half)},
+      {"u is a part of a turn, and half a brick is 0.5 / squares",
+       {moved(row, 0.5), moved(row, half / 2)}},
+      {"there are `squares` rows and columns, not always 10",
+       {moved(row, 0.05), moved(floor(10 * v), half), moved(floor(10 * v), 0.05)}},
+      {"all rows are moved: rows 0, 2, 4 ... stay as they are", {u + half, v}},
+      {"row 0 stays as it is: rows 1, 3, 5 ... are moved", moved(row + 1, half)},
+      {"each row is moved by half a brick more than the row below it: move every second row",
+       {u + row * half, v}},
+      {"this moves every second column: the row comes from v", moved(floor(u * squares), half)},
+      {"a row goes from one whole number to the next: take std::floor, no rounding",
+       moved(round(v * squares), half)},
+      {"the bricks move along u: v must stay as it is",
+       {{u, moved(row, half).u - u + v}, {right, v + right - u}, {right, row}}},
+      {"u goes around once in a turn: the checkerboard itself multiplies by its squares",
+       {{right == u ? u : right * squares, v}, {right * squares, v * squares}, {u * squares, v}}},
+      {"half a brick is added to u, and u is not multiplied or divided",
+       {{right == u ? u : u / 2, v}, {right == u ? u : u * half, v}, {right == u ? u : half, v}}},
+      {"u and v are exchanged: u comes first", {v, right}},
   };
 }
 
-Place2 right_twice_around(Place2 uv) { return {2 * uv.u, uv.v}; }
 /// The pattern is the same one turn further.
 Place2 within_a_turn(const Place2& uv) { return {fraction(uv.u), uv.v}; }
-constexpr Place<Place2> twice_around_places[] = {
-    {"where the map begins, u stays 0, and v stays as it is", {{0, 0.5}}},
-    {"after half a turn, u = 1/2, the pattern has gone around once: u becomes 1", {{0.5, 0.5}}},
-    {"after three quarters of a turn u becomes 1.5: it may be more than 1", {{0.75, 0.25}}},
-    {"u = 1/4 becomes 1/2, and v stays as it is", {{0.25, 0.75}}},
-    {"u = 1/8 becomes 1/4", {{0.125, 0.5}}},
-    {"u = 1/10 becomes 1/5", {{0.1, 0.5}}},
-    {"u = 0.6 becomes 1.2", {{0.6, 0.5}}},
+constexpr Place<Place2, int> as_bricks_places[] = {
+    {"with 10 squares, (0.32, 0.05) is in row 0: it stays as it is", {{0.32, 0.05}, 10}},
+    {"(0.32, 0.13) is in row 1: half a brick is 0.05, and u becomes 0.37", {{0.32, 0.13}, 10}},
+    {"also in the upper half of row 1, at (0.32, 0.18)", {{0.32, 0.18}, 10}},
+    {"(0.32, 0.25) is in row 2: it stays as it is", {{0.32, 0.25}, 10}},
+    {"(0.58, 0.35) is in row 3: u becomes 0.63", {{0.58, 0.35}, 10}},
+    {"in row 9, u = 0.98 becomes 1.03: it may be more than 1", {{0.98, 0.93}, 10}},
+    {"with 4 squares, (0.32, 0.35) is in row 1: u becomes 0.445", {{0.32, 0.35}, 4}},
+    {"with 4 squares, (0.6, 0.65) is in row 2: it stays as it is", {{0.6, 0.65}, 4}},
+    {"with 16 squares, (0.12, 0.6) is in row 9", {{0.12, 0.6}, 16}},
 };
 
 }  // namespace
@@ -221,8 +228,8 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {exercise(chapter_02::uv_of, picture<Lesson>(), {right_place, wrong_places, uv_of_places}),
        exercise(is_first_color, picture<Lesson>(),
                 {right_color, wrong_squares, is_first_color_places}),
-       exercise(twice_around, picture<Lesson>(),
-                {right_twice_around, wrong_twice_around, twice_around_places, within_a_turn})},
+       exercise(as_bricks, picture<Lesson>({}, 22),
+                {right_bricks, wrong_bricks, as_bricks_places, within_a_turn})},
       {{"On the equator a square of the checkerboard is twice as wide as it is high. At which "
         "latitude, in degrees, is it as wide as it is high?",
         [] { return acos(0.5) / radian; },

@@ -1,0 +1,16 @@
+// Exercise 02.3: bricks
+//
+// On the equator a square of the checkerboard is twice as wide as it is high, like a brick. In a
+// wall every second row is moved by half a brick. So let the squares of rows 1, 3, 5 ... begin half
+// a square further west than they do; row 0, at the south pole, and rows 2, 4 ... stay.
+// The checkerboard has `squares` rows and as many columns, an even number. uv is what the lesson's
+// mapping gives. Return what the checkerboard should get in its place. Its u may be more than 1:
+// there the checkerboard goes on in the same way.
+//
+// Check it:  ./course check 02.3
+#include "exercise.hpp"
+
+Uv as_bricks(Uv uv, int squares) {
+  // Your lines here.
+  return uv;
+}
