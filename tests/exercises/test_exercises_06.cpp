@@ -11,17 +11,42 @@ TEST_CASE("06: strangers' answers get their words") {
   mirrored("n = +y at most", [](V d, V n) { return V{d.x, -d.y, d.z}; });
   mirrored("shorter than n", [](V d, V n) { return d - 2 * dot(n, n) * n; });
 
-  const auto shine = [](const char* text, auto of) {  // of n, l, the mirrored l, the eye
+  const auto shine = [](const char* text, auto of) {  // of n, l, the eye
     highlight(text, [=](V n, V to_lamp, V d, D s) {
       const V l = to_lamp / length(to_lamp);
-      return dot(n, l) > 0 ? of(n, l, 2 * dot(n, l) * n - l, -d, s) : 0;
+      return dot(n, l) > 0 ? of(n, l, -d, s) : 0;
     });
   };
-  shine("wrong sign", [](V n, V l, V r, V e, D s) { return pow(max(0., dot(r, -e)), s); });
-  shine("not limited", [](V n, V l, V r, V e, D s) { return max(pow(dot(r, e), s), 0.); });
-  shine("the angle", [](V n, V l, V r, V e, D s) { return pow(acos(max(dot(r, e), 0.)), s); });
-  shine("added in r", [](V n, V l, V r, V e, D s) { return pow(max(dot(r + 2 * l, e), 0.), s); });
+  shine("does not have the length 1",
+        [](V n, V l, V e, D s) { return pow(dot(n, (l + e) / 2), s); });
+  shine("page's r . e",
+        [](V n, V l, V e, D s) { return pow(max(0., dot(2 * dot(n, l) * n - l, e)), s); });
+  shine("not between one of them and n",
+        [](V n, V l, V e, D s) { return pow(dot(normalize(l + n), e), s); });
+  shine("direction to the eye is -d",
+        [](V n, V l, V e, D s) { return pow(max(dot(n, normalize(l - e)), 0.), s); });
+  highlight("test n . l first", [](V n, V to_lamp, V d, D s) {
+    return pow(dot(n, normalize(normalize(to_lamp) - d)), s);
+  });
+  highlight.right([](V n, V to_lamp, V d, D s) {  // in float, and by half of the angle
+    const V l = normalize(to_lamp), e = -d;
+    const float c = dot(n, l + e) / sqrt(2 + 2 * dot(l, e));
+    return dot(l, n) <= 0 ? 0 : D(std::pow(c, float(s)));
+  });
 
-  blended("added whole", [](Color c, D light, D t) { return c + Color{light, light, light}; });
-  blended("a blend is a sum", [](Color c, D light, D t) { return c * min(light, 1.0); });
+  const auto mean = [](Color c) { return (c.r + c.g + c.b) / 3; };
+  const auto print = [](const char* text, auto share) {
+    printed(text, [=](Color c, D light, D t) {
+      const D w = share(c, t), l = min(light, 1.0);
+      return w * c + (1 - w) * Color{l, l, l};
+    });
+  };
+  print("falls evenly", [](Color c, D t) { return t; });
+  print("should be where it is white", [=](Color c, D t) { return t * mean(c); });
+  print("t is missing", [=](Color c, D t) { return 1 - mean(c); });
+  print("divide the sum by 3", [](Color c, D t) { return t * (1 - (c.r + c.g + c.b)); });
+  printed.right([=](Color c, D light, D t) {  // from the light toward the texture, in float
+    const float w = t - t * mean(c), l = light > 1 ? 1 : light;
+    return Color{l, l, l} + w * (c - Color{l, l, l});
+  });
 }

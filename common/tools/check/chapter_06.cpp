@@ -11,7 +11,7 @@ namespace texmap::chapter_06 {
 
 static std::function<Vec3d(Vec3d, Vec3d)> mirrored;
 static std::function<double(Vec3d, Vec3d, Vec3d, double)> highlight;
-static std::function<Rgb(Rgb, double, double)> blended;
+static std::function<Rgb(Rgb, double, double)> printed;
 
 /// The common one, and the whole way to the lamp.
 template <class Real>
@@ -45,13 +45,13 @@ struct PhongOptions : texmap::PhongOptions {
 /// The student limits the light.
 inline constexpr struct {
   double operator()(double light, double least, double most) const {
-    return blended ? light : texmap::clamp(light, least, most);
+    return printed ? light : texmap::clamp(light, least, most);
   }
 } clamp;
 
 inline constexpr struct {
   Rgb operator()(const Rgb& light, const Rgb& texture, double t) const {
-    return blended ? blended(texture, light.r, t) : texmap::mix(light, texture, t);
+    return printed ? printed(texture, light.r, t) : texmap::mix(light, texture, t);
   }
 } mix;
 
@@ -116,161 +116,174 @@ constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
      {{0.6, 0.8, 0}, {0, 1, 0}}},
 };
 
-/// Highlights of one cause, of those who remember, too, to normalize the light, to test n . l > 0
-/// and to limit the cosine, or do not.
+/// Highlights of one cause, of those who also normalize the way to the lamp and test n . l > 0, or
+/// forget it.
 Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, bool normalizes,
-                                  bool tests_side, bool limits) {
+                                  bool tests_side) {
   const Vec3d l = normalizes ? normalize(to_lamp) : to_lamp;
-  const Vec3d e = -d;
-  const double straight = dot(n, l), right = dot(mirror(l, n), e);
-  const auto limited = [=](double cosine) { return limits && cosine < 0 ? 0 : cosine; };
-  const double c = limited(right);
-  constexpr auto no_cosine =
-      "the direction to the lamp does not have the length 1: normalize it first, or the cosine is "
-      "no cosine";
-  constexpr auto negative =
-      "the cosine is not limited: a negative number to an even power is positive. Raise "
-      "std::max(cosine, 0.0)";
-  constexpr auto behind =
-      "there is a highlight where the lamp is behind the surface: test n . l first";
+  const Vec3d e = -d, h = normalize(l + e);
+  const double c = dot(n, h);
+  const auto power = [=](double cosine) { return pow(max(cosine, 0.), s); };
   Slips<double> wrong;
-  if (!normalizes || !limits || !tests_side) {
-    wrong += {!normalizes ? no_cosine
-              : !limits   ? negative
-                          : behind,
-              {pow(c, s), max(pow(c, s), 0.)}};
+  if (!normalizes || !tests_side) {
+    wrong +=
+        {!normalizes ? "the way to the lamp does not have the length 1: normalize it, or its sum "
+                       "with the direction to the eye does not lie halfway"
+                     : "there is a highlight where the lamp is behind the surface: test n . l "
+                       "first",
+         {power(c), pow(c, s)}};
   }
   const Slips<double> cosines = {
-      {"the cosine has the wrong sign: d goes away from the eye, so take dot(r, -d), r = 2 (n . l) "
-       "n - l",
-       -right},
-      {no_cosine, {dot(n * (2 * dot(n, to_lamp)) - l, e), dot(n * (2 * straight) - to_lamp, e)}},
-      {"std::abs lights the side away from r, too: take std::max(cosine, 0.0)", abs(right)},
-      {"what is above 0 stays and what is below 0 becomes 0: l leads to the lamp, and "
-       "std::max(cosine, 0.0) limits it",
-       min(right, 0.)},
-      {"this is 1 everywhere: limit the cosine to 0 or more, not to 1", 1},
-      {"n . l is the cosine of the diffuse light: take r and the direction to the eye", straight},
-      {"the light is not mirrored: take r = 2 (n . l) n - l and the direction to the eye",
-       dot(l, e)},
-      {"this is the angle between n and the eye: take r and the direction to the eye", dot(n, e)},
-      {"this takes the vector halfway to the eye, as Blinn does: take the mirrored direction r",
-       dot(n, normalize(l + e))},
-      {"the part along n counts once: r is 2 (n . l) n - l", dot(n * straight - l, e)},
-      {"n and l are exchanged in r: it is 2 (n . l) n - l", dot(mirror(n, l), e)},
-      {"l is added in r: subtract it, r is 2 (n . l) n - l", dot(n * (2 * straight) + l, e)},
-      {"l is missing in r: it is 2 (n . l) n - l", dot(n * (2 * straight), e)},
-      {"n . l is missing in r: it is 2 (n . l) n - l", dot(n * 2. - l, e)},
+      {"d goes to the surface: the direction to the eye is -d, and the sum of both lies halfway",
+       {dot(n, normalize(l + d)), -dot(n, normalize(l + d)), dot(n, l + d)}},
+      {"the sum of both directions does not have the length 1: normalize it",
+       {dot(n, l + e), dot(n, (l + e) * 0.5)}},
+      {"this is the page's r . e: take the cosine between n and the direction halfway",
+       {dot(mirror(l, n), e), dot(mirror(h, n), e)}},
+      {"this is the cosine between two of n, l and -d: take n and the direction halfway",
+       {dot(n, l), dot(n, e), dot(l, e), dot(h, l), dot(h, e)}},
+      {"halfway between the lamp and the eye, not between one of them and n",
+       {dot(e, normalize(n + l)), dot(l, normalize(n + e)), dot(n, normalize(n + l)),
+        dot(n, normalize(n + e))}},
+      {"your cosine is nowhere above 0: the sum of l and -d lies halfway, and std::max(cosine, "
+       "0.0) "
+       "limits it",
+       {-c, min(c, 0.)}},
   };
   wrong += {
-      changed(cosines, [&](double cosine) { return pow(limited(cosine), s); }),
+      changed(cosines, power),
+      changed(cosines, [=](double cosine) { return pow(cosine, s); }),
       {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
       {"base and exponent are exchanged: std::pow(cosine, shininess)", pow(s, c)},
       {"this is the cosine: raise it to the power shininess", c},
       {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
-      {"the strength 0.3 is the lesson's: return the power alone", 0.3 * pow(c, s)},
+      {"the strength 0.3 is the lesson's: return the power alone", 0.3 * power(c)},
       {"the shininess need not be a whole number: take std::pow",
        {pow(c, trunc(s)), pow(c, ceil(s))}},
+      {"n . l is a factor of the diffuse light: return the power alone", power(c) * dot(n, l)},
   };
-  return tests_side && straight <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
+  return tests_side && dot(n, l) <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
+}
+
+double right_highlight(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
+  const Vec3d halfway = normalize(normalize(to_lamp) - d);
+  return dot(n, to_lamp) > 0 ? pow(max(dot(n, halfway), 0.), s) : 0;
 }
 
 Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
   Slips<double> wrong;
-  for (int care = 7; care >= 0; --care)
-    wrong += careless_highlights(n, to_lamp, d, s, care > 3, care % 4 > 1, care % 2 > 0);
-  const Vec3d l = normalize(to_lamp);
-  const auto power = [&](const Vec3d& r) { return pow(max(dot(r, -d), 0.), s); };
-  const double anywhere = power(mirror(l, n));
-  const double front = max(dot(n, l), 0.);
-  return {
-      wrong,
-      {"it is not enough to limit n . l in r: return 0 where it is 0 or less",
-       power(n * (2 * front) - l)},
-      {"n . d says where the eye is: test n . l, on which side the lamp is",
-       {dot(n, d) <= 0 ? 0 : anywhere, dot(n, d) >= 0 ? 0 : anywhere}},
-      {"the test is the wrong way around: return 0 where n . l is 0 or less",
-       dot(n, to_lamp) >= 0 ? 0 : anywhere},
-      {"n . l is a factor of the diffuse light: return the power alone", anywhere * front},
-  };
+  for (int care = 3; care >= 0; --care)
+    wrong += careless_highlights(n, to_lamp, d, s, care > 1, care % 2 > 0);
+  return wrong +=
+         {"the test is the wrong way around: return 0 where n . l is 0 or less",
+          dot(n, to_lamp) >= 0 ? 0 : pow(max(dot(n, normalize(normalize(to_lamp) - d)), 0.), s)};
 }
 
 constexpr Vec3d up{0, 1, 0};
 constexpr double sine_of_60 = std::numbers::sqrt3 / 2;
 constexpr Place<Vec3d, Vec3d, Vec3d, double> highlight_places[] = {
-    {"with lamp and eye straight above, all of the light comes back: 1",
-     {up, {0, 1, 0}, {0, -1, 0}, 3}},
+    {"with lamp and eye straight above it is 1", {up, {0, 1, 0}, {0, -1, 0}, 3}},
     {"also if the lamp is 5 away", {up, {0, 5, 0}, {0, -1, 0}, 3}},
-    {"at 60 degrees from the mirrored direction, with shininess 1, it is 1/2",
-     {up, {0, 2, 0}, {sine_of_60, -0.5, 0}, 1}},
-    {"with shininess 5 it is 1/32", {up, {0, 2, 0}, {sine_of_60, -0.5, 0}, 5}},
-    {"at 45 degrees, with shininess 2, it is 1/2", {up, {0, 2, 0}, {0, -half_root, -half_root}, 2}},
-    {"with shininess 2.5 it is 0.42", {up, {0, 2, 0}, {0, -half_root, -half_root}, 2.5}},
-    {"where r and the direction to the eye are more than 90 degrees apart, it is 0",
-     {up, {3, 1, 0}, {-0.8, -0.6, 0}, 3}},
-    {"also with an even shininess", {up, {3, 1, 0}, {-0.8, -0.6, 0}, 4}},
-    {"with the lamp behind the surface it is 0", {up, {3, -4, 0}, {0.6, 0.8, 0}, 2}},
-    {"also if the eye is in front of it", {up, {4, -3, 0}, {0.8, -0.6, 0}, 2}},
+    {"where n itself is halfway it is 1", {up, {-3, 4, 0}, {-0.6, -0.8, 0}, 3}},
+    {"with the eye straight above and the lamp at 60 degrees from n, shininess 2: 3/4",
+     {up, {2 * sine_of_60, 1, 0}, {0, -1, 0}, 2}},
+    {"with shininess 4 it is 9/16", {up, {2 * sine_of_60, 1, 0}, {0, -1, 0}, 4}},
+    {"with shininess 2.5 it is 0.7", {up, {2 * sine_of_60, 1, 0}, {0, -1, 0}, 2.5}},
+    {"with lamp and eye on the same side of n, at 60 degrees both, shininess 1: 1/2",
+     {up, {sine_of_60, 0.5, 0}, {-sine_of_60, -0.5, 0}, 1}},
+    {"with the lamp behind the surface it is 0", {up, {3, -1, 0}, {-0.6, -0.8, 0}, 2}},
+    {"also if the direction halfway is behind the surface", {up, {3, -4, 0}, {-0.8, -0.6, 0}, 2}},
     {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
      {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
     {"with a slanted normal and shininess 7", {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}},
 };
 
 /// Blends as many write them, with the light limited to 1 or not.
-Slips<Rgb> wrong_shares(Rgb texture, double light, double t) {
-  const double rest = 1 - t;
+Slips<Rgb> wrong_shares(Rgb texture, double light, double share) {
+  const double rest = 1 - share;
   const Rgb lit = gray(light);
   return {
-      {"the shares are exchanged: the texture has the share t, the light 1 - t",
-       lit * t + texture * rest},
+      {"the shares are exchanged: the texture's falls with its brightness, the light has the rest",
+       lit * share + texture * rest},
       {"both are added whole: multiply each by its share", lit + texture},
       {"you multiply texture and light, as in the chapters before: a blend is a sum",
-       {texture * light, texture * (light * t), texture * (light * rest),
-        texture * (t + light * rest), texture * (light * t + rest),
-        texture * (light * t) + lit * rest}},
-      {"the light has no share: multiply it by 1 - t", lit + texture * t},
-      {"the texture has no share: multiply it by t", lit * rest + texture},
-      {"both have the same share: the texture has the share t, the light 1 - t",
-       {(lit + texture) * t, (lit + texture) * rest}},
-      {"both have the share 1/2: the texture has the share t, the light 1 - t",
-       (lit + texture) * 0.5},
-      {"the light is missing: add it with the share 1 - t", texture * t},
-      {"the texture is missing: add it with the share t", lit * rest},
-      {"the light has the share 1 - t, not 1 minus the light", gray(1 - light) + texture * t},
-      {"the light has the share 1 - t: multiply it by this, not by 1 minus the light",
-       gray(light * (1 - light)) + texture * t},
-      {"the share 1 is not yet the light's: multiply the light by 1 - t", gray(rest) + texture * t},
-      {"the light has a negative share: it is 1 - t, not t - 1", texture * t + lit * (t - 1)},
-      {"a gray has three equal parts: Color{x, x, x}", texture * t + Rgb{light, 0, 0} * rest},
+       {texture * light, texture * (light * share), texture * (light * rest),
+        texture * (share + light * rest), texture * (light * share + rest),
+        texture * (light * share) + lit * rest}},
+      {"the light has no share: multiply it by the rest, 1 - share", lit + texture * share},
+      {"the texture has no share: multiply it by its share", lit * rest + texture},
+      {"both have the same share: the light has the rest, 1 - share",
+       {(lit + texture) * share, (lit + texture) * rest, (lit + texture) * 0.5}},
+      {"the light is missing: add it with the rest, 1 - share", texture * share},
+      {"the texture is missing: add it with its share", lit * rest},
+      {"the light has the rest: multiply it by 1 - share, not by 1 minus the light",
+       {gray(1 - light) + texture * share, gray(light * (1 - light)) + texture * share}},
+      {"the rest, 1 - share, is not yet the light's: multiply the light by it",
+       gray(rest) + texture * share},
+      {"the light has a negative share: it is 1 - share, not share - 1",
+       texture * share + lit * -rest},
+      {"a gray has three equal parts: Color{x, x, x}", texture * share + Rgb{light, 0, 0} * rest},
   };
 }
 
-Slips<Rgb> wrong_blends(Rgb texture, double light, double t) {
-  const auto with = [&](double other) { return gray(other) * (1 - t) + texture * t; };
-  const Rgb sum = with(light);
+double brightness(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
+Rgb right_print(Rgb c, double light, double t) {
+  return texmap::mix(gray(min(light, 1.)), c, t * (1 - brightness(c)));
+}
+
+Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
+  const auto [r, g, b] = texture;
+  const double bright = brightness(texture), share = t * (1 - bright), lit = min(light, 1.);
+  const auto with = [&](double other) { return gray(other) * (1 - share) + texture * share; };
+  const auto by = [&](double t_r, double t_g, double t_b) {
+    return Rgb{r * t_r + lit * (1 - t_r), g * t_g + lit * (1 - t_g), b * t_b + lit * (1 - t_b)};
+  };
+  const auto all = [&](double one) { return by(one, one, one); };
   return {
-      {"the light is not limited to 1: take std::min(light, 1.0)", sum},
+      {"the share is t only where the texture is black, and falls evenly to 0 where it is white (1 "
+       "/ 3 "
+       "of whole numbers is 0)",
+       {all(t), all(bright < 0.5 ? t : 0)}},
+      {"the holes are where the texture is black: they should be where it is white",
+       all(t * bright)},
+      {"the texture's share is t times 1 - brightness: t is missing",
+       {all(1 - bright), all(bright)}},
+      {"the texture's share is t times 1 - brightness, with parentheses: t * (1 - brightness)",
+       {all(t - bright), all(max(t - bright, 0.)), all(1 - t * bright), all(t + 1 - bright)}},
+      {"the brightness is a mean: divide the sum by 3, with parentheses",
+       {all(t * (1 - 3 * bright)), all(t * max(1 - 3 * bright, 0.)),
+        all(t * (1 - (r + g + b / 3)))}},
+      {"the brightness is the mean of all three parts",
+       {all(t * (1 - r)), all(t * (1 - g)), all(t * (1 - b)), all(t * (1 - max({r, g, b}))),
+        all(t * (1 - min({r, g, b}))), all(t * (1 - (max({r, g, b}) + min({r, g, b})) / 2)),
+        all(t * (1 - (0.2126 * r + 0.7152 * g + 0.0722 * b)))}},
+      {"the three parts have one share: that of the mean",
+       by(t * (1 - r), t * (1 - g), t * (1 - b))},
+      {"the brightness is the texture's, not the light's",
+       {all(t * (1 - lit)), all(t * (1 - light))}},
+      {"the light has the rest, 1 minus the texture's share, and not 1 - t",
+       texture * share + gray(lit) * (1 - t)},
+      {"the light is not limited to 1: take std::min(light, 1.0)", with(light)},
       {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(max(light, 1.))},
-      {"light above 1 counts as 1: it does not begin again at 0", with(light - floor(light))},
-      {"light above 1 counts as 1, not as 0", with(light > 1 ? 0 : light)},
-      {"the light alone is limited to 1, before you multiply it and add",
-       {gray(min(light * (1 - t), 1.)) + texture * t,
-        {min(sum.r, 1.), min(sum.g, 1.), min(sum.b, 1.)}}},
-      wrong_shares(texture, min(light, 1.), t),
-      wrong_shares(texture, light, t),
+      {"light above 1 counts as 1, not as 0 or as its decimals",
+       {with(light > 1 ? 0 : light), with(light - floor(light))}},
+      wrong_shares(texture, lit, share),
+      wrong_shares(texture, light, share),
+      wrong_shares(texture, lit, t),
   };
 }
 
-Rgb right_blend(Rgb c, double light, double t) { return texmap::mix(gray(min(light, 1.)), c, t); }
-constexpr Rgb sea{0.2, 0.4, 0.6};
-constexpr Place<Rgb, double, double> blended_places[] = {
-    {"with t = 1 the texture alone is left", {sea, 0.5, 1}},
+constexpr Rgb sea{0.2, 0.3, 0.7};
+constexpr Place<Rgb, double, double> printed_places[] = {
+    {"black and t = 1: the texture alone is left", {{0, 0, 0}, 0.5, 1}},
+    {"white and t = 1: a hole, the light alone is left", {{1, 1, 1}, 0.5, 1}},
     {"with t = 0 the light alone is left", {sea, 0.5, 0}},
-    {"with t = 1/2 it is the middle of both", {sea, 0.8, 0.5}},
-    {"texture (0.2, 0.4, 0.6), light 0.5 and t = 0.3 give (0.41, 0.47, 0.53)", {sea, 0.5, 0.3}},
-    {"in the dark the share of the texture is left", {sea, 0, 0.3}},
+    {"texture (0.2, 0.3, 0.7) has the brightness 0.4, and with t = 1 the share 0.6", {sea, 0.5, 1}},
+    {"with t = 1/2 it has the share 0.3", {sea, 0.8, 0.5}},
+    {"in the dark the share of the texture is left", {sea, 0, 0.5}},
+    {"texture (0.6, 0.2, 0.1) has the brightness 0.3", {{0.6, 0.2, 0.1}, 0.5, 0.9}},
     {"a light of 1.3 counts as 1", {sea, 1.3, 0}},
-    {"also where it is blended", {sea, 1.25, 0.3}},
+    {"also where it is blended", {sea, 1.25, 0.8}},
 };
 
 Image stage_after(const std::vector<std::string>& words) {
@@ -293,17 +306,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {exercise(chapter_06::mirrored, lecture_scene(),
                 {right_mirror, wrong_mirrors, mirrored_places}),
        exercise(chapter_06::highlight, lecture_scene(),
-                {[](Vec3d n, Vec3d to_lamp, Vec3d d, double shininess) {
-                   const Vec3d l = normalize(to_lamp);
-                   return texmap::highlight(
-                       {.lambertian = {}, .specular = 1, .shininess = shininess},
-                       texmap::LightSample<double>{l, max(dot(n, l), 0.)}, n, -d);
-                 },
-                 wrong_highlights, highlight_places}),
+                {right_highlight, wrong_highlights, highlight_places}),
        // From near by, with a spot in which the light is more than 1. No blend of a byte and a
        // limited light is a whole byte here: rounding would decide.
-       exercise(chapter_06::blended, picture<Lesson>({"--blend", "0.3337", "--shininess", "5"}, 20),
-                {right_blend, wrong_blends, blended_places})},
+       exercise(printed, picture<Lesson>({"--blend", "0.9337", "--shininess", "5"}, 20),
+                {right_print, wrong_prints, printed_places})},
       {{"The highlight changes some pixels of the picture. By what factor are there more of them "
         "with --shininess 50 than with --shininess 500?",
         [] { return size_of_spot("50") / size_of_spot("500"); },
