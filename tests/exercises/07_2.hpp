@@ -1,17 +1,22 @@
-// Exercise 07.2: more light from above
+// Exercise 07.2: a window in the ceiling
 //
-// a and b are random numbers, 0 or more and less than 1. Make a direction of length 1 above a
-// surface with the normal +z: take the point of the disk that has the radius sqrt(a) and the angle
-// 2 pi b, counted from x toward y, and lift it to the hemisphere of radius 1.
+// Light comes through a round window in the ceiling. +z is up. The directions to the window, of
+// length 1, are a cap of the sphere of radius 1: its points with z from `edge` to 1. Choose one of
+// them so that equal areas of the cap get equally many. Archimedes found: a slice of a sphere has
+// an area in proportion to its height, wherever it is cut.
+// a and b are random numbers, 0 or more and less than 1. a says how far below the top: a = 0 is
+// straight up. b says on which side: at the angle 2 pi b, counted from x toward y.
 #include "exercise.hpp"
 
-Vec3 scattered(double a, double b) {
+Vec3 through_window(double a, double b, double edge) {
   // solution
-  const double radius = std::sqrt(a);
+  const double z = 1 - a * (1 - edge);
+  const double radius = std::sqrt(1 - z * z);
   const double angle = 2 * pi * b;
-  return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1 - radius * radius)};
-  // start: // Your lines here. x and y are those of the point of the disk.
-  // start: return {a, b, 1};
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+  // start: // Your lines here.
+  // start: return normalize(Vec3{a, b, edge});
 }
+// hint: Slices of the same height have the same area. So z is spread evenly, from 1 down to edge.
+// hint: The length is 1 if x x + y y + z z = 1: how far from the axis is a point at the height z?
 // hint: A point with radius r and angle w is at (r cos w, r sin w).
-// hint: Lifting leaves x and y as they are. The length is 1 if x x + y y + z z = 1.

@@ -20,9 +20,24 @@ TEST_CASE("07: strangers' answers get their words") {
   by_mean("not decoded", same, [](D mean) { return 255 * srgb_encode(mean / 255) + 0.5; });
   by_mean("cut off", light, [](D mean) { return 255.999 * srgb_encode(mean); });
 
-  scattered("radius is a:", [](D a, D b) { return above(a, 2 * pi * b, 1 - a); });
-  scattered("half of the disk", [](D a, D b) { return above(sqrt(a), pi * b, sqrt(1 - a)); });
-  scattered("move x and y", [](D a, D b) { return normalize(above(sqrt(a), 2 * pi * b, 1)); });
+  const auto by_height = [](const char* text, auto height) {
+    through_window(text, [=](D a, D b, D edge) {
+      const D z = height(a, edge);
+      return above(sqrt(1 - z * z), 2 * pi * b, z);
+    });
+  };
+  by_height("over a disk", [](D a, D edge) { return sqrt(1 - a); });
+  by_height("not the angle", [](D a, D edge) { return cos(acos(edge) * a); });
+  by_height("a = 0 is straight up", [](D a, D edge) { return a + edge - a * edge; });
+  by_height("ends at the height edge", [](D a, D edge) { return 1 - a; });
+  through_window("half of the window", [](D a, D b, D edge) {
+    const D z = a * edge + (1 - a);
+    return above(sin(acos(z)), pi * b, z);
+  });
+  through_window.right([](D a, D b, D edge) {  // in float, with a sine
+    const float z = (1 - a) + a * edge, w = b * 2 * pi;
+    return above(std::sin(std::acos(z)), w, z);
+  });
 
   const auto by_cell = [](const char* text, auto of) {  // the same line for u and for v
     place_of_sample(text, [=](int i, int n, D a, D b) {

@@ -13,24 +13,23 @@
 namespace texmap::chapter_07 {
 
 static std::function<int(const std::vector<int>&)> mean_byte;
-static std::function<Vec3d(double, double)> scattered;
+static std::function<Vec3d(double, double, double)> through_window;
 static std::function<Uv<double>(int, int, double, double)> place_of_sample;
 
-/// The light along a ray of a scene of one globe, scattered by the student.
+/// The light along a ray, from a window above: one direction to it, chosen by the student.
 inline constexpr struct {
   Rgb operator()(const auto& objects, const Ray<double>& ray, const auto& sky, int bounces,
                  auto& random) const {
-    if (!scattered) return texmap::light_along(objects, ray, sky, bounces, random);
-    const auto& globe = objects.front();
-    const double distance = distance_to(globe.shape, ray);
-    if (distance == infinity<double>())
-      return sky(Ray<double>{ray.origin, normalize(ray.direction)});
-    const Hit<double> hit = hit_at(globe.shape, ray, distance);
+    if (!through_window) return texmap::light_along(objects, ray, sky, bounces, random);
+    const Nearest<double> nearest = find_nearest(objects, ray);
+    if (nearest.index < 0) return sky(ray);
+    const auto& object = objects[std::size_t(nearest.index)];
+    const Hit<double> hit = hit_at(object.shape, ray, nearest.distance);
     const auto [a, b] = random.next_2d();
-    const Vec3d way = scattered(a, b);
-    const Frame<double> frame = frame_about(hit.normal);
-    const Vec3d direction = frame.right * way.x + frame.up * way.y + hit.normal * way.z;
-    return globe.paint(hit) * sky(Ray<double>{hit.outside, direction});
+    const Vec3d way = through_window(a, b, 0.8);
+    const Ray<double> up{hit.outside, {way.x, way.z, -way.y}};
+    const bool open = find_nearest(objects, up).index < 0;
+    return object.paint(hit) * (open ? max(dot(hit.normal, up.direction), 0.) : 0);
   }
 } light_along;
 
@@ -183,68 +182,64 @@ Slips<int> wrong_means(const Bytes& bytes) {
   };
 }
 
-Vec3d right_scatter(double a, double b) {
-  const double radius = sqrt(a);
-  return {radius * cos(2 * pi * b), radius * sin(2 * pi * b), sqrt(1 - radius * radius)};
+/// The direction at such a height.
+Vec3d direction_at(double z, double angle) {
+  const double radius = sqrt(1 - z * z);
+  return {radius * cos(angle), radius * sin(angle), z};
+}
+Vec3d right_direction(double a, double b, double edge) {
+  return direction_at(1 - a * (1 - edge), 2 * pi * b);
 }
 
-Slips<Vec3d> wrong_scatter(double a, double b) {
-  const auto point = [](double radius, double angle, double height) {
-    return Vec3d{radius * cos(angle), radius * sin(angle), height};
+Slips<Vec3d> wrong_directions(double a, double b, double edge) {
+  const double turn = 2 * pi * b, height = 1 - edge, radius = sqrt(1 - edge * edge);
+  const auto [x, y, z] = right_direction(a, b, edge);
+  const auto at = [=](double other) { return direction_at(other, turn); };
+  const auto turned = [=, z = z](double angle) { return direction_at(z, angle); };
+  const auto with = [=, z = z](double other) {
+    return Vec3d{other * cos(turn), other * sin(turn), z};
   };
-  const double root = sqrt(a), turn = 2 * pi * b;
-  const auto [x, y, z] = right_scatter(a, b);
-  /// At the height of the radius and at three wrong ones.
-  const auto at = [&, z = z](double radius, double angle) {
-    const double square = radius * radius;
-    return std::vector{point(radius, angle, sqrt(1 - square)), point(radius, angle, 1 - square),
-                       point(radius, angle, 1 - radius), point(radius, angle, z)};
-  };
-  const auto lifted = [&](double height) { return point(root, turn, height); };
-  const double level = 1 - 2 * a;
   return {
-      {"the radius is a: too many directions are near the normal. Equal areas need sqrt(a)",
-       at(a, turn)},
-      {"the radius is a a: equal areas need the root, sqrt(a)", at(a * a, turn)},
-      {"the radius is sqrt(1 - a): a = 0 is the middle of the disk, so take sqrt(a)",
-       at(sqrt(1 - a), turn)},
-      {"the directions cover half of the disk: a whole turn is 2 pi", at(root, pi * b)},
-      {"b is taken for radians: multiply it by 2 pi", at(root, b)},
-      {"b is turned into degrees: std::cos and std::sin take radians", at(root, 360 * b)},
-      {"b is turned into degrees: std::cos and std::sin take radians", at(root, 360 / radian * b)},
-      {"2 pi b is in radians already: no pi / 180 is needed", at(root, pi * pi / 90 * b)},
-      {"the angle runs the other way: count it from x toward y", at(root, -turn)},
-      {"all points lie on the edge of the disk: multiply cos and sin by the radius", at(1, turn)},
-      {"the height needs a root: x x + y y + z z is 1", lifted(1 - root * root)},
-      {"the height is 1 - radius, so the point lies below the hemisphere: x x + y y + z z is 1",
-       lifted(1 - root)},
-      {"the length is not 1: the height is the root of 1 - radius * radius",
-       {lifted(sqrt(1 - root)), lifted(sqrt(1 - a * a)), lifted(sqrt(1 + a)), lifted(1),
-        lifted(root), lifted(sqrt(1 - x * x))}},
-      {"you make the length 1 at the end, and move x and y: the height is sqrt(1 - radius * "
-       "radius)",
-       normalize(lifted(1))},
-      {"the points lie on the disk, not above it: lift them", lifted(0)},
-      {"the points lie below the surface: the height is not negative", lifted(-z)},
-      {"each height is equally likely: then light from the side counts too much",
-       {point(sqrt(a * (2 - a)), turn, 1 - a), point(sqrt(1 - a * a), turn, a)}},
-      {"these directions go to all sides, also below the surface: lift a point of the disk",
-       point(sqrt(1 - level * level), turn, level)},
-      {"a and b are exchanged: a makes the radius, b the angle", right_scatter(b, a)},
-      {"a makes the radius and the angle: the angle is 2 pi b", right_scatter(a, a)},
-      {"b makes the radius and the angle: the radius is sqrt(a)", right_scatter(b, b)},
+      {"this spreads points evenly over a disk, as on the page: here the height is spread evenly, "
+       "from "
+       "1 down to edge",
+       {at(sqrt(1 - a)), at(sqrt(1 - a * radius * radius))}},
+      {"too many directions are near the middle: spread the height evenly, not the angle or the "
+       "radius",
+       {at(cos(a * acos(edge))), at(sqrt(1 - a * a * radius * radius)), at(1 - a * a * height)}},
+      {"a = 0 is straight up: the height falls from 1 to edge", at(edge + a * height)},
+      {"the window ends at the height edge: it is 1 - a * (1 - edge)",
+       {at(1 - a), at(a), at(1 - 2 * a), at(1 - a * edge), at(1 - a - edge), at(a * edge)}},
+      {"all directions go to the edge of the window: the height depends on a", at(edge)},
+      {"the length is not 1: at the height z the radius is the root of 1 - z * z",
+       {with(1 - z * z), with(1 - z), with(sqrt(1 - z)), with(1), with(a), with(sqrt(a)),
+        with(a * height), with(a * radius), with(sqrt(a) * radius), with(radius)}},
+      {"you make the length 1 at the end, and move the height: the radius is the root of 1 - z * z",
+       {normalize(with(1)), normalize(with(a)), normalize(with(sqrt(a))), normalize(with(radius))}},
+      {"the directions cover half of the window: a whole turn is 2 pi", turned(pi * b)},
+      {"b is taken for radians: multiply it by 2 pi", turned(b)},
+      {"b is turned into degrees: std::cos and std::sin take radians",
+       {turned(360 * b), turned(360 / radian * b)}},
+      {"2 pi b is in radians already: no pi / 180 is needed", turned(pi * pi / 90 * b)},
+      {"the angle runs the other way: count it from x toward y", turned(-turn)},
+      {"the directions lead into the ground: the height is not negative",
+       {{x, y, -z}, {-x, -y, -z}}},
+      {"a and b are exchanged: a makes the height, b the angle", right_direction(b, a, edge)},
+      {"a makes the height and the angle: the angle is 2 pi b", right_direction(a, a, edge)},
+      {"b makes the height and the angle: the height is 1 - a * (1 - edge)",
+       right_direction(b, b, edge)},
       {"cos and sin are exchanged: the angle is counted from x toward y", {y, x, z}},
-      {"the normal is +z here: the height is z, not y", {x, z, y}},
+      {"up is +z here: the height is z, not y", {x, z, y}},
   };
 }
 
-constexpr Place<double, double> scattered_places[] = {
-    {"a = 0 is the middle of the disk: straight up, along the normal", {0.0, 0.5}},
-    {"a = 1/4 has the radius 1/2; b = 0 is in the direction +x", {0.25, 0.0}},
-    {"b = 1/4 is a quarter turn from there: +y", {0.25, 0.25}},
-    {"b = 1/2 is half a turn: -x", {0.25, 0.5}},
-    {"half of the points have a radius below 0.71", {0.5, 0.75}},
-    {"a = 0.81 has the radius 0.9: close to the surface", {0.81, 0.125}},
+constexpr Place<double, double, double> through_window_places[] = {
+    {"a = 0 is straight up", {0.0, 0.5, 0.5}},
+    {"edge 0.5 and a = 1/2: the height is 0.75; b = 0 is in the direction +x", {0.5, 0.0, 0.5}},
+    {"b = 1/4 is a quarter turn from there: +y", {0.5, 0.25, 0.5}},
+    {"b = 1/2 is half a turn: -x", {0.5, 0.5, 0.5}},
+    {"edge 0 is the whole hemisphere: a = 0.4 has the height 0.6", {0.4, 0.75, 0}},
+    {"edge 0.9 is a small window: a = 0.8 has the height 0.92", {0.8, 0.125, 0.9}},
 };
 
 Place2 right_place(int i, int n, double a, double b) {
@@ -329,13 +324,13 @@ const ExercisesOfChapter& exercises_of_chapter() {
                    return rounded(255 * srgb_encode(sum_of(bytes, decoded) / double(bytes.size())));
                  },
                  wrong_means, mean_byte_places}),
-       exercise(scattered,
+       exercise(through_window,
                 [] {
-                  auto lesson = white_globe({"--sky", "gradient"});
-                  lesson.stage.sky = {.below = {0, 0, 0}, .above = {1, 1, 1}};
+                  auto lesson = prepared<Lesson>();
+                  lesson.stage.sky = {.below = {0, 0, 0}, .above = {0, 0, 0}};
                   return magnified(lesson);
                 },
-                {right_scatter, wrong_scatter, scattered_places}),
+                {right_direction, wrong_directions, through_window_places}),
        exercise(place_of_sample, [] { return magnified(lone_globe()); },
                 {right_place, wrong_places, place_of_sample_places})},
       {{"Which byte does a pixel get that is a quarter white, the rest black?",
