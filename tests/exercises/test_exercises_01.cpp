@@ -35,7 +35,7 @@ TEST_CASE("01: strangers' answers get their words") {
   });
   by_cosine("is dark", [](D c, D s) { return max(c, 0.0); });
   by_cosine("share is missing", [](D c, D s) { return abs(c); });
-  by_cosine("from behind, too", [](D c, D s) { return c < 0 ? s : c; });
+  by_cosine("slanted light", [](D c, D s) { return c < 0 ? s : c; });
   by_cosine("negative light", [](D c, D s) { return c < 0 ? s * c : c; });
 
   using Hit = const FirstHit&;
@@ -54,7 +54,7 @@ TEST_CASE("01: strangers' answers get their words") {
     for (const V& l : lamps) hidden += right(p + n / 1000, l, hit) ? 0 : 1.F / lamps.size();
     return 1 - hidden;
   });
-  by_share("no decimals", right, [](int seen, int all) { return D(seen / all); });
+  by_share("divide in double", right, [](int seen, int all) { return D(seen / all); });
   by_share("how many lamps", right, [](int seen, int all) { return D(seen); });
   by_share(
       "direction and distance do not fit",

@@ -8,14 +8,14 @@ TEST_CASE("02: strangers' answers get their words") {
   const auto by_u = [](const char* text, auto u_of) {  // v is one that the judge's tables have not
     uv_of(text, [=](V p) { return Uv{u_of(p), asin(p.y) / pi + 0.5}; });
   };
-  by_u("as the page's does", [](V p) { return 0.5 - atan2(p.z, p.x) / (2 * pi); });
+  by_u("as the page's:", [](V p) { return 0.5 - atan2(p.z, p.x) / (2 * pi); });
   by_u("(2 * pi)", [](V p) { return (atan2(-p.z, p.x) + pi) / 2 * pi; });
   by_u("below 0: add 1", [](V p) { return fmod(atan2(-p.z, p.x) / (2 * pi), 1); });
   by_u("exchanged", [](V p) { return 0.5 - atan2(p.x, p.z) / (2 * pi); });
   const auto by_v = [](const char* text, auto v_of) {
     uv_of(text, [=](V p) { return Uv{fmod(1 - atan2(p.z, p.x) / (2 * pi), 1), v_of(p)}; });
   };
-  by_v("beyond 1 at the pole", [](V p) { return acos(-p.y) / pi; });
+  by_v("at the pole", [](V p) { return acos(-p.y) / pi; });
   by_v("add 0.5", [](V p) { return atan2(p.y, std::hypot(p.x, p.z)) / pi; });
   by_v("square root", [](V p) { return atan2(p.x * p.x + p.z * p.z, -p.y) / pi; });
   // Both are wrong, each in its own way.
@@ -37,7 +37,7 @@ TEST_CASE("02: strangers' answers get their words") {
   by_row("a whole brick", down, [](int n) { return 1. / n; });
   by_row(
       "no rounding", [](D row) { return int(row + 0.5); }, [](int n) { return 0.5 / n; });
-  as_bricks("more than the row", [](Uv uv, int n) {
+  as_bricks("more than the one", [](Uv uv, int n) {
     return Uv{uv.u + int(uv.v * n) * 0.5 / n, uv.v};
   });
   as_bricks.right([](Uv uv, int n) {  // within the map, and in float

@@ -9,7 +9,7 @@ TEST_CASE("06: strangers' answers get their words") {
   mirrored("other side of n", [](V d, V n) { return normalize((n - d) / 2); });
   mirrored("no std::abs", [](V d, V n) { return d - 2 * min(0., dot(n, d)) * n; });
   mirrored("n = +y at most", [](V d, V n) { return V{d.x, -d.y, d.z}; });
-  mirrored("shorter than n", [](V d, V n) { return d - 2 * dot(n, n) * n; });
+  mirrored("not n", [](V d, V n) { return d - 2 * dot(n, n) * n; });
 
   const auto shine = [](const char* text, auto of) {  // of n, l, the eye
     highlight(text, [=](V n, V to_lamp, V d, D s) {
@@ -42,7 +42,7 @@ TEST_CASE("06: strangers' answers get their words") {
     });
   };
   print("falls evenly", [](Color c, D t) { return t; });
-  print("should be where it is white", [=](Color c, D t) { return t * mean(c); });
+  print("belong where it is white", [=](Color c, D t) { return t * mean(c); });
   print("t is missing", [=](Color c, D t) { return 1 - mean(c); });
   print("divide the sum by 3", [](Color c, D t) { return t * (1 - (c.r + c.g + c.b)); });
   printed.right([=](Color c, D light, D t) {  // from the light toward the texture, in float

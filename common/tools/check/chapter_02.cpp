@@ -48,16 +48,11 @@ Slips<double> wrong_beginnings(double share) {
   const auto added = [=](double west) { return share < 0 ? share + west : share; };
   return {
       {"west of Greenwich your u is below 0: add 1 there", {share, fmod(share, 1)}},
-      {"your map begins on -x, as the page's does: this one begins on +x",
-       {0.5 + share, share - 0.5}},
-      {"u is 0 on +x, not 1: add 1 only where the longitude is below 0",
-       share <= 0 ? share + 1 : share},
+      {"your map begins on -x, as the page's: this one begins on +x", {0.5 + share, share - 0.5}},
+      {"u is 0 on +x: add 1 only where the longitude is below 0", share <= 0 ? share + 1 : share},
       {"u is less than 1: add 1 only where the longitude is below 0", share + 1},
-      {"without its sign, the longitude counts to the west as to the east: your map is a mirror "
-       "image of half a map",
-       abs(share)},
-      {"what is west of Greenwich belongs to the right half of the map: add 1, do not limit u to 0",
-       max(share, 0.0)},
+      {"without its sign, west counts as east: you see half of the map, mirrored", abs(share)},
+      {"the west belongs to the right half of the map: add 1, do not limit u", max(share, 0.0)},
       {"a whole turn is missing where the longitude is below 0: u + 1",
        {added(0.5), added(2 * pi), added(360), added(1) * 2 * pi, added(1) * pi * pi,
         (share < 0 ? angle + 1 : angle) / (2 * pi), (share < 0 ? angle + 360 : angle) / (2 * pi),
@@ -74,9 +69,7 @@ Slips<Place2> wrong_places(Vec3d p) {
   const auto [u, v] = right_place(p);
   const double west = fraction(1 - u), by_acos = acos(-p.y) / pi;  // the textbook's v
   return {
-      {"acos gets a number beyond 1 at the pole and gives NaN: limit y to -1 and 1 first, or use "
-       "atan2",
-       {u, by_acos}},
+      {"acos of more than 1 is NaN, at the pole: limit y to -1 and 1, or use atan2", {u, by_acos}},
       {"u runs the other way: your map is mirrored", {{west, v}, {west, by_acos}}},
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
       map_slips(p, {below_0_added, as_it_is, as_on_the_page}, wrong_beginnings),
@@ -92,8 +85,7 @@ constexpr Place<Vec3d> uv_of_places[] = {
     {"45 degrees south of -z, v is 1/4", {{0, -half_root, -half_root}}},
     {"in the direction (-2, 1, 2) / 3", {{-2. / 3, 1. / 3, 2. / 3}}},
     {"in the direction (2, -1, -2) / 3", {{2. / 3, -1. / 3, -2. / 3}}},
-    {"at the north pole v is 1, also where rounding made y a little more than 1",
-     {{1e-12, 1 + 0x1p-52, 0}}},
+    {"at the north pole v is 1, also where rounding made y more than 1", {{1e-12, 1 + 0x1p-52, 0}}},
 };
 
 /// By the numbers of column and row, and what they are before the decimals are left out.
@@ -103,11 +95,9 @@ Slips<bool> wrong_by_numbers(double c, double r, double x, double z) {
       {"you look at x alone: these are stripes, not squares", is_even(c)},
       {"you look at z alone: these are stripes, not squares", is_even(r)},
       {"column and row must be added; their product is even too often", is_even(c * r)},
-      {"two odd numbers make an even sum, too: column and row need not both be even",
-       is_even(c) && is_even(r)},
+      {"two odd numbers make an even sum, too: not both need to be even", is_even(c) && is_even(r)},
       {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
-      {"% is the remainder, / the quotient: a number is even if number % 2 is 0",
-       trunc((c + r) / 2) == 0},
+      {"% is the remainder, / the quotient: n is even if n % 2 is 0", trunc((c + r) / 2) == 0},
       {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + fmod(r, 2) == 0},
       {"% of a negative odd number is -1: ask whether it is 0, not whether it is 1",
        {fmod(c + r, 2) != 1, fmod(c - r, 2) != 1}},
@@ -124,8 +114,7 @@ Slips<bool> wrong_squares(double x, double z, double size) {
       {"two squares of one color meet at x = 0: static_cast<int> cuts off toward 0, and std::abs "
        "mirrors there; std::floor of x / size goes down, also below 0",
        {is_even(trunc(c) + trunc(r)), is_even(floor(c) + trunc(r)), is_even(trunc(c) + floor(r))}},
-      {"the nearest whole number moves the squares by half a square: take std::floor",
-       is_even(round(c) + round(r))},
+      {"rounding moves the squares by half of one: take std::floor", is_even(round(c) + round(r))},
       {"std::ceil numbers the squares from the other edge: take std::floor",
        {is_even(ceil(c) + ceil(r)), !is_even(ceil(c) + floor(r))}},
       {"your squares have another size: divide by size alone",
@@ -177,25 +166,17 @@ Slips<Place2> wrong_bricks(Place2 uv, int squares) {
   };
   const double row = floor(v * squares), right = moved(row, half).u;
   return {
-      {"nothing is moved; if you add something, it is 0: in C++ 1 / 2 and 1 / squares are 0, and "
-       "so "
-       "is static_cast<int>(v)",
-       uv},
-      {"the bricks begin further east: the color that was at u + 1/2 brick should be at u",
-       moved(row, -half)},
-      {"that is a whole brick, and exchanges the colors: half a brick is 0.5 / squares",
-       moved(row, 2 * half)},
-      {"u is a part of a turn, and half a brick is 0.5 / squares",
-       {moved(row, 0.5), moved(row, half / 2)}},
+      {"nothing is moved; what you add may be 0: 1 / 2, 1 / squares and int(v) are 0", uv},
+      {"these bricks begin further east: take the color of u + 1/2 brick", moved(row, -half)},
+      {"a whole brick exchanges the colors: half a brick is 0.5 / squares", moved(row, 2 * half)},
+      {"half a brick is 0.5 / squares: u is a part of 1", {moved(row, 0.5), moved(row, half / 2)}},
       {"there are `squares` rows and columns, not always 10",
        {moved(row, 0.05), moved(floor(10 * v), half), moved(floor(10 * v), 0.05)}},
       {"all rows are moved: rows 0, 2, 4 ... stay as they are", {u + half, v}},
       {"row 0 stays as it is: rows 1, 3, 5 ... are moved", moved(row + 1, half)},
-      {"each row is moved by half a brick more than the row below it: move every second row",
-       {u + row * half, v}},
+      {"each row is moved more than the one below: move every second row", {u + row * half, v}},
       {"this moves every second column: the row comes from v", moved(floor(u * squares), half)},
-      {"a row goes from one whole number to the next: take std::floor, no rounding",
-       moved(round(v * squares), half)},
+      {"rows begin at whole numbers: std::floor, no rounding", moved(round(v * squares), half)},
       {"the bricks move along u: v must stay as it is",
        {{u, moved(row, half).u - u + v}, {right, v + right - u}, {right, row}}},
       {"u goes around once in a turn: the checkerboard itself multiplies by its squares",

@@ -75,26 +75,20 @@ Slips<Vec3d> wrong_mirrors(Vec3d d, Vec3d n) {
   const double k = dot(n, d);
   const Vec3d along = n * k;
   Slips<Vec3d> wrong = {
-      {"all signs are exchanged: this mirrors l, which leads away from the surface; d comes to it",
-       along * 2. - d},
+      {"all signs are exchanged: this mirrors l, and d comes to the surface", along * 2. - d},
       {"the part along n counts once: the formula has 2 (n . d) n", {d - along, along - d}},
       {"n and d are exchanged: you mirror the normal at d", {n - d * (2 * k), d * (2 * k) - n}},
       {"2 (n . d) n is subtracted from d: r is no mirrored direction, and longer than 1",
        {d + along * 2., -d - along * 2.}},
       {"you return d: a mirror turns the part of d along n around", d},
       {"you return the opposite of d: that is the way back", -d},
-      {"this is no more than the part along n: r is d - 2 (n . d) n",
-       {along * 2., along, along * -2., -along}},
-      {"the part of d along n is shorter than n: it is n * dot(n, d)",
-       {d - n, d + n, d - n * 2., d + n * 2.}},
+      {"this is the part along n: r is d - 2 (n . d) n", {along * 2., along, along * -2., -along}},
+      {"the part of d along n is n * dot(n, d), not n", {d - n, d + n, d - n * 2., d + n * 2.}},
       {"2 (n . d) multiplies n alone: n * (2 * dot(n, d)), not a sum",
        {(d - n) * (2 * k), (n - d) * (2 * k), (d + n) * (2 * k)}},
-      {"this is the middle between n and the way back: r is on the other side of n",
-       normalize(n - d)},
-      {"this is right for n = +y at most: the normal may have any direction",
-       Vec3d{d.x, -d.y, d.z}},
-      {"the cross product is at a right angle to both: r lies in the plane of n and d",
-       {cross(n, d), cross(d, n)}},
+      {"this is halfway between n and the way back: r is on the other side of n", normalize(n - d)},
+      {"this is right for n = +y at most: n may have any direction", Vec3d{d.x, -d.y, d.z}},
+      {"a cross product leaves the plane of n and d: r lies in it", {cross(n, d), cross(d, n)}},
       {"n . d is above 0 behind the mirror, and r needs its sign: no std::abs, std::max or "
        "std::min",
        {d + n * (2 * abs(k)), d - n * (2 * abs(k)), d - n * (2 * max(k, 0.)),
@@ -103,17 +97,16 @@ Slips<Vec3d> wrong_mirrors(Vec3d d, Vec3d n) {
   return wrong += changed(wrong, [](const Vec3d& v) { return normalize(v); });
 }
 
+constexpr Vec3d up{0, 1, 0};
 constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
-    {"a ray straight down is sent straight up", {{0, -1, 0}, {0, 1, 0}}},
-    {"a ray along the surface goes on as it is", {{1, 0, 0}, {0, 1, 0}}},
-    {"a ray that comes down at 45 degrees goes up at 45 degrees",
-     {{half_root, -half_root, 0}, {0, 1, 0}}},
-    {"with n = +y and d = (0.6, -0.8, 0)", {{0.6, -0.8, 0}, {0, 1, 0}}},
+    {"a ray straight down is sent straight up", {{0, -1, 0}, up}},
+    {"a ray along the surface goes on as it is", {{1, 0, 0}, up}},
+    {"a ray that comes down at 45 degrees goes up at 45 degrees", {{half_root, -half_root, 0}, up}},
+    {"with n = +y and d = (0.6, -0.8, 0)", {{0.6, -0.8, 0}, up}},
     {"with n = +z and d = (0.6, 0, -0.8)", {{0.6, 0, -0.8}, {0, 0, 1}}},
     {"with n = (2, 3, 6) / 7 and d = (-2, -1, -2) / 3",
      {{-2. / 3, -1. / 3, -2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
-    {"from behind it is the same formula: with n = +y and d = (0.6, 0.8, 0)",
-     {{0.6, 0.8, 0}, {0, 1, 0}}},
+    {"from behind it is the same formula: with n = +y and d = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, up}},
 };
 
 /// Highlights of one cause, of those who also normalize the way to the lamp and test n . l > 0, or
@@ -145,10 +138,7 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
       {"halfway between the lamp and the eye, not between one of them and n",
        {dot(e, normalize(n + l)), dot(l, normalize(n + e)), dot(n, normalize(n + l)),
         dot(n, normalize(n + e))}},
-      {"your cosine is nowhere above 0: the sum of l and -d lies halfway, and std::max(cosine, "
-       "0.0) "
-       "limits it",
-       {-c, min(c, 0.)}},
+      {"no cosine is above 0: take the sum of l and -d, limited by std::max", {-c, min(c, 0.)}},
   };
   wrong += {
       changed(cosines, power),
@@ -158,8 +148,7 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
       {"this is the cosine: raise it to the power shininess", c},
       {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
       {"the strength 0.3 is the lesson's: return the power alone", 0.3 * power(c)},
-      {"the shininess need not be a whole number: take std::pow",
-       {pow(c, trunc(s)), pow(c, ceil(s))}},
+      {"the shininess may have decimals: take std::pow", {pow(c, trunc(s)), pow(c, ceil(s))}},
       {"n . l is a factor of the diffuse light: return the power alone", power(c) * dot(n, l)},
   };
   return tests_side && dot(n, l) <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
@@ -179,7 +168,6 @@ Slips<double> wrong_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s) {
           dot(n, to_lamp) >= 0 ? 0 : pow(max(dot(n, normalize(normalize(to_lamp) - d)), 0.), s)};
 }
 
-constexpr Vec3d up{0, 1, 0};
 constexpr double sine_of_60 = std::numbers::sqrt3 / 2;
 constexpr Place<Vec3d, Vec3d, Vec3d, double> highlight_places[] = {
     {"with lamp and eye straight above it is 1", {up, {0, 1, 0}, {0, -1, 0}, 3}},
@@ -218,10 +206,8 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double share) {
       {"the texture is missing: add it with its share", lit * rest},
       {"the light has the rest: multiply it by 1 - share, not by 1 minus the light",
        {gray(1 - light) + texture * share, gray(light * (1 - light)) + texture * share}},
-      {"the rest, 1 - share, is not yet the light's: multiply the light by it",
-       gray(rest) + texture * share},
-      {"the light has a negative share: it is 1 - share, not share - 1",
-       texture * share + lit * -rest},
+      {"the rest is not yet the light's: multiply the light by it", gray(rest) + texture * share},
+      {"the light's share is 1 - share, not share - 1", texture * share + lit * -rest},
       {"a gray has three equal parts: Color{x, x, x}", texture * share + Rgb{light, 0, 0} * rest},
   };
 }
@@ -240,15 +226,11 @@ Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
   };
   const auto all = [&](double one) { return by(one, one, one); };
   return {
-      {"the share is t only where the texture is black, and falls evenly to 0 where it is white (1 "
-       "/ 3 "
-       "of whole numbers is 0)",
+      {"the share falls evenly from t, for black, to 0, for white (and in C++ 1 / 3 is 0)",
        {all(t), all(bright < 0.5 ? t : 0)}},
-      {"the holes are where the texture is black: they should be where it is white",
-       all(t * bright)},
-      {"the texture's share is t times 1 - brightness: t is missing",
-       {all(1 - bright), all(bright)}},
-      {"the texture's share is t times 1 - brightness, with parentheses: t * (1 - brightness)",
+      {"the holes are where the texture is black: they belong where it is white", all(t * bright)},
+      {"the texture's share is t * (1 - brightness): t is missing", {all(1 - bright), all(bright)}},
+      {"the texture's share is t * (1 - brightness), with parentheses",
        {all(t - bright), all(max(t - bright, 0.)), all(1 - t * bright), all(t + 1 - bright)}},
       {"the brightness is a mean: divide the sum by 3, with parentheses",
        {all(t * (1 - 3 * bright)), all(t * max(1 - 3 * bright, 0.)),
@@ -257,12 +239,9 @@ Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
        {all(t * (1 - r)), all(t * (1 - g)), all(t * (1 - b)), all(t * (1 - max({r, g, b}))),
         all(t * (1 - min({r, g, b}))), all(t * (1 - (max({r, g, b}) + min({r, g, b})) / 2)),
         all(t * (1 - (0.2126 * r + 0.7152 * g + 0.0722 * b)))}},
-      {"the three parts have one share: that of the mean",
-       by(t * (1 - r), t * (1 - g), t * (1 - b))},
-      {"the brightness is the texture's, not the light's",
-       {all(t * (1 - lit)), all(t * (1 - light))}},
-      {"the light has the rest, 1 minus the texture's share, and not 1 - t",
-       texture * share + gray(lit) * (1 - t)},
+      {"all three parts have one share, of the mean", by(t * (1 - r), t * (1 - g), t * (1 - b))},
+      {"brightness is the texture's, not the light's", {all(t * (1 - lit)), all(t * (1 - light))}},
+      {"the light has the rest, 1 - share, not 1 - t", texture * share + gray(lit) * (1 - t)},
       {"the light is not limited to 1: take std::min(light, 1.0)", with(light)},
       {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(max(light, 1.))},
       {"light above 1 counts as 1, not as 0 or as its decimals",
