@@ -1,7 +1,5 @@
 // Rays that are aimed at the edges and corners of meshes, and what they cross.
 #pragma once
-#include <cmath>
-
 #include "math/rotation.hpp"
 #include "scene/mesh.hpp"
 #include "support/dice.hpp"

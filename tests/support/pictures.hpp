@@ -1,9 +1,7 @@
 // What the chapter tests do with pictures: draw a lesson, count differences, average a crop.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -35,18 +33,16 @@ template <class Real = double, class Lesson>
   return render<number_in<Lesson, Real>>(lesson, view_of(lesson.stage.camera, width, height));
 }
 
-/// The largest difference of a channel between two pixels.
-[[nodiscard]] inline int levels_apart(Rgb8 a, Rgb8 b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
-
 /// How many pixels differ by more than `levels`; all of them where the sizes differ.
 [[nodiscard]] inline long count_different(const Image& a, const Image& b, int levels = 0) {
   if (a.width != b.width || a.height != b.height)
     return static_cast<long>(std::max(a.pixels.size(), b.pixels.size()));
   long count = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    count += levels_apart(a.pixels[i], b.pixels[i]) > levels ? 1 : 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgb8 p = a.pixels[i], q = b.pixels[i];
+    const int apart = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+    count += apart > levels ? 1 : 0;
+  }
   return count;
 }
 

@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #endif
 
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>

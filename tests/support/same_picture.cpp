@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <string>
+#include <utility>
 
 #include "engine/compare/difference.hpp"
 #include "engine/compare/difference_map.hpp"
@@ -14,30 +14,6 @@
 
 namespace texmap::test {
 namespace {
-
-/// Where two pictures of one size differ by more than the allowed levels.
-struct Differences {
-  long count = 0;
-  int left = 0, right = -1, top = 0, bottom = -1;
-  int first_column = 0, first_row = 0;
-};
-
-Differences differences_of(const Image& a, const Image& b, int levels) {
-  Differences found;
-  for (int row = 0; row < a.height; ++row) {
-    for (int column = 0; column < a.width; ++column) {
-      if (channel_difference(a.at(column, row), b.at(column, row)) <= levels) continue;
-      if (found.count == 0) {
-        found = {0, column, column, row, row, column, row};
-      }
-      found.left = std::min(found.left, column);
-      found.right = std::max(found.right, column);
-      found.bottom = row;
-      ++found.count;
-    }
-  }
-  return found;
-}
 
 std::string text_of(Rgb8 color) { return text("(%d, %d, %d)", color.r, color.g, color.b); }
 
@@ -71,22 +47,28 @@ std::string difference_report(const Image& is, const Image& should, const Allowe
     return text("the picture is %d x %d pixels, and should be %d x %d", is.width, is.height,
                 should.width, should.height);
   }
-  const Differences found = differences_of(is, should, allowed.levels);
-  if (found.count <= allowed.pixels) return "";
+  Image seen = is;  // what is allowed is no difference
+  for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+    if (channel_difference(is.pixels[i], should.pixels[i]) <= allowed.levels)
+      seen.pixels[i] = should.pixels[i];
+  }
+  const Figures found = measure(seen, should, {}, Detail::pixels);
+  if (std::cmp_less_equal(found.pixels_different, allowed.pixels)) return "";
   std::vector<WrongPicture> known = mistakes_of_the_whole(should);
   if (wrong) {
     const std::vector<WrongPicture> more = wrong();
     known.insert(known.end(), more.begin(), more.end());
   }
   const std::string word = name_mistake(is, should, known);
+  const auto [first, there] = std::ranges::mismatch(seen.pixels, should.pixels);
+  const long place = first - seen.pixels.begin();
   std::string report =
-      text("%ld of %zu pixels differ, in columns %d to %d, rows %d to %d", found.count,
-           is.pixels.size(), found.left, found.right, found.top, found.bottom);
+      text("%zu of %zu pixels differ, in columns %d to %d, rows %d to %d", found.pixels_different,
+           is.pixels.size(), found.box.left, found.box.left + found.box.width - 1, found.box.top,
+           found.box.top + found.box.height - 1);
   report +=
-      text("\n  the first, in column %d and row %d, is ", found.first_column, found.first_row);
-  report += text_of(is.at(found.first_column, found.first_row));
-  report += " and should be ";
-  report += text_of(should.at(found.first_column, found.first_row));
+      text("\n  the first, in column %ld and row %ld, is ", place % is.width, place / is.width);
+  report += text_of(*first) + " and should be " + text_of(*there);
   if (!word.empty()) report += "\n  " + word;
   return report;
 }

@@ -68,6 +68,11 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+/// @param tag  its name, and attributes behind it
+std::string in_tag(const std::string& tag, const std::string& html) {
+  return "<" + tag + ">" + html + "</" + tag.substr(0, tag.find(' ')) + ">";
+}
+
 }  // namespace
 
 const char* const slider_script = R"js(
@@ -148,11 +153,8 @@ std::string address_of(std::string_view path) {
   for (const char c : path) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                        std::string_view("/._-~").find(c) != std::string_view::npos;
-    if (plain) {
-      address += c;
-    } else {
-      address += text("%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    }
+    address += plain ? std::string(1, c)
+                     : text("%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
   }
   return address;
 }
@@ -164,67 +166,54 @@ Picture inside(std::span<const std::uint8_t> png, int width, int height) {
 }
 
 std::string picture(const Picture& picture, const std::string& alternative) {
-  std::string html = "<img width=\"" + std::to_string(picture.width) + "\" height=\"" +
-                     std::to_string(picture.height) + "\" alt=\"";
-  html.append(escaped_foreign(alternative)).append("\" src=\"").append(picture.address);
-  return html.append("\">");
+  return text("<img width=\"%d\" height=\"%d\" alt=\"", picture.width, picture.height) +
+         escaped_foreign(alternative) + "\" src=\"" + picture.address + "\">";
 }
 
 std::string figure(const Picture& picture, const std::string& caption,
                    const std::string& alternative) {
-  std::string html = "<figure>";
-  html += page::picture(picture, alternative.empty() ? caption : alternative);
-  html.append("<figcaption>").append(escaped_foreign(caption));
-  return html.append("</figcaption></figure>\n");
+  const std::string image = page::picture(picture, alternative.empty() ? caption : alternative);
+  return in_tag("figure", image + in_tag("figcaption", escaped_foreign(caption))) + "\n";
 }
 
 std::string side_by_side(const std::vector<std::string>& figures_html) {
-  std::string html = "<div class=\"row\">\n";
+  std::string html = "\n";
   for (const std::string& figure_html : figures_html) html += figure_html;
-  return html.append("</div>\n");
+  return in_tag("div class=\"row\"", html) + "\n";
 }
 
 std::string slider(const Picture& before, const std::string& before_name, const Picture& after,
                    const std::string& after_name) {
-  std::string html = "<div class=\"slider\">\n<div class=\"pair\">";
-  html += picture(before, "The picture of " + before_name);
-  html += picture(after, "The picture of " + after_name);
-  html.append("</div>\n<div class=\"controls\"><label>").append(escaped_foreign(before_name));
-  html +=
-      " <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
-      "aria-label=\"Where the pictures meet\"> ";
-  html.append(escaped_foreign(after_name));
-  html +=
-      "</label>\n<button type=\"button\" aria-pressed=\"false\">Blink</button>"
-      "<button type=\"button\">Before</button><button type=\"button\">After</button>"
-      "</div>\n</div>\n";
-  return html;
+  return "<div class=\"slider\">\n<div class=\"pair\">" +
+         picture(before, "The picture of " + before_name) +
+         picture(after, "The picture of " + after_name) +
+         "</div>\n<div class=\"controls\"><label>" + escaped_foreign(before_name) +
+         " <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
+         "aria-label=\"Where the pictures meet\"> " +
+         escaped_foreign(after_name) +
+         "</label>\n<button type=\"button\" aria-pressed=\"false\">Blink</button>"
+         "<button type=\"button\">Before</button><button type=\"button\">After</button>"
+         "</div>\n</div>\n";
 }
 
 std::string table(const std::vector<std::string>& head,
                   const std::vector<std::vector<std::string>>& rows_html) {
-  std::string html = "<div class=\"scroll\"><table>\n";
-  if (!head.empty()) {
-    html += "<thead><tr>";
-    for (const std::string& name : head)
-      html.append("<th scope=\"col\">").append(escaped_foreign(name)).append("</th>");
-    html += "</tr></thead>\n";
-  }
+  std::string html = "<div class=\"scroll\"><table>\n", names;
+  for (const std::string& name : head) names += in_tag("th scope=\"col\"", escaped_foreign(name));
+  if (!head.empty()) html += in_tag("thead", in_tag("tr", names)) + "\n";
   html += "<tbody>\n";
   for (const std::vector<std::string>& row : rows_html) {
-    html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      html.append(i == 0 ? "<th scope=\"row\">" : "<td>").append(row[i]);
-      html += i == 0 ? "</th>" : "</td>";
-    }
-    html += "</tr>\n";
+    std::string cells;
+    for (const std::string& cell : row)
+      cells += in_tag(cells.empty() ? "th scope=\"row\"" : "td", cell);
+    html += in_tag("tr", cells) + "\n";
   }
-  return html.append("</tbody>\n</table></div>\n");
+  return html + "</tbody>\n</table></div>\n";
 }
 
 std::string verdict(bool good, const std::string& sentence_html) {
-  std::string html = good ? "<p class=\"verdict good\">" : "<p class=\"verdict bad\">";
-  return html.append(sentence_html).append("</p>\n");
+  return in_tag(good ? "p class=\"verdict good\"" : "p class=\"verdict bad\"", sentence_html) +
+         "\n";
 }
 
 std::string code_difference(std::string_view before_text, std::string_view after_text) {
@@ -240,19 +229,17 @@ std::string code_difference(std::string_view before_text, std::string_view after
     }
   }
   std::string html = "<pre tabindex=\"0\" aria-label=\"The code before and after, line by line\">";
-  const auto show = [&html](const char* mark, std::string_view line) {
-    html.append(mark).append(escaped_foreign(line)).append("</span>");
+  const auto show = [&html](const char* tag, const char* mark, std::string_view line) {
+    html += in_tag(tag, mark + escaped_foreign(line));
   };
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < before.size() || j < after.size()) {
+  for (std::size_t i = 0, j = 0; i < before.size() || j < after.size();) {
     if (i < before.size() && j < after.size() && before[i] == after[j]) {
-      show("<span>  ", before[i++]);
+      show("span", "  ", before[i++]);
       ++j;
     } else if (j == after.size() || (i < before.size() && common[i + 1][j] >= common[i][j + 1])) {
-      show("<span class=\"removed\">- ", before[i++]);
+      show("span class=\"removed\"", "- ", before[i++]);
     } else {
-      show("<span class=\"added\">+ ", after[j++]);
+      show("span class=\"added\"", "+ ", after[j++]);
     }
   }
   return html.append("</pre>\n");
