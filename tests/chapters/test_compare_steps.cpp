@@ -45,15 +45,6 @@ std::string said_of(const steps::Comparison& result) {
          steps::summary(result, "page");
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::string text_in(const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = bytes_of(path.string());
-  return {bytes.begin(), bytes.end()};
-}
-
 std::string files_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))

@@ -1,7 +1,6 @@
 // Measures the figures of the pages that no golden picture, law or sum pins: pixels that another
 // setting changes, and errors that depend on random numbers or rounding. Prints a name, a blank and
 // the value a line, as docs/figures.txt has them.
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -56,22 +55,24 @@ Image drawn(const Words& words = {}) {
 
 /// What another number, rounding, exponent, layout or way to raise changes in a lesson's picture.
 void figures_of_settings(Figures& figures) {
+  const auto changed = [&](const char* name, const Image& a, const Image& b) {
+    figures[name] = whole(count_different(a, b));
+  };
   const chapter_01::Lesson spheres;
-  figures["01.pixels_other_in_float"] =
-      whole(count_different(picture<float>(spheres), picture(spheres)));
+  changed("01.pixels_other_in_float", picture<float>(spheres), picture(spheres));
 
   auto upside = prepared<chapter_03::Lesson>({"--texture", "uv_map.png"});
   const Image upright = picture(upside);
   std::get<chapter_03::Textured>(upside.objects[chapter_03::middle].paint).texture.v_axis =
       VAxis::down;
-  figures["03.pixels_upside_down"] = whole(count_different(picture(upside), upright));
+  changed("03.pixels_upside_down", picture(upside), upright);
 
   double largest = 0;
   for (const chapter_04::Relation& relation : chapter_04::measure_relations())
     largest = std::max(largest, relation.residual);
   figures["04.largest_error"] = text("%.2g", largest);
-  figures["04.pixels_other_by_rounding"] = whole(count_different(
-      drawn<chapter_03::Lesson>(), drawn<chapter_04::Lesson>({"--rounding", "lecture"})));
+  changed("04.pixels_other_by_rounding", drawn<chapter_03::Lesson>(),
+          drawn<chapter_04::Lesson>({"--rounding", "lecture"}));
 
   const Image before = drawn<chapter_05::Lesson>({"--degrees", "20"});
   const auto spot = [&](const char* shininess) {
@@ -92,14 +93,14 @@ void figures_of_settings(Figures& figures) {
   const Image right = picture(layout);
   std::get<chapter_10::Textured>(layout.objects[chapter_10::middle].paint).mapping = {
       Projection::cylinder};
-  figures["10.pixels_by_cylinder"] = whole(count_different(picture(layout), right));
+  changed("10.pixels_by_cylinder", picture(layout), right);
 
   const auto globe = [](const Words& words) {
     return picture(prepared<chapter_11::Lesson>(words), 600, 600);
   };
   const Image bumps = globe({});
-  figures["11.pixels_with_bumps"] = whole(count_different(bumps, globe({"--bump", "off"})));
-  figures["11.pixels_by_blinn"] = whole(count_different(bumps, globe({"--bump", "blinn"})));
+  changed("11.pixels_with_bumps", bumps, globe({"--bump", "off"}));
+  changed("11.pixels_by_blinn", bumps, globe({"--bump", "blinn"}));
 }
 
 /// Heron's areas and the usual test of a ray: what they change, and how far they are off.
@@ -124,19 +125,11 @@ void figures_of_triangles(Figures& figures) {
 }
 
 /// Root mean square difference in levels of 255, as `compare` finds it between the files.
+double levels(const Image& a, const Image& b) {
+  return measure(a, b, {}, Detail::pixels).root_mean_square_error;
+}
 double levels(const Film& a, const Film& b) {
-  double sum = 0;
-  for (int row = 0; row < a.height(); ++row) {
-    for (int column = 0; column < a.width(); ++column) {
-      const Rgb x = a.light(column, row), y = b.light(column, row);
-      const auto byte = [](double light) {
-        return std::round(255 * srgb_encode(std::clamp(light, 0.0, 1.0)));
-      };
-      const auto apart = [&byte](double p, double q) { return square(byte(p) - byte(q)); };
-      sum += apart(x.r, y.r) + apart(x.g, y.g) + apart(x.b, y.b);
-    }
-  }
-  return std::sqrt(sum / (3.0 * a.width() * a.height()));
+  return levels(develop(a, Transfer::srgb), develop(b, Transfer::srgb));
 }
 
 /// The errors of the four patterns in chapter 07's picture, drawn small.
@@ -190,8 +183,8 @@ void figures_of_a_sky(Figures& figures, const std::string& sky, SkyLight light) 
                                   std::pair{importance, "importance"}, std::pair{mis, "mis"},
                                   std::pair{coefficients, "coefficients"}}) {
     for (const int samples : {16, 64}) {
-      figures["12.error_" + sky + "_" + name + "_" + std::to_string(samples)] = decimals(
-          measure(lit(way, samples), reference, {}, Detail::pixels).root_mean_square_error, 1);
+      figures["12.error_" + sky + "_" + name + "_" + std::to_string(samples)] =
+          decimals(levels(lit(way, samples), reference), 1);
     }
   }
 }

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "engine/picture/save_png.hpp"
+#include "support/temporary_folder.hpp"
 #include "tools/page/page.hpp"
 
 using namespace texmap;
-
-namespace {
-
-bool has(const std::string& html, const std::string& words) {
-  return html.find(words) != std::string::npos;
-}
-
-}  // namespace
+using test::has;
 
 // RFC 4648, section 10, and the digits that letters do not need.
 TEST_CASE("bytes are base64 as its document's examples are, and a picture has those of its file") {

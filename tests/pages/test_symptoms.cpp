@@ -141,12 +141,8 @@ constexpr LookUpMistake look_up_mistakes[] = {
 
 /// A picture with its pixels three wide and three high.
 Image tripled(const Image& small) {
-  Image image(3 * small.width, 3 * small.height);
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column)
-      image.at(column, row) = small.at(column / 3, row / 3);
-  }
-  return image;
+  return image_of(3 * small.width, 3 * small.height,
+                  [&](int column, int row) { return small.at(column / 3, row / 3); });
 }
 Rgb8 pixel_of(const Rgb& color) { return {byte_of(color.r), byte_of(color.g), byte_of(color.b)}; }
 
@@ -161,25 +157,21 @@ Image seam_line(bool short_way) {
   const Camera camera{.eye = {-3.4, 0.6, 0}, .target = {0, 0, 0}, .fov_y_degrees = 42};
   const View<> view = view_of(camera, width / 3, height / 3);
   const Sphere<> globe{{0, 0, 0}, 1};
-  Image image(view.width, view.height, {140, 170, 210});
+  const auto ray_at = [&](int x, int y) { return ray_through<double>(view, x, y); };
   const auto uv_at = [&](int column, int row) {
-    const auto ray = ray_through<double>(view, column, row);
+    const auto ray = ray_at(column, row);
     return uv_rtiow(normal_at(globe, ray, distance_to(globe, ray)));
   };
-  for (int row = 0; row < view.height; ++row) {
-    for (int column = 0; column < view.width; ++column) {
-      if (!(distance_to(globe, ray_through<double>(view, column, row)) < infinity<double>()))
-        continue;
-      const Uv<double> here = uv_at(column, row);
-      const Uv<double> across = uv_at(column + 1, row), down = uv_at(column, row + 1);
-      const auto step = [&](double to) {
-        return to - here.u - (short_way ? std::round(to - here.u) : 0);
-      };
-      image.at(column, row) = pixel_of(texture.filtered(Uv<Dual<double>>{
-          {here.u, step(across.u), step(down.u)}, {here.v, across.v - here.v, down.v - here.v}}));
-    }
-  }
-  return tripled(image);
+  return tripled(image_of(view.width, view.height, [&](int column, int row) {
+    if (!(distance_to(globe, ray_at(column, row)) < infinity<double>())) return Rgb8{140, 170, 210};
+    const Uv<double> here = uv_at(column, row);
+    const Uv<double> across = uv_at(column + 1, row), down = uv_at(column, row + 1);
+    const auto step = [&](double to) {
+      return to - here.u - (short_way ? std::round(to - here.u) : 0);
+    };
+    return pixel_of(texture.filtered(Uv<Dual<double>>{
+        {here.u, step(across.u), step(down.u)}, {here.v, across.v - here.v, down.v - here.v}}));
+  }));
 }
 
 /// The pole from above: v is the square of what it should be, as if its arc cosine were missing,
@@ -297,9 +289,7 @@ Image filtered(const char* filter) {
 
 TEST_CASE("each symptom's picture is drawn by its fault, and has a row") {
   const std::filesystem::path folder = TEXMAP_TESTS_DIR "/../docs/pictures/symptoms";
-  const std::vector<std::uint8_t> bytes =
-      test::bytes_of(std::string(TEXMAP_TESTS_DIR "/../docs/symptoms.md"));
-  const std::string page(bytes.begin(), bytes.end());
+  const std::string page = text_in(TEXMAP_TESTS_DIR "/../docs/symptoms.md");
   const bool collects = std::getenv("TEXMAP_COLLECT") != nullptr;
   std::set<std::string> names;
   const auto check = [&](const std::string& name, const Image& image) {
@@ -312,35 +302,30 @@ TEST_CASE("each symptom's picture is drawn by its fault, and has a row") {
 #else
     CHECK(count_different(image, there, 1) < 50);
 #endif
-    CHECK(page.find("pictures/symptoms/" + name + ".png") != std::string::npos);
+    CHECK(has(page, "pictures/symptoms/" + name + ".png"));
     names.insert(name);
   };
   check("right", right());
   for (const LookUpMistake& mistake : look_up_mistakes) {
     if (mistake.picture != nullptr) check(mistake.picture, looked_up(mistake.look_up));
   }
-  check("seam_line", seam_line(false));
-  check("seam_line_right", seam_line(true));
-  check("squeezed_pole", squeezed_pole(false));
-  check("squeezed_pole_right", squeezed_pole(true));
+  const auto check_both = [&](const std::string& name, const Image& wrong, const Image& mended) {
+    check(name, wrong);
+    check(name + "_right", mended);
+  };
+  check_both("seam_line", seam_line(false), seam_line(true));
+  check_both("squeezed_pole", squeezed_pole(false), squeezed_pole(true));
   check("black_dots", with_acne());
-  check("frayed_coasts", frayed_coasts(1));
-  check("frayed_coasts_right", frayed_coasts(4));
+  check_both("frayed_coasts", frayed_coasts(1), frayed_coasts(4));
   check("too_dark", through(srgb_decode<double>));
   check("too_pale", through(srgb_encode<double>));
-  check("egg", egg(1));
-  check("egg_right", egg(8));
-  check("blocks", blocks(right_paint));
-  check("blocks_right", blocks(bilinear_paint));
-  check("half_a_texel", half_a_texel(0.5));
-  check("half_a_texel_right", half_a_texel(0));
-  check("dents", dents("-0.06"));
-  check("dents_right", dents("0.06"));
-  check("blurred", filtered("trilinear"));
-  check("blurred_right", filtered("anisotropic"));
+  check_both("egg", egg(1), egg(8));
+  check_both("blocks", blocks(right_paint), blocks(bilinear_paint));
+  check_both("half_a_texel", half_a_texel(0.5), half_a_texel(0));
+  check_both("dents", dents("-0.06"), dents("0.06"));
+  check_both("blurred", filtered("trilinear"), filtered("anisotropic"));
   check("dark_rim", dark_rim());
-  check("night_highlight", night_highlight("lecture"));
-  check("night_highlight_right", night_highlight("phong"));
+  check_both("night_highlight", night_highlight("lecture"), night_highlight("phong"));
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     CHECK_MESSAGE(names.count(entry.path().stem().string()) == 1, entry.path().string());
 }

@@ -55,23 +55,4 @@ template <class Many>
           any_pack<Many>(dice, low, high)};
 }
 
-/// The law for a texture, at 200 packs of places in and around the picture.
-template <class T, class Texture>
-void check_lanes_of_texture(const Texture& texture) {
-  for (int start = 0; start < 200; ++start) {
-    const auto places = [start](int step, int between, int count) {
-      return from_lanes<Pack<T>>([=](std::size_t lane) {
-        return static_cast<T>((start * step + static_cast<int>(lane) * between) % (count + 20) -
-                              10) /
-               static_cast<T>(count);
-      });
-    };
-    check_each_lane<Pack<T>>(
-        [&]<class Real>(const Real& u, const Real& v) {
-          return texture(Uv<Real>{u, v});
-        },
-        places(7, 31, 211), places(13, 5, 196));
-  }
-}
-
 }  // namespace texmap::test

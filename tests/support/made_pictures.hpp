@@ -7,6 +7,16 @@
 
 namespace texmap::test {
 
+/// An image with a color of the column and row in each pixel.
+template <class Color>
+[[nodiscard]] Image image_of(int width, int height, const Color& color) {
+  Image image(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) image.at(column, row) = color(column, row);
+  }
+  return image;
+}
+
 /// Every channel of every pixel at random.
 [[nodiscard]] inline Image noise(int width, int height, std::uint32_t seed) {
   Image image(width, height);
@@ -25,19 +35,12 @@ namespace texmap::test {
 
 /// Color ramps with a grid of thin lines, moved to the right by `shift` columns.
 [[nodiscard]] inline Image ramps(int width, int height, int shift = 0) {
-  Image image(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const int x = column - shift + 64;
-      const bool line = x % 16 == 0 || row % 16 == 8;
-      const int red = (x * 5) % 256, green = (row * 4) % 256, blue = (x * 2 + row * 3) % 256;
-      image.at(column, row) =
-          line ? Rgb8{250, 240, 20}
-               : Rgb8{static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
-                      static_cast<std::uint8_t>(blue)};
-    }
-  }
-  return image;
+  return image_of(width, height, [shift](int column, int row) -> Rgb8 {
+    const int x = column - shift + 64;
+    if (x % 16 == 0 || row % 16 == 8) return {250, 240, 20};
+    return {static_cast<std::uint8_t>(x * 5), static_cast<std::uint8_t>(row * 4),
+            static_cast<std::uint8_t>(x * 2 + row * 3)};
+  });
 }
 
 /// With every channel up to `levels` off, at random.

@@ -7,6 +7,7 @@
 
 #include "engine/app/prepared.hpp"
 #include "scene/nearest.hpp"
+#include "support/made_pictures.hpp"
 
 namespace texmap::test {
 
@@ -97,13 +98,9 @@ struct Mean {
 
 /// The picture with columns and rows in the other order where that is said.
 [[nodiscard]] inline Image turned(const Image& image, bool columns, bool rows) {
-  Image result = image;
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column)
-      result.at(column, row) = image.at(columns ? image.width - 1 - column : column,
-                                        rows ? image.height - 1 - row : row);
-  }
-  return result;
+  return image_of(image.width, image.height, [&](int x, int y) {
+    return image.at(columns ? image.width - 1 - x : x, rows ? image.height - 1 - y : y);
+  });
 }
 [[nodiscard]] inline Image upside_down(const Image& image) { return turned(image, false, true); }
 [[nodiscard]] inline Image mirrored(const Image& image) { return turned(image, true, false); }

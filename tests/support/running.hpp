@@ -30,11 +30,7 @@ struct Outcome {
   const int result = std::system(("{ " + command + "; }" + streams).c_str());
   const int status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
 #endif
-  const auto text = [&folder](const char* name) {
-    const std::vector<std::uint8_t> bytes = bytes_of(folder / name);
-    return std::string(bytes.begin(), bytes.end());
-  };
-  return {status, text("out"), text("err")};
+  return {status, text_in(folder / "out"), text_in(folder / "err")};
 }
 
 /// The picture that a program draws with these options.

@@ -42,12 +42,20 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// All bytes of a file.
-[[nodiscard]] inline std::vector<std::uint8_t> bytes_of(const std::string& path) {
+/// All of a file: as text, or as bytes.
+[[nodiscard]] inline std::string text_in(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("a test cannot read " + path);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) throw std::runtime_error("a test cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+[[nodiscard]] inline std::vector<std::uint8_t> bytes_of(const std::string& path) {
+  const std::string text = text_in(path);
   return {text.begin(), text.end()};
+}
+
+/// True if the words are in the text.
+[[nodiscard]] inline bool has(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
 }
 
 /// Makes or replaces a file.

@@ -194,13 +194,18 @@ std::vector<WrongPicture> draw_all(const Request& request) {
         });
       }
     };
+    // The picture by the lesson's light, with another color of the paint or another normal.
+    const auto add_lit = [&](const std::string& name, const std::string& words,
+                             const auto& change) {
+      add_shaded(name, words, [&](const Object& object, Hit<double> hit, const auto& ray) {
+        Rgb color = object.paint(hit);
+        change(object, hit, color);
+        return mistakes::Lit(lesson, object, color, hit, ray).right();
+      });
+    };
     add_all(mistakes::of_light);
-    add_shaded("normal_inward", "dark where the lamp shines: the normal points inward",
-               [&](const Object& object, Hit<double> hit, const auto& ray) {
-                 const Rgb color = object.paint(hit);
-                 hit.normal = -hit.normal;
-                 return mistakes::Lit(lesson, object, color, hit, ray).right();
-               });
+    add_lit("normal_inward", "dark where the lamp shines: the normal points inward",
+            [](const Object&, Hit<double>& hit, Rgb&) { hit.normal = -hit.normal; });
     if constexpr (mistakes::HasHighlight<Lesson>) add_all(mistakes::of_highlight);
     if constexpr (requires { lesson.turn; }) {
       // The globe turned by a function of its normal, and its light by another.
@@ -209,15 +214,12 @@ std::vector<WrongPicture> draw_all(const Request& request) {
       const auto map = prepared<Lesson>(not_turned).objects.front().paint;
       const auto add_turned = [&](const std::string& name, const std::string& words,
                                   const auto& of_texture, const auto& of_light) {
-        add_shaded(name, words, [&](const Object& object, Hit<double> hit, const auto& ray) {
-          Rgb color = object.paint(hit);
-          if (&object == &lesson.objects.front()) {
-            Hit<double> from = hit;
-            from.normal = of_texture(hit.normal);
-            color = map(from);
-            hit.normal = of_light(hit.normal);
-          }
-          return mistakes::Lit(lesson, object, color, hit, ray).right();
+        add_lit(name, words, [&](const Object& object, Hit<double>& hit, Rgb& color) {
+          if (&object != &lesson.objects.front()) return;
+          Hit<double> from = hit;
+          from.normal = of_texture(hit.normal);
+          color = map(from);
+          hit.normal = of_light(hit.normal);
         });
       };
       const RotationY turn = lesson.turn.rotation();
@@ -240,20 +242,19 @@ std::vector<WrongPicture> draw_all(const Request& request) {
         add_turned(std::string("about_z") + way, about, about_z, alone);
       }
     }
-    mistakes::of_the_scene(lesson, [&](const char* name, const char* words, const Lesson& other) {
+    const auto add_other = [&](const std::string& name, const std::string& words,
+                               const Lesson& other) {
       add_own(name, words,
               render<double>(other, view_of(other.stage.camera, view.width, view.height)));
-    });
+    };
+    mistakes::of_the_scene(lesson, add_other);
     if constexpr (std::is_same_v<Lesson, chapter_02::Lesson>) {
       using Checkered = chapter_02::Checkered;
       for (const mistakes::UvMistake& one : mistakes::of_uv) {
-        add_shaded(one.name, one.words,
-                   [&](const Object& object, const Hit<double>& hit, const auto& ray) {
-                     const auto* paint = std::get_if<Checkered>(&object.paint);
-                     const Rgb color =
-                         paint == nullptr ? object.paint(hit) : paint->texture(one.uv(hit.normal));
-                     return mistakes::Lit(lesson, object, color, hit, ray).right();
-                   });
+        add_lit(one.name, one.words, [&](const Object& object, Hit<double>& hit, Rgb& color) {
+          const auto* paint = std::get_if<Checkered>(&object.paint);
+          if (paint != nullptr) color = paint->texture(one.uv(uv_rtiow(hit.normal), hit.normal.y));
+        });
       }
       Lesson other = lesson;
       std::swap(other.checkered.texture.even, other.checkered.texture.odd);
@@ -261,19 +262,19 @@ std::vector<WrongPicture> draw_all(const Request& request) {
         if (std::holds_alternative<chapter_02::Checkered>(object.paint))
           object.paint = other.checkered;
       }
-      add_own("other_squares",
-              "every square has the other color: a sign of u or v, a missing 1/2, or the two "
-              "colors",
-              render<double>(other, view));
+      add_other("other_squares",
+                "every square has the other color: a sign of u or v, a missing 1/2, or the two "
+                "colors",
+                other);
     }
     Lesson at_corners = lesson;
     at_corners.stage.camera.anchor = PixelAnchor::corner;
-    add_own("pixel_corner", "half a pixel off: rays go through the corners of pixels",
-            render<double>(at_corners, view_of(at_corners.stage.camera, view.width, view.height)));
+    add_other("pixel_corner", "half a pixel off: rays go through the corners of pixels",
+              at_corners);
     if constexpr (std::is_same_v<Lesson, chapter_03::Lesson>) {
       auto& paint = lesson.objects[chapter_03::middle].paint;
       std::get<chapter_03::Textured>(paint).texture.rounding = TexelRounding::lecture;
-      add_own("last_column", last_column, render<double>(lesson, view));
+      add_other("last_column", last_column, lesson);
     }
   }
   return wrong;
@@ -287,32 +288,6 @@ constexpr std::array draw_chapter = {
     draw_all<chapter_10::Lesson>, draw_all<chapter_11::Lesson>, draw_all<chapter_12::Lesson>,
 };
 
-Request request_of(const Words& words) {
-  Request request;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i == 0) {
-      request.chapter = words[i].substr(0, 2);
-    } else if (words[i] == "--out" && i + 1 < words.size()) {
-      request.folder = path_of(words[++i]);
-    } else {
-      request.options.push_back(words[i]);
-    }
-  }
-  if (request.folder.empty()) throw UsageError("name a chapter and a folder: 03 --out FOLDER");
-  return request;
-}
-
-void draw_and_tell(const Request& request) {
-  std::size_t number = 1;
-  while (number <= draw_chapter.size() && request.chapter != text("%02zu", number)) ++number;
-  if (number > draw_chapter.size())
-    throw UsageError("there are mistakes for chapters 01 to 12, not '" + request.chapter + "'");
-  const std::vector<WrongPicture> wrong = draw_chapter[number - 1](request);
-  save_wrong_pictures(wrong, request.folder);
-  print(text("%s: %zu wrong pictures and mistakes.txt\n", name_of(request.folder).c_str(),
-             wrong.size()));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -323,10 +298,23 @@ int main(int argc, char** argv) {
   line.text("--out", "FOLDER", folder, "where the pictures and mistakes.txt go");
   return run_guarded(line, [&] {
     const Words words = typed_words(argc, argv);
-    if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-      print(line.help());
-      return;
+    if (words.empty() || words[0] == "--help" || words[0] == "-h") return print(line.help());
+    Request request{words[0].substr(0, 2), {}, {}};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      if (words[i] == "--out" && i + 1 < words.size()) {
+        request.folder = path_of(words[++i]);
+      } else {
+        request.options.push_back(words[i]);
+      }
     }
-    draw_and_tell(request_of(words));
+    if (request.folder.empty()) throw UsageError("name a chapter and a folder: 03 --out FOLDER");
+    std::size_t chapter = 1;
+    while (chapter <= draw_chapter.size() && request.chapter != text("%02zu", chapter)) ++chapter;
+    if (chapter > draw_chapter.size())
+      throw UsageError("there are mistakes for chapters 01 to 12, not '" + request.chapter + "'");
+    const std::vector<WrongPicture> wrong = draw_chapter[chapter - 1](request);
+    save_wrong_pictures(wrong, request.folder);
+    print(text("%s: %zu wrong pictures and mistakes.txt\n", name_of(request.folder).c_str(),
+               wrong.size()));
   });
 }

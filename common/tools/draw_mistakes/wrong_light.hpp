@@ -53,6 +53,11 @@ struct Lit {
   [[nodiscard]] double specular() const { return phong.highlight(material, light, normal, to_eye); }
   /// As the lesson computes it.
   [[nodiscard]] Rgb right() const { return color * diffuse() + gray(specular()); }
+  /// The same with another cosine of the light.
+  [[nodiscard]] Rgb with_cosine(double other) {
+    light.cosine = other;
+    return right();
+  }
 };
 
 /// What students do wrong. To add one, add a row.
@@ -63,20 +68,11 @@ struct LightMistake {
 
 constexpr LightMistake of_light[] = {
     {"light_not_normalized", "too bright: the vector to the lamp was not divided by its length",
-     [](Lit lit) {
-       lit.light.cosine *= length(lit.to_lamp);
-       return lit.right();
-     }},
+     [](Lit lit) { return lit.with_cosine(lit.light.cosine * length(lit.to_lamp)); }},
     {"no_shadows", "without shadows: no ray goes to the lamp",
-     [](Lit lit) {
-       lit.light.cosine = max(lit.cosine(), 0.0);
-       return lit.right();
-     }},
+     [](Lit lit) { return lit.with_cosine(max(lit.cosine(), 0.0)); }},
     {"no_limit", "too dark on the far side: cosines below 0 were not limited to 0",
-     [](Lit lit) {
-       if (lit.cosine() < 0) lit.light.cosine = lit.cosine();
-       return lit.right();
-     }},
+     [](Lit lit) { return lit.with_cosine(lit.cosine() < 0 ? lit.cosine() : lit.light.cosine); }},
     {"no_ambient", "black in the shadow: the ambient light is missing",
      [](Lit lit) {
        lit.material.lambertian.ambient = 0;
@@ -99,10 +95,7 @@ constexpr LightMistake of_light[] = {
      }},
     {"no_light", "without light: the color alone", [](Lit lit) { return lit.color; }},
     {"dark_rim", "dark at the outline: the cosine was taken with the ray and not with the lamp",
-     [](Lit lit) {
-       lit.light.cosine = abs(dot(lit.normal, lit.to_eye));
-       return lit.right();
-     }},
+     [](Lit lit) { return lit.with_cosine(abs(dot(lit.normal, lit.to_eye))); }},
     {"lamp_far_away",
      "the light comes from one direction everywhere: the lamp's position minus the point is "
      "missing",
@@ -181,31 +174,28 @@ void of_the_scene(const Lesson& right, const Add& add) {
   }
 }
 
-/// A wrong place on the checkerboard, of a unit normal.
+/// A wrong place on the checkerboard, from the right one and the height of the normal.
 struct UvMistake {
   const char *name, *words;
-  Uv<double> (*uv)(const Vec3d& normal);
+  Uv<double> (*uv)(Uv<double> uv, double y);
 };
 
 constexpr UvMistake of_uv[] = {
     {"v_by_height", "squeezed at the poles: v was taken from the height, without the angle",
-     [](const Vec3d& p) {
-       return Uv<double>{uv_rtiow(p).u, (p.y + 1) / 2};
+     [](Uv<double> uv, double y) -> Uv<double> {
+       return {uv.u, (y + 1) / 2};
      }},
     {"half_as_many", "half as many squares: 5 for 10, or u and v only reach 1/2",
-     [](const Vec3d& p) {
-       const Uv<double> uv = uv_rtiow(p);
-       return Uv<double>{uv.u / 2, uv.v / 2};
+     [](Uv<double> uv, double) -> Uv<double> {
+       return {uv.u / 2, uv.v / 2};
      }},
     {"twice_as_many", "twice as many squares: 20 for 10, or u and v reach 2",
-     [](const Vec3d& p) {
-       const Uv<double> uv = uv_rtiow(p);
-       return Uv<double>{2 * uv.u - std::floor(2 * uv.u), 2 * uv.v - std::floor(2 * uv.v)};
+     [](Uv<double> uv, double) -> Uv<double> {
+       return {2 * uv.u - std::floor(2 * uv.u), 2 * uv.v - std::floor(2 * uv.v)};
      }},
     {"twice_around", "twice around: u covers 0 to 2, or it was divided by pi and not by 2 pi",
-     [](const Vec3d& p) {
-       const Uv<double> uv = uv_rtiow(p);
-       return Uv<double>{uv.u * 2, uv.v};
+     [](Uv<double> uv, double) -> Uv<double> {
+       return {uv.u * 2, uv.v};
      }},
 };
 

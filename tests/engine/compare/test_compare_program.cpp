@@ -39,10 +39,6 @@ struct Desk {
   }
 };
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("the tolerant rule: how far, and how many") {

@@ -44,10 +44,6 @@ struct Course {
   }
 };
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a picture gets its chapter, its mistake and the pages, and what is none the remedy") {
