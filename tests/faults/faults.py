@@ -7,6 +7,7 @@ With TEXMAP_SANITIZED=1 the programs were built with sanitizers: no limits on me
 each skipped check. Status 0: at least 100 checks ran and all passed; 1: not so.
 """
 import fnmatch
+import functools
 import os
 import random
 import re
@@ -88,8 +89,6 @@ class Tries:
         self.user = {}
         self.memory = 0 if SANITIZED else MOST_MEMORY
 
-    # Counting
-
     def wrong(self, condition, problem):
         if condition:
             self.problems.append(problem)
@@ -106,8 +105,6 @@ class Tries:
     def skip(self, check, why):
         self.skipped += 1
         print(f'skipped {check}: {why}')
-
-    # Running
 
     def program(self, chapter):
         return str(self.bin / NAMES[chapter])
@@ -135,8 +132,6 @@ class Tries:
 
     def chapter(self, chapter, *words, **options):
         self.run([self.program(chapter), *self.needs(chapter), *words], **options)
-
-    # Expecting
 
     def expect(self, status, pattern='', lines=1, out=False):
         """The status, stderr as so many lines whose first is like the pattern, and stdout empty unless `out`; no file is left."""
@@ -175,8 +170,6 @@ class Tries:
             shutil.copy(self.old, self.T / name / file)
         return self.T / name
 
-    # The command line
-
     def refuses(self, rows):
         for chapters, typed, said in rows:
             for chapter in chapters:
@@ -186,8 +179,7 @@ class Tries:
                 self.wrong(not usage.startswith(f'usage: {NAMES[chapter]} '), f"then the usage line expected, got '{usage}'")
                 self.conclude(f'{NAMES[chapter]} {typed}')
 
-    def check_numbers(self):
-        self.refuses(NUMBERS)
+    check_numbers = functools.partialmethod(refuses, NUMBERS)
 
     def check_words(self):
         self.refuses(WORDS)
@@ -197,8 +189,6 @@ class Tries:
                 self.expect(0, out=True)
                 self.wrong(NAMES[chapter] not in self.out, "the program's name expected on stdout")
                 self.conclude(f'{NAMES[chapter]} {word}')
-
-    # Files that are read
 
     def reads(self, kind, file, out='never.png', **options):
         chapter, option = KINDS[kind][:2]
@@ -273,13 +263,8 @@ class Tries:
             self.expect(1, "error: cannot load texture '*': ?*")
             self.conclude(f'{NAMES[chapter]} missing.png')
 
-    def check_skies(self):
-        self.check_files('skies')
-
-    def check_meshes(self):
-        self.check_files('meshes')
-
-    # Output
+    check_skies = functools.partialmethod(check_files, 'skies')
+    check_meshes = functools.partialmethod(check_files, 'meshes')
 
     def cannot_write(self, file, what, chapters=(1,), keeps=None, others=(), size=SMALL, **options):
         """Each of the chapters gives up with status 1 and a line about it; `keeps`: a folder with the old picture and `others` alone."""
@@ -362,8 +347,6 @@ class Tries:
             (home / 'out').unlink()
             self.conclude(f'output: the default place of {NAMES[chapter]}')
 
-    # Signals
-
     def check_signals(self):
         folder, new = self.folder('signals'), self.T / 'new.png'
         self.chapter(1, *FULL_SIZE, '--out', new)
@@ -399,8 +382,6 @@ class Tries:
         self.only(folder, 'out.png')
         return is_new
 
-    # Standard streams
-
     def check_streams(self):
         picture, missing = self.T / 'stream.png', str(self.T / 'no/x.png')
         draws = [self.program(1), *REFERENCE, '--out', str(picture)]
@@ -421,8 +402,6 @@ class Tries:
                 self.wrong(picture.exists() != (command == draws), 'a picture was written')
                 picture.unlink(missing_ok=True)
                 self.conclude(f'{command[1:]}, closed: {closed}, stdout: {stdout and stdout.name}')
-
-    # Memory
 
     def check_memory(self):
         if not self.memory:
@@ -458,8 +437,6 @@ class Tries:
         self.wrong(starved(150000, huge), 'memory was enough')
         self.conclude('a picture of 2^26 pixels in 150 MB')
 
-    # Surroundings
-
     def check_surroundings(self):
         there = self.T / 'there.png'
         environments = {'no TERM, C locale': {'TERM': None, 'LANG': None}, 'TERM is nonsense': {'TERM': 'nonsense', 'COLUMNS': '0'},
@@ -487,8 +464,6 @@ class Tries:
                 self.expect(0, out=True)
                 self.same(there, expected)
                 self.conclude(f'{NAMES[chapter]}: {what}')
-
-    # All of it
 
     def get_ready(self):
         for chapter in CHAPTERS:

@@ -10,6 +10,10 @@ usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_command_line
 tree=$(cd "$(dirname "$0")/../.." && pwd)
 build=$tree/build/fuzz
 finds=$build/finds
+fail() {
+  echo "$1" >&2
+  exit 1
+}
 
 seconds=60
 case ${1-} in
@@ -18,17 +22,11 @@ case ${1-} in
     shift
     ;;
 esac
-case $seconds in
-  *[!0-9]* | 0*)
-    echo "$usage" >&2
-    exit 1
-    ;;
-esac
+case $seconds in *[!0-9]* | 0*) fail "$usage" ;; esac
 [ $# -gt 0 ] || set -- fuzz_load_image fuzz_read_hdr fuzz_command_line fuzz_read_obj
 for target in "$@"; do
   if [ "$target" = "${target#fuzz_}" ] || [ ! -f "$tree/tests/fuzz/$target.cpp" ]; then
-    echo "there is no target '$target'; $usage" >&2
-    exit 1
+    fail "there is no target '$target'; $usage"
   fi
 done
 
@@ -83,12 +81,11 @@ report() {
 status=0
 while [ $# -gt 0 ]; do
   search "$1" &
-  [ -z "${2-}" ] || search "$2"
+  [ $# -eq 1 ] || search "$2"
   wait
   for target in "$1" ${2+"$2"}; do
     report "$target" || status=1
+    shift
   done
-  shift
-  [ $# -eq 0 ] || shift
 done
 exit "$status"

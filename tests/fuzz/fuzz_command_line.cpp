@@ -2,12 +2,8 @@
 //
 // The first byte chooses the chapter: '0' to '9' are 02, 03, 05, 06 and 07 to 12. The lines that
 // follow are the words.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <sstream>
 
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -47,20 +43,17 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words words_of(std::string_view text) {
+Words words_of(const std::string& text) {
   Words words;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    words.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) words.push_back(line);
   return words;
 }
 
 /// The options that the user typed, read apart from the parser: only right for words that were
 /// accepted.
-std::vector<std::string> options_of(const Words& words) {
-  std::vector<std::string> options;
+Words options_of(const Words& words) {
+  Words options;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::size_t equals = words[i].find('=');
     options.push_back(words[i].substr(0, equals));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
-#include <vector>
 
 #include "engine/picture/codecs/png_chunks.hpp"
 #include "engine/picture/codecs/read_png.hpp"

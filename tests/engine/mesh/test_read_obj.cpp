@@ -1,32 +1,67 @@
 // Tests of engine/mesh/read_obj.hpp: a file loads whole, or an error names the line.
 #include <doctest.h>
 
+#include "engine/measure/text.hpp"
 #include "engine/mesh/read_obj.hpp"
 #include "support/image_errors.hpp"
-#include "support/made_meshes.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace texmap::test {
 namespace {
 
-TEST_CASE("every bad file is refused with its line and the reason") {
-  CHECK(bad_meshes().size() >= 40);
-  for (const BadMesh& bad : bad_meshes()) {
-    CAPTURE(bad.name);
-    const std::string error = image_error_of([&] { static_cast<void>(read_obj(bad.text)); });
-    CHECK(error.substr(0, bad.error.size()) == bad.error);
-    CHECK(error.size() < 160);
+/// The file that a line of meshes.tsv stands for, which says how it is written.
+std::string file_of(std::string text) {
+  const std::string face = "f 1/1 2/2 3/3\n";
+  std::string faces;
+  for (int i = 0; i < 1000; ++i) faces += face;
+  for (const auto& [word, lines] : std::vector<std::pair<std::string, std::string>>{
+           {"{square}", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"},
+           {"{face}", face},
+           {"{faces}", faces},
+           {"{long}", std::string(1 << 20, 'x')}}) {
+    const std::size_t at = text.find(word);
+    if (at != std::string::npos) text.replace(at, word.size(), lines);
   }
+  std::string file;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string letters = "nrt";
+    const std::size_t letter = text[i] == '\\' ? letters.find(text[++i]) : letters.size();
+    if (letter < letters.size()) {
+      file += "\n\r\t"[letter];
+    } else if (letter == std::string::npos && text[i] == 'x') {
+      file += static_cast<char>(std::stoi(text.substr((i += 2) - 1, 2), nullptr, 16));
+    } else {
+      file += text[i];
+    }
+  }
+  return file;
 }
 
-TEST_CASE("good files load, with all points and triangles") {
-  for (const GoodMesh& good : good_meshes()) {
-    CAPTURE(good.name);
-    TexturedMesh mesh;
-    CHECK_NOTHROW(mesh = read_obj(good.text));
-    CHECK(mesh.mesh.points.size() == good.points);
-    CHECK(mesh.mesh.triangles.size() == good.triangles);
-    CHECK(mesh.mapping.corners.size() == good.triangles);
+TEST_CASE(
+    "a file loads with all points and triangles, or is refused with its line and the reason") {
+  int loaded = 0, refused = 0;
+  std::istringstream lines(text_in(TEXMAP_TESTS_DIR "/corpus/meshes.tsv"));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t tab = line.find('\t');
+    if (tab == std::string::npos) continue;
+    CAPTURE(line);
+    const std::string should = line.substr(0, tab);
+    TexturedMesh read;
+    const std::string error =
+        image_error_of([&] { read = read_obj(file_of(line.substr(tab + 1))); });
+    if (should.ends_with("triangles")) {
+      const std::size_t points = read.mesh.points.size(), triangles = read.mesh.triangles.size();
+      CHECK(text("%zu points, %zu triangles", points, triangles) == should);
+      CHECK(read.mapping.corners.size() == triangles);
+      ++loaded;
+    } else {
+      CHECK(error.substr(0, should.size()) == should);
+      CHECK(error.size() < 160);
+      ++refused;
+    }
   }
+  CHECK(loaded >= 15);
+  CHECK(refused >= 40);
 }
 
 TEST_CASE("what is no textured triangle is skipped and named once, but no call of another file") {
