@@ -27,37 +27,6 @@ KEPT = """
 PICTURES = ('.png', '.svg', '.jpg')  # further ones are kept if a page shows them
 OF_CHAPTER = re.compile(r'(?:^|/)(?:test_|symptoms_|chapter_)?(\d\d)_|(?:^|/)(?:symptoms|chapter|thumb)_(\d\d)\.')
 LINK = re.compile(r'(!?)\[([^\[\]]*)\]\(([^()\s]+)\)')
-WORKFLOW = """# Points for a classroom: an exercise is one, the tests of a chapter are one.
-name: points
-on: [push, workflow_dispatch]
-permissions:
-  checks: write
-  actions: read
-  contents: read
-jobs:
-  points:
-    runs-on: ubuntu-latest
-    if: github.actor != 'github-classroom[bot]'
-    steps:
-      - uses: actions/checkout@v4
-      - name: install and build
-        run: ./course run {first}
-"""
-STEP = """      - name: {words}
-        id: {id}
-        uses: classroom-resources/autograding-command-grader@v1
-        with:
-          test-name: {words}
-          command: {words}
-          timeout: 10
-          max-score: 1
-"""
-REPORT = """      - uses: classroom-resources/autograding-grading-reporter@v1
-        env:
-{results}
-        with:
-          runners: {ids}
-"""
 
 
 class Wrong(Exception):
@@ -157,13 +126,16 @@ def export(root, folder, chosen):
 
 
 def write_workflow(folder, chosen, exercises):
+    """Writes classroom.yml with a step for each exercise and for the tests of each chapter."""
     steps = {f'e{exercise.replace(".", "_")}': f'./course check {exercise}' for exercise in exercises}
     steps |= {f't{number}': f'./course test {number}' for number in chosen}
     results = '\n'.join(f'          {name.upper()}_RESULTS: ${{{{ steps.{name}.outputs.result }}}}' for name in steps)
+    head, step, report = re.split('@EACH@\n|@END@\n', pathlib.Path(__file__).with_name('classroom.yml').read_text())
     place = folder / '.github/workflows'
     place.mkdir(parents=True)
-    (place / 'classroom.yml').write_text(WORKFLOW.format(first=chosen[0]) + ''.join(
-        STEP.format(id=name, words=words) for name, words in steps.items()) + REPORT.format(results=results, ids=','.join(steps)))
+    (place / 'classroom.yml').write_text(head.replace('@FIRST@', chosen[0]) + ''.join(
+        step.replace('@ID@', name).replace('@WORDS@', words) for name, words in steps.items()) +
+        report.replace('@RESULTS@', results).replace('@IDS@', ','.join(steps)))
 
 
 def main():

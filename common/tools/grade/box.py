@@ -1,8 +1,9 @@
 """Boxes in which a command sees the system's programs and what is named for it, and nothing else: by bwrap.
 
 In a box there are no other files, no /proc, no network and no processes but its own, and it can write nothing but its own small
-memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits. System
-calls that give memory outside of processes are forbidden (uncounted.py).
+memory. What a command makes comes out through an open file. Processor time, memory, processes and bytes written have limits. The limit
+on memory counts the pages of processes. A file without a name (memfd_create), what System V shares, sockets, and shared pages without a
+file hold memory that is on no process's account: system calls that give it fail with ENOSYS.
 """
 import dataclasses
 import functools
@@ -12,12 +13,11 @@ import re
 import select
 import shlex
 import signal
+import struct
 import subprocess
 import tempfile
 import time
 from pathlib import Path
-
-import uncounted
 
 SYSTEM = ['/usr', '/bin', '/sbin', '/lib', '/lib32', '/lib64', '/libx32', '/etc/alternatives', '/etc/ld.so.cache', '/nix/store']
 BOX = '/box'
@@ -120,13 +120,39 @@ def usage(pid, most):
     return ticks / os.sysconf('SC_CLK_TCK'), pages * os.sysconf('SC_PAGE_SIZE'), count
 
 
+# By machine: its number in <linux/audit.h>; mmap; and what is forbidden: memfd_create, memfd_secret, shmget, semget, msgget, socket,
+# socketpair, io_uring_setup, vmsplice.
+MACHINES = {'x86_64': (0xC000003E, 9, (319, 447, 29, 64, 68, 41, 53, 425, 278)),
+            'aarch64': (0xC00000B7, 222, (279, 447, 194, 190, 186, 198, 199, 425, 75))}
+LOAD, AND, EQUAL, AT_LEAST, RETURN = 0x20, 0x54, 0x15, 0x35, 0x06  # of BPF
+ALLOW, ENOSYS = 0x7FFF0000, 0x00050000 | 38
+CALL, ARCHITECTURE, FLAGS = 0, 4, 40  # where a call's number and machine are, and mmap's flags
+SHARED_WITHOUT_FILE = 0x01 | 0x20
+
+
+def filter_of_calls():
+    """A filter of system calls as the kernel reads it: code, how far to jump if true and if false, value. Other machines allow all."""
+    machine = os.uname().machine
+    found = []
+    if machine in MACHINES and struct.calcsize('P') == 8:
+        number, mmap, forbidden = MACHINES[machine]
+        found = [(LOAD, 0, 0, ARCHITECTURE), (EQUAL, 0, 'no', number),  # programs of another machine have other numbers of calls
+                 (LOAD, 0, 0, CALL), (AT_LEAST, 'no', 0, 0x40000000),  # so have those of x32
+                 *((EQUAL, 'no', 0, call) for call in forbidden),
+                 (EQUAL, 0, 'yes', mmap), (LOAD, 0, 0, FLAGS), (AND, 0, 0, SHARED_WITHOUT_FILE), (EQUAL, 'no', 0, SHARED_WITHOUT_FILE)]
+    ends = {'yes': len(found), 'no': len(found) + 1}
+    found += [(RETURN, 0, 0, ALLOW), (RETURN, 0, 0, ENOSYS)]
+    return b''.join(struct.pack('=HBBI', code, *(ends[to] - at - 1 if to in ends else to for to in jumps), value)
+                    for at, (code, *jumps, value) in enumerate(found))
+
+
 class Boxes:
     """Runs commands in boxes of one kind."""
 
     def __init__(self, kind, work, stopping):
         self.kind, self.work, self.stopping = kind, work, stopping
         self.system = [place for place in SYSTEM if os.path.lexists(place)]
-        (work / 'filter').write_bytes(uncounted.program())
+        (work / 'filter').write_bytes(filter_of_calls())
 
     @functools.cached_property
     def users(self):
@@ -199,26 +225,21 @@ class Boxes:
             due, pause = now + pause, min(0.1, 1.5 * pause)
             was, (cpu, memory, count) = cpu, usage(process.pid, limits.processes)
             busy = now if cpu > was else busy
+            cpu = max(cpu, was)
             if why:
                 if now > start:  # what is not contained may hold the pipe open
                     break
-            elif self.stopping.is_set():
-                why = 'interrupted'
-            elif cpu > limits.cpu:
-                why = 'hang: ' + TOO_SLOW % limits.cpu
-            elif now - busy > IDLE_SECONDS:
-                why = f'hang: it waited for {IDLE_SECONDS} s and did nothing'
-            elif now - start > 60 + 10 * limits.cpu:
-                why = 'hang: it did not come to an end'
-            elif memory > limits.megabytes << 20:
-                why = f'too much memory: its processes took more than {limits.megabytes} MB'
-            elif count >= limits.processes:
-                why = f'too many processes: it may not have {limits.processes}'
+                continue
+            met = {'interrupted': self.stopping.is_set(), 'hang: ' + TOO_SLOW % limits.cpu: cpu > limits.cpu,
+                   f'hang: it waited for {IDLE_SECONDS} s and did nothing': now - busy > IDLE_SECONDS,
+                   'hang: it did not come to an end': now - start > 60 + 10 * limits.cpu,
+                   f'too much memory: its processes took more than {limits.megabytes} MB': memory > limits.megabytes << 20,
+                   f'too many processes: it may not have {limits.processes}': count >= limits.processes}
+            why = next((limit for limit, is_met in met.items() if is_met), '')
             if why:
                 os.kill(process.pid, signal.SIGKILL)  # a box's first process takes all others with it
                 self.kill_group(process)
                 start = now + 2
-            cpu = max(cpu, was)
         return log.decode('utf-8', 'replace'), cpu, why
 
     @staticmethod

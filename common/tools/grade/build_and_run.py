@@ -37,8 +37,6 @@ FLOOR_SECONDS, COMPILE_SECONDS, COURSE_SECONDS = 5, 120, 900  # of CPU: the leas
 CPU_FACTOR = 10  # the limit of a run, in times of the course's own lesson
 
 
-# --- The course's build ------------------------------------------------------------------------------------------------------------------
-
 @dataclasses.dataclass
 class Unit:
     """One file that is compiled: its command without source and object, and the chapter's files that it read."""
@@ -215,8 +213,6 @@ def hidden_options(item, offered, texture, rng):
             options += [option, str(value)]
     return options + (['--samples', '16'] if '(default: 100)' in offered else [])
 
-
-# --- Judging -----------------------------------------------------------------------------------------------------------------------------
 
 def first_error(log):
     """The line that says what is wrong."""

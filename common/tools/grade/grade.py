@@ -25,8 +25,6 @@ def say(text):
     print(text, end='', file=sys.stderr, flush=True)
 
 
-# --- The command line --------------------------------------------------------------------------------------------------------------------
-
 class Parser(argparse.ArgumentParser):
     def error(self, message):
         message = re.sub(r'^argument (\S+): ', r'\1 ', message)
@@ -138,8 +136,6 @@ def with_points(items, typed, known):
         worth |= {item.name: float(points) for item in named_items(name, known)}
     return [dataclasses.replace(item, worth=worth.get(item.name)) for item in items]
 
-
-# --- Grading -----------------------------------------------------------------------------------------------------------------------------
 
 def lock(folder, other):
     """Keeps a folder for this program until it ends: the open file. Elsewhere than on POSIX it does nothing."""

@@ -1,6 +1,7 @@
 """What grading finds out, and how it is written: text made safe, tables, files for learning systems."""
 import dataclasses
 import html
+import itertools
 import json
 import os
 import re
@@ -85,19 +86,14 @@ def counted(count, thing):
 
 def page_names(names):
     """A file name for each student, on any system: no two are equal in any case. All but letters, digits, - and _ becomes _."""
-    taken, numbers, pages = {'index'}, {}, []
+    pages = {'index': ''}  # by their small letters
     for name in names:
         plain = re.sub(rb'[^A-Za-z0-9_-]', b'_', os.fsencode(name)[:80]).decode()
-        page = plain = plain if re.search('[A-Za-z0-9]', plain) else 'student'
-        while page.lower() in taken:
-            numbers[plain.lower()] = numbers.get(plain.lower(), 1) + 1
-            page = f'{plain}-{numbers[plain.lower()]}'
-        taken.add(page.lower())
-        pages.append(page)
-    return pages
+        plain = plain if re.search('[A-Za-z0-9]', plain) else 'student'
+        page = next(page for page in itertools.chain([plain], (f'{plain}-{n}' for n in itertools.count(2))) if page.lower() not in pages)
+        pages[page.lower()] = page
+    return list(pages.values())[1:]
 
-
-# --- Results -----------------------------------------------------------------------------------------------------------------------------
 
 @dataclasses.dataclass(frozen=True)
 class Item:
@@ -216,8 +212,6 @@ class Student:
         done, of = len(self.rows), len(self.all_rows)
         return f'ended with {done} of {of} graded' if done < of else ''
 
-
-# --- Tables ------------------------------------------------------------------------------------------------------------------------------
 
 COLUMNS = ('student chapter build run seconds pixels_off share_off rmse ssim picture_ok tests note verdict points of second_picture_ok '
            'limit_seconds contained_by folder unchanged same_as id person').split()
