@@ -16,6 +16,7 @@
 
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/system/file_error.hpp"
+#include "number/compiler.hpp"
 
 namespace texmap {
 namespace {
@@ -26,9 +27,12 @@ constexpr std::uint64_t max_block_visits = std::uint64_t{1} << 26;
 constexpr int largest_constant = 32767;
 constexpr int not_sent = 99;
 
+[[noreturn]] TEXMAP_NOINLINE void refuse_jpeg(const char* why) {
+  throw FileError(std::string("the JPEG file is damaged: ") + why);
+}
 /// Throws FileError `the JPEG file is damaged: otherwise` unless the condition holds.
 void require_jpeg(bool holds, const char* otherwise) {
-  if (!holds) throw FileError(std::string("the JPEG file is damaged: ") + otherwise);
+  if (!holds) refuse_jpeg(otherwise);
 }
 
 /// Takes so many bytes off the front of `data`. Errors: FileError, if there are fewer.
@@ -66,6 +70,10 @@ class JpegCodes {
       require_jpeg(symbol <= largest_symbol, "a Huffman table has a symbol that does not exist");
       symbol_[i++] = symbol;
     }
+    for (std::uint32_t bits = 0; bits < short_codes_.size(); ++bits) {
+      const Found found = search(bits << (16 - short_length), 1);
+      if (found.length <= short_length) short_codes_[bits] = found;
+    }
   }
 
   [[nodiscard]] bool is_there() const { return limit_[16] > 0; }
@@ -77,7 +85,20 @@ class JpegCodes {
 
   /// @param bits  the next 16 bits, the first one on top
   [[nodiscard]] Found find(std::uint32_t bits) const {
-    for (std::uint32_t length = 1; length <= 16; ++length) {
+    const Found found = find_short(bits);
+    return found.length != 0 ? found : search(bits, short_length + 1);
+  }
+  /// The same; nothing for codes of more than `short_length` bits, too.
+  [[nodiscard]] Found find_short(std::uint32_t bits) const {
+    return short_codes_[bits >> (16 - short_length)];
+  }
+
+ private:
+  static constexpr std::uint32_t short_length = 10;  // nearly all codes of a usual file
+
+  /// Tries codes of `length` bits and more.
+  [[nodiscard]] Found search(std::uint32_t bits, std::uint32_t length) const {
+    for (; length <= 16; ++length) {
       if (bits < limit_[length]) {
         const std::uint32_t place = (bits - limit_[length - 1]) >> (16 - length);
         return {static_cast<std::uint8_t>(length), symbol_[before_[length] + place]};
@@ -86,7 +107,7 @@ class JpegCodes {
     return {};
   }
 
- private:
+  std::array<Found, 1U << short_length> short_codes_{};  // by the bits that they begin
   std::array<std::uint8_t, 256> symbol_{};
   std::array<std::uint32_t, 17> limit_{};  // codes of this length, brought to 16 bits, are below it
   std::array<std::uint32_t, 17> before_{};  // symbols that have shorter codes
@@ -115,6 +136,23 @@ class JpegBits {
     return bits;
   }
 
+  /// Skips varying coefficients of a block from `k` on, up to the first code that is long, is no
+  /// coefficient's, or may be the last of the bits.
+  ///
+  /// @return  the coefficient that comes next, at most 64
+  [[nodiscard]] std::uint32_t skip(const JpegCodes& codes, std::uint32_t k) {
+    for (;;) {
+      if (bits_ < 32) fill();
+      const JpegCodes::Found found = codes.find_short(static_cast<std::uint32_t>(buffer_ >> 48));
+      const std::uint32_t size = found.symbol & 15U;
+      const std::uint32_t next = k + (found.symbol >> 4) + 1;
+      if (size == 0 || next > 64 || bits_ < 32) return k;
+      buffer_ <<= found.length + size;
+      bits_ -= found.length + size;
+      k = next;
+    }
+  }
+
   /// Takes restart marker `n` modulo 8, which must come right after the bits read so far.
   void take_restart(std::uint64_t n) {
     fill();  // stops at the marker; up to seven bits fill up the byte before it
@@ -133,8 +171,18 @@ class JpegBits {
   }
 
  private:
+  // To 33 bits or more, or all up to the next marker.
   void fill() {
-    while (bits_ <= 56 && !rest_.empty()) {
+    while (bits_ <= 32 && !rest_.empty()) {
+      if (rest_.size() >= 4) {  // nearly always four bytes without 0xFF
+        const std::uint32_t four = big_endian_32(rest_, 0);
+        if (((~four - 0x01010101U) & four & 0x80808080U) == 0) {
+          buffer_ |= std::uint64_t{four} << (32 - bits_);
+          bits_ += 32;
+          rest_ = rest_.subspan(4);
+          continue;
+        }
+      }
       std::size_t taken = 1;
       if (rest_[0] == 0xFF) {
         // A data byte 0xFF is followed by 0. Otherwise it begins a marker, and may be repeated.
@@ -467,6 +515,8 @@ class Reader {
       return;
     }
     for (std::uint32_t k = std::max(scan.first, 1U); k <= scan.last; ++k) {
+      if (!progressive_) k = bits_.skip(codes, k);
+      if (k > scan.last) return;
       const std::uint32_t code = bits_.symbol(codes);
       const std::uint32_t run = code >> 4;
       const std::uint32_t size = code & 15;
@@ -538,10 +588,14 @@ bool looks_like_jpeg(Bytes file) {
 
 Image read_jpeg(Bytes file) {
   const ImageSize size = Reader(file).read();
+  // With a fourth byte a pixel the decoder turns eight pixels at once into colors. A large picture
+  // does without, for its memory.
+  const std::size_t area = std::size_t{size.width} * size.height;
+  const int bytes = area <= (std::size_t{1} << 24) ? 4 : 3;
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &width, &height, &channels,
-                            3),
+                            bytes),
       stbi_image_free);
   if (!pixels) {
     const char* const reason = stbi_failure_reason();
@@ -552,12 +606,12 @@ Image read_jpeg(Bytes file) {
   if (size != ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)})
     throw FileError("the file is damaged: it states two different sizes");
 
-  static_assert(sizeof(Rgb8) == 3, "the decoder's bytes are copied as they are");
-  const auto* const first = reinterpret_cast<const Rgb8*>(pixels.get());
-  Image image;
-  image.width = width;
-  image.height = height;
-  image.pixels.assign(first, first + std::size_t{size.width} * size.height);
+  Image image(width, height);
+  const stbi_uc* from = pixels.get();
+  for (Rgb8& pixel : image.pixels) {
+    pixel = {from[0], from[1], from[2]};
+    from += bytes;
+  }
   return image;
 }
 
