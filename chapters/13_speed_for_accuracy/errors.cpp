@@ -146,6 +146,8 @@ std::vector<std::array<Judge, 3>> along_rays(NumberKind number, const View<>& vi
   if (number == NumberKind::double_) visit(std::type_identity<double>{});
   if constexpr (wide_numbers) {
     if (number == NumberKind::extended) visit(std::type_identity<long double>{});
+  }
+  if constexpr (pack_numbers) {
     if (number == NumberKind::float_pack) visit(std::type_identity<Pack<float>>{});
     if (number == NumberKind::double_pack) visit(std::type_identity<Pack<double>>{});
   }

@@ -105,6 +105,8 @@ template <class Work>
   }
   if constexpr (all_numbers && wide_numbers) {
     if (number == NumberKind::extended) return work.template run<long double>();
+  }
+  if constexpr (all_numbers && pack_numbers) {
     if constexpr (!requires { requires !Work::for_packs; }) {
       if (number == NumberKind::float_pack || number == NumberKind::double_pack) {
 #ifdef TEXMAP_WIDE_PACKS

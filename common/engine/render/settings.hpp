@@ -42,11 +42,17 @@ constexpr bool all_numbers = false;
 #else
 constexpr bool all_numbers = true;
 #endif
-/// False in a page's module: it has float and double alone, so that it is half as large.
+/// False in a page's module: it has float and double alone, and packs where it has vectors, so
+/// that it is half as large.
 #ifdef TEXMAP_PAGE
 constexpr bool wide_numbers = false;
 #else
 constexpr bool wide_numbers = true;
+#endif
+#ifdef TEXMAP_HAVE_XSIMD
+constexpr bool pack_numbers = true;
+#else
+constexpr bool pack_numbers = wide_numbers;
 #endif
 
 /// How a picture is rendered; only `samples` changes what it shows.

@@ -28,9 +28,7 @@ struct Trade {
 
   explicit Trade(const Image& picture) : globe(picture) {
     for (const Row& row : rows_of(Part::places, Instructions::baseline)) {
-      const auto& [number, instructions, degree, filter, curve] = row.variant;
-      if (filter == Filter::nearest &&
-          (number == NumberKind::double_ || number == NumberKind::float_))
+      if (row.variant.filter == Filter::nearest && row.variant.number != NumberKind::extended)
         rows.push_back(row);
     }
   }

@@ -45,6 +45,7 @@ const svg = (name, properties, ...children) => {
   made.append(...children);
   return made;
 };
+const dot = ({number}, x, y, r) => number.endsWith("-pack") ? svg("rect", {x: x - r, y: y - r, width: 2 * r, height: 2 * r}) : svg("circle", {cx: x, cy: y, r});
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
 // ---- The plot: time across, texels off at most up, both logarithmic.
@@ -56,7 +57,7 @@ function plotted(ways, front, chosen, limit, choose) {
   const plain = ways[0].times.length ? Math.min(...ways[0].times) : 1;
   const ratio = (time) => time / plain;
   const reach = known.map((way) => ratio(median(way.times)));
-  const first = Math.min(0.5, ...known.map((way) => ratio(Math.min(...way.times)))) * 0.9, last = Math.max(1.2, ...reach) * 1.1;
+  const first = Math.min(0.5, ...known.map((way) => ratio(Math.min(...way.times)))) * 0.75, last = Math.max(1.2, ...reach) * 1.1;
   const acrossFor = (time) => left + (plotWidth - left - 14) * Math.log(ratio(time) / first) / Math.log(last / first);
   const drawing = svg("svg", {viewBox: `0 0 ${plotWidth} ${plotHeight}`, role: "group", "aria-label": "Time and error of each way; each point is a button"});
   for (let power = -12; power <= 0; power += 3) {
@@ -64,7 +65,7 @@ function plotted(ways, front, chosen, limit, choose) {
     drawing.append(svg("line", {x1: left, x2: plotWidth - 14, y1: y, y2: y, class: "budget-grid"}),
       svg("text", {x: left - 8, y: y + 4, "text-anchor": "end"}, power ? `1e−${-power}` : "1"));
   }
-  for (const part of [0.25, 0.5, 0.7, 1, 1.4, 2]) {
+  for (const part of [0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.4, 2]) {
     if (part < first || part > last) continue;
     const x = acrossFor(part * plain);
     drawing.append(svg("line", {x1: x, x2: x, y1: 12, y2: plotHeight - bottom, class: "budget-grid"}),
@@ -84,8 +85,8 @@ function plotted(ways, front, chosen, limit, choose) {
       drawing.append(svg("text", {x: x - 11, y: y + 5, "text-anchor": "end", class: way === ways[chosen] ? "chosen" : ""}, way.kernel.replace("reference", "atan2").replace("degree ", "")));
     }
     const point = svg("g", {tabindex: 0, role: "button", "aria-label": `${named(way)}: at most ${small(way.bound)} texels off`,
-      class: `budget-point ${way.number}${ways[chosen] === way ? " chosen" : ""}`});
-    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}), svg("circle", {cx: x, cy: y, r: ways[chosen] === way ? 8 : 5}),
+      class: `budget-point ${way.number.split("-")[0]}${ways[chosen] === way ? " chosen" : ""}`});
+    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}), dot(way, x, y, ways[chosen] === way ? 8 : 5),
       svg("title", {}, named(way)));
     point.onclick = () => choose(way);
     point.onkeydown = (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); choose(way); } };
@@ -190,7 +191,7 @@ async function begin() {
   const says = element("p", {className: "budget-says", ariaLive: "polite"});
   const command = element("code"), copy = element("button", {type: "button", textContent: "Copy"});
   const clock = element("p", {className: "budget-clock"});
-  const plot = element("div"), key = element("figcaption", {textContent: "Up: texels off at most. Each point is a way to draw: filled in float, open in double. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
+  const plot = element("div"), key = element("figcaption", {textContent: "Up: texels off at most. Each point is a way to draw: filled in float, open in double; a square computes a pack of 8 floats or 4 doubles at once. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
   const table = element("table");
   const again = element("button", {type: "button", textContent: "Time again"});
   const card = element("div", {className: "budget-card"});
@@ -257,9 +258,9 @@ async function begin() {
       clock.textContent = `Timing: round ${Math.max(round + 1, 1)} of ${rounds} …`;
     }
     const busy = ways.filter((way) => median(way.times) > 1.1 * Math.min(...way.times)).length;
-    clock.textContent = `Timed in this browser, one thread, without packs: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
+    clock.textContent = `Timed in this browser, one thread: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
       + (busy ? `The machine was busy: ${busy} of ${ways.length} medians are more than 10 % above the shortest.` : "The medians are within 10 % of the shortest.")
-      + " The program of this chapter times packs, too.";
+      + " The program of this chapter has wider packs.";
     again.disabled = false;
     await change();
   }

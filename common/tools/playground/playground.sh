@@ -30,20 +30,23 @@ toolchain=$(em++ --cflags 2>/dev/null | tr ' ' '\n' | sed -n 's|^--sysroot=\(.*\
   exit 1
 }
 
-# Emscripten must not see the system's headers: it is shown those of stb alone.
+# Emscripten must not see the system's headers: it is shown those of stb and xsimd alone.
 mkdir -p "$build/headers" "$place"
 for folder in /usr/include/stb /usr/local/include/stb /opt/homebrew/include/stb /usr/include /usr/local/include /opt/homebrew/include; do
   [ ! -f "$folder/stb_image.h" ] || ln -sf "$folder/stb_image.h" "$build/headers/"
+  [ ! -f "$folder/xsimd/xsimd.hpp" ] || ln -sfn "$folder/xsimd" "$build/headers/xsimd"
 done
-[ -e "$build/headers/stb_image.h" ] || {
-  echo "error: stb_image.h is missing (Debian libstb-dev)" >&2
-  exit 1
-}
+for header in stb_image.h xsimd/xsimd.hpp; do
+  [ -e "$build/headers/$header" ] || {
+    echo "error: $header is missing (Debian libstb-dev libxsimd-dev)" >&2
+    exit 1
+  }
+done
 
 # stb_image's checks hold the path of its file: without -fmacro-prefix-map the modules would differ from folder to folder, and with a
 # compiler cache, which may write that path in another way.
 cmake -S "$tree" -B "$build" -D CMAKE_TOOLCHAIN_FILE="$toolchain" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-Oz \
-  -D TEXMAP_LEARN=ON -D CMAKE_CXX_COMPILER_LAUNCHER= -D stb_image_INCLUDE_DIR="$build/headers" \
+  -D TEXMAP_LEARN=ON -D CMAKE_CXX_COMPILER_LAUNCHER= -D stb_image_INCLUDE_DIR="$build/headers" -D xsimd_INCLUDE_DIR="$build/headers" \
   -D CMAKE_CXX_FLAGS="-fwasm-exceptions -fno-rtti \"-fmacro-prefix-map=$tree/=\" -include \"$tree/common/tools/playground/libcxx_13.hpp\""
 cmake --build "$build" --target playground --parallel 2
 python3 "$tree/common/tools/playground/make_playground.py" "$build/bin" "$tree/assets" "$place"
