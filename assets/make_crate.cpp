@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/picture/bitmap_font.hpp"
+#include "block_letters.hpp"
 #include "noise.hpp"
 #include "paint.hpp"
 
@@ -65,9 +65,9 @@ Image stencil() {
   Image hard(side, side);
   constexpr Rgb8 full{255, 255, 255};
   const int left = frame + 24, top = frame + 24;
-  draw_text(hard, left, top, "THIS", full, 7);
-  draw_text(hard, left, top + 60, "SIDE", full, 7);
-  draw_text(hard, left, top + 120, "UP", full, 7);
+  draw_blocks(hard, left, top, "THIS", full, 7);
+  draw_blocks(hard, left, top + 60, "SIDE", full, 7);
+  draw_blocks(hard, left, top + 120, "UP", full, 7);
   const int tip_column = 374, tip_row = 254;
   for (int y = 0; y < 166; ++y) {
     const int half = y < 66 ? y * 50 / 66 : 19;

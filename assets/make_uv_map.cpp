@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/picture/bitmap_font.hpp"
+#include "block_letters.hpp"
 
 namespace texmap {
 namespace {
@@ -64,12 +64,12 @@ void draw_graticule(Image& image) {
 
 void draw_outlined(Image& image, int column, int row, std::string_view text, int scale) {
   for (int dy = -2; dy <= 2; ++dy)
-    for (int dx = -2; dx <= 2; ++dx) draw_text(image, column + dx, row + dy, text, paper, scale);
-  draw_text(image, column, row, text, ink, scale);
+    for (int dx = -2; dx <= 2; ++dx) draw_blocks(image, column + dx, row + dy, text, paper, scale);
+  draw_blocks(image, column, row, text, ink, scale);
 }
 
 void draw_centered(Image& image, int column, int row, std::string_view text, int scale) {
-  draw_text(image, column - text_width(text, scale) / 2, row, text, ink, scale);
+  draw_blocks(image, column - block_width(text, scale) / 2, row, text, ink, scale);
 }
 
 /// An arrow from (u, v) = (0.5, 0.5) to the right or up, with a white outline.
@@ -119,23 +119,23 @@ void draw_labels(Image& image) {
       const int aside = longitude == 0 && latitude == 30 ? 15 : 0;  // out of the way of the arrow
       const int column = column_of(longitude) + 7 + aside;
       const int row = row_of(latitude) + (latitude < 0 ? -40 : 8);
-      draw_text(image, column, row, longitude_label(longitude), ink, 2);
-      draw_text(image, column, row + 17, latitude_label(latitude), ink, 2);
+      draw_blocks(image, column, row, longitude_label(longitude), ink, 2);
+      draw_blocks(image, column, row + 17, latitude_label(latitude), ink, 2);
     }
   }
 }
 
 /// A tag for a value of u or v; dark, to differ from the labels of the graticule.
 void draw_tag(Image& image, int column, int row, std::string_view text) {
-  fill(image, column, row, column + text_width(text, 2) + 8, row + 20, ink);
-  draw_text(image, column + 4, row + 3, text, paper, 2);
+  fill(image, column, row, column + block_width(text, 2) + 8, row + 20, ink);
+  draw_blocks(image, column + 4, row + 3, text, paper, 2);
 }
 
 void draw_rulers(Image& image) {
   const std::string_view quarters[] = {"0", ".25", ".5", ".75", "1"};
   for (int i = 0; i <= 4; ++i) {
     const std::string u = "u=" + std::string(quarters[i]), v = "v=" + std::string(quarters[i]);
-    const int tag = text_width(u, 2) + 8;
+    const int tag = block_width(u, 2) + 8;
     const int column = i * width / 4, row = height - i * height / 4;
 
     // Along the bottom: centered on its value, but inside the picture at both ends.

@@ -114,14 +114,14 @@ struct Sheet {
     SheetColumn column{image, gap / 2, line / 2, scale, line, 0};
     const auto write = [&](const std::string& words) {
       column.write(words, black);
-      column.left += text_width(words, scale) + line;
+      column.left += text_width(words, column.size) + line;
       column.top = line / 2;
     };
     write(
         "Differences in levels of 255; in the upper two rows a changed pixel is drawn three wide:");
     for (const int levels : {0, 1, 2, 4, 8, 16, 32, 64, 128, 255}) {
-      column.lay(Image(line, 7 * scale, difference_color(levels)));
-      column.left += line + 2 * scale;
+      column.lay(Image(line, 8 * scale, difference_color(levels)));
+      column.left += line + 4 * scale;
       column.top = line / 2;
       write(std::to_string(levels));
     }

@@ -73,10 +73,11 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels, in
 
     const int place = index % 2 * 4 + static_cast<int>(variant);
     const int left = gap / 2 + place * (panel.width + gap);
-    SheetColumn column{sheet.picture, left, top, scale, line};
+    SheetColumn column{sheet.picture, left, top, scale, line, 0};
     column.ink = {70, 70, 70};
     column.write(variant == 0 ? exhibit.caption : "", {0, 0, 0});
     column.lay(panels[variant].image);
+    column.above = 2 * scale;
     column.write(variant_names[variant]);
     column.write(
         std::to_string(mistakes.wrong) + " wrong" + (has_texture ? ", " + texels + " tx" : ""),

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "engine/app/command_line.hpp"
-#include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/picture/stroke_font.hpp"
 #include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
 
@@ -75,10 +75,9 @@ void draw_ring(Image& crop, int column, int row, int wide, int high) {
 }
 
 void draw_number(Image& crop, std::string_view number) {
-  constexpr int scale = 2;
-  constexpr int high = 20, row = crop_height - high;
-  blit(crop, Image(text_width(number, scale) + 8, high, dark), 0, row);
-  draw_text(crop, 4, row + 3, number, light, scale);
+  constexpr int size = 20, row = crop_height - size;
+  blit(crop, Image(text_width(number, size) + 8, size, dark), 0, row);
+  draw_text(crop, 4, row + 3, number, light, size);
 }
 
 Image marked(const std::string& file, const std::string& corner, const std::string& marks) {

@@ -38,7 +38,7 @@ configure() {
     -D CMAKE_FIND_ROOT_PATH_MODE_PROGRAM=NEVER -D CMAKE_FIND_ROOT_PATH_MODE_INCLUDE=ONLY -D CMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY "$@"
 }
 
-images="test_damaged_images test_load_image test_save_png test_bitmap_font"
+images="test_damaged_images test_load_image test_save_png test_stroke_font"
 numbers="test_number test_pack test_pack_u32 test_interval test_vec3"
 o1=-DCMAKE_CXX_FLAGS_RELEASE=-O1 # half the time to compile, and the same pictures
 run=""

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
+#include "engine/picture/stroke_font.hpp"
 #include "math/srgb.hpp"
 
 namespace texmap {
@@ -31,7 +31,7 @@ constexpr int edge = 8;
 constexpr int bar_width = 32 * doublings;
 constexpr int bar_height = 16;
 constexpr int tick = 4;
-constexpr int line_height = letter_rows + 4;
+constexpr int line_height = 12;
 constexpr int number_room = 24;  // for half a number at both ends of the bar
 constexpr int legend_width = bar_width + 2 * number_room;
 constexpr int legend_height = edge + line_height + bar_height + tick + 2 + 2 * line_height + edge;

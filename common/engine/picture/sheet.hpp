@@ -1,10 +1,11 @@
 // Sheets: pictures with lines of text above and below them.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <string_view>
 
-#include "engine/picture/bitmap_font.hpp"
 #include "engine/picture/blit.hpp"
+#include "engine/picture/stroke_font.hpp"
 
 namespace texmap {
 
@@ -22,16 +23,17 @@ inline std::function<void(const SheetPart& part)> on_sheet_part;
 struct SheetColumn {
   Image& sheet;
   int left, top;
-  int scale;              ///< of letters
+  int scale;              ///< pixels to one where letters are small
   int line = 12 * scale;  ///< height of a line of text
   int above = 2 * scale;  ///< of it the space over its letters
   int indent = 0;         ///< of letters, to the right
   Rgb8 ink{20, 20, 20};
+  int size = std::min(11 * scale, line);  ///< of letters
 
   void write(std::string_view words) { write(words, ink); }
   void write(std::string_view words, Rgb8 color) {
     if (on_sheet_part) on_sheet_part({words, left, top});
-    draw_text(sheet, left + indent, top + above, words, color, scale);
+    draw_text(sheet, left + indent, top + above, words, color, size);
     top += line;
   }
   void lay(const Image& picture) {
