@@ -184,7 +184,7 @@ Image sheet_of_readings(int width) {
   }
   int top = header;
   for (const Program& program : programs) {
-    column_at(0, top, scale / 2).write(program.title);
+    column_at(0, top, scale).write(program.title);
     i = 0;
     for (const Reading& reading : eight_readings(program.rule)) {
       SheetColumn column = column_at(i++, top + line, scale);

@@ -28,7 +28,7 @@ struct SheetColumn {
   int above = 2 * scale;  ///< of it the space over its letters
   int indent = 0;         ///< of letters, to the right
   Rgb8 ink{20, 20, 20};
-  int size = std::min(11 * scale, line);  ///< of letters
+  int size = std::max(11, 10 * scale);  ///< of letters
 
   void write(std::string_view words) { write(words, ink); }
   void write(std::string_view words, Rgb8 color) {
