@@ -1,7 +1,7 @@
 #!/bin/sh
 # The pictures of docs/pictures are what the commands in its README draw.
 # usage: pictures.sh ROOT BIN [--write]    BIN holds the chapters' programs, compare and mark_crops;
-#        --write draws the strips of marked crops that are out of date, with ImageMagick's convert
+#        --write draws those that are out of date, and packs them and those of symptoms/, with ImageMagick's convert
 set -eu
 root=$1
 bin=$2
@@ -19,20 +19,42 @@ fail() {
   failed=1
 }
 
+# keep DRAWN FILE: in 256 colors and without row filters it takes a third of the bytes. The grain of wood takes few colors; the README's
+# large picture would show bands.
+keep() {
+  colors=256
+  case $2 in
+    */first.png) cp "$1" "$2" && return ;;
+    */thumb_08.png) colors=96 ;;
+  esac
+  convert "$1" +dither -colors "$colors" -strip -define png:compression-filter=0 -define png:compression-level=9 \
+    -define png:include-chunk=none "png8:$2"
+}
+
+# check DRAWN FILE: FILE of docs/pictures shows what is drawn; in 256 colors few pixels are far from it.
+check() {
+  tried=$((tried + 1))
+  "$bin/compare" --pixels-off-by-more-than 24 --at-most 0.1% "$1" "$root/docs/pictures/$2" >>"$work/log" 2>&1 && return
+  if [ "$mode" = --write ]; then
+    keep "$1" "$root/docs/pictures/$2"
+    echo "docs/pictures/$2 is new"
+  else
+    fail "docs/pictures/$2 is not what its rows say"
+  fi
+}
+
 # shellcheck disable=SC2016  # the quotes are Markdown's
 sed -n 's/^| \([0-9a-z_]*\.png\) | `\(.*\)` |$/\1 \2/p' "$root/docs/pictures/README.md" >"$work/rows"
 while read -r file command; do
-  [ "$mode" != --write ] || continue
-  tried=$((tried + 1))
   # shellcheck disable=SC2086  # a command of several words
-  is_drawn "$root/docs/pictures/$file" $command || fail "docs/pictures/$file is not what its command draws: $command"
+  draw "$work/drawn.png" $command || fail "$command"
+  check "$work/drawn.png" "$file"
 done <"$work/rows"
 
 # Strips of marked crops: each row of the table is a crop.
 # shellcheck disable=SC2016  # the quotes are Markdown's
 sed -n 's/^| \([0-9a-z_]*\.png\) | `\(.*\)` | \([0-9,]*\) | \([0-9,:]*\) |$/\1 \3 \4 \2/p' "$root/docs/pictures/README.md" >"$work/crops"
 for strip in $(cut -d ' ' -f 1 "$work/crops" | uniq); do
-  tried=$((tried + 1))
   set --
   grep "^$strip " "$work/crops" >"$work/strip"
   while read -r _ corner marks command; do
@@ -48,22 +70,12 @@ for strip in $(cut -d ' ' -f 1 "$work/crops" | uniq); do
     set -- "$@" "$source" "$corner" "$marks"
   done <"$work/strip"
   "$bin/mark_crops" "$work/strip.png" "$@" >"$work/log" 2>&1 || fail "the crops of $strip"
-  # The file has 256 colors: few pixels are far from what is drawn.
-  "$bin/compare" --pixels-off-by-more-than 24 --at-most 0.1% "$work/strip.png" "$root/docs/pictures/$strip" >>"$work/log" 2>&1 && continue
-  if [ "$mode" = --write ]; then
-    # A palette, and no row filters: a third of the bytes. The grain of wood takes few colors.
-    colors=256
-    [ "$strip" != thumb_08.png ] || colors=96
-    convert "$work/strip.png" +dither -colors "$colors" -strip -define png:compression-filter=0 -define png:compression-level=9 \
-      -define png:include-chunk=none "png8:$root/docs/pictures/$strip"
-    echo "docs/pictures/$strip is new"
-  else
-    fail "docs/pictures/$strip is not what its rows say"
-  fi
+  check "$work/strip.png" "$strip"
 done
 
 for file in "$root"/docs/pictures/*.png; do
   cat "$work/rows" "$work/crops" | grep -q "^$(basename "$file") " || fail "no command draws $file"
 done
+for file in "$root"/docs/pictures/symptoms/*.png; do [ "$mode" != --write ] || keep "$file" "$file"; done
 echo "$tried pictures"
 [ "$failed" -eq 0 ] && [ "$tried" -gt 10 ]
