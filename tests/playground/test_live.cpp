@@ -263,7 +263,7 @@ TEST_CASE("09: texels times the weights of their reads are what the filter retur
     for (int i = 0; i < 10; ++i) {
       const Uv<Dual<double>> uv{{0.31 + 0.09 * i, 0.02 * i, 0.07}, {0.2 + 0.05 * i, 0.04, -0.03}};
       double sum = 0;
-      for (const live::TexelRead& read : live::reads_of(texture, uv)) {
+      for (const live::TexelRead& read : live::reads_of(texture, filter, uv)) {
         const auto level = level_of(texture.pyramid, std::log2(read.wide));
         sum += read.weight *
                texel_light(texture.pyramid, level, read.x / read.wide, read.y / read.high).r;

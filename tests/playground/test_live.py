@@ -216,7 +216,7 @@ def check_meshes(place, browser):
 
 
 def check_hands(place, browser):
-    """A drag on 11's globe moves the lamp there, a place on 10's map is found on the globe, and 09's line shows as much of the other filter."""
+    """A drag on 11's globe moves the lamp there, a place on 10's map is found on the globe, and 09's line and loupe show the other filter."""
     browser.size(1280, 1400)
 
     def at(page, thing=CANVAS):
@@ -237,11 +237,16 @@ def check_hands(place, browser):
     for x, shown in ((0.25, True), (0.75, False)):  # the eye looks from +z, which is there by --convention rtiow
         mouse("mouseMoved", x, 0.42)
         browser.wait(f"!document.querySelector('.live-second .live-mark').hidden && {LOUPE}.hidden === {str(not shown).lower()}", 20)
-    at("09.html")
+    mouse = at("09.html")
     browser.run("{ const f = document.querySelector('.live-line'); f.value = 20; f.dispatchEvent(new Event('input')); }")
     clip = browser.run("getComputedStyle(document.querySelector('.live-second > canvas')).clipPath")
     if "80%" not in clip and "100% - 20%" not in clip:
         yield f"the line at 20 % cuts by {clip}"
+    for x, words, reads in ((0.15, "nearest, left", "reads1 texels"), (0.25, "anisotropic, right", "texels")):
+        mouse("mouseMoved", x, 0.5)
+        browser.wait(f"{LOUPE}.textContent.includes({words!r}) && {LOUPE}.textContent.includes({reads!r})", 20)
+        if x < 0.2 and not browser.run(LOUPE + ".querySelector('td').textContent.match(/: *(0 0 0|255 255 255)/)"):
+            yield f"left of the line the color is not the nearest square's: {browser.run(LOUPE + '.textContent')}"
 
 
 def check_lost(place, browser):
@@ -403,6 +408,14 @@ def check_beside(place, browser):
     browser.run("document.getElementById('live--degrees').focus()")
     change(browser, degrees="100")
     browser.wait(f"!{LOUPE}.hidden && {LOUPE}.textContent !== {before!r}", 20)
+    browser.size(1280, 800)
+    before = browser.run(LOUPE + ".textContent")
+    browser.run(CANVAS + ".focus()")
+    browser.key("ArrowRight")
+    browser.wait(f"{LOUPE}.textContent !== {before!r}", 20)
+    browser.size(360, 800)  # the mark of a wide picture makes no narrow page wider
+    if browser.run("document.documentElement.scrollWidth") > 360:
+        yield "a page with a held pixel that gets narrower is too wide"
 
 
 def check_motion(place, browser):

@@ -33,7 +33,7 @@ Color<Real> texel_light(const ProbedPyramid& pyramid, const PyramidLevel<Real>& 
 }
 
 /// The reads of a filter at a pixel's (u, v), with their weights.
-[[nodiscard]] inline std::vector<TexelRead> reads_of(const FilteredTexture& texture,
+[[nodiscard]] inline std::vector<TexelRead> reads_of(const FilteredTexture& texture, Filter filter,
                                                      const Uv<Dual<double>>& uv) {
   std::vector<TexelRead> reads;
   std::size_t number = 0;
@@ -41,7 +41,7 @@ Color<Real> texel_light(const ProbedPyramid& pyramid, const PyramidLevel<Real>& 
   probe.pyramid.levels = texture.pyramid.levels;
   probe.pyramid.reads = &reads;
   probe.pyramid.number = &number;
-  probe.filter = texture.filter;
+  probe.filter = filter;
   probe.wrap = texture.wrap;
   probe.taps = texture.taps;
   probe.v_axis = texture.v_axis;
@@ -83,21 +83,28 @@ struct TwoFilters {
     if (seen.object < 0) return {{"rows", Json::list({fact({"hit", "nothing: the sky"})})}};
     const bool is_floor = seen.object == static_cast<int>(lesson.objects.size());
     if (is_floor) {
-      return facts(lesson.ground.texture, lesson.ground.mapping(point_on(
-                                              lesson.floor, ray, distance_to(lesson.floor, ray))));
+      return both(lesson.ground.texture, lesson.ground.mapping(point_on(
+                                             lesson.floor, ray, distance_to(lesson.floor, ray))));
     }
     const auto& globe = lesson.objects[static_cast<std::size_t>(seen.object)];
-    return facts(globe.paint.texture,
-                 globe.paint.mapping(normal_at(globe.shape, ray, distance_to(globe.shape, ray))));
+    return both(globe.paint.texture,
+                globe.paint.mapping(normal_at(globe.shape, ray, distance_to(globe.shape, ray))));
   }
 
  private:
   chapter_09::Lesson with_other;
 
-  [[nodiscard]] static Members facts(const FilteredTexture& texture, const Uv<Dual<double>>& uv) {
+  /// What the chosen filter reads, and left of the line the other.
+  [[nodiscard]] Members both(const FilteredTexture& texture, const Uv<Dual<double>>& uv) const {
+    Members all = facts(texture, texture.filter, uv);
+    all.emplace_back("left", Json::object(facts(texture, other, uv)));
+    return all;
+  }
+  [[nodiscard]] static Members facts(const FilteredTexture& texture, Filter filter,
+                                     const Uv<Dual<double>>& uv) {
     const PyramidLevel<int>& whole = texture.pyramid.levels.front();
     const auto footprint = footprint_of<double>(uv, whole.width, whole.height);
-    std::vector<TexelRead> reads = reads_of(texture, uv);
+    std::vector<TexelRead> reads = reads_of(texture, filter, uv);
     const bool up = texture.v_axis == VAxis::up;
     const auto in_texels = [](const Dual<double>& x, double n) {
       return Vec3d{(x.value - std::floor(x.value)) * n, x.dx * n, x.dy * n};

@@ -161,15 +161,16 @@ function worker() {
   };
 }
 
-// ---- Which controls there are. A chapter has those that its module offers; the choices' words come from the module.
+// ---- Which controls there are. A chapter has those that its module offers; the choices' words come from the module, and what is told
+// below a control that a picture does not explain.
 const early = "01 02 03 04 05 06";
 const controls = [
   {option: "--samples", label: "Samples", range: [1, 1024, 0.01], log: true, whole: true, in: "07 12"},
   {option: "--sampler", label: "Pattern"},
   {option: "--light", label: "Light by"},
-  {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true},
-  {option: "--filter", label: "Filter", in: "09"},
-  {option: "--beside", label: "Beside it"},
+  {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true, told: true},
+  {option: "--filter", label: "Filter, right", in: "09"},
+  {option: "--beside", label: "Filter, left"},
   {option: "--projection", label: "Layout"},
   {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005]},
   {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
@@ -182,11 +183,11 @@ const controls = [
   {option: "--wrap", label: "At the edge", in: "08 09"},
   {option: "--sky", label: "Sky"},
   {option: "--defocus", label: "Lens angle", range: [0, 10, 0.1]},
-  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1]},
+  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: true},
   {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true},
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
-  {option: "--convention", label: "Convention"},
-  {option: "--rounding", label: "Rounding"},
+  {option: "--convention", label: "Convention", told: true},
+  {option: "--rounding", label: "Rounding", told: true},
   {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true},
   {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true},
   {option: "--highlight", label: "Highlight", names: {lecture: "lecture's slides"}},
@@ -362,7 +363,7 @@ function live(main, packed) {
   const zoomed = element("canvas", {width: 11, height: 11});
   const facts = element("table");
   const second = element("canvas");
-  const secondPaper = second.getContext("2d");
+  const secondPaper = second.getContext("2d", {willReadFrequently: true});
   // Where two pictures lie on each other: the line between them, which a slider moves.
   const line = element("input", {type: "range", className: "live-line", min: 0, max: 100, step: 0.1, value: 50, hidden: true,
     ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
@@ -582,6 +583,7 @@ function live(main, packed) {
   function moveLine() {
     secondFrame.style.setProperty("--line", `${line.value}%`);
     line.setAttribute("aria-valuetext", `${line.value} % from the left`);
+    if (pixel?.column !== undefined) look(pixel);
   }
   // Asks for a small picture now, and for the full one when the reader rests.
   function change() {
@@ -697,7 +699,10 @@ function live(main, packed) {
     moveLine();
     reset();
   }
-  function slider({option, label, help, range: [least, most, step], log, whole, off, turns}, {preset: first, help: about}) {
+  const rowOf = ({label, help, told}, about, id, ...fields) => element("div", {title: help || about},
+    element("label", {htmlFor: id, textContent: label}), ...fields.filter(Boolean), ...(told ? [element("small", {textContent: about})] : []));
+  function slider(control, {preset: first, help: about}) {
+    const {option, label, range: [least, most, step], log, whole, off, turns} = control;
     const id = "live" + option;
     const to = (value) => log ? Math.log10(value) : value;
     const from = (x) => String(!log ? x : whole ? Math.round(10 ** x) : Number((10 ** x).toPrecision(3)));
@@ -710,7 +715,7 @@ function live(main, packed) {
     const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`, onchange: () => put(option, box.checked ? from(field.value) : "")});
     const play = turns && element("button", {type: "button", className: "live-turn", textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
     return {
-      row: element("div", {title: help || about}, element("label", {htmlFor: id, textContent: label}), ...[box, field, typed, play].filter(Boolean)),
+      row: rowOf(control, about, id, box, field, typed, play),
       field, play, first: "", takes: () => true,
       show(value, preset) {
         if (box) Object.assign(box, {checked: value !== "", disabled: !!preset, title: preset ? "this scene always blends" : ""});
@@ -721,7 +726,8 @@ function live(main, packed) {
       },
     };
   }
-  function choice({option, label, only, names: own = {}}, {words: offered, help}, hasErrors) {
+  function choice(control, {words: offered, help}, hasErrors) {
+    const {option, only, names: own = {}} = control;
     const id = "live" + option;
     const words = (only && !offered.includes("|") ? only
       : [...offered.split("|"), ...(hasErrors && option === "--show" ? ["--errors"] : [])].filter((word) => !only || only.includes(word)))
@@ -729,7 +735,7 @@ function live(main, packed) {
     if (words.length < 2) return null;
     const field = element("select", {id, onchange: () => put(option, field.value)},
       ...words.map((value) => element("option", {value, textContent: own[value] || names[value] || value})));
-    return {row: element("div", {title: help}, element("label", {htmlFor: id, textContent: label}), field), field, first: words[0],
+    return {row: rowOf(control, help, id, field), field, first: words[0],
       takes: (value) => words.includes(value), show(value) { field.value = value; }};
   }
   // What the reader chose in another chapter stays chosen where this one offers it.
@@ -1042,12 +1048,16 @@ function live(main, packed) {
     mapSays.textContent = `The pixel's point on the flat texture, and ${corners.length < 4 ? `the ${corners.length} corners of the pixel that meet it` : "the pixel's outline"}, `
       + `${rounded(detail.clientWidth / (width * whole.clientWidth), 2)} times enlarged`;
   }
+  // Where two pictures lie on each other, and this place shows the second.
+  const isLeft = (column) => lies[chapter] && second.width === canvas.width && column + 0.5 < canvas.width * line.value / 100;
   // Rows and a drawing that the module made: chapters 07 and on.
-  function moduleFacts(column, row, seen) {
-    const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
+  function moduleFacts(column, row, {left, ...right}) {
+    const seen = left && isLeft(column) ? left : right;
+    const color = [...(isLeft(column) ? secondPaper : paper).getImageData(column, row, 1, 1).data.slice(0, 3)];
     const parts = (list) => list.map((part) => typeof part === "number" ? number(part) : part);
     return [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
+      ...(left ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line` : `${values["--filter"]}, right of the line`]] : []),
       ...(seen.figure ? [["", drawing(seen.figure)]] : []), ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
   }
   function drawing({says, width, height, shapes}) {
@@ -1075,9 +1085,10 @@ function live(main, packed) {
     const lens = zoomed.getContext("2d");
     lens.imageSmoothingEnabled = false;
     lens.clearRect(0, 0, 11, 11);
-    lens.drawImage(canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
+    lens.drawImage(isLeft(column) ? second : canvas, column - 5, row - 5, 11, 11, 0, 0, 11, 11);
     loupe.classList.toggle("live-pinned", pinned);
-    Object.assign(mark.style, {left: `${(column + 0.5) / full[0] * canvas.clientWidth}px`, top: `${(row + 0.5) / full[1] * canvas.clientHeight}px`});
+    // Margins count in widths, and the canvas is as wide as its frame: the mark stays in place when the window changes.
+    Object.assign(mark.style, {left: `${100 * (column + 0.5) / full[0]}%`, top: 0, marginTop: `calc(${100 * (row + 0.5) / full[0]}% - 7px)`});
     loupe.ariaLive = example ? "off" : "polite";
     loupe.hidden = mark.hidden = false;
     drawMap(seen);

@@ -191,7 +191,7 @@ async function begin() {
   const says = element("p", {className: "budget-says", ariaLive: "polite"});
   const command = element("code"), copy = element("button", {type: "button", textContent: "Copy"});
   const clock = element("p", {className: "budget-clock"});
-  const plot = element("div"), key = element("figcaption", {textContent: "Up: texels off at most. Each point is a way to draw: filled in float, open in double; a square computes a pack of 8 floats or 4 doubles at once. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
+  const plot = element("div"), key = element("figcaption", {textContent: "As timed in this browser. Up: texels off at most. Each point is a way to draw: filled in float, open in double; a square computes a pack of 8 floats or 4 doubles at once. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
   const table = element("table");
   const again = element("button", {type: "button", textContent: "Time again"});
   const card = element("div", {className: "budget-card"});
