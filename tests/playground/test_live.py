@@ -237,6 +237,11 @@ def check_hands(place, browser):
     for x, shown in ((0.25, True), (0.75, False)):  # the eye looks from +z, which is there by --convention rtiow
         mouse("mouseMoved", x, 0.42)
         browser.wait(f"!document.querySelector('.live-second .live-mark').hidden && {LOUPE}.hidden === {str(not shown).lower()}", 20)
+    change(browser, projection="octahedral")
+    yield from place.unlike(pixels(browser, "document.querySelector('.live-second > canvas')"), ["./course", "run", "10", "--to", "octahedral"])
+    browser.run("HTMLAnchorElement.prototype.click = function () { window.saved = this.download; }")
+    press(browser, "Save the map")
+    browser.wait("window.saved === 'octahedral.png'", 20)
     mouse = at("09.html")
     browser.run("{ const f = document.querySelector('.live-line'); f.value = 20; f.dispatchEvent(new Event('input')); }")
     clip = browser.run("getComputedStyle(document.querySelector('.live-second > canvas')).clipPath")

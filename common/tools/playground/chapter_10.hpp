@@ -10,17 +10,18 @@
 namespace texmap::live {
 
 struct MapAndGlobe {
-  static constexpr int widest = 600;
+  static constexpr int at_rest = 800;  ///< columns of a picture that no hand drags
 
   [[nodiscard]] static const auto& globe_of(const chapter_10::Lesson& lesson) {
     return std::get<chapter_10::Textured>(lesson.objects[chapter_10::middle].paint);
   }
   [[nodiscard]] Size size_beside(const chapter_10::Lesson& lesson, const Size& size) const {
     const Image& map = globe_of(lesson).texture.image;
-    const int width = std::min({map.width, widest, size.width});
+    const int width = size.width < at_rest ? std::min(map.width, size.width) : map.width;
     return {width, std::max(1, map.height * width / map.width)};
   }
-  /// The map, its texels at the pixels' centers; a layout's empty parts are black as the program's.
+  /// The map: all of its texels, so that the page can save it, or those at the pixels' centers of a
+  /// smaller one. A layout's empty parts are black as the program's.
   [[nodiscard]] Image draw_beside(const chapter_10::Lesson& lesson, const View<>& strip, int first,
                                   const RenderSettings& /*how*/) const {
     const Image& map = globe_of(lesson).texture.image;

@@ -219,7 +219,7 @@ const lies = {"09": true};
 // What else the pointer does on a chapter's picture.
 const hints = {
   "09": (values) => `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}. Drag the knob below.`,
-  "10": () => "Point at the globe or at the map: the place is marked on both.",
+  "10": (values) => `Point at the globe or at the map: the place is marked on both. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
   "11": () => "Drag on the globe to move the lamp.",
 };
 // How a picture of many samples is drawn while the reader drags.
@@ -391,8 +391,10 @@ function live(main, packed) {
   const copy = element("button", {type: "button", textContent: "Copy", onclick: copyCommand});
   const hereOnly = element("span");
   const openers = element("span", {className: "live-openers"});
+  const save = element("button", {type: "button", textContent: "Save the map", onclick: () => second.toBlob((blob) =>
+    element("a", {href: URL.createObjectURL(blob), download: `${values["--projection"]}.png`}).click())});
   const panel = element("fieldset", {}, element("legend", {textContent: "Change the picture"}), rows, more,
-    element("div", {className: "live-actions"}, openers, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
+    element("div", {className: "live-actions"}, openers, save, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
   const section = element("section", {className: "live", hidden: true}, picture, beside, refined, legend, says, again, form);
@@ -696,6 +698,7 @@ function live(main, packed) {
     refined.hidden = secondFrame.hidden = line.hidden = true;
     secondFrame.classList.toggle("live-over", !!lies[chapter]);
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
+    save.hidden = !("--projection" in found);
     moveLine();
     reset();
   }
