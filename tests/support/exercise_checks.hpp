@@ -92,11 +92,12 @@ TEST_CASE("the program knows the answers of the chapter's page") {
   const auto& questions = check::exercises_of_chapter().questions;
   REQUIRE(questions.size() == answers.size());
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const auto& [text, answer_of, unit, look, usual, id] = questions[i];
-    const double answer = answer_of(), off = check::apart(answer, answers[i]);
-    CHECK_MESSAGE(off <= unit.tolerance * answers[i], id << " is off by " << off);
-    for (const check::WrongNumber& wrong : usual)
-      CHECK_MESSAGE(check::apart(answer, wrong.number) > unit.tolerance * answer, id << wrong.word);
+    const check::Question& asked = questions[i];
+    const double answer = asked.answer(), off = check::apart(answer, answers[i]);
+    const double most = asked.unit.tolerance * answer;
+    CHECK_MESSAGE(off <= most, asked.id << " is off by " << off);
+    for (const check::WrongNumber& wrong : asked.usual)
+      CHECK_MESSAGE(check::apart(answer, wrong.number) > most, asked.id << wrong.word);
   }
 }
 

@@ -161,7 +161,7 @@ Place2 right_bricks(Place2 uv, int squares) {
 Slips<Place2> wrong_bricks(Place2 uv, int squares) {
   const auto [u, v] = uv;
   const double half = 0.5 / squares;
-  const auto moved = [=](double row, double by) {
+  const auto moved = [=, u = u, v = v](double row, double by) {
     return Place2{fmod(row, 2) == 1 ? u + by : u, v};
   };
   const double row = floor(v * squares), right = moved(row, half).u;

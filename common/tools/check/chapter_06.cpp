@@ -221,7 +221,7 @@ Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
   const auto [r, g, b] = texture;
   const double bright = brightness(texture), share = t * (1 - bright), lit = min(light, 1.);
   const auto with = [&](double other) { return gray(other) * (1 - share) + texture * share; };
-  const auto by = [&](double t_r, double t_g, double t_b) {
+  const auto by = [&, r = r, g = g, b = b](double t_r, double t_g, double t_b) {
     return Rgb{r * t_r + lit * (1 - t_r), g * t_g + lit * (1 - t_g), b * t_b + lit * (1 - t_b)};
   };
   const auto all = [&](double one) { return by(one, one, one); };
