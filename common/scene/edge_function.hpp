@@ -26,11 +26,17 @@ struct RaySpace {
   }
 };
 
-/// 0 for a number so small that the product of two could lose digits by underflow.
+/// The product of two numbers that are at least so large loses no digits by underflow.
+template <class Real>
+[[nodiscard]] Real least_factor() {
+  using Limits = std::numeric_limits<Scalar<Real>>;
+  return Real(ldexp(Scalar<Real>(1), (Limits::min_exponent + Limits::digits) / 2));
+}
+
+/// 0 for a number below `least_factor`.
 template <class Real>
 [[nodiscard]] Real snapped(const Real& x) {
-  using Limits = std::numeric_limits<Scalar<Real>>;
-  const Real least = Real(ldexp(Scalar<Real>(1), (Limits::min_exponent + Limits::digits) / 2));
+  const Real least = least_factor<Real>();
   // A 0 is kept as it is: it may have derivatives.
   return select(abs(x) < least && (x < Real(0) || x > Real(0)), Real(0), x);
 }

@@ -1,32 +1,20 @@
 // A surface of triangles and the point where a ray first meets it.
 #pragma once
 #include <array>
-#include <type_traits>
+#include <bit>
 #include <vector>
 
-#include "scene/edge_function.hpp"
 #include "scene/hit.hpp"
+#include "scene/mesh_boxes.hpp"
 
 namespace texmap {
-
-/// Eight boxes with edges along the axes, each larger than what it holds by `box_margin` of its
-/// largest coordinate. A box holds a few triangles or eight other boxes.
-struct MeshBoxes {
-  std::array<std::array<float, 8>, 3> low, high;  ///< of each axis; NaN: no box
-  std::array<int, 8> first;  ///< its first triangle in Mesh::order, or its place in Mesh::boxes
-  std::array<int, 8> count;  ///< of its own triangles; -1: it holds eight boxes
-};
-/// The most boxes inside each other.
-inline constexpr std::size_t most_nested_boxes = 24;
-/// Rounding moves corners, rays and boxes by less than this part of their largest coordinate.
-inline constexpr double box_margin = 0x1.8p-20;
 
 /// Triangles that share corners. Seen from outside, corners run counterclockwise.
 struct Mesh {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;  ///< each with the indices of its corners
   std::vector<MeshBoxes> boxes;               ///< empty: every ray tries all triangles
-  std::vector<int> order;                     ///< the triangles in the order of the boxes
+  std::vector<MeshLeaf> leaves;               ///< the triangles again, as the boxes hold them
 
   /// A corner of a triangle, both counted from 0.
   [[nodiscard]] const Point& corner(int triangle, int number) const {
@@ -45,72 +33,18 @@ struct MeshHit : Hit<Real> {
   Real a = Real(1), b{}, c{};             ///< the weights of its corners, 0 to 1
 };
 
-/// A ray as boxes see it; distances are depths along its longest axis. Single numbers try eight
-/// boxes at once in float, packs and others one box with all lanes.
-template <class Real>
-struct BoxRay {
-  using Number = std::conditional_t<std::is_floating_point_v<Real>, float, Real>;
-
-  const RaySpace<Real>& space;
-  Real length;             ///< the depth of its direction
-  Vec3<Number> low, high;  ///< its origin, less and more a margin
-  Vec3<Number> slope;      ///< the depth of a step along each axis, at most 2^60
-
-  BoxRay(const RaySpace<Real>& of, const Vec3<Real>& d) : space(of), length(abs(of.direction.z)) {
-    const Vec3<Number> origin = number_cast<Number>(of.origin);
-    const Number margin = Number(box_margin) * largest(origin);
-    low = origin - Vec3<Number>{margin, margin, margin};
-    high = origin + Vec3<Number>{margin, margin, margin};
-    const Real least = length * Real(0x1p-60);
-    const auto slope_of = [&](const Real& part) {
-      return number_cast<Number>(length / select(abs(part) > least, part, least));
-    };
-    slope = {slope_of(d.x), slope_of(d.y), slope_of(d.z)};
-  }
-
-  /// A distance as a depth, a little beyond.
-  [[nodiscard]] Number depth_of(const Real& distance) const {
-    return number_cast<Number>(distance * length) * Number(1 + 0x1p-19);
-  }
-  /// The depths of eight boxes, less their margins; infinite where the ray meets nothing in them.
-  /// docs/numerics.md proves that rounding never hides a triangle.
-  [[nodiscard]] std::array<Number, 8> depths_of(const MeshBoxes& boxes) const {
-    std::array<Number, 8> near, far, depth, end;
-    near.fill(-infinity<Number>());
-    far.fill(infinity<Number>());
-    depth.fill(infinity<Number>());
-    end.fill(infinity<Number>());
-    const auto cut = [&](std::size_t axis, const Number& from, const Number& to, const Number& by,
-                         const Mask<Real>& longest) {
-      for (std::size_t i = 0; i < 8; ++i) {
-        const Number one = (Number(boxes.low[axis][i]) - to) * by;
-        const Number other = (Number(boxes.high[axis][i]) - from) * by;
-        const Number first = min(one, other);
-        const Number last = max(one, other);
-        near[i] = max(near[i], first);
-        far[i] = min(far[i], last);
-        depth[i] = select(longest, first, depth[i]);
-        end[i] = select(longest, last, end[i]);
-        if (axis < 2) continue;
-        const Number beyond = far[i] + abs(far[i]) * Number(0x1p-19);
-        const Number missed_by = max(near[i] - beyond, -end[i]);
-        depth[i] = max(missed_by * infinity<Number>(), depth[i]);
-      }
-    };
-    cut(0, low.x, high.x, slope.x, space.x_is_longest);
-    cut(1, low.y, high.y, slope.y, space.y_is_longest);
-    cut(2, low.z, high.z, slope.z, !(space.x_is_longest || space.y_is_longest));
-    return depth;
-  }
-};
+/// Which boxes a ray tries first.
+enum class BoxOrder { nearest_first, any };
 
 /// Calls visit(number, crossing) for the triangles of a mesh that a ray crosses before `limit`, in
-/// any order; `visit` may change the limit.
+/// any order; `visit` may change the limit. Leaves out a triangle that is `own` in all lanes.
 template <class Real, class Visit>
 void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit,
-                       const Visit& visit) {
+                       const Visit& visit, BoxOrder order = BoxOrder::nearest_first,
+                       const Real& own = Real(-1)) {
   const RaySpace<Real> space(ray);
   const auto visit_triangle = [&](int number) {
+    if (!any(!(own == Real(number)))) return;
     const auto seen = [&](int corner) {
       return seen_along(space, number_cast<Real>(mesh.corner(number, corner)));
     };
@@ -121,35 +55,40 @@ void for_each_crossing(const Mesh& mesh, const Ray<Real>& ray, const Real& limit
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) visit_triangle(static_cast<int>(i));
     return;
   }
-  const BoxRay<Real> box_ray(space, ray.direction);
   using Number = typename BoxRay<Real>::Number;
-  struct Entered {
-    Number depth;
-    int first, count;
-  };
-  std::array<Entered, 7 * most_nested_boxes + 8> to_try;  // the last one first: the nearest
-  to_try[0] = {Number(0), 0, -1};
+  const BoxRay<Real> box_ray(space, ray.direction);
+  Number end = box_ray.depth_of(limit);
+  // What is to be tried, the last one first: its depth, and what it is in MeshBoxes::inside.
+  std::array<Number, 7 * most_nested_boxes + 8> depth;
+  std::array<int, 7 * most_nested_boxes + 8> inside;
+  depth[0] = Number(0);
+  inside[0] = 0;
   for (std::size_t count = 1; count > 0;) {
-    const Entered box = to_try[--count];
-    const Number end = box_ray.depth_of(limit);
-    if (!any(box.depth < end)) continue;
-    for (int k = box.first; k < box.first + box.count; ++k)
-      visit_triangle(mesh.order[static_cast<std::size_t>(k)]);
-    if (box.count >= 0) continue;
-
-    const MeshBoxes& inside = mesh.boxes[static_cast<std::size_t>(box.first)];
-    const std::array<Number, 8> depths = box_ray.depths_of(inside);
-    const std::size_t kept = count;
-    for (std::size_t i = 0; i < 8; ++i) {
-      to_try[count] = {depths[i], inside.first[i], inside.count[i]};
-      count += any(depths[i] < end) ? 1U : 0U;
+    --count;
+    if (!any(depth[count] < end)) continue;
+    if (const int leaf = ~inside[count]; leaf >= 0) {
+      const MeshLeaf& four = mesh.leaves[static_cast<std::size_t>(leaf / 4)];
+      unsigned may = box_ray.may_meet(four) & ((2U << (leaf % 4)) - 1);
+      for (; may != 0; may &= may - 1)
+        visit_triangle(four.triangles[static_cast<std::size_t>(std::countr_zero(may))]);
+      end = box_ray.depth_of(limit);
+      continue;
     }
-    for (std::size_t i = kept + 1; i < count; ++i) {
-      const Entered moved = to_try[i];
-      std::size_t to = i;
-      for (; to > kept && any(to_try[to - 1].depth < moved.depth); --to)
-        to_try[to] = to_try[to - 1];
-      to_try[to] = moved;
+    const MeshBoxes& boxes = mesh.boxes[static_cast<std::size_t>(inside[count])];
+    std::array<Number, 8> depths;
+    unsigned entered = box_ray.enter(boxes, end, depths);
+    for (const std::size_t kept = count; entered != 0; entered &= entered - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(entered));
+      std::size_t to = count++;
+      const auto is_farther = [&] {
+        return order == BoxOrder::nearest_first && to > kept && any(depth[to - 1] < depths[i]);
+      };
+      for (; is_farther(); --to) {
+        depth[to] = depth[to - 1];
+        inside[to] = inside[to - 1];
+      }
+      depth[to] = depths[i];
+      inside[to] = boxes.inside[i];
     }
   }
 }
@@ -223,11 +162,12 @@ template <class Real>
                                      const Real& distance, int /*leaving*/ = -1) {
   Mask<Real> hidden = mask_of<Real>(false);
   Real limit = select(others.lit, distance, -infinity<Real>());
-  for_each_crossing(others.mesh, ray, limit, [&](int number, const Crossing<Real>& found) {
+  const auto visit = [&](int number, const Crossing<Real>& found) {
     hidden = hidden || (found.met && !(others.own == Real(number)) && found.distance > Real(0) &&
                         found.distance < limit);
     limit = select(hidden, -infinity<Real>(), limit);  // the first triangle in the way decides
-  });
+  };
+  for_each_crossing(others.mesh, ray, limit, visit, BoxOrder::any, others.own);
   return hidden;
 }
 

@@ -67,13 +67,13 @@ class Builder {
 
   void build() {
     mesh_.boxes.clear();
+    mesh_.leaves.clear();
+    mesh_.leaves.reserve(triangles_.size() / 3);  // most leaves are full
     if (!triangles_.empty()) add_boxes(group_of(0, static_cast<int>(triangles_.size())), 0);
-    mesh_.order.clear();
-    for (const Numbered& each : triangles_) mesh_.order.push_back(each.triangle);
   }
 
  private:
-  static constexpr int few = 4;       // triangles that share a box
+  static constexpr int few = 4;       // triangles of a leaf
   static constexpr int deepest = 16;  // then groups are halved: 7 more for 2^21 triangles
   static constexpr int bins = 16;     // places where a group may be cut
 
@@ -106,8 +106,13 @@ class Builder {
     for (std::size_t i = 0; i < 8; ++i) {
       const Group group = i < groups.size() ? groups[i] : Group{{}, 0, 0};
       const bool has_boxes = group.size() > few;
-      const int inside = has_boxes ? static_cast<int>(mesh_.boxes.size()) : group.first;
-      if (has_boxes) add_boxes(group, depth + 1);
+      int inside = static_cast<int>(mesh_.boxes.size());
+      if (has_boxes) {
+        add_boxes(group, depth + 1);
+      } else if (group.size() > 0) {
+        inside = ~(4 * static_cast<int>(mesh_.leaves.size()) + group.size() - 1);
+        add_leaf(group);
+      }
       float margin = i < groups.size() ? 0 : std::numeric_limits<float>::quiet_NaN();
       for (std::size_t k = 0; k < 3; ++k) {
         const float size = std::max(std::abs(group.low[k]), std::abs(group.high[k]));
@@ -115,11 +120,24 @@ class Builder {
       }
       MeshBoxes& boxes = mesh_.boxes[place];
       for (std::size_t k = 0; k < 3; ++k) {
-        boxes.low[k][i] = group.low[k] - margin;
-        boxes.high[k][i] = group.high[k] + margin;
+        boxes.sides[8 * k + i] = group.low[k] - margin;
+        boxes.sides[8 * k + 24 + i] = group.high[k] + margin;
       }
-      boxes.first[i] = inside;
-      boxes.count[i] = has_boxes ? -1 : group.size();
+      boxes.inside[i] = inside;
+    }
+  }
+
+  void add_leaf(const Group& group) {
+    MeshLeaf& leaf = mesh_.leaves.emplace_back();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(group.size()); ++i) {
+      leaf.triangles[i] = triangles_[static_cast<std::size_t>(group.first) + i].triangle;
+      for (int corner = 0; corner < 3; ++corner) {
+        const Point& p = mesh_.corner(leaf.triangles[i], corner);
+        std::array<float, 12>& at = leaf.corners[static_cast<std::size_t>(corner)];
+        at[i] = static_cast<float>(p.x);
+        at[4 + i] = static_cast<float>(p.y);
+        at[8 + i] = static_cast<float>(p.z);
+      }
     }
   }
 
