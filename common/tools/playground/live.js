@@ -222,8 +222,8 @@ const hints = {
   "10": (values) => `Point at the globe or at the map: the place is marked on both. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
   "11": () => "Drag on the globe to move the lamp.",
 };
-// How a picture of many samples is drawn while the reader drags.
-const drafts = {"07": {widest: 200, words: ["--samples", "2"]}, "12": {widest: 128, words: ["--samples", "2"]}};
+// How a picture that would take over 60 ms is drawn while the reader drags.
+const drafts = {"07": {widest: 200, words: ["--samples", "2"]}, "08": {widest: 320}, "11": {widest: 360}, "12": {widest: 128, words: ["--samples", "2"]}};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
