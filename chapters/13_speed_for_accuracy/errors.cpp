@@ -12,7 +12,6 @@
 #include <numeric>
 
 #include "engine/compare/difference.hpp"
-#include "engine/compare/difference_map.hpp"
 #include "engine/render/develop.hpp"
 #include "math/srgb.hpp"
 #include "ways.hpp"

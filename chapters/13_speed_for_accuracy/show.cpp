@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/app/budget_options.hpp"
-#include "engine/compare/difference_map.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/picture/sheet.hpp"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "engine/app/command_line.hpp"
-#include "engine/app/run_guarded.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/bytes.hpp"
 #include "engine/picture/codecs/image_limits.hpp"

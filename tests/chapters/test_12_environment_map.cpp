@@ -7,7 +7,7 @@
 
 #include "07_earth_by_sampling/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
-#include "engine/app/sky_choice.hpp"
+#include "engine/app/sky_options.hpp"
 #include "engine/picture/find_texture.hpp"
 #include "engine/picture/load_light.hpp"
 #include "engine/picture/save_png.hpp"

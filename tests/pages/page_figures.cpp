@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <string>
 
 #include "01_plain_spheres/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -17,7 +16,7 @@
 #include "10_projections/lesson.hpp"
 #include "11_bump_and_normal_maps/lesson.hpp"
 #include "12_environment_map/lesson.hpp"
-#include "engine/app/sky_choice.hpp"
+#include "engine/app/sky_options.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"

@@ -4,10 +4,8 @@
 //   sheet CHAPTER WIDTH HEIGHT WORDS
 //   picture LEFT TOP WIDTH HEIGHT
 //   text WORDS
-#include <array>
 #include <iostream>
 #include <sstream>
-#include <string>
 
 #include "04_uv_conventions/conventions_compared.hpp"
 #include "04_uv_conventions/lesson.hpp"

@@ -1,10 +1,6 @@
 // The program pack_png: files become smaller, and pixels stay.
 #include <doctest.h>
 
-#include <cstdint>
-#include <filesystem>
-#include <vector>
-
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "support/made_pictures.hpp"

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 #include "engine/picture/save_png.hpp"
 #include "support/temporary_folder.hpp"

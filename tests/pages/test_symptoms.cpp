@@ -4,7 +4,6 @@
 #include <doctest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "03_image_texture/lesson.hpp"
@@ -31,7 +30,6 @@ constexpr int height = 180;
 
 const Camera close_by{.eye = {0, 0.8, 4.2}, .target = {0, -0.05, 0}, .fov_y_degrees = 42};
 
-/// A picture of what each ray sees.
 template <class Look>
 Image drawn(const Camera& camera, const Look& look) {
   return render<double>(look, view_of(camera, width, height));
@@ -69,7 +67,8 @@ Rgb right_paint(const Hit<double>& hit) { return earth()(uv_rtiow(hit.normal)); 
 Image right() { return stage(right_paint); }
 
 /// What a student's program computes: a color from (u, v).
-using LookUp = Rgb (*)(double u, double v);
+using D = double;
+using LookUp = Rgb (*)(D u, D v);
 
 Image looked_up(LookUp look_up) {
   return stage([&](const Hit<double>& hit) {
@@ -90,7 +89,7 @@ int row_of(double v) {
   const int height_of_map = earth().image.height;
   return height_of_map - 1 - static_cast<int>(std::floor(v * height_of_map));
 }
-Rgb right_look_up(double u, double v) { return texel(column_of(u), row_of(v)); }
+Rgb at(D u, D v) { return texel(column_of(u), row_of(v)); }
 
 /// A mistake in the look-up, as students write it: nothing here comes from mistaken_maps.
 struct LookUpMistake {
@@ -99,44 +98,39 @@ struct LookUpMistake {
   LookUp look_up;
 };
 constexpr LookUpMistake look_up_mistakes[] = {
-    {"mirrored", "mirrored: u runs the other way",
-     [](double u, double v) { return right_look_up(1 - u, v); }},
-    {"upside_down", "upside down: v runs the other way",
-     [](double u, double v) { return right_look_up(u, 1 - v); }},
-    {"half_turn", "turned by half", [](double u, double v) { return right_look_up(1 - u, 1 - v); }},
-    {"quarter_turn", "a quarter turn off",
-     [](double u, double v) { return right_look_up(u - 0.25, v); }},
-    {nullptr, "a quarter turn off", [](double u, double v) { return right_look_up(u + 0.25, v); }},
-    {nullptr, "half a turn off", [](double u, double v) { return right_look_up(u + 0.5, v); }},
+    {"mirrored", "mirrored: u runs the other way", [](D u, D v) { return at(1 - u, v); }},
+    {"upside_down", "upside down: v runs the other way", [](D u, D v) { return at(u, 1 - v); }},
+    {"half_turn", "turned by half", [](D u, D v) { return at(1 - u, 1 - v); }},
+    {"quarter_turn", "a quarter turn off", [](D u, D v) { return at(u - 0.25, v); }},
+    {nullptr, "a quarter turn off", [](D u, D v) { return at(u + 0.25, v); }},
+    {nullptr, "half a turn off", [](D u, D v) { return at(u + 0.5, v); }},
     {"stripes", "striped",  // u without its 1/2 is negative on the side that is seen
-     [](double u, double v) { return texel(std::max(column_of(u - 0.5), 0), row_of(v)); }},
-    {"black", "black texture", [](double, double) { return gray(0.0); }},
+     [](D u, D v) { return texel(std::max(column_of(u - 0.5), 0), row_of(v)); }},
+    {"black", "black texture", [](D, D) { return gray(0.0); }},
     {nullptr, "half a texel to the left",
-     [](double u, double v) {
+     [](D u, D v) {
        return texel(static_cast<int>(std::lround(u * earth().image.width)), row_of(v));
      }},
-    {nullptr, "one texel to the left",
-     [](double u, double v) { return texel(column_of(u) + 1, row_of(v)); }},
+    {nullptr, "one texel to the left", [](D u, D v) { return texel(column_of(u) + 1, row_of(v)); }},
     {nullptr, "one texel up: rows were counted from 1",
-     [](double u, double v) { return texel(column_of(u), row_of(v) + 1); }},
-    {nullptr, "u and v are exchanged", [](double u, double v) { return right_look_up(v, u); }},
+     [](D u, D v) { return texel(column_of(u), row_of(v) + 1); }},
+    {nullptr, "u and v are exchanged", [](D u, D v) { return at(v, u); }},
     {nullptr, "squeezed at the poles",
-     [](double u, double v) { return right_look_up(u, (1 - std::cos(std::numbers::pi * v)) / 2); }},
+     [](D u, D v) { return at(u, (1 - std::cos(std::numbers::pi * v)) / 2); }},
     {nullptr, "red and blue are exchanged in the texture",
-     [](double u, double v) {
-       const Rgb c = right_look_up(u, v);
+     [](D u, D v) {
+       const Rgb c = at(u, v);
        return Rgb{c.b, c.g, c.r};
      }},
     {nullptr, "gray: the texture's colors are lost",
-     [](double u, double v) {
-       const Rgb c = right_look_up(u, v);
+     [](D u, D v) {
+       const Rgb c = at(u, v);
        return gray(0.299 * c.r + 0.587 * c.g + 0.114 * c.b);
      }},
     // Nothing of these: another place, two mistakes at once, and a mean of two.
-    {nullptr, "", [](double u, double v) { return right_look_up(u + 0.15, v); }},
-    {nullptr, "", [](double u, double v) { return texel(column_of(1 - u), row_of(v) + 80); }},
-    {nullptr, "",
-     [](double u, double v) { return (right_look_up(1 - u, v) + right_look_up(u, 1 - v)) * 0.5; }},
+    {nullptr, "", [](D u, D v) { return at(u + 0.15, v); }},
+    {nullptr, "", [](D u, D v) { return texel(column_of(1 - u), row_of(v) + 80); }},
+    {nullptr, "", [](D u, D v) { return (at(1 - u, v) + at(u, 1 - v)) * 0.5; }},
 };
 
 /// A picture with its pixels three wide and three high.
@@ -208,7 +202,6 @@ Image frayed_coasts(int rays) {
   return tripled(shrunk(fine, width / 3, height / 3));
 }
 
-/// Each byte of the picture through a curve.
 Image through(double (*curve)(double)) {
   Image image = right();
   for (Rgb8& pixel : image.pixels) {
@@ -235,7 +228,6 @@ Image egg(double times_as_far) {
   });
 }
 
-/// The mean of the four texels around a place.
 Rgb bilinear_paint(const Hit<double>& hit) {
   const Uv<double> uv = uv_rtiow(hit.normal);
   const double x = uv.u * earth().image.width - 0.5, y = (1 - uv.v) * earth().image.height - 0.5;

@@ -14,7 +14,6 @@
 #include "scene/sky.hpp"
 #include "scene/triangle.hpp"
 #include "support/lanes.hpp"
-#include "support/made_light.hpp"
 #include "support/made_pictures.hpp"
 #include "support/mesh_rays.hpp"
 #include "texture/bilinear.hpp"

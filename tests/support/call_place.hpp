@@ -3,7 +3,6 @@
 
 namespace texmap::test {
 
-/// A line of a source file.
 struct CallPlace {
   const char* file = "";
   int line = 0;

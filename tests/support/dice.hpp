@@ -76,26 +76,16 @@ class Dice {
   template <class T>
   T anything() {
     using Limits = std::numeric_limits<T>;
-    switch (below(16)) {
-      case 0:
-        return Limits::infinity();
-      case 1:
-        return -Limits::infinity();
-      case 2:
-        return Limits::quiet_NaN();
-      case 3:
-        return static_cast<T>(sign()) * Limits::max();
-      case 4:
-        return static_cast<T>(sign()) * Limits::denorm_min();
-      case 5:
-        return std::nextafter(static_cast<T>(within(-2, 2)), static_cast<T>(sign()) * T(9));
-      case 6:
-        return static_cast<T>(within(-3, 3));
-      case 7:
-        return static_cast<T>(sign()) * number<T>(-4, 90);
-      default:
-        return finite<T>();
-    }
+    const int kind = below(16);
+    if (kind < 2) return kind == 0 ? Limits::infinity() : -Limits::infinity();
+    if (kind == 2) return Limits::quiet_NaN();
+    if (kind == 3) return static_cast<T>(sign()) * Limits::max();
+    if (kind == 4) return static_cast<T>(sign()) * Limits::denorm_min();
+    if (kind == 5)
+      return std::nextafter(static_cast<T>(within(-2, 2)), static_cast<T>(sign()) * T(9));
+    if (kind == 6) return static_cast<T>(within(-3, 3));
+    if (kind == 7) return static_cast<T>(sign()) * number<T>(-4, 90);
+    return finite<T>();
   }
   /// A direction, each as likely as any other, one unit long but for rounding.
   template <class T = long double>

@@ -1,9 +1,10 @@
-// Pictures for the tests of comparing, made of whole numbers so that they are the same everywhere.
+// Pictures for tests, made of whole numbers so that they are the same everywhere; and of light.
 #pragma once
 #include <algorithm>
-#include <cstdint>
 
+#include "support/dice.hpp"
 #include "texture/image.hpp"
+#include "texture/light_image.hpp"
 
 namespace texmap::test {
 
@@ -52,6 +53,17 @@ template <class Color>
       image.pixels[i].*channel =
           static_cast<std::uint8_t>(std::clamp(image.pixels[i].*channel + off, 0, 255));
     }
+  }
+  return image;
+}
+
+/// Every channel of every texel at random, from 0 to 1.
+[[nodiscard]] inline LightImage light_noise(int width, int height, std::uint64_t seed = 3) {
+  Dice dice(seed);
+  LightImage image(width, height);
+  for (Color<float>& texel : image.pixels) {
+    for (float Color<float>::*channel : {&Color<float>::r, &Color<float>::g, &Color<float>::b})
+      texel.*channel = static_cast<float>(dice.between(0, 1));
   }
   return image;
 }

@@ -101,14 +101,9 @@ template <class Real>
   const int corner = dice.below(3);
   const Point& a = mesh.corner(triangle, corner);
   const Point& b = mesh.corner(triangle, (corner + 1) % 3);
-  switch (dice.below(4)) {
-    case 0:
-      return a;
-    case 1:
-      return (a + b) * 0.5;
-    default:
-      return a + (b - a) * dice.between(0, 1);
-  }
+  const int kind = dice.below(4);
+  if (kind < 2) return kind == 0 ? a : (a + b) * 0.5;
+  return a + (b - a) * dice.between(0, 1);
 }
 
 /// A ray, in each lane another, from `origin()` to `target()`, with the direction as rounded.

@@ -4,11 +4,9 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "engine/compare/difference.hpp"
-#include "engine/compare/difference_map.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
 

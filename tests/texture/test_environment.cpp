@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/made_light.hpp"
+#include "support/made_pictures.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "number/dual.hpp"
-#include "support/made_light.hpp"
+#include "support/made_pictures.hpp"
 
 using namespace texmap;
 using namespace texmap::test;

@@ -12,14 +12,12 @@ namespace texmap {
 class CommandLine;
 class Session;
 
-/// The heights that the chapter knows.
 enum class HeightKind {
   image,  ///< of an image in (u, v)
   uv,     ///< waves in (u, v), which crowd together at the poles
   space,  ///< waves in space, which know no poles
 };
 
-/// What the chapter draws.
 enum class BumpPicture {
   globe,  ///< a globe with bumps
   sheet,  ///< eight ways to read one normal map, by three programs: bump or dent?
@@ -27,7 +25,6 @@ enum class BumpPicture {
   daily,  ///< the daily exercise's normal map, and the same as it was meant
 };
 
-/// The user's choices of bumps.
 struct BumpOptions {
   BumpPicture picture = BumpPicture::globe;
   HeightKind height = HeightKind::image;

@@ -1,9 +1,12 @@
-// A program's command line: a table of options, read strictly.
+// A program's command line: a table of options, read strictly; and what becomes of errors.
 #include "engine/app/command_line.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
 
 #include "engine/measure/text.hpp"
 #include "engine/system/system.hpp"
@@ -20,6 +23,21 @@ namespace {
 std::string not_empty(std::string_view typed, const std::string& refusal) {
   if (typed.empty()) throw UsageError(refusal);
   return std::string(typed);
+}
+
+void complain(const std::string& what) { std::fputs(("error: " + what + "\n").c_str(), stderr); }
+
+/// Called when there is not even the memory to throw an exception.
+[[noreturn]] void give_up() {
+  if (std::current_exception()) {
+    try {
+      throw;
+    } catch (const std::bad_alloc&) {  // libc++ keeps some memory for this exception
+    } catch (...) {
+      std::abort();
+    }
+  }
+  end_with("error: not enough memory\n");
 }
 
 }  // namespace
@@ -235,6 +253,24 @@ std::string CommandLine::help() const {
   line("--version", "show the version and stop");
   text += "\nexit status: " + statuses_ + "\n";
   return text;
+}
+
+void expect_little_memory() { std::set_terminate(give_up); }
+
+int run_guarded(const CommandLine& line, const std::function<void()>& body) {
+  secure_standard_streams();
+  try {
+    body();
+    return 0;
+  } catch (const UsageError& error) {
+    complain(std::string(error.what()) + "\n" + line.usage());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return 1;
 }
 
 }  // namespace texmap

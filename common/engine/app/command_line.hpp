@@ -1,4 +1,4 @@
-// A program's command line: a table of options, read strictly.
+// A program's command line: a table of options, read strictly; and what becomes of errors.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -156,5 +156,12 @@ class CommandLine {
   std::vector<Option> positionals_;
   std::vector<std::string> typed_;
 };
+
+/// Makes running out of memory end with a message and status 1. Called before anything else.
+void expect_little_memory();
+
+/// What every main program does with errors: calls `body` and turns what it throws into a message
+/// on stderr and an exit status: 1 for failures, 2 for a wrong command line.
+[[nodiscard]] int run_guarded(const CommandLine& line, const std::function<void()>& body);
 
 }  // namespace texmap

@@ -9,14 +9,12 @@
 
 namespace texmap {
 
-/// What a lesson that filters draws.
 enum class FilterScene {
   both,   ///< the plane to the horizon, a globe close by and one far away
   plane,  ///< the plane alone
   globe,  ///< a globe far away, under the sky
 };
 
-/// How the user wants textures to be read.
 struct FilterOptions {
   Filter filter = Filter::anisotropic;
   FilterScene scene = FilterScene::both;
@@ -28,7 +26,6 @@ struct FilterOptions {
   void declare(CommandLine& line);
   /// The floor's picture as a texture.
   [[nodiscard]] FilteredTexture load_floor() const;
-  /// The globe's.
   [[nodiscard]] FilteredTexture load_globe(const TextureFile& file) const;
 };
 

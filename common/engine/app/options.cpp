@@ -2,10 +2,6 @@
 // of their own, have files of their own. A program that offers none of these groups links none.
 #include <algorithm>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "engine/app/budget_options.hpp"
 #include "engine/app/bump_options.hpp"

@@ -10,7 +10,6 @@ namespace texmap {
 class CommandLine;
 class Session;
 
-/// The scenes with a highlight.
 enum class PhongScene {
   stage,    ///< the daily exercise's four spheres
   lecture,  ///< the lecture's globe over a yellow ground

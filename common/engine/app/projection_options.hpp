@@ -8,7 +8,6 @@
 
 namespace texmap {
 
-/// The layouts that the user chose.
 struct ProjectionOptions {
   Projection from = Projection::equirect;  ///< of the texture's file
   std::optional<Projection> projection;    ///< of the picture on the globe; nothing: as the file

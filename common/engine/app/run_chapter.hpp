@@ -8,7 +8,6 @@
 #include "engine/app/command_line.hpp"
 #include "engine/app/gather_session.hpp"
 #include "engine/app/planned_highlight.hpp"
-#include "engine/app/run_guarded.hpp"
 #include "engine/app/session.hpp"
 #include "engine/app/turntable.hpp"
 #include "engine/picture/save_png.hpp"

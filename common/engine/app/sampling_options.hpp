@@ -12,7 +12,6 @@ namespace texmap {
 
 class CommandLine;
 
-/// The user's choices of samples and light.
 struct SamplingOptions {
   SamplerKind sampler = SamplerKind::sobol;
   int samples = 64;  ///< rays per pixel, unless --samples is given

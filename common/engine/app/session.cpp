@@ -2,7 +2,6 @@
 #include "engine/app/session.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <system_error>
 
 #include "engine/app/command_line.hpp"
@@ -70,7 +69,14 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
         "close above a surface. Beyond 1e4 radii in float, 1e7 in double, robust changes to hybrid "
         "by itself. plain is the textbook's formula, to see where it fails");
   }
-  if (offers.surfaces) offer_show();
+  if (offers.surfaces) {
+    line.choice(
+        "--show", settings.show, "color|normal|uv|object",
+        "what to show in each pixel; all but color help to find errors, and have a black sky. "
+        "normal: the unit normal, x as red, y as green, z as blue, each from -1 to 1. uv: u as red "
+        "and v as green, of numbers outside 0 to 1 the part after the decimal point; gray where "
+        "there is no (u, v). object: a different color for each object or triangle");
+  }
   if (offered("--zoom")) {
     line.decimal("--zoom", settings.zoom, 0.01, 1e6,
                  "magnification: 2 shows half of the width and half of the height");
@@ -102,15 +108,6 @@ void Session::offer_numbers(Numbers numbers, std::string_view no_intervals) {
                "widest that the machine has");
 }
 
-void Session::offer_show() {
-  line_.choice(
-      "--show", settings.show, "color|normal|uv|object",
-      "what to show in each pixel; all but color help to find errors, and have a black sky. "
-      "normal: the unit normal, x as red, y as green, z as blue, each from -1 to 1. uv: u as red "
-      "and v as green, of numbers outside 0 to 1 the part after the decimal point; gray where "
-      "there is no (u, v). object: a different color for each object or triangle");
-}
-
 bool Session::was_given(std::string_view option) const { return line_.was_given(option); }
 
 void Session::default_size(int width, int height) {
@@ -118,31 +115,23 @@ void Session::default_size(int width, int height) {
   if (!was_given("--height")) settings.height = height;
 }
 
-void Session::check_numbers() const {
+void Session::check() const {
   const bool double_alone = settings.number == NumberKind::double_ && settings.budget == "exact";
-  if (double_alone && !was_given("--instructions")) return;
-  throw UsageError(
-      "--number, --instructions and --budget need a program with all number types. This one was "
-      "built for learning, with double alone. ./course run NN builds the other one if you give "
-      "such an option; by hand: cmake --preset release && cmake --build --preset release");
-}
-
-void Session::check_show() const {
-  if (settings.show == Shown::color) return;
-  if (settings.number == NumberKind::interval) {
+  if (one_number_ && (!double_alone || was_given("--instructions"))) {
+    throw UsageError(
+        "--number, --instructions and --budget need a program with all number types. This one was "
+        "built for learning, with double alone. ./course run NN builds the other one if you give "
+        "such an option; by hand: cmake --preset release && cmake --build --preset release");
+  }
+  if (settings.show != Shown::color && settings.number == NumberKind::interval) {
     throw UsageError(
         "--show normal, uv and object do not work with --number interval, which bounds colors");
   }
-  if (was_given("--samples") && settings.samples != 1) {
+  if (settings.show != Shown::color && was_given("--samples") && settings.samples != 1) {
     throw UsageError(
         "--show normal, uv and object use 1 ray per pixel, because a mean of normals or objects "
         "has no meaning: leave --samples out");
   }
-}
-
-void Session::check() const {
-  if (one_number_) check_numbers();
-  check_show();
   if (was_given("--at") && !was_given("--zoom")) {
     throw UsageError("--at is the pixel that stays in its place under --zoom: give --zoom, too");
   }

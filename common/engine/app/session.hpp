@@ -39,7 +39,6 @@ struct Offers {
   bool one_number = false;  ///< the program was built for learning, with double alone
 };
 
-/// One run of a chapter's program: the user's choices, drawing, saving.
 class Session {
  public:
   /// Adds the options of all chapters to `line`, which must live as long as the session.
@@ -50,9 +49,7 @@ class Session {
 
   Settings settings;
 
-  /// True when the user gave this option.
   [[nodiscard]] bool was_given(std::string_view option) const;
-  /// Sets this chapter's default size.
   void default_size(int width, int height);
   /// After a lesson's `prepare`, which may change the size: refuses pictures that are too large and
   /// files that cannot be written.
@@ -104,9 +101,6 @@ class Session {
     double rays = 0;
     long uncertain = 0, judged = 0;  ///< pixels that rounding could change; all with bounds
   };
-  void check_numbers() const;
-  void check_show() const;
-  void offer_show();
   void offer_numbers(Numbers numbers, std::string_view no_intervals);
 
   std::string default_out_;

@@ -2,17 +2,11 @@
 #include "engine/app/sky_options.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
-#include "engine/app/sky_choice.hpp"
 #include "engine/kernels/prepared_scene.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/find_texture.hpp"
@@ -47,7 +41,7 @@ void SkyOptions::declare(CommandLine& line) {
 }
 
 SkyNoise noise_of(const SkyLight& sky) {
-  if (sky.is_constant() || !(sky.sampler.total() > 0)) return {.uniform = 1};
+  if (sky.is_constant() || !(sky.sampler.total() > 0)) return {};
   const LightImage& map = sky.picture.map();
   std::vector<OnCircle<double>> around;
   around.reserve(static_cast<std::size_t>(map.width));
@@ -71,9 +65,7 @@ SkyNoise noise_of(const SkyLight& sky) {
         const double sent = density * sky.sampler.total() * lambert;
         light[2 * axis + (direction[axis] < 0 ? 1 : 0)] += sent * band.solid_angle;
         const double square_of_it = sent * sent * band.solid_angle;
-        second.uniform += square_of_it * 4 * std::numbers::pi;
         second.cosine += square_of_it / lambert;
-        second.importance += square_of_it * 8 / (lambert + 7 * density);
         second.mis += square_of_it * 2 / (lambert + above_mean);
       }
     }
@@ -83,8 +75,7 @@ SkyNoise noise_of(const SkyLight& sky) {
   const auto relative = [squared](double moment) {
     return std::sqrt(std::max(moment - squared, 0.0) / squared);
   };
-  return {relative(second.uniform), relative(second.cosine), relative(second.importance),
-          relative(second.mis)};
+  return {relative(second.cosine), relative(second.mis)};
 }
 
 SkyLighting best_lighting(const SkyNoise& noise, double cost) {

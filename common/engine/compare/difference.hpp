@@ -1,9 +1,12 @@
-// How two pictures differ, in figures.
+// How two pictures differ, in figures, for readers and for other programs.
 #pragma once
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "engine/measure/json.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
@@ -78,5 +81,31 @@ enum class Detail {
 ///
 /// @param levels  0 to 255
 [[nodiscard]] std::size_t pixels_off_by_more_than(const Figures& figures, int levels);
+
+/// How many pixels differ, by the rule of golden pictures: such as "2907 of 480000 pixels by more
+/// than one level (0.61 %), 1037 by one".
+[[nodiscard]] std::string differing_pixels(const Figures& figures);
+
+/// The figures in words: for each its name and its value; SSIM if it was computed.
+[[nodiscard]] std::vector<std::vector<std::string>> figure_rows(const Figures& figures);
+
+/// The figures as a JSON object of several lines.
+///
+/// If the pictures are equal, `box` and `largest_difference` are null. JSON has no infinity: `psnr`
+/// is then "infinite" instead of "finite", and `psnr_db` is null.
+[[nodiscard]] Json json_of(const Figures& figures);
+
+/// The color of a difference, on one scale from dark blue through grey and sand to bright yellow.
+///
+/// Each doubling of `levels` + 1 is one eighth of the scale. Reasons for it: docs/numerics.md.
+/// @param levels  channel_difference, 0 to 255; 0 gives black, which is not on the scale
+[[nodiscard]] Rgb8 difference_color(int levels);
+
+/// The map: each pixel in the color of its difference, hatched where the mask is black, and below
+/// it a legend with the scale, unless the picture would then be too large for a file.
+///
+/// @param a, b, mask  as for measure()
+/// Errors: DifferenceError if the sizes differ.
+[[nodiscard]] Image difference_map(const Image& a, const Image& b, const Image& mask = {});
 
 }  // namespace texmap

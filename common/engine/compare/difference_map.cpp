@@ -1,11 +1,8 @@
 // Where two pictures differ, as a picture.
-#include "engine/compare/difference_map.hpp"
+#include "engine/compare/difference.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <string>
 
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/stroke_font.hpp"

@@ -2,9 +2,7 @@
 #include "engine/compare/known_mistakes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
@@ -93,7 +91,9 @@ template <auto red, auto green, auto blue>
 Image with_channels(const Image& image) {
   return changed_pixels(image, [](Rgb8 p) { return Rgb8{p.*red, p.*green, p.*blue}; });
 }
-constexpr auto with_red_and_blue_exchanged = with_channels<&Rgb8::b, &Rgb8::g, &Rgb8::r>;
+constexpr auto bgr = with_channels<&Rgb8::b, &Rgb8::g, &Rgb8::r>;
+constexpr auto gbr = with_channels<&Rgb8::g, &Rgb8::b, &Rgb8::r>;
+constexpr auto brg = with_channels<&Rgb8::b, &Rgb8::r, &Rgb8::g>;
 
 /// The picture moved to the right and down; columns come in again at the other side, rows do not.
 ///
@@ -147,7 +147,6 @@ Image by_height(const Image& map) {
   return placed(map, from, map.width, map.height * finer);
 }
 
-/// The share of pixels that differ by more than so many levels.
 double share_off(const Image& a, const Image& b, int levels) {
   std::size_t off = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -340,8 +339,7 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
       {"picture_half_turn",
        "the whole picture is turned by half: columns and rows run the other way",
        flipped(right, true, true)},
-      {"picture_bgr", "red and blue are exchanged in the whole picture",
-       with_red_and_blue_exchanged(right)},
+      {"picture_bgr", "red and blue are exchanged in the whole picture", bgr(right)},
       {"picture_gray", gray, grayed(right, equal_weights)},
       {"picture_gray_601", gray, grayed(right, weights_of_1982)},
       {"picture_gray_709", gray, grayed(right, weights_of_1990)},
@@ -349,15 +347,13 @@ std::vector<WrongPicture> mistakes_of_the_whole(const Image& right) {
       {"picture_dark_squared", dark, through_curve(right, [](double x) { return x * x; })},
       {"picture_pale", pale, through_curve(right, srgb_encode<double>)},
       {"picture_pale_root", pale, through_curve(right, [](double x) { return std::sqrt(x); })},
-      {"picture_gbr", order + ": green, blue, red",
-       with_channels<&Rgb8::g, &Rgb8::b, &Rgb8::r>(right)},
-      {"picture_brg", order + ": blue, red, green",
-       with_channels<&Rgb8::b, &Rgb8::r, &Rgb8::g>(right)},
+      {"picture_gbr", order + ": green, blue, red", gbr(right)},
+      {"picture_brg", order + ": blue, red, green", brg(right)},
       {"picture_mirrored_bgr", "the whole picture is mirrored, and red and blue are exchanged",
-       with_red_and_blue_exchanged(flipped(right, true, false))},
+       bgr(flipped(right, true, false))},
       {"picture_upside_down_bgr",
        "the whole picture is upside down, and red and blue are exchanged",
-       with_red_and_blue_exchanged(flipped(right, false, true))},
+       bgr(flipped(right, false, true))},
       {"picture_inverted", "inverted: each channel is 255 minus what it should be",
        through_curve(right, [](double x) { return 1 - x; })},
       {"picture_black", "black: nothing was drawn", Image(right.width, right.height)},
@@ -421,7 +417,7 @@ std::vector<WrongPicture> mistaken_maps(const Image& map) {
       {"texel_right", "one texel to the right", moved_by(map, 1, 0)},
       {"texel_up", "one texel up: rows were counted from 1", moved_by(map, 0, -1)},
       {"texel_down", "one texel down", moved_by(map, 0, 1)},
-      {"bgr", "red and blue are exchanged in the texture", with_red_and_blue_exchanged(map)},
+      {"bgr", "red and blue are exchanged in the texture", bgr(map)},
       {"gray", gray, grayed(map, equal_weights)},
       {"gray_601", gray, grayed(map, weights_of_1982)},
       {"gray_709", gray, grayed(map, weights_of_1990)},

@@ -8,8 +8,7 @@
 
 #include "attempt.hpp"
 #include "engine/app/command_line.hpp"
-#include "engine/app/run_guarded.hpp"
-#include "engine/compare/difference_map.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"

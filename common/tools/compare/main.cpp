@@ -1,19 +1,9 @@
 // The program compare: how two pictures differ, in figures, as a picture, and as an exit status; or
 // the mean color of a part of one picture.
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "engine/app/command_line.hpp"
-#include "engine/app/run_guarded.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/compare/difference_map.hpp"
-#include "engine/compare/show_figures.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
@@ -87,7 +77,6 @@ std::string table(const Figures& figures) {
   return lines;
 }
 
-/// The rectangle that was typed.
 Box parse_box(std::string_view typed) {
   Box box;
   std::size_t begin = 0;

@@ -4,13 +4,12 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "engine/app/run_chapter.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
-#include "engine/compare/show_figures.hpp"
 #include "texture/uv.hpp"
 #include "tools/page/page.hpp"
 
@@ -25,7 +24,6 @@ struct DrawnStep {
   std::vector<Uv<double>> uv;  ///< texture coordinates there; u is NaN where there are none
 };
 
-/// What the user chose about pictures.
 struct Drawing {
   int width = 800;
   int height = 600;
@@ -62,7 +60,21 @@ template <class Lesson>
   return step;
 }
 
-/// Two steps compared.
+/// A chapter that draws the stage: its pixels can be compared with those of another.
+struct OnStage {
+  std::string_view name;
+  DrawnStep (*draw)(const std::string& chapter, const Drawing&,
+                    const std::vector<std::string>& options);
+  ObjectSet changed_objects;
+};
+template <class Lesson>
+constexpr OnStage on_stage(std::string_view name) {
+  return {name, draw_step<Lesson>, Lesson::about.changed_objects};
+}
+
+/// The chapters that draw the stage: stages.cmake lists them.
+[[nodiscard]] const std::vector<OnStage>& stages();
+
 struct Comparison {
   DrawnStep before, after;
   ObjectSet may_change;  ///< what the steps in between declare
@@ -79,7 +91,6 @@ struct Comparison {
 /// Errors: DifferenceError if the sizes differ.
 [[nodiscard]] Comparison compare(DrawnStep before, DrawnStep after, ObjectSet may_change = {});
 
-/// Names of the stage's objects, with commas.
 [[nodiscard]] std::string names_of(ObjectSet objects, const std::string& if_empty);
 
 /// All figures as JSON.

@@ -1,17 +1,13 @@
 // Compares two steps of the course, or two pictures: writes a page and a report, and says whether
 // only what may change has changed.
 #include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
 
+#include "comparison.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
-#include "stages.hpp"
 
 namespace {
 
@@ -19,7 +15,6 @@ using namespace texmap;
 using steps::Code, steps::Comparison, steps::DrawnStep, steps::Drawing, steps::OnStage,
     steps::Pictures, steps::stages;
 
-/// What the user chose.
 struct Choices {
   Drawing drawing;
   std::string folder = "out/diff";
@@ -48,6 +43,12 @@ std::vector<std::string> options_of(const std::string& chapter, const std::strin
   return {};
 }
 
+std::string text_in(const std::filesystem::path& file) {
+  const std::vector<std::uint8_t> bytes =
+      with_name("cannot read", file, [&] { return read_file(file, 1U << 20); });
+  return {bytes.begin(), bytes.end()};
+}
+
 void write_text(const std::filesystem::path& path, const std::string& text) {
   with_name("cannot write", path, [&] { write_text_atomically(path, text); });
 }
@@ -70,9 +71,7 @@ Code code_of(const std::string& chapter, const Choices& choices) {
   const std::filesystem::path source = path_of(choices.source);
   const std::filesystem::path lesson = source / chapter / "lesson.hpp";
   const std::filesystem::path file = exists(lesson) ? lesson : source / chapter / "main.cpp";
-  const std::vector<std::uint8_t> text =
-      with_name("cannot read", file, [&] { return read_file(file, max_file_bytes); });
-  Code code{chapter, {text.begin(), text.end()}, path_of(choices.drawn) / (chapter + ".png")};
+  Code code{chapter, text_in(file), path_of(choices.drawn) / (chapter + ".png")};
   if (!exists(code.picture))
     code.picture = source.parent_path() / "tests" / "golden" / (chapter + ".png");
   if (!exists(code.picture)) code.picture.clear();
@@ -96,10 +95,9 @@ struct Place {
 void show_code(const std::string& from, const std::string& to, const Place& place,
                const Choices& choices) {
   const bool of_from = stage_of(from) == nullptr, of_to = stage_of(to) == nullptr;
-  const std::string why =
-      (of_from ? from : "") + (of_from && of_to ? " and " : "") + (of_to ? to : "") +
-      (of_from && of_to ? " draw scenes of their own" : " draws a scene of its own") +
-      ", so no pixels are compared.";
+  const std::string who = of_from && of_to ? from + " and " + to + " draw scenes of their own"
+                                           : (of_from ? from : to) + " draws a scene of its own";
+  const std::string why = who + ", so no pixels are compared.";
   write_text(place.page(),
              steps::code_page(code_of(from, choices), code_of(to, choices), why, place.pictures));
   if (!choices.quiet) {
@@ -189,9 +187,7 @@ steps::Files files_of(const std::string& typed) {
       const std::string ending = name_of(entry.path().extension());
       if (!is_regular_file(entry.symlink_status()) || (ending != ".hpp" && ending != ".cpp"))
         continue;
-      const std::vector<std::uint8_t> text =
-          with_name("cannot read", entry.path(), [&] { return read_file(entry.path(), 1U << 20); });
-      files[name_of(entry.path().lexically_relative(chapters))] = {text.begin(), text.end()};
+      files[name_of(entry.path().lexically_relative(chapters))] = text_in(entry.path());
     }
   }
   if (files.empty()) throw UsageError("there are no chapters in '" + typed + "'");
@@ -241,6 +237,26 @@ std::string chapter_of(const std::string& typed, const std::vector<std::string>&
                    ", two picture files, or two checkouts");
 }
 
+/// Compares what was named, or each chapter with the next; true if nothing but what may change has.
+bool compare_named(const std::string& before, const std::string& after, const Choices& choices) {
+  if (before.empty() != after.empty()) {
+    throw UsageError(
+        "--from and --to go together: give both, or neither to compare each chapter with the "
+        "next");
+  }
+  if (is_picture(before) && is_picture(after)) return compare_pictures(before, after, choices);
+  if (is_directory(path_of(before)) && is_directory(path_of(after)))
+    return compare_checkouts(before, after, choices);
+  const std::vector<std::string> chapters = chapters_in(path_of(choices.source));
+  if (chapters.empty()) throw UsageError("there are no chapters in '" + choices.source + "'");
+  if (!before.empty())
+    return compare_chapters(chapter_of(before, chapters), chapter_of(after, chapters), choices);
+  bool as_declared = true;
+  for (std::size_t i = 0; i + 1 < chapters.size(); ++i)
+    as_declared = compare_chapters(chapters[i], chapters[i + 1], choices) && as_declared;
+  return as_declared;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -273,29 +289,7 @@ int main(int argc, char** argv) {
       "changed too, or they differ; 2 an error, no comparison");
   bool as_declared = true;
   const int status = run_guarded(line, [&] {
-    if (!line.parse(argc, argv)) return;
-    if (before.empty() != after.empty()) {
-      throw UsageError(
-          "--from and --to go together: give both, or neither to compare each chapter with the "
-          "next");
-    }
-    if (is_picture(before) && is_picture(after)) {
-      as_declared = compare_pictures(before, after, choices);
-      return;
-    }
-    if (is_directory(path_of(before)) && is_directory(path_of(after))) {
-      as_declared = compare_checkouts(before, after, choices);
-      return;
-    }
-    const std::vector<std::string> chapters = chapters_in(path_of(choices.source));
-    if (chapters.empty()) throw UsageError("there are no chapters in '" + choices.source + "'");
-    if (!before.empty()) {
-      as_declared =
-          compare_chapters(chapter_of(before, chapters), chapter_of(after, chapters), choices);
-      return;
-    }
-    for (std::size_t i = 0; i + 1 < chapters.size(); ++i)
-      as_declared = compare_chapters(chapters[i], chapters[i + 1], choices) && as_declared;
+    if (line.parse(argc, argv)) as_declared = compare_named(before, after, choices);
   });
   if (status != 0) return 2;
   return as_declared ? 0 : 1;

@@ -13,7 +13,7 @@ foreach(lesson IN LISTS LESSONS)
   endif()
 endforeach()
 file(WRITE "${OUT}" "// Written by stages.cmake.
-#include \"stages.hpp\"
+#include \"comparison.hpp\"
 
 ${includes}
 namespace texmap::steps {

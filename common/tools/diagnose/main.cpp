@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/app/command_line.hpp"
-#include "engine/app/run_guarded.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/measure/text.hpp"

@@ -4,13 +4,8 @@
 // file for each mistake, mistakes.txt with `FILE, a tab, the words`, and right.png.
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
+#include <sstream>
 #include <variant>
-#include <vector>
 
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
@@ -39,7 +34,6 @@ namespace {
 using namespace texmap;
 using Words = std::vector<std::string>;
 
-/// What the user asked for.
 struct Request {
   std::string chapter;  ///< two digits
   std::filesystem::path folder;
@@ -62,67 +56,18 @@ Image drawn(const Request& request, const Words& more, const std::filesystem::pa
   return load_image(file);
 }
 
-/// A mistake that the chapter's own options draw.
-struct ByOption {
-  const char* chapters;  ///< two digits each
-  const char* name;
-  const char* words;
-  const char *option, *value;
-};
-constexpr const char* turned_back = "turned the other way: the sign of the sine";
-constexpr const char* in_radians = "turned by degrees taken for radians";
-constexpr const char* too_wide = "the highlight is too wide: its exponent is too small";
-constexpr const char* too_narrow = "the highlight is too narrow: its exponent is too large";
-constexpr const char* blended =
-    "the globe's texture is blended with its light, though nobody asked for a blend";
-constexpr const char* last_column = "squeezed: (int)((n - 1) u) in place of floor(n u)";
-
-constexpr ByOption mistakes_by_option[] = {
-    {"05 06 07", "last_column", last_column, "--rounding", "lecture"},
-    {"05", "other_way", turned_back, "--degrees", "-90"},
-    {"05", "radians", in_radians, "--degrees", "5156.6201561774"},
-    {"05 08", "not_turned", "not turned at all", "--degrees", "0"},
-    {"05", "in_degrees", "turned by radians taken for degrees", "--degrees", "1.5707963"},
-    {"05", "turned_twice", "turned by twice the angle", "--degrees", "180"},
-    {"05", "turned_half", "turned by half the angle", "--degrees", "45"},
-    {"06", "other_way", turned_back, "--degrees", "-20"},
-    {"06", "radians", in_radians, "--degrees", "1145.9155902616"},
-    {"06", "not_turned", "not turned at all", "--degrees", "0"},
-    {"06", "night_highlight", "shining on its night side: the highlight has the wrong sign",
-     "--highlight", "lecture"},
-    {"06", "wide_highlight", "the highlight is too wide: its exponent is missing", "--shininess",
-     "1"},
-    {"06", "no_highlight", "without a highlight, or the direction to the eye has the wrong sign",
-     "--shininess", "1e30"},
-    {"06", "exponent_5", too_wide, "--shininess", "5"},
-    {"06", "exponent_10", too_wide, "--shininess", "10"},
-    {"06", "exponent_12", too_wide, "--shininess", "12.5"},  // where the half vector is near
-    {"06", "exponent_20", too_wide, "--shininess", "20"},
-    {"06", "exponent_25", too_wide, "--shininess", "25"},
-    {"06", "exponent_100", too_narrow, "--shininess", "100"},
-    {"06", "exponent_150", too_narrow, "--shininess", "150"},
-    {"06", "exponent_200", too_narrow, "--shininess", "200"},
-    {"06", "exponent_500", too_narrow, "--shininess", "500"},
-    {"06", "exponent_1000", too_narrow, "--shininess", "1000"},
-    {"06", "blended_half", blended, "--blend", "0.5"},
-    {"06", "blended_most", blended, "--blend", "0.7"},
-    {"06", "light_alone", "the globe's texture is missing: its light alone", "--blend", "0"},
-    {"06", "texture_alone", "the globe's light is missing: its texture alone", "--blend", "1"},
-    {"07", "raw", "the texture is too pale: its bytes were taken for light and not decoded",
-     "--decode", "raw"},
-    {"07 12", "square_root", "the square root was taken in place of the curve of image files",
-     "--gamma", "sqrt"},
-    {"08", "wrap_repeat", "the texture is repeated and not mirrored", "--wrap", "repeat"},
-    {"08", "wrap_clamp", "the texture's edge is repeated: coordinates were limited to 0 and 1",
-     "--wrap", "clamp"},
-    {"08", "other_way", turned_back, "--degrees", "25"},
-    {"11", "dents", "dents and not bumps: the height has the wrong sign", "--relief", "-0.06"},
-    {"11", "no_bumps", "without bumps: the globe's own normal", "--bump", "off"},
-    {"11", "blinn", "Blinn's normal of 1978, which leaves out the term h dn", "--bump", "blinn"},
-    {"12", "sky_opposite", "the sky is turned by half", "--degrees", "180"},
-    {"12", "sky_quarter", "the sky is turned by a quarter", "--degrees", "90"},
-    {"12", "sky_quarter_back", "the sky is turned by a quarter", "--degrees", "-90"},
-};
+/// The mistakes that a chapter's own options draw: the rows of by_option.tsv, cell by cell.
+std::vector<std::array<std::string, 5>> mistakes_by_option() {
+  const std::vector<std::uint8_t> table = read_file(path_of(TEXMAP_BY_OPTION), 1U << 20);
+  std::istringstream lines(std::string(table.begin(), table.end()));
+  std::vector<std::array<std::string, 5>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    std::istringstream row(line);
+    for (std::string& cell : rows.emplace_back()) std::getline(row, cell, '\t');
+  }
+  return rows;
+}
 
 /// Lessons whose light is that of the stage, on spheres.
 template <class Lesson>
@@ -157,13 +102,12 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     }
     std::filesystem::remove(map_file);
   }
-  for (const ByOption& one : mistakes_by_option) {
-    if (std::string_view(one.chapters).find(request.chapter) == std::string_view::npos) continue;
+  for (const auto& [chapters, option, value, name, words] : mistakes_by_option()) {
+    if (chapters.find(request.chapter) == std::string::npos) continue;
     const bool chosen =  // by the user, who took another value
         std::any_of(request.options.begin(), request.options.end(),
-                    [&](const std::string& word) { return word.starts_with(one.option); });
-    if (!chosen)
-      add_own(one.name, one.words, drawn<Lesson>(request, {one.option, one.value}, draft));
+                    [&option = option](const auto& word) { return word.starts_with(option); });
+    if (!chosen) add_own(name, words, drawn<Lesson>(request, {option, value}, draft));
   }
   std::filesystem::remove(draft);
   if constexpr (DrawsStage<Lesson>) {
@@ -274,7 +218,7 @@ std::vector<WrongPicture> draw_all(const Request& request) {
     if constexpr (std::is_same_v<Lesson, chapter_03::Lesson>) {
       auto& paint = lesson.objects[chapter_03::middle].paint;
       std::get<chapter_03::Textured>(paint).texture.rounding = TexelRounding::lecture;
-      add_other("last_column", last_column, lesson);
+      add_other("last_column", "squeezed: (int)((n - 1) u) in place of floor(n u)", lesson);
     }
   }
   return wrong;

@@ -4,21 +4,13 @@
 // the folder with what the chapter's known mistakes draw, empty if no word is wanted. The answer is
 // a line of JSON. Before the first question comes a line with the page that shows answers.
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <map>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "engine/app/command_line.hpp"
-#include "engine/app/run_guarded.hpp"
 #include "engine/compare/difference.hpp"
-#include "engine/compare/difference_map.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/measure/json.hpp"
 #include "engine/measure/text.hpp"
@@ -71,6 +63,11 @@ struct Answer {
   }
 };
 
+/// The picture with a pixel for each block of `step` pixels a side.
+Image in_steps(const Image& image, int step) {
+  return shrunk(image, (image.width + step - 1) / step, (image.height + step - 1) / step);
+}
+
 /// The largest difference in each block of `step` pixels a side, so that a single pixel stays
 /// visible.
 Image small_map(const Image& a, const Image& b, int step) {
@@ -106,14 +103,11 @@ std::string shown(const Image& is, const Image& should, const Box& box) {
   };
   const Image is_there = cut(is), should_there = cut(should);
   const int step = (part.width + shown_width - 1) / shown_width;
-  const auto smaller = [&](const Image& image) {
-    return shrunk(image, (part.width + step - 1) / step, (part.height + step - 1) / step);
-  };
   const std::string where = text("columns %d to %d, rows %d to %d", part.left,
                                  part.left + part.width - 1, part.top, part.top + part.height - 1);
   return page::side_by_side(
-      {page::figure(page::inside(smaller(is_there)), "is: " + where),
-       page::figure(page::inside(smaller(should_there)), "should be"),
+      {page::figure(page::inside(in_steps(is_there, step)), "is: " + where),
+       page::figure(page::inside(in_steps(should_there, step)), "should be"),
        page::figure(page::inside(small_map(should_there, is_there, step)),
                     "where they differ: black nowhere, yellow most", "the map of differences")});
 }
@@ -195,8 +189,7 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
              apart_when_soft(decode_image(file), other) < nearly_the_same;
     };
     for (const int step : {2, 3, 4}) {
-      if (is_like(
-              shrunk(should, (should.width + step - 1) / step, (should.height + step - 1) / step)))
+      if (is_like(in_steps(should, step)))
         answer.add_note(text("it is the right picture, drawn or scaled to 1/%d", step));
     }
     for (const WrongPicture& other : known.beside(golden.path)) {
@@ -209,9 +202,7 @@ Answer compare(const std::vector<std::uint8_t>& file, const Golden& golden,
   };
   if (looks_like_png(file)) {  // a small file can unpack to a gigabyte
     const PngHeader header = read_png_chunks(file).header;
-    if (has_wrong_size(header.size.width, header.size.height)) {
-      return answer;
-    }
+    if (has_wrong_size(header.size.width, header.size.height)) return answer;
     if (header.color_type == 4 || header.color_type == 6)
       answer.add_note("the file has an alpha channel, which is not looked at");
   }

@@ -30,7 +30,6 @@ struct Frame {
 /// A relative path as an address in a page: bytes that mean something there as %XX.
 [[nodiscard]] std::string address_of(std::string_view path);
 
-/// A picture that a page shows.
 struct Picture {
   std::string address;  ///< a data URI, or a file as address_of writes it
   int width = 0;        ///< pixels

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/compare/difference_map.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "support/running.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/compare/difference_map.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"

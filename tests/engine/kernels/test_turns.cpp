@@ -6,12 +6,23 @@
 
 #include "number/kinds/pack.hpp"
 #include "support/dice.hpp"
-#include "support/hard_vectors.hpp"
 
 #define TEXMAP_KERNEL_NUMBERS float, double, long double, Pack<float>, Pack<double>
 
 namespace texmap::test {
 namespace {
+
+/// Zeros, ones, the smallest and the largest numbers, with either sign, and a few between.
+template <class Real>
+std::vector<Real> hard_finite_numbers() {
+  using Limits = std::numeric_limits<Real>;
+  std::vector<Real> all = {Limits::epsilon(), Real(1e-30), Real(-1e30)};
+  for (const Real size : {Real(0), Real(1), Limits::denorm_min(), Limits::min(), Limits::max()}) {
+    all.push_back(size);
+    all.push_back(-size);
+  }
+  return all;
+}
 
 TEST_CASE_TEMPLATE("on the axes u is exactly uv_rtiow's, and at the poles v is, too", Real,
                    TEXMAP_KERNEL_NUMBERS) {
