@@ -4,7 +4,8 @@
 
 # Everything that is measured: the program and its tests use it.
 add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
-  bench/measure.cpp bench/micro_groups.cpp bench/report.cpp bench/threads_group.cpp)
+  bench/micro_groups.cpp bench/report.cpp)
+target_compile_definitions(bench_groups PRIVATE TEXMAP_BENCH_GROUPS="${CMAKE_CURRENT_SOURCE_DIR}/bench/groups.txt")
 target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
 target_link_libraries(bench_groups PUBLIC app chapters_code measure PRIVATE project_options compare stb_image stb_image_write)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -1,6 +1,5 @@
 // What is measured: groups of works, each with a name, and what it is compared with.
 #pragma once
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
@@ -48,10 +47,12 @@ struct Group {
   [[nodiscard]] const Row& base_of(const Row& row) const;
 };
 
+/// The group of this name in groups.txt, without its rows.
+[[nodiscard]] Group described(const std::string& name);
+
 /// Everything that is measured, in the order of the page. The rows are the same on every machine.
 [[nodiscard]] std::vector<Group> all_groups();
 
-// The groups, each declared here and made in a file of its own subject.
 [[nodiscard]] Group chapters_group();
 [[nodiscard]] Group threads_group();
 [[nodiscard]] Group meshes_group();
@@ -63,7 +64,6 @@ struct Group {
 [[nodiscard]] Group colors_group();
 [[nodiscard]] Group encoding_group();
 
-/// How long and how often.
 struct Effort {
   double part = 1;  ///< of the seconds that a group asks for
   int least = 7;    ///< rounds, however long they take
@@ -78,7 +78,6 @@ void measure(Group& group, const Effort& effort, const Report& report = {});
 
 /// A group as a section of the page, in Markdown; what was not run is "–".
 [[nodiscard]] std::string section_of(const Group& group);
-/// The machine as it is now.
 [[nodiscard]] Machine measuring_machine();
 /// docs/measurements.md.
 [[nodiscard]] std::string page_of(const Machine& machine, const Effort& effort,

@@ -1,6 +1,5 @@
 // bench_ratios: measures what things take, as ratios, and writes it down. ./course bench runs it.
 #include <algorithm>
-#include <filesystem>
 
 #include "bench.hpp"
 #include "engine/app/command_line.hpp"

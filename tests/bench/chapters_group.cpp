@@ -1,4 +1,7 @@
-// The groups of pictures: each chapter's with every number, 08's by a tree, 07's under budgets.
+// The groups of pictures: each chapter's with every number and on several threads, 08's by a tree,
+// 07's under budgets.
+#include <thread>
+
 #include "01_plain_spheres/lesson.hpp"
 #include "02_checkerboard_uv/lesson.hpp"
 #include "03_image_texture/lesson.hpp"
@@ -64,18 +67,37 @@ void add_budget(Group& group, const std::string& sky, const std::string& budget)
   }
 }
 
+template <class Lesson>
+void add_threads(Group& group, const std::string& line) {
+  for (const int threads : {1, 2, 4, 8}) {
+    Row row{.line = line,
+            .column = std::to_string(threads) + (threads == 1 ? " thread" : " threads"),
+            .set = line};
+    if (threads <= static_cast<int>(std::thread::hardware_concurrency())) {
+      row.prepare = [threads]() -> Work {
+        const auto lesson = std::make_shared<Lesson>(prepared<Lesson>({}));
+        return [=] {
+          (void)render<double>(*lesson, view_of(lesson->stage.camera, 400, 300),
+                               {.threads = threads});
+        };
+      };
+    }
+    group.rows.push_back(row);
+  }
+}
+
 }  // namespace
 
+Group threads_group() {
+  Group group = described("threads");
+  add_threads<chapter_03::Lesson>(group, "03");
+  add_threads<chapter_08::Lesson>(group, "08");
+  add_threads<chapter_11::Lesson>(group, "11");
+  return group;
+}
+
 Group meshes_group() {
-  Group group{
-      .name = "meshes",
-      .title = "A tree of boxes, and every triangle for every ray",
-      .text =
-          "Chapter 08's picture of a torus, drawing alone, at 200 × 150 pixels on one thread.\n"
-          "The base of each line tries every triangle with the same number.",
-      .unit = "ms",
-      .seconds = 20,
-  };
+  Group group = described("meshes");
   for (const int sides : {6, 12, 40}) {
     const std::string line = std::to_string(2 * sides * sides) + " triangles";
     for (const Variant& variant : double_and_widest_packs()) {
@@ -95,18 +117,7 @@ Group meshes_group() {
 }
 
 Group budgets_group() {
-  Group group{
-      .name = "budgets",
-      .title = "Chapter 07 under a budget",
-      .text =
-          "Drawing the scene `book` alone, 400 × 225 pixels, 100 samples. A budget in levels\n"
-          "pays for the curve to bytes, roots of light, a polynomial for (u, v), and patches:\n"
-          "nine looks for all samples of a smooth pixel. The base is the exact picture in\n"
-          "double, with which the last column compares the picture in float.",
-      .unit = "ms",
-      .seconds = 30,
-      .note = "levels of 255 that a byte is moved by at most",
-  };
+  Group group = described("budgets");
   for (const std::string sky : {"constant", "gradient"}) {
     for (const std::string budget : {"exact", "texels=0.01", "levels=1"})
       add_budget(group, sky, budget);
@@ -115,16 +126,7 @@ Group budgets_group() {
 }
 
 Group chapters_group() {
-  Group group{
-      .name = "chapters",
-      .title = "The chapters' pictures",
-      .text =
-          "Drawing alone, without loading, encoding and saving, at 400 × 300 pixels; 07's scene\n"
-          "`book` and 12 at 400 × 225 with 8 samples per pixel, 09 with its anisotropic filter,\n"
-          "10 with the equal-area map. The base of each chapter is its picture in double.",
-      .unit = "ms",
-      .seconds = 70,
-  };
+  Group group = described("chapters");
   add_chapter<chapter_01::Lesson>(group, "01");
   add_chapter<chapter_02::Lesson>(group, "02");
   add_chapter<chapter_03::Lesson>(group, "03");

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <tuple>
 #include <variant>
 
 #include "engine/kernels/kernel_plan.hpp"
@@ -17,17 +18,14 @@ class Columns {
  public:
   /// @param rows  a multiple of 16, the most lanes that a pack has
   Columns(std::size_t count, std::size_t rows)
-      : rows_(rows), singles_(count * rows), doubles_(count * rows) {}
+      : rows_(rows),
+        numbers_(std::vector<float>(count * rows), std::vector<double>(count * rows)) {}
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   /// The numbers of a column, as T: float or double.
   template <class T>
   [[nodiscard]] T* at(std::size_t column) {
-    if constexpr (sizeof(T) == sizeof(float)) {
-      return singles_.data() + column * rows_;
-    } else {
-      return doubles_.data() + column * rows_;
-    }
+    return std::get<std::vector<T>>(numbers_).data() + column * rows_;
   }
   void set(std::size_t column, std::size_t row, double value) {
     at<double>(column)[row] = value;
@@ -36,8 +34,7 @@ class Columns {
 
  private:
   std::size_t rows_;
-  std::vector<float> singles_;
-  std::vector<double> doubles_;
+  std::tuple<std::vector<float>, std::vector<double>> numbers_;
 };
 
 /// The numbers that begin at `from`, one for each lane.
@@ -60,7 +57,6 @@ void store(const Real& value, Scalar<Real>* to) {
   }
 }
 
-/// Three of the numbers as a vector.
 template <class Real, std::size_t Count>
 [[nodiscard]] Vec3<Real> vector_in(const std::array<Real, Count>& in, std::size_t first = 0) {
   return {in[first], in[first + 1], in[first + 2]};

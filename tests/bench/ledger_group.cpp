@@ -33,18 +33,8 @@ template <class As, class Lesson = As>
 }  // namespace
 
 Group ledger_group() {
-  Group group{
-      .name = "ledger",
-      .title = "What the scenes do not require",
-      .text =
-          "Chapters as they are (base), and with something computed that their scene does not\n"
-          "require: the same picture to the last byte. `01 by the last machinery` is chapter\n"
-          "01's scene drawn by chapter 06's lesson. 200 × 150 pixels; chapter 07's scene `book`\n"
-          "200 × 113 with 8 samples. What saves less than some hundredths is left out.",
-      .unit = "ms",
-      .ratio = Ratio::cost,
-      .seconds = 55,
-  };
+  Group group = described("ledger");
+  group.ratio = Ratio::cost;
   std::map<std::string, MakeDrawing> bases;  // of each set its first line
   const auto add = [&](const std::string& line, const std::string& set, const MakeDrawing& make) {
     const auto [base, is_base] = bases.try_emplace(set, make);

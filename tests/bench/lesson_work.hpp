@@ -12,7 +12,6 @@
 
 namespace texmap::bench {
 
-/// Something that draws one picture.
 struct Drawing {
   virtual ~Drawing() = default;
   virtual void run(const Variant& variant) = 0;

@@ -9,23 +9,27 @@
 namespace texmap::bench {
 namespace {
 
-using Fill = void (*)(Columns& columns);
+/// Adds lines about one subject, each with a row for each variant: a function of columns that
+/// `fill` fills.
+struct Lines {
+  Group& group;
+  const char* set;
+  void (*fill)(Columns& columns);
+  std::size_t rows = 512;  ///< so few that all columns stay in the first cache, but for a texture's
+  int repeats = 32;
 
-/// Adds a line with a row for each variant: a function of columns that `fill` fills.
-///
-/// @param rows, repeats  so few rows that all columns stay in the first cache, but for a texture's
-void add_line(Group& group, const std::string& line, const std::string& set,
-              std::string_view letters, const std::function<Function()>& function, Fill fill,
-              const std::string& note = "", std::size_t rows = 512, int repeats = 32) {
-  const auto make = [=] {
-    const auto job = std::make_shared<Job>(function(), rows, repeats);
-    fill(job->input);
-    return job;
-  };
-  const double per_run = static_cast<double>(rows) * repeats;
-  for (const Variant& variant : variants_of(letters))
-    group.rows.push_back(row_of(line, set, variant, per_run, make, note));
-}
+  void operator()(const std::string& line, std::string_view letters, const std::string& note,
+                  const std::function<Function()>& function) const {
+    const auto make = [function, lines = *this] {
+      const auto job = std::make_shared<Job>(function(), lines.rows, lines.repeats);
+      lines.fill(job->input);
+      return job;
+    };
+    const double per_run = static_cast<double>(rows) * repeats;
+    for (const Variant& variant : variants_of(letters))
+      group.rows.push_back(row_of(line, set, variant, per_run, make, note));
+  }
+};
 
 /// Unit vectors, evenly spread over the sphere and the same each time, from a column on.
 void fill_with_directions(Columns& columns, std::size_t first) {
@@ -105,107 +109,57 @@ void Job::run(const Variant& variant) const {
 }
 
 Group uv_group() {
-  Group group{
-      .name = "uv",
-      .title = "(u, v) of unit vectors",
-      .text =
-          "The base is Next Week's formula in double: std::atan2 and std::acos of the C library,\n"
-          "one vector at a time. `uv_rtiow` is the chapters' own, safe at the poles; the\n"
-          "polynomials are those of `--budget`.",
-      .unit = "ns",
-      .note = "worst error in texels of 8192 × 4096",
-  };
-  const auto add = [&](const std::string& line, int degree, const char* letters,
-                       const std::string& worst) {
-    add_line(
-        group, line, "uv", letters, [=] { return UvFunction{degree}; }, directions, worst);
-  };
-  add("atan2 and acos", -1, "df", "0.3 in float at the poles");
-  add("uv_rtiow", 0, "dfDF", "0.001 in float, 2e-12 in double");
-  for (const int degree : {5, 9, 13, 17})
-    add("degree " + std::to_string(degree), degree, "fF", worst_texels<float>(degree));
-  for (const int degree : {23, 29, 35})
-    add("degree " + std::to_string(degree), degree, "dD", worst_texels<double>(degree));
-  return group;
-}
-
-Group texture_group() {
-  Group group{
-      .name = "texture",
-      .title = "Look-ups in a texture",
-      .text =
-          "The nearest texel of a picture of 4096 × 2048, at 128 × 128 places one and a half\n"
-          "texels apart. Encoded: bytes / 255; linear: light by the sRGB curve; roots: the same\n"
-          "light, kept as its root in ten bits. The base is encoded, in double, one place at a\n"
-          "time.",
-      .unit = "ns",
-  };
-  const auto add = [&](const std::string& line, TexelLight light, bool as_roots) {
-    add_line(
-        group, line, "texture", "dfDF", [=] { return noise_texture(light, as_roots); }, walk, "",
-        walk_side * walk_side, 1);
-  };
-  add("encoded", TexelLight::encoded, false);
-  add("linear", TexelLight::linear, false);
-  add("roots", TexelLight::linear, true);
-  return group;
-}
-
-Group spheres_group() {
-  Group group{
-      .name = "spheres",
-      .title = "The first point of a sphere along a ray",
-      .text =
-          "Rays from 8 radii away, of which about half meet the sphere, in no order. The base is\n"
-          "the plain form in double, one ray at a time; `--spheres` chooses.",
-      .unit = "ns",
-      .seconds = 6,
-  };
-  for (const auto& [line, form] :
-       {std::pair{"plain", SphereForm::plain}, std::pair{"robust", SphereForm::robust},
-        std::pair{"hybrid", SphereForm::hybrid}}) {
-    const SphereFunction function{{{0.1, 0.2, 0.3}, 1, form}};
-    add_line(
-        group, line, "spheres", "dfDF", [=] { return function; }, rays_to_a_sphere);
+  Group group = described("uv");
+  const Lines add{group, "uv", directions};
+  add("atan2 and acos", "df", "0.3 in float at the poles", [] { return UvFunction{-1}; });
+  add("uv_rtiow", "dfDF", "0.001 in float, 2e-12 in double", [] { return UvFunction{0}; });
+  for (const int degree : {5, 9, 13, 17, 23, 29, 35}) {
+    const bool for_float = degree < 20;
+    add("degree " + std::to_string(degree), for_float ? "fF" : "dD",
+        for_float ? worst_texels<float>(degree) : worst_texels<double>(degree),
+        [=] { return UvFunction{degree}; });
   }
   return group;
 }
 
-Group colors_group() {
-  Group group{
-      .name = "colors",
-      .title = "Colors",
-      .text =
-          "Two subjects, the base of each its first row: Phong's power with exponent 50, against\n"
-          "exp and log1p as in `highlight`; bytes of light by the sRGB curve.",
-      .unit = "ns",
-      .seconds = 10,
-      .note = "worst error",
-  };
-  const auto add_power = [&](const std::string& line, int terms, const char* letters,
-                             double levels) {
-    const std::string worst = levels > 0 ? text("%.2g levels", levels) : "";
-    add_line(
-        group, "Phong's power, " + line, "power", letters, [=] { return PowerFunction{terms}; },
-        parts, worst);
-  };
-  add_power("formula", 0, "dfDF", 0);
-  add_power("8 terms", 8, "fF", PowerKernel<8>::worst_levels<float>);
-  add_power("6 terms", 6, "fF", PowerKernel<6>::worst_levels<float>);
-  add_power("4 terms", 4, "fF", PowerKernel<4>::worst_levels<float>);
-  add_power("3 terms", 3, "fF", PowerKernel<3>::worst_levels<float>);
+Group texture_group() {
+  Group group = described("texture");
+  const Lines add{group, "texture", walk, walk_side * walk_side, 1};
+  add("encoded", "dfDF", "", [] { return noise_texture(TexelLight::encoded, false); });
+  add("linear", "dfDF", "", [] { return noise_texture(TexelLight::linear, false); });
+  add("roots", "dfDF", "", [] { return noise_texture(TexelLight::linear, true); });
+  return group;
+}
 
-  const auto add_encoding = [&](const std::string& line, int terms, const char* letters,
-                                const std::string& worst) {
-    add_line(
-        group, "sRGB byte, " + line, "sRGB", letters, [=] { return EncodeFunction{terms}; }, parts,
-        worst);
+Group spheres_group() {
+  Group group = described("spheres");
+  const Lines add{group, "spheres", rays_to_a_sphere};
+  using enum SphereForm;
+  for (const auto& [line, form] :
+       {std::pair{"plain", plain}, std::pair{"robust", robust}, std::pair{"hybrid", hybrid}})
+    add(line, "dfDF", "", [form = form] { return SphereFunction{{{0.1, 0.2, 0.3}, 1, form}}; });
+  return group;
+}
+
+Group colors_group() {
+  Group group = described("colors");
+  const Lines power{group, "power", parts};
+  power("Phong's power, formula", "dfDF", "", [] { return PowerFunction{0}; });
+  const auto add_powers = [&]<int... terms>(std::integer_sequence<int, terms...>) {
+    (power(text("Phong's power, %d terms", terms), "fF",
+           text("%.2g levels", PowerKernel<terms>::template worst_levels<float>),
+           [] { return PowerFunction{terms}; }),
+     ...);
   };
-  add_encoding("power", -1, "df", "");
-  add_encoding("exact", 0, "dfF", "0");
-  add_encoding("6 terms", 6, "fF", "1 level");
-  add_encoding("4 terms", 4, "fF", "1 level");
-  add_encoding("3 terms", 3, "fF", "2 levels");
+  add_powers(std::integer_sequence<int, 8, 6, 4, 3>());
+
+  const Lines encoding{group, "sRGB", parts};
+  encoding("sRGB byte, power", "df", "", [] { return EncodeFunction{-1}; });
+  encoding("sRGB byte, exact", "dfF", "0", [] { return EncodeFunction{0}; });
+  for (const int terms : {6, 4, 3}) {
+    encoding(text("sRGB byte, %d terms", terms), "fF", terms == 3 ? "2 levels" : "1 level",
+             [=] { return EncodeFunction{terms}; });
+  }
   return group;
 }
 

@@ -1,12 +1,14 @@
-// What was measured, as text: docs/measurements.md and its sections.
-
+// Everything that is measured, how a group is timed, and what came of it as text:
+// docs/measurements.md and its sections.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 #include "bench.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/render/number_names.hpp"
+#include "engine/system/system.hpp"
 
 namespace texmap::bench {
 namespace {
@@ -27,14 +29,12 @@ std::vector<std::string> each_once(const std::vector<Row>& rows, Member member) 
   return values;
 }
 
-/// A line of a table in Markdown.
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line = "|";
   for (const std::string& cell : cells) line += " " + cell + " |";
   return line + "\n";
 }
 
-/// A row's time and ratio.
 std::string cell_of(const Group& group, const Row& row) {
   if (std::isnan(row.time)) return "–";
   const bool is_base = &group.base_of(row) == &row;
@@ -44,6 +44,55 @@ std::string cell_of(const Group& group, const Row& row) {
 }
 
 }  // namespace
+
+Group described(const std::string& name) {
+  const std::vector<std::uint8_t> file = read_file(path_of(TEXMAP_BENCH_GROUPS), 1U << 20);
+  std::istringstream lines(std::string(file.begin(), file.end()));
+  std::string line;
+  while (!line.starts_with(name + " | ") && std::getline(lines, line)) continue;
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0, end = 0; end < line.size(); begin = end + 3) {
+    end = std::min(line.find(" | ", begin), line.size());
+    cells.push_back(line.substr(begin, end - begin));
+  }
+  cells.resize(5);
+  Group group{.name = name, .title = cells[1], .unit = cells[2], .note = cells[4]};
+  group.seconds = std::stod(cells[3]);
+  while (std::getline(lines, line) && !line.empty())
+    group.text += (group.text.empty() ? "" : "\n") + line;
+  return group;
+}
+
+std::vector<Group> all_groups() {
+  return {chapters_group(), threads_group(), meshes_group(),  budgets_group(), ledger_group(),
+          uv_group(),       texture_group(), spheres_group(), colors_group(),  encoding_group()};
+}
+
+const Row& Group::base_of(const Row& row) const {
+  return *std::find_if(rows.begin(), rows.end(),
+                       [&](const Row& other) { return other.set == row.set; });
+}
+
+void measure(Group& group, const Effort& effort, const Report& report) {
+  std::vector<Row*> timed;
+  std::vector<Work> works;
+  for (Row& row : group.rows) {
+    if (!row.prepare) continue;
+    timed.push_back(&row);
+    works.push_back(row.prepare());
+  }
+  const int rounds = rounds_within(1000 * group.seconds * effort.part, works, effort.least, 2000);
+  const std::vector<WorkTime> times = work_times(works, rounds, report);
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    Row& row = *timed[i];
+    row.time = times[i].wall / row.items * (group.unit == "ns" ? 1e6 : 1);
+    if (row.find_note) row.note = row.find_note();
+  }
+  for (Row& row : group.rows) {
+    const double quotient = row.time / group.base_of(row).time;
+    row.ratio = group.ratio == Ratio::speed ? 1 / quotient : quotient;
+  }
+}
 
 std::string section_of(const Group& group) {
   const std::vector<std::string> columns = each_once(group.rows, &Row::column);

@@ -17,11 +17,6 @@ namespace {
 
 const std::string program = "'" TEXMAP_PROGRAM "'";
 
-std::string contents(const std::string& path) {
-  const std::vector<std::uint8_t> bytes = test::bytes_of(path);
-  return {bytes.begin(), bytes.end()};
-}
-
 /// The lines of a page from its first section on, with a sign in place of each time, and without
 /// the notes that are measured.
 std::vector<std::string> unmeasured(const std::string& page) {
@@ -53,7 +48,7 @@ TEST_CASE("no row is there twice, and each has something to be compared with") {
 
 TEST_CASE("docs/measurements.md has what is measured, and nothing else") {
   std::vector<Group> all = all_groups();
-  const auto on_page = unmeasured(contents(TEXMAP_TESTS_DIR "/../docs/measurements.md"));
+  const auto on_page = unmeasured(test::text_in(TEXMAP_TESTS_DIR "/../docs/measurements.md"));
   const auto written = unmeasured(page_of({}, {}, all));
   REQUIRE(on_page.size() == written.size());
   for (std::size_t i = 0; i < on_page.size(); ++i) CHECK(on_page[i] == written[i]);
@@ -65,7 +60,7 @@ TEST_CASE("bench_ratios measures, lists, and refuses what it does not know") {
   const test::Outcome measured = test::run(program + " --quick --only spheres");
   CHECK(measured.status == 0);
   CHECK(measured.err.empty());
-  CHECK(measured.out.find("(base)") != std::string::npos);
+  CHECK(test::has(measured.out, "(base)"));
   CHECK(unmeasured(measured.out) == unmeasured(section_of(spheres_group())));
   CHECK(test::run(program + " --list").out.starts_with("chapters | 01 | double\n"));
   for (const char* words :
@@ -73,6 +68,6 @@ TEST_CASE("bench_ratios measures, lists, and refuses what it does not know") {
     CAPTURE(words);
     const test::Outcome refused = test::run(program + words);
     CHECK(refused.status == 2);
-    CHECK(refused.err.find("usage: bench_ratios") != std::string::npos);
+    CHECK(test::has(refused.err, "usage: bench_ratios"));
   }
 }

@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 #include "bench.hpp"
 #include "engine/render/draw.hpp"
