@@ -73,9 +73,9 @@ class Builder {
   }
 
  private:
-  static constexpr int few = 4;       // triangles of a leaf
-  static constexpr int deepest = 16;  // then groups are halved: 7 more for 2^21 triangles
-  static constexpr int bins = 16;     // places where a group may be cut
+  static constexpr int few = 4;                 // triangles of a leaf
+  static constexpr int deepest = 16;            // then groups are halved: 7 more for 2^21 triangles
+  static constexpr std::size_t most_bins = 16;  // where a group is cut: at most one a triangle
 
   Group group_of(int first, int end) const {
     Group group{{}, first, end};
@@ -143,6 +143,7 @@ class Builder {
 
   // Sorts the triangles of a group into two; gives the place where the second begins.
   int place_to_cut(const Group& group) {
+    const auto bins = std::min(most_bins, static_cast<std::size_t>(group.size()));
     const auto begin = triangles_.begin() + group.first;
     const auto end = triangles_.begin() + group.end;
     Bounds middles;
@@ -153,14 +154,16 @@ class Builder {
     Axes scale{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float extent = middles.high[axis] - middles.low[axis];
-      if (extent > 0) scale[axis] = std::min(bins / extent, std::numeric_limits<float>::max());
+      if (extent > 0)
+        scale[axis] =
+            std::min(static_cast<float>(bins) / extent, std::numeric_limits<float>::max());
     }
     const auto bin_of = [&](const Bounds& each, std::size_t axis) {
       const float at = (each.middle(axis) - middles.low[axis]) * scale[axis];
-      return at < bins - 1 ? static_cast<std::size_t>(at) : bins - 1;
+      return at < static_cast<float>(bins - 1) ? static_cast<std::size_t>(at) : bins - 1;
     };
-    std::array<std::array<Bounds, bins>, 3> in_bin;
-    std::array<std::array<int, bins>, 3> count{};
+    std::array<std::array<Bounds, most_bins>, 3> in_bin;
+    std::array<std::array<int, most_bins>, 3> count{};
     for (auto each = begin; each != end; ++each) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t bin = bin_of(*each, axis);
@@ -172,7 +175,7 @@ class Builder {
     std::size_t best_axis = 0;
     std::size_t best_bin = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::array<float, bins> cost_above{};
+      std::array<float, most_bins> cost_above{};
       Bounds above;
       int triangles = 0;
       for (std::size_t bin = bins - 1; bin > 0; --bin) {
