@@ -51,7 +51,7 @@ class LessonWork : public Drawing {
   [[nodiscard]] Image picture(const Variant& variant) override {
     run(variant);
     if constexpr (GathersLight<Lesson>) {
-      return develop(*result_, Transfer::srgb, plan_.srgb_terms);
+      return develop(*result_, Transfer::srgb);
     } else {
       return *result_;
     }

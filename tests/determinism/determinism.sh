@@ -37,7 +37,7 @@ check_pictures() {
       echo "FAIL: $name: $chapter offers no --number"
       failed=1
     }
-    # Many pixels: a number's last bit changes few bytes. Chapter 07 smooths pixels from 32 samples on, without its ground.
+    # Many pixels: a number's last bit changes few bytes. Chapter 07 smooths pixels from 12 samples on, without its ground.
     # 09 and 10 would draw sheets, and work on their whole texture first: a small one is enough.
     ways=plain size="--width 192 --height 144 --samples 2" texture=
     ! grep -q '^ *--budget ' "$work/help" || ways="plain budget:levels=1"

@@ -214,7 +214,7 @@ TEST_CASE("07: passes end with the program's picture, and its samples have the f
   page.set(words, 800);
   CHECK(page.passes() == 4);  // 1, 2, 4, 5 samples
   for (int pass = 0; pass < 3; ++pass) static_cast<void>(page.rows(7, 20, pass));
-  test::expect_same_picture(whole(page), develop<double>(film, lesson.sampling.transfer));
+  test::expect_same_picture(whole(page), develop(film, lesson.sampling.transfer));
   for (int i = 0; i < 10; ++i) {
     const auto pixel = seen(page, 5 * i + 3, 3 * i + 5);
     const Rgb light = film.light(5 * i + 3, 3 * i + 5);

@@ -14,9 +14,6 @@
 
 namespace texmap {
 
-/// What develops a film: the number does not change the picture.
-using DevelopingNumber = std::conditional_t<all_numbers, Pack2<Pack<double>>, double>;
-
 /// Gathers `samples` samples per pixel with the pattern of that number.
 using GatherPattern = std::function<Film(int samples, std::uint32_t pattern)>;
 
@@ -98,8 +95,7 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
     session.count_rays(static_cast<double>(settings.width) * settings.height *
                        static_cast<double>(film.samples()));
     sentence = describe_error(film, options);
-    return develop<DevelopingNumber>(film, options.transfer, plan.srgb_terms, settings.threads,
-                                     developed);
+    return develop(film, options.transfer, settings.threads, developed);
   });
   session.remark = {};
   if (!settings.quiet) print(sentence);

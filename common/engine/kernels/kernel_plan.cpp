@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "engine/kernels/biquadratic.hpp"
-#include "engine/kernels/srgb_kernel.hpp"
 #include "engine/measure/text.hpp"
 
 namespace texmap {
@@ -48,38 +46,19 @@ std::string beginning(const std::string& what, const Budget& budget) {
          shown(budget.limit, 2);
 }
 
-/// The first of some polynomials that keeps a budget of levels; its sentence ends with `exactly`
-/// if there is none.
-Polynomial first_within(const Budget& budget, const std::string& what,
-                        std::initializer_list<Polynomial> from_the_cheapest, const char* exactly) {
-  for (Polynomial choice : from_the_cheapest) {
-    // Before rounding to bytes the curve takes at most a quarter of the budget.
-    if (!allows(budget, HUGE_VAL, std::max(choice.worst_levels, 4 * choice.before_rounding)))
-      continue;
-    choice.text = beginning(what, budget) + ": a polynomial of " + std::to_string(choice.terms) +
-                  " terms; at worst " + shown(choice.worst_levels, 2) + " levels";
-    return choice;
-  }
-  return {.text = beginning(what, budget) + exactly};
-}
-
-/// The cheapest sRGB curve within a budget. In texels, colors stay exact.
-Polynomial choose_srgb_kernel(const Budget& budget) {
-  return first_within(budget, "sRGB bytes",
-                      {{3, 0, 2, fits::SrgbCurve<3>::worst},
-                       {4, 0, 1, fits::SrgbCurve<4>::worst},
-                       {6, 0, 1, fits::SrgbCurve<6>::worst}},
-                      ": the exact curve, by thresholds");
-}
-
 /// The cheapest of Phong's powers within a budget, for a full highlight in packs of float.
 Polynomial choose_power_kernel(const Budget& budget) {
-  return first_within(budget, "Phong's power",
-                      {{3, 0, PowerKernel<3>::worst_levels<float>},
-                       {4, 0, PowerKernel<4>::worst_levels<float>},
-                       {6, 0, PowerKernel<6>::worst_levels<float>},
-                       {8, 0, PowerKernel<8>::worst_levels<float>}},
-                      ": the C library's exponential and logarithm");
+  const std::string start = beginning("Phong's power", budget) + ": ";
+  for (Polynomial choice : {Polynomial{3, 0, PowerKernel<3>::worst_levels<float>},
+                            {4, 0, PowerKernel<4>::worst_levels<float>},
+                            {6, 0, PowerKernel<6>::worst_levels<float>},
+                            {8, 0, PowerKernel<8>::worst_levels<float>}}) {
+    if (!allows(budget, HUGE_VAL, choice.worst_levels)) continue;
+    choice.text = start + "a polynomial of " + std::to_string(choice.terms) + " terms; at worst " +
+                  shown(choice.worst_levels, 2) + " levels";
+    return choice;
+  }
+  return {.text = start + "the C library's exponential and logarithm"};
 }
 
 /// Adds the mapping and the smoothing of pixels that keep a budget together.
@@ -132,7 +111,7 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
     const double u = worst.u * width, v = worst.v * height;
     const double texels = std::max(u, v), levels = 255 * (u + v);
     if (!allows(budget, texels, levels)) continue;
-    return {degree, texels, levels, 0,
+    return {degree, texels, levels,
             start + "polynomials in " + (is_for_float(degree) ? "float" : "double") +
                 ", arc tangent of degree " + std::to_string(degree) + ", unit vectors; at worst " +
                 shown(texels, 2) + " texels and " + shown(levels, 2) + " levels; " +
@@ -144,23 +123,15 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
 KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads) {
   KernelPlan plan;
   Budget rest = budget;
-  const auto spend = [&rest](double levels) {
-    if (rest.unit == Budget::Unit::levels) rest.limit -= levels;
-  };
-  const Polynomial curve = choose_srgb_kernel(rest);
-  plan.srgb_terms = curve.terms;
-  // Bytes are rounded once, at the end, so each step counts with its error before rounding.
-  spend(curve.before_rounding);
-  // Roots of light take at most half of the rest. To convert a texel takes as long as four reads
-  // save.
+  // Roots of light take at most half of it. To convert a texel takes as long as four reads save.
   const double worst = RootTexture::worst_levels;
   const bool pays = reads >= 4 * static_cast<double>(texture.pixels.size());
   plan.root_texels = pays && allows(rest, HUGE_VAL, 2 * worst);
-  plan.text = curve.text + "\n" + beginning("texels", pays ? rest : Budget{}) + ": " +
+  plan.text = beginning("texels", pays ? rest : Budget{}) + ": " +
               (plan.root_texels
                    ? "ten bits for the root of light; at worst " + shown(worst, 2) + " levels\n"
                    : "as they are, decoded by a table\n");
-  if (plan.root_texels) spend(worst);
+  if (plan.root_texels) rest.limit -= worst;
   plan_places(plan, rest, texture);
   return plan;
 }

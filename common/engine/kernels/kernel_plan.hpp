@@ -19,11 +19,10 @@ namespace texmap {
 
 /// A polynomial that keeps a budget, or the exact formula.
 struct Polynomial {
-  int terms = 0;               ///< for (u, v) the degree of the arc tangent; 0: exact
-  double worst_texels = 0;     ///< largest error of a place
-  double worst_levels = 0;     ///< of a color; for (u, v) 255 a texel, filtered, u and v together
-  double before_rounding = 0;  ///< of a color that becomes a byte
-  std::string text{};          ///< a sentence that says all this, and the time
+  int terms = 0;            ///< for (u, v) the degree of the arc tangent; 0: exact
+  double worst_texels = 0;  ///< largest error of a place
+  double worst_levels = 0;  ///< of a color; for (u, v) 255 a texel, filtered, u and v together
+  std::string text{};       ///< a sentence that says all this, and the time
 };
 
 /// The cheapest kernel for (u, v) with a worst case within the budget, for a filtered texture.
@@ -50,7 +49,6 @@ struct KernelPlan {
   bool floats_are_enough = false;  ///< the arc tangent was chosen for float
   Smoothing smoothing = {};        ///< which pixels are patches
   bool root_texels = false;        ///< texels as ten-bit roots of light
-  int srgb_terms = 0;              ///< of the curve from light to bytes; 0 for the exact curve
   int power_terms = 0;             ///< of Phong's power; 0 for the formula in scene/phong.hpp
   std::string text;                ///< what was chosen, and its largest error: a line each
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/kernels/polynomial.hpp"
 #include "math/srgb.hpp"
+#include "number/compiler.hpp"
 
 namespace texmap {
 
@@ -26,12 +27,15 @@ template <int Terms, class Real>
   return clamp(floor(srgb_level<Terms>(linear) + Real(0.5)), Real(0), Real(255));
 }
 
-/// Where bytes begin: entry b is the least light, of type `T`, with a byte of b or more; entry 256
-/// is infinity.
+/// Where the bytes of type `T` begin, and which one to try first: one comparison then decides.
 template <class T>
-[[nodiscard]] const std::array<T, 257>& srgb_thresholds() {
-  static const std::array<T, 257> table = [] {
-    std::array<T, 257> least{};
+struct SrgbBytes {
+  static constexpr std::size_t pieces = 4096;  ///< of light: one holds at most one begin of a byte
+
+  std::array<T, 257> least{};  ///< entry b: the least light with a byte of b or more; 256: infinity
+  std::array<std::uint8_t, pieces + 1> first{};  ///< the byte of a piece's least light
+
+  TEXMAP_NOINLINE SrgbBytes() {
     least[0] = -std::numeric_limits<T>::infinity();
     least[256] = std::numeric_limits<T>::infinity();
     for (std::size_t byte = 1; byte < 256; ++byte) {
@@ -40,28 +44,28 @@ template <class T>
       if (static_cast<long double>(least[byte]) < light)
         least[byte] = std::nextafter(least[byte], T(1));
     }
-    return least;
-  }();
-  return table;
-}
+    std::uint8_t byte = 0;
+    for (std::size_t piece = 0; piece <= pieces; ++piece) {
+      while (least[byte + std::size_t{1}] * pieces <= static_cast<T>(piece)) ++byte;
+      first[piece] = byte;
+    }
+  }
+};
 
 /// The byte of `linear` by the exact curve: srgb_encode times 255, rounded to nearest.
-/// The polynomial is at most one off; the two thresholds around its byte correct it.
 ///
 /// @param linear  below 0 and NaN give 0, above 1 gives 255
 /// Bound: exact; in a number as wide as long double, within 8 epsilons of a threshold, either byte.
 template <class Real>
 [[nodiscard]] Real srgb_byte_exact(const Real& linear) {
-  const auto& thresholds = srgb_thresholds<Scalar<Real>>();
+  using T = Scalar<Real>;
+  static const SrgbBytes<T> bytes;
   const Real light = clamp(linear, Real(0), Real(1));
-  const Real near = srgb_byte<6>(light);
-  const auto threshold = [&](std::size_t step) {
-    return from_lanes<Real>(
-        [&](std::size_t i) { return thresholds[static_cast<std::size_t>(lane(near, i)) + step]; });
-  };
-  const Real least = threshold(0);
-  const Real next = threshold(1);
-  return near - select(light < least, Real(1), Real(0)) + select(light >= next, Real(1), Real(0));
+  return from_lanes<Real>([&](std::size_t i) {
+    const T x = lane(light, i);
+    const std::size_t byte = bytes.first[static_cast<std::size_t>(x * bytes.pieces)];
+    return static_cast<T>(byte + std::size_t{x >= bytes.least[byte + 1]});  // without a branch
+  });
 }
 
 }  // namespace texmap

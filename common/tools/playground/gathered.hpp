@@ -47,7 +47,7 @@ class Gathered {
       }
       sums.done = std::max(sums.done, wanted);
     }
-    return develop<double>(strip, lesson_.sampling.transfer, 0, 1);
+    return develop(strip, lesson_.sampling.transfer, 1);
   }
 
   /// Calls `use` with the light of each sample of a pixel, and the sampler's pair of numbers for

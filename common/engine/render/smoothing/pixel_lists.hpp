@@ -77,7 +77,7 @@ struct PixelLists {
 };
 
 /// With fewer samples per pixel than this, a patch costs more than it saves.
-inline constexpr int least_samples_of_patch = 32;
+inline constexpr int least_samples_of_patch = 12;
 
 /// Adds the pixels of a row, each to its list; the result is the same for any number of lanes.
 ///
