@@ -259,6 +259,7 @@ void expect_little_memory() { std::set_terminate(give_up); }
 
 int run_guarded(const CommandLine& line, const std::function<void()>& body) {
   secure_standard_streams();
+  keep_freed_memory();
   try {
     body();
     return 0;

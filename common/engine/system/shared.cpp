@@ -6,9 +6,20 @@
 #include <stdexcept>
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "engine/system/system.hpp"
 
 namespace texmap {
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
 
 std::string words_of(const std::error_code& error) {
   using std::errc;
