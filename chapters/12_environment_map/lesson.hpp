@@ -27,7 +27,7 @@ struct Lesson : LessonHooks {
       Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0},
              .paint = {.color = white, .mirrors = true}},
       Object{.shape = {.center = {0.1, -0.6, 1.4}, .radius = 0.4}, .paint = {.color = red}},
-      Object{.shape = {.center = {0, -151, 0}, .radius = 150}, .paint = {{0.5, 0.48, 0.42}}},
+      Object{.shape = {.center = {0, -10001, 0}, .radius = 10000}, .paint = {{0.5, 0.48, 0.42}}},
   };
   SkyOptions sky;
   SamplingOptions sampling;

@@ -12,7 +12,7 @@ enum class SkyLighting {
   uniform,       ///< directions from the whole sphere, all equally likely
   cosine,        ///< likely where Lambert's cosine is large
   importance,    ///< likely where the sky is bright; one in eight by the cosine
-  mis,           ///< half of them by the cosine, half by the sky: multiple importance sampling
+  mis,           ///< one by the cosine and one by the sky: multiple importance sampling
   coefficients,  ///< nine numbers of the sky, and no direction; without shadows
 };
 
@@ -40,11 +40,19 @@ struct Scattered {
   Real weight;           ///< cosine / pi / density of the direction: a factor on its light
 };
 
+/// The weight in `mis` of a direction that the cosine and the sky both draw: cosine / pi over the
+/// sum of the two densities, whichever of them drew it.
+/// Source: Veach and Guibas (1995), the balance heuristic.
+template <class Real>
+[[nodiscard]] Real weight_of_both(const Real& cosine, const Real& density) {
+  const Real both = cosine + pi<Real>() * density;
+  return select(both > Real(0), cosine / both, Real(0));
+}
+
 /// The next direction of a path at a matte surface. The mean of weight times light over many of
-/// them is the light that a white surface sends out.
+/// them is the light that a white surface sends out; `mis` has weight_of_both for the sky's light.
 ///
 /// @param normal, place, within  of unit length; two samples in [0, 1), `within` in a texel alone
-/// Source: Veach and Guibas (1995): `mis` is their balance heuristic with one direction.
 /// `importance` takes one in eight by the cosine: a ball before a black sky sends light, too.
 template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
@@ -52,6 +60,7 @@ template <class Real, class Sky>
                                       const Point2<Real>& within) {
   switch (lighting) {
     case SkyLighting::cosine:
+    case SkyLighting::mis:
       return {cosine_direction(normal, place), Real(1)};
     case SkyLighting::uniform: {
       const OnCircle<Real> around = on_circle(place.u);
@@ -61,19 +70,17 @@ template <class Real, class Sky>
       return {direction, Real(4) * max(dot(normal, direction), Real(0))};
     }
     case SkyLighting::importance:
-    case SkyLighting::mis:
     case SkyLighting::coefficients:
       break;
   }
-  const bool mis = lighting == SkyLighting::mis;
-  const Real share = Real(mis ? 0.5 : 0.125);  // of directions that the cosine draws
+  const Real share = Real(0.125);  // of directions that the cosine draws
   const Mask<Real> by_cosine = place.u < share;
   const Point2<Real> spread = {
       select(by_cosine, place.u / share, (place.u - share) / (Real(1) - share)), place.v};
   const Vec3<Real> direction =
-      select(by_cosine, cosine_direction(normal, spread), sky.direction(mis, spread, within));
+      select(by_cosine, cosine_direction(normal, spread), sky.direction(false, spread, within));
   const Real cosine = max(dot(normal, direction), Real(0));
-  const Real both = share * cosine + (Real(1) - share) * pi<Real>() * sky.density(mis, direction);
+  const Real both = share * cosine + (Real(1) - share) * pi<Real>() * sky.density(false, direction);
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
@@ -91,27 +98,38 @@ template <class Real, class Objects, class Sky, class Random>
     return light_along(objects, ray, sky, bounces, random);
   ray.direction = normalize(ray.direction);
   Color<Real> carried = gray(Real(1));
-  Color<Real> light = gray(Real(0));
+  const Color<Real> black = gray(Real(0));
+  Color<Real> light = black;
   Mask<Real> under_way = mask_of<Real>(true);
-  Mask<Real> sharp = under_way;  // mirrors are mirrors
+  Mask<Real> sharp = under_way;    // mirrors are mirrors
+  Mask<Real> shared = !under_way;  // what the ray sees of the sky has been drawn by the sky, too
+  Real cosine = Real(1);           // at the surface that a shared ray leaves
   for (int bounce = 0;; ++bounce) {
     const Nearest<Real> nearest = find_nearest(objects, ray);
     const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
-    if (any(under_way && !met)) light = select(under_way && !met, carried * sky(ray), light);
+    if (any(under_way && !met)) {
+      Color<Real> seen = carried * sky(ray);
+      if (any(shared)) {
+        const Real weight = weight_of_both(cosine, sky.density(true, ray.direction));
+        seen = select(shared, seen * weight, seen);
+      }
+      light = light + select(under_way && !met, seen, black);
+    }
     under_way = met;
+    shared = mask_of<Real>(false);
     if (bounce == bounces || !any(under_way)) return light;
 
     // Every path draws as many numbers: packs and single numbers then follow the same paths.
-    Point2<Real> place{}, within{};
+    Point2<Real> place{}, texel{}, within{};
     if (matte.way != SkyLighting::coefficients) place = random.next_2d();
+    if (matte.way == SkyLighting::mis) texel = random.next_2d();
     if (matte.way == SkyLighting::importance || matte.way == SkyLighting::mis)
       within = random.next_2d();
     Ray<Real> next = ray;
     Mask<Real> dull = mask_of<Real>(false);
-    double index = 0;
+    int number = -1;
     for (const auto& object : objects) {
-      const Mask<Real> here = under_way && nearest.index == Real(index);
-      index += 1;
+      const Mask<Real> here = under_way && nearest.index == Real(++number);
       if (!any(here)) continue;
       const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
       carried = select(here, carried * object.paint(hit), carried);
@@ -131,6 +149,18 @@ template <class Real, class Objects, class Sky, class Random>
       carried = select(scatters, carried * next_way.weight, carried);
       next.direction = select(scatters, next_way.direction, next.direction);
       under_way = under_way && !(scatters && next_way.weight <= Real(0));
+      if (matte.way == SkyLighting::mis) {
+        const Ray<Real> to_sky = {hit.outside, sky.direction(true, texel, within)};
+        const Real toward = dot(hit.normal, to_sky.direction);
+        Mask<Real> lit = scatters && toward > Real(0);
+        if (any(lit)) lit = lit && !is_occluded(objects, to_sky, infinity<Real>(), number);
+        if (any(lit)) {
+          const Real weight = weight_of_both(toward, sky.density(true, to_sky.direction));
+          light = light + select(lit, carried * sky(to_sky) * weight, black);
+        }
+        shared = shared || scatters;
+        cosine = select(scatters, dot(hit.normal, next_way.direction), cosine);
+      }
       if (!matte.caustics) dull = dull || scatters;
     }
     sharp = sharp && !dull;

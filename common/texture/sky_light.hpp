@@ -9,7 +9,7 @@
 namespace texmap {
 
 /// Draws by what of a sky is brighter than its mean; by all of it if that is next to nothing. What
-/// is not, the cosine finds as well, where half of all directions are drawn by the cosine.
+/// is not, the direction that the cosine draws finds as well.
 /// Source: Karlik et al., "MIS Compensation" (2019).
 [[nodiscard]] inline SkySampler sampler_above_mean(const Environment& sky, double total) {
   LightImage rest = sky.map();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
@@ -47,8 +48,8 @@ SkyNoise noise_of(const SkyLight& sky) {
   around.reserve(static_cast<std::size_t>(map.width));
   for (int column = 0; column < map.width; ++column)
     around.push_back(on_circle(0.5 - (column + 0.5) / map.width));
-  std::array<double, 6> light{};
-  SkyNoise second;  // moments of one direction's light, summed over the axes
+  std::array<double, 6> light{}, by_cosine{}, by_sky{};  // the last two are the halves of mis
+  SkyNoise second;  // moments of one sample's light, summed over the axes
   std::size_t texel = 0;
   for (const SkyBand& band : sky.sampler.bands()) {
     const double below_pole = (band.from + band.to) / 2;
@@ -63,19 +64,26 @@ SkyNoise noise_of(const SkyLight& sky) {
         const double lambert = std::abs(direction[axis]) / std::numbers::pi;
         if (lambert == 0) continue;
         const double sent = density * sky.sampler.total() * lambert;
-        light[2 * axis + (direction[axis] < 0 ? 1 : 0)] += sent * band.solid_angle;
+        const std::size_t faces = 2 * axis + (direction[axis] < 0 ? 1 : 0);
+        const double both = lambert + above_mean;
+        light[faces] += sent * band.solid_angle;
+        by_cosine[faces] += sent * band.solid_angle * lambert / both;
+        by_sky[faces] += sent * band.solid_angle * above_mean / both;
         const double square_of_it = sent * sent * band.solid_angle;
         second.cosine += square_of_it / lambert;
-        second.mis += square_of_it * 2 / (lambert + above_mean);
+        second.mis += square_of_it / both;
       }
     }
   }
-  double squared = 0;
-  for (const double of_axis : light) squared += of_axis * of_axis;
-  const auto relative = [squared](double moment) {
-    return std::sqrt(std::max(moment - squared, 0.0) / squared);
+  const auto squared = [](const std::array<double, 6>& of_axes) {
+    return std::inner_product(of_axes.begin(), of_axes.end(), of_axes.begin(), 0.0);
   };
-  return {relative(second.cosine), relative(second.mis)};
+  const double right = squared(light);
+  const auto relative = [right](double moment, double mean) {
+    return std::sqrt(std::max(moment - mean, 0.0) / right);
+  };
+  return {relative(second.cosine, right),
+          relative(second.mis, squared(by_cosine) + squared(by_sky))};
 }
 
 SkyLighting best_lighting(const SkyNoise& noise, double cost) {
@@ -100,10 +108,10 @@ SkyLight SkyOptions::load(const Session& session) {
   const SkyNoise noise = noise_of(sky);
   matte.way = best_lighting(noise);
   if (!session.settings.quiet) {
-    print(
-        text("one direction's light is off by %s of itself by the cosine, %s by mis: --light %s\n",
-             shown(noise.cosine, 3).c_str(), shown(noise.mis, 3).c_str(),
-             matte.way == SkyLighting::mis ? "mis" : "cosine"));
+    print(text(
+        "the light of one sample is off by %s of itself by the cosine, %s by mis: --light %s\n",
+        shown(noise.cosine, 3).c_str(), shown(noise.mis, 3).c_str(),
+        matte.way == SkyLighting::mis ? "mis" : "cosine"));
   }
   return sky;
 }

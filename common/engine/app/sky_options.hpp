@@ -33,7 +33,7 @@ struct SkyOptions {
   [[nodiscard]] SkyLight load(const Session& session);
 };
 
-/// How far one direction's light is off, root mean square, relative to the light: over matte
+/// How far the light of one sample is off, root mean square, relative to the light: over matte
 /// surfaces that face the six axes without shadows.
 struct SkyNoise {
   double cosine = 0, mis = 0;
@@ -42,12 +42,12 @@ struct SkyNoise {
 /// The noise of both ways, summed over the picture's texels; no random number is drawn.
 [[nodiscard]] SkyNoise noise_of(const SkyLight& sky);
 
-/// Time of a sample by `mis` / by `cosine`: medians of 41 alternating pairs, chapter 12 in packs of
-/// double on one thread: 1.4 under a gradient, 1.6 under the sun. (A constant sky has no choice.)
-inline constexpr double cost_of_mis = 1.5;
+/// Time of a sample by `mis` / by `cosine`: the median of 5 alternating pairs, chapter 12 in packs
+/// of double on one thread, from 2.5 to 3.2. (A constant sky has no choice.)
+inline constexpr double cost_of_mis = 2.8;
 
 /// The way with the smaller error in equal time: noise^2 times cost. A constant sky needs no more
-/// than the cosine. The chapter's skies ask for the same way if `cost` is 100 times too large or
+/// than the cosine. The chapter's skies ask for the same way if `cost` is 10 times too large or
 /// too small.
 ///
 /// @param cost  of `mis`, in units of the cosine's

@@ -48,12 +48,22 @@ struct SamplesOnTheSky {
     // The lens has drawn its numbers before the surface does.
     const std::uint32_t next =
         1U + (sampling.lens.defocus_degrees > 0 ? 1U : 0U) + (sampling.lens.shift != 0 ? 1U : 0U);
+    const SkyLighting lighting = state.lesson.sky.matte.way;
+    const auto dot_at = [&](const Vec3d& direction, double weight) {
+      const Uv<double> uv = uv_rtiow(sky.picture.to_map(direction));
+      figure.dot(2 * uv.u, 1 - uv.v, Figure::css(gray(min(weight, 1.0))));
+    };
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(sampler.samples()); ++i) {
-      const auto way =
-          scatter(state.lesson.sky.matte.way, sky, hit.normal, sampler.pair<double>(pixel, i, next),
-                  sampler.pair<double>(pixel, i, next + 1));
-      const Uv<double> uv = uv_rtiow(sky.picture.to_map(way.direction));
-      figure.dot(2 * uv.u, 1 - uv.v, Figure::css(gray(min(way.weight, 1.0))));
+      const auto numbers = [&](std::uint32_t pair) {
+        return sampler.pair<double>(pixel, i, next + pair);
+      };
+      const auto way = scatter(lighting, sky, hit.normal, numbers(0), numbers(1));
+      if (lighting != SkyLighting::mis) {
+        dot_at(way.direction, way.weight);
+        continue;
+      }
+      for (const Vec3d& d : {way.direction, sky.direction(true, numbers(1), numbers(2))})
+        dot_at(d, weight_of_both(max(dot(hit.normal, d), 0.0), sky.density(true, d)));
     }
     return figure;
   }
