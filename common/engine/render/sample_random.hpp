@@ -103,14 +103,16 @@ class SampleSums {
   /// Makes the dimensions that are needed and missing.
   TEXMAP_NOINLINE void make(int count) {
     block_.sampler->visit([&](const auto& pattern) {
-      for (; block_.made < needed_; ++block_.made) {
-        for (int i = 0; i < count; ++i) {
-          block_.pairs[static_cast<std::size_t>(block_.made)][static_cast<std::size_t>(i)] =
-              pattern.template pair<Real>(block_.pixels,
-                                          static_cast<std::uint32_t>(block_.first + i),
-                                          static_cast<std::uint32_t>(block_.made));
+      inline_whole<Real>([&] {  // what does not depend on the sample is then computed once
+        for (; block_.made < needed_; ++block_.made) {
+          auto& pairs = block_.pairs[static_cast<std::size_t>(block_.made)];
+          for (int i = 0; i < count; ++i) {
+            pairs[static_cast<std::size_t>(i)] = pattern.template pair<Real>(
+                block_.pixels, static_cast<std::uint32_t>(block_.first + i),
+                static_cast<std::uint32_t>(block_.made));
+          }
         }
-      }
+      });
     });
   }
 
