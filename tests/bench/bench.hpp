@@ -56,6 +56,7 @@ struct Group {
 [[nodiscard]] Group chapters_group();
 [[nodiscard]] Group threads_group();
 [[nodiscard]] Group meshes_group();
+[[nodiscard]] Group tracing_group();
 [[nodiscard]] Group budgets_group();
 [[nodiscard]] Group ledger_group();
 [[nodiscard]] Group uv_group();

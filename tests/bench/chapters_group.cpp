@@ -16,7 +16,7 @@
 #include "12_environment_map/lesson.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/mesh/box_tree.hpp"
-#include "lesson_work.hpp"
+#include "ledger.hpp"
 #include "support/mesh_rays.hpp"
 
 namespace texmap::bench {
@@ -86,6 +86,16 @@ void add_threads(Group& group, const std::string& line) {
   }
 }
 
+/// Chapter 08's lesson with a torus of 2 sides² triangles.
+template <class Lesson>
+[[nodiscard]] Lesson of_torus(int sides, bool tree) {
+  auto lesson = prepared<Lesson>({});
+  lesson.scene = test::torus(sides, sides);
+  lesson.paint.mapping.mapping = lesson.scene.mapping;
+  if (tree) build_box_tree(lesson.scene.mesh);
+  return lesson;
+}
+
 }  // namespace
 
 Group threads_group() {
@@ -103,14 +113,34 @@ Group meshes_group() {
     for (const Variant& variant : double_and_widest_packs()) {
       for (const bool tree : {false, true}) {
         group.rows.push_back(row_of(line, line + variant.name, variant, 1, [sides, tree] {
-          auto lesson = prepared<chapter_08::Lesson>({});
-          lesson.scene = test::torus(sides, sides);
-          lesson.paint.mapping.mapping = lesson.scene.mapping;
-          if (tree) build_box_tree(lesson.scene.mesh);
-          return std::make_shared<LessonWork<chapter_08::Lesson>>(lesson, 200, 150);
+          return std::make_shared<LessonWork<chapter_08::Lesson>>(
+              of_torus<chapter_08::Lesson>(sides, tree), 200, 150);
         }));
         group.rows.back().column = variant.name + (tree ? ", tree of boxes" : ", every triangle");
       }
+    }
+  }
+  return group;
+}
+
+Group tracing_group() {
+  Group group = described("tracing");
+  group.ratio = Ratio::cost;
+  for (const int sides : {22, 70, 224, 707}) {
+    const std::string line = std::to_string(2 * sides * sides) + " triangles";
+    for (const Variant& variant : double_and_widest_packs()) {
+      const auto add = [&](const char* what, auto make) {
+        group.rows.push_back(row_of(line, line + variant.name, variant, 1, make));
+        group.rows.back().column = variant.name + what;
+      };
+      add(", tracing", [sides] {
+        return std::make_shared<LessonWork<TracingAlone, InDouble>>(
+            of_torus<TracingAlone>(sides, true), 480, 360);
+      });
+      add(", with shading", [sides] {
+        return std::make_shared<LessonWork<chapter_08::Lesson>>(
+            of_torus<chapter_08::Lesson>(sides, true), 480, 360);
+      });
     }
   }
   return group;

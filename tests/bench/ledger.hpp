@@ -1,5 +1,5 @@
 // Lessons that compute what their scene does not require, and draw the same picture: what chapters
-// 01 to 07 leave out.
+// 01 to 07 leave out; and chapter 08's in two parts.
 #pragma once
 #include <variant>
 
@@ -7,6 +7,7 @@
 #include "03_image_texture/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
 #include "07_earth_by_sampling/lesson.hpp"
+#include "08_triangle_uv/lesson.hpp"
 #include "lesson_work.hpp"
 
 namespace texmap::bench {
@@ -140,6 +141,15 @@ struct WithoutBounds : chapter_07::Lesson {
   template <class Real>
   Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
     return chapter_07::Lesson::operator()(scene, at, random);
+  }
+};
+
+/// Chapter 08's lesson without (u, v), texture and light: first hits and shadows alone.
+struct TracingAlone : chapter_08::Lesson {
+  template <class Real>
+  Color<Real> operator()(const Ray<Real>& ray) const {
+    const MeshHit<Real> hit = first_hit(scene.mesh, ray);
+    return gray(sample_light(stage.light, others(scene.mesh, hit), hit).cosine);
   }
 };
 
