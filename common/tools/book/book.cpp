@@ -602,8 +602,8 @@ class Book {
         hero() +
         "<p class=\"lead\">How a picture is wrapped round a surface, in a ray tracer that is small "
         "enough to read. Each chapter is one program that adds one idea to the chapter before "
-        "it.</p>\n<p class=\"wide legend\">○○○ are a chapter's exercises; ● is one that has "
-        "passed <code>./course check</code>.</p>\n<ol class=\"path wide\" id=\"contents\">\n";
+        "it.</p>\n<p class=\"wide legend\">○○○ are a chapter's exercises; ● is one that "
+        "has passed <code>./course check</code>.</p>\n<ol class=\"path wide\" id=\"contents\">\n";
     for (const Page& page : pages_) {
       if (page.chapter.empty()) continue;
       const std::string& html = page.converted.html;
