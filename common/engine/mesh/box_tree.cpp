@@ -154,9 +154,10 @@ class Builder {
     Axes scale{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float extent = middles.high[axis] - middles.low[axis];
-      if (extent > 0)
+      if (extent > 0) {
         scale[axis] =
             std::min(static_cast<float>(bins) / extent, std::numeric_limits<float>::max());
+      }
     }
     const auto bin_of = [&](const Bounds& each, std::size_t axis) {
       const float at = (each.middle(axis) - middles.low[axis]) * scale[axis];
