@@ -609,7 +609,7 @@ class Book {
       const std::string& html = page.converted.html;
       const std::string drawn = page.chapter + ".png";
       const fs::path thumb = text("docs/pictures/thumb_%s.png", page.chapter.substr(0, 2).c_str());
-      std::string shown;  // from close up: golden pictures of 02 and 03 look alike in this size
+      std::string shown;  // near by: the whole pictures of 02 and 03 look alike when small
       if (fs::exists(root_ / thumb)) {
         shown = picture(thumb);
       } else if (fs::exists(out_ / drawn)) {

@@ -69,7 +69,7 @@ struct Reader {
   std::string picture(const std::string& label) { return shown(picture(), label); }
 
   /// A picture as a piece of the sheet's, at most twice as large. Half a pixel at each edge is
-  /// left out: an enlarged edge would be mixed with what is beside it on the sheet.
+  /// left out, because enlarging would mix it with the panel beside it.
   ///
   /// @param more  further attributes
   [[nodiscard]] std::string shown(const Piece& piece, const std::string& label,
