@@ -142,16 +142,22 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
     if (!write_and_close(open_device(target.path), bytes)) throw FileError(last_words());
     return;
   }
-  // Beside the file, and then renamed; what a signal leaves behind in between stays.
+  // Beside the file, and then renamed. Ctrl-C waits for that, so that it leaves no draft behind.
   const std::filesystem::path draft =
       folder_of(target.path) / (".texmap-" + std::to_string(std::random_device()()));
-  if (write_and_close(std::fopen(draft.c_str(), "wb"), bytes) &&
-      (!target.mode || chmod(draft.c_str(), *target.mode) == 0) &&
-      std::rename(draft.c_str(), target.path.c_str()) == 0)
-    return;
-  const std::string why = last_words();
-  std::remove(draft.c_str());
-  throw FileError(why);
+  sigset_t ending, before;
+  sigemptyset(&ending);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
+  pthread_sigmask(SIG_BLOCK, &ending, &before);
+  const bool done = write_and_close(std::fopen(draft.c_str(), "wb"), bytes) &&
+                    (!target.mode || chmod(draft.c_str(), *target.mode) == 0) &&
+                    std::rename(draft.c_str(), target.path.c_str()) == 0;
+  const int reason = errno;
+  if (!done) std::remove(draft.c_str());
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (done) return;
+  errno = reason;
+  throw FileError(last_words());
 }
 
 std::filesystem::path program_folder() {
