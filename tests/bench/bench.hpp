@@ -7,6 +7,7 @@
 
 #include "engine/measure/interleaved.hpp"
 #include "engine/measure/machine.hpp"
+#include "engine/measure/plot.hpp"
 
 namespace texmap::bench {
 
@@ -37,6 +38,7 @@ struct Group {
   std::string name;       ///< one word, for the option --only
   std::string title;      ///< for a heading
   std::string text = {};  ///< what is measured, and compared with what: a paragraph in lines
+  std::string plot = {};  ///< Markdown of its picture below the table, if there is one
   std::string unit;       ///< "ns" for items, "ms" for pictures
   Ratio ratio = Ratio::speed;
   double seconds = 8;     ///< to spend on it
@@ -79,6 +81,8 @@ void measure(Group& group, const Effort& effort, const Report& report = {});
 
 /// A group as a section of the page, in Markdown; what was not run is "–".
 [[nodiscard]] std::string section_of(const Group& group);
+/// The times of a group as its table writes them, against the number that begins each line.
+[[nodiscard]] Plot plot_of(const Group& group);
 [[nodiscard]] Machine measuring_machine();
 /// docs/measurements.md.
 [[nodiscard]] std::string page_of(const Machine& machine, const Effort& effort,

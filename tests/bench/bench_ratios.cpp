@@ -57,6 +57,8 @@ int main(int argc, char** argv) {
       Progress progress(true, [&group] { return ", " + group.name; });
       measure(group, effort, [&](int done, int runs) { progress.report(done, runs); });
       print(section_of(group));
+      if (writes && group.name == "tracing")
+        write_text_atomically(TEXMAP_PROJECT_DIR "/docs/tracing.svg", svg_of(plot_of(group)));
     }
     if (!writes || list) return;
     const std::filesystem::path page = TEXMAP_PROJECT_DIR "/docs/measurements.md";

@@ -58,8 +58,12 @@ Group described(const std::string& name) {
   cells.resize(5);
   Group group{.name = name, .title = cells[1], .unit = cells[2], .note = cells[4]};
   group.seconds = std::stod(cells[3]);
-  while (std::getline(lines, line) && !line.empty())
-    group.text += (group.text.empty() ? "" : "\n") + line;
+  while (std::getline(lines, line) && !line.empty()) {
+    if (line.starts_with("!["))
+      group.plot = line;
+    else
+      group.text += (group.text.empty() ? "" : "\n") + line;
+  }
   return group;
 }
 
@@ -119,7 +123,21 @@ std::string section_of(const Group& group) {
     if (!group.note.empty()) cells.push_back(note);
     section += line_of(cells);
   }
+  if (!group.plot.empty()) section += "\n" + group.plot + "\n";
   return section + "\n";
+}
+
+Plot plot_of(const Group& group) {
+  Plot plot{group.title, "triangles", group.unit};
+  for (const std::string& column : each_once(group.rows, &Row::column)) {
+    PlotSeries series{column, 2 * static_cast<int>(plot.series.size()) + 1, {}, true};
+    for (const Row& row : group.rows) {
+      if (row.column == column && !std::isnan(row.time))
+        series.points.push_back({std::stod(row.line), std::stod(short_number(row.time)), ""});
+    }
+    if (!series.points.empty()) plot.series.push_back(series);
+  }
+  return plot;
 }
 
 Machine measuring_machine() {

@@ -3,6 +3,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -54,6 +55,27 @@ TEST_CASE("docs/measurements.md has what is measured, and nothing else") {
   for (std::size_t i = 0; i < on_page.size(); ++i) CHECK(on_page[i] == written[i]);
   all.front().rows.pop_back();  // which must be noticed
   CHECK(unmeasured(page_of({}, {}, all)) != on_page);
+}
+
+TEST_CASE("docs/tracing.svg is the plot of the times in the table of tracing") {
+  const std::string page = test::text_in(TEXMAP_TESTS_DIR "/../docs/measurements.md");
+  Group group = tracing_group();
+  std::istringstream table(page.substr(page.find("\n| ms |", page.find("## tracing:")) + 1));
+  std::map<std::string, std::map<std::string, std::string>> cells;
+  std::vector<std::string> heads;
+  for (std::string line; std::getline(table, line) && !line.empty();) {
+    std::vector<std::string> parts;
+    std::istringstream between(line);
+    for (std::string part; std::getline(between, part, '|');)
+      parts.push_back(part.empty() ? part : part.substr(1, part.size() - 2));
+    if (heads.empty()) heads = parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) cells[parts[1]][heads.at(i)] = parts[i];
+  }
+  for (Row& row : group.rows) row.time = std::stod(cells.at(row.line).at(row.column));
+  const std::string plot = test::text_in(TEXMAP_TESTS_DIR "/../docs/tracing.svg");
+  CHECK(svg_of(plot_of(group)) == plot);
+  group.rows.back().time *= 1.1;  // which must be noticed
+  CHECK(svg_of(plot_of(group)) != plot);
 }
 
 TEST_CASE("bench_ratios measures, lists, and refuses what it does not know") {
