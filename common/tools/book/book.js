@@ -128,6 +128,11 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
   }));
 }
 
+// No line ends after the hyphens of an option.
+for (const code of document.querySelectorAll(":not(pre) > code, .command > span")) {
+  code.innerHTML = code.innerHTML.replace(/--[a-z][\w-]*/g, "<span class=\"whole\">$&</span>");
+}
+
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {
   const image = button.parentElement.closest("figure, section").querySelector("img");

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <regex>
 #include <stdexcept>
 
 #include "formula.hpp"
@@ -102,6 +103,18 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
   replace_by_html(node, html);
 }
 
+/// Keeps a point, a color or a pair in one line: no line ends within parentheses as short as these.
+std::string with_whole_points(const std::string& text) {
+  static const std::regex point(R"(\([^()]{1,24}\))");
+  std::string whole = text;
+  for (std::sregex_iterator at(text.begin(), text.end(), point), end; at != end; ++at) {
+    std::string kept = at->str();
+    replace_all(kept, ", ", ",\u00a0");
+    replace_all(whole, at->str(), kept);
+  }
+  return whole;
+}
+
 /// A paragraph of one picture is a figure. A narrow screen scrolls a drawing.
 void classify_figures(std::string& html) {
   const std::string paragraph = "<p><img";
@@ -162,6 +175,10 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
       const bool is_comment = html.rfind("<!--", 0) == 0;
       if (html.rfind("<!-- code: ", 0) == 0) marks[cmark_node_next(node)] = html;
       cmark_node_set_literal(node, is_comment ? "" : with_resolved(html, resolve).c_str());
+    } else if (type == CMARK_NODE_TEXT) {
+      const std::string text = text_or_empty(cmark_node_get_literal(node));
+      if (cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_HEADING)
+        cmark_node_set_literal(node, with_whole_points(text).c_str());
     } else if (type == CMARK_NODE_HEADING || type == CMARK_NODE_CODE_BLOCK ||
                type == CMARK_NODE_PARAGRAPH) {
       blocks.push_back(node);
