@@ -164,7 +164,7 @@ USES = {
         ("", "texts('.pairs strong').join() === 'from-1e5,pole,needle,small' && texts('.pairs figcaption')[1].endsWith('acos magnifies the rounding of y')"),
         ("", "texts('.exhibits article').length === 20 && shown('.pairs .two span')[0].startsWith('published, float29669 wrong')"),
         ("document.querySelector('.pairs svg').dispatchEvent(new MouseEvent('click', {bubbles: true}))",
-         "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, 1.1e-01 tx|robust, double0 wrong, 1.2e-11 tx||published, float')"),
+         "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, 0.11 texels off|robust, double0 wrong, 1.2e-11 texels off||published, float')"),
     ],
     "05_y_rotation.html": [
         ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate')"),
@@ -275,7 +275,7 @@ def faults_of_sheets(out, root):
         if re.search(f'<img[^>]*{picture}', page) or (int(width), int(height)) != size:
             yield f"{chapter}.html shows {picture}, {size}, in one piece or in another size"
         for part in parts:
-            kind, what = part.split(" ", 1)
+            kind, what = re.sub(r"\d\.\de(-0[1-4]|\+0[0-5])", lambda number: f"{float(number[0]):g}", part).replace(" tx", " texels off").split(" ", 1)
             if kind == "picture":
                 left, top, across, down = map(int, what.split())
                 if f'"{left}.5 {top}.5 {across - 1} {down - 1}"' not in page:

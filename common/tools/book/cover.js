@@ -120,7 +120,7 @@ const texmapCover = async (packed, earth) => {
     }));
     const lost = Math.floor(Math.log10(all[18] / Math.abs(all[24])));  // b² over b² - a c
     part(".why b").textContent = lost < 1 ? "here none of them cancels" : `here ${lost < 7 ? `${lost} of the` : "all"} 7 digits cancel`;
-    table.caption.firstChild.textContent = `Point at any pixel. This is ${across}, ${down}.`;
+    table.caption.firstChild.textContent = `Point at any pixel. This is column ${across}, row ${down}.`;
     shown.textContent = `${Number(radii().toPrecision(3)).toLocaleString("en")} ${radii() === 1 ? "radius" : "radii"}`;
     slider.setAttribute("aria-valuetext", `${shown.textContent} from the surface`);
   }

@@ -103,16 +103,10 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
   replace_by_html(node, html);
 }
 
-/// Keeps a point, a color or a pair in one line: no line ends within parentheses as short as these.
+/// Keeps a point, a color or a pair in one line: no line ends after its commas.
 std::string with_whole_points(const std::string& text) {
-  static const std::regex point(R"(\([^()]{1,24}\))");
-  std::string whole = text;
-  for (std::sregex_iterator at(text.begin(), text.end(), point), end; at != end; ++at) {
-    std::string kept = at->str();
-    replace_all(kept, ", ", ",\u00a0");
-    replace_all(whole, at->str(), kept);
-  }
-  return whole;
+  static const std::regex comma(R"((\([^() ]{1,24}), )");  // one of two commas, then the other
+  return std::regex_replace(std::regex_replace(text, comma, "$1,\u00a0"), comma, "$1,\u00a0");
 }
 
 /// A paragraph of one picture is a figure. A narrow screen scrolls a drawing.

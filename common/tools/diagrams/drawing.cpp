@@ -30,10 +30,10 @@ line, path, rect, circle {
 .thick { stroke-width: 3; }
 .dashed { stroke-dasharray: 4 4; opacity: .7; }
 .fill-ink { fill: var(--ink); stroke: none; }
-.fill-soft { fill: var(--soft); fill-opacity: .22; stroke: none; }
-.fill-blue { fill: var(--blue); fill-opacity: .22; stroke: none; }
-.fill-red { fill: var(--red); fill-opacity: .22; stroke: none; }
-.fill-green { fill: var(--green); fill-opacity: .22; stroke: none; }
+.fill-soft { fill: var(--soft); fill-opacity: .18; stroke: none; }
+.fill-blue { fill: var(--blue); fill-opacity: .18; stroke: none; }
+.fill-red { fill: var(--red); fill-opacity: .18; stroke: none; }
+.fill-green { fill: var(--green); fill-opacity: .18; stroke: none; }
 .dot { fill-opacity: 1; }
 text, text.blue, text.red, text.green, text.soft { stroke: none; }
 text { font: 15px system-ui, sans-serif; fill: var(--ink); }
