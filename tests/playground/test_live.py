@@ -247,7 +247,7 @@ def check_hands(place, browser):
     clip = browser.run("getComputedStyle(document.querySelector('.live-second > canvas')).clipPath")
     if "80%" not in clip and "100% - 20%" not in clip:
         yield f"the line at 20 % cuts by {clip}"
-    for x, words, reads in ((0.15, "nearest, left", "reads1 texels"), (0.25, "anisotropic, right", "texels")):
+    for x, words, reads in ((0.15, "nearest, left", "reads1 texel of"), (0.25, "anisotropic, right", "texels")):
         mouse("mouseMoved", x, 0.5)
         browser.wait(f"{LOUPE}.textContent.includes({words!r}) && {LOUPE}.textContent.includes({reads!r})", 20)
         if x < 0.2 and not browser.run(LOUPE + ".querySelector('td').textContent.match(/: *(0 0 0|255 255 255)/)"):

@@ -1,11 +1,26 @@
 // Chapter 12: where on the sky's map the samples of a pixel go.
 #pragma once
+#include <tuple>
+#include <utility>
+
 #include "12_environment_map/lesson.hpp"
 #include "chapter_07.hpp"
 
 namespace texmap::live {
 
 struct SamplesOnTheSky {
+  /// Takes the sky that the lesson before has loaded, if it is the same.
+  static bool take_over(chapter_12::Lesson& lesson, chapter_12::Lesson& before) {
+    const auto loaded = [](const chapter_12::Lesson& one) {
+      const SkyOptions& sky = one.sky;
+      return std::tie(sky.name, sky.exposure, sky.degrees, sky.filter, sky.chosen);
+    };
+    if (loaded(lesson) != loaded(before)) return false;
+    std::swap(lesson.stage.sky, before.stage.sky);
+    lesson.sky.matte.way = before.sky.matte.way;
+    return true;
+  }
+
   template <class State>
   [[nodiscard]] Members look(const State& state, int column, int row) const {
     const chapter_12::Lesson& lesson = state.lesson;

@@ -95,8 +95,9 @@ using GatheredOf = typename std::conditional_t<GathersLight<Lesson>,
 
 /// A lesson for a page.
 ///
-/// @tparam Choices  may have `declare` and `apply` as Knobs does, `look` for a pixel's facts, and
-///                  `size_beside`, `draw_beside` and `find` for another picture
+/// @tparam Choices  may have `declare` and `apply` as Knobs does, `look` for a pixel's facts,
+///                  `size_beside`, `draw_beside` and `find` for another picture, and `take_over`
+///                  for what a lesson need not load again
 template <class Lesson, class Choices = Knobs<Lesson>>
 class Live final : public LiveLesson {
  public:
@@ -115,7 +116,7 @@ class Live final : public LiveLesson {
     if (state_->words == words) return state_->fit(widest);  // its textures stay
     auto next = std::make_unique<State>();
     if (!next->line.parse(words)) throw UsageError("a page draws pictures, and prints no help");
-    next->get_ready();
+    next->get_ready(*state_);
     next->fit(widest);
     next->words = words;
     state_ = std::move(next);
@@ -139,7 +140,7 @@ class Live final : public LiveLesson {
     View<> strip = state_->whole;
     strip.height = count;
     strip.center_row -= first;  // a half or a whole number: exact
-    const Lesson& lesson = state_->lesson;
+    Lesson& lesson = state_->lesson;
     const Settings& settings = state_->session.settings;
     const RenderSettings how{.samples = settings.samples, .threads = 1};
     if constexpr (has_beside) {
@@ -229,10 +230,13 @@ class Live final : public LiveLesson {
       if constexpr (requires { knobs.declare(line); }) knobs.declare(line);
     }
 
-    void get_ready() {
+    void get_ready(State& before) {
       session.settings.quiet = true;
       session.settings.threads = 1;
-      lesson.prepare(session);
+      bool is_ready = false;
+      if constexpr (requires { knobs.take_over(lesson, before.lesson); })
+        is_ready = before.words && knobs.take_over(lesson, before.lesson);
+      if (!is_ready) lesson.prepare(session);
       if constexpr (requires { knobs.apply(lesson); }) knobs.apply(lesson);
       choose_spheres(session, lesson);
       session.plan();

@@ -65,20 +65,21 @@ function worker() {
   // is given up for a newer request; a small one is not, or a fast hand would see none.
   async function draw({id, words, widest, small}) {
     set(words, widest);
+    const began = performance.now();
     const passes = size[2], all = passes + (size[4] ? 1 : 0);
     for (let pass = small ? passes - 1 : 0, most = 16, first = 0; pass < all;) {
       set(words, widest);  // a look may have set something else meanwhile
       const isBeside = pass === passes;
       const [columns, rows] = isBeside ? size.slice(3) : size;
       const count = Math.min(most, rows - first);
-      const began = performance.now();
+      const from = performance.now();
       const start = code.calls.rows(first, count, pass);
       const strip = code.memory().slice(start, start + 4 * columns * count);
       const ends = first + count === rows;
       const last = ends && pass === all - 1;
-      postMessage({kind: "rows", id, columns, rows, first, strip, small, isBeside, ends, last, pass, passes}, [strip.buffer]);
+      postMessage({kind: "rows", id, columns, rows, first, strip, small, isBeside, ends, last, pass, passes, took: performance.now() - began}, [strip.buffer]);
       if (last) return;
-      const took = Math.max(performance.now() - began, 0.1);
+      const took = Math.max(performance.now() - from, 0.1);
       most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));  // 50 ms, 15 ms
       first += count;
       if (ends) { ++pass; first = 0; most = Math.ceil(most / 2); }  // a pass takes as long as all before it
@@ -222,8 +223,8 @@ const hints = {
   "10": (values) => `Point at the globe or at the map: the place is marked on both. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
   "11": () => "Drag on the globe to move the lamp.",
 };
-// How a picture that would take over 60 ms is drawn while the reader drags.
-const drafts = {"07": {widest: 200, words: ["--samples", "2"]}, "08": {widest: 320}, "11": {widest: 360}, "12": {widest: 128, words: ["--samples", "2"]}};
+// What a picture is drawn with while the reader drags.
+const drafts = {"07": ["--samples", "2"], "12": ["--samples", "2"]};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
@@ -237,7 +238,7 @@ const legends = {
   "--errors": ["How far float's place in the texture is from double's: 10⁻⁵ texel or less ", element("i", {className: "live-errors"}),
     " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts as 2048 × 1024 texels."],
 };
-const smallest = 480, widest = 800;  // columns while the reader drags, and after
+const widest = 800;  // columns of a picture; while the reader drags it has 96 to 480, as many as are drawn in 36 ms
 const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily"]};  // nothing in 01 has (u, v); sheets are not live
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
@@ -416,6 +417,7 @@ function live(main, packed) {
   let undo = null;                     // the file before the newest, which the chapter has not read yet
   let example = null;                  // whether the page chose the pixel; null: not yet
   let patience = 0, idle = 0, full = null;
+  let draft = 240;                     // columns while the reader drags
 
   // -- The worker's life.
   function start() {
@@ -492,7 +494,7 @@ function live(main, packed) {
       if (built !== chapter) { build(found); carryOver(); }
       change();
     },
-    rows({id, columns, rows, first, strip, small: isSmall, isBeside, ends, last, pass, passes}) {
+    rows({id, columns, rows, first, strip, small: isSmall, isBeside, ends, last, pass, passes, took}) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
       if (isBeside) {
         if (!isSmall && id !== latest) return;
@@ -511,6 +513,8 @@ function live(main, packed) {
         if (passes > 1) showProgress(pass, passes, (first + data.height) / rows);
         else refined.hidden = true;
       }
+      // A whole multiple of 16 keeps the shape; halfway there, since a first picture is slow.
+      if (last && isSmall) draft = Math.max(96, Math.min(480, 16 * Math.round((draft + draft * Math.sqrt(36 / took)) / 32)));
       if (!last || id !== latest) return;
       unfinished = false;
       undo = null;
@@ -600,7 +604,7 @@ function live(main, packed) {
   function ask(isSmall) {
     unfinished = true;
     if (isSmall) small.dataset.words = JSON.stringify(words(isSmall));
-    send({kind: "draw", id: ++latest, words: words(isSmall), widest: isSmall ? drafts[chapter]?.widest || smallest : widest, small: isSmall});
+    send({kind: "draw", id: ++latest, words: words(isSmall), widest: isSmall ? draft : widest, small: isSmall});
   }
 
   // -- The options.
@@ -620,7 +624,7 @@ function live(main, packed) {
     return list;
   }
   const words = (isSmall) => [...(always[chapter] ? sizeOfOne : []), ...given(isSmall).flatMap((one) => one.words),
-    ...(isSmall && drafts[chapter]?.words || [])];
+    ...(isSmall && drafts[chapter] || [])];
   function reset() {
     stopTurning();
     values = {...presets};
