@@ -304,7 +304,7 @@ const std::vector<Family> families = {
      "/// `worst` is in levels of a byte.\n",
      srgb_curve,
      {'r', 'r', "r = rnd(any);\n", "", "r in [0.0559,1]", "|q - Q|", "$ r in 16;\n"},
-     sizes("3 400 4 740 6 3400")},
+     sizes("3 400 4 740")},
 };
 
 /// The text of the file.

@@ -112,8 +112,8 @@ struct SphereFunction {
   }
 };
 
-/// Bytes of amounts of light, by the sRGB curve: a polynomial of 3, 4 or 6 terms, the exact kernel
-/// for 0, the formula's power for -1.
+/// Bytes of amounts of light, by the sRGB curve: a polynomial of 3 or 4 terms, the exact kernel for
+/// 0, the formula's power for -1.
 struct EncodeFunction {
   static constexpr std::size_t inputs = 1, outputs = 1;
   int terms;
@@ -125,7 +125,6 @@ struct EncodeFunction {
     };
     if (terms == 3) convert([](const Real& x) { return srgb_byte<3>(x); });
     if (terms == 4) convert([](const Real& x) { return srgb_byte<4>(x); });
-    if (terms == 6) convert([](const Real& x) { return srgb_byte<6>(x); });
     if (terms == 0) convert([](const Real& x) { return srgb_byte_exact(x); });
     if constexpr (lanes<Real> == 1) {
       if (terms < 0)

@@ -156,7 +156,7 @@ Group colors_group() {
   const Lines encoding{group, "sRGB", parts};
   encoding("sRGB byte, power", "df", "", [] { return EncodeFunction{-1}; });
   encoding("sRGB byte, exact", "dfF", "0", [] { return EncodeFunction{0}; });
-  for (const int terms : {6, 4, 3}) {
+  for (const int terms : {4, 3}) {
     encoding(text("sRGB byte, %d terms", terms), "fF", terms == 3 ? "2 levels" : "1 level",
              [=] { return EncodeFunction{terms}; });
   }

@@ -83,7 +83,6 @@ Family claims_of_kernels() {
   const char* const levels = "levels of 255";
   add<float>(family, "srgb_level, 3 terms", light, {fits::SrgbCurve<3>::worst, levels}, every);
   add<float>(family, "srgb_level, 4 terms", light, {fits::SrgbCurve<4>::worst, levels}, every);
-  add<float>(family, "srgb_level, 6 terms", light, {fits::SrgbCurve<6>::worst, levels}, every);
   add<float>(family, "srgb_byte_exact", light, {0, "wrong bytes"}, every);
   add<float>(family, "srgb_decode", "0 to 1", {8, "ulp"}, from_0);
   add<float>(family, "srgb_encode", "0 to 1, but the float next to 0.0031308", {5, "ulp"}, from_0);

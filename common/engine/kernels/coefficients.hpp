@@ -231,12 +231,6 @@ template <> struct SrgbCurve<4> {
       -8.15110580727890378632e+00L, 3.46163835513180147274e+02L, -1.37860181453614567465e+02L,
       5.53287955688095427313e+01L};
 };
-template <> struct SrgbCurve<6> {
-  static constexpr double worst = 8.3e-02, rounding = 3400;
-  static constexpr std::array<long double, 6> powers = {
-      -1.02279419716168596269e+01L, 3.87077357311486634495e+02L, -3.57697557930299299911e+02L,
-      5.18051720568113147625e+02L, -4.14033696232674073789e+02L, 1.31912689472608487526e+02L};
-};
 
 }  // namespace texmap::fits
 // clang-format on

@@ -8,10 +8,10 @@ namespace texmap {
 
 /// The curve at `linear`, times 255 and not yet rounded.
 ///
-/// @tparam Terms  of the polynomial: 3, 4 or 6
+/// @tparam Terms  of the polynomial: 3 or 4
 /// @param linear  light; limited to [0, 1], NaN to 0
 /// @return        -1.5 to 256.5
-/// Bound: 1.5, 0.49 and 0.083 levels; from one float to the next it falls by at most 0.00025.
+/// Bound: 1.5 and 0.49 levels; from one float to the next it falls by at most 0.00004.
 template <int Terms, class Real>
 [[nodiscard]] Real srgb_level(const Real& linear) {
   const Real light = clamp(linear, Real(0), Real(1));
@@ -20,7 +20,7 @@ template <int Terms, class Real>
 }
 
 /// The byte of `linear`, as a whole number from 0 to 255.
-/// Bound: one from that of the exact curve with 4 or 6 terms, two with 3; where bytes meet, one
+/// Bound: one from that of the exact curve with 4 terms, two with 3; where bytes meet, one
 /// float's byte can be one more than the next one's.
 template <int Terms, class Real>
 [[nodiscard]] Real srgb_byte(const Real& linear) {
