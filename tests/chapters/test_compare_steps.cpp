@@ -41,7 +41,8 @@ constexpr ObjectSet declared = chapter_02::Lesson::about.changed_objects;
 
 /// All that is said of a comparison.
 std::string said_of(const steps::Comparison& result) {
-  return steps::report_page(result, {}, {}, {}) + steps::summary(result, "page");
+  return steps::report_json(result) + steps::report_page(result, {}, {}, {}) +
+         steps::summary(result, "page");
 }
 
 std::string files_in(const std::filesystem::path& folder) {
@@ -58,12 +59,12 @@ std::string files_in(const std::filesystem::path& folder) {
 
 TEST_CASE("a step that changes what it declares, and nothing else, has nothing elsewhere") {
   const steps::Comparison result = steps::compare(first(), second(), declared);
-  CHECK(result.changed_elsewhere == 0);
-  CHECK(result.figures.pixels_different > 5000);
+  CHECK(result.changed_inside == result.figures.pixels_different);
+  CHECK(result.changed_inside > 5000);
   CHECK(result.pixels_with_uv == 0);
   const std::string said = said_of(result);
   for (const std::string& part :
-       {std::string("elsewhere  0 pixels changed"),
+       {std::string("\"only_declared_changed\": true"), std::string("\"changed_elsewhere\": 0,"),
         std::string("Only what may change has changed: the step declares middle, right, ground."),
         page::inside(first().picture).address, page::inside(second().picture).address})
     CHECK(has(said, part));
@@ -75,7 +76,8 @@ TEST_CASE("one stray pixel outside the declared objects is found, with its place
   DrawnStep stray = second();
   stray.picture.at(7, 3).g ^= 1;
   const std::string said = said_of(steps::compare(first(), stray, declared));
-  for (const char* part : {"1 pixels changed that should not have", "at column 7, row 3.",
+  for (const char* part : {"\"first_changed_elsewhere\": {\"column\": 7, \"row\": 3}",
+                           "1 pixels changed that should not have", "at column 7, row 3.",
                            "elsewhere  1 pixels changed", "elsewhere</th><td>1</td>"})
     CHECK(has(said, part));
   // An object that moved may change the pixels that it left.
@@ -143,7 +145,8 @@ TEST_CASE("pages of neighbours share the chapters' pictures, where those are wha
   CHECK(has(page, "src=\"after.png\""));
   CHECK_FALSE(has(page, "base64"));
   CHECK((load_image(place / "after.png") == second().picture));
-  CHECK(files_in(place) == "after.png after_close.png before_close.png difference.png index.html ");
+  CHECK(files_in(place) ==
+        "after.png after_close.png before_close.png difference.png index.html report.json ");
 }
 
 TEST_CASE("two pictures are compared on a page of the same kind, and the status says what it is") {
@@ -218,13 +221,14 @@ TEST_CASE("chapter 04 differs from 03 by a convention that is not 03's, and the 
       "\"" TEXMAP_COMPARE_STEPS "\" --width 200 --height 150 --out '" + folder.path() + "' --from ";
   const auto compared = [&](const char* numbers, const char* place) {
     CHECK(run(program + numbers).status == 0);
-    return text_in((folder / place) + "/index.html");
+    const std::filesystem::path pages = folder / place;
+    return text_in(pages / "index.html") + text_in(pages / "report.json");
   };
   const std::string forward = compared("03 --to 04", "03-04");
   CHECK(has(forward, "<h1>From 03_image_texture to 04_uv_conventions --convention daily</h1>"));
-  CHECK(has(forward, "Only what may change has changed"));
-  CHECK_FALSE(has(forward, "different</th><td>0 of"));
-  CHECK_FALSE(has(forward, "<td>0 of a turn"));
+  CHECK(has(forward, "\"only_declared_changed\": true"));
+  CHECK(forward.find("\"changed_inside\": 0") == std::string::npos);
+  CHECK(forward.find("\"largest_du_turns\": 0,") == std::string::npos);
   // Chapter 05 goes on with the convention of 03.
   CHECK(has(compared("04 --to 05", "04-05"), "<h1>From 04_uv_conventions to 05_y_rotation</h1>"));
 }

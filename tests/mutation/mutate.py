@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mutation testing of common/: changes one token at a time and sees whether a test notices.
 
-Works in a copy of the project (build/mutation/tree) with a build of its own; needs Ninja, and is fast with ccache. Writes
+Works in a copy of the project (build/mutation/tree) with a build of its own; needs Ninja. Writes
 build/mutation/survivors.txt. tests/mutation/equivalent.txt names changes that change nothing.
 """
 import argparse
@@ -19,7 +19,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 WORK = PROJECT / 'build/mutation'
-TREE, BUILD = WORK / 'tree', WORK / 'build'
+TREE, BUILD, CLEAN = WORK / 'tree', WORK / 'build', WORK / 'clean'
 SKIPPED_FILES = {'common/tools/fit_kernels.cpp'}
 # What judges the text of the project, or builds it once more, and what measures time.
 SKIPPED_LABELS = '^(bench|closure|grade|learn|mutation|pages|steps|exhaustive|extremes)$'
@@ -27,17 +27,74 @@ FAILED = r'Test +#\d+: (\S+) \.*\** *(?:Failed|Not Run|Exception|Subprocess|Time
 NOBODY = 65533  # not the 65534 that tests become themselves
 MOST_MEMORY = 6 << 30
 
+# --- Tokens -----------------------------------------------------------------------------------
+
 TOKEN = re.compile(
-    r'(?P<ignored>//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n\\]|\\.|\\\n)*|static_assert\(.*?\);|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')'
+    r'(?P<comment>//[^\n]*|/\*.*?\*/)'
+    r'|(?P<string>(?:u8|[uUL])?R"(?P<mark>[^(]*)\(.*?\)(?P=mark)"|(?:u8|[uUL])?"(?:\\.|[^"\\\n])*")'
+    r"|(?P<char>'(?:\\.|[^'\\\n])*')"
     r"|(?P<number>0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?[uUlLfF]*|(?:\d[\d']*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[uUlLfF]*)"
-    r'|(?P<member>(?<=\.)[a-z_]+\b(?!\())|(?P<name>[A-Za-z_]\w*)'
-    r'|(?P<operator>(?<= )(?:<<=|>>=|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|[-+*/%<>&|^])(?= )|\+\+|--|(?<=[(, ])[-!](?=[\w(]))|[^\w\s]', re.M | re.S)
-OPERATORS = {'+': '-', '-': '+', '*': '/', '/': '*', '%': '*', '<': '<=', '<=': '<', '>': '>=', '>=': '>', '==': '!=', '!=': '==',
-             '&&': '||', '||': '&&', '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=', '<<': '>>', '>>': '<<', '&': '|', '|': '&',
-             '^': '&', '<<=': '>>=', '>>=': '<<=', '|=': '&=', '&=': '|=', '^=': '|=', '++': '--', '--': '++', '!': ''}
-NAMES = {'true': 'false', 'false': 'true', 'min': 'max', 'max': 'min', 'sin': 'cos', 'cos': 'sin', 'floor': 'ceil', 'ceil': 'floor'}
-MEMBERS = {'x': 'y', 'y': 'z', 'z': 'x', 'u': 'v', 'v': 'u', 'r': 'g', 'g': 'b', 'b': 'r', 'a': 'b', 'width': 'height',
-           'height': 'width', 'row': 'column', 'column': 'row', 'high': 'low', 'low': 'high', 'first': 'second', 'second': 'first'}
+    r'|(?P<name>[A-Za-z_]\w*)'
+    r'|(?P<operator><<=|>>=|<=>|->\*?|::|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|[-+*/%<>=!&|^~?:;,.(){}\[\]])',
+    re.S)
+PREPROCESSOR = re.compile(r'^[ \t]*#(?:[^\n\\]|\\.)*(?:\\\n(?:[^\n\\]|\\.)*)*', re.M)
+
+
+class Token:
+    def __init__(self, kind, text, start):
+        self.kind, self.text, self.start, self.end = kind, text, start, start + len(text)
+
+
+def tokens_of(text):
+    """All tokens but comments and preprocessor lines, between two empty ones; each knows if it is inside of a function."""
+    blank = PREPROCESSOR.sub(lambda found: re.sub(r'[^\n]', ' ', found[0]), text)
+    tokens = [Token('', '', 0), *(Token(found.lastgroup.replace('mark', 'string'), found[0], found.start())
+                                  for found in TOKEN.finditer(blank) if found.lastgroup != 'comment'), Token('', '', len(text))]
+    braces = []  # for each open brace: is it the body of a type or of a namespace?
+    for i, token in enumerate(tokens):
+        if token.text == '}' and braces:
+            braces.pop()
+        token.in_function = bool(braces) and not braces[-1]
+        if token.text == '{':
+            start = i
+            while start > 0 and tokens[start - 1].text not in (';', '{', '}', ')'):
+                start -= 1
+            before = [''] + [word.text for word in tokens[start:i]]
+            braces.append(any(word in ('namespace', 'struct', 'union', 'enum') or word == 'class' and last not in ('<', ',')
+                              for last, word in zip(before, before[1:])))
+    return tokens
+
+
+def closing(tokens, i):
+    """The place of the bracket that closes the one at `i`."""
+    depth = 0
+    for k in range(i, len(tokens)):
+        depth += (tokens[k].text in OPENING) - (tokens[k].text in CLOSING)
+        if depth == 0 and tokens[k].text in CLOSING:
+            return k
+    return len(tokens) - 1
+
+
+def behind(tokens, k):
+    """The place behind the token at `k`, or behind what its bracket holds."""
+    return closing(tokens, k) + 1 if tokens[k].text in OPENING else k + 1
+
+
+# --- Changes of a token -------------------------------------------------------------------------
+
+BINARY = {'+': '-', '-': '+', '*': '/', '/': '*', '%': '*', '<': '<=', '<=': '<', '>': '>=', '>=': '>',
+          '==': '!=', '!=': '==', '&&': '||', '||': '&&', '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=',
+          '<<': '>>', '>>': '<<', '&': '|', '|': '&', '^': '&', '<<=': '>>=', '>>=': '<<=', '|=': '&=',
+          '&=': '|=', '^=': '|='}
+NAMES = {'true': 'false', 'false': 'true', 'min': 'max', 'max': 'min', 'sin': 'cos', 'cos': 'sin',
+         'floor': 'ceil', 'ceil': 'floor'}
+MEMBERS = {'x': 'y', 'y': 'z', 'z': 'x', 'u': 'v', 'v': 'u', 'r': 'g', 'g': 'b', 'b': 'r', 'a': 'b',
+           'width': 'height', 'height': 'width', 'row': 'column', 'column': 'row', 'high': 'low',
+           'low': 'high', 'first': 'second', 'second': 'first', 'front': 'back', 'back': 'front'}
+ASSIGNMENTS = {'=', '+=', '-=', '*=', '/=', '%=', '|=', '&=', '^=', '<<=', '>>='}
+OPENING, CLOSING = ('(', '[', '{'), (')', ']', '}')
+NOT_A_CALL = {'if', 'for', 'while', 'switch', 'return', 'sizeof', 'catch', 'alignas', 'decltype',
+              'noexcept', 'requires', 'static_assert', 'constexpr', 'operator', 'defined'}
 
 
 def other_number(text):
@@ -52,41 +109,128 @@ def other_number(text):
         return f'{int(body, 16) + 1:#x}{suffix}'
     if re.fullmatch(r"[\d']+", body):
         return f"{int(body.replace(chr(39), '')) + 1}{suffix}"
-    return (repr(float(body) / 2) if float(body) != 0 else '1.0') + suffix
+    value = float(body)
+    return (repr(value / 2) if value != 0 else '1.0') + suffix
+
+
+def change_of(text, tokens, i):
+    """The change of the token at `i`: (kind, start, end, new text), or None."""
+    token, before, after = tokens[i], tokens[i - 1], tokens[i + 1]
+    spaced_behind = text[token.end:token.end + 1].isspace()
+    kind = new = None
+    if token.kind == 'number':
+        kind, new = 'constant', other_number(token.text)
+    elif token.kind == 'string' and len(token.text) > 2 and not token.text.endswith(')"'):
+        kind, new = 'string', token.text[:-1] + '~"'
+    elif token.kind == 'name' and before.text in ('.', '->') and after.text != '(' and token.text in MEMBERS:
+        kind, new = 'member', MEMBERS[token.text]
+    elif token.kind == 'name' and before.text not in ('.', '->') and token.text in NAMES:
+        kind, new = 'name', NAMES[token.text]
+    elif token.kind == 'name':
+        return negation(text, tokens, i + 1) if token.text in ('if', 'while') and after.text == '(' else removal(tokens, i)
+    elif token.text in BINARY and spaced_behind and text[token.start - 1:token.start].isspace():
+        kind, new = 'operator', BINARY[token.text]
+    elif token.text in ('++', '--'):
+        kind, new = 'operator', '--' if token.text == '++' else '++'
+    elif token.text in ('-', '!') and not spaced_behind and before.text != 'operator':
+        kind, new = 'operator', ''
+    elif token.text == '(' and before.kind == 'name':
+        return swap(text, tokens, i)
+    return kind and (kind, token.start, token.end, new)
+
+
+def negation(text, tokens, i):
+    """if (x) becomes if (!(x)); what comes before a ; in the brackets stays."""
+    end = closing(tokens, i)
+    first = max([i, *(k for k in range(i + 1, end) if tokens[k].text == ';')]) + 1
+    if first >= end or any(token.text == '{' for token in tokens[first:end]):
+        return None
+    start, stop = tokens[first].start, tokens[end].start
+    if first == i + 1 and end - first > 1 and tokens[first].kind == 'name' and tokens[first + 1].kind == 'name':
+        return None  # it declares something
+    return 'condition', start, stop, '!(' + text[start:stop] + ')'
+
+
+def removal(tokens, i):
+    """Without the call or assignment that begins at `i`."""
+    if not tokens[i].in_function or tokens[i].text in NOT_A_CALL or tokens[i - 1].text not in (';', '{', '}', ')', 'else'):
+        return None
+    k = i + 1
+    while tokens[k].text in ('.', '->', '::', '['):
+        k = behind(tokens, k) if tokens[k].text == '[' else k + 2
+    if tokens[k].text not in ASSIGNMENTS | {'(', '++', '--'}:
+        return None
+    while tokens[k].text != ';':
+        k = behind(tokens, k)
+        if tokens[k].text in CLOSING:
+            return None
+    return 'removal', tokens[i].start, tokens[k].end, ';'
+
+
+def swap(text, tokens, i):
+    """The first two arguments of the call at `i` change places."""
+    end = closing(tokens, i)
+    commas, k = [i], i + 1
+    while k < end:
+        commas += [k] * (tokens[k].text == ',')
+        k = behind(tokens, k)
+    if not tokens[i].in_function or tokens[i - 1].text in NOT_A_CALL or len(commas) < 2:
+        return None
+    (a, b), (c, d) = ((tokens[first + 1].start, tokens[last - 1].end) for first, last in zip(commas, [*commas[1:3], end][:2]))
+    return None if text[a:b] == text[c:d] else ('swap', a, d, text[c:d] + text[b:c] + text[a:b])
 
 
 class Mutant:
-    def __init__(self, path, text, token, new):
-        self.path, self.start, self.end, self.new = path, token.start(), token.end(), new
-        self.line = text.count('\n', 0, self.start) + 1
-        first, last = text.rfind('\n', 0, self.start) + 1, (text + '\n').find('\n', self.end)
-        self.old_line = text[first:last].strip()
-        self.new_line = (text[first:self.start] + new + text[self.end:last]).strip()
-        self.change = f'{token[0]} -> {new or "nothing"}'
-        self.of_a_table = token.lastgroup == 'number' and self.old_line.count(',') >= 5
+    def __init__(self, path, text, kind, start, end, new):
+        self.path, self.kind, self.start, self.end, self.new = path, kind, start, end, new
+        self.line = text.count('\n', 0, start) + 1
+        first, last = text.rfind('\n', 0, start) + 1, (text + '\n').find('\n', end)
+        self.old_lines = stripped(text[first:last])
+        self.new_lines = stripped(text[first:start] + new + text[end:last])
+        self.change = shortened(text[start:end]) + ' -> ' + (shortened(new) or 'nothing')
+        same_before = text.count(text[first:last], 0, first)
+        self.key = '|'.join([path, *self.old_lines, *self.new_lines, str(same_before)])
 
     def chance(self, word):
         """A number from 0 to 1 that depends on the change and the word alone."""
-        key = f'{word}|{self.path}|{self.line}|{self.old_line}|{self.new_line}'
-        return int(hashlib.sha256(key.encode()).hexdigest()[:13], 16) / 16 ** 13
+        return int(hashlib.sha256(f'{word}|{self.key}'.encode()).hexdigest()[:13], 16) / 16 ** 13
+
+    def share(self):
+        """How many of its kind are tried: strings, coefficients and letters are much the same, and would be most of the sample."""
+        of_a_table = self.kind == 'constant' and self.old_lines[0].count(',') >= 5
+        return 0.05 if self.kind == 'string' else 0.1 if of_a_table else 1
 
     def difference(self):
-        return f'{self.path}\n- {self.old_line}\n+ {self.new_line}'
+        return '\n'.join([self.path, *('- ' + line for line in self.old_lines), *('+ ' + line for line in self.new_lines)])
 
     def __str__(self):
-        return f'{self.path}:{self.line}  {self.change}'
+        return f'{self.path}:{self.line}  {self.change}  ({self.kind})'
+
+
+def stripped(lines):
+    return [line.strip() for line in lines.split('\n') if line.strip()]
+
+
+def shortened(text):
+    one_line = ' '.join(text.split())
+    return one_line if len(one_line) <= 60 else one_line[:57] + '...'
 
 
 def mutants_of(path, text):
-    changes = {'number': other_number, 'operator': OPERATORS.get, 'name': NAMES.get, 'member': MEMBERS.get}
-    for token in TOKEN.finditer(text):
-        new = changes[token.lastgroup](token[0]) if token.lastgroup in changes else None
-        if new is not None:
-            yield Mutant(path, text, token, new)
+    tokens = tokens_of(text)
+    judged = set()  # by the compiler alone
+    for i, token in enumerate(tokens):
+        if token.text == 'static_assert':
+            judged.update(range(i, closing(tokens, i + 1) + 1))
+    changes = [change_of(text, tokens, i) for i in range(1, len(tokens) - 1) if i not in judged]
+    return [Mutant(path, text, *change) for change in changes if change and text[change[1]:change[2]] != change[3]]
 
+
+# --- The copy of the project and its build ------------------------------------------------------
 
 def run(command, **options):
-    return subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    return subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, **options)
 
 
 def copy_project(tree):
@@ -103,6 +247,10 @@ def copy_project(tree):
             path.unlink()
 
 
+def is_clean(name):
+    return (BUILD / name).read_bytes() == (CLEAN / name).read_bytes()
+
+
 def ctest(*options):
     """Runs tests, never as root: a mutant could replace /dev/null by a file."""
     user = {}
@@ -116,7 +264,7 @@ def ctest(*options):
 
 
 class Build:
-    """The clean build, and which test runs which program."""
+    """The clean build: which test runs which program, and how long each takes to compile."""
 
     def __init__(self, jobs):
         self.ninja = ['ninja', '-C', BUILD, '-j', jobs]
@@ -140,34 +288,49 @@ class Build:
             program = Path(test.get('command', ['/'])[0])
             if program.is_relative_to(BUILD) and test['name'] not in self.left_out:
                 self.program_of[test['name']] = str(program.relative_to(BUILD))
+        self.compiled_in = {}  # test -> milliseconds
+        for line in (BUILD / '.ninja_log').read_text().splitlines()[1:]:
+            start, end, _, output, _ = line.split('\t')
+            name = re.search(r'tests/CMakeFiles/(\w+)\.dir/', output)
+            if name:
+                self.compiled_in[name[1]] = self.compiled_in.get(name[1], 0) + int(end) - int(start)
+
+    def stale(self):
+        """What a build would make again, as Ninja says."""
+        planned = run([*self.everything, '-n']).stdout
+        return re.findall(r'(?:object|library|executable) (\S+)$', planned, re.M)
 
     def verdict(self, mutant):
         """'killed by NAME', 'SURVIVED', 'did not compile', 'not built here' or 'the same program'."""
         copy = TREE / mutant.path
-        text = copy.read_text()
+        text, times = copy.read_text(), copy.stat()
         copy.write_text(text[:mutant.start] + mutant.new + text[mutant.end:])
-        planned = run([*self.everything, '-n']).stdout
-        stale = re.findall(r'(?:library|executable) (\S+)$', planned, re.M)
-        before = {name: (BUILD / name).read_bytes() for name in stale}
+        stale = self.stale()
+        kept = [*stale, '.ninja_log', '.ninja_deps']
+        for name in kept:
+            (CLEAN / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(BUILD / name, CLEAN / name)
         try:
-            return self.judged(mutant, before) if stale else 'not built here'  # a file for another system
+            return self.judged(mutant, stale) if stale else 'not built here'  # a file for another system
         finally:
             copy.write_text(text)
-            run([*self.ninja, *(name for name in stale if (BUILD / name).read_bytes() != before[name])])
+            os.utime(copy, ns=(times.st_atime_ns, times.st_mtime_ns))
+            for name in kept:
+                shutil.copy2(CLEAN / name, BUILD / name)
 
-    def judged(self, mutant, before):
-        """Builds and runs suite by suite, the file's own first; then everything."""
+    def judged(self, mutant, stale):
+        """Builds and runs suite by suite, the file's own first, then the cheapest; then everything."""
         own = 'test_' + Path(mutant.path).stem
-        suites = [test for test, program in self.program_of.items() if program in before]
-        for test in sorted(suites, key=lambda name: name != own):
+        suites = [test for test, program in self.program_of.items() if program in stale]
+        for test in sorted(suites, key=lambda name: (name != own, self.compiled_in.get(name, 0))):
             program = self.program_of[test]
             if run([*self.ninja, program]).returncode != 0:
                 return 'did not compile'
-            if (BUILD / program).read_bytes() != before[program] and self.fails('-R', f'^{re.escape(test)}$'):
+            if not is_clean(program) and self.fails('-R', f'^{re.escape(test)}$'):
                 return 'killed by ' + test
         if run(self.everything).returncode != 0:
             return 'did not compile'
-        if all((BUILD / name).read_bytes() == bytes_before for name, bytes_before in before.items()):
+        if all(is_clean(name) for name in stale if '.dir/' not in name):
             return 'the same program'
         done = '|'.join(map(re.escape, [*self.program_of, *self.left_out]))
         scripts = self.fails('-E', f'^({done})$', '-j', self.jobs)
@@ -186,16 +349,12 @@ def read_equivalent():
     return {re.match(r'.*(?:\n[-+] .*)*', block.strip())[0] for block in re.split(r'\n\s*\n', text)}
 
 
-def chosen_mutants(options):
+def all_mutants(globs):
     names = sorted(str(path.relative_to(PROJECT)) for path in (PROJECT / 'common').rglob('*.[hc]pp'))
-    names = [name for name in names if name not in SKIPPED_FILES and any(fnmatch.fnmatch(name, '*' + glob) for glob in options.files)]
+    names = [name for name in names if name not in SKIPPED_FILES and any(fnmatch.fnmatch(name, '*' + glob) for glob in globs)]
     if not names:
         sys.exit('error: no such file in common/')
-    mutants = [mutant for name in names for mutant in mutants_of(name, (PROJECT / name).read_text())]
-    if options.only:
-        return [m for m in mutants if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
-    # Coefficients are much the same, and would be most of the sample.
-    return sorted((m for m in mutants if not m.of_a_table or m.chance('share') < 0.1), key=lambda m: m.chance(options.seed))
+    return [m for name in names for m in mutants_of(name, (PROJECT / name).read_text())]
 
 
 def main():
@@ -207,7 +366,11 @@ def main():
     parser.add_argument('--list', action='store_true', help='show the mutants and stop')
     parser.add_argument('--jobs', type=int, default=2, help='programs compiled and run at once')
     options = parser.parse_args()
-    mutants = chosen_mutants(options)
+    mutants = all_mutants(options.files)
+    if options.only:
+        mutants = [m for m in mutants if any(f'/{m.path}:{m.line}'.endswith('/' + place) for place in options.only)]
+    else:
+        mutants = sorted((m for m in mutants if m.chance('share') < m.share()), key=lambda m: m.chance(options.seed))
     if options.list:
         print('\n'.join(map(str, mutants if options.only else mutants[:options.count])))
         return

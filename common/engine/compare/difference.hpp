@@ -1,4 +1,4 @@
-// How two pictures differ, in figures.
+// How two pictures differ, in figures, for readers and for other programs.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/measure/json.hpp"
 #include "texture/image.hpp"
 
 namespace texmap {
@@ -87,6 +88,12 @@ enum class Detail {
 
 /// The figures in words: for each its name and its value; SSIM if it was computed.
 [[nodiscard]] std::vector<std::vector<std::string>> figure_rows(const Figures& figures);
+
+/// The figures as a JSON object of several lines.
+///
+/// If the pictures are equal, `box` and `largest_difference` are null. JSON has no infinity: `psnr`
+/// is then "infinite" instead of "finite", and `psnr_db` is null.
+[[nodiscard]] Json json_of(const Figures& figures);
 
 /// The color of a difference, on one scale from dark blue through grey and sand to bright yellow.
 ///

@@ -35,7 +35,7 @@ struct Request {
   std::string a, b;
   int levels = 0;
   std::string at_most = "0";
-  std::string map, mask, mean;
+  std::string map, json, mask, mean;
   bool all = false;
   bool quiet = false;
 
@@ -48,6 +48,7 @@ struct Request {
               "the pictures count as the same if at most this share of the pixels counts: 0 to 1, "
               "or with a % sign");
     line.text("--map", "FILE", map, "write a picture of the differences to this file, a PNG");
+    line.text("--json", "FILE", json, "write all figures to this file, as JSON");
     line.flag("--all", all, "also print SSIM, which takes ten times as long as all else");
     line.text("--mask", "FILE", mask,
               "a picture of the same size; pixels where it is black are not compared");
@@ -125,14 +126,20 @@ std::string mean_table(const Image& image, const Box& box) {
 bool compare(const Request& request) {
   const Share at_most = parse_share(request.at_most);
   if (!request.map.empty()) check_output(path_of(request.map));
+  if (!request.json.empty()) check_output(path_of(request.json));
 
   const Image a = load(request.a), b = load(request.b), mask = load(request.mask);
-  const Detail detail = request.all ? Detail::similarity : Detail::pixels;
+  const Detail detail = request.all || !request.json.empty() ? Detail::similarity : Detail::pixels;
   const Figures figures = measure(a, b, mask, detail);
   const std::size_t off = pixels_off_by_more_than(figures, request.levels);
   const bool same = at_most.holds(off, figures.pixels_compared);
 
   if (!request.map.empty()) save_png(difference_map(a, b, mask), path_of(request.map));
+  if (!request.json.empty()) {
+    const std::filesystem::path path = path_of(request.json);
+    const std::string json = json_of(figures).text + "\n";
+    with_name("cannot write", path, [&] { write_text_atomically(path, json); });
+  }
   if (!request.quiet) {
     print(table(figures) + text("off by more than %d: %zu pixels, %s of all allowed: %s\n",
                                 request.levels, off, request.at_most.c_str(),
@@ -154,8 +161,8 @@ int main(int argc, char** argv) {
       same = compare(request);
       return;
     }
-    for (const char* other : {"B.png", "--pixels-off-by-more-than", "--at-most", "--map", "--all",
-                              "--mask", "--quiet"}) {
+    for (const char* other : {"B.png", "--pixels-off-by-more-than", "--at-most", "--map", "--json",
+                              "--all", "--mask", "--quiet"}) {
       if (line.was_given(other))
         throw texmap::UsageError(std::string(other) + " and --mean do not go together");
     }

@@ -38,7 +38,10 @@ Comparison compare(DrawnStep before, DrawnStep after, ObjectSet may_change) {
       result.largest_dv = std::max(result.largest_dv, std::abs(a.v - b.v));
     }
     if (before.picture.pixels[i] == after.picture.pixels[i]) continue;
-    if (allowed(before.objects[i]) || allowed(after.objects[i])) continue;
+    if (allowed(before.objects[i]) || allowed(after.objects[i])) {
+      result.changed_inside += 1;
+      continue;
+    }
     if (result.changed_elsewhere == 0) {
       result.stray_column = static_cast<int>(i) % before.picture.width;
       result.stray_row = static_cast<int>(i) / before.picture.width;
@@ -49,6 +52,30 @@ Comparison compare(DrawnStep before, DrawnStep after, ObjectSet may_change) {
   result.after = std::move(after);
   result.may_change = may_change;
   return result;
+}
+std::string report_json(const Comparison& c) {
+  std::vector<Json> may_change;
+  for (int index = 0; const char* const name : object_names) {
+    if (c.may_change.contains(index++)) may_change.emplace_back(name);
+  }
+  const Json stray = Json::object({{"column", c.stray_column}, {"row", c.stray_row}});
+  return Json::object(
+             {
+                 {"before", c.before.name},
+                 {"after", c.after.name},
+                 {"only_declared_changed", c.changed_elsewhere == 0},
+                 {"may_change", Json::list(may_change)},
+                 {"changed_inside", c.changed_inside},
+                 {"changed_elsewhere", c.changed_elsewhere},
+                 {"first_changed_elsewhere", c.stray_column < 0 ? nullptr : stray},
+                 {"pixels_with_uv", c.pixels_with_uv},
+                 {"largest_du_turns", c.largest_du},
+                 {"largest_dv", c.largest_dv},
+                 {"figures", json_of(c.figures)},
+             },
+             true)
+             .text +
+         "\n";
 }
 
 std::string summary(const Comparison& c, const std::string& page) {

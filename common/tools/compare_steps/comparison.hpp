@@ -79,7 +79,8 @@ struct Comparison {
   DrawnStep before, after;
   ObjectSet may_change;  ///< what the steps in between declare
   Figures figures;
-  std::size_t changed_elsewhere = 0;  ///< pixels that show, before and after, what may not change
+  std::size_t changed_inside = 0;  ///< pixels that show, before or after, what may change
+  std::size_t changed_elsewhere = 0;
   int stray_column = -1, stray_row = -1;  ///< the first that changed elsewhere; -1: there is none
   std::size_t pixels_with_uv = 0;         ///< where both steps have texture coordinates
   double largest_du = 0;                  ///< turns, the short way round, 0 to 1/2
@@ -91,6 +92,9 @@ struct Comparison {
 [[nodiscard]] Comparison compare(DrawnStep before, DrawnStep after, ObjectSet may_change = {});
 
 [[nodiscard]] std::string names_of(ObjectSet objects, const std::string& if_empty);
+
+/// All figures as JSON.
+[[nodiscard]] std::string report_json(const Comparison& comparison);
 
 /// Lines for the terminal.
 [[nodiscard]] std::string summary(const Comparison& comparison, const std::string& page);

@@ -122,6 +122,7 @@ bool compare_chapters(const std::string& from, const std::string& to, const Choi
       may_change.bits |= stage.changed_objects.bits;
   }
   const Comparison result = steps::compare(draw(from, to), draw(to, from), may_change);
+  write_text(place.folder / "report.json", steps::report_json(result));
   write_text(place.page(), steps::report_page(result, code_of(from, choices), code_of(to, choices),
                                               place.pictures));
   if (!choices.quiet || result.changed_elsewhere > 0)

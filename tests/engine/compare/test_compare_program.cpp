@@ -77,6 +77,8 @@ TEST_CASE("2 for trouble, with the reason first and nothing on stdout") {
         {"none.png nothing.png", "cannot load 'none.png': there is no such file"},
         {"none.png b.png --map no/map.png",
          "cannot write 'no/map.png': the folder 'no' does not exist"},
+        {"none.png b.png --json no/f.json",
+         "cannot write 'no/f.json': the folder 'no' does not exist"},
         {"a.png", "B.png is missing"},
         {"a.png ''", "B.png must not be empty"},
         {"a.png b.png --mad x", "there is no option --mad"},
@@ -155,27 +157,40 @@ TEST_CASE("the mean, least and largest byte of each channel in a part of a pictu
   }
 }
 
-TEST_CASE("the map is the library's, and what the mask leaves out counts nowhere") {
+TEST_CASE("the map, the figures as JSON and the mask are those of the library") {
   const Desk desk;
   Image mask(100, 100, {0, 0, 1});  // only black leaves out
   mask.at(10, 20) = {};
   save_png(mask, desk.folder / "mask.png");
-  const Outcome masked = desk.compare("a.png b.png --all --mask mask.png --map map.png");
-  CHECK(masked.status == 1);
+  CHECK(desk.compare("a.png b.png --quiet --mask mask.png --map map.png --json f.json").status ==
+        1);
   CHECK(load_image(desk.folder / "map.png") == difference_map(desk.a, desk.b, mask));
-  CHECK(masked.out ==
-        "size                 100 x 100 pixels, 9999 compared\n"
-        "different            1 of 9999 pixels by more than one level (0.01 %), 1 by one\n"
-        "within               columns 12 to 50, rows 21 to 25\n"
-        "largest difference   5 levels at column 12, row 25: (31, 20, 9) and (31, 15, 9)\n"
-        "mean absolute error  0.00020002 levels\n"
-        "RMSE                 0.0294407 levels\n"
-        "PSNR                 78.7518 dB\n"
-        "SSIM                 0.999982548 (1: equal)\n"
-        "mean value           20 and 19.9999 levels\n"
-        "off by more than 0: 2 pixels, 0 of all allowed: they differ\n");
+  const auto figures = [&] {
+    const std::vector<std::uint8_t> json = bytes_of(desk.folder / "f.json");
+    return std::string(json.begin(), json.end());
+  };
+  CHECK(figures() == R"({
+  "width": 100,
+  "height": 100,
+  "pixels_compared": 9999,
+  "pixels_different": 2,
+  "share_different": 0.00020002000200020003,
+  "box": {"left": 12, "top": 21, "width": 39, "height": 5},
+  "largest_difference": {"levels": 5, "column": 12, "row": 25, "a": [31, 20, 9], "b": [31, 15, 9]},
+  "mean_absolute_error": 0.00020002000200020003,
+  "root_mean_square_error": 0.029440674958310088,
+  "psnr": "finite",
+  "psnr_db": 78.75184835996947,
+  "ssim": 0.999982547970944,
+  "mean_a": 20,
+  "mean_b": 19.999866653332
+}
+)");
   // With all that differs left out, the pictures are the same.
   for (const auto& [column, row] : {std::pair{12, 25}, {50, 21}}) mask.at(column, row) = {};
   save_png(mask, desk.folder / "mask.png");
-  CHECK(desk.compare("a.png b.png --quiet --mask mask.png").status == 0);
+  CHECK(desk.compare("a.png b.png --quiet --mask mask.png --json f.json").status == 0);
+  for (const char* part : {"\"box\": null,", "\"largest_difference\": null,",
+                           "\"psnr\": \"infinite\",\n  \"psnr_db\": null,\n  \"ssim\": 1,"})
+    CHECK(has(figures(), part));
 }
