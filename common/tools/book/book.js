@@ -111,7 +111,7 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
     const row = document.createElement("span");
     row.className = "command";
     row.append(words, copy);
-    words.textContent = line;
+    words.append(typed, Object.assign(document.createElement("i"), {textContent: line.slice(typed.length)}));
     copy.textContent = "Copy";
     copy.setAttribute("aria-label", `Copy ${typed}`);
     copy.addEventListener("click", async () => {
@@ -129,13 +129,13 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
 }
 
 // No line ends after the hyphens of an option.
-for (const code of document.querySelectorAll(":not(pre) > code, .command > span")) {
-  code.innerHTML = code.innerHTML.replace(/--[a-z][\w-]*/g, "<span class=\"whole\">$&</span>");
-}
+const keepOptions = (code) => (code.innerHTML = code.innerHTML.replace(/--[a-z][\w-]*/g, "<span class=\"whole\">$&</span>"));
+document.querySelectorAll(":not(pre) > code, .command > span").forEach(keepOptions);
 
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {
   const image = button.parentElement.closest("figure, section").querySelector("img");
+  document.querySelector("#the-turntable")?.nextElementSibling.after(button.closest("figure"));
   const frames = button.dataset.frames.split(" ");
   const still = image.getAttribute("src");
   let timer = 0;

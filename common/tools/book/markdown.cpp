@@ -169,10 +169,9 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
       const bool is_comment = html.rfind("<!--", 0) == 0;
       if (html.rfind("<!-- code: ", 0) == 0) marks[cmark_node_next(node)] = html;
       cmark_node_set_literal(node, is_comment ? "" : with_resolved(html, resolve).c_str());
-    } else if (type == CMARK_NODE_TEXT) {
-      const std::string text = text_or_empty(cmark_node_get_literal(node));
-      if (cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_HEADING)
-        cmark_node_set_literal(node, with_whole_points(text).c_str());
+    } else if (type == CMARK_NODE_TEXT &&
+               cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_HEADING) {
+      cmark_node_set_literal(node, with_whole_points(cmark_node_get_literal(node)).c_str());
     } else if (type == CMARK_NODE_HEADING || type == CMARK_NODE_CODE_BLOCK ||
                type == CMARK_NODE_PARAGRAPH) {
       blocks.push_back(node);
