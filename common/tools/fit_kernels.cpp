@@ -3,19 +3,15 @@
 // polynomials"). The worst case in the file is measured on the printed coefficients. Needs a long
 // double of 64 bits or more, because it uses its library functions.
 //
-// What rounding adds to a polynomial is proven, not measured: --gappa writes a question to the
-// program gappa for each polynomial and number, "is the stated bound right?" (tests/proofs).
+// What rounding adds to a polynomial is proven, not measured (tests/proofs).
 //
-// Usage: fit_kernels FILE                  writes the file
-//        fit_kernels --check FILE          fails unless the file is as good as what it would write
-//        fit_kernels --gappa FILE FOLDER   writes the proofs of the file's polynomials into FOLDER
+// Usage: fit_kernels FILE           writes the file
+//        fit_kernels --check FILE   fails unless the file is as good as what it would write
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iomanip>
@@ -240,22 +236,10 @@ struct Size {
   std::string rounding;
 };
 
-/// What is to be proven of a polynomial q(x), in gappa's language: a small letter is what the
-/// machine has, the same large letter what it would have without rounding.
-struct Proof {
-  char argument;             ///< of the polynomial: the machine's number
-  char exact;                ///< and the exact one
-  std::string before;        ///< makes the argument
-  std::string after;         ///< uses the polynomial q and its exact value Q
-  std::string domain, goal;  ///< what is given, and what is to be bounded
-  std::string parts;         ///< how gappa may cut the domain into pieces
-};
-
 /// One problem, fitted with several numbers of coefficients.
 struct Family {
   std::string name, comment;
   Problem problem;
-  Proof proof;
   std::vector<Size> sizes;
 };
 
@@ -272,39 +256,21 @@ const std::vector<Family> families = {
      "/// atan(t) / (2 pi t) by powers of t^2, for t from 0 to 1. `worst` is in turns of the "
      "angle.\n",
      arc_tangent,
-     {'z', 'Z', "t = rnd(any);\nz rnd= t * t;\nZ = t * t;\n", "e rnd= t * q;\nE = t * Q;\n",
-      "t in [0,1]", "|e - E|", ""},
      sizes("3 0.28 4 0.34 5 0.39 6 0.41 7 0.44 8 0.51 9 0.51 12 0.66 15 0.75 18 0.88")},
     {"ArcCosine",
      "/// acos(y) / (pi sqrt(1 - y^2)) by powers of y, for y from 0 to 1. `worst` is in half "
      "turns\n/// of the angle.\n",
-     arc_cosine,
-     {'y', 'y', "y = rnd(any);\n", "S = sqrt(1 - y * y);\ne rnd= s * q;\nE = S * Q;\n",
-      "y in [0,1] /\\ |s -/ S| <= 2.005@epsilon", "|e - E|",
-      "$ y in (0.2,0.35,0.5,0.6,0.7,0.76,0.82,0.86,0.89,0.92,0.94,0.96,0.98,0.99);\n"},
-     sizes("4 2 5 2 6 2 7 2 9 2 10 2 11 2 15 2 18 2.2 21 2.4")},
-    {"Logarithm",
-     "/// log2(1 - w) / w by powers of w, for w from 0 to 1/2. `worst` is relative.\n",
-     logarithm,
-     {'w', 'w', "w = rnd(any);\n", "e rnd= w * q;\nE = w * Q;\n", "w in [1b-100,0.5]", "|e -/ E|",
-      "$ w in 8;\n"},
-     sizes("3 1.5 4 1.4 6 1.8 8 1.8")},
+     arc_cosine, sizes("4 2 5 2 6 2 7 2 9 2 10 2 11 2 15 2 18 2.2 21 2.4")},
+    {"Logarithm", "/// log2(1 - w) / w by powers of w, for w from 0 to 1/2. `worst` is relative.\n",
+     logarithm, sizes("3 1.5 4 1.4 6 1.8 8 1.8")},
     {"Exponential",
      "/// (2^y - 1) / y by powers of y, for y from -1 to 0. `worst` is that of "
      "(2^y)^16,\n/// where the result is at most 1.\n",
-     exponential,
-     {'y', 'y', "y = rnd(any);\n",
-      "r = rnd(1 + rnd(y * q));\nR = 1 + y * Q;\nr2 rnd= r * r;\nR2 = R * R;\n"
-      "r4 rnd= r2 * r2;\nR4 = R2 * R2;\nr8 rnd= r4 * r4;\nR8 = R4 * R4;\n"
-      "e rnd= r8 * r8;\nE = R8 * R8;\n",
-      "y in [-1,0]", "|e - E|", "$ y in 16;\n"},
-     sizes("2 8.5 3 8.8 4 8.8")},
+     exponential, sizes("2 8.5 3 8.8 4 8.8")},
     {"SrgbCurve",
      "/// 255 (1.055 r^(5/6) - 0.055) by powers of r, for r from the root of 0.0031308 to 1.\n"
      "/// `worst` is in levels of a byte.\n",
-     srgb_curve,
-     {'r', 'r', "r = rnd(any);\n", "", "r in [0.0559,1]", "|q - Q|", "$ r in 16;\n"},
-     sizes("3 400 4 740")},
+     srgb_curve, sizes("3 400 4 740")},
 };
 
 /// The text of the file.
@@ -416,127 +382,6 @@ void check(const std::string& path) {
   }
 }
 
-/// A number that polynomials run on.
-struct Format {
-  std::string name, gappa_name;
-  int digits;
-};
-const std::vector<Format> formats = {
-    {"float", "ieee_32", 24}, {"double", "ieee_64", 53}, {"extended", "x86_80", 64}};
-
-/// `x` exactly, as a whole number times a power of two: 3b-4 is 3/16.
-std::string in_binary(Wide x) {
-  int exponent = 0;
-  Wide digits = std::frexp(x, &exponent);
-  for (; digits != std::floor(digits); --exponent) digits *= 2;
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(0) << digits << "b" << exponent;
-  return out.str();
-}
-
-/// A coefficient rounded to the format.
-Wide rounded(Wide x, const Format& format) {
-  if (format.digits == 24) return static_cast<Wide>(static_cast<float>(x));
-  if (format.digits == 53) return static_cast<Wide>(static_cast<double>(x));
-  return x;
-}
-
-/// `text` with numbers in place of products such as 0.5@epsilon.
-std::string with_epsilons(std::string text, const Format& format) {
-  const std::string word = "@epsilon";
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word)) {
-    const std::size_t start = text.rfind(' ', at) + 1;
-    const Wide times = std::strtold(text.c_str() + start, nullptr);
-    // Not above the product: no more is proven than what is stated.
-    const Wide product = std::ldexp(std::floor(std::ldexp(times, 20)), -20 + 1 - format.digits);
-    text.replace(start, at + word.size() - start, in_binary(product));
-  }
-  return text;
-}
-
-/// A question in gappa's language: is the goal at most so many epsilons, after these lines?
-std::string question(const std::string& name, const Format& format, const std::string& lines,
-                     const std::string& domain, const std::string& goal, const std::string& bound) {
-  return "# " + name + " in " + format.name + ": " + goal + " <= " + bound +
-         " epsilon\n# Written by common/tools/fit_kernels.cpp.\n@rnd = float<" + format.gappa_name +
-         ",ne>;\n" + lines + "{ " +
-         with_epsilons(domain + " -> " + goal + " <= " + bound + "@epsilon", format) + " }\n";
-}
-
-/// The question whether rounding keeps to a bound, about polynomial.hpp's sums term by term.
-std::string question(const GivenFit& fit, const Format& format) {
-  const Proof& proof = fit.family.proof;
-  const std::size_t top = fit.size.count - 1;
-  std::ostringstream out;
-  out << proof.before;
-  for (std::size_t k = 0; k <= top; ++k) {
-    out << "c" << k << " = " << in_binary(rounded(fit.powers[k], format)) << ";\nC" << k << " = "
-        << in_binary(fit.powers[k]) << ";\n";
-  }
-  out << "x2 rnd= " << proof.argument << " * " << proof.argument << ";\nX2 = " << proof.exact
-      << " * " << proof.exact << ";\n";
-  // A sum has the number of its last term; the machine's has a small letter, the exact a large one.
-  const auto horner = [&](std::size_t from) {
-    std::string sum = std::to_string(from);
-    char machine = 'c', exact = 'C';
-    for (std::size_t k = from; k >= 2; k -= 2) {
-      const std::string next = std::to_string(k - 2);
-      out << "s" << next << " = rnd(rnd(" << machine << sum << " * x2) + c" << next << ");\nS"
-          << next << " = " << exact << sum << " * X2 + C" << next << ";\n";
-      sum = next;
-      machine = 's';
-      exact = 'S';
-    }
-    return std::pair(machine + sum, exact + sum);
-  };
-  const auto with_top = horner(top);
-  const auto others = horner(top - 1);
-  const auto& even = top % 2 == 0 ? with_top : others;
-  const auto& odd = top % 2 == 0 ? others : with_top;
-  out << "q = rnd(" << even.first << " + rnd(" << odd.first << " * " << proof.argument
-      << "));\nQ = " << even.second << " + " << odd.second << " * " << proof.exact << ";\n"
-      << proof.after;
-  return question(fit.family.name + "<" + std::to_string(fit.size.count) + ">", format, out.str(),
-                  proof.domain, proof.goal, fit.size.rounding) +
-         proof.parts;
-}
-
-/// What surrounds the polynomials of turns.hpp: an angle's last steps, in the octant with most of
-/// them, and the distance from the axis.
-struct Surrounding {
-  std::string name, lines, domain, goal, bound;
-};
-const std::vector<Surrounding> surroundings = {
-    {"OctantSteps",
-     "e = rnd(any);\nq rnd= 0.25 - e;\nQ = 0.25 - e;\nh rnd= 0.5 - q;\nH = 0.5 - Q;\n"
-     "t rnd= 1 - h;\nT = 1 - H;\n",
-     "e in [0,0.126]", "|t - T|", "0.4375"},
-    {"FromAxis",
-     "x = rnd(any_x);\nz = rnd(any_z);\nm = rnd(rnd(x * x) + rnd(z * z));\nM = x * x + z * z;\n"
-     "s rnd= sqrt(m);\nS = sqrt(M);\n",
-     "x in [1b-60,2] /\\ z in [1b-60,2]", "|s -/ S|", "1.005"},
-};
-
-/// Writes a question for each polynomial and number.
-void write_questions(const std::string& path, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const std::string& text) {
-    std::ofstream file(folder / (name + ".g"), std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) throw std::runtime_error((folder / name).string() + ".g: cannot be written");
-  };
-  const std::vector<Wide> numbers = split(contents(path)).numbers;
-  for (const Format& format : formats) {
-    for (const GivenFit& fit : given_fits(numbers, path)) {
-      write(fit.family.name + "_" + std::to_string(fit.size.count) + "_" + format.name,
-            question(fit, format));
-    }
-    for (const auto& [name, lines, domain, goal, bound] : surroundings)
-      write(name + "_" + format.name, question(name, format, lines, domain, goal, bound));
-  }
-}
-
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -546,16 +391,13 @@ int main(int count, char** arguments) {
     const std::vector<std::string> words(arguments + 1, arguments + count);
     if (words.size() == 2 && words[0] == "--check") {
       check(words[1]);
-    } else if (words.size() == 3 && words[0] == "--gappa") {
-      write_questions(words[1], words[2]);
     } else if (words.size() == 1) {
       std::ofstream file(words[0], std::ios::binary);
       file << coefficients();
       file.close();
       if (!file) throw std::runtime_error(words[0] + ": cannot be written");
     } else {
-      throw std::invalid_argument(
-          "Usage: fit_kernels FILE | fit_kernels --check FILE | fit_kernels --gappa FILE FOLDER");
+      throw std::invalid_argument("Usage: fit_kernels FILE | fit_kernels --check FILE");
     }
   } catch (const std::exception& error) {
     std::cerr << "fit_kernels: " << error.what() << "\n";

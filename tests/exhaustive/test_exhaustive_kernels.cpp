@@ -113,36 +113,6 @@ TEST_CASE("v keeps its bound for every float as height, on a meridian") {
             }));
 }
 
-/// v's error by the arc cosine's polynomial, and by a distance from the axis and a length that are
-/// off by 1 epsilon each. What is left to v's bound are the last two roundings.
-template <int Degree>
-Candidate arc_cosine() {
-  return {.name = "arc cosine for degree " + std::to_string(Degree),
-          .run =
-              [](const Block& block, float* to) {
-                in_packs(block.x.data(), to, polynomial<ArcCosineFit<Degree>, Floats>);
-                for (std::size_t i = 0; i < Block::size; ++i) {
-                  const double y = static_cast<double>(block.x[i]);
-                  const double sine = std::sqrt((1 - y) * (1 + y));
-                  const double off = sine * static_cast<double>(to[i]) - block.exact[i];
-                  to[i] = static_cast<float>(std::abs(off) + 2.005 * epsilon * block.exact[i]);
-                }
-              },
-          .bound = FastUnitMapping<Degree>::template worst<float>.v - 0.375 * epsilon,
-          .step_back = 1,
-          .factor = 0};
-}
-
-TEST_CASE("the arc cosine's polynomial leaves v what its bound counts, for every float as height") {
-  const Prepare prepare = [](Block& block) {
-    fill_exact(block, [](const Wide& y) {
-      return atan2(sqrt((Wide(1) - y) * (Wide(1) + y)), y) * half_turns;
-    });
-  };
-  check_all(every_float(low, 1), prepare,
-            for_each_degree([]<int Degree>(auto& all) { all.push_back(arc_cosine<Degree>()); }));
-}
-
 template <int Terms>
 Candidate srgb_level_of(double step_back) {
   return {.name = "sRGB level, " + std::to_string(Terms) + " terms",
