@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "engine/measure/text.hpp"
 #include "engine/render/convert_projection.hpp"
 
 namespace texmap::chapter_10 {
@@ -45,13 +43,6 @@ bool has_shape(const Image& image, Projection projection) {
   const double width = image.height * aspect;  // an own one may have been rounded
   return image.height >= 8 && std::abs(image.width - width) <= 0.5 * aspect + 0.5 &&
          (aspect != 1.5 || (image.width % 3 == 0 && image.height % 2 == 0));
-}
-
-/// The other layout with the same shape and the same seams, if there is one.
-std::optional<Projection> twin_of(Projection projection) {
-  if (projection == Projection::cube) return Projection::equi_angular;
-  if (projection == Projection::octahedral) return Projection::equal_area;
-  return std::nullopt;
 }
 
 /// True if all around the plane's disk is one color, and the disk is not.
@@ -114,92 +105,32 @@ SeamFigures seam_figures(const Image& image, Projection projection) {
   return figures;
 }
 
-/// How likely the picture is in this layout if its colors change equally fast everywhere on the
-/// sphere and in every direction: the mean logarithm of the likelihood over the texels. It decides
-/// between two layouts with the same seams, such as the cube and the equi-angular cube.
-double likelihood(const Image& image, Projection projection) {
-  const int width = image.width;
-  const int height = image.height;
-  const auto level = [&](int column, int row) {
-    const Rgb8& p = image.at(column, row);
-    return 0.3 * p.r + 0.6 * p.g + 0.1 * p.b;
-  };
-  // The slopes of the picture as slopes on the sphere, squared.
-  std::vector<double> squares;
-  double logarithms = 0;  // of the determinants: how much room a slope has in the picture
-  const int stride = std::max(1, height / 256);
-  constexpr int step = 2;
-  for (int row = step; row + step < height; row += stride) {
-    for (int column = step; column + step < width; column += stride) {
-      const double right = level(column + step, row) - level(column - step, row);
-      const double up = level(column, row - step) - level(column, row + step);
-      if (right == 0 && up == 0) continue;  // flat: it says nothing of directions
-      const Vec3<double> n =
-          unproject(projection, Uv<double>{(column + 0.5) / width, 1 - (row + 0.5) / height});
-      const Uv<Dual<double>> uv = project_two_steps(projection, n);
-      const double east = right * uv.u.dx * width + up * uv.v.dx * height;
-      const double north = right * uv.u.dy * width + up * uv.v.dy * height;
-      const double room = std::log(std::abs(uv.u.dx * uv.v.dy - uv.u.dy * uv.v.dx));
-      if (!std::isfinite(room + east + north)) continue;  // on a pole
-      squares.push_back(square(east) + square(north));
-      logarithms += room;
-    }
-  }
-  if (squares.empty()) return 0;
-  const auto count = static_cast<double>(squares.size());
-  // Student's distribution with one degree of freedom: a coast is no surprise. Its width by
-  // expectation and maximization.
-  double variance = 0;
-  for (const double x : squares) variance += std::sqrt(x) / count;
-  variance *= variance;
-  for (int i = 0; i < 40; ++i) {
-    double sum = 0;
-    for (const double x : squares) sum += 1.5 * x / (1 + x / variance);
-    variance = sum / count;
-  }
-  double sum = logarithms / count - std::log(variance);
-  for (const double x : squares) sum -= 1.5 * std::log(1 + x / variance) / count;
-  return sum;
-}
-
 }  // namespace
 
-std::optional<Projection> probable_layout(const Image& image) {
+std::vector<Projection> probable_layouts(const Image& image) {
+  std::vector<Projection> found;
   for (const ProjectionFacts& facts : projections) {
     const Projection projection = facts.projection;
     if (!has_shape(image, projection)) continue;
     if (projection == Projection::plane) {
-      if (is_disk(image)) return projection;
+      if (is_disk(image)) found.push_back(projection);
       continue;
     }
     const SeamFigures seams = seam_figures(image, projection);
     if (seams.spread < 1) continue;                   // one color, or a plain frame
     if (seams.inside > 0.5 * seams.spread) continue;  // noise
-    if (seams.across > 2 * seams.inside + 2 || seams.across > 0.25 * seams.spread) continue;
-    const std::optional<Projection> twin = twin_of(projection);
-    if (!twin) return projection;
-    const double advantage = likelihood(image, projection) - likelihood(image, *twin);
-    if (std::abs(advantage) < 0.001) return std::nullopt;
-    return advantage > 0 ? projection : *twin;
+    if (seams.across <= 2 * seams.inside + 2 && seams.across <= 0.25 * seams.spread)
+      found.push_back(projection);
   }
-  return std::nullopt;
+  return found;
 }
 
 std::string about_layout(const std::string& name, const Image& image) {
-  const std::optional<Projection> layout = probable_layout(image);
-  std::string all = name + ": probably " +
-                    (layout ? facts_of(*layout).word : "not a picture of a sphere, or unknown") +
-                    "\n";
-  for (const ProjectionFacts& facts : projections) {
-    if (!has_shape(image, facts.projection) || facts.projection == Projection::plane) continue;
-    const SeamFigures seams = seam_figures(image, facts.projection);
-    all += text("  %s: neighbors across its seams differ %.2f times as much as those on one side",
-                facts.word, std::sqrt(seams.across / (seams.inside + 1e-9)));
-    const bool has_twin = facts.aspect == 1.5 || facts.aspect == 1;
-    if (has_twin) all += text("; log likelihood %.4f", likelihood(image, facts.projection));
-    all += "\n";
-  }
-  return all;
+  std::string words;
+  for (const Projection projection : probable_layouts(image))
+    words.append(words.empty() ? "" : " or ").append(facts_of(projection).word);
+  return name + ": probably " + (words.empty() ? "not a picture of a sphere, or unknown" : words) +
+         "\n";
 }
 
 }  // namespace texmap::chapter_10
