@@ -118,7 +118,7 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
       try {
         await navigator.clipboard.writeText(typed);
       } catch {
-        getSelection().selectAllChildren(words);
+        getSelection().setBaseAndExtent(words, 0, words, words.childNodes.length - 1); // without the words about it
         document.execCommand("copy");
       }
       copy.textContent = "Copied";
@@ -129,8 +129,7 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
 }
 
 // No line ends after the hyphens of an option.
-const keepOptions = (code) => (code.innerHTML = code.innerHTML.replace(/--[a-z][\w-]*/g, "<span class=\"whole\">$&</span>"));
-document.querySelectorAll(":not(pre) > code, .command > span").forEach(keepOptions);
+for (const code of document.querySelectorAll(":not(pre) > code, .command > span")) code.innerHTML = code.innerHTML.replace(/--[a-z][\w-]*/g, "<span class=\"whole\">$&</span>");
 
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {
