@@ -64,6 +64,6 @@ for (const trade of document.querySelectorAll(".trade")) {
     const place = up(10 ** power);
     if (place > 0 && place < 1) plot.append(Object.assign(made("span", "tick level", `1e${power}`), {style: `bottom: ${100 * place}%`}));
   }
-  trade.append(made("figcaption", "", "As the program measured it when it was run, packs included: ./course run 13. Nothing is both faster and more exact than a point on the line."), plot, about);
+  trade.append(made("h3", "", "What ./course run 13 measured"), made("figcaption", "", "On the machine where it ran, also with packs. Nothing is both faster and more exact than a point on the line. Click a point for its picture and its command."), plot, about);
   buttons[ways.indexOf(front.findLast((one) => !one.changed))].click(); // the fastest that changes nothing
 }
