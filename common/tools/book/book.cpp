@@ -476,9 +476,33 @@ class Book {
                               "</section>\n";
   }
 
+  /// The page with the width and height of its pictures: text does not jump when they arrive.
+  [[nodiscard]] std::string sized(std::string html) const {
+    const std::string begin = "<img loading=\"lazy\" src=\"";
+    for (std::size_t at = 0; (at = html.find(begin, at)) != std::string::npos; ++at) {
+      const std::string tag = html.substr(at, html.find('>', at) - at);
+      const fs::path file = out_ / between(tag, begin, "\"");
+      if (tag.find(" width=") != std::string::npos || !fs::exists(file)) continue;
+      const std::string head = contents_of(file).substr(0, 300);
+      std::string width = between(head, " width=\"", "\""),
+                  height = between(head, " height=\"", "\"");
+      if (file.extension() == ".png") {  // two numbers of four bytes, the largest first
+        const auto number = [&head](std::size_t i) {
+          return 256 * static_cast<unsigned char>(head.at(i)) +
+                 static_cast<unsigned char>(head.at(i + 1));
+        };
+        width = std::to_string(number(18));
+        height = std::to_string(number(22));
+      }
+      if (!height.empty())
+        html.insert(at + 4, text(" width=\"%s\" height=\"%s\"", width.c_str(), height.c_str()));
+    }
+    return html;
+  }
+
   void write_page(std::size_t i) {
     const Page& page = pages_[i];
-    std::string body = with_cards(page.converted.html);
+    std::string body = sized(with_cards(page.converted.html));
     if (!page.chapter.empty()) {
       replace_first(body, "</h1>\n<p>", "</h1>\n<p class=\"lead\">");
       replace_first(body, "</p>\n<p><em>", "</p>\n<p class=\"head\"><em>");

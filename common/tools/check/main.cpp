@@ -74,7 +74,9 @@ struct Findings {
     } else {
       words += "  tried:     " + verdict.law + "\n  expected:  " + verdict.expected +
                "\n  yours:     " + verdict.got + "\n  " + wrong_values() + ".\n";
-      if (!verdict.mistake.empty())
+      if (verdict.mistake.starts_with("unchanged"))
+        words += "  Your function still returns what it returned when you got it.\n";
+      else if (!verdict.mistake.empty())
         words += "  This is a known mistake: " + verdict.mistake + ".\n";
       if (!verdict.fact.empty()) words += "  Yours: " + verdict.fact + ".\n";
     }
