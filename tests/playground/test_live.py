@@ -254,6 +254,30 @@ def check_hands(place, browser):
             yield f"left of the line the color is not the nearest square's: {browser.run(LOUPE + '.textContent')}"
 
 
+def check_curves(place, browser):
+    """The errors that 07 draws against samples are those of the programs' pictures against that of most samples by the best pattern."""
+    place.open(browser, "07.html")
+    told = "document.querySelector('.live-trace svg')?.ariaLabel"
+    browser.wait(f"{told}?.includes(' at 16')")
+    change(browser, sampler="random")
+    browser.wait(f"{told}.includes(' at 16, ')")
+
+    def drawn(sampler, samples):
+        picture = place.folder / f"{sampler}_{samples}.png"
+        subprocess.run([place.programs / place.program("07"), "--sampler", sampler, "--samples", str(samples), "--quiet", "--out", picture], check=True, cwd=place.folder)
+        return picture
+
+    for sampler, all_samples in (("random", (1, 4, 16, 64)), ("sobol", (1, 4, 16))):
+        listed = re.search(f"Error by {sampler}: ([^a-z]* at [^A-Z]*)", browser.run(told))[1]
+        found = {int(samples): float(error) for error, samples in re.findall(r"([\d.]+) at (\d+)", listed)}
+        right = {}
+        for samples in all_samples:
+            said = subprocess.run([place.programs / "compare", drawn(sampler, samples), drawn("sobol", 64)], stdout=subprocess.PIPE, text=True).stdout
+            right[samples] = float(re.search(r"RMSE +([\d.]+)", said)[1])
+        if found.keys() != right.keys() or any(abs(found[one] / right[one] - 1) > 0.005 for one in right):
+            yield f"{sampler}: the page has {found}, the programs {right}"
+
+
 def check_lost(place, browser):
     """A worker that dies or breaks leaves the still picture; the button brings the live one back."""
     browser.call("Page.addScriptToEvaluateOnNewDocument", source="""

@@ -63,11 +63,11 @@ function worker() {
   }
   // Draws in strips, and lets messages in between; a picture of many samples in passes, and then the picture beside it. A full picture
   // is given up for a newer request; a small one is not, or a fast hand would see none.
-  async function draw({id, words, widest, small}) {
+  async function draw({id, words, widest, small, whole}) {
     set(words, widest);
     const began = performance.now();
     const passes = size[2], all = passes + (size[4] ? 1 : 0);
-    for (let pass = small ? passes - 1 : 0, most = 16, first = 0; pass < all;) {
+    for (let pass = small || whole ? passes - 1 : 0, most = 16, first = 0; pass < all;) {
       set(words, widest);  // a look may have set something else meanwhile
       const isBeside = pass === passes;
       const [columns, rows] = isBeside ? size.slice(3) : size;
@@ -223,8 +223,10 @@ const hints = {
   "10": (values) => `Point at the globe or at the map: the place is marked on both. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
   "11": () => "Drag on the globe to move the lamp.",
 };
-// What a picture is drawn with while the reader drags.
-const drafts = {"07": ["--samples", "2"], "12": ["--samples", "2"]};
+// Chapters whose picture gets better in passes: the option whose choices are compared.
+const compared = {"07": "--sampler", "12": "--light"};
+// About how much a sample is worth by each choice, where one must be taken for right; coefficients are smooth but wrong.
+const worth = {coefficients: 0, uniform: 1, cosine: 1, importance: 50, mis: 200, auto: 200, random: 1, stratified: 2, "multi-jitter": 3, sobol: 4};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
@@ -373,6 +375,7 @@ function live(main, packed) {
   const picture = element("div", {className: "live-picture"}, canvas, secondFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
   const refined = element("p", {className: "live-refined", hidden: true}, refining, " ", element("span"));
+  const trace = element("figure", {className: "live-trace", hidden: true});
   const whole = element("canvas"), detail = element("canvas"), mapSays = element("figcaption");
   whole.setAttribute("role", "img");
   detail.ariaHidden = true;
@@ -398,7 +401,7 @@ function live(main, packed) {
     element("div", {className: "live-actions"}, openers, save, element("button", {type: "button", textContent: "Reset", onclick: () => { startOver(); change(); }})),
     element("p", {className: "live-command"}, command, " ", copy, " ", hereOnly));
   const form = element("form", {hidden: true, onsubmit: (event) => event.preventDefault()}, panel);
-  const section = element("section", {className: "live", hidden: true}, picture, beside, refined, legend, says, again, form);
+  const section = element("section", {className: "live", hidden: true}, picture, beside, refined, legend, says, again, form, trace);
   section.setAttribute("aria-label", "Live picture");
   section.small = small;  // for the tests: what was drawn while dragging
   const above = frame || main.querySelector(".head");
@@ -511,7 +514,11 @@ function live(main, packed) {
         paper.putImageData(data, 0, first);
         if (ends) full = [columns, rows];
         if (passes > 1) showProgress(pass, passes, (first + data.height) / rows);
-        else refined.hidden = true;
+        else refined.hidden = trace.hidden = true;
+      } else if (id === tracing) {
+        if (first === 0) traced = new Uint8ClampedArray(4 * columns * rows);
+        traced.set(strip, 4 * columns * first);
+        if (last) addPoint();
       }
       // A whole multiple of 16 keeps the shape; halfway there, since a first picture is slow.
       if (last && isSmall) draft = Math.max(96, Math.min(480, 16 * Math.round((draft + draft * Math.sqrt(36 / took)) / 32)));
@@ -526,6 +533,7 @@ function live(main, packed) {
         if (example) pixel ??= {column: Math.floor(0.53 * canvas.width), row: Math.floor(0.46 * canvas.height)};
       }
       if (pixel?.column !== undefined) look(pixel);
+      if (passes > 1) beginCurve();
     },
     seen({column, row, seen, flats}) {
       looking = null;
@@ -586,6 +594,70 @@ function live(main, packed) {
     refined.lastChild.textContent = `${share < 1 ? before : after} of ${most} samples`;
     refined.hidden = false;
   }
+  // The error against samples. A pattern is one only as a whole, so that each point is a picture of its own, as the program draws it;
+  // they are drawn once the picture is there. Curves of the same scene by other choices stay.
+  const curves = new Map();
+  let curvesOf = "", growing, tracing, traced;
+  const rms = (a, b) => {
+    let sum = 0;
+    for (let i = 0; i < a.length; ++i) sum += (a[i] - b[i]) ** 2;
+    return Math.sqrt(sum / (0.75 * a.length));  // alpha is the same
+  };
+  function beginCurve() {
+    const by = compared[chapter];
+    const scene = JSON.stringify([canvas.width, given().map(({words}) => words).filter(([option]) => ![by, "--samples", "--seed"].includes(option))]);
+    if (scene !== curvesOf) curves.clear();
+    curvesOf = scene;
+    const picture = paper.getImageData(0, 0, canvas.width, canvas.height).data;
+    growing = {name: values[by], points: [{samples: Number(values["--samples"]), picture}]};
+    nextPoint();
+  }
+  function nextPoint() {
+    const {name, points} = growing, samples = 4 ** (points.length - 1);
+    if (!(curves.get(name)?.points.length > points.length)) curves.set(name, growing);
+    drawCurves(name);
+    tracing = `${latest}, ${samples} samples`;
+    if (samples < points.at(-1).samples) send({kind: "draw", id: tracing, words: words(samples), widest, whole: true});
+  }
+  function addPoint() {
+    growing.points.splice(-1, 0, {samples: 4 ** (growing.points.length - 1), picture: traced});
+    nextPoint();
+  }
+  function drawCurves(chosen) {
+    const all = [...curves.values()], score = ({name, points}) => worth[name] * points.at(-1).samples;
+    const best = all.reduce((a, b) => score(b) > score(a) ? b : a), right = best.points.at(-1);
+    const log = Math.log2;
+    const errorOf = (point) => {
+      if (point.to !== right) Object.assign(point, {to: right, error: rms(point.picture, right.picture)});
+      return point.error;
+    };
+    const lists = all.map(({name, points}) => {
+      // Of that choice, or one that draws the same, up to a quarter of the samples: closer, both would err alike.
+      const share = errorOf(points.at(-1)) === 0 ? 4 : 1;
+      const list = points.filter(({samples}) => share * samples <= right.samples).map((point) => [point.samples, errorOf(point)]);
+      const mean = (of) => list.reduce((sum, one) => sum + of(one), 0) / list.length;
+      const x = mean(([n]) => log(n)), y = mean(([, error]) => log(error));
+      return {name, list, slope: mean(([n, error]) => (log(n) - x) * (log(error) - y)) / mean(([n]) => (log(n) - x) ** 2)};
+    }).filter(({list}) => list.length > 1).sort((a) => a.name === chosen ? 1 : -1);  // the chosen one on top
+    trace.hidden = !lists.length;
+    if (trace.hidden) return;
+    const errors = lists.flatMap(({list}) => list.map(([, error]) => log(error)));
+    const low = Math.floor(Math.min(...errors)), high = Math.max(low + 1, Math.ceil(Math.max(...errors))), wide = Math.ceil(log(right.samples));
+    const at = (n) => 34 + 190 * log(n) / wide, down = (error) => 150 - 140 * (log(error) - low) / (high - low);
+    const ticks = (from, to) => Array.from({length: to - from + 1}, (_, i) => 2 ** (from + i));
+    const ends = lists.map(({list}) => down(list.at(-1)[1]) + 4);
+    const order = ends.map((_, i) => i).sort((a, b) => ends[a] - ends[b]);
+    order.forEach((i, k) => { if (k) ends[i] = Math.max(ends[i], ends[order[k - 1]] + 13); });  // names do not overlap
+    trace.innerHTML = `<svg viewBox="0 0 320 185" role="img"><path class="live-grid" d="${ticks(low, high).map((error) => `M34 ${down(error)}H224`).join("")}${
+      ticks(0, wide).map((n) => `M${at(n)} 10V150`).join("")}"/>${
+      ticks(low, high).map((error) => `<text x="29" y="${down(error) + 4}" text-anchor="end">${rounded(error, 3)}</text>`).join("")}${
+      ticks(0, wide).filter((n) => log(n) % 2 === 0).map((n) => `<text x="${at(n)}" y="165" text-anchor="middle">${n}</text>`).join("")}<text x="129" y="181" text-anchor="middle">samples</text>${
+      lists.map(({name, list}, i) => `<g${name === chosen ? ' class="chosen"' : ""}><path d="M${list.map(([n, error]) => `${at(n)} ${down(error)}`).join("L")}"/>${
+        list.map(([n, error]) => `<circle cx="${at(n)}" cy="${down(error)}" r="3"/>`).join("")}<text x="232" y="${ends[i]}">${name}</text></g>`).join("")}</svg>`;
+    trace.firstChild.ariaLabel = lists.map(({name, list}) => `Error by ${name}: ${list.map(([n, error]) => `${rounded(error, 3)} at ${n}`).join(", ")}`).join(". ");
+    trace.append(element("figcaption", {}, `Error of the picture of 1, 4, 16, … samples: root mean square of its bytes, 0 to 255, against the picture of ${right.samples} samples by ${best.name}, which has an error of its own.`,
+      ...lists.reverse().map(({name, slope}) => element("div", {textContent: `${name}: each 4 times as many samples: error ${rounded(4 ** slope, 2)} of before; slope ${rounded(slope.toFixed(2), 3)}`}))));
+  }
   function moveLine() {
     secondFrame.style.setProperty("--line", `${line.value}%`);
     line.setAttribute("aria-valuetext", `${line.value} % from the left`);
@@ -603,28 +675,29 @@ function live(main, packed) {
   }
   function ask(isSmall) {
     unfinished = true;
-    if (isSmall) small.dataset.words = JSON.stringify(words(isSmall));
-    send({kind: "draw", id: ++latest, words: words(isSmall), widest: isSmall ? draft : widest, small: isSmall});
+    const asked = words(isSmall ? 2 : 0);
+    if (isSmall) small.dataset.words = JSON.stringify(asked);
+    send({kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest, small: isSmall});
   }
 
   // -- The options.
   const preset = (option) => sceneSets[values["--scene"]]?.[option] ?? presets[option];
   const plainView = () => ["color", "globe", undefined].includes(values["--show"]);
-  // Only what differs from the presets. A small picture takes one ray per pixel; so do normals and objects, of which
+  // Only what differs from the presets. A small picture takes one ray per pixel, or two samples; so do normals and objects, of which
   // there is no mean.
-  function given(isSmall) {
+  function given(samples) {
     const list = [];
     for (const [option, {here}] of Object.entries(widgets)) {
       const value = values[option];
       if (value === "" || (value === preset(option) && always[chapter] !== option)) continue;
-      if (option === "--samples" && (isSmall || !plainView())) continue;
+      if (option === "--samples" && (samples || !plainView())) continue;
       list.push(value === "--errors" ? {words: [value], here: () => "errors in texels"} : {words: [option, value], here});
     }
     for (const {option} of ownFiles) if (values[option] !== presets[option]) list.push({words: [option, values[option]]});
     return list;
   }
-  const words = (isSmall) => [...(always[chapter] ? sizeOfOne : []), ...given(isSmall).flatMap((one) => one.words),
-    ...(isSmall && drafts[chapter] || [])];
+  const words = (samples) => [...(always[chapter] ? sizeOfOne : []), ...given(samples).flatMap((one) => one.words),
+    ...(samples && compared[chapter] ? ["--samples", String(samples)] : [])];
   function reset() {
     stopTurning();
     values = {...presets};
@@ -699,7 +772,7 @@ function live(main, packed) {
       return element("span", {className: "live-open"}, element("label", {className: "live-button"}, button, choose), " ", opened);
     }));
     openers.hidden = !ownFiles.length;
-    refined.hidden = secondFrame.hidden = line.hidden = true;
+    refined.hidden = trace.hidden = secondFrame.hidden = line.hidden = true;
     secondFrame.classList.toggle("live-over", !!lies[chapter]);
     canvas.classList.toggle("live-lamp", "--lamp-up" in found);
     save.hidden = !("--projection" in found);
