@@ -175,6 +175,7 @@ function(add_chapter name)
     endforeach()
     add_library(${name}_code OBJECT ${sources})
     target_link_libraries(${name}_code PUBLIC app ${ARG_ON} PRIVATE project_options)
+    read_standard_headers(${name}_code)
     if(TEXMAP_LEARN AND NOT ARG_ALL_NUMBERS)
       target_compile_options(${name}_code PRIVATE ${learn_options})
       if(learn_options AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # 14's sheet then takes 0.6 of the time, and compiles as fast
