@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "engine/app/budget_options.hpp"
 #include "engine/app/sampling_options.hpp"
@@ -75,19 +76,15 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   std::atomic<double> error_so_far = infinity<double>();
   session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
   std::string sentence;
-  const int rows = settings.height;
-  const int rows_behind = 2 * rows / most;  // to develop takes as long as two samples
   const Image image = session.timed(0, [&](RenderSettings render_settings) {
-    const auto report = render_settings.progress;
-    std::function<void(int, int)> developed;
-    if (!limited) {
+    Image picture(settings.width, settings.height);
+    if (!limited) {  // each row is developed when it is complete
       render_settings.error_so_far = [&error_so_far](double error) { error_so_far = error; };
-      render_settings.progress = [&](int done, int) { report(done, rows + rows_behind); };
-      developed = [&](int done, int) {
-        report(rows + done * rows_behind / rows, rows + rows_behind);
+      render_settings.take_row = [&](int row, const Rgb* light) {
+        develop_row(light, options.transfer, picture, row);
       };
     }
-    Film film =
+    const Film film =
         gather_within_limits(options, most, error_so_far, [&](int samples, std::uint32_t pattern) {
           return gather(lesson, objects, view, {Sampler(options.sampler, samples, pattern)},
                         plan.smoothing, number, render_settings);
@@ -95,7 +92,7 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
     session.count_rays(static_cast<double>(settings.width) * settings.height *
                        static_cast<double>(film.samples()));
     sentence = describe_error(film, options);
-    return develop(film, options.transfer, settings.threads, developed);
+    return limited ? develop(film, options.transfer, settings.threads) : std::move(picture);
   });
   session.remark = {};
   if (!settings.quiet) print(sentence);

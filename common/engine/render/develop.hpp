@@ -2,7 +2,6 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
-#include <functional>
 
 #include "engine/kernels/srgb_kernel.hpp"
 #include "engine/render/film.hpp"
@@ -21,22 +20,27 @@ namespace texmap {
   return srgb_byte_exact(linear);
 }
 
+/// Develops a row of a picture. Equal neighbors, as in a uniform sky, are developed once.
+inline void develop_row(const Rgb* light, Transfer transfer, Image& image, int row) {
+  const auto byte = [transfer](double channel) {
+    return static_cast<std::uint8_t>(byte_of_light(channel, transfer));
+  };
+  for (int column = 0; column < image.width; ++column) {
+    const Rgb& at = light[column];
+    const Rgb& last = light[column > 0 ? column - 1 : 0];
+    const bool same = column > 0 && at.r == last.r && at.g == last.g && at.b == last.b;
+    image.at(column, row) =
+        same ? image.at(column - 1, row) : Rgb8{byte(at.r), byte(at.g), byte(at.b)};
+  }
+}
+
 /// The picture of a film.
 ///
-/// @param threads   0: all cores
-/// @param finished  as for for_each_row
-[[nodiscard]] inline Image develop(const Film& film, Transfer transfer, int threads = 0,
-                                   const std::function<void(int, int)>& finished = {}) {
+/// @param threads  0: all cores
+[[nodiscard]] inline Image develop(const Film& film, Transfer transfer, int threads = 0) {
   Image image(film.width(), film.height());
-  for_each_row(film.height(), threads, finished, [&](int row) {
-    for (int column = 0; column < film.width(); ++column) {
-      const auto byte = [transfer](double light) {
-        return static_cast<std::uint8_t>(byte_of_light(light, transfer));
-      };
-      const Rgb light = film.light(column, row);
-      image.at(column, row) = {byte(light.r), byte(light.g), byte(light.b)};
-    }
-  });
+  for_each_row(film.height(), threads, {},
+               [&](int row) { develop_row(film.row(row), transfer, image, row); });
   return image;
 }
 

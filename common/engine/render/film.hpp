@@ -1,5 +1,6 @@
 // A film: light gathered over many samples, and its estimated error.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -35,6 +36,10 @@ class Film {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] long samples() const { return samples_; }
   [[nodiscard]] Rgb light(int column, int row) const { return pixels_[place(column, row)]; }
+  [[nodiscard]] const Rgb* row(int row) const { return pixels_.data() + place(0, row); }
+  void set_row(int row, const Rgb* light) {
+    std::copy(light, light + width_, &pixels_[place(0, row)]);
+  }
   void set_light(int column, int row, const Rgb& mean) { pixels_[place(column, row)] = mean; }
 
   /// Adds the samples of another film of the same size.

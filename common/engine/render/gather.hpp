@@ -17,54 +17,77 @@
 
 namespace texmap {
 
-/// A film that threads fill row by row, from the two halves of a sampler's samples; their
-/// difference estimates the error.
+/// Some rows of a growing film: a thread fills them in memory of its own.
+struct FilmRows {
+  int begin;
+  std::vector<Rgb> light;
+  std::vector<double> differences;  ///< of each row: squared, of the means of the halves
+};
+
+/// A film that grows by rows, from the two halves of a sampler's samples; their difference
+/// estimates the error.
 class GrowingFilm {
  public:
-  GrowingFilm(int width, int height, const Sampler& sampler,
-              std::function<void(double)> error_so_far)
-      : film_(width, height, sampler.samples()),
+  /// @param settings  error_so_far and take_row are used; must live as long
+  GrowingFilm(int width, int height, const Sampler& sampler, const RenderSettings& settings)
+      : settings_(settings),
+        width_(static_cast<std::size_t>(width)),
+        film_(width, settings.take_row ? 0 : height, sampler.samples()),
         first_(sampler.samples() / 2),
         second_(sampler.samples() - first_),
-        differences_(static_cast<std::size_t>(height)),
-        error_so_far_(std::move(error_so_far)) {}
+        differences_(static_cast<std::size_t>(height)) {}
 
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int second() const { return second_; }
-
-  /// Sets a pixel from the sums of its two halves. One thread sets all pixels of a row.
-  void set(const Pixel& at, const Rgb& first, const Rgb& second) {
-    film_.set_light(at.column, at.row, (first + second) * (1.0 / (first_ + second_)));
-    if (first_ == 0 || second_ == 0) return;
-    differences_[static_cast<std::size_t>(at.row)] +=
-        visible_difference(first * (1.0 / first_), second * (1.0 / second_));
+  [[nodiscard]] FilmRows rows(int begin, int end) const {
+    const auto count = static_cast<std::size_t>(end - begin);
+    return {begin, std::vector<Rgb>(count * width_), std::vector<double>(count)};
   }
-  /// Reports that rows are complete; called from any thread.
-  void finish_rows(int begin, int end) {
-    if (!error_so_far_ || first_ == 0 || second_ == 0) return;
+
+  /// Sets a pixel from the sums of its two halves.
+  void set(FilmRows& rows, const Pixel& at, const Rgb& first, const Rgb& second) const {
+    const auto row = static_cast<std::size_t>(at.row - rows.begin);
+    rows.light[row * width_ + static_cast<std::size_t>(at.column)] = (first + second) * of_all_;
+    if (first_ > 0)
+      rows.differences[row] += visible_difference(first * of_first_, second * of_second_);
+  }
+  /// Keeps complete rows, or hands them on, and reports them; called from any thread.
+  void finish(const FilmRows& rows) {
+    const Rgb* light = rows.light.data();
+    int row = rows.begin;
+    for (const double difference : rows.differences) {
+      if (settings_.take_row) {
+        settings_.take_row(row, light);
+      } else {
+        film_.set_row(row, light);
+      }
+      light += width_;
+      differences_[static_cast<std::size_t>(row++)] = difference;
+    }
+    if (!settings_.error_so_far || first_ == 0) return;
     const std::lock_guard guard(lock_);
-    for (int row = begin; row < end; ++row)
-      finished_ += differences_[static_cast<std::size_t>(row)];
-    rows_ += end - begin;
-    error_so_far_(error_of_halves(finished_, static_cast<double>(film_.width()) * rows_));
+    for (const double difference : rows.differences) finished_ += difference;
+    pixels_ += static_cast<double>(rows.light.size());
+    settings_.error_so_far(error_of_halves(finished_, pixels_));
   }
   /// The film, when all rows are complete.
   [[nodiscard]] Film take() {
     double sum = 0;
     for (const double difference : differences_) sum += difference;
-    if (first_ > 0 && second_ > 0)
-      film_.error = error_of_halves(sum, static_cast<double>(film_.width()) * film_.height());
+    if (first_ > 0)
+      film_.error = error_of_halves(sum, static_cast<double>(width_ * differences_.size()));
     return std::move(film_);
   }
 
  private:
+  const RenderSettings& settings_;
+  std::size_t width_;
   Film film_;
   int first_, second_;
-  std::vector<double> differences_;  // of each row: squared, of the means of the halves
-  std::function<void(double)> error_so_far_;
+  double of_first_ = 1.0 / first_, of_second_ = 1.0 / second_, of_all_ = 1.0 / (first_ + second_);
+  std::vector<double> differences_;
   std::mutex lock_;
-  double finished_ = 0;
-  int rows_ = 0;
+  double finished_ = 0, pixels_ = 0;
 };
 
 /// Draws the samples of some pixels and sets them on the film.
@@ -73,7 +96,7 @@ class GrowingFilm {
 /// @param path_of  called with columns and rows of a pack, returns the function of one sample
 template <class Real, class PathOf>
 void gather_pixels(const Sampler& sampler, const std::vector<Pixel>& pixels, const PathOf& path_of,
-                   GrowingFilm& film) {
+                   const GrowingFilm& film, FilmRows& rows) {
   SampleSums<Real> sums(sampler);
   for (std::size_t begin = 0; begin < pixels.size(); begin += lanes<Real>) {
     // Lanes beyond the end draw the last pixel again and are not used.
@@ -100,7 +123,7 @@ void gather_pixels(const Sampler& sampler, const std::vector<Pixel>& pixels, con
         return Rgb{static_cast<double>(channels[0][i]), static_cast<double>(channels[1][i]),
                    static_cast<double>(channels[2][i])};
       };
-      film.set(pixel(i), in_lane(firsts), in_lane(seconds));
+      film.set(rows, pixel(i), in_lane(firsts), in_lane(seconds));
     }
   }
 }
@@ -133,7 +156,7 @@ template <class Real, class Lesson, class Paint>
   constexpr int rows_at_a_time = 4;  // lists so long fill their packs
   const auto scene = prepare_scene<Real>(view, objects, lesson.stage.sky);
   const auto sky_alone = scene.without_objects();
-  GrowingFilm film(view.width, view.height, sampler, settings.error_so_far);
+  GrowingFilm film(view.width, view.height, sampler, settings);
 
   const auto paths_in = [&](const auto& seen) {
     return [&](const Real& column, const Real& row) {
@@ -149,13 +172,14 @@ template <class Real, class Lesson, class Paint>
   const auto draw_block = [&](int block) {
     const int first_row = block * rows_at_a_time;
     const int end_row = std::min(first_row + rows_at_a_time, view.height);
+    FilmRows rows = film.rows(first_row, end_row);
     PixelLists lists;
     for (int row = first_row; row < end_row; ++row)
       add_row<Real>(lists, row, view.width, scene, bounds);
     if (bounds && bounds->light) {
       const Rgb first = *bounds->light * static_cast<double>(film.first());
       const Rgb second = *bounds->light * static_cast<double>(film.second());
-      for (const Pixel& at : lists.misses) film.set(at, first, second);
+      for (const Pixel& at : lists.misses) film.set(rows, at, first, second);
       lists.misses.clear();
     }
     if constexpr (std::is_same_v<decltype(scene.sky), PreparedSky<Real>>) {
@@ -165,11 +189,11 @@ template <class Real, class Lesson, class Paint>
             [&](const Real& column, const Real& row) {
               return SkyPatch<Real>(scene.view, scene.sky, column, row);
             },
-            film);
+            film, rows);
         lists.misses.clear();
       }
     }
-    gather_pixels<Real>(sampler, lists.misses, paths_in(sky_alone), film);
+    gather_pixels<Real>(sampler, lists.misses, paths_in(sky_alone), film, rows);
     if constexpr (HasMapping<Paint, Real>) {
       gather_pixels<Real>(
           sampler, lists.patches,
@@ -177,10 +201,10 @@ template <class Real, class Lesson, class Paint>
             return PixelPatch<Real, Paint>(scene.view, scene.objects.front().shape,
                                            scene.objects.front().paint, scene.sky, column, row);
           },
-          film);
+          film, rows);
     }
-    gather_pixels<Real>(sampler, lists.others, paths_in(scene), film);
-    film.finish_rows(first_row, end_row);
+    gather_pixels<Real>(sampler, lists.others, paths_in(scene), film, rows);
+    film.finish(rows);
   };
   for_each_row(blocks, settings.threads,
                settings.progress ? rows_done : decltype(settings.progress){}, draw_block);

@@ -2,6 +2,8 @@
 #pragma once
 #include <functional>
 
+#include "math/color.hpp"
+
 namespace texmap {
 
 /// The numbers that a picture can be drawn with.
@@ -62,6 +64,8 @@ struct RenderSettings {
   Instructions instructions = widest_instructions();       ///< the widest to use
   std::function<void(int done, int total)> progress = {};  ///< after each row, from any thread
   std::function<void(double error)> error_so_far = {};     ///< the same with a Film's error
+  /// Gets the light of each complete row, from any thread; the Film then keeps none of it.
+  std::function<void(int row, const Rgb* light)> take_row = {};
   std::function<void(long uncertain, long pixels)> certainty = {};  ///< after a certainty map
 };
 

@@ -25,12 +25,14 @@ TEST_CASE(
     "the error of a growing film is half the difference of its halves, over the channels of its "
     "finished rows") {
   std::vector<double> told;
-  GrowingFilm film(4, 2, two_samples, [&](double error) { told.push_back(error); });
-  for (int column = 0; column < 4; ++column) film.set({column, 0}, {1, 1, 1}, {0, 0, 0});
-  for (int column = 0; column < 4; ++column) film.set({column, 1}, {1, 1, 1}, {1, 1, 1});
+  const RenderSettings settings{.error_so_far = [&](double error) { told.push_back(error); }};
+  GrowingFilm film(4, 2, two_samples, settings);
+  FilmRows upper = film.rows(0, 1), lower = film.rows(1, 2);
+  for (int column = 0; column < 4; ++column) film.set(upper, {column, 0}, {1, 1, 1}, {0, 0, 0});
+  for (int column = 0; column < 4; ++column) film.set(lower, {column, 1}, {1, 1, 1}, {1, 1, 1});
   CHECK(told.empty());
-  film.finish_rows(0, 1);
-  film.finish_rows(1, 2);  // a row without a difference
+  film.finish(upper);
+  film.finish(lower);  // a row without a difference
   REQUIRE(told.size() == 2);
   CHECK(told[0] == doctest::Approx(0.5).epsilon(1e-12));
   CHECK(told[1] == doctest::Approx(std::sqrt(0.125)).epsilon(1e-12));
@@ -44,19 +46,39 @@ TEST_CASE(
 }
 
 TEST_CASE("of an odd number of samples the second half has one more, and one sample has no error") {
-  GrowingFilm five(1, 1, Sampler(SamplerKind::random, 5), {});
+  const RenderSettings settings{.error_so_far = {}};
+  GrowingFilm five(1, 1, Sampler(SamplerKind::random, 5), settings);
   CHECK(five.first() == 2);
   CHECK(five.second() == 3);
-  five.set({0, 0}, {2, 0, 0}, {3, 3, 0});  // means 1 and 1, 0 and 1
-  five.finish_rows(0, 1);
+  FilmRows row = five.rows(0, 1);
+  five.set(row, {0, 0}, {2, 0, 0}, {3, 3, 0});  // means 1 and 1, 0 and 1
+  five.finish(row);
   const Film film = five.take();
   CHECK(film.light(0, 0).g == doctest::Approx(0.6).epsilon(1e-9));
   CHECK(film.error == doctest::Approx(0.5 / std::sqrt(3.0)).epsilon(1e-12));
 
-  GrowingFilm one(1, 1, Sampler(SamplerKind::random, 1), [&](double) { FAIL("no error yet"); });
-  one.set({0, 0}, {0, 0, 0}, {1, 1, 1});
-  one.finish_rows(0, 1);
+  const RenderSettings failing{.error_so_far = [&](double) { FAIL("no error yet"); }};
+  GrowingFilm one(1, 1, Sampler(SamplerKind::random, 1), failing);
+  FilmRows only = one.rows(0, 1);
+  one.set(only, {0, 0}, {0, 0, 0}, {1, 1, 1});
+  one.finish(only);
   CHECK(one.take().error == infinity<double>());
+}
+
+TEST_CASE("whoever takes the rows of a growing film gets its light, and the film keeps none") {
+  std::vector<double> reds(2);
+  const RenderSettings settings{.take_row = [&](int row, const Rgb* light) {
+    reds[static_cast<std::size_t>(row)] = light[1].r;
+  }};
+  GrowingFilm film(2, 2, two_samples, settings);
+  FilmRows rows = film.rows(0, 2);
+  film.set(rows, {1, 0}, {1, 1, 1}, {0, 0, 0});
+  film.set(rows, {1, 1}, {1, 1, 1}, {1, 1, 1});
+  film.finish(rows);
+  CHECK(reds == std::vector{0.5, 1.0});
+  const Film done = film.take();
+  CHECK(done.height() == 0);
+  CHECK(done.error == doctest::Approx(std::sqrt(3.0 / 12) / 2).epsilon(1e-12));
 }
 
 }  // namespace
