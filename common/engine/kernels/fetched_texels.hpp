@@ -40,8 +40,8 @@ requires can_fetch<Real>
 [[nodiscard]] Color<Real> texel_color(const LightTexture& texture, const TexelPlace<Real>& place) {
   const UInt<Real> bytes = fetch_texels(texture.image, place);
   const Scalar<Real>* const levels = light_of_bytes<Scalar<Real>>(texture.light).data();
-  return {fetch<Real>(levels, bytes & 255U), fetch<Real>(levels, (bytes >> 8) & 255U),
-          fetch<Real>(levels, (bytes >> 16) & 255U)};
+  return {fetch_of_256<Real>(levels, bytes), fetch_of_256<Real>(levels, bytes >> 8),
+          fetch_of_256<Real>(levels, bytes >> 16)};
 }
 
 }  // namespace texmap

@@ -75,6 +75,32 @@ template <class Real>
   }
 }
 
+/// The entries of a table of 256 at the lowest 8 bits of each place. Where two registers hold 32
+/// floats, eight permutations of them and a choice by each higher bit are faster than a gather.
+template <class Real>
+[[nodiscard]] inline Real fetch_of_256(const Scalar<Real>* table, const UInt<Real>& places) {
+  if constexpr (requires(Real x) { x.first; }) {
+    using Half = decltype(Real::first);
+    return {fetch_of_256<Half>(table, places.first), fetch_of_256<Half>(table, places.second)};
+  } else if constexpr (std::is_same_v<Scalar<Real>, float> && lanes<Real> == 16) {
+#if defined(__AVX512F__)
+    const auto index = std::bit_cast<__m512i>(places);
+    __m512 entries[8];
+    for (int i = 0; i < 8; ++i)
+      entries[i] = _mm512_permutex2var_ps(_mm512_loadu_ps(table + 32 * i), index,
+                                          _mm512_loadu_ps(table + 32 * i + 16));
+    for (int bit = 32, left = 4; left > 0; bit *= 2, left /= 2) {
+      const __mmask16 upper = _mm512_test_epi32_mask(index, _mm512_set1_epi32(bit));
+      for (int i = 0; i < left; ++i)
+        entries[i] = _mm512_mask_blend_ps(upper, entries[2 * i], entries[2 * i + 1]);
+    }
+    return typename Real::Batch(entries[0]);
+#endif
+  } else {
+    return fetch<Real>(table, places & 255U);
+  }
+}
+
 /// A pack's numbers as integers, lane by lane. Domain: 0 to 2^31 - 1.
 template <class Real>
 [[nodiscard]] inline std::array<std::uint32_t, lanes<Real>> lane_integers(const Real& x) {

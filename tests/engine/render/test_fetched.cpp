@@ -57,7 +57,8 @@ void look_up_in_all(const Texture& texture, int width, int height) {
 
 void check_textures() {
   for (const auto& [width, height] :
-       {std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{3, 5}, std::pair{17, 4}}) {
+       {std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{3, 5},
+        std::pair{17, 6}}) {  // the last has all bytes
     Image image(width, height);
     std::uint8_t byte = 1;
     for (Rgb8& pixel : image.pixels) {
