@@ -1,12 +1,12 @@
 #!/bin/sh
 # Searches for inputs that break a claim, with libFuzzer and sanitizers. Builds in build/fuzz.
 # usage: fuzz.sh [SECONDS] [TARGET...]     60 s for each target unless told otherwise, two targets at a time
-#        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_command_line | fuzz_read_obj; all unless told otherwise
+#        TARGET: fuzz_load_image | fuzz_read_hdr | fuzz_read_obj; all unless told otherwise
 # What a run learns stays in build/fuzz/corpus, so the next one goes on from there. Inputs that break a claim stay in
 # build/fuzz/finds. Once the fault is fixed, such an input belongs into tests/fuzz/finds/TARGET, where every run and ctest try it first.
 # exit status: 0 nothing was found; 1 something was, or the targets do not compile; 77 a package is missing
 set -eu
-usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_command_line|fuzz_read_obj ...]'
+usage='usage: fuzz.sh [SECONDS] [fuzz_load_image|fuzz_read_hdr|fuzz_read_obj ...]'
 tree=$(cd "$(dirname "$0")/../.." && pwd)
 build=$tree/build/fuzz
 finds=$build/finds
@@ -23,7 +23,7 @@ case ${1-} in
     ;;
 esac
 case $seconds in *[!0-9]* | 0*) fail "$usage" ;; esac
-[ $# -gt 0 ] || set -- fuzz_load_image fuzz_read_hdr fuzz_command_line fuzz_read_obj
+[ $# -gt 0 ] || set -- fuzz_load_image fuzz_read_hdr fuzz_read_obj
 for target in "$@"; do
   if [ "$target" = "${target#fuzz_}" ] || [ ! -f "$tree/tests/fuzz/$target.cpp" ]; then
     fail "there is no target '$target'; $usage"
