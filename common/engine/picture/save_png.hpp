@@ -13,7 +13,7 @@ namespace texmap {
 /// How hard to look for repetitions.
 enum class Packing {
   fast,  ///< for a picture that somebody waits for
-  close  ///< a third smaller, 100 times as long: for pictures that are kept
+  close  ///< a fifth smaller, 50 times as long: for pictures that are kept
 };
 
 /// Compresses bytes into a zlib stream, by libdeflate or, where that is missing, by
