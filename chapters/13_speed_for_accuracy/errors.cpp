@@ -8,11 +8,13 @@
 // the normal's own.
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <numeric>
 
 #include "engine/compare/difference.hpp"
 #include "engine/render/develop.hpp"
+#include "engine/render/threads.hpp"
 #include "math/srgb.hpp"
 #include "ways.hpp"
 
@@ -203,7 +205,7 @@ void find_errors_of_curve(Row& row, const Globe& globe, const View<>& view) {
     }
     row.may_change += may_change ? 1 : 0;
   }
-  compare_bytes(picture_of(globe, view, row.variant, 0), picture_of(globe, view, exact, 0), row);
+  compare_bytes(picture_of(globe, view, row.variant), picture_of(globe, view, exact), row);
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -308,7 +310,7 @@ void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
     ++count;
   }
   if (count > 0) row.mean /= static_cast<double>(count);
-  compare_bytes(picture_of(globe, view, row.variant, 0),
+  compare_bytes(picture_of(globe, view, row.variant),
                 picture_of_hits(globe, view, row.variant.filter, hits), row);
 }
 
@@ -402,12 +404,16 @@ void find_errors(std::span<Row> rows, const Globe& globe, const View<>& view, in
   const Part part = rows.front().part;
   if (part == Part::samplers) return find_errors_of_samplers(rows, globe, threads, tick);
   const auto hits = reference_hits(globe, view);
+  const auto count = static_cast<int>(rows.size());
   int done = 0;
-  for (Row& row : rows) {
+  std::mutex one_by_one;
+  for_each_row(count, threads, {}, [&](int i) {
+    Row& row = rows[static_cast<std::size_t>(i)];
     if (part == Part::places) find_errors_of_place(row, globe, view, hits);
     if (part == Part::curves) find_errors_of_curve(row, globe, view);
-    tick(++done, static_cast<int>(rows.size()));
-  }
+    const std::lock_guard lock(one_by_one);
+    tick(++done, count);
+  });
 }
 
 }  // namespace texmap::chapter_13
