@@ -404,15 +404,14 @@ void find_errors(std::span<Row> rows, const Globe& globe, const View<>& view, in
   const Part part = rows.front().part;
   if (part == Part::samplers) return find_errors_of_samplers(rows, globe, threads, tick);
   const auto hits = reference_hits(globe, view);
-  const auto count = static_cast<int>(rows.size());
   int done = 0;
   std::mutex one_by_one;
-  for_each_row(count, threads, {}, [&](int i) {
+  for_each_row(static_cast<int>(rows.size()), threads, {}, [&](int i) {
     Row& row = rows[static_cast<std::size_t>(i)];
     if (part == Part::places) find_errors_of_place(row, globe, view, hits);
     if (part == Part::curves) find_errors_of_curve(row, globe, view);
     const std::lock_guard lock(one_by_one);
-    tick(++done, count);
+    tick(++done, static_cast<int>(rows.size()));
   });
 }
 
