@@ -252,6 +252,9 @@ def check_hands(place, browser):
         browser.wait(f"{LOUPE}.textContent.includes({words!r}) && {LOUPE}.textContent.includes({reads!r})", 20)
         if x < 0.2 and not browser.run(LOUPE + ".querySelector('td').textContent.match(/: *(0 0 0|255 255 255)/)"):
             yield f"left of the line the color is not the nearest square's: {browser.run(LOUPE + '.textContent')}"
+    change(browser, beside="ewa")
+    if "--beside" in browser.run(COMMAND):  # the program has no such option
+        yield "the command names the filter left of the line"
 
 
 def check_curves(place, browser):

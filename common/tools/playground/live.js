@@ -171,7 +171,7 @@ const controls = [
   {option: "--light", label: "Light by"},
   {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true, told: true},
   {option: "--filter", label: "Filter, right", in: "09"},
-  {option: "--beside", label: "Filter, left"},
+  {option: "--beside", label: "Filter, left", here: (value) => `${value} left of the line`},
   {option: "--projection", label: "Layout"},
   {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005]},
   {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},

@@ -204,17 +204,20 @@ async function begin() {
   (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   section.ways = ways;  // for the tests
-  let chosen = 0, front = [], pictureOf = -1, wanted = -1;
+  let chosen = 0, front = [], pictureOf = -1, wanted = -1, drawing = null;
   const timesOf = () => Float64Array.from(ways.flatMap((way) => way.times.length ? [Math.min(...way.times), median(way.times)] : [1, 1]));
   const limit = () => 10 ** slider.value;
-  async function show(way) {
+  // Draws the newest way that is wanted, not all in between.
+  function show(way) {
     wanted = way;
-    if (pictureOf === way) return;
-    const [one, other] = await Promise.all([ask("draw", way, width * height), ask("changes", way, width * height)]);
-    if (wanted !== way) return;
-    pictureOf = way;
-    painted(shown, one, width, height);
-    painted(changed, other, width, height);
+    return drawing ??= draw().finally(() => { drawing = null; });
+  }
+  async function draw() {
+    while (pictureOf !== wanted) {
+      const next = wanted, pictures = await Promise.all([ask("draw", next, width * height), ask("changes", next, width * height)]);
+      pictureOf = next;
+      [shown, changed].forEach((canvas, i) => painted(canvas, pictures[i], width, height));
+    }
   }
   function tell(best) {
     const way = ways[chosen];

@@ -67,11 +67,11 @@ async function begin() {
     value.textContent = shown;
     slider.setAttribute("aria-valuetext", shown);
     const number = inDouble.checked ? 0 : 1;
-    const pictures = await Promise.all([...sides.map(({published}) => ask("draw", choice.value, at, published, number, width, height)),
-      ask("draw", choice.value, at, 0, 0, width, height)]);
-    sides.forEach((side, i) => {
-      painted(side.canvas, pictures[i], width, height);
-      const count = unlike(pictures[i], pictures[2]);
+    const pictures = await Promise.all(sides.map(({published}) => ask("draw", choice.value, at, published, number, width, height)));
+    sides.forEach(({canvas}, i) => painted(canvas, pictures[i], width, height));
+    const right = again ? null : await ask("draw", choice.value, at, 0, 0, width, height);  // while the reader drags, nothing is counted
+    if (right) sides.forEach((side, i) => {
+      const count = unlike(pictures[i], right);
       side.wrong.textContent = `${number ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
       section.dataset[side.published ? "published" : "course"] = count;
     });
