@@ -18,7 +18,7 @@ enum ObjectIndex { matte, mirroring, small, ground };  // in the order of `objec
 struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "a picture as the sky: seen, mirrored, and as the light of matte surfaces",
-      .size = {400, 225},
+      .size = {640, 360},
   };
 
   SkyStage stage{.camera = {.eye = {0, 1.2, 9}, .target = {0, 0.35, 0}, .fov_y_degrees = 32}};
@@ -27,18 +27,19 @@ struct Lesson : LessonHooks {
       Object{.shape = {.center = {1.0, 0.0, -0.5}, .radius = 1.0},
              .paint = {.color = white, .mirrors = true}},
       Object{.shape = {.center = {0.1, -0.6, 1.4}, .radius = 0.4}, .paint = {.color = red}},
-      Object{.shape = {.center = {0, -10001, 0}, .radius = 10000}, .paint = {{0.5, 0.48, 0.42}}},
+      Object{.shape = {.center = {0, -1001, 0}, .radius = 1000}, .paint = {{0.5, 0.48, 0.42}}},
   };
   SkyOptions sky;
   SamplingOptions sampling;
 
   void options(CommandLine& line) override {
     offer(line, sky);
+    sampling.samples = 40;
     sampling.declare_gathering(line);
   }
   void prepare(Session& session) override { stage.sky = sky.load(session); }
 
-  /// The light of one sample.
+  /// The color that one ray sees.
   template <class Real>
   Color<Real> operator()(const auto& scene, const PixelPlace<Real>& at, auto& random) const {
     const Ray<Real> ray = sampling.lens.ray(scene.view, at, random);

@@ -52,12 +52,11 @@ template <class Real>
 /// The next direction of a path at a matte surface. The mean of weight times light over many of
 /// them is the light that a white surface sends out; `mis` has weight_of_both for the sky's light.
 ///
-/// @param normal, place, within  of unit length; two samples in [0, 1), `within` in a texel alone
+/// @param normal, place  of unit length; u and v in [0, 1)
 /// `importance` takes one in eight by the cosine: a ball before a black sky sends light, too.
 template <class Real, class Sky>
 [[nodiscard]] Scattered<Real> scatter(SkyLighting lighting, const Sky& sky,
-                                      const Vec3<Real>& normal, const Point2<Real>& place,
-                                      const Point2<Real>& within) {
+                                      const Vec3<Real>& normal, const Point2<Real>& place) {
   switch (lighting) {
     case SkyLighting::cosine:
     case SkyLighting::mis:
@@ -78,9 +77,10 @@ template <class Real, class Sky>
   const Point2<Real> spread = {
       select(by_cosine, place.u / share, (place.u - share) / (Real(1) - share)), place.v};
   const Vec3<Real> direction =
-      select(by_cosine, cosine_direction(normal, spread), sky.direction(false, spread, within));
+      select(by_cosine, cosine_direction(normal, spread), sky.draw(false, spread).direction);
   const Real cosine = max(dot(normal, direction), Real(0));
-  const Real both = share * cosine + (Real(1) - share) * pi<Real>() * sky.density(false, direction);
+  const Real both =
+      share * cosine + (Real(1) - share) * pi<Real>() * sky.density(false, sky.toward(direction));
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
@@ -108,9 +108,10 @@ template <class Real, class Objects, class Sky, class Random>
     const Nearest<Real> nearest = find_nearest(objects, ray);
     const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
     if (any(under_way && !met)) {
-      Color<Real> seen = carried * sky(ray);
+      const auto place = sky.toward(ray.direction);
+      Color<Real> seen = carried * sky.picture.at(place.uv);
       if (any(shared)) {
-        const Real weight = weight_of_both(cosine, sky.density(true, ray.direction));
+        const Real weight = weight_of_both(cosine, sky.density(true, place));
         seen = select(shared, seen * weight, seen);
       }
       light = light + select(under_way && !met, seen, black);
@@ -120,11 +121,9 @@ template <class Real, class Objects, class Sky, class Random>
     if (bounce == bounces || !any(under_way)) return light;
 
     // Every path draws as many numbers: packs and single numbers then follow the same paths.
-    Point2<Real> place{}, texel{}, within{};
+    Point2<Real> place{}, in_sky{};
     if (matte.way != SkyLighting::coefficients) place = random.next_2d();
-    if (matte.way == SkyLighting::mis) texel = random.next_2d();
-    if (matte.way == SkyLighting::importance || matte.way == SkyLighting::mis)
-      within = random.next_2d();
+    if (matte.way == SkyLighting::mis) in_sky = random.next_2d();
     Ray<Real> next = ray;
     Mask<Real> dull = mask_of<Real>(false);
     int number = -1;
@@ -145,18 +144,19 @@ template <class Real, class Objects, class Sky, class Random>
         under_way = under_way && !scatters;
         continue;
       }
-      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place, within);
+      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place);
       carried = select(scatters, carried * next_way.weight, carried);
       next.direction = select(scatters, next_way.direction, next.direction);
       under_way = under_way && !(scatters && next_way.weight <= Real(0));
       if (matte.way == SkyLighting::mis) {
-        const Ray<Real> to_sky = {hit.outside, sky.direction(true, texel, within)};
+        const auto drawn = sky.draw(true, in_sky);
+        const Ray<Real> to_sky = {hit.outside, drawn.direction};
         const Real toward = dot(hit.normal, to_sky.direction);
         Mask<Real> lit = scatters && toward > Real(0);
         if (any(lit)) lit = lit && !is_occluded(objects, to_sky, infinity<Real>(), number);
         if (any(lit)) {
-          const Real weight = weight_of_both(toward, sky.density(true, to_sky.direction));
-          light = light + select(lit, carried * sky(to_sky) * weight, black);
+          const Real weight = weight_of_both(toward, sky.density(true, drawn));
+          light = light + select(lit, carried * sky.picture.at(drawn.uv) * weight, black);
         }
         shared = shared || scatters;
         cosine = select(scatters, dot(hit.normal, next_way.direction), cosine);

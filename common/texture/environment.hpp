@@ -9,7 +9,6 @@
 #include "texture/light_image.hpp"
 #include "texture/texel.hpp"
 #include "texture/uv.hpp"
-#include "texture/wrap.hpp"
 
 namespace texmap {
 
@@ -19,14 +18,21 @@ enum class TexelFilter {
   bilinear,  ///< mixed from the four nearest, over the poles too
 };
 
+/// A texel of a map: whole numbers, the row counted from v = 0.
+template <class Real>
+struct TexelOfMap {
+  Real column, row;
+};
+
 /// The four texels about a place on an equirectangular map, and where it lies between them.
 template <class Real>
 struct FourTexels {
-  std::array<WrappedTexel<Real>, 4> texels;  ///< lower left, lower right, upper left, upper right
-  Real across, up;                           ///< 0 to 1, from the left and from the lower ones
+  std::array<TexelOfMap<Real>, 4> texels;  ///< lower left, lower right, upper left, upper right
+  Real across, up;                         ///< 0 to 1, from the left and from the lower ones
 };
 
 /// Texels' centers are at (column + 1/2) / width; over the poles the map goes on at the other side.
+/// @param uv     u and v from 0 to 1
 /// @param width  even
 template <class Real>
 [[nodiscard]] FourTexels<Real> four_texels(const Uv<Real>& uv, int width, int height) {
@@ -34,8 +40,11 @@ template <class Real>
   const Real y = uv.v * Real(height) - Real(0.5);
   const Real left = floor(x);
   const Real low = floor(y);
-  const auto at = [&](const Real& column, const Real& row) {
-    return wrapped_texel(Wrap::spherical, column, row, width, height);
+  const auto at = [&](Real column, const Real& row) {
+    const Real inside = clamp(row, Real(0), Real(height - 1));
+    column = column + select(row == inside, Real(0), Real(width / 2));
+    const Real before = select(column < Real(width), Real(0), Real(width));
+    return TexelOfMap<Real>{column - select(column < Real(0), Real(-width), before), inside};
   };
   const Real right = left + Real(1);
   const Real high = low + Real(1);
@@ -78,16 +87,22 @@ class Environment {
   /// Bound: 4 unit roundoffs of the brightest of the four texels for the color, uv_rtiow's place.
   template <class Real>
   [[nodiscard]] Color<Real> operator()(const Ray<Real>& ray) const {
-    if (constant_) {
-      const Color<float>& light = map_.pixels.front();
-      return {Real(light.r), Real(light.g), Real(light.b)};
-    }
-    return at(uv_rtiow(to_map(ray.direction)));
+    return at(uv_of(ray.direction));
+  }
+
+  /// Where a direction of the world, of any length, is on the picture.
+  template <class Real>
+  [[nodiscard]] Uv<Real> uv_of(const Vec3<Real>& direction) const {
+    return uv_rtiow(to_map(direction));
   }
 
   /// The light at a place on the picture.
   template <class Real>
   [[nodiscard]] Color<Real> at(const Uv<Real>& uv) const {
+    if (constant_) {
+      const Color<float>& light = map_.pixels.front();
+      return {Real(light.r), Real(light.g), Real(light.b)};
+    }
     const auto texels = [this](int column, int row) {
       const Color<float>& light = map_.at(column, row);
       return std::array{light.r, light.g, light.b};
@@ -101,7 +116,7 @@ class Environment {
     }
     const FourTexels<Real> four = four_texels(uv, map_.width, map_.height);
     const auto texel = [&](std::size_t i) {
-      const WrappedTexel<Real>& one = four.texels[i];
+      const TexelOfMap<Real>& one = four.texels[i];
       return color(look_up(texels, one.column, Real(map_.height - 1) - one.row));
     };
     return mix(mix(texel(0), texel(1), four.across), mix(texel(2), texel(3), four.across), four.up);

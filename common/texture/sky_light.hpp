@@ -44,13 +44,17 @@ struct SkyLight {
   [[nodiscard]] const SkySampler& sampler_for(bool mis) const { return mis ? above_mean : sampler; }
   /// A direction drawn by the sky's light, and the density of any direction.
   template <class Real>
-  [[nodiscard]] Vec3<Real> direction(bool mis, const Point2<Real>& texel,
-                                     const Point2<Real>& within) const {
-    return sampler_for(mis).direction(picture, texel, within);
+  [[nodiscard]] SkyDirection<Real> draw(bool mis, const Point2<Real>& sample) const {
+    return sampler_for(mis).direction(picture, sample);
   }
   template <class Real>
-  [[nodiscard]] Real density(bool mis, const Vec3<Real>& direction) const {
-    return sampler_for(mis).density(picture, direction);
+  [[nodiscard]] Real density(bool mis, const SkyDirection<Real>& drawn) const {
+    return sampler_for(mis).density(drawn.direction, drawn.uv);
+  }
+  /// A direction of unit length with its place on the map.
+  template <class Real>
+  [[nodiscard]] SkyDirection<Real> toward(const Vec3<Real>& direction) const {
+    return {direction, picture.uv_of(direction)};
   }
   /// The light that a white matte surface with this normal sends out, by nine numbers.
   template <class Real>

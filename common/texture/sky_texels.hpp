@@ -1,7 +1,10 @@
 // The texels of a sky as parts of the sphere: how large each is, and how much light it holds.
 #pragma once
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "math/color.hpp"
 
@@ -29,6 +32,26 @@ struct SkyBand {
                   std::sin(polar_angle(edges) / 2);
   }
 };
+
+/// The numbers of a map's texels, row by row from the top, in an order that keeps neighbors near
+/// each other: the four quarters of a square one after another, each in its own order.
+/// Source: Morton (1966), the Z-order.
+[[nodiscard]] inline std::vector<std::uint32_t> z_order(int width, int height) {
+  std::vector<std::uint32_t> order;
+  const auto add_square = [&](const auto& self, int column, int row, int side) -> void {
+    if (column >= width || row >= height) return;
+    if (side == 1) {
+      order.push_back(static_cast<std::uint32_t>(row * width + column));
+      return;
+    }
+    const int half = side / 2;
+    for (int quarter = 0; quarter < 4; ++quarter)
+      self(self, column + half * (quarter % 2), row + half * (quarter / 2), half);
+  };
+  add_square(add_square, 0, 0,
+             static_cast<int>(std::bit_ceil(static_cast<unsigned>(max(width, height)))));
+  return order;
+}
 
 /// The brightness of light to the sampler: the mean of its channels.
 [[nodiscard]] inline double brightness_of(const Color<float>& light) {

@@ -139,11 +139,13 @@ TEST_CASE("mis draws by what is brighter than the mean; by all of a sky of one b
     for (int column = 4; column < 8; ++column) halves.at(column, row) = gray(3.0F);
   const SkyLight sky(Environment(std::move(halves), TexelFilter::nearest));
   const double sphere = 4 * pi<double>();
-  CHECK(sky.density(true, Vec3d{0, 0, 1}) == 0);  // u = 1/4
-  CHECK(sky.density(true, Vec3d{0, 0, -1}) == doctest::Approx(2 / sphere));
-  CHECK(sky.density(false, Vec3d{0, 0, 1}) == doctest::Approx(0.5 / sphere));
+  const auto left = sky.toward(Vec3d{0, 0, 1}),
+             right = sky.toward(Vec3d{0, 0, -1});  // u = 1/4, 3/4
+  CHECK(sky.density(true, left) == 0);
+  CHECK(sky.density(true, right) == doctest::Approx(2 / sphere));
+  CHECK(sky.density(false, left) == doctest::Approx(0.5 / sphere));
   CHECK(SkyLight(Environment(LightImage(8, 4, gray(0.7F)), TexelFilter::nearest))
-            .density(true, Vec3d{0, 0, 1}) == doctest::Approx(1 / sphere));
+            .density(true, left) == doctest::Approx(1 / sphere));
 }
 
 TEST_CASE("no sample of mis is a bright dot: the cosine and the sky each bound it") {

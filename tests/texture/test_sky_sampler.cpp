@@ -3,6 +3,8 @@
 
 #include <doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -67,7 +69,8 @@ TEST_CASE("densities integrate to 1, whatever the filter and the turn") {
   for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
     const Environment sky(contrasts(16, 8), filter, 25);
     const SkySampler sampler(sky);
-    const double whole = integral(sky, [&](const Vec3d& d) { return sampler.density(sky, d); });
+    const double whole =
+        integral(sky, [&](const Vec3d& d) { return sampler.density(d, sky.uv_of(d)); });
     CHECK(whole == doctest::Approx(1).epsilon(1e-5));
   }
 }
@@ -77,13 +80,14 @@ TEST_CASE("by nearest texels a drawn direction lies in its texel, where the dens
   const SkySampler sampler(sky);
   int edges = 0;
   for (std::uint32_t i = 0; i < 4096; ++i) {
-    const Point2<double> choice = pair(i, 4096, 1);
-    const std::uint32_t texel = sampler.texels().draw(choice.u, choice.v);
-    const Vec3d d = sampler.direction(sky, choice, pair(i, 4096, 2));
+    const auto [d, uv] = sampler.direction(sky, pair(i, 4096, 1));
     REQUIRE(std::abs(length(d) - 1) < 1e-15);
+    const auto row = static_cast<std::size_t>(8 - 8 * uv.v);
+    const std::size_t texel = 16 * row + static_cast<std::size_t>(16 * uv.u);
     const double expected =
-        sampler.probabilities()[texel] / sampler.bands()[texel / 16].solid_angle;
-    edges += std::abs(sampler.density(sky, d) / expected - 1) > 1e-14 ? 1 : 0;
+        double{sampler.probabilities()[texel]} / sampler.bands()[row].solid_angle;
+    REQUIRE(sampler.density(d, uv) == expected);
+    edges += std::abs(sampler.density(d, sky.uv_of(d)) / expected - 1) > 1e-14 ? 1 : 0;
   }
   CHECK(edges == 0);
 }
@@ -99,8 +103,8 @@ TEST_CASE("the mean of f / density over drawn directions is the integral of f") 
     constexpr std::uint32_t count = 16384;
     double mean = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
-      mean += f(d) / sampler.density(sky, d) / count;
+      const auto [d, uv] = sampler.direction(sky, pair(i, count, 1));
+      mean += f(d) / sampler.density(d, uv) / count;
     }
     CHECK(mean == doctest::Approx(integral(sky, f)).epsilon(2e-3));
   }
@@ -116,7 +120,7 @@ TEST_CASE("a tent that reaches over a pole comes down on the other side") {
     double over = 0;
     const Vec3d middle = direction_rtiow(Uv<double>{5.5 / 16, 0.5});
     for (std::uint32_t i = 0; i < count; ++i) {
-      const Vec3d d = sampler.direction(sky, pair(i, count, 1), pair(i, count, 2));
+      const Vec3d d = sampler.direction(sky, pair(i, count, 1)).direction;
       over += dot(d, middle) < 0 ? 1.0 / count : 0;
     }
     CHECK(over == doctest::Approx(1.0 / 8).epsilon(0.01));  // half a texel of a tent two wide
@@ -127,8 +131,37 @@ TEST_CASE("a black sky has no light and draws something") {
   const Environment sky(LightImage(4, 2));
   const SkySampler sampler(sky);
   CHECK(sampler.total() == 0);
-  CHECK(sampler.density(sky, Vec3d{1, 0, 0}) == 0);
-  CHECK(std::isfinite(sampler.direction(sky, Point2<double>{0.5, 0.5}, Point2<double>{0, 0}).x));
+  CHECK(sampler.density(Vec3d{1, 0, 0}, Uv<double>{0.5, 0.5}) == 0);
+  CHECK(std::isfinite(sampler.direction(sky, Point2<double>{0.5, 0.5}).direction.x));
+}
+
+TEST_CASE("a drawn direction is at its place on the map, whatever the filter and the turn") {
+  for (const TexelFilter filter : {TexelFilter::nearest, TexelFilter::bilinear}) {
+    const Environment sky(contrasts(6, 5), filter, 25);
+    const SkySampler sampler(sky);
+    for (std::uint32_t i = 0; i < 1024; ++i) {
+      const auto [d, uv] = sampler.direction(sky, pair(i, 1024, 1));
+      const Uv<double> seen = sky.uv_of(d);
+      const double off = filter == TexelFilter::nearest ? 0.5001 : 1e-9;  // a texel's middle
+      REQUIRE(std::abs(seen.v - uv.v) * 5 < off);
+      REQUIRE(std::abs(std::remainder(seen.u - uv.u, 1)) * 6 < off);
+    }
+  }
+}
+
+TEST_CASE("the order of texels holds each once, and keeps squares of 2^k texels together") {
+  for (const auto& [width, height] : {std::array{1, 1}, {6, 5}, {384, 192}, {4096, 1}}) {
+    const std::vector<std::uint32_t> order = z_order(width, height);
+    std::vector<bool> met(static_cast<std::size_t>(width * height));
+    for (const std::uint32_t texel : order) met[texel] = true;
+    CHECK(order.size() == met.size());
+    CHECK(std::find(met.begin(), met.end(), false) == met.end());
+  }
+  const std::vector<std::uint32_t> order = z_order(64, 64);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    CHECK(order[i] % 64 / 8 == order[i - i % 64] % 64 / 8);
+    CHECK(order[i] / 64 / 8 == order[i - i % 64] / 64 / 8);
+  }
 }
 
 }  // namespace texmap::test

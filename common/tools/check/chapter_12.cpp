@@ -57,7 +57,7 @@ struct SkyLight : texmap::SkyLight {
     }
     if (solid_angle) moments = SkyMoments(Environment(weighted_by_student(loaded.map())));
     const auto width = static_cast<std::ptrdiff_t>(picture.map().width);
-    const auto& drawn = above_mean.probabilities();
+    const Sums drawn(above_mean.probabilities().begin(), above_mean.probabilities().end());
     for (auto p = drawn.begin(); p != drawn.end(); p += width) {
       Sums& sums = texel_sums.emplace_back(width);
       std::partial_sum(p, p + width, sums.begin());
@@ -67,11 +67,12 @@ struct SkyLight : texmap::SkyLight {
     }
   }
 
-  Vec3d direction(bool /*mis*/, const Point2<double>& texel, const Point2<double>& within) const {
-    const int row = one_of(row_sums, texel.v);
-    const int column = one_of(texel_sums[static_cast<std::size_t>(row)], texel.u);
-    return picture.from_map(direction_rtiow(Uv<double>{
-        (column + within.u) / picture.map().width, 1 - (row + within.v) / picture.map().height}));
+  SkyDirection<double> draw(bool /*mis*/, const Point2<double>& sample) const {
+    const int row = one_of(row_sums, sample.v);
+    const int column = one_of(texel_sums[static_cast<std::size_t>(row)], sample.u);
+    const Uv<double> uv = {(column + 0.5) / picture.map().width,
+                           1 - (row + 0.5) / picture.map().height};
+    return {picture.from_map(direction_rtiow(uv)), uv};
   }
   /// What the student draws; the first if there is no such thing.
   static int one_of(const Sums& sums, double r) {

@@ -72,13 +72,15 @@ struct SamplesOnTheSky {
       const auto numbers = [&](std::uint32_t pair) {
         return sampler.pair<double>(pixel, i, next + pair);
       };
-      const auto way = scatter(lighting, sky, hit.normal, numbers(0), numbers(1));
+      const auto way = scatter(lighting, sky, hit.normal, numbers(0));
       if (lighting != SkyLighting::mis) {
         dot_at(way.direction, way.weight);
         continue;
       }
-      for (const Vec3d& d : {way.direction, sky.direction(true, numbers(1), numbers(2))})
-        dot_at(d, weight_of_both(max(dot(hit.normal, d), 0.0), sky.density(true, d)));
+      for (const auto& d : {sky.toward(way.direction), sky.draw(true, numbers(1))}) {
+        const double cosine = max(dot(hit.normal, d.direction), 0.0);
+        dot_at(d.direction, weight_of_both(cosine, sky.density(true, d)));
+      }
     }
     return figure;
   }
