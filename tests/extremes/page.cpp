@@ -38,6 +38,20 @@ std::string plain(double number) {
   return text.str();
 }
 
+/// A number with two digits, such as 0.00071 or 3.4.
+std::string two_digits(double number) {
+  if (number == 0) return "0";
+  std::ostringstream text;
+  if (number >= 10 && number < 1e7) {
+    const double unit = std::pow(10, std::floor(std::log10(number)) - 1);
+    text << static_cast<long>(std::round(number / unit) * unit);
+    return text.str();
+  }
+  text.precision(2);
+  text << number;
+  return text.str();
+}
+
 /// What is said of a function: its bounds that hold, how sure each is, and the one that was nearest
 /// to being reached.
 struct OfFunction {
@@ -74,19 +88,6 @@ struct OfFunction {
 };
 
 }  // namespace
-
-std::string two_digits(double number) {
-  if (number == 0) return "0";
-  std::ostringstream text;
-  if (number >= 10 && number < 1e7) {
-    const double unit = std::pow(10, std::floor(std::log10(number)) - 1);
-    text << static_cast<long>(std::round(number / unit) * unit);
-    return text.str();
-  }
-  text.precision(2);
-  text << number;
-  return text.str();
-}
 
 Pages pages_of(const std::vector<Family>& families,
                const std::function<double(const Claim&)>& measured) {

@@ -26,7 +26,4 @@ struct Pages {
 /// The page without its measured cells: what page and claims must agree on.
 [[nodiscard]] std::string without_measured_cells(const std::string& page);
 
-/// A number with two digits, such as 0.00071 or 3.4.
-[[nodiscard]] std::string two_digits(double number);
-
 }  // namespace texmap::extremes

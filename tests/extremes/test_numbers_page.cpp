@@ -74,14 +74,5 @@ TEST_CASE("a row counts a function's bounds and names the one that was nearest t
   CHECK_FALSE(shows(3, 5, "| c |"));
 }
 
-TEST_CASE("measured numbers have two digits") {
-  CHECK(two_digits(0) == "0");
-  CHECK(two_digits(0.000714) == "0.00071");
-  CHECK(two_digits(3.4159) == "3.4");
-  CHECK(two_digits(12.7) == "13");
-  CHECK(two_digits(31849) == "32000");
-  CHECK(two_digits(2.5e18) == "2.5e+18");
-}
-
 }  // namespace
 }  // namespace texmap::extremes

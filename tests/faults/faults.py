@@ -31,7 +31,6 @@ SMALL = ['--width', '8', '--height', '6']
 REFERENCE = ['--width', '60', '--height', '40']
 FULL_SIZE = ['--width', '320', '--height', '240']
 LONG_NAME = '0' * 300 + '.png'
-CANNOT_WRITE = "error: cannot write '*': ?*"
 
 # A sanitizer's report must never look like a clean refusal.
 os.environ.update(LC_ALL='C', ASAN_OPTIONS='exitcode=99', TSAN_OPTIONS='exitcode=99',
@@ -195,9 +194,9 @@ class Tries:
         needs = ['--texture', self.texture] if kind == 'meshes' else ['--samples', '1'] if kind == 'skies' else []
         self.run([self.program(chapter), *needs, option, file, *SMALL, '--out', out], memory=self.memory, **options)
 
-    def refuses_file(self, kind, file, what, **options):
+    def refuses_file(self, kind, file, what, said='?*', **options):
         self.reads(kind, file, **options)
-        self.expect(1, f"error: cannot load {KINDS[kind][2]} '*': ?*")
+        self.expect(1, f"error: cannot load {KINDS[kind][2]} '*': {said}")
         self.conclude(f'{kind}: {what}')
 
     def loads_file(self, kind, file, what, statuses=(0,)):
@@ -242,7 +241,7 @@ class Tries:
         if self.user is not None:
             secret = Path(shutil.copy(good, T / 'secret'))
             secret.chmod(0)
-            self.refuses_file(kind, secret, 'unreadable', **self.user)
+            self.refuses_file(kind, secret, 'unreadable', '*no permission to read it', **self.user)
         # Cut before its last line ends, it is no good file any more; and the picture that was there stays.
         bad = T / f'bad.{ending}'
         size = len(content)
@@ -266,11 +265,11 @@ class Tries:
     check_skies = functools.partialmethod(check_files, 'skies')
     check_meshes = functools.partialmethod(check_files, 'meshes')
 
-    def cannot_write(self, file, what, chapters=(1,), keeps=None, others=(), size=SMALL, **options):
+    def cannot_write(self, file, what, chapters=(1,), keeps=None, others=(), size=SMALL, said='?*', **options):
         """Each of the chapters gives up with status 1 and a line about it; `keeps`: a folder with the old picture and `others` alone."""
         for chapter in chapters:
             self.chapter(chapter, *size, '--out', file, **options)
-            self.expect(1, CANNOT_WRITE)
+            self.expect(1, f"error: cannot write '*': {said}")
             if keeps:
                 self.keeps_old(keeps, *others)
             self.conclude(f'output, {NAMES[chapter]}: {what}')
@@ -289,7 +288,8 @@ class Tries:
 
         # A picture that fails to be written in the end, not in the beginning.
         small = self.folder('small', 'out.png')
-        self.cannot_write(small / 'out.png', 'no file may grow so large', keeps=small, size=FULL_SIZE, files=512)
+        self.cannot_write(small / 'out.png', 'no file may grow so large', keeps=small, size=FULL_SIZE, files=512,
+                          said='the file would be larger than the system allows')
         disk = self.folder('disk')
         if subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=16k', 'none', disk], capture_output=True).returncode == 0:
             try:
@@ -307,7 +307,7 @@ class Tries:
         folder.chmod(0o777)
         if self.user is not None:
             for keeps, name in ((read_only, 'out.png'), (read_only, 'new.png'), (folder, 'out.png')):
-                self.cannot_write(keeps / name, f'read-only {keeps.name}/{name}', keeps=keeps, **self.user)
+                self.cannot_write(keeps / name, f'read-only {keeps.name}/{name}', keeps=keeps, said='*no permission', **self.user)
 
         odd = T / 'it\'s a "folder" $HOME * äöü'
         (odd / 'far').mkdir(parents=True)

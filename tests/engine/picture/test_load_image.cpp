@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -22,7 +21,6 @@ using texmap::Image;
 using texmap::load_image;
 using texmap::test::bytes_of;
 using texmap::test::image_error_of;
-using texmap::test::TemporaryFolder;
 
 const std::string corpus = std::string(TEXMAP_TESTS_DIR) + "/corpus/";
 
@@ -89,20 +87,6 @@ TEST_CASE("an error names the thing that is wrong") {
     INFO("said: ", said);
     CHECK(said.find(row.second) != std::string::npos);
   }
-}
-
-TEST_CASE("a file of 64 MiB is read, and one with a byte more is refused before it is read") {
-  constexpr std::size_t limit = 67108864;
-  const TemporaryFolder folder;
-  const std::string path = folder / "sparse.png";
-  texmap::test::put(path, {0});
-  std::filesystem::resize_file(path, limit);  // of zeros, which take no room on the disk
-  CHECK(error_of_loading(path) ==
-        "cannot load texture '" + path + "': it is not a PNG or JPEG file, whatever its name says");
-  std::filesystem::resize_file(path, limit + 1);
-  CHECK(error_of_loading(path) ==
-        "cannot load texture '" + path +
-            "': the file has 67108865 bytes, more than 67108864 (64 MiB)");
 }
 
 TEST_CASE(

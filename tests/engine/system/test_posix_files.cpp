@@ -1,11 +1,7 @@
-// What Linux, macOS and their like say of files: links, pipes, devices, permissions. That pictures
-// get through them whole is for tests/faults to see, with the programs.
+// What Linux, macOS and their like say of files: links, pipes, devices. Permissions, and that
+// pictures get through whole, are for tests/faults to see, with the programs.
 #include <doctest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -63,27 +59,4 @@ TEST_CASE("what cannot be loaded or written is named in words, and at once") {
         "cannot write '" + (folder / "pipe") + "': nobody is at the other end of the pipe");
   if (fs::exists("/dev/full"))
     CHECK(error_of_saving("/dev/full") == "cannot write '/dev/full': the disk is full");
-}
-
-TEST_CASE("what may not be read, written or become so large is refused in words") {
-  const TemporaryFolder folder;
-  fs::permissions(folder.path(), fs::perms::all);
-  for (const char* name : {"read-only.png", "secret.png"}) put(folder / name, {1, 2, 3});
-  fs::permissions(folder / "read-only.png", fs::perms::owner_read);
-  fs::permissions(folder / "secret.png", fs::perms::none);
-  // In a child, which gives up its rights and the size of its files.
-  const pid_t child = fork();
-  if (child == 0) {
-    if (geteuid() == 0 && setuid(65534) != 0) _exit(99);
-    const rlimit limit = {4096, 4096};
-    ::signal(SIGXFSZ, SIG_IGN);
-    const bool limited = setrlimit(RLIMIT_FSIZE, &limit) == 0;
-    const std::string larger = "the file would be larger than the system allows";
-    _exit((error_of_loading(folder / "secret.png").ends_with("no permission to read it") ? 0 : 1) +
-          (error_of_checking(folder / "read-only.png").ends_with("no permission") ? 0 : 2) +
-          (limited && error_of_saving(folder / "new.png").ends_with(larger) ? 0 : 4));
-  }
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  CHECK((WIFEXITED(status) ? WEXITSTATUS(status) : -1) == 0);
 }
