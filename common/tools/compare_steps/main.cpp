@@ -3,9 +3,6 @@
 #include <algorithm>
 
 #include "comparison.hpp"
-#include "engine/measure/text.hpp"
-#include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
 
@@ -131,9 +128,7 @@ bool compare_chapters(const std::string& from, const std::string& to, const Choi
 }
 
 DrawnStep picture_in(const std::string& typed) {
-  const std::filesystem::path path = path_of(typed);
-  const auto decoded = [&] { return decode_image(read_file(path, max_file_bytes)); };
-  return {typed, with_name("cannot load", path, decoded), {}, {}};
+  return {typed, load_image(path_of(typed), "cannot load"), {}, {}};
 }
 
 /// What is wrong with one of two pictures, in words; nothing unless the other is the golden picture
