@@ -8,6 +8,7 @@
 #include "engine/picture/codecs/image_limits.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
 
 namespace {
