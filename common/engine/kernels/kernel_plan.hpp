@@ -97,12 +97,17 @@ struct PlannedMapping {
   Convention convention = Convention::rtiow;
   RotationY rotation = {};
 
-  /// Out of line: eleven mappings inlined into every loop take minutes to compile.
   template <class Real>
-  [[nodiscard]] TEXMAP_NOINLINE Uv<Real> operator()(Vec3<Real> p) const {
+  [[nodiscard]] Uv<Real> operator()(Vec3<Real> p) const {
     if (rotation.sine != 0 || rotation.cosine != 1) p = rotation(p);
-    return in_convention(convention,
-                         with_uv_mapping(degree, [&p](const auto& mapping) { return mapping(p); }));
+    return in_convention(convention, degree == 0 ? uv_rtiow(p) : by_polynomial(p));
+  }
+
+ private:
+  /// Out of line: ten mappings inlined into every loop take minutes to compile.
+  template <class Real>
+  [[nodiscard]] TEXMAP_NOINLINE Uv<Real> by_polynomial(const Vec3<Real>& p) const {
+    return with_uv_mapping(degree, [&p](const auto& mapping) { return mapping(p); });
   }
 };
 /// A texture by the plan's kernel: roots of light if the plan made them, else the image.

@@ -14,10 +14,10 @@ namespace texmap {
 ///
 /// @param light  below 0 and NaN give 0, above 1 gives 255
 [[nodiscard]] inline double byte_of_light(double light, Transfer transfer) {
+  if (transfer == Transfer::srgb) return srgb_byte_exact(light);
   const double linear = clamp(light, 0.0, 1.0);
   if (transfer == Transfer::sqrt) return std::floor(256 * min(std::sqrt(linear), 0.999));
-  if (transfer == Transfer::stb) return std::floor(255 * std::pow(linear, 1 / 2.2) + 0.5);
-  return srgb_byte_exact(linear);
+  return std::floor(255 * std::pow(linear, 1 / 2.2) + 0.5);
 }
 
 /// Develops a row of a picture. Equal neighbors, as in a uniform sky, are developed once.

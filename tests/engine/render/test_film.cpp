@@ -45,7 +45,9 @@ TEST_CASE(
   CHECK(error_of_halves(first, second) == doctest::Approx(0.5 / std::sqrt(6.0)).epsilon(1e-12));
 }
 
-TEST_CASE("of an odd number of samples the second half has one more, and one sample has no error") {
+TEST_CASE(
+    "of an odd number of samples the second half has one more, one sample has no error, and the "
+    "film keeps no row that somebody takes") {
   const RenderSettings settings{.error_so_far = {}};
   GrowingFilm five(1, 1, Sampler(SamplerKind::random, 5), settings);
   CHECK(five.first() == 2);
@@ -57,28 +59,18 @@ TEST_CASE("of an odd number of samples the second half has one more, and one sam
   CHECK(film.light(0, 0).g == doctest::Approx(0.6).epsilon(1e-9));
   CHECK(film.error == doctest::Approx(0.5 / std::sqrt(3.0)).epsilon(1e-12));
 
-  const RenderSettings failing{.error_so_far = [&](double) { FAIL("no error yet"); }};
-  GrowingFilm one(1, 1, Sampler(SamplerKind::random, 1), failing);
-  FilmRows only = one.rows(0, 1);
-  one.set(only, {0, 0}, {0, 0, 0}, {1, 1, 1});
-  one.finish(only);
-  CHECK(one.take().error == infinity<double>());
-}
-
-TEST_CASE("whoever takes the rows of a growing film gets its light, and the film keeps none") {
-  std::vector<double> reds(2);
-  const RenderSettings settings{.take_row = [&](int row, const Rgb* light) {
-    reds[static_cast<std::size_t>(row)] = light[1].r;
-  }};
-  GrowingFilm film(2, 2, two_samples, settings);
-  FilmRows rows = film.rows(0, 2);
-  film.set(rows, {1, 0}, {1, 1, 1}, {0, 0, 0});
-  film.set(rows, {1, 1}, {1, 1, 1}, {1, 1, 1});
-  film.finish(rows);
-  CHECK(reds == std::vector{0.5, 1.0});
-  const Film done = film.take();
-  CHECK(done.height() == 0);
-  CHECK(done.error == doctest::Approx(std::sqrt(3.0 / 12) / 2).epsilon(1e-12));
+  double taken = 0;
+  const RenderSettings failing{
+      .error_so_far = [](double) { FAIL("no error yet"); },
+      .take_row = [&](int row, const Rgb* light) { taken = 10 * row + light[0].g; }};
+  GrowingFilm one(1, 2, Sampler(SamplerKind::random, 1), failing);
+  FilmRows lower = one.rows(1, 2);
+  one.set(lower, {0, 1}, {0, 0, 0}, {1, 2, 3});
+  one.finish(lower);
+  CHECK(taken == 12);
+  const Film rest = one.take();
+  CHECK(rest.error == infinity<double>());
+  CHECK(rest.height() == 0);
 }
 
 }  // namespace

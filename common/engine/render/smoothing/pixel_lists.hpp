@@ -23,11 +23,12 @@ struct PixelProbe {
 /// sphere, the cosine c of the angle between ray and normal, and the normal's distance a from the
 /// axis, all in radii:
 ///     curvature_error = ((h / c^2)^3 + (h / (a c))^3) c / max(a, c),  normal_error = h^2 / c^3.
+/// @param smoothing  false: nobody asks for the errors, and they are infinite
 /// Source: derivatives of asin and atan2; the factors in Smoothing are measured.
 template <class Real>
 [[nodiscard]] PixelProbe<Real> probe_pixel(const View<Real>& view,
                                            const PreparedSphere<Real>& sphere, const Real& column,
-                                           const Real& row) {
+                                           const Real& row, bool smoothing = true) {
   const Ray<Real> ray{view.eye, direction_through(view, column, row)};
   const Vec3<Real> to_center = sphere.center - ray.origin;
   const Vec3<Real> moment = cross(to_center, ray.direction);
@@ -36,7 +37,7 @@ template <class Real>
   const Real width = view.pixel * to_foot;
   const Real reach = sphere.radius + width;  // half a pixel's diagonal is 0.71 widths
   const Mask<Real> misses = to_foot > Real(0) && dot(moment, moment) > squared * square(reach);
-  if (!any(!misses)) return {misses, infinity<Real>(), infinity<Real>()};
+  if (!smoothing || !any(!misses)) return {misses, infinity<Real>(), infinity<Real>()};
 
   const Real distance = distance_to(sphere, ray);
   const Mask<Real> met = distance < infinity<Real>();
@@ -94,7 +95,8 @@ void add_row(PixelLists& lists, int row, int width, const Scene& scene,
       const Real columns = from_lanes<Real>(
           [&](std::size_t i) { return static_cast<Scalar<Real>>(first + static_cast<int>(i)); });
       const PixelProbe<Real> look =
-          probe_pixel(scene.view, scene.objects.front().shape, columns, Real(row));
+          probe_pixel(scene.view, scene.objects.front().shape, columns, Real(row),
+                      bounds->smoothing.most_curvature_error > 0);
       Mask<Real> smooth = look.curvature_error <= Real(bounds->smoothing.most_curvature_error);
       if (!scene.sky.is_constant())
         smooth = smooth && look.normal_error <= Real(bounds->smoothing.most_normal_error);
