@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -38,7 +39,7 @@ class CumulativeTable {
     for (const double weight : weights) {
       sum += weight;
       so_far += weight > 0 ? 1 : 0;
-      edges_.push_back(so_far + static_cast<std::uint32_t>(shared * (sum / total) + 0.5));
+      edges_.push_back(so_far + static_cast<std::uint32_t>(std::lround(shared * (sum / total))));
     }
     const int bits = max(static_cast<int>(std::bit_width(weights.size() - 1)) - 2, 0);
     shift_ = 24 - bits;

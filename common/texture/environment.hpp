@@ -40,9 +40,10 @@ template <class Real>
   const Real y = uv.v * Real(height) - Real(0.5);
   const Real left = floor(x);
   const Real low = floor(y);
+  const int half = width / 2;
   const auto at = [&](Real column, const Real& row) {
     const Real inside = clamp(row, Real(0), Real(height - 1));
-    column = column + select(row == inside, Real(0), Real(width / 2));
+    column = column + select(row == inside, Real(0), Real(half));
     const Real before = select(column < Real(width), Real(0), Real(width));
     return TexelOfMap<Real>{column - select(column < Real(0), Real(-width), before), inside};
   };

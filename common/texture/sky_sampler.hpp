@@ -102,7 +102,7 @@ class SkySampler {
       return entry(clamp(floor(uv.u * Real(width_)), Real(0), Real(width_ - 1)),
                    clamp(floor(uv.v * Real(height_)), Real(0), Real(height_ - 1)),
                    [this](std::size_t texel, std::size_t row) {
-                     return double{probabilities_[texel]} / bands_[row].solid_angle;
+                     return static_cast<double>(probabilities_[texel]) / bands_[row].solid_angle;
                    });
     }
     const FourTexels<Real> four = four_texels(uv, width_, height_);

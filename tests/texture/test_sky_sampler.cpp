@@ -85,7 +85,7 @@ TEST_CASE("by nearest texels a drawn direction lies in its texel, where the dens
     const auto row = static_cast<std::size_t>(8 - 8 * uv.v);
     const std::size_t texel = 16 * row + static_cast<std::size_t>(16 * uv.u);
     const double expected =
-        double{sampler.probabilities()[texel]} / sampler.bands()[row].solid_angle;
+        static_cast<double>(sampler.probabilities()[texel]) / sampler.bands()[row].solid_angle;
     REQUIRE(sampler.density(d, uv) == expected);
     edges += std::abs(sampler.density(d, sky.uv_of(d)) / expected - 1) > 1e-14 ? 1 : 0;
   }

@@ -56,8 +56,10 @@ SkyNoise noise_of(const SkyLight& sky) {
     const double y = band.y_sign * (1 - below_pole);
     const double radius = std::sqrt(below_pole * (2 - below_pole));
     for (const OnCircle<double>& turned : around) {
-      const double density = double{sky.sampler.probabilities()[texel]} / band.solid_angle;
-      const double above_mean = double{sky.above_mean.probabilities()[texel++]} / band.solid_angle;
+      const double density =
+          static_cast<double>(sky.sampler.probabilities()[texel]) / band.solid_angle;
+      const double above_mean =
+          static_cast<double>(sky.above_mean.probabilities()[texel++]) / band.solid_angle;
       if (density == 0) continue;
       const std::array direction = {radius * turned.cosine, y, radius * turned.sine};
       for (std::size_t axis = 0; axis < 3; ++axis) {  // one of its two ways faces the texel
