@@ -273,29 +273,20 @@ TEST_CASE("09: texels times the weights of their reads are what the filter retur
   }
 }
 
-namespace {
-
-/// Expects of a page after these changes the picture of a page that begins with the last.
-template <class Page>
-void expect_like_fresh(const std::vector<Words>& changes) {
-  Page page, fresh;
-  for (const Words& words : changes) page.set(words, widest);
-  fresh.set(changes.back(), widest);
-  for (int pass = page.passes() - (page.size_beside().width > 0 ? 0 : 1); pass >= 0; --pass)
-    test::expect_same_picture(page.rows(0, 60, pass), fresh.rows(0, 60, pass));
-}
-
-}  // namespace
-
 TEST_CASE("what a lesson keeps from the one before makes no difference to its picture") {
-  const Words ewa = {"--filter", "ewa", "--beside", "nearest"};
-  const Words linear = {"--filter", "bilinear", "--beside", "trilinear", "--taps", "3"};
-  expect_like_fresh<live::Chapter09>({ewa, linear});
-  expect_like_fresh<live::Chapter09>({linear, ewa, {"--filter", "bilinear", "--wrap", "clamp"}});
+  const auto expect_like_fresh = [](LiveLesson&& page, LiveLesson&& fresh, const auto& changes) {
+    for (const Words& words : changes) page.set(words, widest);
+    fresh.set(changes.back(), widest);
+    for (int pass = page.passes() - (page.size_beside().width > 0 ? 0 : 1); pass >= 0; --pass)
+      test::expect_same_picture(page.rows(0, 60, pass), fresh.rows(0, 60, pass));
+  };
+  const Words ewa = {"--filter", "ewa", "--beside", "nearest", "--taps", "3"};
+  for (const Words& words : {Words{"--filter", "bilinear"}, Words{"--wrap", "clamp"}})
+    expect_like_fresh(live::Chapter09(), live::Chapter09(), std::vector{words, ewa, words});
   const Words two = {"--samples", "2"};
-  expect_like_fresh<live::Chapter12>({{"--seed", "4"}, two});
-  expect_like_fresh<live::Chapter12>({{"--samples", "2", "--exposure", "1"}, two});
-  expect_like_fresh<live::Chapter12>({{"--samples", "2", "--light", "cosine"}, two});
+  for (const Words& words :
+       {Words{"--seed", "4"}, Words{"--exposure", "1"}, Words{"--light", "cosine"}})
+    expect_like_fresh(live::Chapter12(), live::Chapter12(), std::vector{words, two});
 }
 
 TEST_CASE("10: from the globe to the map and back is the same pixel") {

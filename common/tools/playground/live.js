@@ -675,6 +675,7 @@ function live(main, packed) {
   }
   function ask(isSmall) {
     unfinished = true;
+    tracing = null;  // a point more of the curve would take this request's place
     const asked = words(isSmall ? 2 : 0);
     if (isSmall) small.dataset.words = JSON.stringify(asked);
     send({kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest, small: isSmall});
