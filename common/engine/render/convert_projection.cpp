@@ -13,10 +13,6 @@
 namespace texmap {
 namespace {
 
-struct Texel {
-  int column, row;  ///< from the left and from the top
-};
-
 /// The center of a texel.
 Uv<double> center_of(const Texel& texel, int width, int height) {
   return {(texel.column + 0.5) / width, 1 - (texel.row + 0.5) / height};
@@ -72,8 +68,21 @@ std::uint8_t encoded(double light) {
   return static_cast<std::uint8_t>(std::lround(255 * clamp(srgb_encode(light), 0.0, 1.0)));
 }
 
-/// The texel that a neighbor of `home` is, on its side of an edge of the layout or beyond. Column
-/// and row are at most one away from it, and may lie outside the picture.
+}  // namespace
+
+PictureSize converted_size(const Image& image, Projection from, Projection to) {
+  const double texels = static_cast<double>(image.width) * image.height;
+  // Texels for the sphere / texels of the picture are 4 pi / mean_texel.
+  const double wanted = texels * facts_of(to).mean_texel / facts_of(from).mean_texel;
+  const double height = std::sqrt(wanted / facts_of(to).aspect);
+  if (facts_of(to).aspect == 1.5) {
+    const int side = std::max(1, static_cast<int>(std::lround(height / 2)));
+    return {3 * side, 2 * side};
+  }
+  const int rows = std::max(1, static_cast<int>(std::lround(height)));
+  return {std::max(1, static_cast<int>(std::lround(rows * facts_of(to).aspect))), rows};
+}
+
 Texel texel_beside(Projection projection, const Texel& home, int column, int row, int width,
                    int height) {
   const bool inside = column >= 0 && column < width && row >= 0 && row < height;
@@ -98,21 +107,6 @@ Texel texel_beside(Projection projection, const Texel& home, int column, int row
   }
   const auto texel = wrapped_texel<double>(Wrap::spherical, column, row, width, height);
   return {static_cast<int>(texel.column), static_cast<int>(texel.row)};
-}
-
-}  // namespace
-
-PictureSize converted_size(const Image& image, Projection from, Projection to) {
-  const double texels = static_cast<double>(image.width) * image.height;
-  // Texels for the sphere / texels of the picture are 4 pi / mean_texel.
-  const double wanted = texels * facts_of(to).mean_texel / facts_of(from).mean_texel;
-  const double height = std::sqrt(wanted / facts_of(to).aspect);
-  if (facts_of(to).aspect == 1.5) {
-    const int side = std::max(1, static_cast<int>(std::lround(height / 2)));
-    return {3 * side, 2 * side};
-  }
-  const int rows = std::max(1, static_cast<int>(std::lround(height)));
-  return {std::max(1, static_cast<int>(std::lround(rows * facts_of(to).aspect))), rows};
 }
 
 Color<double> light_at(const LightImage& image, Projection projection, const Uv<double>& uv) {

@@ -16,6 +16,16 @@ struct PictureSize {
 /// A cube's is a multiple of (3, 2), so that no texel lies on two faces.
 [[nodiscard]] PictureSize converted_size(const Image& image, Projection from, Projection to);
 
+/// The texel that a neighbor of a texel is, on its side of an edge of the layout or beyond.
+///
+/// @param home           a texel inside the picture
+/// @param column, row    at most one away from it; may lie outside the picture
+struct Texel {
+  int column, row;  ///< from the left and from the top
+};
+[[nodiscard]] Texel texel_beside(Projection projection, const Texel& home, int column, int row,
+                                 int width, int height);
+
 /// The light at (u, v) of a picture in a layout, mixed from the four nearest texel centers. What is
 /// beyond an edge or a seam is taken from where it goes on.
 [[nodiscard]] Color<double> light_at(const LightImage& image, Projection projection,

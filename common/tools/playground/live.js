@@ -168,36 +168,36 @@ const early = "01 02 03 04 05 06";
 const controls = [
   {option: "--samples", label: "Samples", range: [1, 1024, 0.01], log: true, whole: true, in: "07 12"},
   {option: "--sampler", label: "Pattern"},
-  {option: "--light", label: "Light by"},
+  {option: "--light", label: "Directions by"},
   {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true, told: true},
   {option: "--filter", label: "Filter, right", in: "09"},
   {option: "--beside", label: "Filter, left", here: (value) => `${value} left of the line`},
   {option: "--projection", label: "Layout"},
-  {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005]},
+  {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005], told: "the height of white, in radii"},
   {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
   {option: "--lamp-up", label: "Lamp up", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
   {option: "--bump", label: "Normals"},
   {option: "--green", label: "Green is"},
   {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
-  {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1]},
-  {option: "--weights", label: "Weights"},
-  {option: "--wrap", label: "At the edge", in: "08 09"},
+  {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
+  {option: "--weights", label: "Weights", told: "from signed areas, or as in the article from the sides"},
+  {option: "--wrap", label: "Beyond 0 to 1", in: "08 09"},
   {option: "--sky", label: "Sky"},
-  {option: "--defocus", label: "Lens angle", range: [0, 10, 0.1]},
+  {option: "--defocus", label: "Lens blur", range: [0, 10, 0.1], told: "degrees; 0: all is sharp"},
   {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: true},
-  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true},
+  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true, told: "texels a pixel may read"},
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention", told: true},
   {option: "--rounding", label: "Rounding", told: true},
-  {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true},
-  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true},
+  {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true, told: "the share of the texture; off: multiplied"},
+  {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true, told: "larger: a smaller spot"},
   {option: "--highlight", label: "Highlight", names: {lecture: "lecture's slides"}},
   {option: "--scene", label: "Scene", names: {lecture: "lecture's globe"}},
   {option: "--show", label: "Show"},
   {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, help: "the picture is enlarged by the same factor",
    here: (value) => `Eye distance × ${value}`},
-  {option: "--number", label: "Number", only: ["double", "float"], more: true, in: early + " 08"},
-  {option: "--spheres", label: "Spheres", more: true, in: early, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
+  {option: "--number", label: "Number type", only: ["double", "float"], more: true, in: early + " 08"},
+  {option: "--spheres", label: "Sphere formula", more: true, in: early, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
   {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true},
   {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true},
@@ -227,6 +227,8 @@ const hints = {
 const compared = {"07": "--sampler", "12": "--light"};
 // About how much a sample is worth by each choice, where one must be taken for right; coefficients are smooth but wrong.
 const worth = {coefficients: 0, uniform: 1, cosine: 1, importance: 50, mis: 200, auto: 200, random: 1, stratified: 2, "multi-jitter": 3, sobol: 4};
+// The first pixel that is explained, in parts of the picture, where it is not in the middle: 11's mountains, 12's matte sphere.
+const firsts = {"11": [0.54, 0.19], "12": [0.34, 0.5]};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
@@ -530,7 +532,8 @@ function live(main, packed) {
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
       if (example === null) {
         example = matchMedia("(min-width: 52rem)").matches && !main.querySelector("[name=live-chapter]");
-        if (example) pixel ??= {column: Math.floor(0.53 * canvas.width), row: Math.floor(0.46 * canvas.height)};
+        const [right, down] = firsts[chapter] || [0.53, 0.46];
+        if (example) pixel ??= {column: Math.floor(right * canvas.width), row: Math.floor(down * canvas.height)};
       }
       if (pixel?.column !== undefined) look(pixel);
       if (passes > 1) beginCurve();
@@ -781,7 +784,7 @@ function live(main, packed) {
     reset();
   }
   const rowOf = ({label, help, told}, about, id, ...fields) => element("div", {title: help || about},
-    element("label", {htmlFor: id, textContent: label}), ...fields.filter(Boolean), ...(told ? [element("small", {textContent: about})] : []));
+    element("label", {htmlFor: id, textContent: label}), ...fields.filter(Boolean), ...(told ? [element("small", {textContent: told === true ? about : told})] : []));
   function slider(control, {preset: first, help: about}) {
     const {option, label, range: [least, most, step], log, whole, off, turns} = control;
     const id = "live" + option;

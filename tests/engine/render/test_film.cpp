@@ -62,7 +62,7 @@ TEST_CASE(
   double taken = 0;
   const RenderSettings failing{
       .error_so_far = [](double) { FAIL("no error yet"); },
-      .take_row = [&](int row, const Rgb* light) { taken = 10 * row + light[0].g; }};
+      .take_row = [&](int number, const Rgb* light) { taken = 10 * number + light[0].g; }};
   GrowingFilm one(1, 2, Sampler(SamplerKind::random, 1), failing);
   FilmRows lower = one.rows(1, 2);
   one.set(lower, {0, 1}, {0, 0, 0}, {1, 2, 3});
