@@ -7,8 +7,9 @@
 
 namespace texmap {
 
-Image load_image(const std::filesystem::path& path, const char* failed) {
-  return with_name(failed, path, [&] { return decode_image(read_file(path, max_file_bytes)); });
+Image load_image(const std::filesystem::path& path) {
+  return with_name("cannot load texture", path,
+                   [&] { return decode_image(read_file(path, max_file_bytes)); });
 }
 
 }  // namespace texmap

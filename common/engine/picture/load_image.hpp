@@ -12,7 +12,6 @@ namespace texmap {
 /// @param path  a regular file of 1 byte to 64 MiB with at most 16384 pixels a side and 2^27 in all
 /// @return      8 bits a channel, no alpha; decode_image says how other files are converted
 /// Errors: FileError `cannot load texture 'F': why`, never a part of a picture; std::bad_alloc.
-[[nodiscard]] Image load_image(const std::filesystem::path& path,
-                               const char* failed = "cannot load texture");
+[[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 }  // namespace texmap

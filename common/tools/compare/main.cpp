@@ -6,7 +6,7 @@
 #include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/codecs/image_limits.hpp"
-#include "engine/picture/load_image.hpp"
+#include "engine/picture/decode_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/system/file_error.hpp"
 #include "engine/system/system.hpp"
@@ -64,7 +64,10 @@ struct Request {
 
 /// The picture in a file; an empty one where there is no name.
 Image load(const std::string& typed) {
-  return typed.empty() ? Image() : load_image(path_of(typed), "cannot load");
+  if (typed.empty()) return {};
+  const std::filesystem::path path = path_of(typed);
+  return with_name("cannot load", path,
+                   [&] { return decode_image(read_file(path, max_file_bytes)); });
 }
 
 std::string table(const Figures& figures) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "comparison.hpp"
+#include "engine/measure/text.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
+#include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
 
@@ -128,7 +131,9 @@ bool compare_chapters(const std::string& from, const std::string& to, const Choi
 }
 
 DrawnStep picture_in(const std::string& typed) {
-  return {typed, load_image(path_of(typed), "cannot load"), {}, {}};
+  const std::filesystem::path path = path_of(typed);
+  const auto decoded = [&] { return decode_image(read_file(path, max_file_bytes)); };
+  return {typed, with_name("cannot load", path, decoded), {}, {}};
 }
 
 /// What is wrong with one of two pictures, in words; nothing unless the other is the golden picture
