@@ -74,10 +74,11 @@ struct Findings {
     } else {
       words += "  tried:     " + verdict.law + "\n  expected:  " + verdict.expected +
                "\n  yours:     " + verdict.got + "\n  " + wrong_values() + ".\n";
-      if (verdict.mistake.starts_with("unchanged"))
+      if (verdict.mistake.starts_with("unchanged")) {
         words += "  Your function still returns what it returned when you got it.\n";
-      else if (!verdict.mistake.empty())
+      } else if (!verdict.mistake.empty()) {
         words += "  This is a known mistake: " + verdict.mistake + ".\n";
+      }
       if (!verdict.fact.empty()) words += "  Yours: " + verdict.fact + ".\n";
     }
     if (picture_right() && !right()) {
