@@ -34,7 +34,7 @@ struct SkyBand {
 };
 
 /// The numbers of a map's texels, row by row from the top, in an order that keeps neighbors near
-/// each other: the four quarters of a square one after another, each in its own order.
+/// each other: the four quarters of a square one after another, each in the same order.
 /// Source: Morton (1966), the Z-order.
 [[nodiscard]] inline std::vector<std::uint32_t> z_order(int width, int height) {
   std::vector<std::uint32_t> order;

@@ -225,6 +225,11 @@ def faults_of_files(out):
     print(f"the book: {size} KB")
     if size >= MOST_KB:
         yield f"the book has {size} KB, more than {MOST_KB}"
+    # A picture without its size moves the text when it arrives.
+    for page in out.glob("*.html"):
+        for picture in re.findall(r'<img [^>]*loading="lazy" src="pictures/[^>]*>', page.read_text()):
+            if page.name not in ("index.html", "print.html", "gallery.html") and " width=" not in picture:
+                yield f"{page.name}: a picture without a width: {picture[:120]}"
     # The lines of all sources have numbers, which stand in book.css; a page has 18 lines around its source.
     numbers = len(re.findall(r"\d\\a", (out / "book.css").read_text()))
     longest = max(page.read_text().count("\n") for page in (out / "source").glob("*.html"))

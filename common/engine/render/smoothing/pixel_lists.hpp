@@ -23,7 +23,7 @@ struct PixelProbe {
 /// sphere, the cosine c of the angle between ray and normal, and the normal's distance a from the
 /// axis, all in radii:
 ///     curvature_error = ((h / c^2)^3 + (h / (a c))^3) c / max(a, c),  normal_error = h^2 / c^3.
-/// @param smoothing  false: nobody asks for the errors, and they are infinite
+/// @param smoothing  false: the errors are not computed, and are infinite
 /// Source: derivatives of asin and atan2; the factors in Smoothing are measured.
 template <class Real>
 [[nodiscard]] PixelProbe<Real> probe_pixel(const View<Real>& view,
