@@ -87,15 +87,15 @@ expect_memory "03, $size pixels" $all 6 03_image_texture "$@"
 cp "$work/measured.png" "$work/texture.png"
 expect_memory "03, a texture of $size texels" $all 3 03_image_texture --texture "$work/texture.png" --width 64 --height 48
 if [ "$part" = yes ]; then
-  expect_memory "07, 2048 x 1024 pixels, 1 sample" $((2 << 20)) 27 07_earth_by_sampling --width 2048 --height 1024 --samples 1
+  expect_memory "07, 2048 x 1024 pixels, 1 sample" $((2 << 20)) 6 07_earth_by_sampling --width 2048 --height 1024 --samples 1
 else
-  expect_memory "07, $size pixels, 1 sample" $all 27 07_earth_by_sampling "$@" --samples 1
+  expect_memory "07, $size pixels, 1 sample" $all 6 07_earth_by_sampling "$@" --samples 1
   expect_memory "07, 4096 x 1024 pixels with a limit of time" $((4 << 20)) 72 07_earth_by_sampling --width 4096 --height 1024 \
     --samples 48 --time-limit 10000 --number float-pack
   expect_memory "07, a texture of $size texels, as roots" $all 7 07_earth_by_sampling --texture "$work/texture.png" --width 800 \
     --height 450 --samples 1000 --scene book --budget levels=1
 fi
-expect_memory "07, 64 x 48 pixels, 4096 samples" $((64 * 48)) 27 07_earth_by_sampling --width 64 --height 48 --samples 4096
+expect_memory "07, 64 x 48 pixels, 4096 samples" $((64 * 48)) 6 07_earth_by_sampling --width 64 --height 48 --samples 4096
 cp "$work/measured.png" "$work/samples.png"
 measure 07_earth_by_sampling --width 64 --height 48 --samples 4096 --threads 1
 cmp -s "$work/samples.png" "$work/measured.png" || fail "07, 4096 samples: one thread draws another picture"

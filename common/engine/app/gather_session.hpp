@@ -77,8 +77,9 @@ void show_gathered(Session& session, const Lesson& lesson, const std::string& su
   session.remark = [&error_so_far] { return remark_on_error(error_so_far); };
   std::string sentence;
   const Image image = session.timed(0, [&](RenderSettings render_settings) {
-    Image picture(settings.width, settings.height);
+    Image picture;
     if (!limited) {  // each row is developed when it is complete
+      picture = Image(settings.width, settings.height);
       render_settings.error_so_far = [&error_so_far](double error) { error_so_far = error; };
       render_settings.take_row = [&](int row, const Rgb* light) {
         develop_row(light, options.transfer, picture, row);
