@@ -1,6 +1,6 @@
 #!/bin/sh
-# A course that was copied elsewhere with its build/ is built anew, with a line that says so; one that stayed keeps its build. A stand-in
-# for cmake makes a program that prints a word.
+# In a course that was copied elsewhere with its build/, the build that a command needs is made anew, with a line that says so; the other
+# builds stay, and --help deletes none. One that stayed keeps its build. A stand-in for cmake makes a program that prints a word.
 # usage: test_moved.sh ROOT
 set -eu
 root=$1
@@ -31,12 +31,27 @@ cd "$work/first home"
 expect "the first time" gone silent
 : >build/learn/mark
 expect "the second time" kept silent
-mkdir -p build/grade/build
-cp build/learn/CMakeCache.txt build/grade/build
+for other in grade/build release; do
+  mkdir -p "build/$other"
+  cp build/learn/CMakeCache.txt "build/$other"
+done
 cp -R "$work/first home" "$work/copy"
 cd "$work/copy"
+# help STATUS WORDS: what ./course run 01 --help says; the build stays.
+help() {
+  status=0
+  said=$(./course run 01 --help 2>&1) || status=$?
+  case "$status $said" in "$1"*"$2"*) ;; *) echo "FAIL: help in a copy: status $status, $said"; exit 1 ;; esac
+  [ -f build/learn/mark ] || { echo "FAIL: help deleted the build"; exit 1; }
+}
+help 0 drawn
+mv build/learn/bin/01_plain_spheres program
+help 1 "without --help it is built anew"
+mv program build/learn/bin/01_plain_spheres
 expect "in a copy beside the first" gone said
-[ ! -e build/grade/build ] || { echo "FAIL: the build of ./course grade stayed"; exit 1; }
+for other in grade/build release; do
+  [ -e "build/$other" ] || { echo "FAIL: build/$other, which run does not use, is gone"; exit 1; }
+done
 : >build/learn/mark
 expect "in the copy again" kept silent
 mv "$work/copy" "$work/renamed"
