@@ -1,6 +1,7 @@
 // Names the mistake in a picture of the reader's own: ./course diagnose FILE. It tries the chapters
 // whose pictures have this size, the most similar first, so the reader need not name the chapter.
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -116,7 +117,7 @@ Image picture_in(const std::string& typed) {
 }
 
 /// How far a picture is from a right one, in few pixels: from itself, or from what goes wrong with
-/// a whole picture.
+/// a whole picture. What is painted over a part of a picture counts by its area, not by its color.
 double distance(const Image& mine, const Image& right) {
   const auto small = [](const Image& image) {
     return shrunk(image, (image.width + 7) / 8, (image.height + 7) / 8);
@@ -124,9 +125,13 @@ double distance(const Image& mine, const Image& right) {
   const Image seen = small(mine), itself = small(right);
   std::vector<WrongPicture> ways = mistakes_of_the_whole(itself);
   ways.push_back({"", "", itself});
+  constexpr int plainly_wrong = 8;  // levels: a pixel that is farther off is no farther off
   double least = std::numeric_limits<double>::infinity();
   for (const WrongPicture& way : ways) {
-    least = std::min(least, measure(seen, way.picture, {}, Detail::pixels).root_mean_square_error);
+    double sum = 0;
+    for (std::size_t i = 0; i < seen.pixels.size(); ++i)
+      sum += std::min(channel_difference(seen.pixels[i], way.picture.pixels[i]), plainly_wrong);
+    least = std::min(least, sum);
   }
   return least;
 }
