@@ -36,6 +36,7 @@ TEST_CASE("01: strangers' answers get their words") {
   by_cosine("is dark", [](D c, D s) { return max(c, 0.0); });
   by_cosine("share is missing", [](D c, D s) { return abs(c); });
   by_cosine("slanted light", [](D c, D s) { return c < 0 ? s : c; });
+  by_cosine("without 1 +", [](D c, D s) { return c > 0 ? c : s * (1 + c); });
   by_cosine("negative light", [](D c, D s) { return c < 0 ? s * c : c; });
 
   using Hit = const FirstHit&;

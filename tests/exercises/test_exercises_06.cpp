@@ -25,6 +25,13 @@ TEST_CASE("06: strangers' answers get their words") {
         [](V n, V l, V e, D s) { return pow(dot(normalize(l + n), e), s); });
   shine("direction to the eye is -d",
         [](V n, V l, V e, D s) { return pow(max(dot(n, normalize(l - e)), 0.), s); });
+  shine("is a sine", [](V n, V l, V e, D s) { return pow(length(cross(n, l + e)), s); });
+  shine("at right angles", [](V n, V l, V e, D s) { return pow(dot(n, cross(l, e)), s); });
+  shine("no half of it",
+        [](V n, V l, V e, D s) { return pow(cos(acos(dot(n, normalize(l + e))) / 2), s); });
+  shine("half of the angle between r", [](V n, V l, V e, D s) {
+    return pow(cos(acos(clamp(dot(2 * dot(n, l) * n - l, e), -1., 1.)) / 2), s);
+  });
   highlight("test n . l first", [](V n, V to_lamp, V d, D s) {
     return pow(dot(n, normalize(normalize(to_lamp) - d)), s);
   });
@@ -43,6 +50,7 @@ TEST_CASE("06: strangers' answers get their words") {
   };
   print("falls evenly", [](Color c, D t) { return t; });
   print("belong where it is white", [=](Color c, D t) { return t * mean(c); });
+  print("the length of the color", [](Color c, D t) { return t * (1 - length(V{c.r, c.g, c.b})); });
   print("t is missing", [=](Color c, D t) { return 1 - mean(c); });
   print("divide the sum by 3", [](Color c, D t) { return t * (1 - (c.r + c.g + c.b)); });
   printed.right([=](Color c, D light, D t) {  // from the light toward the texture, in float

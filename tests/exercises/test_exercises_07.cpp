@@ -29,6 +29,7 @@ TEST_CASE("07: strangers' answers get their words") {
   by_height("over a disk", [](D a, D edge) { return sqrt(1 - a); });
   by_height("not the angle", [](D a, D edge) { return cos(acos(edge) * a); });
   by_height("a = 0 is straight up", [](D a, D edge) { return a + edge - a * edge; });
+  by_height("a = 1 the height edge", [](D a, D edge) { return (1 - a) * edge; });
   by_height("ends at the height edge", [](D a, D edge) { return 1 - a; });
   through_window("half of the window", [](D a, D b, D edge) {
     const D z = a * edge + (1 - a);

@@ -249,6 +249,8 @@ Slips<double> wrong_lights(Vec3d p, Vec3d n, Vec3d lamp, double share) {
       {"the share is missing: the side away from the lamp gets no more than that", light(1, 1)},
       {"the side that faces the lamp gets all of its light, not a share",
        {light(share, share), light(1 - share, share), light(share, 0)}},
+      {"a lamp straight behind gives most: there the light is share * -cosine, without 1 +",
+       {c > 0 ? c : share * (1 + c), share * (1 + c)}},
       {"from behind, slanted light is weaker: share * -cosine", {c > 0 ? c : share, max(c, share)}},
       {"the share is for the side away from the lamp: add nothing to the other side's light",
        {cut + share, cut + share * abs(c), cut + share * (1 - c)}},

@@ -138,11 +138,19 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
       {"halfway between the lamp and the eye, not between one of them and n",
        {dot(e, normalize(n + l)), dot(l, normalize(n + e)), dot(n, normalize(n + l)),
         dot(n, normalize(n + e))}},
+      {"the cross product is a sine: the cosine is the dot product",
+       {length(cross(n, h)), length(cross(n, l + e))}},
+      {"the angle is the one between n and the direction halfway, whole: no half of it",
+       cos(acos(clamp(c, -1., 1.)) / 2)},
+      {"half of the angle between r and the eye is this only where n lies in the plane of l and -d",
+       cos(acos(clamp(dot(mirror(l, n), e), -1., 1.)) / 2)},
       {"no cosine is above 0: take the sum of l and -d, limited by std::max", {-c, min(c, 0.)}},
   };
   wrong += {
       changed(cosines, power),
       changed(cosines, [=](double cosine) { return pow(cosine, s); }),
+      {"the cross product is at right angles to l and -d: their sum lies halfway",
+       {pow(dot(n, cross(l, e)), s), pow(dot(n, cross(e, l)), s)}},
       {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
       {"base and exponent are exchanged: std::pow(cosine, shininess)", pow(s, c)},
       {"this is the cosine: raise it to the power shininess", c},
@@ -220,6 +228,7 @@ Rgb right_print(Rgb c, double light, double t) {
 Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
   const auto [r, g, b] = texture;
   const double bright = brightness(texture), share = t * (1 - bright), lit = min(light, 1.);
+  const double norm = length(Vec3d{r, g, b});
   const auto with = [&](double other) { return gray(other) * (1 - share) + texture * share; };
   const auto by = [&, r = r, g = g, b = b](double t_r, double t_g, double t_b) {
     return Rgb{r * t_r + lit * (1 - t_r), g * t_g + lit * (1 - t_g), b * t_b + lit * (1 - t_b)};
@@ -239,6 +248,8 @@ Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
        {all(t * (1 - r)), all(t * (1 - g)), all(t * (1 - b)), all(t * (1 - max({r, g, b}))),
         all(t * (1 - min({r, g, b}))), all(t * (1 - (max({r, g, b}) + min({r, g, b})) / 2)),
         all(t * (1 - (0.2126 * r + 0.7152 * g + 0.0722 * b)))}},
+      {"the brightness is a mean: the length of the color is none",
+       {all(t * (1 - norm)), all(t * max(1 - norm, 0.)), all(t * (1 - norm / sqrt(3.)))}},
       {"all three parts have one share, of the mean", by(t * (1 - r), t * (1 - g), t * (1 - b))},
       {"brightness is the texture's, not the light's", {all(t * (1 - lit)), all(t * (1 - light))}},
       {"the light has the rest, 1 - share, not 1 - t", texture * share + gray(lit) * (1 - t)},

@@ -210,6 +210,8 @@ Slips<Vec3d> wrong_directions(double a, double b, double edge) {
       {"a = 0 is straight up: the height falls from 1 to edge", at(edge + a * height)},
       {"the window ends at the height edge: it is 1 - a * (1 - edge)",
        {at(1 - a), at(a), at(1 - 2 * a), at(1 - a * edge), at(1 - a - edge), at(a * edge)}},
+      {"a = 0 has the height 1, and a = 1 the height edge: it is 1 - a * (1 - edge)",
+       {at((1 - a) * edge), at(1 - (1 - a) * edge)}},
       {"all directions go to the edge of the window: the height depends on a", at(edge)},
       {"the length is not 1: at the height z the radius is the root of 1 - z * z",
        {with(1 - z * z), with(1 - z), with(sqrt(1 - z)), with(1), with(a), with(sqrt(a)),
