@@ -18,6 +18,7 @@
 #include <iostream>
 #include <limits>
 #include <numbers>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -37,10 +38,10 @@ struct Problem {
   std::function<Wide(Wide)> weight;
 };
 
-/// A polynomial's coefficients by powers, and the largest weighted error.
+/// A polynomial's coefficients by powers, and a bound of its weighted error, as the file shows it.
 struct Fit {
   std::vector<Wide> powers;
-  Wide worst;
+  std::string worst;
 };
 
 /// Maps x in [-1, 1] to [low, high].
@@ -122,6 +123,19 @@ Wide worst_of(const Problem& problem, const std::vector<Wide>& powers) {
   return worst;
 }
 
+/// `x` in scientific notation.
+std::string shown(Wide x, int digits) {
+  std::ostringstream out;
+  out << std::scientific << std::setprecision(digits - 1) << x;
+  return out.str();
+}
+
+/// Two digits, rounded up, so that a bound remains a bound.
+std::string shown_bound(Wide x) {
+  const Wide unit = std::pow(Wide(10), std::floor(std::log10(x)) - 1);
+  return shown(std::ceil(x / unit) * unit, 2);
+}
+
 /// The best polynomial with `count` coefficients.
 Fit best(const Problem& problem, std::size_t count) {
   constexpr int grid = 20000;
@@ -183,7 +197,7 @@ Fit best(const Problem& problem, std::size_t count) {
   }
 
   const std::vector<Wide> powers = by_powers(problem, best_c);
-  return {powers, worst_of(problem, powers)};
+  return {powers, shown_bound(worst_of(problem, powers))};
 }
 
 /// atan(t) / t in turns as a function of t^2; errors are those of the angle.
@@ -216,19 +230,6 @@ const Problem srgb_curve{
     std::sqrt(Wide(0.0031308L)), 1,
     [](Wide r) { return 255 * (Wide(1.055L) * std::pow(r, Wide(5) / 6) - Wide(0.055L)); },
     [](Wide) { return Wide(1); }};
-
-/// `x` in scientific notation.
-std::string shown(Wide x, int digits) {
-  std::ostringstream out;
-  out << std::scientific << std::setprecision(digits - 1) << x;
-  return out.str();
-}
-
-/// Two digits, rounded up, so that a bound remains a bound.
-std::string shown_bound(Wide x) {
-  const Wide unit = std::pow(Wide(10), std::floor(std::log10(x)) - 1);
-  return shown(std::ceil(x / unit) * unit, 2);
-}
 
 /// A number of coefficients, and the stated bound on what rounding does, in epsilons.
 struct Size {
@@ -273,8 +274,17 @@ const std::vector<Family> families = {
      srgb_curve, sizes("3 400 4 740")},
 };
 
+/// All fits, in the file's order.
+std::vector<Fit> best_fits() {
+  std::vector<Fit> fits;
+  for (const Family& family : families) {
+    for (const Size& size : family.sizes) fits.push_back(best(family.problem, size.count));
+  }
+  return fits;
+}
+
 /// The text of the file.
-std::string coefficients() {
+std::string text_of(const std::vector<Fit>& fits) {
   std::ostringstream out;
   out << "// Polynomials for the kernels. tools/fit_kernels.cpp writes this file: change that "
          "one.\n"
@@ -284,69 +294,39 @@ std::string coefficients() {
          "// `powers` holds the coefficients, the lowest power first. `worst` is the largest error "
          "with exact\n// arithmetic. `rounding` bounds what rounding adds to it, in epsilons, as "
          "tests/proofs proves for\n// float, double and 80-bit long double.\n";
+  auto fit = fits.begin();
   for (const Family& family : families) {
     out << "\n" << family.comment << "template <int Terms>\nstruct " << family.name << ";\n";
     for (const auto& [count, rounding] : family.sizes) {
-      const Fit fit = best(family.problem, count);
       out << "template <> struct " << family.name << "<" << count
-          << "> {\n  static constexpr double worst = " << shown_bound(fit.worst)
-          << ", rounding = " << rounding << ";\n  static constexpr std::array<long double, "
-          << count << "> powers = {\n";
+          << "> {\n  static constexpr double worst = " << fit->worst << ", rounding = " << rounding
+          << ";\n  static constexpr std::array<long double, " << count << "> powers = {\n";
       for (std::size_t i = 0; i < count; ++i) {
         out << (i % 3 == 0 ? "      " : " ")
-            << shown(fit.powers[i], std::numeric_limits<Wide>::max_digits10) << "L"
+            << shown(fit->powers[i], std::numeric_limits<Wide>::max_digits10) << "L"
             << (i + 1 == count ? "};\n};\n"
                 : i % 3 == 2   ? ",\n"
                                : ",");
       }
+      ++fit;
     }
   }
   out << "\n}  // namespace texmap::fits\n// clang-format on\n";
   return out.str();
 }
 
-/// A text in two parts: its numbers with an exponent, and the rest.
-struct SplitText {
-  std::string rest;
-  std::vector<Wide> numbers;
-};
-
-SplitText split(const std::string& text) {
-  SplitText parts;
-  for (const char* at = text.c_str(); *at != '\0';) {
-    char* end = nullptr;
-    const bool is_start = (*at >= '0' && *at <= '9') || *at == '-';
-    const Wide number = is_start ? std::strtold(at, &end) : 0;
-    if (is_start && std::string(at, static_cast<const char*>(end)).find('e') != std::string::npos) {
-      parts.numbers.push_back(number);
-      at = end;
-    } else {
-      parts.rest += *at++;
-    }
-  }
-  return parts;
-}
-
-/// A polynomial of a file: its coefficients by powers, and the stated error.
-struct GivenFit {
-  const Family& family;
-  Size size;
-  Wide worst;
-  std::vector<Wide> powers;
-};
-
-/// The polynomials with these numbers, in the file's order.
-std::vector<GivenFit> given_fits(const std::vector<Wide>& numbers, const std::string& path) {
-  std::vector<GivenFit> fits;
-  std::size_t next = 0;
+/// The fits of a text as text_of makes it: the numbers with an exponent, in their order. What is
+/// missing is 0.
+std::vector<Fit> fits_in(const std::string& text) {
+  static const std::regex number(R"(-?\d\.\d+e[-+]\d+)");
+  std::sregex_iterator at(text.begin(), text.end(), number);
+  const auto next = [&] { return at == std::sregex_iterator() ? "0" : (at++)->str(); };
+  std::vector<Fit> fits;
   for (const Family& family : families) {
     for (const Size& size : family.sizes) {
-      if (numbers.size() - next < 1 + size.count)
-        throw std::runtime_error(path + " is not what this program writes");
-      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(next) + 1;
-      fits.push_back(
-          {family, size, numbers[next], {first, first + static_cast<std::ptrdiff_t>(size.count)}});
-      next += 1 + size.count;
+      fits.push_back({{}, next()});
+      while (fits.back().powers.size() < size.count)
+        fits.back().powers.push_back(std::stold(next()));
     }
   }
   return fits;
@@ -365,20 +345,20 @@ std::string contents(const std::string& path) {
 /// Processors round long double's functions differently. So each polynomial is checked by itself:
 /// its error is at most the stated one, which is at most a tenth larger than the one found here.
 void check(const std::string& path) {
-  const SplitText given = split(contents(path));
-  const SplitText found = split(coefficients());
-  if (given.rest != found.rest || given.numbers.size() != found.numbers.size()) {
-    throw std::runtime_error(path + " is not what this program writes");
-  }
-  const std::vector<GivenFit> found_fits = given_fits(found.numbers, path);
-  std::size_t next = 0;
-  for (const GivenFit& fit : given_fits(given.numbers, path)) {
-    const std::string which =
-        path + ", " + fit.family.name + "<" + std::to_string(fit.size.count) + ">: ";
-    if (!(worst_of(fit.family.problem, fit.powers) <= fit.worst))
-      throw std::runtime_error(which + "the error is larger than stated");
-    if (!(fit.worst <= Wide(1.1L) * found_fits[next++].worst))
-      throw std::runtime_error(which + "there is a better polynomial");
+  const std::string text = contents(path);
+  const std::vector<Fit> given = fits_in(text), found = best_fits();
+  if (text_of(given) != text) throw std::runtime_error(path + " is not what this program writes");
+  std::size_t i = 0;
+  for (const Family& family : families) {
+    for (const Size& size : family.sizes) {
+      const std::string which =
+          path + ", " + family.name + "<" + std::to_string(size.count) + ">: ";
+      const Wide worst = std::stold(given[i].worst);
+      if (!(worst_of(family.problem, given[i].powers) <= worst))
+        throw std::runtime_error(which + "the error is larger than stated");
+      if (!(worst <= Wide(1.1L) * std::stold(found[i++].worst)))
+        throw std::runtime_error(which + "there is a better polynomial");
+    }
   }
 }
 
@@ -393,7 +373,7 @@ int main(int count, char** arguments) {
       check(words[1]);
     } else if (words.size() == 1) {
       std::ofstream file(words[0], std::ios::binary);
-      file << coefficients();
+      file << text_of(best_fits());
       file.close();
       if (!file) throw std::runtime_error(words[0] + ": cannot be written");
     } else {
