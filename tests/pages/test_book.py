@@ -207,7 +207,6 @@ def make_out(book, root, programs, out):
     turntable = re.search(r"05_y_rotation_000\.png (--turntable [^)]*)\)", (root / "chapters" / "CMakeLists.txt").read_text())
     run(programs / "05_y_rotation", "--quiet", "--out", out / "05_y_rotation.png", *shlex.split(turntable[1]))
     run(programs / "compare_steps", "--quiet", "--shared", "--drawn", out, "--out", out / "diff")
-    run(programs / "pack_png", out)
     run("cmake", f"-DCHAPTERS={';'.join(names)}", f"-DFOLDER={root / 'chapters'}", f"-DGALLERY={out}", "-P", root / "common/tools/gallery.cmake")
     (out / "index.html").rename(out / "gallery.html")
     places = [made_up_way("double", 0, 1, 1.6e-11, 0, 0, "run double"), made_up_way("double", 23, 1.5, 7e-9, 0, 0, "run 23"),

@@ -87,7 +87,6 @@ std::vector<std::uint8_t> deflate(Bytes bytes, Packing packing) {
                          &size, packing == Packing::close ? 64 : 5),
       std::free);
   if (!stream) throw std::bad_alloc();
-  if (packing == Packing::close) stream.get()[1] = 0xDA;
   return {stream.get(), stream.get() + size};
 }
 

@@ -17,7 +17,7 @@ enum class Packing {
 };
 
 /// Compresses bytes into a zlib stream, by libdeflate or, where that is missing, by
-/// stb_image_write. A closely packed stream begins with the bytes 78 DA.
+/// stb_image_write.
 ///
 /// @param bytes  at most 2^31 - 1, possibly none
 /// Errors: std::bad_alloc.

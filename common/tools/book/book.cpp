@@ -24,6 +24,7 @@
 #include "engine/measure/text.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
+#include "engine/system/system.hpp"
 #include "highlight.hpp"
 #include "markdown.hpp"
 #include "microscope.hpp"
@@ -568,8 +569,9 @@ class Book {
     if (!fs::exists(map)) return "<h1>Texture Mapping, Step by Step</h1>\n";
     const double radii = std::pow(10, 3.3);  // where the slider of cover.html begins
     fs::create_directories(out_ / "pictures");
-    save_png(microscope::draw({load_image(map)}, radii, 320, 0, 320),
-             out_ / "pictures/microscope.png");
+    write_file_atomically(
+        out_ / "pictures/microscope.png",
+        encode_png(microscope::draw({load_image(map)}, radii, 320, 0, 320), Packing::close));
     std::string html = contents_of(folder() / "cover.html");
     if (page_of("chapters/14_numerical_extremes/README.md") == nullptr)
       replace_first(html, "<a" + between(html, "<a", "</a>") + "</a>", "");

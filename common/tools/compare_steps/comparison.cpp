@@ -164,7 +164,9 @@ std::string verdict_of_pictures(const Comparison& c) {
 
 page::Picture Pictures::show(const Image& image, const std::string& file) const {
   if (folder.empty()) return page::inside(image);
-  save_png(image, folder / file);
+  const std::filesystem::path path = folder / file;
+  with_name("cannot write", path,
+            [&] { write_file_atomically(path, encode_png(image, Packing::close)); });
   return {page::address_of(file), image.width, image.height};
 }
 

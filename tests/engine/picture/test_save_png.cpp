@@ -77,8 +77,6 @@ TEST_CASE(
   CHECK(encode_png(noise(800, 600, 1)).size() < 800 * 600 * 3 * 102 / 100);
   const Image image = load_image(TEXMAP_TESTS_DIR "/golden/03_image_texture.png");
   const File close = encode_png(image, Packing::close);
-  CHECK(close[41] == 0x78);  // by this pack_png knows what it has packed
-  CHECK(close[42] == 0xDA);
   CHECK(comes_back(image, Packing::close));
   const std::size_t fast = encode_png(image).size();
   CHECK(fast < 92000);  // stb_image_write's, with its default settings, has 89,188 bytes
