@@ -14,16 +14,6 @@ using UInt = typename NumberTraits<Real>::UInt;
   return a < b ? yes : no;
 }
 
-/// Integers with value(i) in lane `i`, for i from 0 to lanes - 1.
-template <class Real, class Value>
-[[nodiscard]] inline UInt<Real> uint_from_lanes(Value value) {
-  if constexpr (lanes<Real> == 1) {
-    return value(std::size_t{0});
-  } else {
-    return UInt<Real>::from_lanes(value);
-  }
-}
-
 /// The integer in lane `i` of `bits`.
 template <class Real>
 [[nodiscard]] inline std::uint32_t uint_lane(const UInt<Real>& bits, std::size_t i) {

@@ -6,17 +6,6 @@
 
 namespace texmap {
 
-/// What one step of length 1 in x changes: the first derivative of a vector.
-template <class Real>
-[[nodiscard]] Vec3<Real> dx_of(const Vec3<Dual<Real>>& p) {
-  return {p.x.dx, p.y.dx, p.z.dx};
-}
-/// The same for a step in y.
-template <class Real>
-[[nodiscard]] Vec3<Real> dy_of(const Vec3<Dual<Real>>& p) {
-  return {p.x.dy, p.y.dy, p.z.dy};
-}
-
 /// The hit with derivatives by a step along `frame.right` (x) and one along `frame.up` (y), both in
 /// units of the scene. Mappings and paints called with it give their slopes along the surface.
 ///

@@ -23,8 +23,13 @@ void check_lanes(const Operations&... operations) {
   const auto corner = [](std::size_t i) { return corners[i % corners.size()]; };
   for (std::size_t first = 0; first < corners.size(); ++first) {
     for (std::size_t second = 0; second < corners.size(); ++second) {
-      const auto from = [&](std::size_t start) {
-        return uint_from_lanes<Real>([&](std::size_t i) { return corner(start + 7 * i); });
+      const auto from = [&](std::size_t start) -> UInt<Real> {
+        const auto value = [&](std::size_t i) { return corner(start + 7 * i); };
+        if constexpr (lanes<Real> == 1) {
+          return value(0);
+        } else {
+          return UInt<Real>::from_lanes(value);
+        }
       };
       const auto check = [&](const auto& operation) {
         const UInt<Real> got = operation(from(first), from(second));

@@ -15,9 +15,10 @@ template <class Real>
 /// The same for the pixels of a row, one a lane, from `column` on.
 template <class Real>
 [[nodiscard]] inline UInt<Real> hash_row(std::uint32_t column, std::uint32_t row) {
-  const auto columns = uint_from_lanes<Real>(
-      [column](std::size_t i) { return column + static_cast<std::uint32_t>(i); });
-  return hash_pixels<Real>(columns, UInt<Real>(row));
+  const auto columns = from_lanes<Real>([column](std::size_t i) {
+    return static_cast<Scalar<Real>>(column + static_cast<std::uint32_t>(i));
+  });
+  return hash_pixels<Real>(uint_from_real(columns), UInt<Real>(row));
 }
 
 }  // namespace texmap::test
