@@ -8,19 +8,9 @@
 
 #include "scene/paint.hpp"
 #include "support/dice.hpp"
-#include "support/two_facets.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
-
-namespace {
-
-Vec3d leaning(const Vec3d& normal, double angle, Dice& dice) {
-  const Vec3<long double> n{normal.x, normal.y, normal.z};
-  return normalize(normal * std::cos(angle) + rounded<double>(dice.across(n)) * std::sin(angle));
-}
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("with the surface's own normal the light is the plain light, to the bit", Real,
                    float, double, long double) {
@@ -66,26 +56,4 @@ TEST_CASE("a bump that faces the lamp stays dark where the globe itself faces aw
   const double plain = lit.to_light.z, bumped = dot(lit.to_light, bent);
   CHECK(lit.cosine == bumped * terminator(plain, bumped, dot(bent, normal)));
   CHECK(lit.cosine > 0.2);
-}
-
-TEST_CASE("two facets have the true normal as their mean, and are seen as the surface is") {
-  Dice dice(4);
-  for (int i = 0; i < 300; ++i) {
-    const Vec3d normal = dice.direction<double>();
-    const TwoFacets<double> facets =
-        two_facets(normal, leaning(normal, dice.between(0, 1.5), dice));
-    const Vec3d mean = facets.bent * facets.bent_area + facets.upright * facets.upright_area;
-    CHECK(largest(mean - normal) < 1e-14 * facets.bent_area);
-    for (int k = 0; k < 20; ++k) {
-      const Vec3d toward = dice.direction<double>();
-      const double above = dot(normal, toward);
-      const SeenAreas<double> seen = seen_areas(facets, toward);
-      const double chance = chance_to_leave(facets, toward);
-      if (above <= 0) {
-        CHECK(chance == 0);
-      } else {
-        CHECK(chance * (seen.bent + seen.upright) == doctest::Approx(above).epsilon(1e-9));
-      }
-    }
-  }
 }
