@@ -12,31 +12,26 @@
 namespace texmap {
 namespace {
 
-bool all_digits(std::string_view text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
 /// [+-] digits [. digits] [e [+-] digits], with a digit before or after the point.
 bool is_decimal(std::string_view text) {
-  const auto skip_sign = [&text] {
-    if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  const auto take = [&text](std::string_view any_of) {
+    const bool found = !text.empty() && any_of.find(text.front()) != std::string_view::npos;
+    if (found) text.remove_prefix(1);
+    return found;
   };
-  skip_sign();
-  if (const auto e = text.find_first_of("eE"); e != std::string_view::npos) {
-    std::string_view exponent = text.substr(e + 1);
-    if (!exponent.empty() && (exponent.front() == '-' || exponent.front() == '+'))
-      exponent.remove_prefix(1);
-    if (!all_digits(exponent)) return false;
-    text = text.substr(0, e);
+  const auto take_digits = [&] {
+    bool any = false;
+    while (take("0123456789")) any = true;
+    return any;
+  };
+  take("+-");
+  bool good = take_digits();
+  if (take(".")) good = take_digits() || good;
+  if (good && take("eE")) {
+    take("+-");
+    good = take_digits();
   }
-  if (const auto point = text.find('.'); point != std::string_view::npos) {
-    const std::string_view whole = text.substr(0, point);
-    const std::string_view part = text.substr(point + 1);
-    return (all_digits(whole) && (part.empty() || all_digits(part))) ||
-           (whole.empty() && all_digits(part));
-  }
-  return all_digits(text);
+  return good && text.empty();
 }
 
 }  // namespace
@@ -77,7 +72,7 @@ std::optional<double> read_decimal(std::string_view text) {
   const std::size_t sign = text.find_first_not_of("+-") == 1 ? 1 : 0;
   const char* const end = text.data() + text.size();
   double number = 0;
-  if (text.size() > sign && (text[sign] == '.' || all_digits(text.substr(sign, 1)))) {
+  if (text.find_first_of("0123456789.", sign) == sign) {
     const auto [stopped, error] = std::from_chars(text.data() + sign, end, number);
     if (error == std::errc() && stopped == end) return text.front() == '-' ? -number : number;
   }
