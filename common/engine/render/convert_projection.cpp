@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "engine/kernels/turns.hpp"
 #include "engine/render/threads.hpp"
@@ -52,6 +53,8 @@ Texel beyond_band(CubeSpacing spacing, const Texel& home, int column, int row, i
   return texel_of(uv_cube(spacing, lower ? other_band(q) : q), width, height);
 }
 
+constexpr int most_places = 8;  // of a texel in each direction
+
 /// How many places a texel needs in each direction, from the footprint on the other picture.
 int places_for(const LightImage& image, Projection from, Projection to, const Uv<double>& uv,
                const PictureSize& size) {
@@ -60,7 +63,7 @@ int places_for(const LightImage& image, Projection from, Projection to, const Uv
   const double across = std::hypot(there.u.dx * image.width, there.v.dx * image.height);
   const double down = std::hypot(there.u.dy * image.width, there.v.dy * image.height);
   // At a pole the derivatives may be infinite or NaN.
-  const double longest = clamp(max(across, down), 1.0, 8.0);
+  const double longest = clamp(max(across, down), 1.0, double{most_places});
   return static_cast<int>(std::ceil(longest - 0.01));
 }
 
@@ -116,9 +119,9 @@ Color<double> light_at(const LightImage& image, Projection projection, const Uv<
   const double y = (1 - uv.v) * height - 0.5;
   const int left = static_cast<int>(std::floor(x));
   const int top = static_cast<int>(std::floor(y));
-  const Texel home = texel_of(uv, width, height);
   const bool cube = facts_of(projection).aspect == 1.5;
   const bool inside = !cube && left >= 0 && left + 1 < width && top >= 0 && top + 1 < height;
+  const Texel home = inside ? Texel{left, top} : texel_of(uv, width, height);
   std::array<Color<double>, 4> lights;  // from the left, then from the top
   for (int i = 0; i < 4; ++i) {
     const Texel beside{left + i % 2, top + i / 2};
@@ -144,21 +147,28 @@ Image convert_projection(const Image& image, Projection from, Projection to,
   const LightImage light = light_of(image, TexelLight::linear);
   Image result(size.width, size.height);
   for_each_row(size.height, threads, {}, [&](int row) {
+    std::array<Vec3<double>, most_places * most_places> directions;
+    std::array<Uv<double>, most_places * most_places> places;
     for (int column = 0; column < size.width; ++column) {
       const Uv<double> center = center_of({column, row}, size.width, size.height);
       // Texels on the rim show the nearest direction, so that no black is mixed in.
       if (!shows(to, center, 1.5 / size.width)) continue;
       const int n = places_for(light, from, to, center, size);
+      std::size_t count = 0;
+      for (int down = 0; down < n; ++down) {
+        const double v = 1 - (row + (down + 0.5) / n) / size.height;
+        for (int across = 0; across < n; ++across)
+          directions[count++] =
+              unproject(to, Uv<double>{(column + (across + 0.5) / n) / size.width, v});
+      }
+      for (std::size_t k = 0; k < count; ++k) {  // apart: compilers then calculate several at once
+        places[k] = from == Projection::equirect ? FastUnitMapping<29>{}(directions[k])
+                                                 : project(from, directions[k]);
+      }
       Color<double> sum{};
-      for (int k = 0; k < n * n; ++k) {
-        const int across = k % n, down = k / n;
-        const Uv<double> uv{(column + (across + 0.5) / n) / size.width,
-                            1 - (row + (down + 0.5) / n) / size.height};
-        const Vec3<double> direction = unproject(to, uv);
-        if (from == Projection::plane && direction.y < 0) continue;
-        const Uv<double> place = from == Projection::equirect ? FastUnitMapping<29>{}(direction)
-                                                              : project(from, direction);
-        sum = sum + light_at(light, from, place);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (from == Projection::plane && directions[k].y < 0) continue;
+        sum = sum + light_at(light, from, places[k]);
       }
       const double share = 1.0 / (n * n);
       result.at(column, row) = {encoded(sum.r * share), encoded(sum.g * share),
