@@ -223,7 +223,7 @@ std::string report_page(const Comparison& c, const Code& before, const Code& aft
   html += "<h2>Both pictures</h2>\n";
   html += page::slider(pictures.show(c.before, "before.png"), c.before.name,
                        pictures.show(c.after, "after.png"), c.after.name);
-  html += "<h2>Figures</h2>\n" + page::table({}, rows) + where_they_differ(c, pictures);
+  html += "<h2>Figures</h2>\n" + page::table(rows) + where_they_differ(c, pictures);
   if (on_stage) html += code_section(before, after);
   return page::framed({"From " + c.before.name + " to " + c.after.name, {}, page::slider_script},
                       html);

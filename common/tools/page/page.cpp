@@ -159,10 +159,8 @@ std::string address_of(std::string_view path) {
   return address;
 }
 
-Picture inside(const Image& image) { return inside(encode_png(image), image.width, image.height); }
-
-Picture inside(std::span<const std::uint8_t> png, int width, int height) {
-  return {"data:image/png;base64," + base64(png), width, height};
+Picture inside(const Image& image) {
+  return {"data:image/png;base64," + base64(encode_png(image)), image.width, image.height};
 }
 
 std::string picture(const Picture& picture, const std::string& alternative) {
@@ -196,12 +194,8 @@ std::string slider(const Picture& before, const std::string& before_name, const 
          "</div>\n</div>\n";
 }
 
-std::string table(const std::vector<std::string>& head,
-                  const std::vector<std::vector<std::string>>& rows_html) {
-  std::string html = "<div class=\"scroll\"><table>\n", names;
-  for (const std::string& name : head) names += in_tag("th scope=\"col\"", escaped_foreign(name));
-  if (!head.empty()) html += in_tag("thead", in_tag("tr", names)) + "\n";
-  html += "<tbody>\n";
+std::string table(const std::vector<std::vector<std::string>>& rows_html) {
+  std::string html = "<div class=\"scroll\"><table>\n<tbody>\n";
   for (const std::vector<std::string>& row : rows_html) {
     std::string cells;
     for (const std::string& cell : row)

@@ -42,9 +42,6 @@ struct Picture {
 /// A picture with its bytes inside the page, which then is one file.
 [[nodiscard]] Picture inside(const Image& image);
 
-/// The same of a PNG file that is there.
-[[nodiscard]] Picture inside(std::span<const std::uint8_t> png, int width, int height);
-
 /// @param alternative  for readers who do not see it
 [[nodiscard]] std::string picture(const Picture& picture, const std::string& alternative);
 
@@ -62,10 +59,7 @@ struct Picture {
 extern const char* const slider_script;
 
 /// A table. The first cell of a row names it.
-///
-/// @param head  text for each column; none: a table without a head
-[[nodiscard]] std::string table(const std::vector<std::string>& head,
-                                const std::vector<std::vector<std::string>>& rows_html);
+[[nodiscard]] std::string table(const std::vector<std::vector<std::string>>& rows_html);
 
 /// What the page found, in one sentence or two.
 [[nodiscard]] std::string verdict(bool good, const std::string& sentence_html);
