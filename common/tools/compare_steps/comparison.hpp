@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/app/run_chapter.hpp"
+#include "engine/app/prepared.hpp"
 #include "engine/compare/difference.hpp"
 #include "engine/compare/known_mistakes.hpp"
 #include "texture/uv.hpp"
@@ -37,19 +37,10 @@ template <class Lesson>
 [[nodiscard]] DrawnStep draw_step(const std::string& chapter, const Drawing& drawing,
                                   const std::vector<std::string>& options = {}) {
   Lesson lesson;
-  CommandLine line(chapter, "");
-  lesson.options(line);
-  Session session(chapter, line, Lesson::about, offers_for(lesson));
-  static_cast<void>(line.parse(options));
-  session.settings.quiet = true;
-  session.settings.width = drawing.width;
-  session.settings.height = drawing.height;
-  session.settings.threads = drawing.threads;
-  lesson.prepare(session);
-
-  DrawnStep step{chapter, session.draw(lesson), {}, {}};
-  for (const std::string& word : options) step.name += " " + word;
+  const NumberKind number = make_ready(lesson, options).number;
   const View<> view = view_of(lesson.stage.camera, drawing.width, drawing.height);
+  DrawnStep step{chapter, draw(lesson, view, number, {.threads = drawing.threads}), {}, {}};
+  for (const std::string& word : options) step.name += " " + word;
   for (int row = 0; row < drawing.height; ++row) {
     for (int column = 0; column < drawing.width; ++column) {
       const Surface<double> seen = surface_along(lesson, ray_through<double>(view, column, row));
