@@ -1,4 +1,4 @@
-# The suites that measure errors against 50 and 100 digits, and the program that writes docs/numbers.md from the same claims.
+# The suites that measure errors against 50 digits, and the program that writes docs/numbers.md from the same claims.
 
 if(TEXMAP_INSTRUMENT)
   return()  # Boost's numbers take minutes to compile with sanitizers; the suites of each header run the same functions
