@@ -38,8 +38,6 @@ add_closure(12_environment_map 45 2800)
 
 # The rooms of common/: a header that climbs is refused with its name and its room.
 add_check(layers "closure;reader" "${CMAKE_COMMAND}" "-DFOLDER=${CMAKE_SOURCE_DIR}/common" -P "${CMAKE_SOURCE_DIR}/common/layers.cmake")
-add_check(architecture_page "closure;reader" "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" -P
-  "${CMAKE_CURRENT_SOURCE_DIR}/closure/architecture.cmake")
 
 # No work before main, in the libraries and in the chapters.
 if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
