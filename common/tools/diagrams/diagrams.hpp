@@ -7,12 +7,9 @@
 
 namespace texmap::diagrams {
 
-[[nodiscard]] std::vector<Drawing> diagrams_of_02();
 [[nodiscard]] std::vector<Drawing> diagrams_of_04();
 [[nodiscard]] std::vector<Drawing> diagrams_of_07();
 [[nodiscard]] std::vector<Drawing> diagrams_of_10();
-[[nodiscard]] std::vector<Drawing> diagrams_of_11();
-[[nodiscard]] std::vector<Drawing> diagrams_of_12();
 [[nodiscard]] std::vector<Drawing> diagrams_of_13();
 
 }  // namespace texmap::diagrams
