@@ -7,7 +7,6 @@
 
 namespace texmap::diagrams {
 
-[[nodiscard]] std::vector<Drawing> diagrams_of_04();
 [[nodiscard]] std::vector<Drawing> diagrams_of_07();
 [[nodiscard]] std::vector<Drawing> diagrams_of_10();
 [[nodiscard]] std::vector<Drawing> diagrams_of_13();

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   int faults = 0;
   std::set<fs::path> drawn;
   using namespace texmap::diagrams;
-  for (auto* const chapter : {&diagrams_of_04, &diagrams_of_07, &diagrams_of_10, &diagrams_of_13}) {
+  for (auto* const chapter : {&diagrams_of_07, &diagrams_of_10, &diagrams_of_13}) {
     for (const Drawing& drawing : chapter()) {
       const fs::path path = folder / (drawing.name() + ".svg");
       drawn.insert(path.filename());
