@@ -158,14 +158,14 @@ class Browser:
         self.call("DOM.setFileInputFiles", nodeId=node, files=[path])
 
 
-def run_checks(checks, *given, prepare=lambda browser: None):
-    """Runs checks of pages, each in a browser of its own. What they yield and what the console logs are faults; says how many."""
+def run_checks(checks, *given, prepare=lambda browser: None, flags=()):
+    """Runs checks of pages, each in a browser of its own with these flags. What they yield and what the console logs are faults; says how many."""
     count = 0
     for check in checks:
         began = time.monotonic()
         print(f"{check.__name__}: {check.__doc__.strip()}", flush=True)
         faults = []
-        with Browser() as browser:
+        with Browser(*flags) as browser:
             try:
                 prepare(browser)
                 faults.extend(check(*given, browser))

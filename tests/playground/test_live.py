@@ -59,18 +59,21 @@ class Place:
         tools = root / "common/tools"
         live = self.folder / "live"
         live.mkdir()
-        for file in (tools / "playground/live.js", tools / "playground/live.css", *made.glob("*.js")):
+        for file in (*(tools / "playground").glob("*.[cj]s*"), *made.glob("*.js")):
             shutil.copy(file, live)
         for file in (tools / "book/book.css", made / "playground.html"):
             shutil.copy(file, self.folder)
         for chapter in SETTINGS:
             program = self.program(chapter)
             shutil.copy(root / f"tests/golden/{program}.png", self.folder)
-            (self.folder / f"{chapter}.html").write_text(
-                f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{program}</title><link rel="icon" href="data:,">
+            self.write(chapter, f"""<main data-live="{chapter}"><h1>Chapter {chapter}</h1>
+<p><img src="{program}.png" alt="The chapter's picture"></p><p>Words below.</p></main>""")
+
+    def write(self, chapter, body):
+        (self.folder / f"{chapter}.html").write_text(
+            f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{chapter}</title><link rel="icon" href="data:,">
 <meta name="viewport" content="width=device-width"><link rel="stylesheet" href="book.css"><link rel="stylesheet" href="live/live.css">
-<script src="live/live.js" defer></script><main data-live="{chapter}"><h1>Chapter {chapter}</h1>
-<p><img src="{program}.png" alt="The chapter's picture"></p><p>Words below.</p></main></html>
+<script src="live/live.js" defer></script>{body}</html>
 """)
 
     def program(self, chapter):
@@ -119,7 +122,9 @@ def pixels(browser, canvas=CANVAS):
     """Columns, rows and RGB bytes of a canvas."""
     columns, rows, text = browser.run(f"""(() => {{
       const {{width, height}} = {canvas};
-      const rgba = {canvas}.getContext("2d").getImageData(0, 0, width, height).data;
+      const copy = new OffscreenCanvas(width, height).getContext("2d", {{willReadFrequently: true}});
+      copy.drawImage({canvas}, 0, 0);
+      const rgba = copy.getImageData(0, 0, width, height).data;
       let text = "";
       for (let i = 0; i < rgba.length; i += 4) text += String.fromCharCode(rgba[i], rgba[i + 1], rgba[i + 2]);
       return [width, height, btoa(text)];

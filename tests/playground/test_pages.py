@@ -1,20 +1,17 @@
 #!/usr/bin/env python3
-"""The live pictures of chapters 13 and 14 in a real browser. 13's figures are the program's, it keeps to the slider, and it measures
-shaders. 14's pictures are the program's; published formulas break where the course's hold.
+"""The live pictures of chapters 13 and 14 in a real browser.
 
 usage: test_pages.py ROOT BIN LIVE     as test_live.py
 """
-import base64
 import json
 import shutil
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.append(str(Path(__file__).resolve().parents[2] / "tests/browser"))
-from browser import Browser, installed  # noqa: E402
+from test_live import Place, pixels  # noqa: E402
+from browser import installed, run_checks  # noqa: E402
 
 SECTION = "document.querySelector('.budget')"
 CARD = "document.querySelector('.budget-card')"
@@ -22,20 +19,13 @@ CARD = "document.querySelector('.budget-card')"
 MOST = {"degree 5": 0.2, "degree 9": 0.0051, "degree 17": 0.0003}
 
 
-def page_in(folder, root, made, chapter):
-    (folder / "live").mkdir(exist_ok=True)
-    for file in (*(root / "common/tools/playground").glob("*.[cj]s*"), *made.glob("*.js")):
-        shutil.copy(file, folder / "live")
-    shutil.copy(root / "common/tools/book/book.css", folder)
-    page = folder / f"{chapter}.html"
-    page.write_text(f"""<!doctype html><html lang="en"><meta charset="utf-8"><title>{chapter}</title><link rel="icon" href="data:,">
-<meta name="viewport" content="width=device-width"><link rel="stylesheet" href="book.css"><link rel="stylesheet" href="live/live.css">
-<script src="live/live.js" defer></script><script src="live/page_{chapter}.js" defer></script><main><h1>{chapter}</h1><p><img src="data:," alt=""></p></main></html>
-""")
-    return page.as_uri()
-
-
-def faults_of_13(browser, native):
+def check_13(place, browser):
+    """The figures are the program's, the page keeps to the slider, and it measures shaders."""
+    program = place.programs / place.program("13")
+    subprocess.run([program, "--rounds", "1", "--seconds", "1", "--quiet", "--out", place.folder / "13.png"], check=True)
+    native = [row for row in json.loads((place.folder / "13.json").read_text())["places"] if row["filter"] == "nearest"]
+    place.open(browser, "13.html")
+    browser.wait(f"{SECTION}?.dataset.state === 'done' && {CARD}.childElementCount > 0", 110)
     ways = browser.run(f"{SECTION}.ways")
     if len(ways) != 24:
         yield f"{len(ways)} ways"
@@ -70,12 +60,16 @@ def faults_of_13(browser, native):
         yield "too wide for 360 pixels"
 
 
-def faults_of_14(browser, folder, programs):
+def check_14(place, browser):
+    """The pictures are the program's; published formulas break where the course's hold."""
     def turn(field, value, event):
         browser.run(f"""(() => {{ const field = document.querySelector("{field}"); field.value = {value};
           {SECTION}.dataset.state = ""; field.dispatchEvent(new Event("{event}")); }})()""")
         browser.wait(f"{SECTION}.dataset.state === 'done'", 60)
 
+    browser.size(1280, 800)
+    place.open(browser, "14.html")
+    browser.wait(f"{SECTION}?.dataset.state === 'done'", 60)
     names = browser.run("[...document.querySelectorAll('#exhibit option')].map((one) => one.textContent.split(':')[0])")
     for i, name in enumerate(names):
         turn("#exhibit", i, "change")
@@ -86,13 +80,8 @@ def faults_of_14(browser, folder, programs):
             # The program's needle has another picture on it, and the published pole is the C library's acos.
             if name == "needle" or (name, formulas) == ("pole", "published"):
                 continue
-            mine, native = folder / "mine.png", folder / "native.png"
-            mine.write_bytes(base64.b64decode(browser.run(f"{SECTION}.querySelectorAll('canvas')[{side}].toDataURL()").split(",")[1]))
-            subprocess.run([programs / "14_numerical_extremes", "--exhibit", name, "--formulas", formulas, "--number", "float", "--width", "320",
-                            "--height", "240", "--quiet", "--out", native], check=True)
-            said = subprocess.run([programs / "compare", mine, native], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-            if said.returncode != 0:
-                yield f"{name}, {formulas}: {said.stdout.strip()}"
+            drawn = pixels(browser, f"{SECTION}.querySelectorAll('canvas')[{side}]")
+            yield from place.unlike(drawn, ["./course", "run", "14", "--exhibit", name, "--formulas", formulas, "--number", "float"], 320, 240)
         least, most = browser.run("['min', 'max'].map((end) => Number(document.querySelector('#extreme')[end]))")
         for k in range(5):
             turn("#extreme", least + (most - least) * k / 4, "input")
@@ -109,24 +98,12 @@ def main(words):
     if not installed() or not (made / "module_13.js").exists():
         print("skipped: no browser (chromium or google-chrome) is installed, or ./course playground has made nothing")
         return 77
-    folder = Path(tempfile.mkdtemp())
-    try:
-        subprocess.run([programs / "13_speed_for_accuracy", "--rounds", "1", "--seconds", "1", "--quiet", "--out", folder / "13.png"], check=True)
-        native = [row for row in json.loads((folder / "13.json").read_text())["places"] if row["filter"] == "nearest"]
-        faults = []
-        with Browser("--enable-unsafe-swiftshader") as browser:
-            browser.open(page_in(folder, root, made, "13"))
-            browser.wait(f"{SECTION}?.dataset.state === 'done' && {CARD}.childElementCount > 0", 110)
-            faults += faults_of_13(browser, native)
-            browser.size(1280, 800)
-            browser.open(page_in(folder, root, made, "14"))
-            browser.wait(f"{SECTION}?.dataset.state === 'done'", 60)
-            faults += [*faults_of_14(browser, folder, programs), *browser.log]
-    finally:
-        shutil.rmtree(folder)
-    for fault in faults:
-        print(f"FAIL: {fault}")
-    return 1 if faults else 0
+    place = Place(root, programs, made)
+    for chapter in ("13", "14"):
+        place.write(chapter, f"""<script src="live/page_{chapter}.js" defer></script><main><h1>{chapter}</h1><p><img src="data:," alt=""></p></main>""")
+    failed = run_checks((check_13, check_14), place, flags=["--enable-unsafe-swiftshader"])
+    shutil.rmtree(place.folder)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
