@@ -66,7 +66,7 @@ struct Sheet {
           (is_place ? name_of(row.variant.number) + std::string(", ") : "sRGB by ") + way,
           {row.changed == 0 ? "no pixel differs"
                             : counted(row.changed, "pixel") + seen + counted(row.levels, "level"),
-           is_place ? text("%.1e texels off, at most %.1e", row.worst, row.bound)
+           is_place ? text("%.2g texels off, at most %.2g", row.worst, row.bound)
                     : "at most " + counted(row.levels_bound, "level")});
     }
   }

@@ -79,9 +79,9 @@ void add_to_sheet(Sheet& sheet, const Exhibit& exhibit, const Panels& panels, in
     column.lay(panels[variant].image);
     column.above = 2 * scale;
     column.write(variant_names[variant]);
-    column.write(
-        std::to_string(mistakes.wrong) + " wrong" + (has_texture ? ", " + texels + " tx" : ""),
-        mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20});
+    const std::string off = shown(read_decimal(texels).value_or(0)) + " texels off";  // 2000, no e
+    column.write(std::to_string(mistakes.wrong) + " wrong" + (has_texture ? ", " + off : ""),
+                 mistakes.wrong == 0 ? Rgb8{0, 110, 40} : Rgb8{170, 30, 20});
   }
 }
 

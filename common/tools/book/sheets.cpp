@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -62,10 +61,6 @@ struct Reader {
   }
   std::string words() {
     std::string words = escaped_markup(take(true).words);
-    static const std::regex plain(R"(\d\.\de(-0[1-4]|\+0[0-5]))");  // 2000 for 2.0e+03
-    for (std::smatch at; std::regex_search(words, at, plain);)
-      words = at.prefix().str() + text("%g", std::stod(at.str())) + at.suffix().str();
-    replace_all(words, " tx", " texels off");
     replace_all(words, "e-", "e-\u2060");  // a joiner: no line ends within 2.0e-01
     return words;
   }
