@@ -23,7 +23,8 @@ constexpr Rgb8 ink{230, 230, 230};
 constexpr Rgb8 hatch_dark{70, 70, 70};
 constexpr Rgb8 hatch_light{130, 130, 130};
 
-// The legend, in pixels.
+// The legend, in pixels. A wider map has a larger one: it is as wide as the map, and a page that
+// shrinks the map leaves letters that can be read.
 constexpr int edge = 8;
 constexpr int bar_width = 32 * doublings;
 constexpr int bar_height = 16;
@@ -59,27 +60,29 @@ Rgb8 scale_color(double t) {
 
 Rgb8 hatching(int column, int row) { return (column + row) % 6 < 2 ? hatch_light : hatch_dark; }
 
-void write_centered(Image& image, int middle, int row, const std::string& text) {
-  draw_text(image, middle - text_width(text) / 2, row, text, ink);
-}
+/// A length of the legend on a map of this width.
+int scaled(int length, int width) { return length * width / legend_width; }
 
 void draw_legend(Image& map, int top, bool with_mask) {
-  const int left = number_room;
-  int row = top + edge;
-  draw_text(map, edge, row, "largest difference of a channel, in levels", ink);
-  row += line_height;
-  for (int x = 0; x < bar_width; ++x) {
-    const Rgb8 color = scale_color(static_cast<double>(x) / (bar_width - 1));
-    for (int y = 0; y < bar_height; ++y) map.at(left + x, row + y) = color;
+  const auto at = [&map](int length) { return scaled(length, map.width); };
+  const int size = at(11), left = at(number_room), wide = at(bar_width);
+  int row = top + at(edge);
+  draw_text(map, at(edge), row, "largest difference of a channel, in levels", ink, size);
+  row += at(line_height);
+  for (int x = 0; x < wide; ++x) {
+    const Rgb8 color = scale_color(static_cast<double>(x) / (wide - 1));
+    for (int y = 0; y < at(bar_height); ++y) map.at(left + x, row + y) = color;
   }
-  row += bar_height;
+  row += at(bar_height);
   for (int i = 0; i <= doublings; ++i) {
-    const int middle = left + i * (bar_width - 1) / doublings;
-    for (int y = 0; y < tick; ++y) map.at(middle, row + y) = ink;
-    write_centered(map, middle, row + tick + 2, std::to_string((1 << i) - 1));
+    const int middle = left + i * (wide - 1) / doublings;
+    for (int y = 0; y < at(tick); ++y) map.at(middle, row + y) = ink;
+    const std::string number = std::to_string((1 << i) - 1);
+    draw_text(map, middle - text_width(number, size) / 2, row + at(tick + 2), number, ink, size);
   }
-  row += tick + 2 + line_height;
-  draw_text(map, edge, row, with_mask ? "black: equal, hatched: left out" : "black: equal", ink);
+  row += at(tick + 2 + line_height);
+  draw_text(map, at(edge), row, with_mask ? "black: equal, hatched: left out" : "black: equal", ink,
+            size);
 }
 
 }  // namespace
@@ -95,7 +98,7 @@ Image difference_map(const Image& a, const Image& b, const Image& mask) {
   for (int levels = 0; Rgb8 & color : colors) color = difference_color(levels++);
 
   const int width = std::max(a.width, legend_width);
-  const int height = a.height + legend_height;
+  const int height = a.height + scaled(legend_height, width);
   const bool fits =
       static_cast<std::uint32_t>(std::max(width, height)) <= max_image_side &&
       static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) <= max_image_area;
