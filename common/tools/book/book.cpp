@@ -477,23 +477,31 @@ class Book {
                               "</section>\n";
   }
 
-  /// The page with the width and height of its pictures: text does not jump when they arrive.
+  /// The page with the width and height of its pictures: text does not jump when they arrive. They
+  /// shrink until their smallest letters are 11 pixels high.
   [[nodiscard]] std::string sized(std::string html) const {
     const std::string begin = "<img loading=\"lazy\" src=\"";
     for (std::size_t at = 0; (at = html.find(begin, at)) != std::string::npos; ++at) {
       const std::string tag = html.substr(at, html.find('>', at) - at);
       const fs::path file = out_ / between(tag, begin, "\"");
       if (tag.find(" width=") != std::string::npos || !fs::exists(file)) continue;
-      const std::string head = contents_of(file).substr(0, 300);
-      std::string width = between(head, " width=\"", "\""),
-                  height = between(head, " height=\"", "\"");
+      const std::string data = contents_of(file);
+      std::string width = between(data, " width=\"", "\""),
+                  height = between(data, " height=\"", "\"");
+      const std::size_t font = data.find("font-size");  // of the smallest letters: 13px or ="12"
+      double letters = font == std::string::npos ? 0 : std::atof(&data[font + 11]);
       if (file.extension() == ".png") {  // two numbers of four bytes, the largest first
-        const auto number = [&head](std::size_t i) {
-          return 256 * static_cast<unsigned char>(head.at(i)) +
-                 static_cast<unsigned char>(head.at(i + 1));
+        const auto number = [&data](std::size_t i) {
+          return 256 * static_cast<unsigned char>(data.at(i)) +
+                 static_cast<unsigned char>(data.at(i + 1));
         };
         width = std::to_string(number(18));
         height = std::to_string(number(22));
+        letters = std::atof(between(tag, "data-letters=\"", "\"").c_str());
+      }
+      if (letters > 0) {
+        const double least = std::ceil(std::stod(width) * 11 / letters);
+        html.insert(at + 4, text(" style=\"min-width: %.0fpx\"", least));
       }
       if (!height.empty())
         html.insert(at + 4, text(" width=\"%s\" height=\"%s\"", width.c_str(), height.c_str()));

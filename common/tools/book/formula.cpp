@@ -300,6 +300,8 @@ std::optional<std::string> html_of_formulas(const std::string& block) {
     }
     rows += element("mtr", cells);
   }
+  if (lines.size() == 1)  // formulas of their own: a narrow screen sets each in a line
+    replace_all(rows, "</mtd><mtd>", "</mtd></mtr></mtable></math> <math><mtable><mtr><mtd>");
   return "<div class=\"formula\"><math><mtable>" + rows + "</mtable></math></div>\n";
 }
 

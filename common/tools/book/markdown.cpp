@@ -3,6 +3,7 @@
 #include <cmark-gfm-core-extensions.h>
 #include <cmark-gfm.h>
 
+#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <map>
@@ -85,6 +86,28 @@ void unlink_around(cmark_node* link) {
   cmark_node_free(link);
 }
 
+/// Text as a formula sets it: a minus sign for a hyphen, and x_a and 2^k with their letters lowered
+/// and raised. No line ends within a point, a color or a pair, nor around a times sign.
+std::string with_signs(std::string text) {
+  static const std::regex comma(R"((\([^() ]{1,24}), )");  // one of two commas, then the other
+  static const std::regex minus(R"((^|[ (^,|=/·±])-(?=[^ -]|$))"), times(R"((\d) × (?=\d))");
+  static const std::regex low(R"((^|[^\w.])([A-Za-z])_([a-z]+)(?![\w(]))");
+  static const std::regex high(R"(\^(\(([^()]+)\)|((?:−)?\w+(?:\.\d+)?)))");
+  text = std::regex_replace(std::regex_replace(text, minus, "$1−"), times, "$1\u00a0×\u00a0");
+  text = std::regex_replace(std::regex_replace(text, comma, "$1,\u00a0"), comma, "$1,\u00a0");
+  replace_all(text, " - ", " − ");
+  return std::regex_replace(std::regex_replace(text, low, "$1$2\ue000$3\ue001"), high,
+                            "\ue002$2$3\ue003");
+}
+
+/// The tags for what with_signs marks.
+std::string tagged(std::string html) {
+  constexpr std::array tags{"<sub>", "</sub>", "<sup>", "</sup>"};
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    replace_all(html, std::string("\xee\x80") + char(0x80 + i), tags.at(i));
+  return html;
+}
+
 /// A heading with its name, and its place among the sections.
 void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Converted& page) {
   const std::string title = words_of(node);
@@ -96,30 +119,10 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
     id += std::to_string(before);
   }
   const Owned<char> plain(cmark_render_html(node, options, nullptr));
-  std::string html = plain.get();
-  replace_all(html, "(u, v)", "(u,\u00a0v)");
+  std::string html = tagged(with_signs(plain.get()));
   html.insert(html.find('>'), " id=\"" + id + "\"");
   page.sections.push_back({level, id, title, ""});
   replace_by_html(node, html);
-}
-
-/// Keeps a point, a color or a pair in one line: no line ends after its commas.
-std::string with_whole_points(const std::string& text) {
-  static const std::regex comma(R"((\([^() ]{1,24}), )");  // one of two commas, then the other
-  return std::regex_replace(std::regex_replace(text, comma, "$1,\u00a0"), comma, "$1,\u00a0");
-}
-
-/// A paragraph of one picture is a figure. A narrow screen scrolls a drawing.
-void classify_figures(std::string& html) {
-  const std::string paragraph = "<p><img";
-  for (std::size_t at = html.find(paragraph); at != std::string::npos;
-       at = html.find(paragraph, at + 1)) {
-    const std::size_t end = html.find('>', at + paragraph.size());
-    if (html.compare(end, 5, "></p>") != 0) continue;
-    const bool is_drawing = html.substr(at, end - at).find(".svg\"") != std::string::npos;
-    const std::string classes = is_drawing ? "figure wide draw\"" : "figure wide\"";
-    html.insert(at + 2, " class=\"" + classes);
-  }
 }
 
 }  // namespace
@@ -143,7 +146,12 @@ std::string with_resolved(std::string html, const Resolve& resolve) {
 
 Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
                            const Locate& locate) {
-  const Owned<cmark_node> root = parsed(markdown);
+  // Without the marks of figures, which part texts; a picture's title is how high its letters are.
+  static const std::regex figures("<!-- (figure: \\S+|end) -->"),
+      letters(R"(\)<!-- letters: (\d+) px -->)");
+  const Owned<cmark_node> root = parsed(
+      std::regex_replace(std::regex_replace(markdown, figures, ""), letters, " \"letters $1\")"));
+  cmark_consolidate_text_nodes(root.get());
   Converted page;
   std::map<std::string, int> taken;
 
@@ -153,7 +161,7 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
   for (cmark_event_type event; (event = cmark_iter_next(iter.get())) != CMARK_EVENT_DONE;) {
     if (event == CMARK_EVENT_ENTER) nodes.push_back(cmark_iter_get_node(iter.get()));
   }
-  std::vector<cmark_node*> blocks;
+  std::vector<cmark_node*> blocks, texts;
   std::map<cmark_node*, std::string> marks;  // of the blocks after them
   for (cmark_node* node : nodes) {
     const cmark_node_type type = cmark_node_get_type(node);
@@ -169,9 +177,9 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
       const bool is_comment = html.rfind("<!--", 0) == 0;
       if (html.rfind("<!-- code: ", 0) == 0) marks[cmark_node_next(node)] = html;
       cmark_node_set_literal(node, is_comment ? "" : with_resolved(html, resolve).c_str());
-    } else if (type == CMARK_NODE_TEXT &&
-               cmark_node_get_type(cmark_node_parent(node)) != CMARK_NODE_HEADING) {
-      cmark_node_set_literal(node, with_whole_points(cmark_node_get_literal(node)).c_str());
+    } else if (const auto in = cmark_node_get_type(cmark_node_parent(node));
+               type == CMARK_NODE_TEXT && in != CMARK_NODE_HEADING && in != CMARK_NODE_IMAGE) {
+      texts.push_back(node);
     } else if (type == CMARK_NODE_HEADING || type == CMARK_NODE_CODE_BLOCK ||
                type == CMARK_NODE_PARAGRAPH) {
       blocks.push_back(node);
@@ -199,11 +207,14 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
     }
   }
 
+  // Texts last: a search finds them as they are written.
+  for (cmark_node* node : texts)
+    cmark_node_set_literal(node, with_signs(cmark_node_get_literal(node)).c_str());
   const Owned<char> html(cmark_render_html(root.get(), options, nullptr));
-  page.html = html.get();
-  classify_figures(page.html);
+  page.html = tagged(html.get());
   replace_all(page.html, "<table>", "<div class=\"scroll\" tabindex=\"0\"><table>");
   replace_all(page.html, "</table>", "</table></div>");
+  replace_all(page.html, " title=\"letters ", " data-letters=\"");
   replace_all(page.html, "<img ", "<img loading=\"lazy\" ");
   return page;
 }
