@@ -33,6 +33,7 @@ rm build/learn/gallery.log
 begin=$(date +%s)
 ! BESIDE=1200 LESSON=1 ./course >said 2>&1 || fail "a chapter that fails is no failure"
 grep -q "drawn or not" said || fail "it does not say what failed"
+! grep -qi terminated said || fail "it speaks of the build that it ended: $(cat said)"
 [ $(($(date +%s) - begin)) -lt 60 ] || fail "it waited for the build beside"
 rm alive
 sleep 0.5
