@@ -27,7 +27,7 @@ using steps::DrawnStep;
 
 namespace {
 
-constexpr steps::Drawing small{200, 150, 1};
+constexpr steps::Drawing small{200, 150};
 
 const DrawnStep& first() {
   static const auto step = steps::draw_step<chapter_01::Lesson>("01_plain_spheres", small);

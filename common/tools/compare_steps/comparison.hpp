@@ -27,7 +27,6 @@ struct DrawnStep {
 struct Drawing {
   int width = 800;
   int height = 600;
-  int threads = 0;
 };
 
 /// Draws a lesson's stage as its program does.
@@ -39,7 +38,7 @@ template <class Lesson>
   Lesson lesson;
   const NumberKind number = make_ready(lesson, options).number;
   const View<> view = view_of(lesson.stage.camera, drawing.width, drawing.height);
-  DrawnStep step{chapter, draw(lesson, view, number, {.threads = drawing.threads}), {}, {}};
+  DrawnStep step{chapter, draw(lesson, view, number, {}), {}, {}};
   for (const std::string& word : options) step.name += " " + word;
   for (int row = 0; row < drawing.height; ++row) {
     for (int column = 0; column < drawing.width; ++column) {

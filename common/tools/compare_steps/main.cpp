@@ -280,8 +280,6 @@ int main(int argc, char** argv) {
             "one file");
   line.whole("--width", choices.drawing.width, 1, 4096, "columns of pixels");
   line.whole("--height", choices.drawing.height, 1, 4096, "rows of pixels");
-  line.whole("--threads", choices.drawing.threads, 0, 1024,
-             "number of threads, 0 for one per core");
   line.flag("--quiet", choices.quiet,
             "print nothing unless something changed that should not have");
   line.statuses(
