@@ -167,7 +167,7 @@ USES = {
          "shown('.pairs .two span').slice(0, 5).join('|').startsWith('published, double2 wrong, 0.11 texels off|robust, double0 wrong, 1.2e-11 texels off||published, float')"),
     ],
     "05_y_rotation.html": [
-        ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate') && texts('p').some((p) => p.includes('(cos β,\u00a0−sin β)'))"),
+        ("", "fraction('β', '360°') && texts('.flow')[0].startsWith('direction → rotate') && texts('td').includes('(−1,\u00a00,\u00a00)')"),
         ("document.querySelector('button[data-frames]').click()", "/_00[1-9].png$/.test(turning().src)"),
         ("document.querySelector('button[data-frames]').click()", "turning().getAttribute('src') === '05_y_rotation_000.png'"),
         ("Object.defineProperty(navigator, 'clipboard', {value: {writeText(words) { window.copied = words; }}}); document.querySelector('.command button').click()",

@@ -128,8 +128,8 @@ for (const code of document.querySelectorAll(".code > pre > code")) {
   }));
 }
 
-// No line ends after the hyphens of an option.
-for (const code of document.querySelectorAll(":not(pre) > code, .command > span")) code.innerHTML = code.innerHTML.replace(/--[a-z][\w-]*/g, "<span class=\"whole\">$&</span>");
+// No line ends after the hyphens of an option, nor after a minus sign.
+for (const code of document.querySelectorAll(":not(pre) > code, .command > span")) code.innerHTML = code.innerHTML.replace(/(?<!\w)--?\w[\w-]*/g, "<span class=\"whole\">$&</span>");
 
 // Plays the pictures of a turntable in place of the still picture; the same button stops it.
 for (const button of document.querySelectorAll("button[data-frames]")) {

@@ -91,12 +91,12 @@ void unlink_around(cmark_node* link) {
 std::string with_signs(std::string text) {
   static const std::regex comma(R"((\([^() ]{1,24}), )");  // one of two commas, then the other
   static const std::regex minus(R"((^|[ (^,|=/·±])-(?=[^ -]|$))"), times(R"((\d) × (?=\d))");
-  static const std::regex low(R"((^|[^\w.])([A-Za-z])_([a-z]+)(?![\w(]))");
+  static const std::regex low(R"((^|[^\w.])(?:([A-Za-z])_([a-z]+)|([a-z]+)_([a-z]))(?![\w(]))");
   static const std::regex high(R"(\^(\(([^()]+)\)|((?:−)?\w+(?:\.\d+)?)))");
   text = std::regex_replace(std::regex_replace(text, minus, "$1−"), times, "$1\u00a0×\u00a0");
   text = std::regex_replace(std::regex_replace(text, comma, "$1,\u00a0"), comma, "$1,\u00a0");
   replace_all(text, " - ", " − ");
-  return std::regex_replace(std::regex_replace(text, low, "$1$2\ue000$3\ue001"), high,
+  return std::regex_replace(std::regex_replace(text, low, "$1$2$4\ue000$3$5\ue001"), high,
                             "\ue002$2$3\ue003");
 }
 
