@@ -177,7 +177,7 @@ const controls = [
   {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
   {option: "--lamp-up", label: "Lamp up", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
   {option: "--bump", label: "Normals"},
-  {option: "--green", label: "Green is"},
+  {option: "--green", label: "Green is", told: "in a normal map: first open one"},
   {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
   {option: "--weights", label: "Weights", told: "from signed areas, or as in the article from the sides"},
@@ -366,6 +366,7 @@ function live(main, packed) {
   const smallPaper = small.getContext("2d", {willReadFrequently: true});
   const mark = element("div", {className: "live-mark", hidden: true});
   const zoomed = element("canvas", {width: 11, height: 11});
+  const around = element("figure", {className: "live-around"}, zoomed, element("figcaption", {textContent: "the pixels around it"}));
   const facts = element("table");
   const second = element("canvas");
   const secondPaper = second.getContext("2d", {willReadFrequently: true});
@@ -1029,7 +1030,7 @@ function live(main, packed) {
   }
   function factsOf(column, row, seen) {
     const color = [...paper.getImageData(column, row, 1, 1).data.slice(0, 3)];
-    const list = [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color),
+    const list = [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
       [given().some(({words}) => words[0] === "--samples") ? "middle ray" : "ray", "from ", ...vector(seen.eye), " along d = ", ...vector(seen.direction)]];
     if (seen.distance === undefined) return [...list, ["hit", "nothing: the sky"], ...quadraticOf(seen)];
@@ -1097,8 +1098,9 @@ function live(main, packed) {
     const y = 52 - away * size;
     const says = share < 0 ? "the ray misses it, no root" : share > 0 ? "the ray's line cuts it twice, two roots" : "the ray touches it, one root";
     drawn.innerHTML = `<svg viewBox="0 0 240 104" role="img" aria-label="A line and a sphere: ${says}"><circle cx="120" cy="52" r="${size}"/>
-      <path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>${share < 0 ? "" : [-half, half].map((x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`).join("")}</svg>`;
-    drawn.append(element("figcaption", {textContent: `${name}: ${says}`}));
+      <path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>${share < 0 ? "" : [-half, half].map((x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`).join("")}
+      <text x="126" y="${(52 + y) / 2 + 5}">h</text></svg>`;
+    drawn.append(element("figcaption", {textContent: `${name}: ${says}. The line passes its center at the distance h.`}));
   }
   // The flat texture with the point in a square and the pixel's outline; and a detail of it.
   let flat = null, part = null;
@@ -1139,7 +1141,7 @@ function live(main, packed) {
     const seen = left && isLeft(column) ? left : right;
     const color = [...(isLeft(column) ? secondPaper : paper).getImageData(column, row, 1, 1).data.slice(0, 3)];
     const parts = (list) => list.map((part) => typeof part === "number" ? number(part) : part);
-    return [["pixel", zoomed, `column ${column}, row ${row}: `, ...swatch(color),
+    return [["pixel", around, `column ${column}, row ${row}: `, ...swatch(color),
       ...(pinned ? [element("br"), element("b", {textContent: "held: a click or Esc lets go"})] : [])],
       ...(left ? [["filter", isLeft(column) ? `${values["--beside"]}, left of the line` : `${values["--filter"]}, right of the line`]] : []),
       ...(seen.figure ? [["", drawing(seen.figure)]] : []), ...seen.rows.map(([name, ...list]) => [name, ...parts(list)])];
@@ -1156,7 +1158,8 @@ function live(main, packed) {
       dot: (color, cx, cy) => make("circle", {cx, cy, r: 1.2 * unit, fill: paint(color), stroke: "#888", "stroke-width": 0.25 * unit}),
       line: (color, x1, y1, x2, y2) => make("line", {x1, y1, x2, y2, stroke: paint(color), "stroke-width": 0.7 * unit}),
       box: (color, x, y, width, height) => make("rect", {x, y, width, height, fill: paint(color), "shape-rendering": "crispEdges"}),
-      word: (color, x, y, text) => Object.assign(make("text", {x, y, fill: paint(color), "font-size": 6 * unit}), {textContent: text}),
+      word: (color, x, y, text) => Object.assign(make("text", {x: x + (x < width / 2 ? -2 : 2) * unit, y: y + (y < height / 2 ? -1.5 : 5.5) * unit,
+        "text-anchor": x < width / 2 ? "end" : "start", fill: paint(color), "font-size": 6 * unit}), {textContent: text}),  // outside of a corner
     };
     const svg = make("svg", {viewBox: `${-unit} ${-unit} ${width + 2 * unit} ${height + 2 * unit}`, role: "img", "aria-label": says});
     svg.append(make("rect", {width, height, fill: "none", stroke: "currentColor", "stroke-width": 0.3 * unit}),
