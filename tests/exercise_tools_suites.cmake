@@ -1,4 +1,4 @@
-# What ./course, check, watch and a folder that moved say, tried from outside. Included by CMakeLists.txt here.
+# What ./course does with its builds, and what check and watch say, tried from outside. Included by CMakeLists.txt here.
 
 if(SH AND NOT TEXMAP_INSTRUMENT)
   # What the program says of a mistake that its picture does not show, and of an answer in another unit.
@@ -17,6 +17,5 @@ if(SH AND NOT TEXMAP_INSTRUMENT)
   set_tests_properties(check_of_almost check_of_radians check_of_fraction PROPERTIES LABELS exercises)
   add_check(check_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_check.sh" "${CMAKE_SOURCE_DIR}")
   add_check(watch_script "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_watch.sh" "${CMAKE_SOURCE_DIR}")
-  add_check(first_build "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_first.sh" "${CMAKE_SOURCE_DIR}")
-  add_check(moved_folder "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_moved.sh" "${CMAKE_SOURCE_DIR}")
+  add_check(course_builds "exercises;posix" "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/exercises/test_builds.sh" "${CMAKE_SOURCE_DIR}")
 endif()

@@ -27,11 +27,8 @@ TEST_CASE("06: strangers' answers get their words") {
         [](V n, V l, V e, D s) { return pow(max(dot(n, normalize(l - e)), 0.), s); });
   shine("is a sine", [](V n, V l, V e, D s) { return pow(length(cross(n, l + e)), s); });
   shine("at right angles", [](V n, V l, V e, D s) { return pow(dot(n, cross(l, e)), s); });
-  shine("no half of it",
+  shine("no half of an angle",
         [](V n, V l, V e, D s) { return pow(cos(acos(dot(n, normalize(l + e))) / 2), s); });
-  shine("half of the angle between r", [](V n, V l, V e, D s) {
-    return pow(cos(acos(clamp(dot(2 * dot(n, l) * n - l, e), -1., 1.)) / 2), s);
-  });
   highlight("test n . l first", [](V n, V to_lamp, V d, D s) {
     return pow(dot(n, normalize(normalize(to_lamp) - d)), s);
   });

@@ -53,7 +53,7 @@ Texel beyond_band(CubeSpacing spacing, const Texel& home, int column, int row, i
   return texel_of(uv_cube(spacing, lower ? other_band(q) : q), width, height);
 }
 
-constexpr int most_places = 8;  // of a texel in each direction
+constexpr std::size_t most_places = 8;  // of a texel in each direction
 
 /// How many places a texel needs in each direction, from the footprint on the other picture.
 int places_for(const LightImage& image, Projection from, Projection to, const Uv<double>& uv,
@@ -157,9 +157,10 @@ Image convert_projection(const Image& image, Projection from, Projection to,
       std::size_t count = 0;
       for (int down = 0; down < n; ++down) {
         const double v = 1 - (row + (down + 0.5) / n) / size.height;
-        for (int across = 0; across < n; ++across)
-          directions[count++] =
-              unproject(to, Uv<double>{(column + (across + 0.5) / n) / size.width, v});
+        for (int across = 0; across < n; ++across) {
+          const Uv<double> uv{(column + (across + 0.5) / n) / size.width, v};
+          directions[count++] = unproject(to, uv);
+        }
       }
       for (std::size_t k = 0; k < count; ++k) {  // apart: compilers then calculate several at once
         places[k] = from == Projection::equirect ? FastUnitMapping<29>{}(directions[k])

@@ -117,6 +117,7 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
   const Vec3d e = -d, h = normalize(l + e);
   const double c = dot(n, h);
   const auto power = [=](double cosine) { return pow(max(cosine, 0.), s); };
+  const auto half_angle = [](double cosine) { return cos(acos(clamp(cosine, -1., 1.)) / 2); };
   Slips<double> wrong;
   if (!normalizes || !tests_side) {
     wrong +=
@@ -140,10 +141,8 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
         dot(n, normalize(n + e))}},
       {"the cross product is a sine: the cosine is the dot product",
        {length(cross(n, h)), length(cross(n, l + e))}},
-      {"the angle is the one between n and the direction halfway, whole: no half of it",
-       cos(acos(clamp(c, -1., 1.)) / 2)},
-      {"half of the angle between r and the eye is this only where n lies in the plane of l and -d",
-       cos(acos(clamp(dot(mirror(l, n), e), -1., 1.)) / 2)},
+      {"take no half of an angle: it is the whole one between n and the direction halfway",
+       {half_angle(c), half_angle(dot(mirror(l, n), e))}},
       {"no cosine is above 0: take the sum of l and -d, limited by std::max", {-c, min(c, 0.)}},
   };
   wrong += {

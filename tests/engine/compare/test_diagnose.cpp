@@ -111,13 +111,9 @@ TEST_CASE("a picture gets its chapter, its mistake and the pages, and what is no
 TEST_CASE("what is painted over a part of a picture does not make another chapter's nearer") {
   const Course course;
   for (const Rgb8 paint : {Rgb8{255, 0, 0}, Rgb8{255, 255, 255}, Rgb8{0, 0, 0}}) {
-    for (const int left : {0, 20, 40}) {
-      const auto painted = [&](int x, int y) {
-        return x >= left && x < left + 40 && y >= 8 && y < 48 ? paint : third.at(x, y);
-      };
-      save_png(image_of(80, 60, painted), course.folder / "my.png");
-      CHECK(has(course.say("my.png").out, "The nearest picture is 03's:\n"));
-    }
+    const auto painted = [&](int x, int y) { return x < 40 && y < 40 ? paint : third.at(x, y); };
+    save_png(image_of(80, 60, painted), course.folder / "my.png");
+    CHECK(has(course.say("my.png").out, "The nearest picture is 03's:\n"));
   }
 }
 

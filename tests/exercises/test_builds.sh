@@ -1,0 +1,68 @@
+#!/bin/sh
+# What ./course does with its builds, with a stand-in for cmake. In a course that was copied elsewhere, the build that a command needs is
+# made anew, with a line that says so; the others stay, and --help deletes none. What the build beside the first chapters says comes into
+# the log; a chapter that fails ends it.
+# usage: test_builds.sh ROOT
+set -eu
+root=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/tools" "$work/first home/chapters/01_plain_spheres" "$work/first home/chapters/02_a"
+cp "$root/course" "$work/first home"
+: >"$work/first home/chapters/02_a/main.cpp"
+cat >"$work/tools/cmake" <<'END_OF_TOOL'
+#!/bin/sh
+case "$*" in
+  --preset*) mkdir -p build/learn/bin && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/learn/CMakeCache.txt && echo gallery: >build/learn/Makefile ;;
+  *13_speed*) sh -c 'n=0; while [ $((n += 1)) -le "$BESIDE" ]; do : >alive; sleep 0.1; done' && echo "warning: beside" ;;
+  *draw_02*) sleep 0.5 && echo "drawn or not" && exit "$LESSON" ;;
+  --build*) printf '#!/bin/sh\necho drawn\n' >build/learn/bin/01_plain_spheres && chmod +x build/learn/bin/01_plain_spheres ;;
+  --version) echo "cmake version 3.25.1" ;;
+esac
+END_OF_TOOL
+chmod +x "$work/tools/cmake"
+export PATH="$work/tools:$PATH"
+
+fail() {
+  echo "FAIL: $1"
+  exit 1
+}
+
+# expect NAME KEPT SAID: ./course run 01 draws; a file in build/learn is kept or gone; the line about the folder is said or not.
+expect() {
+  said=$(./course run 01 2>&1) || fail "$1: it stopped: $said"
+  case "$said" in *drawn*) ;; *) fail "$1: nothing was drawn: $said" ;; esac
+  [ "$2" = "$([ -f build/learn/mark ] && echo kept || echo gone)" ] || fail "$1: the build is not $2"
+  [ "$3" = "$(case "$said" in *"was made in"*) echo said ;; *) echo silent ;; esac)" ] || fail "$1: not $3: $said"
+}
+
+cd "$work/first home"
+expect "the first time" gone silent
+BESIDE=1200 LESSON=1 ./course >said 2>&1 && fail "a chapter that fails is no failure"
+rm alive
+! grep -q warning build/learn/beside.log || fail "it waited for the build beside"
+[ "$(sed 1d said)" = "drawn or not
+error: the build stopped; see above" ] || fail "where a chapter fails it says: $(cat said)"
+sleep 0.5
+[ ! -e alive ] || fail "the build beside still runs"
+BESIDE=20 LESSON=0 ./course >said || fail "it stopped: $(cat said)"
+grep -q "warning: beside" build/learn/gallery.log || fail "the log lacks what the build beside said"
+: >build/learn/mark
+expect "the second time" kept silent
+for other in grade/build release; do
+  mkdir -p "build/$other"
+  cp build/learn/CMakeCache.txt "build/$other"
+done
+cp -R "$work/first home" "$work/copy"
+cd "$work/copy"
+./course run 01 --help 2>&1 | grep -q drawn || fail "help in a copy does not say what it said"
+mv build/learn/bin/01_plain_spheres program
+./course run 01 --help 2>&1 | grep -q "without --help it is built anew" || fail "help in a copy without the program does not say why"
+[ -f build/learn/mark ] || fail "help deleted the build"
+expect "in a copy beside the first" gone said
+[ "$(ls build)" = "$(ls "$work/first home/build")" ] || fail "a build that run does not use is gone"
+: >build/learn/mark
+expect "in the copy again" kept silent
+mv "$work/copy" "$work/renamed"
+cd "$work/renamed"
+expect "under another name" gone said
