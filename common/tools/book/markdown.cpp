@@ -3,7 +3,6 @@
 #include <cmark-gfm-core-extensions.h>
 #include <cmark-gfm.h>
 
-#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <map>
@@ -11,6 +10,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "engine/measure/text.hpp"
 #include "formula.hpp"
 
 namespace texmap::book {
@@ -69,8 +69,9 @@ std::string slug(const std::string& title) {
   return name;
 }
 
-void replace_by_html(cmark_node* node, const std::string& html) {
-  cmark_node* block = cmark_node_new(CMARK_NODE_HTML_BLOCK);
+void replace_by_html(cmark_node* node, const std::string& html,
+                     cmark_node_type type = CMARK_NODE_HTML_BLOCK) {
+  cmark_node* block = cmark_node_new(type);
   cmark_node_set_literal(block, html.c_str());
   if (cmark_node_replace(node, block) == 0) {
     cmark_node_free(block);
@@ -86,7 +87,7 @@ void unlink_around(cmark_node* link) {
   cmark_node_free(link);
 }
 
-/// Text as a formula sets it: a minus sign for a hyphen, and x_a and 2^k with their letters lowered
+/// HTML as a formula sets it: a minus sign for a hyphen, and x_a and 2^k with their letters lowered
 /// and raised. No line ends within a point, a color or a pair, nor around a times sign.
 std::string with_signs(std::string text) {
   static const std::regex comma(R"((\([^() ]{1,24}), )");  // one of two commas, then the other
@@ -96,16 +97,8 @@ std::string with_signs(std::string text) {
   text = std::regex_replace(std::regex_replace(text, minus, "$1−"), times, "$1\u00a0×\u00a0");
   text = std::regex_replace(std::regex_replace(text, comma, "$1,\u00a0"), comma, "$1,\u00a0");
   replace_all(text, " - ", " − ");
-  return std::regex_replace(std::regex_replace(text, low, "$1$2$4\ue000$3$5\ue001"), high,
-                            "\ue002$2$3\ue003");
-}
-
-/// The tags for what with_signs marks.
-std::string tagged(std::string html) {
-  constexpr std::array tags{"<sub>", "</sub>", "<sup>", "</sup>"};
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    replace_all(html, std::string("\xee\x80") + char(0x80 + i), tags.at(i));
-  return html;
+  return std::regex_replace(std::regex_replace(text, low, "$1$2$4<sub>$3$5</sub>"), high,
+                            "<sup>$2$3</sup>");
 }
 
 /// A heading with its name, and its place among the sections.
@@ -119,7 +112,7 @@ void convert_heading(cmark_node* node, std::map<std::string, int>& taken, Conver
     id += std::to_string(before);
   }
   const Owned<char> plain(cmark_render_html(node, options, nullptr));
-  std::string html = tagged(with_signs(plain.get()));
+  std::string html = with_signs(plain.get());
   html.insert(html.find('>'), " id=\"" + id + "\"");
   page.sections.push_back({level, id, title, ""});
   replace_by_html(node, html);
@@ -209,9 +202,10 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
 
   // Texts last: a search finds them as they are written.
   for (cmark_node* node : texts)
-    cmark_node_set_literal(node, with_signs(cmark_node_get_literal(node)).c_str());
+    replace_by_html(node, with_signs(escaped_markup(cmark_node_get_literal(node))),
+                    CMARK_NODE_HTML_INLINE);
   const Owned<char> html(cmark_render_html(root.get(), options, nullptr));
-  page.html = tagged(html.get());
+  page.html = html.get();
   replace_all(page.html, "<table>", "<div class=\"scroll\" tabindex=\"0\"><table>");
   replace_all(page.html, "</table>", "</table></div>");
   replace_all(page.html, " title=\"letters ", " data-letters=\"");
