@@ -25,16 +25,13 @@ double wall_height(double x, double y) {
 }  // namespace
 
 Image make_bricks_normals() {
-  Image image(16 * brick_width, 16 * brick_height);
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const double x = column + 0.5, y = image.height - row - 0.5;
-      const double right = wall_height(x + 0.5, y) - wall_height(x - 0.5, y);
-      const double up = wall_height(x, y + 0.5) - wall_height(x, y - 0.5);
-      image.at(column, row) = color_of_normal(normalize(Vec3d{-right, -up, 1}));
-    }
-  }
-  return image;
+  constexpr int height = 16 * brick_height;
+  return image_of(16 * brick_width, height, [](int column, int row) {
+    const double x = column + 0.5, y = height - row - 0.5;
+    const double right = wall_height(x + 0.5, y) - wall_height(x - 0.5, y);
+    const double up = wall_height(x, y + 0.5) - wall_height(x, y - 0.5);
+    return color_of_normal(normalize(Vec3d{-right, -up, 1}));
+  });
 }
 
 }  // namespace texmap

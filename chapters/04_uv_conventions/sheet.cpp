@@ -23,29 +23,20 @@ Rgb shade_of(double coordinate) {
 
 /// An 8 x 4 texture with a different color in each texel, so that a lost or shifted texel is seen.
 Image few_texels() {
-  Image image(8, 4);
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const bool light = (row + column) % 2 == 0;
-      const auto ramp = static_cast<std::uint8_t>(column * 255 / 7);
-      image.at(column, row) =
-          light ? Rgb8{255, ramp, 60} : Rgb8{30, static_cast<std::uint8_t>(60 + row * 40), 160};
-    }
-  }
-  return image;
+  return image_of(8, 4, [](int column, int row) {
+    const bool light = (row + column) % 2 == 0;
+    const auto ramp = static_cast<std::uint8_t>(column * 255 / 7);
+    return light ? Rgb8{255, ramp, 60} : Rgb8{30, static_cast<std::uint8_t>(60 + row * 40), 160};
+  });
 }
 
 /// A flat map of the sphere, half as high as wide, north up; `color_at(direction)` at each center.
 Image flat_map(int width, const std::function<Rgb(const Vec3<double>&)>& color_at) {
-  Image map(std::max(width, 1), std::max(width / 2, 1));
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      const Rgb c =
-          color_at(direction_at((column + 0.5) / map.width, 1 - (row + 0.5) / map.height));
-      map.at(column, row) = {byte_of(c.r), byte_of(c.g), byte_of(c.b)};
-    }
-  }
-  return map;
+  const int columns = std::max(width, 1), rows = std::max(width / 2, 1);
+  return image_of(columns, rows, [&](int column, int row) {
+    const Rgb c = color_at(direction_at((column + 0.5) / columns, 1 - (row + 0.5) / rows));
+    return Rgb8{byte_of(c.r), byte_of(c.g), byte_of(c.b)};
+  });
 }
 
 }  // namespace

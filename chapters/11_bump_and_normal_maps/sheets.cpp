@@ -109,34 +109,26 @@ template <class Bend>
 Image close_up(int size, const Bend& bend) {
   const Camera camera{.eye = eye, .target = {ball_x, 0, 0}, .fov_y_degrees = 25};
   const View<> view = view_of(camera, size, size);
-  Image image(size, size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      const Rgb c = color_of_balls(ray_through<double>(view, column, row), bend);
-      image.at(column, row) = {byte_of(c.r), byte_of(c.g), byte_of(c.b)};
-    }
-  }
-  return image;
+  return image_of(size, size, [&](int column, int row) {
+    const Rgb c = color_of_balls(ray_through<double>(view, column, row), bend);
+    return Rgb8{byte_of(c.r), byte_of(c.g), byte_of(c.b)};
+  });
 }
 
 }  // namespace
 
 Image published_bricks(int width, int height) {
-  Image image(width, height);
   const auto byte = [](double channel) {
     return static_cast<std::uint8_t>(clamp(channel, 0.0, 1.0) * 255.99);
   };
   const double wide = 2.0 * width / height;
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      // Pixels reach from edge to edge of the window, which is 2 high at distance 1.
-      const Vec3d to_pixel{(static_cast<double>(column) / (width - 1) - 0.5) * wide,
-                           (0.5 - static_cast<double>(row) / (height - 1)) * 2, -1};
-      const Rgb c = color_of_balls({eye, normalize(to_pixel)}, published_normal);
-      image.at(column, row) = {byte(c.r), byte(c.g), byte(c.b)};
-    }
-  }
-  return image;
+  return image_of(width, height, [&](int column, int row) {
+    // Pixels reach from edge to edge of the window, which is 2 high at distance 1.
+    const Vec3d to_pixel{(static_cast<double>(column) / (width - 1) - 0.5) * wide,
+                         (0.5 - static_cast<double>(row) / (height - 1)) * 2, -1};
+    const Rgb c = color_of_balls({eye, normalize(to_pixel)}, published_normal);
+    return Rgb8{byte(c.r), byte(c.g), byte(c.b)};
+  });
 }
 
 Image side_by_side(const Image& left, const char* left_caption, const Image& right,

@@ -66,15 +66,11 @@ Verdict verdict_of(const Reading& reading) {
 }
 
 Image stud_normals(int size, Green green) {
-  Image image(size, size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      Vec3d normal = stud_normal((column + 0.5) / size, 1 - (row + 0.5) / size);
-      if (green == Green::down) normal.y = -normal.y;
-      image.at(column, row) = color_of_normal(normal);
-    }
-  }
-  return image;
+  return image_of(size, size, [=](int column, int row) {
+    Vec3d normal = stud_normal((column + 0.5) / size, 1 - (row + 0.5) / size);
+    if (green == Green::down) normal.y = -normal.y;
+    return color_of_normal(normal);
+  });
 }
 
 Image draw_plate(const Reading& reading, const Image& normals, int size) {
@@ -84,15 +80,11 @@ Image draw_plate(const Reading& reading, const Image& normals, int size) {
       .rule = reading.rule,
   };
   const Rgb color{0.93, 0.86, 0.74};
-  Image plate(size, size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      const Vec3d normal = map(plate_hit((column + 0.5) / size, 1 - (row + 0.5) / size), 0.0);
-      const Rgb light = color * (0.1 + 0.9 * max(dot(normal, to_lamp), 0.0));
-      plate.at(column, row) = {byte_of(light.r), byte_of(light.g), byte_of(light.b)};
-    }
-  }
-  return plate;
+  return image_of(size, size, [&](int column, int row) {
+    const Vec3d normal = map(plate_hit((column + 0.5) / size, 1 - (row + 0.5) / size), 0.0);
+    const Rgb light = color * (0.1 + 0.9 * max(dot(normal, to_lamp), 0.0));
+    return Rgb8{byte_of(light.r), byte_of(light.g), byte_of(light.b)};
+  });
 }
 
 }  // namespace texmap::chapter_11

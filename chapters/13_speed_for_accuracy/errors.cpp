@@ -379,18 +379,14 @@ std::vector<double> levels_of(const Film& film) {
 }
 
 Image differences(const Image& a, const Image& b, int reach) {
-  Image map(a.width, a.height);
-  for (int row = 0; row < a.height; ++row) {
-    for (int column = 0; column < a.width; ++column) {
-      int levels = 0;
-      for (int y = std::max(row - reach, 0); y <= std::min(row + reach, a.height - 1); ++y) {
-        for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x)
-          levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
-      }
-      map.at(column, row) = difference_color(levels);
+  return image_of(a.width, a.height, [&](int column, int row) {
+    int levels = 0;
+    for (int y = std::max(row - reach, 0); y <= std::min(row + reach, a.height - 1); ++y) {
+      for (int x = std::max(column - reach, 0); x <= std::min(column + reach, a.width - 1); ++x)
+        levels = std::max(levels, channel_difference(a.at(x, y), b.at(x, y)));
     }
-  }
-  return map;
+    return difference_color(levels);
+  });
 }
 
 double rms_difference(const std::vector<double>& a, const std::vector<double>& b) {

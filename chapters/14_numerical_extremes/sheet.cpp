@@ -22,17 +22,13 @@ std::string names_of(const std::vector<Exhibit>& exhibits) {
   return names;
 }
 
-/// True for colors more than one level apart: rounding alone can cost one when bytes are cut off.
-bool differ(Rgb8 a, Rgb8 b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > 1;
-}
-
 Mistakes mistakes_of(const Panel& panel, const Panel& truth) {
   Mistakes mistakes;
   for (std::size_t i = 0; i < truth.points.size(); ++i) {
     const SurfacePoint<Judge>& seen = panel.points[i];
     const SurfacePoint<Judge>& right = truth.points[i];
-    if (differ(panel.image.pixels[i], truth.image.pixels[i])) ++mistakes.wrong;
+    // Rounding alone can cost one level when bytes are cut off.
+    if (channel_difference(panel.image.pixels[i], truth.image.pixels[i]) > 1) ++mistakes.wrong;
     if (seen.hit != right.hit) ++mistakes.missed;
     if (!seen.mapped || !right.mapped) continue;
     const Judge across = abs(seen.uv.u - right.uv.u);  // u = 0 and u = 1 are one place

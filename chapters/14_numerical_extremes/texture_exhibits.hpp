@@ -176,14 +176,9 @@ struct MirrorWrap : Placed {
 
 /// A picture of so many texels, each unlike its neighbors.
 [[nodiscard]] inline LightImage colored_texels(int width, int height) {
-  LightImage picture(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      picture.at(column, row) =
-          number_cast<float>(eight_texels[static_cast<std::size_t>(column + 3 * row) % 8]);
-    }
-  }
-  return picture;
+  return image_of(width, height, [](int column, int row) {
+    return number_cast<float>(eight_texels[static_cast<std::size_t>(column + 3 * row) % 8]);
+  });
 }
 
 /// The texture of the next two, with the published footprint or the course's.

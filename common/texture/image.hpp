@@ -1,7 +1,9 @@
 // An image in memory.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 namespace texmap {
@@ -11,6 +13,11 @@ struct Rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
   friend bool operator==(const Rgb8&, const Rgb8&) = default;
 };
+
+/// The largest difference of a channel, in levels, 0 to 255.
+[[nodiscard]] inline int channel_difference(Rgb8 p, Rgb8 q) {
+  return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+}
 
 /// A picture's pixels, row by row from the top, each row from the left.
 template <class Pixel>
@@ -38,5 +45,15 @@ struct Grid {
   }
 };
 using Image = Grid<Rgb8>;
+
+/// The picture with the color in each pixel that `color_at` gives for its column and row.
+template <class ColorAt>
+[[nodiscard]] auto image_of(int width, int height, const ColorAt& color_at) {
+  Grid<decltype(color_at(0, 0))> image(width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) image.at(column, row) = color_at(column, row);
+  }
+  return image;
+}
 
 }  // namespace texmap

@@ -25,11 +25,9 @@ TEST_CASE("an image of the checkerboard draws chapter 02 within half a texel") {
   // 0.2 and 0.8 are whole bytes, 51 and 204; v = 0 is the bottom row.
   const Rgb8 even{51, 51, 204};
   const Rgb8 odd{204, 204, 204};
-  Image board(1000, 1000);
-  for (int row = 0; row < 1000; ++row) {
-    for (int column = 0; column < 1000; ++column)
-      board.at(column, row) = (column / 100 + (999 - row) / 100) % 2 == 0 ? even : odd;
-  }
+  const Image board = image_of(1000, 1000, [&](int column, int row) {
+    return (column / 100 + (999 - row) / 100) % 2 == 0 ? even : odd;
+  });
   chapter_02::Lesson checkered;
   checkered.objects[chapter_02::middle].paint =
       chapter_02::Checkered{{}, {.even = {0.2, 0.2, 0.8}, .odd = {0.8, 0.8, 0.8}, .squares = 10}};

@@ -135,13 +135,10 @@ TEST_CASE(
 
 TEST_CASE("where a budget makes smooth pixels patches, their light is that of samples, nearly") {
   // A ramp: the next texel is another color, but not by much.
-  Image ramp(2048, 1024);
-  for (int y = 0; y < ramp.height; ++y) {
-    for (int x = 0; x < ramp.width; ++x)
-      ramp.at(x, y) = {static_cast<std::uint8_t>(64 + x / 17),
-                       static_cast<std::uint8_t>(64 + y / 9),
-                       static_cast<std::uint8_t>(64 + std::abs(x - 1024) / 9)};
-  }
+  const Image ramp = image_of(2048, 1024, [](int x, int y) {
+    return Rgb8{static_cast<std::uint8_t>(64 + x / 17), static_cast<std::uint8_t>(64 + y / 9),
+                static_cast<std::uint8_t>(64 + std::abs(x - 1024) / 9)};
+  });
   Lesson lesson = lesson_with({"--sky", "gradient"});
   lesson.objects[0].paint.texture = {{ramp}, TexelLight::linear};
   const KernelPlan smooth = plan_for("levels=1", lesson);

@@ -73,13 +73,10 @@ TEST_CASE_TEMPLATE(
 
 /// Columns 0 and 255 in turns in red; the column's number in green and blue.
 Image numbered(int width) {
-  Image image(width, 1);
-  for (int column = 0; column < width; ++column) {
-    image.at(column, 0) = {static_cast<std::uint8_t>(column % 2 == 0 ? 0 : 255),
-                           static_cast<std::uint8_t>(column % 256),
-                           static_cast<std::uint8_t>(column / 256)};
-  }
-  return image;
+  return image_of(width, 1, [](int column, int) {
+    return Rgb8{static_cast<std::uint8_t>(column % 2 == 0 ? 0 : 255),
+                static_cast<std::uint8_t>(column % 256), static_cast<std::uint8_t>(column / 256)};
+  });
 }
 
 TEST_CASE_TEMPLATE(

@@ -8,16 +8,6 @@
 
 namespace texmap::test {
 
-/// An image with a color of the column and row in each pixel.
-template <class Color>
-[[nodiscard]] Image image_of(int width, int height, const Color& color) {
-  Image image(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) image.at(column, row) = color(column, row);
-  }
-  return image;
-}
-
 /// Every channel of every pixel at random.
 [[nodiscard]] inline Image noise(int width, int height, std::uint32_t seed) {
   Image image(width, height);

@@ -39,11 +39,8 @@ template <class Real = double, class Lesson>
   if (a.width != b.width || a.height != b.height)
     return static_cast<long>(std::max(a.pixels.size(), b.pixels.size()));
   long count = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb8 p = a.pixels[i], q = b.pixels[i];
-    const int apart = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
-    count += apart > levels ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    count += channel_difference(a.pixels[i], b.pixels[i]) > levels ? 1 : 0;
   return count;
 }
 

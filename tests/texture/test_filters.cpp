@@ -20,16 +20,12 @@ Pyramid coordinates(int width, int height) {
   Pyramid pyramid;
   for (int level = 0; level == 0 || (width >> (level - 1)) > 1 || (height >> (level - 1)) > 1;
        ++level) {
-    LightImage image(std::max(width >> level, 1), std::max(height >> level, 1));
-    for (int row = 0; row < image.height; ++row) {
-      for (int column = 0; column < image.width; ++column) {
-        image.at(column, row) = {
-            (static_cast<float>(column) + 0.5F) / static_cast<float>(image.width),
-            (static_cast<float>(row) + 0.5F) / static_cast<float>(image.height),
-            static_cast<float>(level)};
-      }
-    }
-    pyramid.add(image);
+    const int columns = std::max(width >> level, 1), rows = std::max(height >> level, 1);
+    pyramid.add(image_of(columns, rows, [&](int column, int row) {
+      return Color<float>{(static_cast<float>(column) + 0.5F) / static_cast<float>(columns),
+                          (static_cast<float>(row) + 0.5F) / static_cast<float>(rows),
+                          static_cast<float>(level)};
+    }));
   }
   return pyramid;
 }

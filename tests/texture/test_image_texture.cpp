@@ -9,15 +9,10 @@ namespace {
 
 /// 3 x 2 texels, all channels different: red 10 column, green 20 row, blue 100 + column + 3 row.
 Image small_image() {
-  Image image(3, 2);
-  for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      image.at(column, row) = {static_cast<std::uint8_t>(10 * column),
-                               static_cast<std::uint8_t>(20 * row),
-                               static_cast<std::uint8_t>(100 + column + 3 * row)};
-    }
-  }
-  return image;
+  return image_of(3, 2, [](int column, int row) {
+    return Rgb8{static_cast<std::uint8_t>(10 * column), static_cast<std::uint8_t>(20 * row),
+                static_cast<std::uint8_t>(100 + column + 3 * row)};
+  });
 }
 
 template <class Real>

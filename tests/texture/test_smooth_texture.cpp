@@ -20,13 +20,10 @@ Dual<double> with_slopes(const SmoothTexture& texture, double u, double v) {
 }  // namespace
 
 TEST_CASE("a ramp of texels is a ramp, with its slope") {
-  SmoothTexture texture{LightImage(16, 8), VAxis::up, Wrap::clamp};
-  for (int row = 0; row < 8; ++row) {
-    for (int column = 0; column < 16; ++column) {
-      const auto value = static_cast<float>(3 * (column + 0.5) / 16 - 2 * (7.5 - row) / 8);
-      texture.image.at(column, row) = gray(value);
-    }
-  }
+  const auto ramp = [](int column, int row) {
+    return gray(static_cast<float>(3 * (column + 0.5) / 16 - 2 * (7.5 - row) / 8));
+  };
+  const SmoothTexture texture{image_of(16, 8, ramp), VAxis::up, Wrap::clamp};
   Dice dice(2);
   for (int i = 0; i < 1000; ++i) {
     const double u = dice.between(0.1, 0.9), v = dice.between(0.2, 0.8);

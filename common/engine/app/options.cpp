@@ -239,14 +239,10 @@ void FilterOptions::declare(CommandLine& line) {
 }
 
 Image checkers_image(int size, int squares) {
-  Image image(size, size);
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column) {
-      const bool light = (row * squares / size + column * squares / size) % 2 == 0;
-      image.at(column, row) = light ? Rgb8{255, 255, 255} : Rgb8{0, 0, 0};
-    }
-  }
-  return image;
+  return image_of(size, size, [=](int column, int row) {
+    const bool light = (row * squares / size + column * squares / size) % 2 == 0;
+    return light ? Rgb8{255, 255, 255} : Rgb8{0, 0, 0};
+  });
 }
 
 FilteredTexture FilterOptions::load_floor() const {

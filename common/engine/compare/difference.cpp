@@ -162,10 +162,6 @@ Json json_of(const WorstPixel& worst) {
 
 }  // namespace
 
-int channel_difference(Rgb8 p, Rgb8 q) {
-  return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
-}
-
 bool is_compared(const Image& mask, int column, int row) {
   return mask.pixels.empty() || mask.at(column, row) != Rgb8{};
 }

@@ -51,9 +51,6 @@ struct Figures {
   std::array<std::size_t, 256> pixels_by_levels{};
 };
 
-/// The largest difference of a channel, in levels, 0 to 255.
-[[nodiscard]] int channel_difference(Rgb8 p, Rgb8 q);
-
 /// True unless the mask is black at this pixel. With an empty mask, all pixels are compared.
 [[nodiscard]] bool is_compared(const Image& mask, int column, int row);
 

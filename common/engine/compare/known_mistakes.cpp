@@ -51,21 +51,11 @@ double distance_between(const Image& a, const Image& b, double limit = far_away)
 
 using Place = std::pair<int, int>;  // column and row
 
-/// An image with `color` of the column and row in each pixel.
-template <class Color>
-Image placed_colors(Image result, const Color& color) {
-  for (int row = 0; row < result.height; ++row) {
-    for (int column = 0; column < result.width; ++column)
-      result.at(column, row) = color(column, row);
-  }
-  return result;
-}
-
 /// An image whose pixel in a column and a row is that of `image` at the place that `from` says;
 /// black where that is outside.
 template <class From>
 Image placed(const Image& image, const From& from, int width, int height) {
-  return placed_colors(Image(width, height), [&](int column, int row) {
+  return image_of(width, height, [&](int column, int row) {
     const auto [x, y] = from(column, row);
     return x >= 0 && x < image.width && y >= 0 && y < image.height ? image.at(x, y) : Rgb8{};
   });
@@ -147,6 +137,7 @@ Image by_height(const Image& map) {
   return placed(map, from, map.width, map.height * finer);
 }
 
+/// The share of pixels that differ by more than so many levels.
 double share_off(const Image& a, const Image& b, int levels) {
   std::size_t off = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -156,7 +147,7 @@ double share_off(const Image& a, const Image& b, int levels) {
 
 /// Each pixel the mean of `2 * reach + 1` around it, along columns or along rows.
 Image averaged(const Image& image, int reach, bool along_rows) {
-  return placed_colors(image, [&](int x, int y) {
+  return image_of(image.width, image.height, [&](int x, int y) {
     std::array<int, 3> sum{};
     for (int i = -reach; i <= reach; ++i) {
       const Rgb8 p = image.at(std::clamp(along_rows ? x + i : x, 0, image.width - 1),
@@ -246,38 +237,26 @@ constexpr Weights weights_of_1990{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
 }  // namespace
 
 Image shrunk(const Image& image, int columns, int rows) {
-  Image small(columns, rows);
   const auto begin = [](int part, int all, int count) { return part * all / count; };
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      int r = 0, g = 0, b = 0, pixels = 0;
-      const int right = begin(column + 1, image.width, columns);
-      const int bottom = begin(row + 1, image.height, rows);
-      for (int y = begin(row, image.height, rows); y < bottom; ++y) {
-        for (int x = begin(column, image.width, columns); x < right; ++x, ++pixels) {
-          const Rgb8 p = image.at(x, y);
-          r += p.r;
-          g += p.g;
-          b += p.b;
-        }
+  return image_of(columns, rows, [&](int column, int row) {
+    int r = 0, g = 0, b = 0, pixels = 0;
+    const int right = begin(column + 1, image.width, columns);
+    const int bottom = begin(row + 1, image.height, rows);
+    for (int y = begin(row, image.height, rows); y < bottom; ++y) {
+      for (int x = begin(column, image.width, columns); x < right; ++x, ++pixels) {
+        const Rgb8 p = image.at(x, y);
+        r += p.r;
+        g += p.g;
+        b += p.b;
       }
-      const auto mean = [=](int sum) {
-        return static_cast<std::uint8_t>(sum / std::max(pixels, 1));
-      };
-      small.at(column, row) = {mean(r), mean(g), mean(b)};
     }
-  }
-  return small;
+    const auto mean = [=](int sum) { return static_cast<std::uint8_t>(sum / std::max(pixels, 1)); };
+    return Rgb8{mean(r), mean(g), mean(b)};
+  });
 }
 
 bool is_same_picture(const Image& a, const Image& b) {
-  if (!same_size(a, b)) return false;
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    off += channel_difference(a.pixels[i], b.pixels[i]) > 1 ? 1U : 0U;
-    if (off * 5000 > a.pixels.size()) return false;
-  }
-  return true;
+  return same_size(a, b) && (a.pixels.empty() || share_off(a, b, 1) <= 1.0 / 5000);
 }
 
 double apart_when_soft(const Image& a, const Image& b) {

@@ -10,10 +10,9 @@ using namespace texmap;
 using namespace texmap::test;
 
 TEST_CASE("SSIM is that of other programs, in every run, and only where it is asked for") {
-  Image right_half(30, 16);
-  for (int row = 0; row < 16; ++row) {
-    for (int column = 15; column < 30; ++column) right_half.at(column, row) = {255, 255, 255};
-  }
+  const Image right_half = image_of(30, 16, [](int column, int) {
+    return column < 15 ? Rgb8{} : Rgb8{255, 255, 255};
+  });
   const struct {
     Image a, b, mask;
     double ssim;

@@ -26,6 +26,9 @@ Image each(Image image, Rgb8 (*change)(Rgb8)) {
   return image;
 }
 Rgb8 bgr(Rgb8 p) { return {p.b, p.g, p.r}; }
+Rgb8 gbr(Rgb8 p) { return {p.g, p.b, p.r}; }
+Rgb8 brg(Rgb8 p) { return {p.b, p.r, p.g}; }
+Rgb8 grb(Rgb8 p) { return {p.g, p.r, p.b}; }
 Rgb8 inverted(Rgb8 p) {
   const auto inverse = [](std::uint8_t x) { return static_cast<std::uint8_t>(255 - x); };
   return {inverse(p.r), inverse(p.g), inverse(p.b)};
@@ -33,15 +36,11 @@ Rgb8 inverted(Rgb8 p) {
 
 /// The picture moved, with its other side at the edge, or black.
 Image moved(const Image& picture, int right, int down, bool around) {
-  Image image(width, height);
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      const int x = column - right, y = row - down;
-      if (around || (x >= 0 && x < width && y >= 0 && y < height))
-        image.at(column, row) = picture.at((x + width) % width, (y + height) % height);
-    }
-  }
-  return image;
+  return image_of(width, height, [&](int column, int row) {
+    const int x = column - right, y = row - down;
+    const bool inside = x >= 0 && x < width && y >= 0 && y < height;
+    return around || inside ? picture.at((x + width) % width, (y + height) % height) : Rgb8{};
+  });
 }
 
 }  // namespace
@@ -54,14 +53,8 @@ TEST_CASE("a whole picture with its channels, its colors or its place wrong is n
   const std::string order = "the channels of the whole picture are in the wrong order";
   const std::string red_and_blue = "red and blue are exchanged";
   std::vector<std::pair<std::string, Image>> rows = {
-      {order + ": green, blue, red", each(right,
-                                          [](Rgb8 p) {
-                                            return Rgb8{p.g, p.b, p.r};
-                                          })},
-      {order + ": blue, red, green", each(right,
-                                          [](Rgb8 p) {
-                                            return Rgb8{p.b, p.r, p.g};
-                                          })},
+      {order + ": green, blue, red", each(right, gbr)},
+      {order + ": blue, red, green", each(right, brg)},
       {"the whole picture is mirrored: columns run the other way", mirrored(right)},
       {"the whole picture is upside down: rows run the other way", upside_down(right)},
       {"the whole picture is mirrored, and " + red_and_blue, each(mirrored(right), bgr)},
@@ -76,10 +69,7 @@ TEST_CASE("a whole picture with its channels, its colors or its place wrong is n
       {"", with_noise(right, 60, 3)},
       {"", noise(width, height, 5)},
       {"", ramps(width, height)},
-      {"", each(right,
-                [](Rgb8 p) {
-                  return Rgb8{p.g, p.r, p.b};
-                })},
+      {"", each(right, grb)},
       {"", Image(width, height, {200, 200, 200})},
       {"", Image(width, height, {120, 160, 220})},
       {"", Image(width + 1, height)},

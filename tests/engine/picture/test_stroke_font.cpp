@@ -69,9 +69,8 @@ TEST_CASE("across or beyond an edge a text is the part of it that lies inside") 
   const Image whole = written("O#W°", 60, 60, 22, 180, 140);
   for (int row = -30; row <= 20; row += 3) {
     for (int column = -60; column <= 30; column += 5) {
-      Image part(23, 13);
-      for (int y = 0; y < 13; ++y)
-        for (int x = 0; x < 23; ++x) part.at(x, y) = whole.at(x - column + 60, y - row + 60);
+      const Image part =
+          image_of(23, 13, [&](int x, int y) { return whole.at(x - column + 60, y - row + 60); });
       REQUIRE(written("O#W°", column, row, 22, 23, 13) == part);
     }
   }

@@ -14,25 +14,18 @@ namespace {
 
 /// A smooth picture of the sphere: each channel a polynomial of the direction.
 Image smooth(Projection projection, const PictureSize& size) {
-  Image image(size.width, size.height);
-  for (int row = 0; row < size.height; ++row) {
-    for (int column = 0; column < size.width; ++column) {
-      const Vec3<double> p = unproject(
-          projection, Uv<double>{(column + 0.5) / size.width, 1 - (row + 0.5) / size.height});
-      const auto level = [](double x) { return static_cast<std::uint8_t>(128 + 100 * x); };
-      image.at(column, row) = {level(p.x * p.y), level(p.z), level(p.x * p.z + p.y * 0.4)};
-    }
-  }
-  return image;
+  return image_of(size.width, size.height, [&](int column, int row) {
+    const Vec3<double> p = unproject(
+        projection, Uv<double>{(column + 0.5) / size.width, 1 - (row + 0.5) / size.height});
+    const auto level = [](double x) { return static_cast<std::uint8_t>(128 + 100 * x); };
+    return Rgb8{level(p.x * p.y), level(p.z), level(p.x * p.z + p.y * 0.4)};
+  });
 }
 
 int largest_difference(const Image& a, const Image& b) {
   int most = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb8& p = a.pixels[i];
-    const Rgb8& q = b.pixels[i];
-    most = std::max({most, std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
-  }
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    most = std::max(most, channel_difference(a.pixels[i], b.pixels[i]));
   return most;
 }
 
@@ -116,10 +109,9 @@ TEST_CASE("converted pictures have as many texels for the sphere, and a cube who
 
 TEST_CASE("a picture that shrinks keeps its mean light, and threads change nothing") {
   // Stripes of one column: a sample sees black or white, their mean is half the light.
-  Image stripes(1024, 512);
-  for (int row = 0; row < 512; ++row) {
-    for (int column = 0; column < 1024; column += 2) stripes.at(column, row) = {255, 255, 255};
-  }
+  const Image stripes = image_of(1024, 512, [](int column, int) {
+    return column % 2 == 0 ? Rgb8{255, 255, 255} : Rgb8{};
+  });
   const auto small = [&stripes](int threads) {
     return convert_projection(stripes, Projection::equirect, Projection::cylinder, {201, 64},
                               threads);
