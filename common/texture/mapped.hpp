@@ -6,6 +6,19 @@
 
 namespace texmap {
 
+/// (u, v) at a hit, by a mapping of hits or, where the direction is enough, of normals.
+template <class Mapping, class AnyHit>
+[[nodiscard]] auto uv_at(const Mapping& mapping, const AnyHit& hit) {
+  constexpr bool takes_hit = requires { mapping(hit); };
+  constexpr bool on_normal = requires { mapping(hit.normal); };
+  static_assert(takes_hit || on_normal, "a mapping cannot be called in this number, see AnyOf");
+  if constexpr (takes_hit) {
+    return mapping(hit);
+  } else {
+    return mapping(hit.normal);
+  }
+}
+
 /// A paint in two parts: a mapping to (u, v), a texture from (u, v) to a color.
 /// To add a mapping, write a struct that maps a direction (Vec3) to a Uv, or a whole Hit where the
 /// direction is not enough; a texture maps a Uv to a Color.
@@ -16,16 +29,7 @@ struct Mapped {
 
   template <template <class> class AnyHit, class Real>
   [[nodiscard]] Color<Real> operator()(const AnyHit<Real>& hit) const {
-    constexpr bool takes_hit = requires { mapping(hit); };
-    constexpr bool on_normal = requires { mapping(hit.normal); };
-    static_assert(takes_hit || on_normal, "a mapping cannot be called in this number, see AnyOf");
-    const auto uv = [&] {
-      if constexpr (takes_hit) {
-        return mapping(hit);
-      } else {
-        return mapping(hit.normal);
-      }
-    }();
+    const auto uv = uv_at(mapping, hit);
     static_assert(
         Gives<Texture, decltype(uv), Color<Real>>,
         "a texture cannot be called with (u, v) in this number, or returns no Color<Real> such as "

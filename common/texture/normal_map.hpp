@@ -6,7 +6,7 @@
 #include "math/color.hpp"
 #include "scene/steps.hpp"
 #include "texture/image.hpp"
-#include "texture/uv.hpp"
+#include "texture/mapped.hpp"
 
 namespace texmap {
 
@@ -76,12 +76,6 @@ template <class Real>
   return {byte(normal.x), byte(normal.y), byte(normal.z)};
 }
 
-/// What becomes of the mean of several normals, which a filter gives.
-enum class MeanNormal {
-  unit,   ///< made a unit vector: the light of facets leaning by +t and -t is 1 / cos t too bright
-  as_is,  ///< its length below 1 is kept: the mean of their Lambertian light, exactly
-};
-
 /// A normal map on a surface.
 template <class Mapping, class Texture>
 struct NormalMap {
@@ -89,16 +83,14 @@ struct NormalMap {
   Texture texture;
   Green green = Green::up;  ///< how the program reads the file: up points along +v
   TangentRule rule = TangentRule::from_uv;
-  MeanNormal mean = MeanNormal::unit;
 
-  /// The normal at a hit, of unit length or as `mean` says. Where the map or its frame is not
-  /// finite: the surface's own.
+  /// The unit normal at a hit. Where the map or its frame is not finite: the surface's own.
   ///
   /// @param curvature  of the surface: 1 / radius on a sphere, 0 on a plane
   template <class Real>
   [[nodiscard]] Vec3<Real> operator()(const Hit<Real>& hit, const Real& curvature) const {
     const Frame<Real> frame = frame_about(hit.normal);
-    const Uv<Dual<Real>> moving = place(with_steps(hit, frame, curvature));
+    const Uv<Dual<Real>> moving = uv_at(mapping, with_steps(hit, frame, curvature));
     const Uv<Real> uv{moving.u.value, moving.v.value};
     const TangentFrame<Real> along = tangents(rule, hit.normal, point_by_uv(frame, moving));
     const Vec3<Real> n = normal_of_color(texture(uv));
@@ -106,17 +98,7 @@ struct NormalMap {
     const Vec3<Real> sum = along.tangent * n.x + along.bitangent * (n.y * sign) + hit.normal * n.z;
     const Real size = dot(sum, sum);
     const Mask<Real> usual = size > Real(0) && size < infinity<Real>();
-    return select(usual, mean == MeanNormal::unit ? normalize(sum) : sum, hit.normal);
-  }
-
-  /// The coordinates at a hit.
-  template <template <class> class AnyHit, class Real>
-  [[nodiscard]] Uv<Real> place(const AnyHit<Real>& hit) const {
-    if constexpr (requires { mapping(hit); }) {
-      return mapping(hit);
-    } else {
-      return mapping(hit.normal);
-    }
+    return select(usual, normalize(sum), hit.normal);
   }
 };
 

@@ -1,4 +1,4 @@
-// Normal maps: frames that follow (u, v), colors that hold normals, and their means.
+// Normal maps: frames that follow (u, v), and colors that hold normals.
 #include "texture/normal_map.hpp"
 
 #include <doctest.h>
@@ -14,13 +14,6 @@ using namespace texmap;
 using namespace texmap::test;
 
 namespace {
-
-struct Plane {
-  template <template <class> class AnyHit, class Real>
-  Uv<Real> operator()(const AnyHit<Real>& hit) const {
-    return {hit.point.x, hit.point.y};
-  }
-};
 
 template <class Real>
 Hit<Real> hit_with(const Vec3<Real>& normal) {
@@ -94,31 +87,4 @@ TEST_CASE("a color holds a normal to 1/255 in each part; the flat color leans by
   const Vec3d lean = normalize(normal_of_color(Rgb{128 / 255.0, 128 / 255.0, 1}));
   const double degrees = std::acos(lean.z) * 180 / std::numbers::pi;
   CHECK(degrees == doctest::Approx(0.3178).epsilon(1e-3));
-}
-
-TEST_CASE(
-    "the mean of two normals, kept short, gives the mean of their light; made long, too much") {
-  // Two texels, normals left and right by the same angle; halfway both count the same.
-  for (const double sine : {0.2, 0.5, 0.8}) {
-    const double cosine = std::sqrt(1 - sine * sine);
-    Image image(2, 1);
-    image.at(0, 0) = color_of_normal({-sine, 0, cosine});
-    image.at(1, 0) = color_of_normal({sine, 0, cosine});
-    NormalMap<Plane, BilinearTexture> map{.mapping = {}, .texture = {image}};
-    const auto at = [&](double u, MeanNormal mean) {
-      map.mean = mean;
-      return map(Hit<double>{{0, 0, 1}, {u, 0.5, 0}, {}, {}}, 0.0);
-    };
-    const Vec3d left = at(0.25, MeanNormal::as_is);
-    const Vec3d right = at(0.75, MeanNormal::as_is);
-    for (const Vec3d& light : {Vec3d{0, 0, 1}, normalize(Vec3d{0.1, 0.4, 1})}) {
-      REQUIRE(dot(left, light) > 0);
-      REQUIRE(dot(right, light) > 0);
-      const double exact = (dot(left, light) + dot(right, light)) / 2;
-      CHECK(dot(at(0.5, MeanNormal::as_is), light) == doctest::Approx(exact).epsilon(1e-12));
-      const double factor = dot(at(0.5, MeanNormal::unit), light) / exact;
-      CHECK(factor == doctest::Approx(1 / cosine).epsilon(0.02));  // 8 bits
-      CHECK(factor > 1.01);
-    }
-  }
 }

@@ -42,9 +42,9 @@ struct BumpsAndLamp {
     Frame<double> frame = frame_about(hit.normal);
     std::vector<Json> rows = {fact("normal n", hit.normal)};
     if (bumps.map) {
-      const auto along =
-          tangents(bumps.map->rule, hit.normal,
-                   point_by_uv(frame, bumps.map->place(with_steps(hit, frame, curvature))));
+      const auto along = tangents(
+          bumps.map->rule, hit.normal,
+          point_by_uv(frame, uv_at(bumps.map->mapping, with_steps(hit, frame, curvature))));
       frame = {along.tangent, along.bitangent};
       rows.push_back(fact("t", frame.right, {": along u"}));
       rows.push_back(fact("b", frame.up, {": along v"}));
