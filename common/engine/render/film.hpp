@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "math/color.hpp"
+#include "texture/image.hpp"
 
 namespace texmap {
 
@@ -26,53 +26,42 @@ namespace texmap {
 /// The light of a picture: the mean of each pixel's samples.
 class Film {
  public:
-  Film(int width, int height, long samples)
-      : width_(width),
-        height_(height),
-        samples_(samples),
-        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+  Film(int width, int height, long samples) : mean_(width, height), samples_(samples) {}
 
-  [[nodiscard]] int width() const { return width_; }
-  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] int width() const { return mean_.width; }
+  [[nodiscard]] int height() const { return mean_.height; }
   [[nodiscard]] long samples() const { return samples_; }
-  [[nodiscard]] Rgb light(int column, int row) const { return pixels_[place(column, row)]; }
-  [[nodiscard]] const Rgb* row(int row) const { return pixels_.data() + place(0, row); }
+  [[nodiscard]] const Rgb& light(int column, int row) const { return mean_.at(column, row); }
+  [[nodiscard]] const Rgb* row(int row) const { return &mean_.at(0, row); }
   void set_row(int row, const Rgb* light) {
-    std::copy(light, light + width_, &pixels_[place(0, row)]);
+    std::copy(light, light + mean_.width, &mean_.at(0, row));
   }
-  void set_light(int column, int row, const Rgb& mean) { pixels_[place(column, row)] = mean; }
+  void set_light(int column, int row, const Rgb& mean) { mean_.at(column, row) = mean; }
 
   /// Adds the samples of another film of the same size.
   void add(const Film& other) {
     const auto all = static_cast<double>(samples_ + other.samples_);
     const double ours = static_cast<double>(samples_) / all;
     const double theirs = static_cast<double>(other.samples_) / all;
-    for (std::size_t i = 0; i < pixels_.size(); ++i)
-      pixels_[i] = pixels_[i] * ours + other.pixels_[i] * theirs;
+    for (std::size_t i = 0; i < mean_.pixels.size(); ++i)
+      mean_.pixels[i] = mean_.pixels[i] * ours + other.mean_.pixels[i] * theirs;
     samples_ += other.samples_;
   }
 
   /// The error of two halves of one size.
   [[nodiscard]] friend double error_of_halves(const Film& first, const Film& second) {
     double sum = 0;
-    for (std::size_t i = 0; i < first.pixels_.size(); ++i)
-      sum += visible_difference(first.pixels_[i], second.pixels_[i]);
-    return error_of_halves(sum, static_cast<double>(first.pixels_.size()));
+    for (std::size_t i = 0; i < first.mean_.pixels.size(); ++i)
+      sum += visible_difference(first.mean_.pixels[i], second.mean_.pixels[i]);
+    return error_of_halves(sum, static_cast<double>(first.mean_.pixels.size()));
   }
 
   /// Estimated error of the mean, root mean square in units of light; +infinity if unknown.
   double error = infinity<double>();
 
  private:
-  [[nodiscard]] std::size_t place(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(column);
-  }
-
-  int width_;
-  int height_;
+  Grid<Rgb> mean_;
   long samples_;
-  std::vector<Rgb> pixels_;
 };
 
 }  // namespace texmap
