@@ -103,8 +103,8 @@ Pair<T> draw_pair(Dice& dice) {
   if (dice.once_in(3)) b = a + b * dice.power_of_ten(-18, 0);
   if (dice.once_in(3)) b = dice.across(a) + b * dice.power_of_ten(-18, 0);
   const int most = half_range<T> - 4;
-  return {scaled(rounded<T>(a), dice.within(-most, most)),
-          scaled(rounded<T>(b), dice.within(-20, 20))};
+  return {scaled(number_cast<T>(a), dice.within(-most, most)),
+          scaled(number_cast<T>(b), dice.within(-20, 20))};
 }
 
 /// |a| |b|: what an error of a dot product is measured by.

@@ -38,9 +38,9 @@ Moving<T> any_moving(Dice& dice) {
   if (dice.once_in(4)) p = {-std::abs(p.x), p.y, dice.once_in(2) ? 0 : p.z * 1e-9L};
   const int size = dice.within(-50, 50);
   const auto step = [&] {
-    return scaled(rounded<T>(dice.direction() * dice.power_of_ten(-6, 0)), size);
+    return scaled(number_cast<T>(dice.direction() * dice.power_of_ten(-6, 0)), size);
   };
-  const Vec3<T> place = scaled(rounded<T>(p), size);
+  const Vec3<T> place = scaled(number_cast<T>(p), size);
   const Vec3<T> across = step();
   return {place, across, step()};
 }
@@ -92,8 +92,8 @@ Measurement value_differs() {
   return count_lanes<Real>(
       1,
       [](Dice& dice) {
-        return Moving<T>{rounded<T>(dice.direction() * dice.power_of_ten(0.3L, 2)),
-                         rounded<T>(dice.direction()), rounded<T>(dice.direction())};
+        return Moving<T>{number_cast<T>(dice.direction() * dice.power_of_ten(0.3L, 2)),
+                         number_cast<T>(dice.direction()), number_cast<T>(dice.direction())};
       },
       [way](const Moving<Real>& p) {
         const auto [distance, u, v] = way(dual_of(p));
@@ -108,8 +108,8 @@ Moving<T> any_look(Dice& dice) {
   const Vec3<long double> towards = dice.direction();
   const Vec3<long double> beside = dice.across(towards) * dice.uniform(0, 0.9L);
   const Vec3<long double> eye = towards * dice.uniform(1.5L, 20);
-  const Vec3<T> direction = rounded<T>(beside - eye);
-  return {rounded<T>(eye), direction, rounded<T>(dice.across(towards) * 0.01L)};
+  const Vec3<T> direction = number_cast<T>(beside - eye);
+  return {number_cast<T>(eye), direction, number_cast<T>(dice.across(towards) * 0.01L)};
 }
 
 /// The distance's derivative by a parameter that moves the direction.

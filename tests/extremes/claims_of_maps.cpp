@@ -23,7 +23,7 @@ Vec3<T> any_direction(Dice& dice) {
     if (dice.once_in(2)) p = {p.y, p.x, p.z};
   }
   if (dice.once_in(8)) p.z = dice.once_in(2) ? p.x : 0;
-  return rounded<T>(p * (1 / std::sqrt(dot(p, p))));
+  return number_cast<T>(p * (1 / std::sqrt(dot(p, p))));
 }
 
 /// The angle between a direction and where it comes back to, in texels of 4096 a turn.
@@ -48,7 +48,7 @@ Measurement worst_middle(const Map& map) {
   return worst_over(1, [map](Dice& dice, Worst& worst) {
     const long double near = dice.power_of_ten(-6, -0.5L);
     const Vec3<long double> turn = dice.direction();
-    const Vec3<T> p = rounded<T>(Vec3<long double>{
+    const Vec3<T> p = number_cast<T>(Vec3<long double>{
         near * turn.x, std::sqrt(1 - near * near * (turn.x * turn.x + turn.z * turn.z)),
         near * turn.z});
     const Uv<T> uv = map(p);
@@ -199,7 +199,7 @@ Measurement worst_seen() {
       1,
       [](Dice& dice) {
         const auto any = [&](int power) {
-          return scaled(rounded<T>(dice.direction()), dice.within(-power, power));
+          return scaled(number_cast<T>(dice.direction()), dice.within(-power, power));
         };
         return std::array<Vec3<T>, 3>{any(6), any(3), any(6)};  // origin, direction, corner
       },

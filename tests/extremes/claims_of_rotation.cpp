@@ -84,7 +84,7 @@ auto worst_length() {
   return worst_over(1, [](Dice& dice, Worst& worst) {
     const auto degrees = any_angle<double>(dice, 1000);
     see_lanes<Real>(
-        worst, [&] { return rounded<T>(dice.direction()); }, rotation_y(degrees),
+        worst, [&] { return number_cast<T>(dice.direction()); }, rotation_y(degrees),
         [](const Vec3<T>& turned, const Vec3<T>& p) {
           const Vec3<Digits50> before = exactly(p);
           const Vec3<Digits50> after = exactly(turned);
@@ -105,7 +105,7 @@ auto worst_shift() {
         whole_texels ? 360.0 / 8192 * dice.within(-100000, 100000) : any_angle<double>(dice, 1000);
     const Digits50 turn = turns_of(exact_angle(degrees));
     see_lanes<Real>(
-        worst, [&] { return rounded<T>(dice.direction()); },
+        worst, [&] { return number_cast<T>(dice.direction()); },
         [&](const Vec3<Real>& p) { return uv_rtiow(rotation_y(degrees)(p)); },
         [&](const Uv<T>& uv, const Vec3<T>& p) {
           Digits50 expected = exact_uv(exactly(p)).u + turn;

@@ -40,7 +40,7 @@ Scene<T> draw_scene(Dice& dice, SphereForm form) {
   const Vec3<long double> eye = center + dice.direction() * (radius * from);
   const Vec3<long double> aim = center + dice.direction() * (radius * dice.uniform(0, 1));
   return {{number_cast<double>(center), static_cast<double>(radius), form},
-          {rounded<T>(eye), rounded<T>(aim - eye)}};
+          {number_cast<T>(eye), number_cast<T>(aim - eye)}};
 }
 
 /// A direction on the outer side of a surface, often nearly along it.
@@ -49,7 +49,7 @@ Vec3<T> outward(Dice& dice, const Vec3<T>& normal) {
   const auto n = number_cast<long double>(normal);
   Vec3<long double> direction = dice.direction();
   if (dice.once_in(3)) direction = dice.across(n) + n * dice.power_of_ten(-20, -1);
-  const Vec3<T> result = rounded<T>(direction);
+  const Vec3<T> result = number_cast<T>(direction);
   return dot(result, normal) < T(0) ? -result : result;
 }
 
@@ -106,8 +106,8 @@ template <class T>
 Measurement worst_to_light() {
   const std::vector<Ground> nothing;
   return worst_over(1, [=](Dice& dice, Worst& worst) {
-    const Vec3<T> point = rounded<T>(dice.direction() * dice.power_of_ten(-6, 6));
-    const Vec3<float> lamp = rounded<float>(dice.direction() * dice.power_of_ten(-6, 6));
+    const Vec3<T> point = number_cast<T>(dice.direction() * dice.power_of_ten(-6, 6));
+    const Vec3<float> lamp = number_cast<float>(dice.direction() * dice.power_of_ten(-6, 6));
     const PointLight light{number_cast<double>(lamp)};
     const Hit<T> hit{{T(0), T(1), T(0)}, point, point, point};
     const Vec3<T> got = sample_light(light, nothing, hit).to_light;

@@ -28,7 +28,7 @@ Gloss<T> draw_gloss(Dice& dice) {
     const long double angle = dice.power_of_ten(-12, 0.2L);
     to_eye = mirrored * std::cos(angle) + dice.across(mirrored) * std::sin(angle);
   }
-  return {rounded<T>(normal), rounded<T>(to_light), rounded<T>(to_eye)};
+  return {number_cast<T>(normal), number_cast<T>(to_light), number_cast<T>(to_eye)};
 }
 
 template <class Real>
@@ -182,7 +182,7 @@ Measurement worst_sky() {
   using T = Scalar<Real>;
   const GradientSky sky{.below = {1, 1, 1}, .above = {0.5, 0.7, 1}};
   return worst_lanes<Real>(
-      1, [](Dice& dice) { return rounded<T>(dice.direction()); },
+      1, [](Dice& dice) { return number_cast<T>(dice.direction()); },
       [sky](const Vec3<Real>& direction) {
         return sky(Ray<Real>{{}, direction}).g;
       },

@@ -41,8 +41,9 @@ struct Shared {
 Shared draw_shared(Dice& dice, const Shots& shots) {
   const auto radius = static_cast<double>(
       static_cast<float>(dice.uniform(1, 2)));  // a float, so that every number holds it
-  const Vec3<float> center =
-      shots.centered ? Vec3<float>{} : rounded<float>(dice.direction() * dice.power_of_ten(-3, 7));
+  const Vec3<float> center = shots.centered
+                                 ? Vec3<float>{}
+                                 : number_cast<float>(dice.direction() * dice.power_of_ten(-3, 7));
   return {radius, number_cast<double>(center), dice.within(-shots.scale, shots.scale),
           dice.within(-shots.direction, shots.direction)};
 }
@@ -103,9 +104,9 @@ Shot<T> draw_shot(Dice& dice, const Shots& shots, const Shared& shared) {
   }
   direction = direction * dice.uniform(1, 2);
   const auto center = number_cast<long double>(shared.center);
-  return {{scaled(rounded<T>(center + out * away), shared.scale),
-           scaled(rounded<T>(direction), shared.direction)},
-          scaled(rounded<T>(center), shared.scale),
+  return {{scaled(number_cast<T>(center + out * away), shared.scale),
+           scaled(number_cast<T>(direction), shared.direction)},
+          scaled(number_cast<T>(center), shared.scale),
           std::ldexp(static_cast<T>(radius), shared.scale)};
 }
 

@@ -22,7 +22,7 @@ struct Case {
 template <class T>
 Point as_corner(const Vec3<long double>& p) {  // triangles of a scene are double
   using Corner = std::conditional_t<(sizeof(T) > sizeof(double)), double, T>;
-  return number_cast<double>(rounded<Corner>(p));
+  return number_cast<double>(number_cast<Corner>(p));
 }
 
 /// Which needles and caps are drawn, with a point inside or outside.
@@ -55,7 +55,8 @@ Case<T> draw_thin(Dice& dice, const Thin& thin) {
     at_b = dice.sign() * dice.power_of_ten(0, thin.farthest);
     at_c = dice.sign() * dice.power_of_ten(-thin.farthest, thin.farthest);
   }
-  return {triangle, scaled(rounded<T>(from + along * (at_b + at_c * foot) + across * at_c), size)};
+  return {triangle,
+          scaled(number_cast<T>(from + along * (at_b + at_c * foot) + across * at_c), size)};
 }
 
 /// A triangle whose corners are equal or on a line: each a rounded multiple of one vector.
@@ -150,8 +151,8 @@ Measurement count_nan(Function function) {
 /// A ray over a floor.
 template <class T>
 Ray<T> draw_downward(Dice& dice) {
-  return {rounded<T>(dice.direction() * dice.power_of_ten(-6, 6)),
-          rounded<T>(dice.direction() * dice.power_of_ten(-6, 6))};
+  return {number_cast<T>(dice.direction() * dice.power_of_ten(-6, 6)),
+          number_cast<T>(dice.direction() * dice.power_of_ten(-6, 6))};
 }
 
 template <class T>
@@ -242,7 +243,7 @@ Family claims_of_triangles() {
                   count_cases(
                       [](Dice& dice) {
                         const Triangle flat = draw_flat<T>(dice);
-                        return Case<T>{flat, rounded<T>(dice.direction())};
+                        return Case<T>{flat, number_cast<T>(dice.direction())};
                       },
                       [](auto& one) { return !ours(one.triangle, one.p).degenerate; }));
     family.add<T>("barycentric, anything", any_shape, {0, "NaN"}, count_nan<T>(ours));

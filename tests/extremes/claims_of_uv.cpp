@@ -13,8 +13,8 @@ template <class T>
 Vec3<T> near_pole(Dice& dice, long double least, long double most) {
   const long double sine = dice.power_of_ten(least, most);
   const long double turn = dice.uniform(0, 6.283185307179586L);
-  Vec3<T> p = rounded<T>(
-      {sine * std::cos(turn), dice.sign() * std::sqrt(1 - sine * sine), sine * std::sin(turn)});
+  Vec3<T> p = number_cast<T>(Vec3<long double>{
+      sine * std::cos(turn), dice.sign() * std::sqrt(1 - sine * sine), sine * std::sin(turn)});
   for (int steps = dice.below(5); steps > 0; --steps)
     p.y = std::nextafter(p.y, static_cast<T>(dice.sign()) * std::numeric_limits<T>::max());
   return p;
@@ -37,7 +37,7 @@ Vec3<T> any_vector(Dice& dice) {
     const int kind = dice.below(4);
     if (kind == 0) return {dice.finite<T>(), dice.finite<T>(), dice.finite<T>()};
     if (kind == 1)
-      return scaled(rounded<T>(dice.direction()),
+      return scaled(number_cast<T>(dice.direction()),
                     dice.within(Limits::min_exponent - 8, Limits::max_exponent - 1));
     if (kind == 2) return scaled(near_pole<T>(dice, -8, -1), dice.within(-20, 20));
     return near_seam<T>(dice);

@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "number/kinds/pack2.hpp"
+#include "published/look_up.hpp"
 #include "sampling/sampled_numbers.hpp"
 #include "scene/floor.hpp"
 #include "scene/lens.hpp"
@@ -164,6 +165,9 @@ TEST_CASE_TEMPLATE("textures and mappings compute lane by lane", Many, PACKS) {
     texture_law(SmoothTexture{light_noise(8, 4), axis});
   }
   texture_law(Checkerboard{{0.25, 0.5, 0.75}, {1, 0, 0.125}, 7});
+  for (const auto formula :
+       {published::TexelFormula::one_weekend_2020, published::TexelFormula::triangle_article})
+    texture_law(published::LookUpTexture{{Wrap::repeat, {noise(8, 4, 1)}}, formula});
   for (const double reach : {3.0, 1e6, 1e12}) {
     law<Many>("SolidCheckerboard, FloorMapping", [=]<class Real>(const In<Real>& x) {
       const SolidCheckerboard board{{0, 0, 0}, {1, 1, 1}, 0.3};

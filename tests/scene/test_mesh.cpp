@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("needles of any width have a normal, also where rounding lose
     needle.triangles = {{0, 1, 2}};
     for (const double t : {1.0, 2.0, dice.between(1.1, 1.9)})
       needle.points.push_back(
-          rounded<double>(number_cast<long double>(number_cast<Real>(along * t))));
+          number_cast<double>(number_cast<long double>(number_cast<Real>(along * t))));
     const auto& p = needle.points;
     const MeshHit<Real> hit =
         first_hit(needle, aimed<Real>([&] { return point_within(dice, 0.5); },

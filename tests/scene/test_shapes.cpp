@@ -29,11 +29,6 @@ Scalar<Real> first(const Real& x) {
   return lane(x, 0);
 }
 
-/// A point in a cube with sides of 2 `size`.
-Vec3d point_within(Dice& dice, double size) {
-  return {dice.between(-size, size), dice.between(-size, size), dice.between(-size, size)};
-}
-
 }  // namespace
 
 TEST_CASE_TEMPLATE("rays meet a cylinder and a rectangle where they should", Real, NUMBERS) {

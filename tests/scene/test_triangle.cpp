@@ -11,12 +11,6 @@
 namespace texmap::test {
 namespace {
 
-/// Three whole numbers from -range to range.
-Point grid_point(Dice& dice, int range) {
-  const auto whole = [&] { return static_cast<double>(dice.within(-range, range)); };
-  return {whole(), whole(), whole()};
-}
-
 template <class Real>
 bool is(const Barycentric<Real>& w, double a, double b, double c) {
   return !w.degenerate && w.a == Real(a) && w.b == Real(b) && w.c == Real(c);
@@ -31,8 +25,8 @@ TEST_CASE_TEMPLATE("P24: in the middle of a side the weights are 1/2, 1/2 and 0,
   for (int i = 0; i < 5000; ++i) {
     // Multiples of 6, so that every number holds the middles and the centroid.
     const int range = i % 2 == 0 ? 16 : 1000000;
-    const Triangle t{grid_point(dice, range) * 6.0, grid_point(dice, range) * 6.0,
-                     grid_point(dice, range) * 6.0};
+    const Triangle t{whole_point_within(dice, range) * 6.0, whole_point_within(dice, range) * 6.0,
+                     whole_point_within(dice, range) * 6.0};
     if (barycentric(t, number_cast<Real>(t.a)).degenerate) continue;
     REQUIRE(is(barycentric(t, number_cast<Real>(t.a)), 1, 0, 0));
     REQUIRE(is(barycentric(t, number_cast<Real>(t.b)), 0, 1, 0));

@@ -10,11 +10,6 @@
 
 namespace texmap::test {
 
-template <class T>
-[[nodiscard]] Vec3<T> rounded(const Vec3<long double>& p) {
-  return {static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
-}
-
 /// Draws by splitmix64: equal seeds give equal draws.
 class Dice {
  public:
@@ -94,7 +89,7 @@ class Dice {
       const Vec3<long double> p{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
       const long double square_of_length = dot(p, p);
       if (square_of_length < 1 && square_of_length > 1e-4L)
-        return rounded<T>(p * (1 / std::sqrt(square_of_length)));
+        return number_cast<T>(p * (1 / std::sqrt(square_of_length)));
     }
   }
   /// A direction at a right angle to `p`.
@@ -132,6 +127,16 @@ class Dice {
   Tape* tape_ = nullptr;
   std::size_t taken_ = 0;
 };
+
+/// A point of a cube around 0.
+[[nodiscard]] inline Point point_within(Dice& dice, double reach) {
+  return {dice.between(-reach, reach), dice.between(-reach, reach), dice.between(-reach, reach)};
+}
+/// A point with whole coordinates: rays from there are often in the planes of faces.
+[[nodiscard]] inline Point whole_point_within(Dice& dice, int reach) {
+  const auto whole = [&] { return static_cast<double>(dice.within(-reach, reach)); };
+  return {whole(), whole(), whole()};
+}
 
 template <class T>
 [[nodiscard]] Vec3<T> scaled(const Vec3<T>& p, int power_of_two) {

@@ -125,16 +125,6 @@ template <class Real, class Origin, class Target>
   return {start, packed(to) - start};
 }
 
-/// A point of a cube around 0.
-[[nodiscard]] inline Point point_within(Dice& dice, double reach) {
-  return {dice.between(-reach, reach), dice.between(-reach, reach), dice.between(-reach, reach)};
-}
-/// A point with whole coordinates: rays from there are often in the planes of faces.
-[[nodiscard]] inline Point whole_point_within(Dice& dice, int reach) {
-  const auto whole = [&] { return static_cast<double>(dice.within(-reach, reach)); };
-  return {whole(), whole(), whole()};
-}
-
 /// What went wrong with rays at edges and corners.
 struct Leaks {
   long rays = 0;

@@ -91,11 +91,11 @@ TEST_CASE_TEMPLATE("a height a u on a plane gives one normal, which leans by ata
     for (int i = 0; i < 200; ++i) {
       const Vec3<long double> normal = dice.direction();
       const Vec3<long double> along = dice.across(normal);
-      const Ramp ramp{rounded<double>(along), slope};
+      const Ramp ramp{number_cast<double>(along), slope};
       Hit<Real> hit = hit_with<Real>(normal);
-      hit.point = rounded<Real>(dice.direction());
+      hit.point = number_cast<Real>(dice.direction());
       const Vec3<Real> bumped = Bumps<Ramp>{ramp}(hit, Real(0));
-      const Vec3<Real> downhill = rounded<Real>(-along);
+      const Vec3<Real> downhill = number_cast<Real>(-along);
       CHECK(std::abs(static_cast<double>(dot(bumped, downhill)) - std::sin(std::atan(slope))) <
             bound + 1e-15);
     }

@@ -9,10 +9,6 @@
 namespace texmap::test {
 namespace {
 
-Vec3d anywhere(Dice& dice, double reach) {
-  return {dice.between(-reach, reach), dice.between(-reach, reach), dice.between(-reach, reach)};
-}
-
 TEST_CASE_TEMPLATE("noise is exactly 0 at the corners of its cubes, and at points that are none",
                    Real, float, double, long double) {
   Dice dice;
@@ -29,7 +25,7 @@ TEST_CASE("noise repeats after 1024, and not after less") {
   Dice dice;
   int other = 0;
   for (int i = 0; i < 500; ++i) {
-    const Vec3d p = number_cast<double>(number_cast<float>(anywhere(dice, 8)));
+    const Vec3d p = number_cast<double>(number_cast<float>(point_within(dice, 8)));
     for (const Vec3d& period : {Vec3d{1024, 0, 0}, Vec3d{0, -1024, 0}, Vec3d{0, 0, 3072}})
       CHECK(gradient_noise(p + period) == gradient_noise(p));
     for (const Vec3d& half : {Vec3d{512, 0, 0}, Vec3d{0, 512, 0}, Vec3d{0, 0, 512}})
@@ -42,7 +38,7 @@ TEST_CASE("noise and its slopes go on across the faces between cubes, also where
   Dice dice;
   constexpr double step = 1e-6;
   for (int i = 0; i < 3000; ++i) {
-    const Vec3d inside = anywhere(dice, 3);
+    const Vec3d inside = point_within(dice, 3);
     const double face = dice.once_in(3) ? 1024 * dice.within(-1, 1) : dice.within(-1030, 1030);
     const auto along = [&, axis = dice.below(3)](double t) {
       return gradient_noise(axis == 0   ? Vec3d{face + t, inside.y, inside.z}
@@ -64,7 +60,7 @@ TEST_CASE("noise has the mean 0 and the variance of its formula, and lies betwee
   constexpr int count = 200000;
   double sum = 0, squares = 0;
   for (int i = 0; i < count; ++i) {
-    const double here = gradient_noise(anywhere(dice, 512));
+    const double here = gradient_noise(point_within(dice, 512));
     CHECK(std::abs(here) <= 1);
     sum += here;
     squares += here * here;
@@ -83,8 +79,7 @@ TEST_CASE("the slopes at corners have nothing to do with each other, neither hav
   constexpr int count = 20000;
   double own = 0, others = 0, neighbors[3] = {};
   for (int i = 0; i < count; ++i) {
-    const auto whole = [&dice] { return double(dice.within(-600, 600)); };
-    const Vec3d corner{whole(), whole(), whole()};
+    const Vec3d corner = whole_point_within(dice, 600);
     const Vec3d slope = slope_at(corner);
     own += dot(slope, slope) / count;
     others += (slope.x * slope.y + slope.y * slope.z + slope.z * slope.x) / count;

@@ -48,7 +48,7 @@ Sight any_sight(Dice& dice) {
               axis * std::sin(angle)};
   }
   const double cosine = power(-1.5, 0);
-  const Point across = rounded<double>(dice.across(number_cast<long double>(normal)));
+  const Point across = number_cast<double>(dice.across(number_cast<long double>(normal)));
   const Point line = normal * -cosine + across * std::sqrt(1 - cosine * cosine);
   const Sphere<> sphere{dice.direction<double>() * power(-1, 2), power(-2, 2)};
   const double distance = power(-2, 3) * sphere.radius;
