@@ -201,9 +201,10 @@ Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
   }
 
   // Texts last: a search finds them as they are written.
-  for (cmark_node* node : texts)
-    replace_by_html(node, with_signs(escaped_markup(cmark_node_get_literal(node))),
-                    CMARK_NODE_HTML_INLINE);
+  for (cmark_node* node : texts) {
+    const std::string text = escaped_markup(cmark_node_get_literal(node));
+    replace_by_html(node, with_signs(text), CMARK_NODE_HTML_INLINE);
+  }
   const Owned<char> html(cmark_render_html(root.get(), options, nullptr));
   page.html = html.get();
   replace_all(page.html, "<table>", "<div class=\"scroll\" tabindex=\"0\"><table>");

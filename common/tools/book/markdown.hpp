@@ -28,8 +28,8 @@ using Resolve = std::function<std::string(const std::string& url)>;
 /// Where the code after a mark, <!-- code: FILE NAME -->, is from.
 using Locate = std::function<Place(const std::string& mark, const std::string& code)>;
 
-/// Converts a page: GitHub's Markdown; headings get the names that GitHub gives them. A picture with
-/// letters has behind it how high they are, <!-- letters: 20 px -->: book.cpp keeps them readable.
+/// Converts a page: GitHub's Markdown; headings get the names that GitHub gives them. Behind a
+/// picture with letters stands how high they are, <!-- letters: 20 px -->: they stay readable.
 ///
 /// @param resolve  called with the address of each link and each picture
 [[nodiscard]] Converted html_of_markdown(const std::string& markdown, const Resolve& resolve,
