@@ -48,6 +48,11 @@ COMMAND = "document.querySelector('.live-command code').textContent"
 # Rows of the loupe, and the chapters that explain them.
 FIRST_IN = (("02", "u"), ("02", "v"), ("02", "square"), ("03", "texel"), ("05", "n rotated"), ("06", "r"), ("06", "highlight"))
 LOUPE = "document.querySelector('.live-loupe')"
+# Keeps the page's workers, and what each said, on a machine of four cores.
+WORKERS = """window.workers = [];
+  window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); this.said = [];
+    this.addEventListener("message", ({data: {kind, id, last, pass}}) => { this.said.push({kind, id, last, pass}); }); } };
+  Object.defineProperty(navigator, "hardwareConcurrency", {value: 4});"""
 BOX = f"(({{left, top, width, height}}) => [left, top, width, height])({CANVAS}.getBoundingClientRect())"
 
 
@@ -239,6 +244,7 @@ def check_hands(place, browser):
     if abs(lamp[0] - 30) > 1 or abs(lamp[1]) > 1 or not browser.run(LOUPE + ".hidden"):
         yield f"the lamp is at {lamp}"
     mouse = at("10.html", "document.querySelector('.live-second > canvas')")
+    change(browser, projection="equirect")
     for x, shown in ((0.25, True), (0.75, False)):  # the eye looks from +z, which is there by --convention rtiow
         mouse("mouseMoved", x, 0.42)
         browser.wait(f"!document.querySelector('.live-second .live-mark').hidden && {LOUPE}.hidden === {str(not shown).lower()}", 20)
@@ -286,11 +292,43 @@ def check_curves(place, browser):
             yield f"{sampler}: the page has {found}, the programs {right}"
 
 
+def check_more(place, browser):
+    """Of 07 and 12 three workers draw a full picture, as the program does, also if one dies or breaks; a change stops them all."""
+    browser.call("Page.addScriptToEvaluateOnNewDocument", source=WORKERS)
+    for chapter, seed, act in (("07", 1, "0"), ("07", 2, "workers[1].terminate()"), ("12", 3, "workers[2].postMessage({kind: 'none'})")):
+        place.open(browser, place.variant("impatient.html", chapter, "data-live", 'data-patience="8" data-live'))
+        browser.wait(f"{STATE} === 'done' && workers.length === 3 && workers[1].said.at(-1)?.kind === 'seen' && workers[2].said.at(-1)?.kind === 'seen'")
+        drag = """(async () => { let before; const field = document.getElementById('live--seed'); for (let i = %d; i >= 0; --i) {
+          field.value = %d + i %% 9; field.dispatchEvent(new Event('input')); before ??= workers[1].said.length;
+          await new Promise((done) => setTimeout(done, 50)); } return workers[1].said.length - before; })()"""
+        browser.run(drag % (0, seed + 1))
+        browser.wait("workers.every((one) => one.said.at(-1).pass > 2)")
+        if browser.run(drag % (36, seed)) > 6:
+            yield f"{chapter}: another worker draws on what is out of date"
+        browser.run(act)
+        settle(browser)
+        if act == "0" and not browser.run("workers.every((one) => one.said.some(({last}) => last))"):
+            yield f"{chapter}: not every worker drew a part"
+        yield from place.unlike(pixels(browser), ["./course", "run", chapter, "--seed", str(seed)])
+
+
+def check_fields(place, browser):
+    """A number that the chapter refuses is named beside its field; the one before stays, and other controls go on."""
+    place.open(browser, "07.html")
+    settle(browser)
+    row = "document.getElementById('live--samples').parentElement"
+    browser.run(f"{{ const field = {row}.querySelector('[type=number]'); field.value = 17.4; field.dispatchEvent(new Event('change')); }}")
+    browser.wait(f"{row}.textContent.includes('17.4')", 20)
+    change(browser, seed=3)
+    yield from place.unlike(pixels(browser), ["./course", "run", "07", "--seed", "3"])
+    change(browser, samples=3)
+    if browser.run(f"{row}.textContent.includes('17.4')"):
+        yield "the fault is still named when it is mended"
+
+
 def check_lost(place, browser):
     """A worker that dies or breaks leaves the still picture; the button brings the live one back."""
-    browser.call("Page.addScriptToEvaluateOnNewDocument", source="""
-      window.workers = [];
-      window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); } };""")
+    browser.call("Page.addScriptToEvaluateOnNewDocument", source=WORKERS)
     place.open(browser, place.variant("impatient.html", "06", 'data-live="06"', 'data-live="06" data-patience="4"'))
     settle(browser)
     for act in ("workers.at(-1).terminate()", "workers.at(-1).postMessage({kind: 'none'})"):

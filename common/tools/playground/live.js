@@ -62,27 +62,32 @@ function worker() {
     used = lines + widest;
   }
   // Draws in strips, and lets messages in between; a picture of many samples in passes, and then the picture beside it. A full picture
-  // is given up for a newer request; a small one is not, or a fast hand would see none.
-  async function draw({id, words, widest, small, whole}) {
+  // is given up for a newer request; a small one is not, or a fast hand would see none. Of several workers each draws the same rows in
+  // all passes: one band after `parts` bands.
+  async function draw({id, words, widest, small, whole, part = 0, parts = 1}) {
+    if (!words) return;  // this was only to give up the one before
     set(words, widest);
     const began = performance.now();
     const passes = size[2], all = passes + (size[4] ? 1 : 0);
-    for (let pass = small || whole ? passes - 1 : 0, most = 16, first = 0; pass < all;) {
+    for (let pass = small || whole ? passes - 1 : 0, most = 16, first = null; pass < all;) {
       set(words, widest);  // a look may have set something else meanwhile
       const isBeside = pass === passes;
       const [columns, rows] = isBeside ? size.slice(3) : size;
-      const count = Math.min(most, rows - first);
+      const band = Math.ceil(rows / (small ? 1 : 4 * parts));
+      first ??= part * band;
+      const count = Math.min(most, rows - first, band - first % band);
       const from = performance.now();
       const start = code.calls.rows(first, count, pass);
       const strip = code.memory().slice(start, start + 4 * columns * count);
-      const ends = first + count === rows;
+      const after = first + count, next = after % band ? after : after + (parts - 1) * band;
+      const ends = next >= rows;
       const last = ends && pass === all - 1;
-      postMessage({kind: "rows", id, columns, rows, first, strip, small, isBeside, ends, last, pass, passes, took: performance.now() - began}, [strip.buffer]);
+      postMessage({kind: "rows", id, columns, rows, first, strip, small, part, isBeside, ends, last, pass, passes, took: performance.now() - began}, [strip.buffer]);
       if (last) return;
       const took = Math.max(performance.now() - from, 0.1);
       most = Math.max(1, Math.min(4 * count, Math.round((small ? 50 : 15) / took * count)));  // 50 ms, 15 ms
-      first += count;
-      if (ends) { ++pass; first = 0; most = Math.ceil(most / 2); }  // a pass takes as long as all before it
+      first = next;
+      if (ends) { ++pass; first = null; most = Math.ceil(most / 2); }  // a pass takes as long as all before it
       await pause();
       if (job && !small) return;
     }
@@ -227,12 +232,16 @@ const hints = {
 const compared = {"07": "--sampler", "12": "--light"};
 // About how much a sample is worth by each choice, where one must be taken for right; coefficients are smooth but wrong.
 const worth = {coefficients: 0, uniform: 1, cosine: 1, importance: 50, mis: 200, auto: 200, random: 1, stratified: 2, "multi-jitter": 3, sobol: 4};
+// Chapters whose full pictures up to four workers draw, each with a module and files of its own: at most 32 MiB.
+const shared = ["07", "12"];
 // The first pixel that is explained, in parts of the picture, where it is not in the middle: 11's mountains, 12's matte sphere.
 const firsts = {"11": [0.54, 0.19], "12": [0.34, 0.5]};
 const names = {"--errors": "error in texels"};
 // Without this option a program draws a sheet of several pictures; with it, one of this size.
 const always = {"04": "--convention", "09": "--filter", "10": "--projection"};
 const sizeOfOne = ["--width", "800", "--height", "600"];
+// What a page begins with in place of the chapter's preset.
+const begins = {"10": {"--projection": "cube"}};
 // What the lecture's scene presets otherwise.
 const sceneSets = {lecture: {"--degrees": "0", "--convention": "lecture", "--shininess": "500", "--blend": "0.3"}};
 const legends = {
@@ -412,6 +421,8 @@ function live(main, packed) {
   main.querySelector(".live-missing")?.remove();
 
   let hand = null;                     // the worker
+  let others = null;                   // more of them, for full pictures; null: none were needed yet
+  let due = 0;                         // workers that still draw the latest picture
   let chapter = main.dataset.live;
   let built = "";                      // the chapter whose form is there
   let presets = {}, values = {}, widgets = {};
@@ -420,30 +431,53 @@ function live(main, packed) {
   const files = new Map();             // what the module was given, for a new worker
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
-  let undo = null;                     // the file before the newest, which the chapter has not read yet
+  let undo = null;                     // an option's value before the newest, a file or a typed number that the chapter has not read yet
   let example = null;                  // whether the page chose the pixel; null: not yet
   let patience = 0, idle = 0, full = null;
   let draft = 240;                     // columns while the reader drags
 
   // -- The worker's life.
+  function engage() {
+    const address = URL.createObjectURL(new Blob([ofWorkers, `(${worker})()`]));
+    try {
+      const one = new Worker(address);
+      one.postMessage({kind: "load", packed});
+      for (const [name, file] of files) one.postMessage({kind: "keep", name, ...file});
+      return one;
+    } finally {
+      URL.revokeObjectURL(address);
+    }
+  }
   function start() {
     again.hidden = true;
     say("");
     panel.disabled = false;
-    const address = URL.createObjectURL(new Blob([ofWorkers, `(${worker})()`]));
-    try {
-      hand = new Worker(address);
-    } catch (error) {
-      lost(error.message);
-      return;
-    } finally {
-      URL.revokeObjectURL(address);
-    }
+    try { hand = engage(); } catch (error) { lost(error.message); return; }
     hand.onmessage = ({data}) => { heard[data.kind](data); wait(); };
     hand.onerror = (event) => lost(event.message);
-    send({kind: "load", packed});
-    for (const [name, file] of files) send({kind: "keep", name, ...file});
     begin();
+  }
+  // More workers, once a picture takes long. They help from when they have answered; if one fails, the first draws alone from then on,
+  // or where one refuses, which may be the words' fault, until a picture takes long again.
+  function engageOthers() {
+    if (others || !shared.includes(chapter)) return;
+    for (others = []; others.length + 1 < Math.min(4, navigator.hardwareConcurrency - 1);) {
+      const other = engage();
+      others.push(other);
+      other.onmessage = ({data}) => {
+        if (data.kind === "seen") other.isReady = true;
+        else if (data.kind === "rows") { heard.rows(data); wait(); }
+        else if (data.kind === "lost" || data.id === latest) dismiss(data.kind === "lost" ? [] : null);
+      };
+      other.onerror = () => dismiss([]);
+      other.postMessage({kind: "begin", chapter});
+      other.postMessage({kind: "look", words: words(), widest, column: 0, row: 0});
+    }
+  }
+  function dismiss(left) {
+    for (const other of others || []) other.terminate();
+    others = left;
+    if (unfinished) ask(false);
   }
   function begin() {
     ++latest;  // what the old chapter still draws is out of date
@@ -453,13 +487,14 @@ function live(main, packed) {
   function send(message) {
     if (!hand) return;
     hand.postMessage(message);
+    if (message.kind === "keep" || message.kind === "drop") others?.forEach((other) => other.postMessage(message));
     if (!patience) wait();
   }
   // A worker that owes an answer has 30 s for it; in the tests' pages less.
   const allowed = Number(main.dataset.patience || 30);
   function wait() {
     clearTimeout(patience);
-    patience = hand && (unfinished || looking) ? setTimeout(() => lost(`no answer for ${allowed} s`), 1000 * allowed) : 0;
+    patience = hand && (unfinished || looking) ? setTimeout(() => others?.length ? dismiss([]) : lost(`no answer for ${allowed} s`), 1000 * allowed) : 0;
   }
   function say(words, isFault = true) {
     says.textContent = words;
@@ -467,8 +502,8 @@ function live(main, packed) {
     says.classList.toggle("live-fault", isFault && words !== "");
   }
   function lost(reason) {
-    hand?.terminate();
-    hand = null;
+    for (const one of [hand, ...others || []]) one?.terminate();
+    hand = others = null;
     clearTimeout(idle);
     stopTurning();
     unfinished = false;
@@ -500,7 +535,7 @@ function live(main, packed) {
       if (built !== chapter) { build(found); carryOver(); }
       change();
     },
-    rows({id, columns, rows, first, strip, small: isSmall, isBeside, ends, last, pass, passes, took}) {
+    rows({id, columns, rows, first, strip, small: isSmall, part, isBeside, ends, last, pass, passes, took}) {
       const data = new ImageData(new Uint8ClampedArray(strip.buffer), columns);
       if (isBeside) {
         if (!isSmall && id !== latest) return;
@@ -513,11 +548,12 @@ function live(main, packed) {
         smallPaper.putImageData(data, 0, first);
         if (ends) showSmall(columns, rows);
       } else if (id === latest) {  // not a strip of what is out of date
-        if (first === 0 && pass === 0) fit(columns, rows);
+        if (pass === 0) fit(columns, rows);
         paper.putImageData(data, 0, first);
         if (ends) full = [columns, rows];
-        if (passes > 1) showProgress(pass, passes, (first + data.height) / rows);
-        else refined.hidden = trace.hidden = true;
+        if (took > 300) engageOthers();
+        if (passes > 1 && part === 0) showProgress(pass, passes, ends ? 1 : (first + data.height) / rows);
+        else if (passes === 1) refined.hidden = trace.hidden = true;
       } else if (id === tracing) {
         if (first === 0) traced = new Uint8ClampedArray(4 * columns * rows);
         traced.set(strip, 4 * columns * first);
@@ -525,10 +561,10 @@ function live(main, packed) {
       }
       // A whole multiple of 16 keeps the shape; halfway there, since a first picture is slow.
       if (last && isSmall) draft = Math.max(96, Math.min(480, 16 * Math.round((draft + draft * Math.sqrt(36 / took)) / 32)));
-      if (!last || id !== latest) return;
+      if (!last || id !== latest || --due) return;
       unfinished = false;
-      undo = null;
       if (isSmall) return;
+      undo = null;
       section.dataset.state = "done";
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
       if (example === null) {
@@ -556,7 +592,9 @@ function live(main, packed) {
       if (undo) {
         files.delete(values[undo.option]);
         values[undo.option] = undo.before;
+        const fault = widgets[undo.option]?.fault;
         undo = null;
+        if (fault) { fault.textContent = reason; change(); return; }
         refresh();
       }
       say(reason);
@@ -682,7 +720,12 @@ function live(main, packed) {
     tracing = null;  // a point more of the curve would take this request's place
     const asked = words(isSmall ? 2 : 0);
     if (isSmall) small.dataset.words = JSON.stringify(asked);
-    send({kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest, small: isSmall});
+    const helpers = isSmall ? [] : (others || []).filter((one) => one.isReady);
+    due = 1 + helpers.length;
+    const message = {kind: "draw", id: ++latest, words: asked, widest: isSmall ? draft : widest, small: isSmall, parts: due};
+    for (const one of others || []) one.postMessage({kind: "draw"});  // gives up what it draws
+    helpers.forEach((one, i) => one.postMessage({...message, part: i + 1}));
+    send(message);
   }
 
   // -- The options.
@@ -705,8 +748,8 @@ function live(main, packed) {
     ...(samples && compared[chapter] ? ["--samples", String(samples)] : [])];
   function reset() {
     stopTurning();
-    values = {...presets};
-    for (const option of Object.keys(widgets)) values[option] ||= widgets[option].first;
+    values = {...presets, ...begins[chapter]};
+    for (const [option, {first, fault}] of Object.entries(widgets)) { values[option] ||= first; fault?.replaceChildren(); }
   }
   function startOver() {
     carried = {};
@@ -716,6 +759,7 @@ function live(main, packed) {
   function put(option, value) {
     const before = Object.fromEntries(Object.keys(widgets).map((one) => [one, preset(one)]));
     values[option] = value;
+    widgets[option].fault?.replaceChildren();
     if (option === "--scene") {  // what stands at the old scene's preset goes to the new one's
       for (const one of Object.keys(widgets)) if (one !== option && (values[one] || "") === (before[one] || "")) values[one] = preset(one);
     }
@@ -791,17 +835,18 @@ function live(main, packed) {
     const id = "live" + option;
     const to = (value) => log ? Math.log10(value) : value;
     const from = (x) => String(!log ? x : whole ? Math.round(10 ** x) : Number((10 ** x).toPrecision(3)));
-    const moved = (value) => { stopTurning(); put(option, value); };
+    const moved = (value) => { stopTurning(); undo = {option, before: values[option]}; put(option, value); };
     const field = element("input", {type: "range", id, min: to(least), max: to(most), step, value: to(first),
       oninput: () => moved(from(field.value))});
-    // Any number that the chapter takes, also beyond the slider's ends.
+    // Any number that the chapter takes, also beyond the slider's ends. What it refuses is said here, and the number before stays.
+    const fault = element("small", {className: "live-fault", role: "alert"});
     const typed = element("input", {type: "number", step: "any", ariaLabel: `${label}, as a number`,
       onchange: () => Number.isFinite(typed.valueAsNumber) ? moved(String(typed.valueAsNumber)) : refresh()});
     const box = off && element("input", {type: "checkbox", ariaLabel: `${label}: on`, onchange: () => put(option, box.checked ? from(field.value) : "")});
     const play = turns && element("button", {type: "button", className: "live-turn", textContent: "Turn", onclick: () => turning ? stopTurning() : startTurning()});
     return {
-      row: rowOf(control, about, id, box, field, typed, play),
-      field, play, first: "", takes: () => true,
+      row: rowOf(control, about, id, box, field, typed, play, fault),
+      field, play, fault, first: "", takes: () => true,
       show(value, preset) {
         if (box) Object.assign(box, {checked: value !== "", disabled: !!preset, title: preset ? "this scene always blends" : ""});
         field.disabled = typed.disabled = !!box && value === "";
