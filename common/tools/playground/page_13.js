@@ -15,8 +15,7 @@ function worker() {
       return code.lend([picture], (start) => json(code.calls.begin(start, picture.length)));
     },
     compare: (way) => json(code.calls.compare(way)),
-    draw: (way, count) => pixels(code.calls.draw(way), count),
-    changes: (way, count) => pixels(code.calls.show_changes(way), count),
+    pictures: (way, count) => [pixels(code.calls.draw(way), count), pixels(code.calls.show_changes(way), count)],
     time(way) {
       const began = performance.now();
       code.calls.draw(way);
@@ -77,12 +76,12 @@ function plotted(ways, front, chosen, limit, choose) {
   const at = (way) => [acrossFor(Math.min(...way.times)), upFor(way.bound)];
   const path = front.map((i) => ways[i]).filter((way) => known.includes(way)).map((way) => at(way).join(","));
   if (path.length > 1) drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
-  const labels = [];  // of points that lie together only the first has one
+  const labels = [], words = [];  // of points that lie together only the first has one
   for (const way of known) {
     const [x, y] = at(way);
-    if (way === ways[chosen] || !labels.some(([a, b]) => Math.abs(a - x) < 60 && Math.abs(b - y) < 13)) {
+    if (way === ways[chosen] || !labels.some(([a, b]) => Math.abs(a - x) < 60 && Math.abs(b - y) < 16)) {
       labels.push([x, y]);
-      drawing.append(svg("text", {x: x - 11, y: y + 5, "text-anchor": "end", class: way === ways[chosen] ? "chosen" : ""}, way.kernel.replace("reference", "atan2").replace("degree ", "")));
+      words.push(svg("text", {x: x - (way === ways[chosen] ? 15 : 11), y: y + 5, "text-anchor": "end", class: way === ways[chosen] ? "chosen" : ""}, way.kernel.replace("reference", "atan2").replace("degree ", "")));
     }
     const point = svg("g", {tabindex: 0, role: "button", "aria-label": `${named(way)}: at most ${small(way.bound)} texels off`,
       class: `budget-point ${way.number.split("-")[0]}${ways[chosen] === way ? " chosen" : ""}`});
@@ -92,6 +91,7 @@ function plotted(ways, front, chosen, limit, choose) {
     point.onkeydown = (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); choose(way); } };
     drawing.append(point);
   }
+  drawing.append(...words);  // above all points
   return drawing;
 }
 
@@ -194,31 +194,22 @@ async function begin() {
   const plot = element("div"), key = element("figcaption", {textContent: "As timed in this browser. Up: texels off at most. Each point is a way to draw: filled in float, open in double; a square computes a pack of 8 floats or 4 doubles at once. A number is the degree of its polynomial. A bar goes to the median time. The thin line is the front: nothing is both faster and more exact. The shaded part keeps to the slider. Click a point to see its picture."});
   const table = element("table");
   const again = element("button", {type: "button", textContent: "Time again"});
-  const card = element("div", {className: "budget-card"});
+  const measured = element("div", {hidden: true}), card = element("div", {className: "budget-card"});
   const section = element("section", {className: "wide budget", ariaLabel: "An error budget"},
     element("p", {}, element("label", {htmlFor: "budget", textContent: "How far off may a place on the texture be? At most "}), allowed, " texels. The fastest way that keeps to this is chosen; of ways that could be as fast, as far as their times spread, the most exact."), slider,
+    clock, measured, card);
+  measured.append(
     element("div", {className: "budget-pair"}, element("figure", {className: "budget-plot"}, plot, key), element("figure", {}, shown, element("figcaption", {textContent: "the globe, drawn in this way"})),
       element("figure", {}, changed, element("figcaption", {textContent: "what this way changes, enlarged; black: nothing"}))),
-    says, element("p", {className: "live-command"}, command, " ", copy), clock, element("p", {}, again),
-    element("details", {}, element("summary", {textContent: "All ways in numbers"}), element("div", {className: "scroll"}, table)), card);
+    says, element("p", {className: "live-command"}, command, " ", copy), element("p", {}, again),
+    element("details", {}, element("summary", {textContent: "All ways in numbers"}), element("div", {className: "scroll"}, table)));
   (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
   section.ways = ways;  // for the tests
-  let chosen = 0, front = [], pictureOf = -1, wanted = -1, drawing = null;
+  const pictures = [];  // of each way, with its changes: 14 MB, so that no drag draws
+  let chosen = 0, front = [];
   const timesOf = () => Float64Array.from(ways.flatMap((way) => way.times.length ? [Math.min(...way.times), median(way.times)] : [1, 1]));
   const limit = () => 10 ** slider.value;
-  // Draws the newest way that is wanted, not all in between.
-  function show(way) {
-    wanted = way;
-    return drawing ??= draw().finally(() => { drawing = null; });
-  }
-  async function draw() {
-    while (pictureOf !== wanted) {
-      const next = wanted, pictures = await Promise.all([ask("draw", next, width * height), ask("changes", next, width * height)]);
-      pictureOf = next;
-      [shown, changed].forEach((canvas, i) => painted(canvas, pictures[i], width, height));
-    }
-  }
   function tell(best) {
     const way = ways[chosen];
     const ratio = ways[0].times.length && way.times.length ? Math.min(...ways[0].times) / Math.min(...way.times) : 0;
@@ -233,6 +224,7 @@ async function begin() {
   async function change(way) {
     allowed.textContent = small(limit());
     slider.setAttribute("aria-valuetext", `${small(limit())} texels`);
+    if (pictures.length < ways.length) return;  // not measured yet
     const found = await ask("choose", limit(), timesOf());
     front = found.front;
     const exact = ways.reduce((a, b) => b.bound < a.bound ? b : a);
@@ -243,7 +235,8 @@ async function begin() {
       ...ways.map((one) => element("tr", {}, ...[named(one), small(one.bound), small(one.worst), String(one.changed),
         one.times.length ? rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3) : "", one.times.length ? rounded(median(one.times) / Math.min(...one.times), 3) : ""]
         .map((text) => element("td", {textContent: text})))));
-    await show(chosen);
+    [shown, changed].forEach((canvas, i) => painted(canvas, pictures[chosen][i], width, height));
+    measured.hidden = false;
   }
   function choose(way) {
     slider.value = Math.min(0, Math.max(-12, Math.ceil(20 * Math.log10(way.bound)) / 20));
@@ -253,12 +246,10 @@ async function begin() {
     again.disabled = true;
     for (const way of ways) way.times = [];
     const rounds = 15;
-    for (let round = -1; round < rounds; ++round) {  // the first warms up
-      for (const way of ways) {
-        const took = await ask("time", way.index);
-        if (round >= 0) way.times.push(took);
-      }
-      clock.textContent = `Timing: round ${Math.max(round + 1, 1)} of ${rounds} …`;
+    for (const way of ways) pictures[way.index] = await ask("pictures", way.index, width * height);  // warms up
+    for (let round = 0; round < rounds; ++round) {
+      for (const way of ways) way.times.push(await ask("time", way.index));
+      clock.textContent = `Measuring: round ${round + 1} of ${rounds} …`;
     }
     const busy = ways.filter((way) => median(way.times) > 1.1 * Math.min(...way.times)).length;
     clock.textContent = `Timed in this browser, one thread: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
@@ -274,12 +265,11 @@ async function begin() {
     copy.textContent = "Copied";
     setTimeout(() => { copy.textContent = "Copy"; }, 2000);
   };
+  change();  // says the limit
   for (const way of ways) {
-    clock.textContent = `Comparing with the exact picture: ${way.index + 1} of ${ways.length} …`;
+    clock.textContent = `Measuring: compared with the exact picture, ${way.index + 1} of ${ways.length} …`;
     Object.assign(way, await ask("compare", way.index));
   }
-  allowed.textContent = small(limit());
-  show(0);
   await time();
   section.dataset.state = "done";
 

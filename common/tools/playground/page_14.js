@@ -42,7 +42,7 @@ async function begin() {
   const note = element("p", {className: "budget-clock"});
   const section = element("section", {className: "wide budget", ariaLabel: "The exhibits with sliders"},
     element("p", {className: "budget-row"}, element("label", {htmlFor: "exhibit", textContent: "Ten of the twenty exhibits, each with a slider: "}), choice, " ",
-      element("label", {}, inDouble, " both in double")),
+      element("label", {className: "budget-switch"}, inDouble, " both in double")),
     element("p", {className: "budget-row"}, label, ": ", value), slider, element("div", {className: "budget-sides"}, ...sides.map(({figure}) => figure)), note);
   (document.querySelector("main .head") || document.querySelector("main h1")).after(section);
 
