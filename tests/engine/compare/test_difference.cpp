@@ -1,10 +1,18 @@
-// SSIM of two pictures as other programs compute it. All other figures: test_compare_program.
+// SSIM of two pictures as other programs compute it; all other figures: test_compare_program. The
+// map of differences, as a picture that was looked at: its scale, its legend, and that it lies
+// where the pictures do. With TEXMAP_COLLECT=1 the suite writes the picture again.
 #include <doctest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include "engine/compare/difference.hpp"
+#include "engine/picture/codecs/image_limits.hpp"
+#include "engine/picture/load_image.hpp"
+#include "engine/picture/save_png.hpp"
 #include "support/made_pictures.hpp"
+#include "support/same_picture.hpp"
 
 using namespace texmap;
 using namespace texmap::test;
@@ -36,4 +44,31 @@ TEST_CASE("SSIM is that of other programs, in every run, and only where it is as
 
 TEST_CASE("pictures without pixels are not compared") {
   CHECK_THROWS_WITH_AS((void)measure(Image(), Image()), "the pictures are empty", DifferenceError);
+}
+
+TEST_CASE("each level has its color at its place, and the legend says which") {
+  const Image a(256, 24, {255, 128, 0});
+  Image b = a, mask(256, 24, {255, 255, 255});
+  for (int level = 0; level < 256; ++level) {
+    for (int row = 0; row < 12; ++row) {
+      b.at(level, row).r = static_cast<std::uint8_t>(255 - level);
+      b.at(level, row + 12).b = static_cast<std::uint8_t>(level);
+      if (level >= 40 && level < 80) mask.at(level, row + 6) = {};
+    }
+  }
+  for (const auto& [name, left_out] :
+       {std::pair{"difference_map", Image()}, {"difference_map_with_mask", mask}}) {
+    const std::string file = std::string(TEXMAP_TESTS_DIR "/engine/compare/") + name + ".png";
+    const Image map = difference_map(a, b, left_out);
+    if (std::getenv("TEXMAP_COLLECT") != nullptr) save_png(map, file);
+    expect_same_picture(map, load_image(file), {.pixels = 0, .levels = 1});
+  }
+}
+
+TEST_CASE("as high as a file may be a map has no legend, and of other sizes there is none") {
+  const Image a(2, static_cast<int>(max_image_side), {9, 9, 9});
+  CHECK(difference_map(a, a).width == 2);
+  CHECK(difference_map(a, a).height == a.height);
+  CHECK_THROWS_AS((void)difference_map(Image(2, 3), Image(3, 2)), DifferenceError);
+  CHECK_THROWS_AS((void)difference_map(Image(2, 3), Image(2, 3), Image(2, 2)), DifferenceError);
 }
