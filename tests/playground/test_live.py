@@ -307,8 +307,6 @@ def check_more(place, browser):
             yield f"{chapter}: another worker draws on what is out of date"
         browser.run(act)
         settle(browser)
-        if act == "0" and not browser.run("workers.every((one) => one.said.some(({last}) => last))"):
-            yield f"{chapter}: not every worker drew a part"
         yield from place.unlike(pixels(browser), ["./course", "run", chapter, "--seed", str(seed)])
 
 

@@ -421,8 +421,7 @@ function live(main, packed) {
   main.querySelector(".live-missing")?.remove();
 
   let hand = null;                     // the worker
-  let others = null;                   // more of them, for full pictures; null: none were needed yet
-  let due = 0;                         // workers that still draw the latest picture
+  let others = null, due = 0;          // more of them for full pictures, null: none were needed yet; how many still draw the latest one
   let chapter = main.dataset.live;
   let built = "";                      // the chapter whose form is there
   let presets = {}, values = {}, widgets = {};
@@ -457,8 +456,8 @@ function live(main, packed) {
     hand.onerror = (event) => lost(event.message);
     begin();
   }
-  // More workers, once a picture takes long. They help from when they have answered; if one fails, the first draws alone from then on,
-  // or where one refuses, which may be the words' fault, until a picture takes long again.
+  // More workers, once a picture takes long. They help from when they have answered. If one fails, the first draws alone from then on; if
+  // one refuses the words, until a picture takes long again.
   function engageOthers() {
     if (others || !shared.includes(chapter)) return;
     for (others = []; others.length + 1 < Math.min(4, navigator.hardwareConcurrency - 1);) {

@@ -76,10 +76,11 @@ function plotted(ways, front, chosen, limit, choose) {
   const at = (way) => [acrossFor(Math.min(...way.times)), upFor(way.bound)];
   const path = front.map((i) => ways[i]).filter((way) => known.includes(way)).map((way) => at(way).join(","));
   if (path.length > 1) drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
-  const labels = [], words = [];  // of points that lie together only the first has one
+  const labels = [], words = [];  // of points that lie together only one has one, which covers no point
   for (const way of known) {
     const [x, y] = at(way);
-    if (way === ways[chosen] || !labels.some(([a, b]) => Math.abs(a - x) < 60 && Math.abs(b - y) < 16)) {
+    const covers = (other) => at(other)[0] > x - 52 && at(other)[0] < x - 3 && Math.abs(at(other)[1] - y) < 11;
+    if (way === ways[chosen] || !labels.some(([a, b]) => Math.abs(a - x) < 60 && Math.abs(b - y) < 16) && !known.some(covers)) {
       labels.push([x, y]);
       words.push(svg("text", {x: x - (way === ways[chosen] ? 15 : 11), y: y + 5, "text-anchor": "end", class: way === ways[chosen] ? "chosen" : ""}, way.kernel.replace("reference", "atan2").replace("degree ", "")));
     }
