@@ -3,6 +3,7 @@
 
 #include "engine/app/command_line.hpp"
 #include "engine/app/session.hpp"
+#include "engine/compare/difference.hpp"
 #include "engine/measure/text.hpp"
 #include "engine/picture/sheet.hpp"
 #include "engine/render/threads.hpp"

@@ -1,9 +1,7 @@
 // An image in memory.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 namespace texmap {
@@ -13,11 +11,6 @@ struct Rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
   friend bool operator==(const Rgb8&, const Rgb8&) = default;
 };
-
-/// The largest difference of a channel, in levels, 0 to 255.
-[[nodiscard]] inline int channel_difference(Rgb8 p, Rgb8 q) {
-  return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
-}
 
 /// A picture's pixels, row by row from the top, each row from the left.
 template <class Pixel>

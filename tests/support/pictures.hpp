@@ -1,11 +1,11 @@
 // What the chapter tests do with pictures: draw a lesson, count differences, average a crop.
 #pragma once
 #include <algorithm>
-#include <cstdlib>
 #include <type_traits>
 #include <vector>
 
 #include "engine/app/prepared.hpp"
+#include "engine/compare/difference.hpp"
 #include "scene/nearest.hpp"
 #include "support/made_pictures.hpp"
 

@@ -1,7 +1,9 @@
 // How two pictures differ, in figures, for readers and for other programs.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,6 +52,11 @@ struct Figures {
   /// How many of the compared pixels have a channel_difference of 0, 1, ... 255 levels.
   std::array<std::size_t, 256> pixels_by_levels{};
 };
+
+/// The largest difference of a channel, in levels, 0 to 255.
+[[nodiscard]] inline int channel_difference(Rgb8 p, Rgb8 q) {
+  return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+}
 
 /// True unless the mask is black at this pixel. With an empty mask, all pixels are compared.
 [[nodiscard]] bool is_compared(const Image& mask, int column, int row);

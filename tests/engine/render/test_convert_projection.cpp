@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/compare/difference.hpp"
 #include "engine/render/convert_projection.hpp"
 #include "support/made_pictures.hpp"
 #include "support/shown_values.hpp"
