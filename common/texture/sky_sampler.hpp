@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "math/circle.hpp"
@@ -38,13 +39,18 @@ class SkySampler {
     for (int row = 0; row < height_; ++row) bands_.emplace_back(row, width_, height_);
     CompensatedSum<double> sum;
     std::vector<double> weights;
+    std::vector<std::uint32_t> bright;  // what has no light is never drawn
     for (const std::uint32_t texel : in_order_) {
-      weights.push_back(brightness_of(sky.map().pixels[texel]) *
-                        bands_[texel / static_cast<std::uint32_t>(width_)].solid_angle);
-      sum.add(weights.back());
+      const double light = brightness_of(sky.map().pixels[texel]) *
+                           bands_[texel / static_cast<std::uint32_t>(width_)].solid_angle;
+      sum.add(light);
+      if (light == 0) continue;
+      weights.push_back(light);
+      bright.push_back(texel);
     }
     total_ = sum.value();
     if (!(total_ > 0)) return;  // a black sky: nothing to draw
+    in_order_ = std::move(bright);
     table_ = CumulativeTable(weights);
     for (std::uint32_t i = 0; i < in_order_.size(); ++i)
       probabilities_[in_order_[i]] = static_cast<float>(table_.steps_of(i)) * 0x1p-24F;

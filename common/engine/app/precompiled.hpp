@@ -18,9 +18,11 @@
 
 namespace texmap {
 
-// Chapter 12's paths, compiled once and for release (sky_options.cpp).
+// Compiled once: chapter 12's paths (sky_options.cpp) and random numbers (gather_session.cpp).
 extern template Color<double> light_under_sky(const std::vector<PreparedObject<double, Coat>>&,
                                               Ray<double>, const SkyLight&, const MatteLight&, int,
                                               SampleRandom<double>&);
+extern template void SampleSums<double>::make(int);
+extern template const Point2<double>& RandomBlock<double>::make_other(int, int);
 
 }  // namespace texmap

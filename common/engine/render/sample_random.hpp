@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "engine/render/inline_whole.hpp"
 #include "sampling/samplers.hpp"
@@ -79,6 +80,8 @@ class SampleSums {
   template <class Work, class Sum>
   void add_samples(const UInt<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
     block_.pixels = pixels;
+    // The pixel before tells how many are needed. A pack would do too many samples again.
+    if constexpr (lanes<Real> == 1) needed_ = std::exchange(asked_, 1);
     int sample = first;
     while (sample < end) {
       const int begin = sample;
@@ -90,8 +93,9 @@ class SampleSums {
         for (; sample < stop; ++sample) {
           SampleRandom<Real> random(block_, sample);
           const Sum light = work(random);
+          asked_ = std::max(asked_, random.asked());
           if (random.lack()) {
-            needed_ = random.asked();
+            needed_ = asked_;
             break;
           }
           sum = sum + light;
@@ -118,6 +122,7 @@ class SampleSums {
 
   RandomBlock<Real> block_;
   int needed_ = 1;  ///< dimensions
+  int asked_ = 1;   ///< the most that a sample asked for, since `needed_` was set
 };
 
 }  // namespace texmap
