@@ -63,6 +63,7 @@ TEST_CASE("the solid angles of all texels add up to the sphere, in maps of every
     }
     CHECK(sum.value() == doctest::Approx(sphere).epsilon(1e-14));
   }
+  CHECK(SkySampler(Environment(LightImage(8, 4, gray(1.0F)))).total() == doctest::Approx(sphere));
 }
 
 TEST_CASE("densities integrate to 1, whatever the filter and the turn") {
