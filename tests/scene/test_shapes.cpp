@@ -1,14 +1,18 @@
-// Tests of common/scene/shapes.hpp and texture/shape_mappings.hpp: a cylinder and a rectangle, how
-// a picture lies on them, and shadows of what is not convex.
+// Tests of common/scene/shapes.hpp, scene/floor.hpp and texture/shape_mappings.hpp: a cylinder, a
+// rectangle and a floor, how a picture lies on them, and shadows of what is not convex. How exact
+// distances to the floor are, and that a point of it has its height to the bit, tests/extremes
+// searches.
 #include <doctest.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "dice.hpp"
 #include "number/kinds/pack.hpp"
 #include "sampling/sampled_numbers.hpp"
+#include "scene/floor.hpp"
 #include "scene/light.hpp"
 #include "scene/paint.hpp"
 #include "scene/path.hpp"
@@ -28,8 +32,6 @@ template <class Real>
 Scalar<Real> first(const Real& x) {
   return lane(x, 0);
 }
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("rays meet a cylinder and a rectangle where they should", Real, NUMBERS) {
   const Cylinder can{.center = {0, 1, 0}, .radius = 2, .half_height = 3};
@@ -210,4 +212,37 @@ TEST_CASE("a path goes on inside of a cylinder that is alone: its inner side lig
   CHECK(sum / 4096 > 0.25);
 }
 
+TEST_CASE_TEMPLATE("distances to the floor obey their table: from above, below, along it and on it",
+                   Real, float, double, long double) {
+  const Real miss = infinity<Real>();
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  struct Row {
+    std::string what;
+    double height;
+    Ray<Real> ray;
+    Real distance;
+  };
+  const Row table[] = {
+      {"from above", 0, {{0, 2, 0}, {0, -1, 0}}, 2},
+      {"from above, aslant", 0, {{1, 3, 5}, {2, -1, -7}}, 3},
+      {"from below", 0, {{0, -2, 0}, {0, 1, 0}}, 2},
+      {"a floor higher up", 1.5, {{0, 2, 0}, {0, -1, 0}}, Real(0.5)},
+      {"from above, upward", 0, {{0, 2, 0}, {0, 1, 0}}, miss},
+      {"along it, above", 0, {{0, 2, 0}, {1, 0, 0}}, miss},
+      {"along it, above, with a minus zero", 0, {{0, 2, 0}, {1, -Real(0), 0}}, miss},
+      {"on it, along it", 0, {{0, 0, 0}, {1, 0, 0}}, miss},
+      {"on it, downward", 0, {{0, 0, 0}, {0, -1, 0}}, miss},
+      {"on it, upward", 2, {{0, 2, 0}, {0, 1, 0}}, miss},
+      {"without a direction", 0, {{0, 2, 0}, {0, 0, 0}}, miss},
+      {"from a height that is no number", 0, {{0, nan, 0}, {0, -1, 0}}, miss},
+      {"with a direction that is no number", 0, {{0, 2, 0}, {0, nan, 0}}, miss},
+  };
+  for (const Row& row : table) {
+    CAPTURE(row.what);
+    CHECK(distance_to(Floor{row.height}, row.ray) == row.distance);
+  }
+  CHECK(Floor{}.height == 0);
+}
+
+}  // namespace
 }  // namespace texmap::test
