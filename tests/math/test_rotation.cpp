@@ -1,9 +1,10 @@
 // Tests of common/math/rotation.hpp, turns about the vertical axis, in degrees; of math/circle.hpp,
-// turns of the unit circle; and of texture/uv_inverse.hpp. How exact they are, tests/extremes
-// searches.
+// turns of the unit circle; of math/vec3.hpp, sizes of vectors; and of texture/uv_inverse.hpp. How
+// exact they are, tests/extremes searches.
 #include <doctest.h>
 
 #include "math/rotation.hpp"
+#include "math/vec3.hpp"
 #include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
@@ -80,6 +81,22 @@ TEST_CASE_TEMPLATE("the direction of (u, v) has that (u, v), poles and seam incl
   for (const Row& row : {Row{0.25, 0, {0, -1, 0}}, Row{0.25, 1, {0, 1, 0}}, Row{0, 0.5, {-1, 0, 0}},
                          Row{0.25, 0.5, {0, 0, 1}}, Row{0.5, 0.5, {1, 0, 0}}})
     CHECK(largest(direction_rtiow(Uv<T>{T(row.u), T(row.v)}) - row.p) == 0);
+}
+
+TEST_CASE_TEMPLATE("largest finds the largest coordinate in size, whatever its sign and place",
+                   Real, float, double, long double) {
+  const Real max = std::numeric_limits<Real>::max();
+  CHECK(largest(Vec3<Real>{-7, 2, 3}) == Real(7));
+  CHECK(largest(Vec3<Real>{2, -7, 3}) == Real(7));
+  CHECK(largest(Vec3<Real>{2, 3, -7}) == Real(7));
+  CHECK(largest(Vec3<Real>{2, 7, 3}) == Real(7));
+  CHECK(largest(Vec3<Real>{0, 0, 0}) == Real(0));
+  CHECK(largest(Vec3<Real>{-max, max, -max}) == max);
+}
+
+TEST_CASE("a vector without a length has no direction") {
+  const Vec3d none = normalize(Vec3d{0, 0, 0});
+  CHECK((none.x != none.x && none.y != none.y && none.z != none.z));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ configure() {
 }
 
 images="test_damaged_images test_load_image test_save_png test_stroke_font"
-numbers="test_number test_pack test_pack_u32 test_interval test_vec3"
+numbers="test_number test_pack test_pack_u32 test_interval test_rotation"
 o1=-DCMAKE_CXX_FLAGS_RELEASE=-O1 # half the time to compile, and the same pictures
 run=""
 ending=""
