@@ -1,10 +1,16 @@
-// Tests of common/published/look_up.hpp: which texel a (u, v) anywhere shows.
-#include "published/look_up.hpp"
-
+// Tests of common/published/look_up.hpp: which texel a (u, v) anywhere shows; of mip_map.hpp, where
+// it is the course's trilinear filter (where it fails, chapter 14 shows); and of brick_normals.hpp:
+// what is wrong with the daily exercise's bricks.
 #include <doctest.h>
 
 #include "number/kinds/interval.hpp"
+#include "published/brick_normals.hpp"
+#include "published/look_up.hpp"
+#include "published/mip_map.hpp"
+#include "published/uv.hpp"
 #include "support/dice.hpp"
+#include "texture/bump.hpp"
+#include "texture/conventions.hpp"
 
 namespace texmap::test {
 namespace {
@@ -105,6 +111,68 @@ TEST_CASE("intervals contain the texels of single numbers") {
       const Interval bounds = texture(Uv<Interval>{Interval(uv.u), Interval(uv.v)}).r;
       REQUIRE((bounds.low() <= red && bounds.high() >= red));
     }
+  }
+}
+
+/// So many texels, the light of each its number.
+FilteredTexture numbered(int width, int height) {
+  LightImage image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = gray(static_cast<float>(i));
+  return {.pyramid = pyramid_of(image), .filter = Filter::trilinear, .v_axis = VAxis::down};
+}
+
+/// A place with a pixel that covers so much of u and v.
+Uv<Dual<double>> place(double u, double v, double along_u, double along_v) {
+  return {{u, along_u, 0.0}, {v, 0.0, along_v}};
+}
+
+TEST_CASE("a square footprint of 2^k / 2 texels of a square picture reads level k") {
+  const FilteredTexture texture = numbered(16, 16);
+  const Uv<double> at{0.3, 0.6};
+  for (int level = 0; level <= 4; ++level) {
+    const double side = std::ldexp(0.5, level) / 16;
+    const double found = published::trilinear(texture, place(at.u, at.v, side, side)).r;
+    CHECK(std::abs(found - texture.bilinear(at, level_of(texture.pyramid, double(level))).r) <
+          1e-9);
+  }
+  for (const double side : {0.0, 1e-30, 1e-4})
+    CHECK(published::trilinear(texture, place(at.u, at.v, side, 0)).r == texture(at).r);
+  for (const double side : {1.0, 1e30, infinity<double>()})
+    CHECK(published::trilinear(texture, place(at.u, at.v, 0, side)).r == 127.5);
+}
+
+TEST_CASE("19 % of the bricks' normals point into the globe") {
+  // A grid of 1200 x 1200 holds each brick's 100 x 200 points; no point lies on an edge.
+  int inward = 0, outward = 0;
+  for (int row = 0; row < 1200; ++row) {
+    for (int column = 0; column < 1200; ++column) {
+      const Vec3d normal = published::brick_normal({(column + 0.5) / 1200, (row + 0.5) / 1200});
+      inward += normal.z == -1 ? 1 : 0;
+      outward += normal.z > 0.98 ? 1 : 0;
+    }
+  }
+  CHECK(inward + outward == 1200 * 1200);
+  CHECK(inward == doctest::Approx(0.19 * 1200 * 1200).epsilon(1e-12));
+}
+
+TEST_CASE("the bricks' tangents run along -dP/du and -dP/dv: a bump comes out as a dent") {
+  Dice dice(1);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3d normal = dice.direction<double>();
+    if (std::abs(normal.y) > 0.999) continue;
+    const Frame<double> frame = frame_about(normal);
+    const Hit<double> hit{normal, normal, normal, normal};
+    const Uv<Dual<double>> uv = uv_of(Convention::daily, with_steps(hit, frame, 1.0).normal);
+    const TangentFrame<double> by_uv =
+        tangents(TangentRule::from_uv, normal, point_by_uv(frame, uv));
+    const TangentFrame<double> published = published::brick_tangents(normal);
+    CHECK(largest(published.tangent + by_uv.tangent) < 1e-12);
+    CHECK(largest(published.bitangent + by_uv.bitangent) < 1e-12);
+    // The coordinates are the exercise's.
+    const Uv<double> its = published::uv_daily(normal);
+    CHECK(std::abs(its.u - uv.u.value) < 1e-12);
+    CHECK(std::abs(its.v - uv.v.value) < 1e-7);
   }
 }
 
