@@ -69,7 +69,7 @@ case $system in
     need arm-linux-gnueabihf-g++ g++-arm-linux-gnueabihf
     need qemu-arm qemu-user
     chapters="01_plain_spheres 14_numerical_extremes"
-    suites="test_number test_pack test_double_pair test_light_tables test_develop"
+    suites="test_number test_pack test_double_pair test_light_tables test_film"
     run="qemu-arm -L /usr/arm-linux-gnueabihf"
     configure Linux arm arm-linux-gnueabihf-g++ /usr/arm-linux-gnueabihf "qemu-arm;-L;/usr/arm-linux-gnueabihf" "$o1" "$@"
     ;;
