@@ -1,7 +1,6 @@
 # Comparing pictures: the figures, the map, and the program. Included by CMakeLists.txt here.
 
 add_suite(engine/compare/test_difference ON test_support LABELS compare)
-add_suite(support/test_same_picture ON compare test_support LABELS compare)
 add_suite(engine/compare/test_known_mistakes ON compare app LABELS compare)
 add_suite(engine/compare/test_diagnose POSIX ON compare app RUNS DIAGNOSE diagnose LABELS compare)
 if(NOT TEXMAP_INSTRUMENT)  # 32 s of processor time, ten times as many with instruments
