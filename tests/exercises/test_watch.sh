@@ -46,17 +46,20 @@ shows() {
   esac
 }
 
-echo one >"$lesson"
+# save TEXT: at once, so that the script cannot meet an empty file.
+save() { echo "$1" >saved && mv saved "$lesson"; }
+
+save one
 sh common/tools/check/watch.sh 2 >log 2>&1 &
 watcher=$!
 shows "the first picture" 1 good drawn "" one
-echo two >"$lesson"
+save two
 shows "a change" 2 good drawn one two
-echo SYNTAX >"$lesson"
+save SYNTAX
 shows "an error: the pictures stay" 3 bad "error: what is SYNTAX?" one two
-echo two >"$lesson"
+save two
 shows "as it was before the error: the picture before the change is not lost" 4 good "the picture is the same" one two
-echo three >"$lesson"
+save three
 shows "another change" 5 good drawn two three
 kill "$watcher" || cat log
 status=0

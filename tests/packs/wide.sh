@@ -1,8 +1,9 @@
 #!/bin/sh
 # What wide instructions must not do to a program. There are none in functions that are not named after them: not every machine has
-# them. (A compiler's clone of a plain function, .isra, .constprop, .part, is local to its file: it may have them where all of its callers
-# are wide functions.) And where plain code goes on, the upper halves of the vector registers are clean: until vzeroupper has run every
-# plain instruction pays, up to eight times, and what is timed next to wide code is timed wrong.
+# them. (Functions of target_clones end in .arch_x86_64_v3: the loader chooses them. A compiler's clone of a plain function, .isra,
+# .constprop, .part, is local to its file: it may have them where all of its callers are wide functions.) And where plain code goes on,
+# the upper halves of the vector registers are clean: until vzeroupper has run every plain instruction pays, up to eight times, and what
+# is timed next to wide code is timed wrong.
 # usage: wide.sh PROGRAM      77 if there is no objdump, or nothing to find
 set -eu
 program=${1:?usage: wide.sh PROGRAM}
@@ -21,7 +22,7 @@ objdump -d --no-show-raw-insn "$program" |
 grep -q '^wide' "$work/all" || exit 77
 awk '
   function is_wide(name) {
-    return name ~ /avx|run_in_wide_packs|PackU32ILm(8|16)E/ && name !~ /_GLOBAL__sub_I|global_var_init/
+    return name ~ /avx|run_in_wide_packs|PackU32ILm(8|16)E|\.arch_x86_64_v3$/ && name !~ /_GLOBAL__sub_I|global_var_init/
   }
   $1 == "call" { caller[++calls] = $2; called[calls] = $3 }
   $1 == "name" { name[$2] = $3 }
