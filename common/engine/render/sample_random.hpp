@@ -80,7 +80,7 @@ class SampleSums {
   template <class Work, class Sum>
   void add_samples(const UInt<Real>& pixels, int first, int end, const Work& work, Sum& sum) {
     block_.pixels = pixels;
-    // The pixel before tells how many are needed. A pack would do too many samples again.
+    // Starts with as many as the last pixel used. A pack would repeat too many samples.
     if constexpr (lanes<Real> == 1) needed_ = std::exchange(asked_, 1);
     int sample = first;
     while (sample < end) {
