@@ -100,6 +100,7 @@ TEST_CASE("a close-up and a picture of surfaces refuse what they cannot draw, an
        }) {
     const TemporaryFolder folder;
     const Outcome outcome = drawn(row.chapter, row.words, folder / "picture.png");
+    CAPTURE(outcome.err);
     CHECK(outcome.err.starts_with("error: " + row.says + "\nusage: " + row.chapter));
     CHECK(outcome.status == 2);
     CHECK(folder.size() == 0);
