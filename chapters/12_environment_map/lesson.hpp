@@ -18,7 +18,7 @@ enum ObjectIndex { matte, mirroring, small, ground };  // in the order of `objec
 struct Lesson : LessonHooks {
   static constexpr About about{
       .idea = "a picture as the sky: seen, mirrored, and as the light of matte surfaces",
-      .size = {640, 360},
+      .size = {800, 450},
   };
 
   SkyStage stage{.camera = {.eye = {0, 1.2, 9}, .target = {0, 0.35, 0}, .fov_y_degrees = 32}};
@@ -34,7 +34,7 @@ struct Lesson : LessonHooks {
 
   void options(CommandLine& line) override {
     offer(line, sky);
-    sampling.samples = 40;
+    sampling = {.sampler = SamplerKind::multi_jitter, .samples = 36};
     sampling.declare_gathering(line);
   }
   void prepare(Session& session) override { stage.sky = sky.load(session); }

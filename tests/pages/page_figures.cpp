@@ -173,7 +173,7 @@ void figures_of_a_sky(Figures& figures, const std::string& sky, SkyLight light) 
     lesson.sky.matte.way = way;
     const View<> view = view_of(lesson.stage.camera, 48, 27);
     return develop(gather<Pack<double>>(lesson, lesson.objects, view,
-                                        {Sampler(SamplerKind::sobol, samples)}, {}, {}),
+                                        {Sampler(SamplerKind::multi_jitter, samples)}, {}, {}),
                    Transfer::srgb);
   };
   const Image reference = lit(best_lighting(noise_of(lesson.stage.sky)), 1024);

@@ -21,7 +21,7 @@ struct SamplingOptions {
   double target_error = 0;  ///< in levels of 255; 0: no limit
   TexelLight decoding = TexelLight::linear;
   Transfer transfer = Transfer::srgb;
-  Lens lens;
+  Lens lens{};
   bool book = false;      ///< the book's scene: the globe alone; else on a ground
   bool gradient = false;  ///< a sky that changes; else uniform
 
