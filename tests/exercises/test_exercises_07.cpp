@@ -26,7 +26,7 @@ TEST_CASE("07: strangers' answers get their words") {
       return above(sqrt(1 - z * z), 2 * pi * b, z);
     });
   };
-  by_height("over a disk", [](D a, D edge) { return sqrt(1 - a); });
+  by_height("over a disk", [](D a, D edge) { return 1 - sqrt(a) * (1 - edge); });
   by_height("not the angle", [](D a, D edge) { return cos(acos(edge) * a); });
   by_height("a = 0 is straight up", [](D a, D edge) { return a + edge - a * edge; });
   by_height("a = 1 the height edge", [](D a, D edge) { return (1 - a) * edge; });

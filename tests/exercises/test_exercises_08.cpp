@@ -21,7 +21,7 @@ TEST_CASE("08: strangers' answers get their words") {
       return Uv{of(a.u, b.u, c.u, w), of(a.v, b.v, c.v, w)};
     });
   };
-  by_mix("next corners", [](D a, D b, D c, W w) { return w[2] * a + w[0] * b + w[1] * c; });
+  mixed("next corners", [](Uv a, Uv b, Uv c, W w) { return w[2] * a + b * w[0] + w[1] * c; });
   by_mix("count the same", [](D a, D b, D c, W w) { return (a + b + c) / 3; });
   by_mix("weights are added", [](D a, D b, D c, W w) { return w[0] + a + w[1] + b + w[2] + c; });
 }

@@ -22,6 +22,7 @@ TEST_CASE("10: strangers' answers get their words") {
     });
   };
   folded("b is not folded", [](D a, D b) { return halved(copysign(1 - abs(b), a), b); });
+  folded("size first", [](D a, D b) { return halved(copysign(a, 1 - b), copysign(b, 1 - a)); });
   folded("counts twice", [](D a, D b) { return halved(a * (1 - abs(b)), b * (1 - abs(a))); });
 
   const auto back = [](const char* text, auto direction) {  // of the right angle and height

@@ -200,10 +200,9 @@ Slips<Vec3d> wrong_directions(double a, double b, double edge) {
     return Vec3d{other * cos(turn), other * sin(turn), z};
   };
   return {
-      {"this spreads points evenly over a disk, as on the page: here the height is spread evenly, "
-       "from "
-       "1 down to edge",
-       {at(sqrt(1 - a)), at(sqrt(1 - a * radius * radius))}},
+      {"the root spreads points evenly over a disk, as on the page: here the height is spread "
+       "evenly, from 1 down to edge",
+       {at(sqrt(1 - a)), at(sqrt(1 - a * radius * radius)), at(1 - sqrt(a) * height)}},
       {"too many directions are near the middle: spread the height evenly, not the angle or the "
        "radius",
        {at(cos(a * acos(edge))), at(sqrt(1 - a * a * radius * radius)), at(1 - a * a * height)}},

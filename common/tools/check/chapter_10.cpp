@@ -125,6 +125,7 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
       {"the size of a counts twice: multiply by its sign, 1 or -1", {a * b_left, b * a_left}},
       {"1 + |b| leaves the square: it is 1 - |b| and 1 - |a|",
        {copysign(1 + abs(b), a), copysign(1 + abs(a), b)}},
+      {"std::copysign takes the size first: yours leaves |a| and |b|", {abs(a), abs(b)}},
       {"a is not folded: its new value needs the old b, so keep that in a variable", {a, right.v}},
   };
   /// From (x, -z) divided by this, or from another (a, b): folded where `sign` is below 0.

@@ -341,7 +341,7 @@ const ExercisesOfChapter& exercises_of_chapter() {
                  wrong_bitangents, bitangent_of_places})},
       {{"A plane has the slope 1/4 everywhere. By how many degrees does its normal lean?",
         [] { return atan(0.25) / radian; },
-        {"degrees", 1e-3},
+        {"degrees", 0.003},
         "The normal is (-1/4, 0, 1). Which angle is between it and (0, 0, 1)?",
         {{14.48, "the slope is the tangent of the angle, not the sine"},
          {75.96, "this is the angle to the plane: how far does the normal lean from straight up"}}},

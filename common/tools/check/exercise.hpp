@@ -42,7 +42,7 @@ class Bytes {
 }  // namespace texmap::check
 
 using Vec3 = texmap::Vec3<double>;    // .x .y .z, with + - * dot cross length normalize
-using Uv = texmap::Uv<double>;        // .u .v
+using Uv = texmap::Uv<double>;        // .u .v, with + and *
 using Color = texmap::Color<double>;  // .r .g .b, 0 to 1
 using Bytes = texmap::check::Bytes;   // a picture file's: bytes[0], bytes[1] ...
 
@@ -68,6 +68,9 @@ inline Color operator-(const Color& a, const Color& b) { return a + -b; }
 inline Vec3& operator+=(Vec3& a, const Vec3& b) { return a = a + b; }
 inline Vec3& operator-=(Vec3& a, const Vec3& b) { return a = a - b; }
 inline Vec3& operator*=(Vec3& v, double factor) { return v = v * factor; }
+inline Uv operator*(const Uv& uv, double factor) { return {uv.u * factor, uv.v * factor}; }
+inline Uv operator*(double factor, const Uv& uv) { return uv * factor; }
+inline Uv operator+(const Uv& a, const Uv& b) { return {a.u + b.u, a.v + b.v}; }
 inline Color& operator+=(Color& a, const Color& b) { return a = a + b; }
 inline Color& operator*=(Color& c, double factor) { return c = c * factor; }
 
