@@ -85,13 +85,14 @@ LOOK = """(async () => {
   for (const e of document.querySelectorAll("img[src$='.svg'], img[data-letters]")) {
     if (e.clientWidth < 10.9 / (e.dataset.letters || 13) * e.naturalWidth) faults.push(`letters shrink below 11 px: ${start(e)}`);
   }
+  for (const e of document.querySelectorAll(".crops svg")) if (e.clientWidth < 125) faults.push(`a crop is ${e.clientWidth} px wide: ${start(e)}`);
   return faults;
 })()"""
 
 # The characters a line of paragraphs of at least four lines; the last line is half full.
 MEASURE = """(() => {
   const counts = [];
-  for (const p of document.querySelectorAll("main > p:not([class], :has(> img))")) {
+  for (const p of document.querySelectorAll("main > p:not([class], :has(> img, > .crops))")) {
     const lines = Math.round(p.clientHeight / parseFloat(getComputedStyle(p).lineHeight));
     if (lines >= 4) counts.push(p.textContent.length / (lines - 0.5));
   }

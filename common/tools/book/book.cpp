@@ -498,6 +498,20 @@ class Book {
         width = std::to_string(number(18));
         height = std::to_string(number(22));
         letters = std::atof(between(tag, "data-letters=\"", "\"").c_str());
+        const int columns = (number(18) + 6) / 206;
+        if (letters > 0 && number(18) == 206 * columns - 6) {  // crops: each wraps on a phone
+          std::string crops =
+              text("<span class=\"crops\" style=\"--columns: %d\" role=\"img\" aria-label=\"",
+                   columns) +
+              between(tag, "alt=\"", "\"") + "\">";
+          for (int i = 0; i < columns * ((number(22) + 6) / 156); ++i)
+            crops +=
+                text("<svg viewBox=\"%d %d 200 150\"><image width=\"%d\" height=\"%d\" href=\"",
+                     i % columns * 206, i / columns * 156, number(18), number(22)) +
+                between(tag, begin, "\"") + "\"/></svg>";
+          html.replace(at, tag.size() + 1, crops + "</span>");
+          continue;
+        }
       }
       if (letters > 0) {
         const double least = std::ceil(std::stod(width) * 11 / letters);
