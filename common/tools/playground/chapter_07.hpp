@@ -30,11 +30,10 @@ void add_samples(const State& state, int column, int row, Members& members) {
                       spread(squares.b, mean.b)};
   const double root = std::sqrt(count);
   members.emplace_back(
-      "rows",
-      Json::list({fact("mean light", {mean.r, mean.g, mean.b}, {" of ", count, " samples"}),
-                  fact("spread of the samples", spreads, {": how far one is from the mean"}),
-                  fact("error of the mean", spreads * (1 / root),
-                       {": if samples are random, spread / √", count})}));
+      "rows", Json::list({fact("mean light", {mean.r, mean.g, mean.b}, {" of ", count, " samples"}),
+                          fact("spread", spreads, {": how far a sample is from the mean"}),
+                          fact("error of the mean", spreads * (1 / root),
+                               {": if samples are random, spread / √", count})}));
   members.emplace_back("figure", figure.json());
 }
 

@@ -183,31 +183,31 @@ const controls = [
   {option: "--lamp-up", label: "Lamp up", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
   {option: "--bump", label: "Normals"},
   {option: "--green", label: "Green is", told: "in a normal map: first open one"},
-  {option: "--degrees", label: "Degrees", range: [-180, 180, 1], turns: true},
+  {option: "--degrees", label: "Rotation °", range: [-180, 180, 1], turns: true},
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
   {option: "--weights", label: "Weights", told: "from signed areas, or as in the article from the sides"},
   {option: "--wrap", label: "Beyond 0 to 1", in: "08 09"},
   {option: "--sky", label: "Sky"},
   {option: "--defocus", label: "Lens blur", range: [0, 10, 0.1], told: "degrees; 0: all is sharp"},
-  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: true},
+  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: "distance from the eye, if there is a lens blur"},
   {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true, told: "texels a pixel may read"},
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention", told: true},
   {option: "--rounding", label: "Rounding", told: true},
   {option: "--blend", label: "Blend", range: [0, 1, 0.01], off: true, told: "the share of the texture; off: multiplied"},
   {option: "--shininess", label: "Shininess", range: [1, 1000, 0.01], log: true, whole: true, told: "larger: a smaller spot"},
-  {option: "--highlight", label: "Highlight", names: {lecture: "lecture's slides"}},
-  {option: "--scene", label: "Scene", names: {lecture: "lecture's globe"}},
+  {option: "--highlight", label: "Highlight", told: true, names: {lecture: "lecture's slides"}},
+  {option: "--scene", label: "Scene", names: {lecture: "lecture's globe", book: "globe alone"}},
   {option: "--show", label: "Show"},
-  {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, help: "the picture is enlarged by the same factor",
+  {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, told: "the picture is enlarged as much, so that rounding shows: try it in float",
    here: (value) => `Eye distance × ${value}`},
   {option: "--number", label: "Number type", only: ["double", "float"], more: true, in: early + " 08"},
   {option: "--spheres", label: "Sphere formula", more: true, in: early, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
-  {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true},
-  {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true},
-  {option: "--gamma", label: "Light to bytes", more: true},
-  {option: "--decode", label: "Bytes to light", more: true},
+  {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true, told: "surfaces that a path of light may meet"},
+  {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true, told: "how far the scene moves up during the exposure"},
+  {option: "--gamma", label: "Light to bytes", more: true, told: true},
+  {option: "--decode", label: "Bytes to light", more: true, told: "of the texture; raw: as they are"},
   {option: "--slopes", label: "Slopes", more: true},
 ];
 // The files that a reader may choose: what the button says and takes, and whether the module reads them itself.
@@ -689,7 +689,7 @@ function live(main, packed) {
     const ends = lists.map(({list}) => down(list.at(-1)[1]) + 4);
     const order = ends.map((_, i) => i).sort((a, b) => ends[a] - ends[b]);
     order.forEach((i, k) => { if (k) ends[i] = Math.max(ends[i], ends[order[k - 1]] + 13); });  // names do not overlap
-    trace.innerHTML = `<svg viewBox="0 0 320 185" role="img"><path class="live-grid" d="${ticks(low, high).map((error) => `M34 ${down(error)}H224`).join("")}${
+    trace.innerHTML = `<svg viewBox="0 -16 320 201" role="img"><text x="34" y="-2">error</text><path class="live-grid" d="${ticks(low, high).map((error) => `M34 ${down(error)}H224`).join("")}${
       ticks(0, wide).map((n) => `M${at(n)} 10V150`).join("")}"/>${
       ticks(low, high).map((error) => `<text x="29" y="${down(error) + 4}" text-anchor="end">${rounded(error, 3)}</text>`).join("")}${
       ticks(0, wide).filter((n) => log(n) % 2 === 0).map((n) => `<text x="${at(n)}" y="165" text-anchor="middle">${n}</text>`).join("")}<text x="129" y="181" text-anchor="middle">samples</text>${
@@ -766,9 +766,10 @@ function live(main, packed) {
   }
   function refresh() {
     for (const [option, widget] of Object.entries(widgets)) widget.show(values[option], preset(option));
-    const off = (option, isOff) => { if (widgets[option]) widgets[option].field.disabled = isOff; };
+    const off = (option, isOff) => { for (const one of widgets[option]?.row.querySelectorAll("input, select") || []) one.disabled = isOff; };
     off("--samples", !plainView());
     off("--number", values["--show"] === "--errors");
+    off("--focus", Number(values["--defocus"]) === 0);
     off("--green", values["--normals"] === "");
     off("--squares", values["--scene"] === "lecture");
     const all = given();
@@ -827,7 +828,7 @@ function live(main, packed) {
     moveLine();
     reset();
   }
-  const rowOf = ({label, help, told}, about, id, ...fields) => element("div", {title: help || about},
+  const rowOf = ({label, told}, about, id, ...fields) => element("div", {title: about},
     element("label", {htmlFor: id, textContent: label}), ...fields.filter(Boolean), ...(told ? [element("small", {textContent: told === true ? about : told})] : []));
   function slider(control, {preset: first, help: about}) {
     const {option, label, range: [least, most, step], log, whole, off, turns} = control;
@@ -1008,7 +1009,7 @@ function live(main, packed) {
   // A number with its full value within, so that formulas can be checked.
   const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
   const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ", number(list[2]), ")"];
-  const swatch = (color) => [element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`];
+  const swatch = (color) => [element("span", {style: "white-space: nowrap"}, element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
   // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates them.
   const across = {
     daily: ["1/2 + atan2({z}, {x}) / 2π", "1/2 + {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
@@ -1212,7 +1213,7 @@ function live(main, packed) {
   }
   function showLoupe(column, row, seen) {
     facts.replaceChildren(...(seen.rows ? moduleFacts(column, row, seen) : factsOf(column, row, seen)).map(([name, ...what]) =>
-      element("tr", {}, element("th", {scope: "row", textContent: name}), element("td", {}, ...what))));
+      element("tr", {}, ...(name ? [element("th", {scope: "row", textContent: name})] : []), element("td", {colSpan: name ? 1 : 2}, ...what))));
     const lens = zoomed.getContext("2d");
     lens.imageSmoothingEnabled = false;
     lens.clearRect(0, 0, 11, 11);
