@@ -430,6 +430,7 @@ function live(main, packed) {
   const files = new Map();             // what the module was given, for a new worker
   let latest = 0, unfinished = false;  // the last drawing asked for
   let looking = null, nextLook = null, pixel = null, pinned = false;
+  let newest = {}, opened = 0;         // the names of the files that the reader chose last; how many there were
   let undo = null;                     // an option's value before the newest, a file or a typed number that the chapter has not read yet
   let example = null;                  // whether the page chose the pixel; null: not yet
   let patience = 0, idle = 0, full = null;
@@ -601,6 +602,7 @@ function live(main, packed) {
     },
     kept({name, shown, bytes, option, isRaw}) {
       if (!option || files.has(name)) return;  // one of the chapter's, or given again
+      if (newest[option] !== name) { send({kind: "drop", name, isRaw}); return; }  // the reader has chosen another since, or none
       if (isRaw) undo = {option, before: values[option]};  // what is wrong in it shows when it is drawn
       else forgetFiles(option);
       files.set(name, {shown, bytes, option, isRaw});
@@ -752,6 +754,7 @@ function live(main, packed) {
   }
   function startOver() {
     carried = {};
+    newest = {};
     reset();
     forgetFiles();
   }
@@ -910,6 +913,7 @@ function live(main, packed) {
       say(`${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, more than the 64 that are allowed.`);
       return;
     }
+    const name = newest[option] = `own_${++opened}${option}`;
     let bytes;
     try {
       bytes = new Uint8Array(await file.arrayBuffer());
@@ -917,9 +921,10 @@ function live(main, packed) {
       say(`${file.name} cannot be read: ${error.message}`);
       return;
     }
+    if (newest[option] !== name) return;
     section.dataset.state = "reading";
     unfinished = true;
-    send({kind: "keep", name: `own${option}${values[option].endsWith("_a") ? "_b" : "_a"}`, shown: file.name, bytes, option, isRaw});
+    send({kind: "keep", name, shown: file.name, bytes, option, isRaw});
   }
   // Those of an option, or all.
   function forgetFiles(option) {
