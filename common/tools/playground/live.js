@@ -699,7 +699,7 @@ function live(main, packed) {
         list.map(([n, error]) => `<circle cx="${at(n)}" cy="${down(error)}" r="3"/>`).join("")}<text x="232" y="${ends[i]}">${name}</text></g>`).join("")}</svg>`;
     trace.firstChild.ariaLabel = lists.map(({name, list}) => `Error by ${name}: ${list.map(([n, error]) => `${rounded(error, 3)} at ${n}`).join(", ")}`).join(". ");
     trace.append(element("figcaption", {}, `Error of the picture of 1, 4, 16, … samples: root mean square of its bytes, 0 to 255, against the picture of ${right.samples} samples by ${best.name}, which has an error of its own.`,
-      ...lists.reverse().map(({name, slope}) => element("div", {textContent: `${name}: each 4 times as many samples: error ${rounded(4 ** slope, 2)} of before; slope ${rounded(slope.toFixed(2), 3)}`}))));
+      ...lists.reverse().map(({name, slope}) => element("div", {textContent: `${name}: with 4 times as many samples the error is ${rounded(4 ** slope, 2)} times as large; slope ${rounded(slope.toFixed(2), 3)}`}))));
   }
   function moveLine() {
     secondFrame.style.setProperty("--line", `${line.value}%`);
@@ -1149,7 +1149,7 @@ function live(main, packed) {
     const says = share < 0 ? "the ray misses it, no root" : share > 0 ? "the ray's line cuts it twice, two roots" : "the ray touches it, one root";
     drawn.innerHTML = `<svg viewBox="0 0 240 104" role="img" aria-label="A line and a sphere: ${says}"><circle cx="120" cy="52" r="${size}"/>
       <path d="M8 ${y}H228m-8 -4l8 4l-8 4M120 52V${y}"/>${share < 0 ? "" : [-half, half].map((x) => `<circle class="live-meets" cx="${120 + x}" cy="${y}" r="4"/>`).join("")}
-      <text x="126" y="${(52 + y) / 2 + 5}">h</text></svg>`;
+      <text x="126" y="${away * size < 16 ? y - 6 : (52 + y) / 2 + 5}">h</text></svg>`;
     drawn.append(element("figcaption", {textContent: `${name}: ${says}. The line passes its center at the distance h.`}));
   }
   // The flat texture with the point in a square and the pixel's outline; and a detail of it.
