@@ -76,17 +76,25 @@ function plotted(ways, front, chosen, limit, choose) {
   const at = (way) => [acrossFor(Math.min(...way.times)), upFor(way.bound)];
   const path = front.map((i) => ways[i]).filter((way) => known.includes(way)).map((way) => at(way).join(","));
   if (path.length > 1) drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
-  const labels = [], words = [];  // of points that lie together only one has one, which covers no point
+  // A label stands beside, above or below its point where it covers nothing; the chosen point has one in any case.
+  const words = [], high = matchMedia("(max-width: 32rem)").matches ? 17 : 14, size = (way) => way === ways[chosen] ? 8 : 5;
+  const taken = known.flatMap((way) => {
+    const [x, y] = at(way), r = size(way) + 2;
+    return [[x - r, y - r, x + r, y + r], [x, y - 2, acrossFor(median(way.times)), y + 2]];
+  });
   for (const way of known) {
-    const [x, y] = at(way);
-    const covers = (other) => at(other)[0] > x - 52 && at(other)[0] < x - 3 && Math.abs(at(other)[1] - y) < 11;
-    if (way === ways[chosen] || !labels.some(([a, b]) => Math.abs(a - x) < 60 && Math.abs(b - y) < 16) && !known.some(covers)) {
-      labels.push([x, y]);
-      words.push(svg("text", {x: x - (way === ways[chosen] ? 15 : 11), y: y + 5, "text-anchor": "end", class: way === ways[chosen] ? "chosen" : ""}, way.kernel.replace("reference", "atan2").replace("degree ", "")));
+    const [x, y] = at(way), text = way.kernel.replace("reference", "atan2").replace("degree ", ""), wide = 0.62 * high * text.length, r = size(way) + 5;
+    const boxes = [[x - r - wide, y - high / 2], [x - wide / 2, y - r - high], [x - wide / 2, y + r], [acrossFor(median(way.times)) + r, y - high / 2]]
+      .map(([a, b]) => [a, b, a + wide, b + high]);
+    const place = boxes.find((one) => one[0] > left && one[2] < plotWidth && !taken.some((other) => one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]))
+      || way === ways[chosen] && boxes[0];
+    if (place) {
+      taken.push([place[0] - 6, place[1], place[2] + 6, place[3]]);
+      words.push(svg("text", {x: place[0], y: place[3] - 0.15 * high, class: way === ways[chosen] ? "chosen" : ""}, text));
     }
     const point = svg("g", {tabindex: 0, role: "button", "aria-label": `${named(way)}: at most ${small(way.bound)} texels off`,
       class: `budget-point ${way.number.split("-")[0]}${ways[chosen] === way ? " chosen" : ""}`});
-    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}), dot(way, x, y, ways[chosen] === way ? 8 : 5),
+    point.append(svg("line", {x1: x, x2: acrossFor(median(way.times)), y1: y, y2: y}), dot(way, x, y, size(way)),
       svg("title", {}, named(way)));
     point.onclick = () => choose(way);
     point.onkeydown = (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); choose(way); } };
@@ -225,7 +233,7 @@ async function begin() {
   async function change(way) {
     allowed.textContent = small(limit());
     slider.setAttribute("aria-valuetext", `${small(limit())} texels`);
-    if (pictures.length < ways.length) return;  // not measured yet
+    if (!ways[0].times.length) return;  // not measured yet
     const found = await ask("choose", limit(), timesOf());
     front = found.front;
     const exact = ways.reduce((a, b) => b.bound < a.bound ? b : a);
@@ -245,13 +253,13 @@ async function begin() {
   }
   async function time() {
     again.disabled = true;
-    for (const way of ways) way.times = [];
-    const rounds = 15;
+    const rounds = 15, times = ways.map(() => []);
     for (const way of ways) pictures[way.index] = await ask("pictures", way.index, width * height);  // warms up
     for (let round = 0; round < rounds; ++round) {
-      for (const way of ways) way.times.push(await ask("time", way.index));
+      for (const way of ways) times[way.index].push(await ask("time", way.index));
       clock.textContent = `Measuring: round ${round + 1} of ${rounds} …`;
     }
+    for (const way of ways) way.times = times[way.index];  // the plot has the old ones until then
     const busy = ways.filter((way) => median(way.times) > 1.1 * Math.min(...way.times)).length;
     clock.textContent = `Timed in this browser, one thread: double with atan2 takes ${rounded(Math.min(...ways[0].times), 2)} ms for ${width} × ${height} rays, the shortest of ${rounds} rounds, all ways in turn. `
       + (busy ? `The machine was busy: ${busy} of ${ways.length} medians are more than 10 % above the shortest.` : "The medians are within 10 % of the shortest.")
