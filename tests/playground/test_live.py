@@ -213,7 +213,7 @@ def check_meshes(place, browser):
         settle(browser)
         change(browser, **({"samples": 3} if chapter == "12" else {}))
         before = pixels(browser)
-        for name, data in (bad, good, bad):
+        for name, data in (bad, good, good, good, bad):
             (place.folder / name).write_bytes(data.encode() if isinstance(data, str) else data)
             browser.choose_file(f".live-open:nth-child({nth}) input", str(place.folder / name))
             if name == good[0]:
@@ -250,6 +250,10 @@ def check_hands(place, browser):
     for x, shown in ((0.25, True), (0.75, False)):  # the eye looks from +z, which is there by --convention rtiow
         mouse("mouseMoved", x, 0.42)
         browser.wait(f"!document.querySelector('.live-second .live-mark').hidden && {LOUPE}.hidden === {str(not shown).lower()}", 20)
+    for kind in ("mousePressed", "mouseReleased"):
+        mouse(kind, 0.25, 0.42, button="left", clickCount=1)
+    mouse("mouseMoved", 0.75, 0.42)  # a click on the map holds its place, too
+    browser.wait(f"{LOUPE}.textContent.includes('held')", 20)
     change(browser, projection="octahedral")
     yield from place.unlike(pixels(browser, "document.querySelector('.live-second > canvas')"), ["./course", "run", "10", "--to", "octahedral"])
     browser.run("HTMLAnchorElement.prototype.click = function () { window.saved = this.download; }")

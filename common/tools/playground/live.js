@@ -171,26 +171,26 @@ function worker() {
 // below a control that a picture does not explain.
 const early = "01 02 03 04 05 06";
 const controls = [
-  {option: "--samples", label: "Samples", range: [1, 1024, 0.01], log: true, whole: true, in: "07 12"},
+  {option: "--samples", label: "Samples", range: [1, 1024, Math.log10(2) / 30], log: true, whole: true, in: "07 12"},
   {option: "--sampler", label: "Pattern"},
-  {option: "--light", label: "Directions by"},
+  {option: "--light", label: "Directions", told: "how a matte surface picks a sample's direction"},
   {option: "--seed", label: "Seed", range: [0, 20, 1], whole: true, told: true},
-  {option: "--filter", label: "Filter, right", in: "09"},
   {option: "--beside", label: "Filter, left", here: (value) => `${value} left of the line`},
-  {option: "--projection", label: "Layout"},
+  {option: "--filter", label: "Filter, right", in: "09"},
+  {option: "--projection", label: "Layout", told: "of the map below the picture"},
   {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005], told: "the height of white, in radii"},
   {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
   {option: "--lamp-up", label: "Lamp up", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
-  {option: "--bump", label: "Normals"},
+  {option: "--bump", label: "Normals", told: "of the raised surface, by Blinn's formula of 1978, or the globe's own"},
   {option: "--green", label: "Green is", told: "in a normal map: first open one"},
   {option: "--degrees", label: "Rotation °", range: [-180, 180, 1], turns: true},
   {option: "--exposure", label: "Exposure", range: [-6, 6, 0.1], told: "one more: twice the light"},
-  {option: "--weights", label: "Weights", told: "from signed areas, or as in the article from the sides"},
-  {option: "--wrap", label: "Beyond 0 to 1", in: "08 09"},
+  {option: "--weights", label: "Weights", told: "from signed areas, or as in the article from the sides; the picture is the same"},
+  {option: "--wrap", label: "Wrap mode", in: "08 09", told: "what the texture shows where u or v is beyond 0 to 1"},
   {option: "--sky", label: "Sky"},
   {option: "--defocus", label: "Lens blur", range: [0, 10, 0.1], told: "degrees; 0: all is sharp"},
-  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: "distance from the eye, if there is a lens blur"},
-  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true, told: "texels a pixel may read"},
+  {option: "--focus", label: "Sharp at", range: [2, 30, 0.1], told: "the distance from the eye; first set a lens blur"},
+  {option: "--taps", label: "Most reads", range: [1, 64, 1], whole: true, told: "places along a pixel's footprint, for the last three filters; anisotropic reads up to 8 texels at each"},
   {option: "--squares", label: "Squares", range: [1, 40, 1], here: (value) => `Squares ${value}`},
   {option: "--convention", label: "Convention", told: true},
   {option: "--rounding", label: "Rounding", told: true},
@@ -224,8 +224,8 @@ const fileControls = [
 const lies = {"09": true};
 // What else the pointer does on a chapter's picture.
 const hints = {
-  "09": (values) => `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}. Drag the knob below.`,
-  "10": (values) => `Point at the globe or at the map: the place is marked on both. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
+  "09": (values) => `Left of the line: ${values["--beside"]}; right: ${values["--filter"]}, which the command below draws. Drag the knob below.`,
+  "10": (values) => `Point at the globe or at the map: the place is marked on both, where it is in sight. The map that you save is that of ./course run 10 --to ${values["--projection"]}.`,
   "11": () => "Drag on the globe to move the lamp.",
 };
 // Chapters whose picture gets better in passes: the option whose choices are compared.
@@ -252,7 +252,7 @@ const legends = {
     " 1 texel or more. White: float meets another object. Gray: no (u, v). A checkerboard counts as 2048 × 1024 texels."],
 };
 const widest = 800;  // columns of a picture; while the reader drags it has 96 to 480, as many as are drawn in 36 ms
-const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily"]};  // nothing in 01 has (u, v); sheets are not live
+const lacks = {"01": ["uv", "--errors"], "11": ["sheet", "poles", "daily", "color"]};  // nothing in 01 has (u, v); sheets are not live; color is 11's globe
 const largestFile = 64 << 20;        // bytes; the chapters' own limit
 
 // ---- Small tools.
@@ -604,7 +604,7 @@ function live(main, packed) {
       if (!option || files.has(name)) return;  // one of the chapter's, or given again
       if (newest[option] !== name) { send({kind: "drop", name, isRaw}); return; }  // the reader has chosen another since, or none
       if (isRaw) undo = {option, before: values[option]};  // what is wrong in it shows when it is drawn
-      else forgetFiles(option);
+      forgetFiles(option, isRaw && values[option]);
       files.set(name, {shown, bytes, option, isRaw});
       values[option] = name;
       change();
@@ -926,10 +926,10 @@ function live(main, packed) {
     unfinished = true;
     send({kind: "keep", name, shown: file.name, bytes, option, isRaw});
   }
-  // Those of an option, or all.
-  function forgetFiles(option) {
+  // Those of an option but one, or all.
+  function forgetFiles(option, but) {
     for (const [name, file] of [...files]) {
-      if (!file.option || (option && file.option !== option)) continue;
+      if (!file.option || name === but || (option && file.option !== option)) continue;
       files.delete(name);
       send({kind: "drop", name, isRaw: file.isRaw});
     }
@@ -955,13 +955,12 @@ function live(main, packed) {
     nextLook = null;
     looking = where;
     const texture = ["--scene", "--squares", "--convention", "--rounding", "--texture"].map((one) => values[one]).join();
-    send({kind: "look", words: words(), widest, texture, ...where});
+    send({kind: where.column === undefined ? "find" : "look", words: words(), widest, texture, ...where});
   }
+  // A place on the picture beside: the answer has its pixel.
   function findFrom(event) {
     const box = second.getBoundingClientRect();
-    if (lies[chapter] || looking || pinned || !full) return;
-    looking = pixel = {};  // any: the answer has its place
-    send({kind: "find", words: words(), widest, x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
+    if (!lies[chapter] && !pinned) look({x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height});
   }
   function showSpot(at) {
     spot.hidden = !at;
@@ -969,6 +968,13 @@ function live(main, packed) {
   }
   second.addEventListener("pointermove", findFrom);
   second.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
+  // A finger does not move before it leaves: its tap finds the place, and holds it as a click on the picture does.
+  second.addEventListener("click", (event) => {
+    const holds = !pinned || event.pointerType !== "mouse";
+    pinned = example = false;
+    findFrom(event);
+    pinned = holds && !!pixel;
+  });
   // The lamp shines from where the pointer drags it: the picture is half of a ball around the globe.
   function dragLamp(event) {
     if (!("--lamp-up" in widgets) || !event.buttons) return;
