@@ -120,9 +120,12 @@ std::string svg_of(const Plot& plot) {
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 940 600\" width=\"940\" "
       "height=\"600\" role=\"img\" "
-      "font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n";
+      "font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n"
+      // On a dark page: light on dark, in the same hues.
+      "<style>svg{color-scheme:light dark}@media(prefers-color-scheme:dark)"
+      "{svg{filter:invert(1) hue-rotate(180deg)}.paper{fill:none}}</style>\n";
   svg += "<title>" + escaped_markup(plot.title) +
-         "</title>\n<rect width=\"940\" height=\"600\" fill=\"#fff\"/>\n";
+         "</title>\n<rect class=\"paper\" width=\"940\" height=\"600\" fill=\"#fff\"/>\n";
   svg += "<text x=\"80\" y=\"30\" font-size=\"17\">" + escaped_markup(plot.title) + "</text>\n";
 
   // The axes, with a line of the grid at every mark.

@@ -138,7 +138,7 @@ struct TwoFilters {
     const double across = (std::abs(x.y) + std::abs(x.z)) / 2;
     const double down = (std::abs(y.y) + std::abs(y.z)) / 2;
     reach = 1.1 * std::max({reach, std::min(across, 4096.0), std::min(down, 4096.0)});
-    Figure figure{"Texels read, darker where they weigh more; the outline is the pixel", 2 * reach,
+    Figure figure{"Texels read, bluer where they weigh more; the outline is the pixel", 2 * reach,
                   2 * reach};
     const double left = x.x - reach, top = y.x - reach;
     for (const TexelRead& read : reads) {
