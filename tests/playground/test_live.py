@@ -206,8 +206,9 @@ def check_files(place, browser):
 
 
 def check_meshes(place, browser):
-    """A mesh or a sky of the reader's is drawn as the program draws it; a bad one is refused by its name, and the picture before stays."""
+    """A mesh, normal map or sky of the reader's is drawn as the program draws it; a bad one is refused by its name, and the picture before stays."""
     for chapter, nth, good, bad in (("08", 2, ("tent.obj", "v 0 0 0\nv 2 0 0\nv 1 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"), ("bad.obj", "f 1 2 3\n")),
+                                    ("11", 3, ("up.png", png(4, 2, bytes((128, 128, 255)) * 8)), ("inward.png", png(4, 2, bytes((128, 128, 9)) * 8))),
                                     ("12", 1, ("sky.png", png(4, 2, bytes(range(0, 240, 10)))), ("odd.png", png(3, 1, bytes(range(9)))))):
         place.open(browser, f"{chapter}.html")
         settle(browser)
@@ -320,9 +321,10 @@ def check_fields(place, browser):
     """A number that the chapter refuses is named beside its field; the one before stays, and other controls go on."""
     place.open(browser, "07.html")
     settle(browser)
-    row = "document.getElementById('live--samples').parentElement"
-    browser.run(f"{{ const field = {row}.querySelector('[type=number]'); field.value = 17.4; field.dispatchEvent(new Event('change')); }}")
-    browser.wait(f"{row}.textContent.includes('17.4')", 20)
+    row, other = (f"document.getElementById('live--{option}').parentElement" for option in ("samples", "defocus"))
+    for field in (row, other):  # the second before the first is refused
+        browser.run(f"{{ const field = {field}.querySelector('[type=number]'); field.value = -17.4; field.dispatchEvent(new Event('change')); }}")
+    browser.wait(f"{row}.textContent.includes('17.4') && {other}.textContent.includes('17.4')", 20)
     change(browser, seed=3)
     yield from place.unlike(pixels(browser), ["./course", "run", "07", "--seed", "3"])
     change(browser, samples=3)

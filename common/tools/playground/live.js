@@ -564,6 +564,7 @@ function live(main, packed) {
       if (!last || id !== latest || --due) return;
       unfinished = false;
       if (isSmall) return;
+      if (undo) forgetFiles(undo.option, values[undo.option]);
       undo = null;
       section.dataset.state = "done";
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
@@ -589,6 +590,8 @@ function live(main, packed) {
       if (of === "draw" && id !== latest) return;
       unfinished = false;
       for (const [name, {shown}] of files) reason = reason.replaceAll(name, shown);
+      const wrong = Object.keys(widgets).find((one) => reason.startsWith(`${one} takes `));
+      if (wrong && wrong !== undo?.option) undo = {option: wrong, before: preset(wrong)};  // two were changed at once
       if (undo) {
         files.delete(values[undo.option]);
         values[undo.option] = undo.before;
@@ -603,8 +606,8 @@ function live(main, packed) {
     kept({name, shown, bytes, option, isRaw}) {
       if (!option || files.has(name)) return;  // one of the chapter's, or given again
       if (newest[option] !== name) { send({kind: "drop", name, isRaw}); return; }  // the reader has chosen another since, or none
-      if (isRaw) undo = {option, before: values[option]};  // what is wrong in it shows when it is drawn
-      forgetFiles(option, isRaw && values[option]);
+      undo = {option, before: values[option]};  // what is wrong in it may show only when it is drawn
+      forgetFiles(option, values[option]);
       files.set(name, {shown, bytes, option, isRaw});
       values[option] = name;
       change();

@@ -226,7 +226,7 @@ async function begin() {
       `, at most ${small(way.bound)} texels off, ${small(way.worst)} seen. `,
       way.changed ? `${counted(way.changed, "pixel")} of ${(width * height).toLocaleString("en")} differ${way.changed === 1 ? "s" : ""}.` : "No pixel differs.",
       ratio && chosen ? ` Here ${rounded(ratio, 2)} times as fast as double with atan2.` : "",
-      way.budget === "exact" ? "" : " The command's budget is the polynomial's share of the error; rounding adds the rest.");
+      ` The command draws chapter 07's picture in this way${way.budget === "exact" ? "" : "; its budget is the polynomial's share of the error, and rounding adds the rest"}.`);
     command.textContent = `./course run 07 --scene book --number ${way.number}${way.budget === "exact" ? "" : ` --budget ${way.budget}`}`;
     section.dataset.way = way.index;
   }
@@ -239,7 +239,9 @@ async function begin() {
     const exact = ways.reduce((a, b) => b.bound < a.bound ? b : a);
     chosen = way ? way.index : found.best < 0 ? exact.index : found.best;
     tell(way ? 0 : found.best);
+    const isHeld = plot.contains(document.activeElement);
     plot.replaceChildren(plotted(ways, front, chosen, limit(), choose));
+    if (isHeld) plot.querySelector(".budget-point.chosen").focus();
     table.replaceChildren(element("tr", {}, ...["way", "at most, texels", "seen", "pixels that differ", "time", "spread"].map((name) => element("th", {scope: "col", textContent: name}))),
       ...ways.map((one) => element("tr", {}, ...[named(one), small(one.bound), small(one.worst), String(one.changed),
         one.times.length ? rounded(Math.min(...one.times) / Math.min(...ways[0].times), 3) : "", one.times.length ? rounded(median(one.times) / Math.min(...one.times), 3) : ""]
@@ -291,7 +293,7 @@ async function begin() {
   }
   const measure = element("button", {type: "button", textContent: "Measure it"});
   const results = element("table"), errors = element("canvas", {role: "img", hidden: true, ariaLabel: "The error of each place on the map"}), caption = element("p", {className: "live-legend"});
-  card.append(element("p", {textContent: "A graphics processor runs small programs, shaders, whose language has atan, asin and acos. It does not say how exact they are. Here yours computes (u, v) of half a million directions with them, and with the course's polynomials, and the page compares each with double. Click a row to see where on the map it is off."}),
+  card.append(element("p", {textContent: "A graphics processor runs small programs, shaders, whose language has atan, asin and acos. It does not say how exact they are. Here yours computes (u, v) of half a million directions with them, and with the course's polynomials, and the page compares each with double. Click a name to see where on the map it is off."}),
     measure, element("div", {className: "scroll"}, results), errors, caption);
   measure.onclick = async () => {
     measure.disabled = true;
@@ -304,7 +306,7 @@ async function begin() {
       const paint = (name, found) => {
         painted(errors, found.picture, across, down);
         errors.hidden = false;
-        caption.replaceChildren(`${name}: the error on the map, `, element("i", {className: "live-errors"}), " from 10⁻⁵ texel or less to 1 texel or more.");
+        caption.replaceChildren(`${name}: the error on the map, `, element("i", {className: "live-errors"}), ` from 10⁻⁵ texel or less to 1 texel or more. By ${machine.name}.`);
       };
       for (const [name, formula] of formulas) {
         const found = await ask("judge", await machine.places(formula, ofMap, across, down), 1, across * down);
@@ -313,7 +315,6 @@ async function begin() {
           ...[small(found.worst), small(found.median), small(found.seam), small(found.pole), counted(inPicture.changed, "pixel")].map((text) => element("td", {textContent: text}))));
         if (errors.hidden) paint(name, found);
       }
-      caption.append(` By ${machine.name}.`);
       card.dataset.state = "done";
     } catch (error) {
       caption.textContent = `The graphics processor refused: ${error.message}`;

@@ -75,9 +75,10 @@ async function begin() {
       side.wrong.textContent = `${number ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
       section.dataset[side.published ? "published" : "course"] = count;
     });
-    note.textContent = at === dial.value && dial.exhibit !== "needle" ? `The program draws this: ./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${number ? "float" : "double"}`
+    note.textContent = at === dial.value && dial.exhibit !== "needle" ? `The program draws the left picture: ./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${number ? "float" : "double"}`
       : dial.exhibit === "needle" ? "The program's needle has another picture on it."
       : `The program's ${dial.exhibit} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−") : dial.value.toLocaleString("en")}.`;
+    note.textContent += " Magenta: a place outside the texture, a hole, or a NaN.";
     section.dataset.state = mine === last ? "done" : "drawing";
     drawing = false;
     if (again) { again = false; change(); }
