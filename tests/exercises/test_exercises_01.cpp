@@ -52,7 +52,8 @@ TEST_CASE("01: strangers' answers get their words") {
   const auto part = [](int seen, int all) { return 1. * seen / all; };
   visible.right([=](V p, V n, Row lamps, Hit hit) {
     float hidden = 0;
-    for (const V& l : lamps) hidden += right(p + n / 1000, l, hit) ? 0 : 1.F / lamps.size();
+    for (const V& l : lamps)
+      hidden += dot(n, l - p) > 0 && right(p + n / 1000, l, hit) ? 0 : 1.F / lamps.size();
     return 1 - hidden;
   });
   by_share("divide in double", right, [](int seen, int all) { return D(seen / all); });

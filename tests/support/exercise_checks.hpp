@@ -41,11 +41,12 @@ struct Strangers {
     CHECK(verdict.mistake.find(text) != std::string::npos);
   }
 
-  /// The answer is right, however unusual.
+  /// The answer is right, however unusual, by values and by picture.
   void right(const std::function<Out(In...)>& answer) const {
-    const check::Verdict verdict =
-        check::exercises_of_chapter().exercises.at(k - 1).verdict(answer);
+    const check::Exercise& exercise = check::exercises_of_chapter().exercises.at(k - 1);
+    const check::Verdict verdict = exercise.verdict(answer);
     CHECK_MESSAGE(verdict.right, verdict.law << ": " << verdict.got);
+    CHECK(measure(exercise.draw(answer), exercise.draw({})).share_different <= 0.0002);
   }
 };
 

@@ -66,9 +66,12 @@ inline constexpr struct {
     if (light_on_paper) sample.cosine = light_on_paper(hit.point, hit.normal, light.position, 0.6);
     if (visible && sample.cosine > 0) {
       Lamps row;
-      for (const double x : {-1.2, -0.6, 0., 0.6, 1.2})
-        row.push_back(light.position + Vec3d{x, 0, -x});
-      sample.cosine *= visible(hit.point, hit.normal, row, first_hit_on(objects));
+      for (const double x : {-1.2, -0.6, 0., 0.6, 1.2}) {
+        // Of a lamp just below the horizon both answers are right: from 0.001 above it is seen.
+        const Vec3d lamp = light.position + Vec3d{x, 0, -x};
+        if (abs(dot(hit.normal, normalize(lamp - hit.point))) > 0.05) row.push_back(lamp);
+      }
+      if (!row.empty()) sample.cosine *= visible(hit.point, hit.normal, row, first_hit_on(objects));
     }
     return sample;
   }
