@@ -18,6 +18,7 @@ TEST_CASE("04: strangers' answers get their words") {
   lecture_u.right([](D u) { return u + 0.75 - floor(u + 0.75); });
   lecture_u("1 / 4 is 0", [](D u) { return fmod(u + 3 / 4, 1.0); });
   lecture_u("not <=", [](D u) { return u > 0.25 ? u - 0.25 : u + 0.75; });
+  lecture_u("turns the other way", [](D u) { return u > 0.75 ? u - 0.75 : u + 0.25; });
   lecture_u("runs the other way", [](D u) { return u > 0.25 ? 1.25 - u : 0.25 - u; });
   lecture_u("a quarter of a turn is 0.25", [](D u) { return u - pi / 2; });
 

@@ -24,7 +24,7 @@ TEST_CASE("06: strangers' answers get their words") {
   shine("not between one of them and n",
         [](V n, V l, V e, D s) { return pow(dot(normalize(l + n), e), s); });
   shine("direction to the eye is -d",
-        [](V n, V l, V e, D s) { return pow(max(dot(n, normalize(l - e)), 0.), s); });
+        [](V n, V l, V e, D s) { return pow(max(0., dot(n, normalize(l - e))), s); });
   shine("is a sine", [](V n, V l, V e, D s) { return pow(length(cross(n, l + e)), s); });
   shine("at right angles", [](V n, V l, V e, D s) { return pow(dot(n, cross(l, e)), s); });
   shine("no half of an angle",

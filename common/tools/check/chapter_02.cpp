@@ -69,7 +69,7 @@ Slips<Place2> wrong_places(Vec3d p) {
   const auto [u, v] = right_place(p);
   const double west = fraction(1 - u), by_acos = acos(-p.y) / pi;  // the textbook's v
   return {
-      {"acos of more than 1 is NaN, at the pole: limit y to -1 and 1, or use atan2", {u, by_acos}},
+      {"at the pole acos and asin can be NaN: limit y to -1 and 1, or use atan2", {u, by_acos}},
       {"u runs the other way: your map is mirrored", {{west, v}, {west, by_acos}}},
       {"v runs the other way: your map is upside down", {{u, 1 - v}, {u, 1 - by_acos}}},
       map_slips(p, {below_0_added, as_it_is, as_on_the_page}, wrong_beginnings),
@@ -99,9 +99,9 @@ Slips<bool> wrong_by_numbers(double c, double r, double x, double z) {
       {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
       {"% is the remainder, / the quotient: n is even if n % 2 is 0", trunc((c + r) / 2) == 0},
       {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + fmod(r, 2) == 0},
-      {"% of a negative odd number is -1: ask whether it is 0, not whether it is 1",
+      {"% 2 of an odd number is 1, or -1 below 0: ask whether it is 0, the first color's",
        {fmod(c + r, 2) != 1, fmod(c - r, 2) != 1}},
-      {"leave out the decimals of column and row each, then add: now these are slanted stripes",
+      {"std::floor each of x / size and z / size before you add: these are slanted stripes",
        {is_even(floor(x + z)), is_even(trunc(x + z))}},
   };
 }

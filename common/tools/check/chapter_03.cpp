@@ -102,7 +102,7 @@ Slips<int> wrong_columns(double u, int n, double left, double right) {
       {"the picture is mirrored: column 0 is at west", {n - 1 - c, cut_off((1 - x) * n), n - c}},
       {"the decimals are cut off too early: multiply by width first",
        {cut_off(x) * n, cut_off(x) * (n - 1)}},
-      {"this is column 0 everywhere: multiply by width, and limit it to 0 and width - 1",
+      {"this is column 0 everywhere: take (u - west) / (east - west) * width, limited",
        cut_off(x / n)},
   };
   return {

@@ -97,7 +97,8 @@ Slips<double> wrong_quarters(double u) {
   return {
       {"below 0 a whole turn is missing: add 1 there (std::fmod does not)", lo},
       {"from 1 on a whole turn is too much: subtract 1 there", hi},
-      {"this turns the other way: +z has to get u = 0, not 1/2", fraction(u + 0.25)},
+      {"this turns the other way: +z has to get u = 0, not 1/2",
+       {fraction(u + 0.25), u > 0.75 ? u - 0.75 : u + 0.25}},
       {"this turns the other way, and from 1 on a whole turn is too much", u + 0.25},
       {"this turns the other way, and below 0 a whole turn is missing", u - 0.75},
       {"at u = 1/4 you give 1, and that is 0: < 0.25 there, not <=", u <= 0.25 ? hi : lo},

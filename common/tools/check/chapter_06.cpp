@@ -129,7 +129,8 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
   }
   const Slips<double> cosines = {
       {"d goes to the surface: the direction to the eye is -d, and the sum of both lies halfway",
-       {dot(n, normalize(l + d)), -dot(n, normalize(l + d)), dot(n, l + d)}},
+       {dot(n, normalize(l + d)), -dot(n, normalize(l + d)), dot(n, l + d),
+        std::max(0., dot(n, normalize(l + d)))}},  // no NaN where l is -d
       {"the sum of both directions does not have the length 1: normalize it",
        {dot(n, l + e), dot(n, (l + e) * 0.5)}},
       {"this is the page's r . e: take the cosine between n and the direction halfway",
