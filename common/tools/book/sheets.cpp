@@ -247,8 +247,7 @@ std::string exhibits(const Reader& reader, std::string page, const std::string& 
     }
   }
   replace_all(page, table, all + "</div>");
-  std::string four =
-      "<p>Four exhibits, each as the program sets it:</p>\n<div class=\"sheet wide pairs\">\n";
+  std::string four = "<p>Four of the exhibits:</p>\n<div class=\"sheet wide pairs\">\n";
   for (const char* const name : {"from-1e5", "pole", "needle", "small"})
     four += pairs.at(name) + ": " + causes[name] + "</figcaption></figure>\n";
   replace_all(page, picture, four + "</div>");
