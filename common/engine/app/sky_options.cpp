@@ -111,7 +111,7 @@ SkyLight SkyOptions::load(const Session& session) {
   matte.way = best_lighting(noise);
   if (!session.settings.quiet) {
     print(text(
-        "the light of one sample is off by %s of itself by the cosine, %s by mis: --light %s\n",
+        "the error of one sample is %s times the right light by cosine, %s by mis: --light %s\n",
         shown(noise.cosine, 3).c_str(), shown(noise.mis, 3).c_str(),
         matte.way == SkyLighting::mis ? "mis" : "cosine"));
   }
