@@ -657,12 +657,9 @@ class Book {
       const std::string& html = page.converted.html;
       const std::string drawn = page.chapter + ".png";
       const fs::path thumb = text("docs/pictures/thumb_%s.png", page.chapter.substr(0, 2).c_str());
-      std::string shown;  // near by: the whole pictures of 02 and 03 look alike when small
-      if (fs::exists(root_ / thumb)) {
-        shown = picture(thumb);
-      } else if (fs::exists(out_ / drawn)) {
-        shown = drawn;
-      }
+      std::string shown = fs::exists(out_ / drawn) ? drawn : between(html, "lazy\" src=\"", "\"");
+      if (fs::exists(root_ / thumb))
+        shown = picture(thumb);  // near by: 02 and 03 look alike when small
       const std::string number = between(html, "<p><strong>One number.</strong> ", "</p>");
       body += "<li>";
       if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";
