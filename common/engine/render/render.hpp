@@ -97,29 +97,39 @@ template <class Real, class Lesson>
 template <class Real, class Lesson>
 [[nodiscard]] Image render(const Lesson& lesson, const View<>& view,
                            const RenderSettings& settings = {}) {
-  constexpr int step = static_cast<int>(lanes<Real>);
+  // A pack has pixels of one row. With a mesh it has a block: its rays meet fewer triangles.
+  static constexpr int size = static_cast<int>(lanes<Real>);
+  static constexpr bool has_mesh = requires { lesson.scene.mesh; };
+  static constexpr int high = !has_mesh || size < 4 ? 1 : size < 16 ? 2 : 4;
+  static constexpr int wide = size / high;
   Image image(view.width, view.height);
-  const auto draw_row = [&](int row) {
-    for (int column = 0; column < view.width; column += step) {
-      const auto first = static_cast<Scalar<Real>>(column);
-      const Real columns =
-          from_lanes<Real>([first](std::size_t i) { return first + static_cast<Scalar<Real>>(i); });
-      const Color<Real> color =
-          pixel_color<Real>(lesson, view, columns, Real(row), settings.samples);
+  const auto draw_rows = [&](int top) {
+    const int lines = std::min(high, view.height - top);
+    const Real rows = from_lanes<Real>([first = static_cast<Scalar<Real>>(top)](std::size_t i) {
+      return first + static_cast<Scalar<Real>>(i / wide);
+    });
+    for (int left = 0; left < view.width; left += wide) {
+      const auto first = static_cast<Scalar<Real>>(left);
+      const Real columns = from_lanes<Real>(
+          [first](std::size_t i) { return first + static_cast<Scalar<Real>>(i % wide); });
+      const Color<Real> color = pixel_color<Real>(lesson, view, columns, rows, settings.samples);
       const UInt<Real> pixels =
           bytes_of(color.r) | bytes_of(color.g) << 8 | bytes_of(color.b) << 16;
-      // The last pack of a row may reach beyond the picture.
-      const int end = std::min(step, view.width - column);
-      for (int i = 0; i < end; ++i) {
-        const std::uint32_t pixel = uint_lane<Real>(pixels, static_cast<std::size_t>(i));
-        image.at(column + i, row) = {static_cast<std::uint8_t>(pixel),
-                                     static_cast<std::uint8_t>(pixel >> 8),
-                                     static_cast<std::uint8_t>(pixel >> 16)};
+      // The last packs may reach beyond the picture.
+      const int end = std::min(wide, view.width - left);
+      for (int line = 0; line < lines; ++line) {
+        for (int i = 0; i < end; ++i) {
+          const std::uint32_t pixel =
+              uint_lane<Real>(pixels, static_cast<std::size_t>(line * wide + i));
+          image.at(left + i, top + line) = {static_cast<std::uint8_t>(pixel),
+                                            static_cast<std::uint8_t>(pixel >> 8),
+                                            static_cast<std::uint8_t>(pixel >> 16)};
+        }
       }
     }
   };
-  for_each_row(view.height, settings.threads, settings.progress,
-               [&](int row) { inline_whole<Real>([&] { draw_row(row); }); });
+  for_each_row((view.height + high - 1) / high, settings.threads, settings.progress,
+               [&](int i) { inline_whole<Real>([&] { draw_rows(i * high); }); });
   return image;
 }
 

@@ -3,7 +3,7 @@
 #include <doctest.h>
 
 #include "engine/render/render.hpp"
-#include "number/kinds/pack.hpp"
+#include "number/kinds/pack2.hpp"
 #include "support/shown_values.hpp"
 
 namespace texmap::test {
@@ -19,6 +19,13 @@ struct Stripes {
     return {stripe(ray.direction.x), stripe(ray.direction.y),
             stripe(ray.direction.x * ray.direction.y * Real(5))};
   }
+};
+
+/// The same of a lesson with a mesh, for which packs have blocks of pixels.
+struct StripesOfMesh : Stripes {
+  struct {
+    bool mesh = true;
+  } scene;
 };
 
 TEST_CASE("bytes obey their table") {
@@ -127,14 +134,16 @@ TEST_CASE_TEMPLATE(
     const View<> view = view_of(camera, width, 17);
     CAPTURE(width);
     for (const int samples : {1, 3}) {
-      const auto drawn = [&]<class Real>(Real, int threads) {
-        return render<Real>(Stripes{}, view, {.samples = samples, .threads = threads});
+      const auto drawn = [&]<class Real, class Lesson = Stripes>(Real, int threads,
+                                                                 const Lesson& lesson = {}) {
+        return render<Real>(lesson, view, {.samples = samples, .threads = threads});
       };
       const Image alone = drawn(T(), 1);
       CHECK(alone != Image(width, 17));
       for (const int threads : {0, 1, 2, 7}) {
         CHECK(drawn(T(), threads) == alone);
         CHECK(drawn(Pack<T>(T()), threads) == alone);
+        CHECK(drawn(Pack2<Pack<T>>(T()), threads, StripesOfMesh{}) == alone);
       }
     }
   }
