@@ -55,7 +55,4 @@ std::string describe_error(const Film& film, const SamplingOptions& options) {
               limited ? "about" : "at most about", film.error * 255);
 }
 
-template TEXMAP_FLATTEN void SampleSums<double>::make(int);
-template const Point2<double>& RandomBlock<double>::make_other(int, int);
-
 }  // namespace texmap

@@ -18,7 +18,7 @@
 
 namespace texmap {
 
-// Compiled once: chapter 12's paths (sky_options.cpp) and random numbers (gather_session.cpp).
+// Compiled once: chapter 12's paths (sky_options.cpp) and random numbers (sample_random.cpp).
 extern template Color<double> light_under_sky(const std::vector<PreparedObject<double, Coat>>&,
                                               Ray<double>, const SkyLight&, const MatteLight&, int,
                                               SampleRandom<double>&);

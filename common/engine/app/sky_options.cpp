@@ -118,15 +118,8 @@ SkyLight SkyOptions::load(const Session& session) {
   return sky;
 }
 
-#if defined(__GLIBC__) && defined(__x86_64__) && !defined(__clang__) && \
-    !defined(TEXMAP_INSTRUMENTED)
-// Compiled twice: a program takes what its machine has.
-template __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-template
-#endif
-TEXMAP_FLATTEN Color<double>
-light_under_sky(const std::vector<PreparedObject<double, Coat>>&, Ray<double>, const SkyLight&,
-                const MatteLight&, int, SampleRandom<double>&);
+template TEXMAP_TWO_WIDTHS TEXMAP_FLATTEN Color<double> light_under_sky(
+    const std::vector<PreparedObject<double, Coat>>&, Ray<double>, const SkyLight&,
+    const MatteLight&, int, SampleRandom<double>&);
 
 }  // namespace texmap

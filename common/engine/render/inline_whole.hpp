@@ -7,6 +7,14 @@
 
 namespace texmap {
 
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(TEXMAP_INSTRUMENTED) && __has_include(<gnu/libc-version.h>)
+/// Compiles a function twice: a program takes what its machine has. glibc's loader can choose.
+#define TEXMAP_TWO_WIDTHS __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define TEXMAP_TWO_WIDTHS
+#endif
+
 #ifdef TEXMAP_WIDE_PACKS
 inline constexpr bool has_wider_packs = true;
 #else
