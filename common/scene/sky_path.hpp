@@ -84,6 +84,20 @@ template <class Real, class Sky>
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
+/// True where an object hides the sky from a ray that starts outward at the object `leaving`.
+template <class Real, class Objects>
+[[nodiscard]] Mask<Real> is_hidden(const Objects& objects, const Ray<Real>& ray,
+                                   const Real& leaving) {
+  Real first = infinity<Real>();
+  for (double index = 0; const auto& object : objects) {
+    const Mask<Real> other = !(leaving == Real(index));
+    index += 1;
+    if (any(other))
+      first = min(select(other, distance_to(object.shape, ray), infinity<Real>()), first);
+  }
+  return first < infinity<Real>();
+}
+
 /// The light that arrives along a ray from matte and mirroring objects under a sky: one path.
 ///
 /// @param objects, bounces  paints are Coats; after `bounces` >= 1 a path brings no light
@@ -101,71 +115,75 @@ template <class Real, class Objects, class Sky, class Random>
   const Color<Real> black = gray(Real(0));
   Color<Real> light = black;
   Mask<Real> under_way = mask_of<Real>(true);
-  Mask<Real> sharp = under_way;    // mirrors are mirrors
-  Mask<Real> shared = !under_way;  // what the ray sees of the sky has been drawn by the sky, too
-  Real cosine = Real(1);           // at the surface that a shared ray leaves
+  Mask<Real> sharp = under_way;  // mirrors are mirrors
+  Mask<Real> escaped = !under_way;
+  Mask<Real> shared = escaped;  // what the ray sees of the sky has been drawn by the sky, too
+  Real cosine = Real(1);        // at the surface that a shared ray leaves
   for (int bounce = 0;; ++bounce) {
     const Nearest<Real> nearest = find_nearest(objects, ray);
     const Mask<Real> met = under_way && nearest.distance < infinity<Real>();
-    if (any(under_way && !met)) {
-      const auto place = sky.toward(ray.direction);
-      Color<Real> seen = carried * sky.picture.at(place.uv);
-      if (any(shared)) {
-        const Real weight = weight_of_both(cosine, sky.density(true, place));
-        seen = select(shared, seen * weight, seen);
-      }
-      light = light + select(under_way && !met, seen, black);
-    }
+    escaped = escaped || (under_way && !met);
     under_way = met;
-    shared = mask_of<Real>(false);
-    if (bounce == bounces || !any(under_way)) return light;
+    if (bounce == bounces || !any(under_way)) break;
 
     // Every path draws as many numbers: packs and single numbers then follow the same paths.
     Point2<Real> place{}, in_sky{};
     if (matte.way != SkyLighting::coefficients) place = random.next_2d();
     if (matte.way == SkyLighting::mis) in_sky = random.next_2d();
     Ray<Real> next = ray;
-    Mask<Real> dull = mask_of<Real>(false);
-    int number = -1;
-    for (const auto& object : objects) {
-      const Mask<Real> here = under_way && nearest.index == Real(++number);
+    Vec3<Real> normal = ray.direction;  // where the path scatters
+    Mask<Real> scatters = mask_of<Real>(false);
+    for (double index = 0; const auto& object : objects) {
+      const Mask<Real> here = under_way && nearest.index == Real(index);
+      index += 1;
       if (!any(here)) continue;
       const Hit<Real> hit = hit_at(object.shape, ray, select(here, nearest.distance, Real(1)));
       carried = select(here, carried * object.paint(hit), carried);
       next.origin = select(here, hit.outside, next.origin);
-      Mask<Real> scatters = here;
+      normal = select(here, hit.normal, normal);
+      Mask<Real> dull = here;
       if (object.paint.mirrors) {
         next.direction = select(here && sharp, mirror(-ray.direction, hit.normal), next.direction);
-        scatters = here && !sharp;
-        if (!any(scatters)) continue;
+        dull = here && !sharp;
       }
-      if (matte.way == SkyLighting::coefficients) {
-        light = select(scatters, carried * sky.reflected(hit.normal), light);
-        under_way = under_way && !scatters;
-        continue;
-      }
-      const Scattered<Real> next_way = scatter(matte.way, sky, hit.normal, place);
+      scatters = scatters || dull;
+    }
+    if (matte.way == SkyLighting::coefficients) {
+      light = select(scatters, carried * sky.reflected(normal), light);
+      under_way = under_way && !scatters;
+    } else if (any(scatters)) {
+      const Scattered<Real> next_way = scatter(matte.way, sky, normal, place);
       carried = select(scatters, carried * next_way.weight, carried);
       next.direction = select(scatters, next_way.direction, next.direction);
       under_way = under_way && !(scatters && next_way.weight <= Real(0));
       if (matte.way == SkyLighting::mis) {
         const auto drawn = sky.draw(true, in_sky);
-        const Ray<Real> to_sky = {hit.outside, drawn.direction};
-        const Real toward = dot(hit.normal, to_sky.direction);
+        const Ray<Real> to_sky = {next.origin, drawn.direction};
+        const Real toward = dot(normal, to_sky.direction);
         Mask<Real> lit = scatters && toward > Real(0);
-        if (any(lit)) lit = lit && !is_occluded(objects, to_sky, infinity<Real>(), number);
+        if (any(lit)) lit = lit && !is_hidden(objects, to_sky, nearest.index);
         if (any(lit)) {
           const Real weight = weight_of_both(toward, sky.density(true, drawn));
           light = light + select(lit, carried * sky.picture.at(drawn.uv) * weight, black);
         }
-        shared = shared || scatters;
-        cosine = select(scatters, dot(hit.normal, next_way.direction), cosine);
+        cosine = select(scatters, dot(normal, next_way.direction), cosine);
       }
-      if (!matte.caustics) dull = dull || scatters;
+      if (!matte.caustics) sharp = sharp && !scatters;
     }
-    sharp = sharp && !dull;
+    shared = (shared && !under_way) || scatters;
     ray = next;
   }
+  // Once for a pack of paths, not at the end of each.
+  if (any(escaped)) {
+    const auto place = sky.toward(ray.direction);
+    Color<Real> seen = carried * sky.picture.at(place.uv);
+    if (matte.way == SkyLighting::mis && any(shared)) {
+      const Real weight = weight_of_both(cosine, sky.density(true, place));
+      seen = select(shared, seen * weight, seen);
+    }
+    light = light + select(escaped, seen, black);
+  }
+  return light;
 }
 
 }  // namespace texmap
