@@ -84,16 +84,17 @@ template <class Real, class Sky>
   return {direction, select(both > Real(0), cosine / both, Real(0))};
 }
 
-/// True where an object hides the sky from a ray that starts outward at the object `leaving`.
+/// True where an object hides the sky from a ray that starts outward at the object `leaving`,
+/// which cannot if it is convex.
 template <class Real, class Objects>
 [[nodiscard]] Mask<Real> is_hidden(const Objects& objects, const Ray<Real>& ray,
                                    const Real& leaving) {
   Real first = infinity<Real>();
   for (double index = 0; const auto& object : objects) {
-    const Mask<Real> other = !(leaving == Real(index));
+    const Mask<Real> may_hide = mask_of<Real>(!object.shape.convex()) || !(leaving == Real(index));
     index += 1;
-    if (any(other))
-      first = min(select(other, distance_to(object.shape, ray), infinity<Real>()), first);
+    if (any(may_hide))
+      first = min(select(may_hide, distance_to(object.shape, ray), infinity<Real>()), first);
   }
   return first < infinity<Real>();
 }

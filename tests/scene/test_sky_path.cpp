@@ -7,6 +7,7 @@
 
 #include "sampling/sampled_numbers.hpp"
 #include "scene/paint.hpp"
+#include "scene/shapes.hpp"
 #include "texture/sky_light.hpp"
 #include "texture/uv_inverse.hpp"
 
@@ -131,6 +132,20 @@ TEST_CASE("light between balls is found by all ways where the sky behind them is
     const Spread found = light(way);
     CHECK(found.mean == doctest::Approx(exact).epsilon(2.5 * std::sqrt(found.variance / 16384)));
   }
+}
+
+TEST_CASE("an open can hides a part of the sky from its own inner side, in every way") {
+  const std::vector<Painted<Coat, Cylinder>> can = {{.shape = {}, .paint = {{1, 1, 1}}}};
+  const auto light = [&](SkyLighting way) {
+    return spread([&](Numbers& numbers) {
+             const Ray<double> ray{{0, 3, 0}, {1, -3, 0}};
+             return light_under_sky(can, ray, constant_sky(1), {way}, 1, numbers).g;
+           })
+        .mean;
+  };
+  const double right = light(SkyLighting::cosine);
+  CHECK(right < 0.7);  // a lone ball of this paint sends out 1
+  CHECK(light(SkyLighting::mis) == doctest::Approx(right).epsilon(0.01));
 }
 
 TEST_CASE("mis draws by what is brighter than the mean; by all of a sky of one brightness") {
