@@ -134,6 +134,9 @@ USES = {
         ("", "texts('.path li > p:nth-of-type(1)').every((e) => /[0-9]|One/.test(e)) && texts('.path li')[1].includes('changes 76 of 480,000 pixels')"),
     ],
     "symptoms.html": [
+        # What is found stays in the window, until a click elsewhere.
+        ("find('normal')", "document.querySelector('#found').getBoundingClientRect().left >= 0 && texts('#found a').length > 3"),
+        ("document.querySelector('h1').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))", "document.querySelector('#found').hidden"),
         ("", "texts('.cards article').length >= 19 && !texts('th').length"),
         ("", "texts('.two')[0].trim() === 'yoursright' && texts('.cards h3')[0].startsWith('… mirrored') && texts('.cards a')[0] === 'chapter 04'"),
         ("", "texts('.two').every((e) => e.trim() === 'yoursright') && document.querySelectorAll('.two img').length === 2 * texts('.two').length"),
@@ -307,8 +310,8 @@ def faults_of_pages(out, pages):
             print(f"{width} wide: {mean:.1f} characters a line in {len(counts[width])} paragraphs")
             if len(counts[width]) < 20 or not least <= mean <= most:
                 yield f"{width} wide: {mean} characters a line in {len(counts[width])} paragraphs, not {least} to {most}"
-        browser.size(1280, 900)
         for page, uses in USES.items():
+            browser.size(768 if page == "symptoms.html" else 1280, 900)
             browser.open(f"file://{out}/{page}")
             for act, shows in uses:
                 browser.run(f"{HELPERS}\n{act}")

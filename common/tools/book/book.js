@@ -75,7 +75,8 @@ async function show() {
   if (list.length === 0 && box.value.trim()) found.textContent = "Nothing holds all of these words.";
 }
 
-box.addEventListener("input", show);
+for (const event of ["input", "focus"]) box.addEventListener(event, show);
+document.addEventListener("pointerdown", ({target}) => { if (!target.closest(".search")) found.hidden = true; });
 document.addEventListener("keydown", (event) => {
   const typing = document.activeElement === box;
   const links = [...found.querySelectorAll("a")];
