@@ -435,6 +435,7 @@ function live(main, packed) {
   let example = null;                  // whether the page chose the pixel; null: not yet
   let patience = 0, idle = 0, full = null;
   let draft = 240;                     // columns while the reader drags
+  let roomOf = 0;                      // the loupe's width
 
   // -- The worker's life.
   function engage() {
@@ -1242,6 +1243,11 @@ function live(main, packed) {
     beside.style.minHeight = `${Math.max(loupe.offsetHeight, parseFloat(beside.style.minHeight) || 0)}px`;
   }
 
+  // The room of the largest loupe is that of a width.
+  new ResizeObserver(([{contentRect: {width}}]) => {
+    if (width !== roomOf) beside.style.minHeight = "";
+    roomOf = width;
+  }).observe(beside);
   // A book's arrow keys turn its pages: not while they move something here.
   section.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation(); });
   for (const one of main.querySelectorAll("input[name=live-chapter]")) {
@@ -1250,6 +1256,7 @@ function live(main, packed) {
       chapter = one.value;
       stopTurning();
       closeLoupe();
+      beside.style.minHeight = "";
       clearTimeout(idle);
       hand?.terminate();  // with what it still draws
       start();
