@@ -521,7 +521,7 @@ def check_motion(place, browser):
 
 
 def check_narrow(place, browser):
-    """At 360 pixels nothing sticks out, whatever is open, all has a name, and once a finger has opened the loupe it moves no control."""
+    """At 360 pixels nothing sticks out or is cut, whatever is open, all has a name, and once a finger has opened the loupe it moves no control."""
     controls = "document.querySelector('.live form').getBoundingClientRect().top + scrollY"
     browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
     browser.size(360, 900)
@@ -550,6 +550,11 @@ def check_narrow(place, browser):
           .filter((one) => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map((one) => one.outerHTML.slice(0, 80))""")
         if unnamed:
             yield f"{chapter}: no name: {unnamed}"
+        small = browser.run("""[...document.querySelectorAll(".live-rows input")].filter((one) => {
+            if (one.type === "number") one.value = 10000000;
+            return one.type === "range" ? one.offsetHeight < 32 : one.scrollWidth > one.clientWidth; }).map((one) => one.ariaLabel || one.id)""")
+        if small:
+            yield f"{chapter}: a slider of less than 32 px, or a number that is cut: {small}"
 
 
 def check_playground(place, browser):
