@@ -179,8 +179,8 @@ const controls = [
   {option: "--filter", label: "Filter, right", in: "09"},
   {option: "--projection", label: "Layout", told: "of the map below the picture"},
   {option: "--relief", label: "Relief", range: [-0.2, 0.2, 0.005], told: "the height of white, in radii"},
-  {option: "--lamp-around", label: "Lamp right", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
-  {option: "--lamp-up", label: "Lamp up", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
+  {option: "--lamp-around", label: "Lamp right °", range: [-180, 180, 1], here: (value) => `the lamp at ${value}°`},
+  {option: "--lamp-up", label: "Lamp up °", range: [-90, 90, 1], here: (value) => `the lamp ${value}° up`},
   {option: "--bump", label: "Normals", told: "of the raised surface, by Blinn's formula of 1978, or the globe's own"},
   {option: "--green", label: "Green is", told: "in a normal map: first open one"},
   {option: "--degrees", label: "Rotation °", range: [-180, 180, 1], turns: true},
@@ -213,7 +213,7 @@ const controls = [
 // The files that a reader may choose: what the button says and takes, and whether the module reads them itself.
 const pictureFiles = "image/png,image/jpeg";
 const fileControls = [
-  {option: "--texture", button: "Open file…", takes: pictureFiles, hint: "a PNG or JPEG; or drop it on the picture"},
+  {option: "--texture", button: "Open texture…", takes: pictureFiles, hint: "a PNG or JPEG; or drop it on the picture"},
   {option: "--floor", button: "Open floor…", takes: pictureFiles, hint: "a PNG or JPEG for the floor"},
   {option: "--mesh", button: "Open mesh…", takes: ".obj", hint: "an OBJ file with texture coordinates", isRaw: true},
   {option: "--sky", button: "Open sky…", takes: ".hdr," + pictureFiles, hint: "a Radiance .hdr, PNG or JPEG, twice as wide as high", isRaw: true},
@@ -568,6 +568,7 @@ function live(main, packed) {
       if (undo) forgetFiles(undo.option, values[undo.option]);
       undo = null;
       section.dataset.state = "done";
+      save.disabled = false;
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
       if (example === null) {
         example = matchMedia("(min-width: 52rem)").matches && !main.querySelector("[name=live-chapter]");
@@ -716,6 +717,7 @@ function live(main, packed) {
     refresh();
     clearTimeout(idle);
     section.dataset.state = "drawing";
+    save.disabled = true;  // a map that is not complete
     say("");
     ask(true);
     idle = setTimeout(() => ask(false), 200);
