@@ -75,10 +75,10 @@ async function begin() {
       side.wrong.textContent = `${number ? "float" : "double"}: ${count ? `${count.toLocaleString("en")} of ${(width * height).toLocaleString("en")} pixels` : "no pixel"} unlike the course's in double`;
       section.dataset[side.published ? "published" : "course"] = count;
     });
-    note.textContent = at === dial.value && dial.exhibit !== "needle" ? `The program draws the left picture: ./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${number ? "float" : "double"}`
-      : dial.exhibit === "needle" ? "The program's needle has another picture on it."
-      : `The program's ${dial.exhibit} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−") : dial.value.toLocaleString("en")}.`;
-    note.textContent += " Magenta: a place outside the texture, a hole, or a NaN.";
+    const program = `The program's ${dial.exhibit}`;
+    note.replaceChildren("Magenta: a place outside the texture, a hole, or a NaN. ", ...dial.exhibit === "needle" ? [`${program} has another picture on it.`]
+      : at === dial.value ? ["The program draws the published picture: ", element("code", {textContent: `./course run 14 --exhibit ${dial.exhibit} --formulas published --number ${number ? "float" : "double"}`})]
+      : [`${program} is at ${dial.value < 1e-3 ? dial.value.toExponential(0).replace("-", "−") : dial.value.toLocaleString("en")}.`]);
     section.dataset.state = mine === last ? "done" : "drawing";
     drawing = false;
     if (again) { again = false; change(); }
