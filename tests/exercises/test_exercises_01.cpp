@@ -20,6 +20,7 @@ TEST_CASE("01: strangers' answers get their words") {
   });
   by_roots("comes second", [](D t, D u, auto left) { return left(u) ? u : infinity; });
   by_roots("open top", [](D t, D u, auto left) { return left(t) ? t : infinity; });
+  by_roots("from inside", [](D t, D u, auto left) { return t > 0 ? t : infinity; });
   by_roots("cut away", [](D t, D u, auto left) { return t > 0 ? t : u > 0 ? u : infinity; });
   by_roots("behind the origin", [](D t, D u, auto left) { return std::isnan(t) ? infinity : t; });
 
@@ -52,9 +53,8 @@ TEST_CASE("01: strangers' answers get their words") {
   const auto part = [](int seen, int all) { return 1. * seen / all; };
   visible.right([=](V p, V n, Row lamps, Hit hit) {
     float hidden = 0;
-    for (const V& l : lamps)
-      hidden += dot(n, l - p) > 0 && right(p + n / 1000, l, hit) ? 0 : 1.F / lamps.size();
-    return 1 - hidden;
+    for (V l : lamps) hidden += dot(n, l - p) > 0 && right(p + n / 1000, l, hit) ? 0 : 1;
+    return 1 - hidden / lamps.size();
   });
   by_share("divide in double", right, [](int seen, int all) { return D(seen / all); });
   by_share("how many lamps", right, [](int seen, int all) { return D(seen); });

@@ -144,13 +144,13 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double r
   const Roots t = roots(a, b, c);
   const auto [entry, exit] = t;
   const bool missed = std::isnan(root);
-  const double right = first_kept(t), whole = first_ahead(t);
+  const double right = first_kept(t), whole = first_ahead(t), entering = first_of(t, true, false);
   const double any = kept(entry) ? entry : kept(exit) ? exit : never;
   Slips<double> wrong = {
       {"always infinity: look at the signs in b * b - a * c, and at what you compare", never},
       {"the upper part is cut away: a point counts only if its y is not above the rim", whole},
-      {"the ray enters through the open top: try the larger t if the smaller one does not count",
-       {entry_kept(t), kept(whole) ? whole : never}},
+      {"from inside and through the open top: try the larger t if the smaller one does not count",
+       {entry_kept(t), kept(whole) ? whole : never, entering, any > 0 ? any : never}},
       {"the larger t, too, counts only if it is not above the rim", first_of(t, kept(entry), true)},
       {"this was cut away: points with y <= rim are left", first_of(t, !kept(entry), !kept(exit))},
       {"rim is a y in the scene, not a height above the center",
@@ -193,7 +193,7 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double, double> distance_to_bowl_places[] =
     {"lengths of the direction count: with (0, 0, -2), t is 2", {eye, {0, 0, -2}, zero, 1, high}},
     {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1, high}},
     {"the ground, with radius 1000, is met at t = 10.007: a float has too few digits for it",
-     {{0, 2, 8}, {0, -0.3, -1}, {0, -1001, 0}, 1000, high}},
+     {{0.3, 2, 8}, {0, -0.3, -1}, {0, -1001, 0}, 1000, high}},
     {"a sphere behind the origin is never met", {eye, {0, 0, 1}, zero, 1, high}},
     {"from inside, the ray meets the sphere at its exit", {{0, 0, 0.5}, {0, 0, 1}, zero, 1, high}},
     {"rim 0.5, from (0, 5, 0) straight down: through the open top to the bottom, t is 6",
@@ -349,6 +349,8 @@ Slips<double> wrong_shares(Vec3d p, Vec3d n, const Lamps& lamps, const FirstHit&
   const auto of_one = [&](const Vec3d& lamp) { return is_hidden(p, n, lamp, first_hit) ? 0. : 1.; };
   const double right = right_share(p, n, lamps, first_hit), seen = right * count;
   const double first = of_one(lamps.front()), last = of_one(lamps.back());
+  double lit = 0;
+  for (const Vec3d& l : lamps) lit += of_one(l) * max(dot(n, normalize(l - p - n * 0.001)), 0.0);
   Slips<double> hidden = changed(wrong_shadows(p, n, lamps[0], first_hit), [](bool) { return 0.; });
   for (const Vec3d& lamp : lamps)
     hidden = combined(std::plus<>(), hidden, wrong_shadows(p, n, lamp, first_hit));
@@ -361,6 +363,7 @@ Slips<double> wrong_shares(Vec3d p, Vec3d n, const Lamps& lamps, const FirstHit&
       {"a lamp in the middle does not stand for the row: ask for each lamp",
        of_one((lamps.front() + lamps.back()) * 0.5)},
       {"divide by lamps.size(), not by one less or more", {seen / (count - 1), seen / (count + 1)}},
+      {"the cosine comes later: a lamp that the point sees counts as 1", lit / count},
       {"a lamp is missing: all of them count", {(seen - first) / count, (seen - last) / count}},
       changed(hidden, [=](double lamps_hidden) { return 1 - lamps_hidden / count; }),
   };

@@ -115,7 +115,7 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
                                   bool tests_side) {
   const Vec3d l = normalizes ? normalize(to_lamp) : to_lamp;
   const Vec3d e = -d, h = normalize(l + e);
-  const double c = dot(n, h);
+  const double c = dot(n, h), with_d = dot(n, normalize(l + d));
   const auto power = [=](double cosine) { return pow(max(cosine, 0.), s); };
   const auto half_angle = [](double cosine) { return cos(acos(clamp(cosine, -1., 1.)) / 2); };
   Slips<double> wrong;
@@ -129,8 +129,7 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
   }
   const Slips<double> cosines = {
       {"d goes to the surface: the direction to the eye is -d, and the sum of both lies halfway",
-       {dot(n, normalize(l + d)), -dot(n, normalize(l + d)), dot(n, l + d),
-        std::max(0., dot(n, normalize(l + d)))}},  // no NaN where l is -d
+       {with_d, -with_d, std::max(0., with_d), dot(n, l + d)}},  // 0, not NaN, where l is -d
       {"the sum of both directions does not have the length 1: normalize it",
        {dot(n, l + e), dot(n, (l + e) * 0.5)}},
       {"this is the page's r . e: take the cosine between n and the direction halfway",
