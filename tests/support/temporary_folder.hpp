@@ -1,4 +1,4 @@
-// A folder for one test, gone with it.
+// A folder for one test, gone with it; files, and the message of an error about one.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "engine/system/file_error.hpp"
 
 namespace texmap::test {
 
@@ -63,6 +65,17 @@ inline void put(const std::string& path, const std::vector<std::uint8_t>& bytes)
   std::ofstream file(path, std::ios::binary);
   for (const std::uint8_t byte : bytes) file.put(static_cast<char>(byte));
   if (!file.flush()) throw std::runtime_error("a test cannot write " + path);
+}
+
+/// What a FileError thrown by `work` says, or "nothing was thrown". Other exceptions go on.
+template <class Work>
+[[nodiscard]] std::string image_error_of(Work work) {
+  try {
+    work();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
 }
 
 }  // namespace texmap::test

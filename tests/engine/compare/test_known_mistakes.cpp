@@ -8,7 +8,6 @@
 #include "engine/compare/known_mistakes.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
-#include "support/image_errors.hpp"
 #include "support/made_pictures.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"

@@ -3,7 +3,6 @@
 
 #include "engine/measure/text.hpp"
 #include "engine/mesh/read_obj.hpp"
-#include "support/image_errors.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace texmap::test {

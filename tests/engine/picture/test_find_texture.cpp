@@ -7,7 +7,6 @@
 #include <string>
 
 #include "engine/picture/find_texture.hpp"
-#include "support/image_errors.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {

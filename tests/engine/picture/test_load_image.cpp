@@ -11,7 +11,6 @@
 #include "engine/picture/codecs/bytes.hpp"
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
-#include "support/image_errors.hpp"
 #include "support/sha256.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -19,7 +19,6 @@
 #include "made_hdr.hpp"
 #include "math/srgb.hpp"
 #include "support/dice.hpp"
-#include "support/image_errors.hpp"
 #include "temporary_folder.hpp"
 
 namespace texmap::test {

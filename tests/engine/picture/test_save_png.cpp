@@ -17,7 +17,6 @@
 #include "engine/picture/decode_image.hpp"
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
-#include "support/image_errors.hpp"
 #include "support/made_pictures.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -13,7 +13,6 @@
 
 #include "engine/system/shared.hpp"
 #include "engine/system/system.hpp"
-#include "support/image_errors.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {

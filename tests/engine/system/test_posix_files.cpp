@@ -11,7 +11,6 @@
 #include "engine/picture/load_image.hpp"
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"
-#include "support/image_errors.hpp"
 #include "support/made_pictures.hpp"
 #include "support/temporary_folder.hpp"
 

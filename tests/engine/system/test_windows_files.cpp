@@ -5,7 +5,6 @@
 #include <string>
 
 #include "engine/system/system.hpp"
-#include "support/image_errors.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
