@@ -201,8 +201,9 @@ const controls = [
   {option: "--show", label: "Show"},
   {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, told: "the picture is enlarged as much, so that rounding shows: try it in float",
    here: (value) => `Eye distance × ${value}`},
-  {option: "--number", label: "Number type", only: ["double", "float"], more: true, in: early + " 08"},
-  {option: "--spheres", label: "Sphere formula", more: true, in: early, names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
+  {option: "--number", label: "Number type", only: ["double", "float"], more: true, in: early + " 08", told: "double keeps 16 digits, float 7"},
+  {option: "--spheres", label: "Sphere formula", more: true, in: early, told: "they differ in float, from a far eye",
+   names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
   {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true, told: "surfaces that a path of light may meet"},
   {option: "--shift", label: "Motion", range: [-2, 2, 0.05], more: true, told: "how far the scene moves up during the exposure"},
@@ -1026,7 +1027,8 @@ function live(main, packed) {
   // A number with its full value within, so that formulas can be checked.
   const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
   const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ", number(list[2]), ")"];
-  const swatch = (color) => [element("span", {style: "white-space: nowrap"}, element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
+  const swatch = (color) => [element("span", {style: "white-space: nowrap"},
+    element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
   // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates them.
   const across = {
     daily: ["1/2 + atan2({z}, {x}) / 2π", "1/2 + {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
