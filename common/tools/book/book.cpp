@@ -500,15 +500,13 @@ class Book {
         letters = std::atof(between(tag, "data-letters=\"", "\"").c_str());
         const int columns = (number(18) + 6) / 206;
         if (letters > 0 && number(18) == 206 * columns - 6) {  // crops: each wraps on a phone
-          std::string crops =
-              text("<span class=\"crops\" style=\"--columns: %d\" role=\"img\" aria-label=\"",
-                   columns) +
-              between(tag, "alt=\"", "\"") + "\">";
+          std::string crops = "<span class=\"crops\" role=\"img\" aria-label=\"" +
+                              between(tag, "alt=\"", "\"") +
+                              text("\" style=\"--columns: %d\">", columns);
           for (int i = 0; i < columns * ((number(22) + 6) / 156); ++i)
-            crops +=
-                text("<svg viewBox=\"%d %d 200 150\"><image width=\"%d\" height=\"%d\" href=\"",
-                     i % columns * 206, i / columns * 156, number(18), number(22)) +
-                between(tag, begin, "\"") + "\"/></svg>";
+            crops += text("<svg viewBox=\"%d %d 200 150\"><image width=\"%s\" href=\"",
+                          i % columns * 206, i / columns * 156, width.c_str()) +
+                     between(tag, begin, "\"") + "\"/></svg>";
           html.replace(at, tag.size() + 1, crops + "</span>");
           continue;
         }

@@ -1027,8 +1027,7 @@ function live(main, packed) {
   // A number with its full value within, so that formulas can be checked.
   const number = (value, digits = 5) => element("data", {value: String(value), title: String(value), textContent: rounded(value, digits)});
   const vector = (list) => ["(", number(list[0]), ", ", number(list[1]), ", ", number(list[2]), ")"];
-  const swatch = (color) => [element("span", {style: "white-space: nowrap"},
-    element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
+  const swatch = (color) => [element("span", {className: "live-color"}, element("span", {className: "live-swatch", style: `background: rgb(${color})`}), ` ${color.join(" ")}`)];
   // The program's formulas by conventions; chapter 02 derives them, docs/conventions.md relates them.
   const across = {
     daily: ["1/2 + atan2({z}, {x}) / 2π", "1/2 + {atan2(z, x)}/{2π}", ([x, , z]) => 0.5 + Math.atan2(z, x) / (2 * Math.PI)],
