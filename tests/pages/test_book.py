@@ -134,7 +134,6 @@ USES = {
         ("", "texts('.path li > p:nth-of-type(1)').every((e) => /[0-9]|One/.test(e)) && texts('.path li')[1].includes('changes 76 of 480,000 pixels')"),
     ],
     "symptoms.html": [
-        # What is found stays in the window, until a click elsewhere.
         ("find('normal')", "document.querySelector('#found').getBoundingClientRect().left >= 0 && texts('#found a').length > 3"),
         ("document.querySelector('h1').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))", "document.querySelector('#found').hidden"),
         ("", "texts('.cards article').length >= 19 && !texts('th').length"),

@@ -976,12 +976,7 @@ function live(main, packed) {
   second.addEventListener("pointermove", findFrom);
   second.addEventListener("pointerleave", () => { if (!pinned) closeLoupe(); });
   // A finger does not move before it leaves: its tap finds the place, and holds it as a click on the picture does.
-  second.addEventListener("click", (event) => {
-    const holds = !pinned || event.pointerType !== "mouse";
-    pinned = example = false;
-    findFrom(event);
-    pinned = holds && !!pixel;
-  });
+  second.addEventListener("click", (event) => { const holds = !pinned || event.pointerType !== "mouse"; pinned = example = false; findFrom(event); pinned = holds && !!pixel; });
   // The lamp shines from where the pointer drags it: the picture is half of a ball around the globe.
   function dragLamp(event) {
     if (!("--lamp-up" in widgets) || !event.buttons) return;
@@ -1247,10 +1242,7 @@ function live(main, packed) {
   }
 
   // The room of the largest loupe is that of a width.
-  new ResizeObserver(([{contentRect: {width}}]) => {
-    if (width !== roomOf) beside.style.minHeight = "";
-    roomOf = width;
-  }).observe(beside);
+  new ResizeObserver(([{contentRect: {width}}]) => { if (width !== roomOf) beside.style.minHeight = ""; roomOf = width; }).observe(beside);
   // A book's arrow keys turn its pages: not while they move something here.
   section.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow") || event.key === "/") event.stopPropagation(); });
   for (const one of main.querySelectorAll("input[name=live-chapter]")) {

@@ -78,10 +78,7 @@ function plotted(ways, front, chosen, limit, choose) {
   if (path.length > 1) drawing.append(svg("polyline", {points: path.join(" "), class: "budget-front"}));
   // A label stands beside, above or below its point where it covers nothing; the chosen point has one in any case.
   const words = [], high = matchMedia("(max-width: 32rem)").matches ? 17 : 14, size = (way) => way === ways[chosen] ? 8 : 5;
-  const taken = known.flatMap((way) => {
-    const [x, y] = at(way), r = size(way) + 2;
-    return [[x - r, y - r, x + r, y + r], [x, y - 2, acrossFor(median(way.times)), y + 2]];
-  });
+  const taken = known.flatMap((way) => { const [x, y] = at(way), r = size(way) + 2; return [[x - r, y - r, x + r, y + r], [x, y - 2, acrossFor(median(way.times)), y + 2]]; });
   for (const way of known) {
     const [x, y] = at(way), text = way.kernel.replace("reference", "atan2").replace("degree ", ""), wide = 0.62 * high * text.length, r = size(way) + 5;
     const boxes = [[x - r - wide, y - high / 2], [x - wide / 2, y - r - high], [x - wide / 2, y + r], [acrossFor(median(way.times)) + r, y - high / 2]]
