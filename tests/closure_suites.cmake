@@ -11,9 +11,8 @@ function(add_closure chapter headers lines)
     set(symbols "-DNM=${CMAKE_NM}" "-DPROGRAM=$<TARGET_FILE:${chapter}>"
       "-DSYMBOLS=stbi__(load|png|jpeg|zlib|parse|decode|info)|stbi_load|stbi_info")
   endif()
-  add_test(NAME closure_${number} COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${TEXMAP_CHAPTERS}/${chapter}/lesson.hpp"
+  add_check(closure_${number} "closure;reader" "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DLESSON=${TEXMAP_CHAPTERS}/${chapter}/lesson.hpp"
     "-DHEADERS=${headers}" "-DLINES=${lines}" "-DFORBIDDEN=${ARGN}" ${symbols} -P "${CMAKE_CURRENT_SOURCE_DIR}/closure/closure.cmake")
-  set_tests_properties(closure_${number} PROPERTIES LABELS "closure;reader")
 endfunction()
 
 set(by_07 path.hpp lens.hpp sampling_options.hpp)
@@ -50,7 +49,6 @@ if(CMAKE_NM AND TAKES_GNU_OPTIONS AND NOT TEXMAP_INSTRUMENT)
       list(APPEND files "$<TARGET_OBJECTS:${chapter}>")
     endif()
   endforeach()
-  add_test(NAME no_work_before_main COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=${files}" -P
+  add_check(no_work_before_main "closure;reader" "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DFILES=${files}" -P
     "${CMAKE_CURRENT_SOURCE_DIR}/closure/before_main.cmake")
-  set_tests_properties(no_work_before_main PROPERTIES LABELS "closure;reader")
 endif()

@@ -1,9 +1,9 @@
 # The faults every chapter program survives, tried from outside. Included by CMakeLists.txt here.
 
 if(UNIX AND PYTHON3)
-  add_test(NAME faults COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py" "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_CURRENT_SOURCE_DIR}/corpus")
   # Alone on the machine: it measures time, and starts many programs at once.
-  set_tests_properties(faults PROPERTIES LABELS faults RUN_SERIAL ON TIMEOUT 240)
+  add_check(faults faults "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py" "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_CURRENT_SOURCE_DIR}/corpus"
+    WITH RUN_SERIAL ON TIMEOUT 240)
   if(TEXMAP_INSTRUMENT MATCHES "fsanitize")
     set_tests_properties(faults PROPERTIES ENVIRONMENT TEXMAP_SANITIZED=1 TIMEOUT 1200)
   endif()

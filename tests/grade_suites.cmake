@@ -10,13 +10,12 @@ endif()
 # Checkouts: the course is built once more, as students' programs are built. What is contained, limited and kept: attacks, loops and
 # cheats by students' programs.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
-  add_test(NAME grade_checkouts COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_checkouts.py"
-    "$<TARGET_FILE_DIR:judge_pictures>" "${CMAKE_BINARY_DIR}/grade")
-  set_tests_properties(grade_checkouts PROPERTIES LABELS grade SKIP_RETURN_CODE 77 TIMEOUT 1800)
+  add_check(grade_checkouts grade "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_checkouts.py"
+    "$<TARGET_FILE_DIR:judge_pictures>" "${CMAKE_BINARY_DIR}/grade" WITH SKIP_RETURN_CODE 77 TIMEOUT 1800)
 endif()
 
 # A student's copy of the course, built and used as students do.
 if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
-  add_test(NAME students_copy COMMAND "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_export.sh" "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/copy")
-  set_tests_properties(students_copy PROPERTIES LABELS grade TIMEOUT 900 PROCESSORS 2)
+  add_check(students_copy grade "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/grade/test_export.sh" "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/copy"
+    WITH TIMEOUT 900 PROCESSORS 2)
 endif()

@@ -80,9 +80,9 @@ if(TAKES_GNU_OPTIONS)
       if(build STREQUAL "TEXMAP_LEARN" AND mistake MATCHES "_in_")  # packs and intervals are not there
         continue()
       endif()
-      add_test(NAME lesson_with_${mistake}_${build} COMMAND "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -Wfatal-errors
-        -D${build} "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp")
-      set_tests_properties(lesson_with_${mistake}_${build} PROPERTIES LABELS lessons PASS_REGULAR_EXPRESSION "${${mistake}}")
+      add_check(lesson_with_${mistake}_${build} lessons "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only -Wfatal-errors
+        -D${build} "-I${CMAKE_SOURCE_DIR}/common" "-DMISTAKE=${number}" "${CMAKE_CURRENT_SOURCE_DIR}/lessons/mistakes.cpp"
+        WITH PASS_REGULAR_EXPRESSION "${${mistake}}")
     endforeach()
   endforeach()
 endif()

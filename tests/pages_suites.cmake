@@ -32,10 +32,9 @@ if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   add_executable(00_with_earth "${with_earth}")
   target_link_libraries(00_with_earth PRIVATE stb_image stb_image_write)
   target_compile_options(00_with_earth PRIVATE -ffp-contract=off)
-  add_test(NAME page_03_in_one_file COMMAND "${SH}" -c "\"$0\" --out \"$1\" && \"$2\" \"$1\" tests/golden/03_image_texture.png"
+  add_check(page_03_in_one_file pages "${SH}" -c "\"$0\" --out \"$1\" && \"$2\" \"$1\" tests/golden/03_image_texture.png"
     "$<TARGET_FILE:00_with_earth>" "${CMAKE_CURRENT_BINARY_DIR}/00_with_earth.png" "$<TARGET_FILE:compare_program>"
-    WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}")  # the program looks for assets/ there
-  set_tests_properties(page_03_in_one_file PROPERTIES LABELS pages)
+    WITH WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}")  # the program looks for assets/ there
 endif()
 
 # docs/architecture.md tells how a program of one's own uses the textbook.
@@ -58,26 +57,23 @@ add_suite(playground/test_microscope ON app chapters_code test_support LABELS pa
 if(PYTHON3 AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   foreach(script test_live test_pages)
     string(REPLACE test_ browser_ name ${script})
-    add_test(NAME ${name} COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/${script}.py" "${CMAKE_SOURCE_DIR}"
-      "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live")
-    set_tests_properties(${name} PROPERTIES LABELS playground SKIP_RETURN_CODE 77 TIMEOUT 900)
+    add_check(${name} playground "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/${script}.py" "${CMAKE_SOURCE_DIR}"
+      "$<TARGET_FILE_DIR:01_plain_spheres>" "${CMAKE_SOURCE_DIR}/docs/live" WITH SKIP_RETURN_CODE 77 TIMEOUT 900)
   endforeach()
 endif()
 if(PYTHON3 AND TARGET book AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   add_executable(print_microscope playground/print_microscope.cpp)
   target_link_libraries(print_microscope PRIVATE project_options picture)
   set_target_properties(print_microscope PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests$<0:>")
-  add_test(NAME cover COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/test_cover.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
-    "$<TARGET_FILE:print_microscope>")
-  set_tests_properties(cover PROPERTIES LABELS playground SKIP_RETURN_CODE 77 TIMEOUT 900)
+  add_check(cover playground "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/playground/test_cover.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
+    "$<TARGET_FILE:print_microscope>" WITH SKIP_RETURN_CODE 77 TIMEOUT 900)
 endif()
 if(PYTHON3)
   add_check(reference_pages pages "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/reference_pages.py" "${CMAKE_SOURCE_DIR}")
 endif()
 if(PYTHON3 AND TARGET book AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
-  add_test(NAME book COMMAND "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/test_book.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
-    "$<TARGET_FILE_DIR:compare_steps>")
-  set_tests_properties(book PROPERTIES LABELS pages SKIP_RETURN_CODE 77 TIMEOUT 1200)
+  add_check(book pages "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/test_book.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
+    "$<TARGET_FILE_DIR:compare_steps>" WITH SKIP_RETURN_CODE 77 TIMEOUT 1200)
 endif()
 if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
   set_target_properties(mark_crops PROPERTIES EXCLUDE_FROM_ALL OFF)
