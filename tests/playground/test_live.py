@@ -102,6 +102,11 @@ class Place:
     def open(self, browser, page):
         browser.open(f"file://{self.folder}/{page}")
 
+    def show(self, browser, page):
+        """Opens a page and waits for its picture."""
+        self.open(browser, page)
+        settle(browser)
+
 
 def settle(browser, also="true"):
     browser.wait(f"{STATE} === 'done' && {also}")
@@ -140,8 +145,7 @@ def pixels(browser, canvas=CANVAS):
 def check_pixels(place, browser):
     """Small and full pictures equal those that the command shown draws."""
     for chapter, settings in SETTINGS.items():
-        place.open(browser, f"{chapter}.html")
-        settle(browser)
+        place.show(browser, f"{chapter}.html")
         for setting in [{}] + settings:
             press(browser, "Reset")
             settle(browser)
@@ -171,8 +175,7 @@ def check_files(place, browser):
     good = {"06": file("my map.png", png(4, 2, bytes([*range(0, 240, 20), *range(240, 0, -20)]))),
             "03": file("glass.png", png(4, 2, bytes([*range(0, 256, 16), *range(240, -16, -16)])))}
     for chapter, chosen in good.items():
-        place.open(browser, f"{chapter}.html")
-        settle(browser)
+        place.show(browser, f"{chapter}.html")
         before = pixels(browser)
         for one in bad:
             browser.choose_file(".live input[type=file]", str(one))
@@ -210,8 +213,7 @@ def check_meshes(place, browser):
     for chapter, nth, good, bad in (("08", 2, ("tent.obj", "v 0 0 0\nv 2 0 0\nv 1 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"), ("bad.obj", "f 1 2 3\n")),
                                     ("11", 3, ("up.png", png(4, 2, bytes((128, 128, 255)) * 8)), ("inward.png", png(4, 2, bytes((128, 128, 9)) * 8))),
                                     ("12", 1, ("sky.png", png(4, 2, bytes(range(0, 240, 10)))), ("odd.png", png(3, 1, bytes(range(9)))))):
-        place.open(browser, f"{chapter}.html")
-        settle(browser)
+        place.show(browser, f"{chapter}.html")
         change(browser, **({"samples": 3} if chapter == "12" else {}))
         before = pixels(browser)
         for name, data in (bad, good, good, good, bad):
@@ -233,8 +235,7 @@ def check_hands(place, browser):
     browser.size(1280, 1400)
 
     def at(page, thing=CANVAS):
-        place.open(browser, page)
-        settle(browser)
+        place.show(browser, page)
         browser.run(thing + ".scrollIntoView({block: 'center'})")
         left, top, width, height = browser.run(BOX.replace(CANVAS, thing))
         return lambda kind, x, y, **more: browser.mouse(kind, left + width * x, top + height * y, **more)
@@ -319,8 +320,7 @@ def check_more(place, browser):
 
 def check_fields(place, browser):
     """A number that the chapter refuses is named beside its field; the one before stays, and other controls go on."""
-    place.open(browser, "07.html")
-    settle(browser)
+    place.show(browser, "07.html")
     row, other = (f"document.getElementById('live--{option}').parentElement" for option in ("samples", "defocus"))
     for field in (row, other):  # the second before the first is refused
         browser.run(f"{{ const field = {field}.querySelector('[type=number]'); field.value = -17.4; field.dispatchEvent(new Event('change')); }}")
@@ -335,8 +335,7 @@ def check_fields(place, browser):
 def check_lost(place, browser):
     """A worker that dies or breaks leaves the still picture; the button brings the live one back."""
     browser.call("Page.addScriptToEvaluateOnNewDocument", source=WORKERS)
-    place.open(browser, place.variant("impatient.html", "06", 'data-live="06"', 'data-live="06" data-patience="4"'))
-    settle(browser)
+    place.show(browser, place.variant("impatient.html", "06", 'data-live="06"', 'data-live="06" data-patience="4"'))
     for act in ("workers.at(-1).terminate()", "workers.at(-1).postMessage({kind: 'none'})"):
         browser.run(act + "; { const f = document.getElementById('live--degrees'); f.value = 33; f.dispatchEvent(new Event('input')); }")
         browser.wait(f"{STATE} === 'lost'", 30)
@@ -389,8 +388,7 @@ def check_loupe(place, browser):
     for chapter, settings in (("01", [{}]), ("02", [{}]), ("03", [{"show": "uv"}, {"show": "normal"}]), ("04", [{"convention": "daily"}, {"convention": "lecture"}]), ("05", [{"degrees": "-135"}]),
                               ("06", [{"degrees": "33", "convention": "daily"}, {"blend": "0.6", "scene": "stage"}, {"scene": "lecture"},
                                       {"highlight": "lecture"}])):
-        place.open(browser, f"{chapter}.html")
-        settle(browser)
+        place.show(browser, f"{chapter}.html")
         for setting in settings:
             change(browser, **setting)
             browser.run(CANVAS + ".scrollIntoView()")
@@ -463,8 +461,7 @@ def check_beside(place, browser):
     for width, height in ((1280, 800), (1920, 1080), (360, 800)):
         browser.size(width, height)
         for chapter in sorted(SETTINGS, key=lambda one: one == "06"):  # whose globe turns in the end
-            place.open(browser, f"{chapter}.html")
-            settle(browser)
+            place.show(browser, f"{chapter}.html")
             browser.run(CANVAS + ".scrollIntoView()")
             if width > 360:
                 column = LOUPE + ".textContent.match(/column \\d+,/)?.[0]"
@@ -506,8 +503,7 @@ def check_motion(place, browser):
     degrees = "Number(document.getElementById('live--degrees').value)"
     button = "document.querySelector('.live-turn')"
     browser.media(prefers_reduced_motion="reduce")
-    place.open(browser, "05.html")
-    settle(browser)
+    place.show(browser, "05.html")
     if browser.run(f"getComputedStyle({button}).display") != "none":
         yield "under reduced motion there is a button that turns the globe"
     browser.media(prefers_reduced_motion="no-preference")
@@ -526,8 +522,7 @@ def check_narrow(place, browser):
     browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
     browser.size(360, 900)
     for chapter in SETTINGS:
-        place.open(browser, f"{chapter}.html")
-        settle(browser)
+        place.show(browser, f"{chapter}.html")
         browser.run("for (const one of document.querySelectorAll('.live details')) one.open = true")
         change(browser, show="--errors" if "01" < chapter < "07" else "normal")
         browser.run(CANVAS + ".scrollIntoView()")
@@ -563,8 +558,7 @@ def check_playground(place, browser):
     if page.stat().st_size >= 900000:
         yield f"playground.html has {page.stat().st_size} bytes"
     shutil.copy(place.root / "assets/earth.png", place.folder)
-    place.open(browser, "playground.html")
-    settle(browser)
+    place.show(browser, "playground.html")
 
     def go_to(chapter):
         browser.run(f"document.querySelector('[name=live-chapter][value=\"{chapter}\"]').click()")
