@@ -1,7 +1,6 @@
 // Chapter 12: a picture as the sky, against what is known without drawing it.
 #include <doctest.h>
 
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -12,7 +11,6 @@
 #include "engine/picture/load_light.hpp"
 #include "engine/picture/save_png.hpp"
 #include "support/films.hpp"
-#include "support/made_hdr.hpp"
 #include "support/running.hpp"
 #include "support/same_picture.hpp"
 #include "support/shown_values.hpp"
@@ -177,8 +175,8 @@ TEST_CASE("the program refuses a sky of an odd width, and says which light auto 
   const TemporaryFolder folder;
   const std::string program = "\"" TEXMAP_CHAPTER "\" --width 16 --height 9 --samples 2 --out \"" +
                               (folder / "x.png") + "\" ";
-  put(folder / "sky.hdr",
-      hdr_start + (bytes_of_text(hdr_size(3, 1)) + (flat(2) + flat(1, {9, 9, 9, 129}))));
+  const std::string sky = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 3\nthree texels";
+  put(folder / "sky.hdr", {sky.begin(), sky.end()});
   const Outcome odd = run(program + "--sky \"" + (folder / "sky.hdr") + "\"");
   CHECK(odd.status == 1);
   CHECK(odd.err.find("it is 3 pixels wide, and the width of a sky must be even") !=

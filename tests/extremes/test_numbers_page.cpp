@@ -1,20 +1,18 @@
 // Tests that docs/numbers.md has the claims' functions and bounds; not what was measured.
 #include <doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "page.hpp"
 #include "support/shown_values.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace texmap::extremes {
 namespace {
 
 /// The page as it is, or with other claims' functions and bounds, without what is measured.
 std::string page_of(const std::vector<Family>& families, double worst) {
-  std::ifstream file(TEXMAP_TESTS_DIR "/../docs/numbers.md", std::ios::binary);
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::string page = test::text_in(TEXMAP_TESTS_DIR "/../docs/numbers.md");
   const std::string in_short = pages_of(families, [=](const Claim&) { return worst; }).in_short;
   return without_measured_cells(families.empty() ? page : with_in_short(page, in_short));
 }

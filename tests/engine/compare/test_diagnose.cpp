@@ -96,15 +96,11 @@ TEST_CASE("a picture gets its chapter, its mistake and the pages, and what is no
     for (std::string part; std::getline(parts, part, '|');)
       CHECK_MESSAGE(has(outcome.out + outcome.err, part), part, ": ", outcome.out, outcome.err);
   }
-  const auto asked = [&] {
-    const std::vector<std::uint8_t> name = bytes_of(course.folder / "asked");
-    return std::string(name.begin(), name.end());
-  };
-  CHECK(asked() == "07_d");
+  CHECK(text_in(course.folder / "asked") == "07_d");
   // What a reader's wrong lesson drew is not taken.
   save_png(wrong, course.folder / "build/learn/mistakes/03_b/right.png");
   CHECK(course.say("wrong.png --undrawn asked").status == 1);
-  CHECK(asked() == "03_b");
+  CHECK(text_in(course.folder / "asked") == "03_b");
   CHECK(has(course.say("wrong.png").out, "a mistake that is not known"));
 }
 

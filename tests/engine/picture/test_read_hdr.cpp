@@ -16,13 +16,33 @@
 #include "engine/picture/codecs/read_hdr.hpp"
 #include "engine/picture/load_light.hpp"
 #include "engine/picture/save_png.hpp"
-#include "made_hdr.hpp"
 #include "math/srgb.hpp"
 #include "support/dice.hpp"
 #include "temporary_folder.hpp"
 
 namespace texmap::test {
 namespace {
+
+using HdrBytes = std::vector<std::uint8_t>;
+
+HdrBytes operator+(const std::string& text, const HdrBytes& bytes) {
+  HdrBytes all(text.begin(), text.end());
+  all.insert(all.end(), bytes.begin(), bytes.end());
+  return all;
+}
+
+/// What stands before the texels.
+std::string head(int width, int height) {
+  return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+         std::to_string(width) + "\n";
+}
+
+/// `count` times the same texel, one by one.
+HdrBytes flat(std::size_t count) {
+  HdrBytes bytes;
+  for (std::size_t i = 0; i < count; ++i) bytes.insert(bytes.end(), {128, 64, 32, 129});
+  return bytes;
+}
 
 /// "it loads", or what the error says.
 std::string outcome(const HdrBytes& file) {
@@ -42,18 +62,13 @@ std::vector<float> random_light(std::size_t count) {
   return light;
 }
 
-/// A file of one row.
-HdrBytes one_row(int width, const HdrBytes& texels) {
-  return hdr_start + (bytes_of_text(hdr_size(width, 1)) + texels);
-}
-
 }  // namespace
 
 TEST_CASE("every beginning of a whole file is an error, never a part of a picture") {
   // Two rows of the new kind: two bytes 2, the width, then each channel in runs or one by one.
   const HdrBytes rows = {2, 2, 0, 8, 136, 128, 136, 64, 136, 32,  136, 129, 2, 2,   0,  8,
                          8, 1, 2, 3, 4,   5,   6,   7,  8,   136, 9,   136, 9, 136, 128};
-  const HdrBytes whole = hdr_start + (bytes_of_text(hdr_size(8, 2)) + rows);
+  const HdrBytes whole = head(8, 2) + rows;
   CHECK(outcome(whole) == "it loads");
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const HdrBytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -100,15 +115,15 @@ TEST_CASE("writing and reading by stb loses light, and the middle of the step gi
 
 TEST_CASE("the content decides what a file is, and PNG bytes become light by the sRGB curve") {
   const TemporaryFolder folder;
-  put(folder / "sky.png", one_row(2, flat(2)));
+  put(folder / "sky.png", head(2, 1) + flat(2));
   CHECK(load_light(folder / "sky.png").pixels[0].r == 128.5F / 128);
   save_png(Image(2, 1, {188, 255, 0}), folder / "sky.hdr");
   const LightImage light = load_light(folder / "sky.hdr");
   CHECK(light.pixels[1].r == doctest::Approx(srgb_decode(188 / 255.0)));
   CHECK(light.pixels[1].g == 1);
   CHECK(light.pixels[1].b == 0);
-  put(folder / "bad.hdr", hdr_start + (bytes_of_text(hdr_size(2, 2)) + flat(3)));
-  put(folder / "other.hdr", bytes_of_text("GIF89a..."));
+  put(folder / "bad.hdr", head(2, 2) + flat(3));
+  put(folder / "other.hdr", std::string("GIF89a...") + HdrBytes());
   save_png(Image(4096, 2049), folder / "large.png");
   for (const auto& item : std::vector<std::pair<std::string, std::string>>{
            {"bad.hdr", "': the Radiance file is damaged: it ends in row 1"},
