@@ -2,7 +2,6 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <string>
 
 #include "engine/picture/save_png.hpp"
 #include "engine/system/system.hpp"

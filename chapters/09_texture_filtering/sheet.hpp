@@ -3,7 +3,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "comparison.hpp"
 #include "engine/app/filter_options.hpp"

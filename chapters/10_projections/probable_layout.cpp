@@ -1,7 +1,6 @@
 // Which layout a picture of the whole sphere probably has.
 #include "probable_layout.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/render/convert_projection.hpp"

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "engine/picture/save_png.hpp"
 #include "engine/picture/sheet.hpp"
 #include "engine/render/render.hpp"
 #include "published/brick_normals.hpp"

@@ -3,7 +3,6 @@
 #include "exhibits.hpp"
 
 #include <memory>
-#include <utility>
 
 #include "engine/render/draw.hpp"
 

@@ -1,5 +1,4 @@
 // Chapter 03's symptoms: from (u, v) to a texel and its color, with the word for a mistake.
-#include <cmath>
 
 #include "scene/sphere.hpp"
 #include "support/symptoms.hpp"

@@ -3,7 +3,6 @@
 
 #include "05_y_rotation/lesson.hpp"
 #include "06_phong_texture_blend/lesson.hpp"
-#include "engine/picture/load_image.hpp"
 #include "support/lesson_laws.hpp"
 #include "support/pictures.hpp"
 #include "support/running.hpp"

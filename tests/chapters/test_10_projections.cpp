@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "03_image_texture/lesson.hpp"
 #include "10_projections/figures.hpp"

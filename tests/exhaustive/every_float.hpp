@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <mutex>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "engine/render/threads.hpp"
 #include "every_float.hpp"

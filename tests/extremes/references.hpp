@@ -1,7 +1,6 @@
 // The exact answers. What they judge are other formulas: if one of these were wrong, claims would
 // break in the numbers of most digits.
 #pragma once
-#include <numbers>
 
 #include "digits.hpp"
 

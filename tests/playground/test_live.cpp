@@ -3,7 +3,6 @@
 
 #include <doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,6 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
 #include "sampling/hash.hpp"

@@ -2,7 +2,6 @@
 // surface that is shaded with another normal than its own.
 #include <doctest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 

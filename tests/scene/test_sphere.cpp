@@ -1,7 +1,6 @@
 // Tests of scene/sphere.hpp. How exact its forms are, tests/extremes searches.
 #include <doctest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 

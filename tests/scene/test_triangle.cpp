@@ -5,7 +5,6 @@
 // count as none, and that sides of edges are exact, tests/extremes searches.
 #include <doctest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "number/dual.hpp"

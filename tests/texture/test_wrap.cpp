@@ -5,7 +5,6 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "number/dual.hpp"
 #include "number/kinds/pack.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "engine/kernels/biquadratic.hpp"
 #include "engine/measure/text.hpp"

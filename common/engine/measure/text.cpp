@@ -1,7 +1,6 @@
 // Numbers in sentences.
 #include "engine/measure/text.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdarg>

@@ -1,7 +1,6 @@
 // Gathers light: many samples per pixel, one path each.
 #pragma once
 #include <algorithm>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <type_traits>

@@ -1,5 +1,4 @@
 // Detects the machine's instruction sets.
-#include <initializer_list>
 
 #include "engine/render/settings.hpp"
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
-#include <system_error>
 
 #include "engine/app/command_line.hpp"
 #include "engine/compare/difference.hpp"
@@ -19,7 +18,6 @@
 #include "engine/picture/codecs/read_jpeg.hpp"
 #include "engine/picture/codecs/read_png.hpp"
 #include "engine/picture/decode_image.hpp"
-#include "engine/picture/load_image.hpp"
 #include "engine/system/system.hpp"
 #include "tools/page/page.hpp"
 

@@ -1,9 +1,7 @@
 // Tests of engine/mesh/box_tree.hpp: a tree changes no hit.
 #include <doctest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "engine/mesh/box_tree.hpp"
 #include "number/kinds/pack2.hpp"
