@@ -330,10 +330,10 @@ TEST_CASE("11: the lamp is where it is put, as far away as before; normals are t
 TEST_CASE("12: by the cosine, all samples leave the ball to its own side, with the weight 1") {
   live::Chapter12 page;
   page.set({"--light", "cosine", "--samples", "16"}, 800);
-  const auto pixel = seen(page, 216, 176);
+  const auto pixel = seen(page, 270, 220);
   const auto lesson = prepared<chapter_12::Lesson>();
   const Vec3d normal =
-      surface_along(lesson, ray_through(view_of_lesson(lesson, page.size()), 216.0, 176.0)).normal;
+      surface_along(lesson, ray_through(view_of_lesson(lesson, page.size()), 270.0, 220.0)).normal;
   int dots = 0;
   for (const auto& shape : pixel["figure"]["shapes"]) {
     if (shape[0] != "dot") continue;
