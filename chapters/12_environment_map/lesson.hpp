@@ -34,7 +34,7 @@ struct Lesson : LessonHooks {
 
   void options(CommandLine& line) override {
     offer(line, sky);
-    sampling = {.sampler = SamplerKind::multi_jitter, .samples = 36};
+    sampling = {.sampler = SamplerKind::multi_jitter, .samples = 32};
     sampling.declare_gathering(line);
   }
   void prepare(Session& session) override { stage.sky = sky.load(session); }
