@@ -280,8 +280,14 @@ def check_curves(place, browser):
     """The errors that 07 draws against samples are those of the programs' pictures against that of most samples by the best pattern."""
     place.open(browser, "07.html")
     told = "document.querySelector('.live-trace svg')?.ariaLabel"
+    stands = "document.querySelector('.live-stand')?.clientHeight > 0"
+    browser.wait(f"{STATE} === 'drawing' && {stands} && document.querySelector('.live-stand').naturalWidth === 400")  # the still picture, until the last pass
+    settle(browser, f"!({stands})")
     browser.wait(f"{told}?.includes(' at 16')")
+    browser.run(f"new MutationObserver(() => window.stood ||= {stands}).observe(document.querySelector('.live-refined'), {{subtree: true, childList: true}})")
     change(browser, sampler="random")
+    if browser.run("window.stood"):
+        yield "by another pattern the still picture stands for one that it is not"
     browser.wait(f"{told}.includes(' at 16, ')")
 
     def drawn(sampler, samples):

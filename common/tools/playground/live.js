@@ -385,7 +385,9 @@ function live(main, packed) {
     ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
   const secondFrame = element("div", {className: "live-second", hidden: true}, second, spot);
-  const picture = element("div", {className: "live-picture"}, canvas, secondFrame, line, mark);
+  // What a chapter draws in passes by its presets is the still picture, which hides their noise until the last.
+  const stand = element("img", {src: image?.src || "", alt: "", className: "live-stand", hidden: true});
+  const picture = element("div", {className: "live-picture"}, canvas, ...(image ? [stand] : []), secondFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
   const refined = element("p", {className: "live-refined", hidden: true}, refining, " ", element("span"));
   const trace = element("figure", {className: "live-trace", hidden: true});
@@ -568,6 +570,7 @@ function live(main, packed) {
       if (isSmall) return;
       if (undo) forgetFiles(undo.option, values[undo.option]);
       undo = null;
+      stand.hidden = true;
       section.dataset.state = "done";
       save.disabled = false;
       // Until the reader points, a pixel of the middle sphere is the example, where the loupe covers nothing.
@@ -632,6 +635,7 @@ function live(main, packed) {
     paper.drawImage(small, 0, 0, canvas.width, canvas.height);
     section.hidden = canvas.hidden = false;
     if (still) still.style.display = "none";
+    stand.hidden = !still || !compared[chapter] || given().length > 0;
     if (turning) requestAnimationFrame(turn);
     if (pixel) look(pixel);
   }
