@@ -106,7 +106,8 @@ template <class Real, class Lesson>
   const auto draw_rows = [&](int top) {
     const int lines = std::min(high, view.height - top);
     const Real rows = from_lanes<Real>([first = static_cast<Scalar<Real>>(top)](std::size_t i) {
-      return first + static_cast<Scalar<Real>>(i / wide);
+      const std::size_t below = i / wide;
+      return first + static_cast<Scalar<Real>>(below);
     });
     for (int left = 0; left < view.width; left += wide) {
       const auto first = static_cast<Scalar<Real>>(left);

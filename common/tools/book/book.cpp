@@ -503,10 +503,11 @@ class Book {
           std::string crops = "<span class=\"crops\" role=\"img\" aria-label=\"" +
                               between(tag, "alt=\"", "\"") +
                               text("\" style=\"--columns: %d\">", columns);
-          for (int i = 0; i < columns * ((number(22) + 6) / 156); ++i)
+          for (int i = 0; i < columns * ((number(22) + 6) / 156); ++i) {
             crops += text("<svg viewBox=\"%d %d 200 150\"><image width=\"%s\" href=\"",
                           i % columns * 206, i / columns * 156, width.c_str()) +
                      between(tag, begin, "\"") + "\"/></svg>";
+          }
           html.replace(at, tag.size() + 1, crops + "</span>");
           continue;
         }
