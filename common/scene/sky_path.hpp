@@ -174,7 +174,7 @@ template <class Real, class Objects, class Sky, class Random>
     shared = (shared && !under_way) || scatters;
     ray = next;
   }
-  // Once for a pack of paths, not at the end of each.
+  // The sky, as the rays that escaped see it.
   if (any(escaped)) {
     const auto place = sky.toward(ray.direction);
     Color<Real> seen = carried * sky.picture.at(place.uv);

@@ -9,7 +9,7 @@ namespace texmap {
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(TEXMAP_INSTRUMENTED) && __has_include(<gnu/libc-version.h>)
-/// Compiles a function twice: a program takes what its machine has. glibc's loader can choose.
+/// A function compiled twice, once for AVX2: glibc's loader takes what the machine has.
 #define TEXMAP_TWO_WIDTHS __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define TEXMAP_TWO_WIDTHS

@@ -498,8 +498,8 @@ class Book {
         width = std::to_string(number(18));
         height = std::to_string(number(22));
         letters = std::atof(between(tag, "data-letters=\"", "\"").c_str());
-        const int columns = (number(18) + 6) / 206;
-        if (letters > 0 && number(18) == 206 * columns - 6) {  // crops: each wraps on a phone
+        const int columns = (number(18) + 6) / 206;  // of crops of 200 x 150, 6 apart: they wrap
+        if (letters > 0 && number(18) == 206 * columns - 6) {
           std::string crops = "<span class=\"crops\" role=\"img\" aria-label=\"" +
                               between(tag, "alt=\"", "\"") +
                               text("\" style=\"--columns: %d\">", columns);
@@ -658,7 +658,7 @@ class Book {
       const fs::path thumb = text("docs/pictures/thumb_%s.png", page.chapter.substr(0, 2).c_str());
       std::string shown = fs::exists(out_ / drawn) ? drawn : between(html, "lazy\" src=\"", "\"");
       if (fs::exists(root_ / thumb))
-        shown = picture(thumb);  // near by: 02 and 03 look alike when small
+        shown = picture(thumb);  // a close view: small pictures of 02 and 03 look alike
       const std::string number = between(html, "<p><strong>One number.</strong> ", "</p>");
       body += "<li>";
       if (!shown.empty()) body += "<img src=\"" + shown + "\" alt=\"\" loading=\"lazy\">";

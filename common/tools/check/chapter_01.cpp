@@ -67,7 +67,7 @@ inline constexpr struct {
     if (visible && sample.cosine > 0) {
       Lamps row;
       for (const double x : {-1.2, -0.6, 0., 0.6, 1.2}) {
-        // Of a lamp just below the horizon both answers are right: from 0.001 above it is seen.
+        // A lamp within 3 degrees of the horizon is left out: hidden or seen, both may be right.
         const Vec3d lamp = light.position + Vec3d{x, 0, -x};
         if (abs(dot(hit.normal, normalize(lamp - hit.point))) > 0.05) row.push_back(lamp);
       }

@@ -202,7 +202,7 @@ const controls = [
   {option: "--eye", label: "Eye distance ×", range: [1, 1e7, 0.01], log: true, more: true, told: "the picture is enlarged as much, so that rounding shows: try it in float",
    here: (value) => `Eye distance × ${value}`},
   {option: "--number", label: "Number type", only: ["double", "float"], more: true, in: early + " 08", told: "double keeps 16 digits, float 7"},
-  {option: "--spheres", label: "Sphere formula", more: true, in: early, told: "they differ in float, from a far eye",
+  {option: "--spheres", label: "Sphere formula", more: true, in: early, told: "they differ only in float and from far away",
    names: {plain: "plain (textbook)", robust: "robust (course)", hybrid: "hybrid (far eye)"}},
   {option: "--samples", label: "Rays per pixel", only: ["1", "4", "16"], more: true},
   {option: "--bounces", label: "Bounces", range: [1, 50, 1], whole: true, more: true, told: "surfaces that a path of light may meet"},
@@ -385,7 +385,7 @@ function live(main, packed) {
     ariaLabel: "Where the line between the two pictures is", oninput: moveLine});
   const spot = element("div", {className: "live-mark", hidden: true});
   const secondFrame = element("div", {className: "live-second", hidden: true}, second, spot);
-  // What a chapter draws in passes by its presets is the still picture, which hides their noise until the last.
+  // By their presets 07 and 12 draw the still picture: it covers their noisy passes until the last one.
   const stand = element("img", {src: image?.src || "", alt: "", className: "live-stand", hidden: true});
   const picture = element("div", {className: "live-picture"}, canvas, ...(image ? [stand] : []), secondFrame, line, mark);
   const refining = element("progress", {max: 1, ariaLabel: "Samples drawn"});
