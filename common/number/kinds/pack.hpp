@@ -127,8 +127,6 @@ class Pack {
   Batch values_;
 };
 
-using simd::any;
-
 template <class T, class Arch>
 struct NumberTraits<Pack<T, Arch>> {
   using Scalar = T;
