@@ -26,7 +26,7 @@ add_dependencies(test_session_line 05_y_rotation 07_earth_by_sampling 09_texture
 add_suite(engine/render/test_certainty_map ON app LABELS extremes)
 
 # The kernels' coefficients against the program that fits them.
-if(reference_platform)  # the fit's bytes need an 80-bit long double and this C library
+if(TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64")  # the fit needs an 80-bit long double
   add_executable(check_kernels "${CMAKE_SOURCE_DIR}/common/tools/fit_kernels.cpp")
   target_link_libraries(check_kernels PRIVATE project_options)
   add_test(NAME kernel_coefficients COMMAND check_kernels --check "${CMAKE_SOURCE_DIR}/common/engine/kernels/coefficients.hpp")

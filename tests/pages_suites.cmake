@@ -1,6 +1,5 @@
 # What the pages take from elsewhere: code, measured figures, diagrams. Included by CMakeLists.txt here.
 
-# The figures are those of the reference platform: another C library may round a pixel another way.
 add_executable(page_figures EXCLUDE_FROM_ALL pages/page_figures.cpp)
 add_executable(page_sheets EXCLUDE_FROM_ALL pages/page_sheets.cpp)  # what stands on the sheets, which the book shows in pieces
 target_link_libraries(page_sheets PRIVATE 13_speed_for_accuracy_code)
@@ -13,7 +12,7 @@ foreach(program page_figures page_sheets)
     target_compile_definitions(${program} PRIVATE TEXMAP_NO_FLATTEN)
   endif()
 endforeach()
-if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
+if(SH AND NOT TEXMAP_INSTRUMENT)
   foreach(list figures sheets)
     set_target_properties(page_${list} PROPERTIES EXCLUDE_FROM_ALL OFF)
     add_check(page_${list} pages "${SH}" -c "\"$0\" | diff \"$1\" -" "$<TARGET_FILE:page_${list}>" "${CMAKE_SOURCE_DIR}/docs/${list}.txt")
@@ -22,7 +21,7 @@ endif()
 
 # The page of chapter 03 shows pieces of code, each after a mark that says where it goes in chapter 00's file: with all of them the
 # file draws chapter 03's picture.
-if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
+if(SH AND PYTHON3 AND NOT TEXMAP_INSTRUMENT)
   set(one_file "${CMAKE_SOURCE_DIR}/chapters/00_one_file/main.cpp")
   set(earth_page "${CMAKE_SOURCE_DIR}/chapters/03_image_texture/README.md")
   set(with_earth "${CMAKE_CURRENT_BINARY_DIR}/00_with_earth.cpp")
@@ -38,7 +37,7 @@ if(SH AND PYTHON3 AND reference_platform AND NOT TEXMAP_INSTRUMENT)
 endif()
 
 # docs/architecture.md tells how a program of one's own uses the textbook.
-if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
+if(SH AND NOT TEXMAP_INSTRUMENT)
   add_check(outside_program pages "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/outside.sh" "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/outside")
 endif()
 
@@ -75,7 +74,7 @@ if(PYTHON3 AND TARGET book AND NOT TEXMAP_INSTRUMENT AND NOT WIN32)
   add_check(book pages "${PYTHON3}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/test_book.py" "$<TARGET_FILE:book>" "${CMAKE_SOURCE_DIR}"
     "$<TARGET_FILE_DIR:compare_steps>" WITH SKIP_RETURN_CODE 77 TIMEOUT 1200)
 endif()
-if(SH AND reference_platform AND NOT TEXMAP_INSTRUMENT)
+if(SH AND NOT TEXMAP_INSTRUMENT)
   set_target_properties(mark_crops PROPERTIES EXCLUDE_FROM_ALL OFF)
   add_check(page_pictures pages "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/pages/pictures.sh" "${CMAKE_SOURCE_DIR}"
     "$<TARGET_FILE_DIR:01_plain_spheres>")

@@ -21,8 +21,8 @@ const std::array<PublishedMapping, 4> published_mappings = {{
 Vec3<double> direction_at(double east, double north) {
   const double longitude = 2 * std::numbers::pi * east;
   const double latitude = std::numbers::pi * (north - 0.5);
-  return {-std::cos(longitude) * std::cos(latitude), std::sin(latitude),
-          std::sin(longitude) * std::cos(latitude)};
+  return {-cos(longitude) * cos(latitude), sin(latitude),
+          sin(longitude) * cos(latitude)};
 }
 
 int handedness(const PublishedMapping& mapping) {
@@ -56,8 +56,8 @@ std::array<Relation, 6> measure_relations() {
     const double y = 1 - (2 * i + 1.0) / count;
     const double turn = i * 0.61803398874989485;
     const double radius = std::sqrt(1 - y * y);
-    const Vec3<double> p{radius * std::cos(2 * std::numbers::pi * turn), y,
-                         radius * std::sin(2 * std::numbers::pi * turn)};
+    const Vec3<double> p{radius * cos(2 * std::numbers::pi * turn), y,
+                         radius * sin(2 * std::numbers::pi * turn)};
     const Uv<double> daily = published::uv_daily(p);
     const Uv<double> one_weekend = published::uv_one_weekend_2020(p);
     const Uv<double> next_week = published::uv_next_week_v4(p);

@@ -36,7 +36,7 @@ void set_lecture_scene(Lesson& lesson, Session& session) {
           {
               .eye = {0, 0, 4},
               .target = {0, 0, 0},
-              .fov_y_degrees = 2 * std::atan(0.5) * 180 / std::numbers::pi,
+              .fov_y_degrees = 2 * atan2(0.5, 1.0) * 180 / std::numbers::pi,
               .anchor = PixelAnchor::corner,
           },
   };

@@ -39,7 +39,7 @@ std::vector<Border> borders_of(Projection projection) {
 }
 
 double arc(const Vec3<double>& a, const Vec3<double>& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
+  return atan2(length(cross(a, b)), dot(a, b));
 }
 
 std::string figure(double value) { return std::isinf(value) ? "no bound" : text("%.4f", value); }

@@ -54,7 +54,7 @@ bool is_disk(const Image& image) {
     for (int column = 0; column < image.width; ++column) {
       const double x = 2 * (column + 0.5) / image.width - 1;
       const double y = 2 * (row + 0.5) / image.height - 1;
-      const bool outside = std::hypot(x, y) > 1 + 4.0 / image.height;
+      const bool outside = std::sqrt(x * x + y * y) > 1 + 4.0 / image.height;
       if (outside && image.at(column, row) != corner) return false;
     }
   }

@@ -23,7 +23,7 @@ constexpr Rgb dot_color{0.15, 0.15, 0.15};
 
 /// The color of the solid angle of a texel / that of the mean: in steps of a quarter of an octave.
 Rgb area_color(double area) {
-  const double octaves = std::floor(clamp(4 * std::log2(area), -8.0, 8.0) + 0.5) / 8;
+  const double octaves = std::floor(clamp(4 * (log1p(area - 1) / log1p(1.0)), -8.0, 8.0) + 0.5) / 8;
   if (octaves > 0) return {1, 1 - 0.7 * octaves, 1 - 0.8 * octaves};
   return {1 + 0.8 * octaves, 1 + 0.5 * octaves, 1};
 }
@@ -40,15 +40,15 @@ Rgb8 in_steps(Rgb8 c) {
 /// The centers are on circles of latitude, every 22.5 degrees; -1 far from these.
 double in_small_circle(const Vec3<double>& n) {
   constexpr double degree = std::numbers::pi / 180;
-  const double latitude = std::asin(clamp(n.y, -1.0, 1.0)) / degree;
+  const double latitude = asin(clamp(n.y, -1.0, 1.0)) / degree;
   const double ring = std::round(latitude / 22.5) * 22.5;
   if (std::abs(latitude - ring) > 6.5) return -1;
-  const double radius = std::cos(ring * degree);
+  const double radius = cos(ring * degree);
   const double step = 2 * std::numbers::pi / std::max(1.0, std::round(16 * radius));
-  const double longitude = std::atan2(n.z, n.x);
+  const double longitude = atan2(n.z, n.x);
   const double from_center = longitude - step * std::round(longitude / step);
-  return std::sin(ring * degree) * n.y +
-         radius * std::sqrt(n.x * n.x + n.z * n.z) * std::cos(from_center) - std::cos(6 * degree);
+  return sin(ring * degree) * n.y +
+         radius * std::sqrt(n.x * n.x + n.z * n.z) * cos(from_center) - cos(6 * degree);
 }
 
 std::string bound_of(double value) { return std::isinf(value) ? "no bound" : shown(value, 4); }

@@ -48,7 +48,7 @@ Rgb phong_light(const Vec3d& point, const Vec3d& normal, const Vec3d& to_eye) {
   const Vec3d to_light = normalize(lamp - point);
   const double cosine = dot(normal, to_light);
   const Vec3d mirrored = normalize(normal * (2 * cosine) - to_light);
-  const double highlight = 0.5 * std::pow(std::max(0.0, dot(mirrored, to_eye)), 32);
+  const double highlight = 0.5 * pow(std::max(0.0, dot(mirrored, to_eye)), 32);
   return ball_color * (0.1 + 0.7 * std::max(0.0, cosine)) + gray(highlight);
 }
 

@@ -316,9 +316,9 @@ void find_errors_of_place(Row& row, const Globe& globe, const View<>& view,
 
 View<> Globe::view(int width, int height, double east, double up) const {
   const double to_radians = std::numbers::pi / 180;
-  const double out = away * std::cos(up * to_radians);
-  const Point eye{out * std::sin(east * to_radians), away * std::sin(up * to_radians),
-                  out * std::cos(east * to_radians)};
+  const double out = away * cos(up * to_radians);
+  const Point eye{out * sin(east * to_radians), away * sin(up * to_radians),
+                  out * cos(east * to_radians)};
   return view_of(Camera{.eye = eye, .target = sphere.center, .fov_y_degrees = 16}, width, height);
 }
 

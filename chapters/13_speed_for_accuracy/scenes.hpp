@@ -24,7 +24,7 @@ enum class Filter {
 /// How a color becomes a byte.
 enum class Curve {
   none,     ///< the texture's bytes are shown as they are, without any light
-  formula,  ///< the sRGB curve by the C library's power
+  formula,  ///< the sRGB curve by a power
   exact,    ///< the same bytes without a power
   four,     ///< a polynomial of 4 terms: at most 1 level off
   three,    ///< a polynomial of 3 terms: at most 2 levels off

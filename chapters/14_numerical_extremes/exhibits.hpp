@@ -25,7 +25,7 @@ namespace texmap::chapter_14 {
 [[nodiscard]] inline Camera towards_origin(Point eye, double radius) {
   return {.eye = eye,
           .target = {},
-          .fov_y_degrees = 360 / std::numbers::pi * std::atan(radius / length(eye))};
+          .fov_y_degrees = 360 / std::numbers::pi * atan2(radius, length(eye))};
 }
 
 /// A texture of sectors along u and rings along v, for looking at less than a texel.

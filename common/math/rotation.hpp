@@ -10,9 +10,7 @@ namespace texmap {
 /// @param degrees  any finite angle; NaN and infinities give NaN
 template <class Real>
 [[nodiscard]] OnCircle<Real> on_circle_of_degrees(Real degrees) {
-  using std::cos;
   using std::fmod;
-  using std::sin;
   const Real turn = fmod(degrees, Real(360));
   const Real quarter = floor(turn / Real(90) + Real(0.5));
   const Real rest = (turn - quarter * Real(90)) * pi<Real>() / Real(180);

@@ -1,6 +1,6 @@
 // The sRGB curve, between the bytes of a file and amounts of light.
 #pragma once
-#include <cmath>
+#include "number/number.hpp"
 
 namespace texmap {
 
@@ -11,7 +11,6 @@ namespace texmap {
 /// Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real srgb_decode(Real encoded) {
-  using std::pow;
   if (encoded <= static_cast<Real>(0.04045L)) return encoded / static_cast<Real>(12.92L);
   return pow((encoded + static_cast<Real>(0.055L)) / static_cast<Real>(1.055L),
              static_cast<Real>(2.4L));
@@ -25,7 +24,6 @@ template <class Real>
 /// Source: IEC 61966-2-1:1999, section 5.2.
 template <class Real>
 [[nodiscard]] Real srgb_encode(Real linear) {
-  using std::pow;
   if (linear <= static_cast<Real>(0.0031308L)) return linear * static_cast<Real>(12.92L);
   return static_cast<Real>(1.055L) * pow(linear, 1 / static_cast<Real>(2.4L)) -
          static_cast<Real>(0.055L);

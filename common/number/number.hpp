@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,17 +13,34 @@
 
 namespace texmap {
 
-// Packs have their own, found by argument-dependent lookup; intervals lack cos, ldexp, pow, sin.
+// Of plain numbers. Packs have their own, found by argument-dependent lookup.
 using std::abs;
-using std::atan2;
-using std::cos;
-using std::exp;
+using std::copysign;
 using std::floor;
 using std::ldexp;
-using std::log1p;
-using std::pow;
-using std::sin;
 using std::sqrt;
+
+/// Elementary functions of float, double and long double: std's, to 2 ulp, but made of operations
+/// that every machine rounds alike, so that pictures do not depend on the C library. Angles are in
+/// radians. Source: number/kinds/elementary.hpp, with its bounds.
+template <std::floating_point T>
+[[nodiscard]] T atan2(T y, T x);
+template <std::floating_point T>
+[[nodiscard]] T acos(T x);
+template <std::floating_point T>
+[[nodiscard]] T asin(T x);
+template <std::floating_point T>
+[[nodiscard]] T cos(T x);
+template <std::floating_point T>
+[[nodiscard]] T sin(T x);
+template <std::floating_point T>
+[[nodiscard]] T tan(T x);
+template <std::floating_point T>
+[[nodiscard]] T exp(T x);
+template <std::floating_point T>
+[[nodiscard]] T log1p(T x);
+template <std::floating_point T>
+[[nodiscard]] T pow(T x, T exponent);
 
 /// What differs between one number and a pack of numbers. To add a number, specialize this.
 template <class Real>
@@ -127,7 +145,7 @@ template <class Real>
   return x * x;
 }
 
-/// `x` to the power of a plain number, as std::pow computes it.
+/// `x` to the power of a plain number.
 template <class Real>
 [[nodiscard]] inline Real power(const Real& x, Scalar<Real> exponent) {
   return from_lanes<Real>([&](std::size_t i) { return pow(lane(x, i), exponent); });

@@ -29,7 +29,7 @@ inline constexpr double brick_mortar = 0.05;
   const bool odd = std::fmod(std::floor(row), 2) == 1;
   const double column = uv.u * 12 + (odd ? 0.5 : 0);
   const double lean =
-      std::sin((column - std::floor(column)) * 20) * std::cos((row - std::floor(row)) * 20) * 0.1;
+      sin((column - std::floor(column)) * 20) * cos((row - std::floor(row)) * 20) * 0.1;
   return normalize(Vec3d{lean, lean, 1});
 }
 

@@ -10,7 +10,6 @@ namespace texmap::published {
 /// Any vector: it is normalized first.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_daily(const Vec3<Real>& point) {
-  using std::asin;
   const Vec3<Real> p = normalize(point);
   return {Real(0.5) + atan2(p.z, p.x) / (Real(2) * pi<Real>()), Real(0.5) - asin(p.y) / pi<Real>()};
 }
@@ -19,7 +18,6 @@ template <class Real>
 /// Domain: a unit vector; |y| > 1 gives NaN.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_one_weekend_2020(const Vec3<Real>& p) {
-  using std::asin;
   return {Real(1) - (atan2(p.z, p.x) + pi<Real>()) / (Real(2) * pi<Real>()),
           (asin(p.y) + pi<Real>() / Real(2)) / pi<Real>()};
 }
@@ -28,7 +26,6 @@ template <class Real>
 /// Domain: a unit vector; |y| > 1 gives NaN.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_next_week_v4(const Vec3<Real>& p) {
-  using std::acos;
   return {(atan2(-p.z, p.x) + pi<Real>()) / (Real(2) * pi<Real>()), acos(-p.y) / pi<Real>()};
 }
 
@@ -36,7 +33,6 @@ template <class Real>
 /// Domain: a unit vector; |y| > 1 gives NaN.
 template <class Real>
 [[nodiscard]] Uv<Real> uv_lecture(const Vec3<Real>& p) {
-  using std::acos;
   Real phi = atan2(p.x, p.z);
   if (phi < Real(0)) phi = phi + Real(2) * pi<Real>();
   return {phi / (Real(2) * pi<Real>()), Real(1) - acos(p.y) / pi<Real>()};

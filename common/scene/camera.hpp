@@ -57,7 +57,7 @@ template <class Real>
 [[nodiscard]] inline View<> view_of(const Camera& camera, int width, int height) {
   const Vec3d forward = normalize(camera.target - camera.eye);
   const Vec3d right = normalize(cross(forward, Vec3d{0, 1, 0}));
-  const double half_height = std::tan(camera.fov_y_degrees * std::numbers::pi / 360);
+  const double half_height = tan(camera.fov_y_degrees * std::numbers::pi / 360);
   const double anchor = camera.anchor == PixelAnchor::center ? 0.5 : 0;
   return {
       .eye = camera.eye,

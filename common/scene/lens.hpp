@@ -28,7 +28,7 @@ struct Lens {
                                                  at.row + (in_pixel.v - Real(0.5)))};
     if (defocus_degrees > 0) {
       const auto on_lens = uniform_disk(random.next_2d());
-      const double radius = focus_distance * std::tan(defocus_degrees * std::numbers::pi / 360);
+      const double radius = focus_distance * tan(defocus_degrees * std::numbers::pi / 360);
       const Vec3<Real> offset =
           view.right * (on_lens.x * Real(radius)) + view.up * (on_lens.y * Real(radius));
       ray = {ray.origin + offset, ray.direction * Real(focus_distance) - offset};

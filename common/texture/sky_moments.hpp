@@ -24,10 +24,10 @@ class SkyMoments {
       std::array<Rgb, 5> around{};
       for (int column = 0; column < map.width; ++column) {
         const double turn = std::numbers::pi - wide * (column + 0.5);
-        const double once = 2 * std::sin(wide / 2);
-        const double twice = std::sin(wide);
-        const std::array weights = {wide, once * std::cos(turn), once * std::sin(turn),
-                                    twice * std::cos(2 * turn), twice * std::sin(2 * turn)};
+        const double once = 2 * sin(wide / 2);
+        const double twice = sin(wide);
+        const std::array weights = {wide, once * cos(turn), once * sin(turn), twice * cos(2 * turn),
+                                    twice * sin(2 * turn)};
         const auto light = number_cast<double>(map.at(column, row));
         for (std::size_t k = 0; k < 5; ++k) around[k] = around[k] + light * weights[k];
       }
@@ -65,14 +65,13 @@ class SkyMoments {
   void add_row(const std::array<Rgb, 5>& around, double above, double below) {
     // Integrals of sin^i cos^j over the polar angle.
     const auto between = [&](const auto& integral) { return integral(below) - integral(above); };
-    const double sine = 2 * std::sin((below - above) / 2) * std::sin((below + above) / 2);
-    const double sine_cosine = between([](double t) { return square(std::sin(t)) / 2; });
-    const double sine_2 = between([](double t) { return t / 2 - std::sin(2 * t) / 4; });
-    const auto cube_of_cosine = [](double t) { return std::cos(t) * std::cos(t) * std::cos(t); };
+    const double sine = 2 * sin((below - above) / 2) * sin((below + above) / 2);
+    const double sine_cosine = between([](double t) { return square(sin(t)) / 2; });
+    const double sine_2 = between([](double t) { return t / 2 - sin(2 * t) / 4; });
+    const auto cube_of_cosine = [](double t) { return cos(t) * cos(t) * cos(t); };
     const double sine_cosine_2 = between([&](double t) { return -cube_of_cosine(t) / 3; });
     const double sine_3 = sine - sine_cosine_2;
-    const double sine_2_cosine =
-        between([](double t) { return std::sin(t) * std::sin(t) * std::sin(t) / 3; });
+    const double sine_2_cosine = between([](double t) { return sin(t) * sin(t) * sin(t) / 3; });
     const auto add = [&](std::size_t k, const Rgb& light, double weight) {
       sums_[k] = sums_[k] + light * weight;
     };

@@ -22,14 +22,14 @@ struct SkyBand {
     const auto polar_angle = [height](int edge) { return std::numbers::pi * edge / height; };
     const bool upper = 2 * row + 1 <= height;
     const auto below_pole = [&](int edge) {
-      return 2 * square(std::sin(polar_angle(upper ? edge : height - edge) / 2));
+      return 2 * square(sin(polar_angle(upper ? edge : height - edge) / 2));
     };
     from = below_pole(row);
     to = below_pole(row + 1);
     y_sign = upper ? 1 : -1;
     const int edges = upper ? 2 * row + 1 : 2 * (height - row) - 1;  // to the middle, in half rows
-    solid_angle = 2 * std::numbers::pi / width * 2 * std::sin(polar_angle(1) / 2) *
-                  std::sin(polar_angle(edges) / 2);
+    solid_angle = 2 * std::numbers::pi / width * 2 * sin(polar_angle(1) / 2) *
+                  sin(polar_angle(edges) / 2);
   }
 };
 

@@ -316,7 +316,6 @@ TEST_CASE("the table fits a page of 110 columns, and the JSON has a row for ever
             .size());
 }
 
-#ifdef TEXMAP_REFERENCE_PLATFORM
 TEST_CASE("the errors on the chapter's page are those of its program") {
   const View<> view = view_of_sheet(earth(), 1312, 1090);
   std::vector<Row> rows = with_errors(Part::places, earth(), view);
@@ -340,7 +339,6 @@ TEST_CASE("the errors on the chapter's page are those of its program") {
   }
   CHECK(found == 13);
 }
-#endif
 
 TEST_CASE("when the time limit is reached, rounds beyond the fifth are skipped, and that is told") {
   std::vector<Row> rows = rows_of(Part::curves, Instructions::baseline);

@@ -102,12 +102,11 @@ TEST_CASE("the published formulas break where the chapter says they do") {
 
 TEST_CASE("the table of the chapter's page is the one that its program prints, by either judge") {
   CHECK(sheet().table.ends_with(judge_line()));
-#ifdef TEXMAP_REFERENCE_PLATFORM
+  if (judge_is_pair) return;
   const std::string page =
       test::text_in(TEXMAP_TESTS_DIR "/../chapters/14_numerical_extremes/README.md");
   const std::string figures = sheet().table.substr(0, sheet().table.find("judge:"));
   CHECK(page.find(figures + "judge: long double, 64 bits\n") != std::string::npos);
-#endif
 }
 
 #ifdef TEXMAP_HAVE_DIGITS

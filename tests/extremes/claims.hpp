@@ -186,6 +186,7 @@ void for_each_number(const Each& each) {
 [[nodiscard]] Family claims_of_derivatives();
 [[nodiscard]] Family claims_of_maps();
 [[nodiscard]] Family claims_of_arithmetic();
+[[nodiscard]] Family claims_of_functions();
 [[nodiscard]] Family claims_of_kernels();  ///< held by other tests: they have no measurement
 
 /// All of them, in the order of the page. What is not here is neither shown nor searched.
@@ -193,7 +194,7 @@ void for_each_number(const Each& each) {
   return {claims_of_uv(),         claims_of_spheres(),     claims_of_secondary_rays(),
           claims_of_triangles(),  claims_of_rotation(),    claims_of_textures(),
           claims_of_shading(),    claims_of_derivatives(), claims_of_maps(),
-          claims_of_arithmetic(), claims_of_kernels()};
+          claims_of_arithmetic(), claims_of_functions(),   claims_of_kernels()};
 }
 
 }  // namespace texmap::extremes

@@ -1,12 +1,11 @@
 #!/bin/sh
 # The programs, as fast as the compiler makes them, draw the golden pictures to the last bit.
 # usage: programs.sh BIN [CHAPTER...]         BIN holds the chapters' programs and compare; without chapters, all that have a picture
-#        programs.sh --near BIN [CHAPTER...]  as another compiler or C library may round: 0.02 % of the pixels are free, others by one level
 #        programs.sh --collect BIN            writes the golden pictures that have changed. Look at them before you commit them
 set -eu
 mode=exact
 case ${1:-} in --*) mode=${1#--} && shift ;; esac
-bin=${1:?usage: programs.sh [--near | --collect] BIN [CHAPTER...]}
+bin=${1:?usage: programs.sh [--collect] BIN [CHAPTER...]}
 shift
 [ -x "$bin/compare" ] || {
   echo "there is no $bin/compare: build compare_program" >&2
@@ -21,10 +20,6 @@ tried=0
 
 # shellcheck source=/dev/null
 . "$folder/../support/drawn.sh"
-if [ "$mode" = near ]; then
-  same_picture() { "$bin/compare" --pixels-off-by-more-than 1 --at-most 0.02% "$1" "$2" >>"$work/log" 2>&1; }
-fi
-
 # check PICTURE PROGRAM [OPTION...]: counts whether the program draws tests/golden/PICTURE.png.
 check() {
   if [ "$chosen" != "  " ]; then
@@ -46,11 +41,11 @@ check() {
   }
 }
 
-# Chapter 13 measures times: test_golden draws its sheet without them. In 12, chance takes another path where a last bit is another.
+# Chapter 13 measures times: test_golden draws its sheet without them.
 for drawn in "$folder"/[0-9][0-9]_*.png; do
   picture=$(basename "$drawn" .png)
   [ -d "$folder/../../chapters/$picture" ] || continue
-  case $mode-$picture in *-13_* | near-12_*) ;; *) check "$picture" "$picture" ;; esac
+  case $picture in 13_*) ;; *) check "$picture" "$picture" ;; esac
 done
 check 02_objects 02_checkerboard_uv --show object --width 160 --height 120
 check 05_close_up 05_y_rotation --zoom 3 --at 130,40 --width 200 --height 150
@@ -70,7 +65,7 @@ check 11_poles 11_bump_and_normal_maps --show poles
 check 11_daily_bricks 11_bump_and_normal_maps --show daily
 check 11_normals 11_bump_and_normal_maps --show normal --width 150 --height 150
 for light in cosine mis coefficients; do
-  [ "$mode" = near ] || check "12_$light" 12_environment_map --light "$light" --samples 64 --width 256 --height 144
+  check "12_$light" 12_environment_map --light "$light" --samples 64 --width 256 --height 144
 done
 [ "$tried" -gt 0 ] || {
   echo "FAIL: nothing was tried" >&2

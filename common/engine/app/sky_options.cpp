@@ -94,7 +94,7 @@ SkyLighting best_lighting(const SkyNoise& noise, double cost) {
 
 SkyLight SkyOptions::load(const Session& session) {
   LightImage map = load_light(find_texture(name));
-  const auto factor = static_cast<float>(std::exp2(exposure));
+  const auto factor = static_cast<float>(pow(2.0, exposure));
   for (Color<float>& texel : map.pixels) texel = texel * factor;
   Environment picture(std::move(map), filter, degrees);
   if (picture.map().width % 2 != 0 && !picture.is_constant()) {

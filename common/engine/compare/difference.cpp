@@ -33,7 +33,7 @@ Window window_weights() {
   double sum = 0;
   for (int x = -radius; x <= radius; ++x) {
     double& weight = weights[static_cast<std::size_t>(x + radius)];
-    weight = std::exp(-x * x / (2 * window_sigma * window_sigma));
+    weight = exp(-x * x / (2 * window_sigma * window_sigma));
     sum += weight;
   }
   for (double& weight : weights) weight /= sum;

@@ -89,7 +89,7 @@ void draw_legend(Image& map, int top, bool with_mask) {
 
 Rgb8 difference_color(int levels) {
   if (levels <= 0) return {};
-  return scale_color(std::log2(levels + 1.0) / doublings);
+  return scale_color(log1p(static_cast<double>(levels)) / log1p(1.0) / doublings);
 }
 
 Image difference_map(const Image& a, const Image& b, const Image& mask) {

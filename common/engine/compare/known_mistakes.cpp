@@ -130,7 +130,7 @@ Image by_height(const Image& map) {
   std::vector<int> rows;
   for (int row = 0; row < map.height * finer; ++row) {
     const double v = (row + 0.5) / (map.height * finer);
-    const double from_top = (1 - std::cos(std::numbers::pi * v)) / 2;
+    const double from_top = (1 - cos(std::numbers::pi * v)) / 2;
     rows.push_back(std::clamp(static_cast<int>(from_top * map.height), 0, map.height - 1));
   }
   const auto from = [&](int x, int y) { return Place(x, rows[static_cast<std::size_t>(y)]); };

@@ -57,7 +57,7 @@ Polynomial choose_power_kernel(const Budget& budget) {
                   shown(choice.worst_levels, 2) + " levels";
     return choice;
   }
-  return {.text = start + "the C library's exponential and logarithm"};
+  return {.text = start + "the exponential and the logarithm"};
 }
 
 /// Adds the mapping and the smoothing of pixels that keep a budget together.
@@ -116,7 +116,7 @@ Polynomial choose_uv_kernel(const Budget& budget, int width, int height) {
                 shown(texels, 2) + " texels and " + shown(levels, 2) + " levels; " +
                 shown(uv_costs[i], 2) + " of the reference's time"};
   }
-  return {.text = start + "the reference formula in double, by the C library, at cost 1"};
+  return {.text = start + "the reference formula in double, at cost 1"};
 }
 
 KernelPlan plan_surface(const Budget& budget, const Image& texture, double reads) {

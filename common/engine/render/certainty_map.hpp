@@ -24,7 +24,7 @@ namespace texmap {
     const auto shade = static_cast<std::uint8_t>(40 + clamp(light, 0.0, 1.0) * 200);
     return {shade, shade, shade};
   }
-  const double t = std::log2(static_cast<double>(levels)) / 8;
+  const double t = log1p(levels - 1.0) / log1p(255.0);
   const Rgb low{1, 0.85, 0.1}, middle{0.85, 0.1, 0.1}, high{0.45, 0.1, 0.7};
   const Rgb shade = t < 0.5 ? mix(low, middle, 2 * t) : mix(middle, high, 2 * t - 1);
   return {byte_of(shade.r), byte_of(shade.g), byte_of(shade.b)};

@@ -60,8 +60,8 @@ int places_for(const LightImage& image, Projection from, Projection to, const Uv
                const PictureSize& size) {
   const Uv<Dual<double>> steps{{uv.u, 1.0 / size.width, 0.0}, {uv.v, 0.0, 1.0 / size.height}};
   const Uv<Dual<double>> there = project(from, unproject(to, steps));
-  const double across = std::hypot(there.u.dx * image.width, there.v.dx * image.height);
-  const double down = std::hypot(there.u.dy * image.width, there.v.dy * image.height);
+  const double across = std::sqrt(square(there.u.dx * image.width) + square(there.v.dx * image.height));
+  const double down = std::sqrt(square(there.u.dy * image.width) + square(there.v.dy * image.height));
   // At a pole the derivatives may be infinite or NaN.
   const double longest = clamp(max(across, down), 1.0, double{most_places});
   return static_cast<int>(std::ceil(longest - 0.01));

@@ -17,7 +17,7 @@ namespace texmap {
   if (transfer == Transfer::srgb) return srgb_byte_exact(light);
   const double linear = clamp(light, 0.0, 1.0);
   if (transfer == Transfer::sqrt) return std::floor(256 * min(std::sqrt(linear), 0.999));
-  return std::floor(255 * std::pow(linear, 1 / 2.2) + 0.5);
+  return std::floor(255 * pow(linear, 1 / 2.2) + 0.5);
 }
 
 /// Develops a row of a picture. Equal neighbors, as in a uniform sky, are developed once.

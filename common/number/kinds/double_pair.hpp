@@ -1,5 +1,6 @@
 // Pairs of doubles: a number of about 31 decimal digits on every machine that has double.
 #pragma once
+#include <algorithm>
 #include <compare>
 #include <concepts>
 #include <numbers>
@@ -137,7 +138,7 @@ template <>
 
 /// e^x. Bound: 1e-31 (1 + |x|) of itself.
 [[nodiscard]] inline DoublePair exp(const DoublePair& x) {
-  if (!(std::abs(x.high) < 690)) return DoublePair(std::exp(x.high));
+  if (!(std::abs(x.high) < 690)) return DoublePair(texmap::exp(x.high));
   const DoublePair log_2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   const double powers_of_two = std::floor(x.high / log_2.high + 0.5);
   const DoublePair rest = x - log_2 * DoublePair(powers_of_two);
@@ -153,7 +154,7 @@ template <>
 /// Bound: 1e-30 of itself, or of 1 where that is more.
 [[nodiscard]] inline DoublePair log1p(const DoublePair& x) {
   const DoublePair number = DoublePair(1) + x;
-  const DoublePair near(std::log(number.high));
+  const DoublePair near(texmap::log1p(x.high));
   return near.is_finite() ? near + (number * exp(-near) - DoublePair(1)) : near;
 }
 /// Domain: whole exponents from 0 to 1000; others give NaN.
@@ -187,7 +188,7 @@ template <>
 /// The angle of (x, y): double's angle, plus the small one by which it misses.
 /// Bound: 1e-31 of itself.
 [[nodiscard]] inline DoublePair atan2(const DoublePair& y, const DoublePair& x) {
-  const DoublePair near(std::atan2(y.high, x.high));
+  const DoublePair near(texmap::atan2(y.high, x.high));
   const double size = std::max(std::abs(x.high), std::abs(y.high));
   if (!(size > 0 && size < std::numeric_limits<double>::infinity())) return near;
   const DoublePair c = cos(near);

@@ -192,12 +192,12 @@ class Interval {
   }
   friend Interval exp(const Interval& a) {
     if (a.is_anything()) return a;
-    const Interval wide = widened_by_4(std::exp(a.low_), std::exp(a.high_));
+    const Interval wide = widened_by_4(texmap::exp(a.low_), texmap::exp(a.high_));
     return {wide.low_ > 0 ? wide.low_ : 0, wide.high_};
   }
   friend Interval log1p(const Interval& a) {
     if (!(a.low_ >= -1)) return anything();
-    return widened_by_4(std::log1p(a.low_), std::log1p(a.high_));
+    return widened_by_4(texmap::log1p(a.low_), texmap::log1p(a.high_));
   }
   /// The angle of the points (x, y) of a box; [-pi, pi] for a box that touches the origin or the
   /// negative x axis, where the angle jumps: zeros have no sign here.
@@ -210,7 +210,8 @@ class Interval {
     const double last_y = last_x >= 0 ? y.low_ : y.high_;
     const double first_x = y.high_ >= 0 ? x.low_ : x.high_;
     const double first_y = first_x >= 0 ? y.high_ : y.low_;
-    const Interval wide = widened_by_4(std::atan2(last_y, last_x), std::atan2(first_y, first_x));
+    const Interval wide =
+        widened_by_4(texmap::atan2(last_y, last_x), texmap::atan2(first_y, first_x));
     return {wide.low_ > -half_turn ? wide.low_ : -half_turn,
             wide.high_ < half_turn ? wide.high_ : half_turn};
   }
@@ -222,7 +223,7 @@ class Interval {
     if (x.is_anything() || (x.low_ < 0 && !whole)) return anything();
     const Interval base = even ? abs(x) : x;
     const Interval wide =
-        widened_by_4(std::pow(base.low_, exponent), std::pow(base.high_, exponent));
+        widened_by_4(texmap::pow(base.low_, exponent), texmap::pow(base.high_, exponent));
     return {base.low_ >= 0 && !(wide.low_ >= 0) ? 0 : wide.low_, wide.high_};
   }
   /// The hull of all table entries where the place may lie, channel by channel.

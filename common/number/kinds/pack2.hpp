@@ -1,5 +1,7 @@
 // Two packs used like one: while the first waits for a result, the processor works on the second.
 #pragma once
+#include <algorithm>
+
 #include "number/kinds/pack.hpp"
 
 namespace texmap {
@@ -75,15 +77,16 @@ struct Pack2 {
   friend Pack2 select(const Pack2<HalfMask>& mask, const Pack2& yes, const Pack2& no) {
     return {select(mask.first, yes.first, no.first), select(mask.second, yes.second, no.second)};
   }
-  friend Pack2 max(const Pack2& a, const Pack2& b) {
-    return {max(a.first, b.first), max(a.second, b.second)};
-  }
-  friend Pack2 min(const Pack2& a, const Pack2& b) {
-    return {min(a.first, b.first), min(a.second, b.second)};
-  }
   friend Pack2 abs(const Pack2& a) { return {abs(a.first), abs(a.second)}; }
+  friend Pack2 copysign(const Pack2& size, const Pack2& sign) {
+    return {copysign(size.first, sign.first), copysign(size.second, sign.second)};
+  }
   friend Pack2 sqrt(const Pack2& a) { return {sqrt(a.first), sqrt(a.second)}; }
   friend Pack2 floor(const Pack2& a) { return {floor(a.first), floor(a.second)}; }
+  template <class Function>
+  friend Pack2 map_bits(const Pack2& a, const Function& of) {
+    return {map_bits(a.first, of), map_bits(a.second, of)};
+  }
   friend Pack2 exp(const Pack2& a) { return {exp(a.first), exp(a.second)}; }
   friend Pack2 log1p(const Pack2& a) { return {log1p(a.first), log1p(a.second)}; }
   friend Pack2 atan2(const Pack2& y, const Pack2& x) {
