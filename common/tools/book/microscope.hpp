@@ -79,7 +79,7 @@ template <class Real>
   const float light = lambert(Lambertian{.ambient = 0.15, .diffuse = 0.95},
                               LightSample<float>{to_light, max(dot(normal, to_light), 0.0F)});
   const Color<float> color = map(uv) * light;
-  return {byte_of(color.r), byte_of(color.g), byte_of(color.b)};
+  return {byte_of(double(color.r)), byte_of(double(color.g)), byte_of(double(color.b))};
 }
 
 /// Rows of the picture of `size` x `size` pixels: half published, half the course's.
