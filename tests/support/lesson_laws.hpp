@@ -12,10 +12,11 @@ namespace texmap::test {
 /// with float.
 template <class Lesson, class Real = float>
 struct NeedsFloat {
-  void fill(doctest::detail::TestCase& test) const {
-    test.m_skip = !draws_in<Lesson, Real>;
-    test.m_description = all_numbers ? "the lesson's `about` declares fewer numbers"
-                                     : "a build for learning has one number";
+  void fill(auto& test) const {
+    doctest::skip(!draws_in<Lesson, Real>).fill(test);
+    doctest::description(all_numbers ? "the lesson's `about` declares fewer numbers"
+                                     : "a build for learning has one number")
+        .fill(test);
   }
 };
 
