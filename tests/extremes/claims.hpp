@@ -1,5 +1,6 @@
 // What the course claims of its functions: for which inputs, and how far off they are at most.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>

@@ -1,5 +1,7 @@
 // Claims of common/scene/sphere.hpp and sphere_forms.hpp: where a ray meets a sphere, from near and
 // far, from inside, straight at it, grazing it and past it.
+#include <numbers>
+
 #include "claims.hpp"
 #include "references.hpp"
 #include "scene/sphere.hpp"

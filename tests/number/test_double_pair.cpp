@@ -1,6 +1,8 @@
 // Tests of common/number/kinds/double_pair.hpp: its bounds, against numbers of 50 digits.
 #include <doctest.h>
 
+#include <algorithm>
+
 #include "number/kinds/judge.hpp"
 #include "support/dice.hpp"
 #include "support/many_digits.hpp"

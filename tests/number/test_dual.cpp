@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "number/dual.hpp"
 #include "number/kinds/interval.hpp"

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "number/kinds/interval.hpp"
 #include "number/operations.hpp"

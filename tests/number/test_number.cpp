@@ -1,6 +1,8 @@
 // Tests of common/number/number.hpp: what the course asks of a plain number.
 #include <doctest.h>
 
+#include <type_traits>
+
 #include "number/number.hpp"
 
 namespace texmap::test {

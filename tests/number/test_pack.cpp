@@ -1,8 +1,9 @@
 // Tests of common/number/kinds/pack.hpp and pack2.hpp: in each lane a pack, or a pair of packs,
 // behaves as a single number does.
 #include <doctest.h>
-#include <string>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "number/kinds/pack2.hpp"

@@ -2,6 +2,7 @@
 // hold, and where they fail or differ from the stable ones.
 #include <doctest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "published/sphere.hpp"

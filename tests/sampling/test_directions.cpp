@@ -1,6 +1,7 @@
 // Tests of common/sampling/directions.hpp: lengths, densities and poles.
 #include <doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>

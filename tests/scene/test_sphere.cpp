@@ -1,6 +1,7 @@
 // Tests of scene/sphere.hpp. How exact its forms are, tests/extremes searches.
 #include <doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 

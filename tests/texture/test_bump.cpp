@@ -3,6 +3,7 @@
 // normals.
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

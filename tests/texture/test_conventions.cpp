@@ -2,6 +2,7 @@
 // they are, and that none leaves [0, 1), tests/extremes searches.
 #include <doctest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "number/dual.hpp"

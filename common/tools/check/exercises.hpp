@@ -1,6 +1,7 @@
 // The exercises of a chapter: what a program checks, draws and asks. A file chapter_NN.cpp
 // defines them.
 #pragma once
+#include <algorithm>
 #include <any>
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,8 @@
 // Tests of engine/mesh/read_obj.hpp: a file loads whole, or an error names the line.
 #include <doctest.h>
 
+#include <sstream>
+
 #include "engine/measure/text.hpp"
 #include "engine/mesh/read_obj.hpp"
 #include "support/temporary_folder.hpp"
