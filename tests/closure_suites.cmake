@@ -30,9 +30,9 @@ add_closure(05_y_rotation 33 1950 ${moved} ${by_06})
 add_closure(06_phong_texture_blend 35 2100 ${moved} ${by_07})
 add_closure(07_earth_by_sampling 40 2400 ${moved})
 add_closure(08_triangle_uv 45 2800)
-add_closure(09_texture_filtering 45 2900)
+add_closure(09_texture_filtering 45 2950)
 add_closure(10_projections 45 2800 ${by_06})
-add_closure(11_bump_and_normal_maps 45 2800)
+add_closure(11_bump_and_normal_maps 46 2800)
 add_closure(12_environment_map 45 2800)
 
 # The rooms of common/: a header that climbs is refused with its name and its room.

@@ -1,6 +1,7 @@
 // A number that knows how it changes: its value and two derivatives.
 #pragma once
 #include "number/compensated.hpp"
+#include "number/table.hpp"
 
 namespace texmap {
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <vector>
 
+#include "number/table.hpp"
 #include "scene/hit.hpp"
 #include "scene/mesh_boxes.hpp"
 

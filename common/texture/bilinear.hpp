@@ -1,5 +1,6 @@
 // An image as a texture with the bilinear filter.
 #pragma once
+#include "number/table.hpp"
 #include "texture/light_texture.hpp"
 #include "texture/wrap.hpp"
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "math/rotation.hpp"
+#include "number/table.hpp"
 #include "scene/ray.hpp"
 #include "texture/light_image.hpp"
 #include "texture/texel.hpp"

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "math/color.hpp"
+#include "number/table.hpp"
 #include "texture/image.hpp"
 #include "texture/texel.hpp"
 #include "texture/uv.hpp"

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "number/table.hpp"
 #include "texture/image_texture.hpp"
 
 namespace texmap {

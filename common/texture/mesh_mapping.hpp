@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "number/table.hpp"
 #include "scene/mesh.hpp"
 #include "texture/uv.hpp"
 

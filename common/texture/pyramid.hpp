@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "number/table.hpp"
 #include "texture/light_image.hpp"
 #include "texture/wrap.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 
+#include "number/table.hpp"
 #include "texture/image_texture.hpp"
 #include "texture/light_image.hpp"
 #include "texture/uv.hpp"

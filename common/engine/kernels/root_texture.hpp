@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "number/kinds/fetch.hpp"
+#include "number/table.hpp"
 #include "texture/light_texture.hpp"
 
 namespace texmap {
