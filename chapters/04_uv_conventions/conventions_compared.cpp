@@ -21,8 +21,7 @@ const std::array<PublishedMapping, 4> published_mappings = {{
 Vec3<double> direction_at(double east, double north) {
   const double longitude = 2 * std::numbers::pi * east;
   const double latitude = std::numbers::pi * (north - 0.5);
-  return {-cos(longitude) * cos(latitude), sin(latitude),
-          sin(longitude) * cos(latitude)};
+  return {-cos(longitude) * cos(latitude), sin(latitude), sin(longitude) * cos(latitude)};
 }
 
 int handedness(const PublishedMapping& mapping) {

@@ -47,8 +47,8 @@ double in_small_circle(const Vec3<double>& n) {
   const double step = 2 * std::numbers::pi / std::max(1.0, std::round(16 * radius));
   const double longitude = atan2(n.z, n.x);
   const double from_center = longitude - step * std::round(longitude / step);
-  return sin(ring * degree) * n.y +
-         radius * std::sqrt(n.x * n.x + n.z * n.z) * cos(from_center) - cos(6 * degree);
+  return sin(ring * degree) * n.y + radius * std::sqrt(n.x * n.x + n.z * n.z) * cos(from_center) -
+         cos(6 * degree);
 }
 
 std::string bound_of(double value) { return std::isinf(value) ? "no bound" : shown(value, 4); }

@@ -43,7 +43,8 @@ static_assert(
 ///
 /// @param margin  also so far outside, as a part of the picture's width or height
 [[nodiscard]] inline bool shows(Projection projection, const Uv<double>& uv, double margin = 0) {
-  return !facts_of(projection).is_round || sqrt(square(uv.u - 0.5) + square(uv.v - 0.5)) <= 0.5 + margin;
+  return !facts_of(projection).is_round ||
+         sqrt(square(uv.u - 0.5) + square(uv.v - 0.5)) <= 0.5 + margin;
 }
 
 /// How a picture is distorted at a place.

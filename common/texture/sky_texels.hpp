@@ -28,8 +28,8 @@ struct SkyBand {
     to = below_pole(row + 1);
     y_sign = upper ? 1 : -1;
     const int edges = upper ? 2 * row + 1 : 2 * (height - row) - 1;  // to the middle, in half rows
-    solid_angle = 2 * std::numbers::pi / width * 2 * sin(polar_angle(1) / 2) *
-                  sin(polar_angle(edges) / 2);
+    solid_angle =
+        2 * std::numbers::pi / width * 2 * sin(polar_angle(1) / 2) * sin(polar_angle(edges) / 2);
   }
 };
 

@@ -1,4 +1,4 @@
-// Tests of common/number/kinds/elementary.hpp: the special cases. tests/extremes measures the errors.
+// Tests of number/kinds/elementary.hpp: the special cases. tests/extremes measures the errors.
 #include <doctest.h>
 
 #include <cmath>

@@ -60,8 +60,11 @@ int places_for(const LightImage& image, Projection from, Projection to, const Uv
                const PictureSize& size) {
   const Uv<Dual<double>> steps{{uv.u, 1.0 / size.width, 0.0}, {uv.v, 0.0, 1.0 / size.height}};
   const Uv<Dual<double>> there = project(from, unproject(to, steps));
-  const double across = std::sqrt(square(there.u.dx * image.width) + square(there.v.dx * image.height));
-  const double down = std::sqrt(square(there.u.dy * image.width) + square(there.v.dy * image.height));
+  const auto length_of = [&](double u, double v) {
+    return std::sqrt(square(u * image.width) + square(v * image.height));
+  };
+  const double across = length_of(there.u.dx, there.v.dx);
+  const double down = length_of(there.u.dy, there.v.dy);
   // At a pole the derivatives may be infinite or NaN.
   const double longest = clamp(max(across, down), 1.0, double{most_places});
   return static_cast<int>(std::ceil(longest - 0.01));

@@ -1,6 +1,6 @@
 // What packs are built on: xsimd's batches if CMake found xsimd, else arrays of the same size. Of
-// xsimd it takes what rounds once or moves bits, so that results are those of every version: not its
-// functions, not its max and min, and floor only where that is one instruction.
+// xsimd it takes what rounds once or moves bits, the same in every version: not its functions, not
+// its max and min, and floor only where that is one instruction.
 #pragma once
 #include <array>
 #include <cmath>

@@ -192,10 +192,9 @@ TEST_CASE("what the parts of a plan are off by is together within the budget, an
 }
 
 TEST_CASE("a plan says in a line each what was chosen") {
-  CHECK(
-      plan_surface({}, Image(64, 32), 1e12).text ==
-      "texels for exact: as they are, decoded by a table\n"
-      "(u, v) for exact on 64x32: the reference formula in double, at cost 1\n");
+  CHECK(plan_surface({}, Image(64, 32), 1e12).text ==
+        "texels for exact: as they are, decoded by a table\n"
+        "(u, v) for exact on 64x32: the reference formula in double, at cost 1\n");
   CHECK(plan_surface(parse_budget("texels=0.04"), Image(8192, 4096), 0).text ==
         "texels for exact: as they are, decoded by a table\n"
         "(u, v) for texels=0.01 on 8192x4096: polynomials in float, arc tangent of degree 11, unit "
