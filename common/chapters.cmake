@@ -32,13 +32,14 @@ endfunction()
 # their own and chosen when the program runs. Without FMA: a fused operation rounds once, and the pictures would differ.
 set(wide_avx2 -mavx2)
 set(wide_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
-# g++ copies structures in pieces of 16 bytes, unless it is told that larger ones are as good. What is stored in pieces and loaded whole
-# has to wait: chapter 07's drawing takes a third longer for it, where it has no patches.
+# g++ copies structures in pieces of 16 bytes, unless it is told that larger ones are as good. What is
+# stored in pieces and loaded whole has to wait: chapter 07's drawing takes a third longer for it, where
+# it has no patches. From version 16 on the first option sets both, and the second gives a warning.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-mmove-max=256 HAVE_MOVE_MAX)
-if(HAVE_MOVE_MAX)
-  list(APPEND wide_avx2 -mmove-max=256 -mstore-max=256)
-endif()
+check_cxx_compiler_flag("-Werror;-mstore-max=256" HAVE_STORE_MAX)
+list(APPEND wide_avx2 $<$<BOOL:${HAVE_MOVE_MAX}>:-mmove-max=256>
+  $<$<BOOL:${HAVE_STORE_MAX}>:-mstore-max=256>)
 check_cxx_compiler_flag(-Wa,-muse-unaligned-vector-move HAVE_UNALIGNED_MOVES)
 if(MINGW AND HAVE_UNALIGNED_MOVES)
   # On Windows g++ aligns the stack for 16 bytes, and then takes it for 32 or 64 (its bug 54412).
