@@ -31,7 +31,7 @@ endfunction()
 # Instructions that not every machine has, and the options that compile for them: packs made of them are compiled into files of
 # their own and chosen when the program runs. Without FMA: a fused operation rounds once, and the pictures would differ.
 set(wide_avx2 -mavx2)
-set(wide_avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw)
+separate_arguments(wide_avx512 NATIVE_COMMAND "${xsimd_OPTIONS}")
 # g++ copies structures in pieces of 16 bytes, unless it is told that larger ones are as good. What is
 # stored in pieces and loaded whole has to wait: chapter 07's drawing takes a third longer for it, where
 # it has no patches. From version 16 on the first option sets both, and the second gives a warning.
@@ -40,8 +40,10 @@ check_cxx_compiler_flag(-mmove-max=256 HAVE_MOVE_MAX)
 check_cxx_compiler_flag("-Werror;-mstore-max=256" HAVE_STORE_MAX)
 list(APPEND wide_avx2 $<$<BOOL:${HAVE_MOVE_MAX}>:-mmove-max=256>
   $<$<BOOL:${HAVE_STORE_MAX}>:-mstore-max=256>)
-check_cxx_compiler_flag(-Wa,-muse-unaligned-vector-move HAVE_UNALIGNED_MOVES)
-if(MINGW AND HAVE_UNALIGNED_MOVES)
+if(MINGW)
+  check_cxx_compiler_flag(-Wa,-muse-unaligned-vector-move HAVE_UNALIGNED_MOVES)
+endif()
+if(HAVE_UNALIGNED_MOVES)
   # On Windows g++ aligns the stack for 16 bytes, and then takes it for 32 or 64 (its bug 54412).
   list(APPEND wide_avx2 -Wa,-muse-unaligned-vector-move)
   list(APPEND wide_avx512 -Wa,-muse-unaligned-vector-move)
@@ -52,8 +54,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND wide_avx512 -Wno-uninitialized -Wno-maybe-uninitialized)
 endif()
 set(WIDE_PACKS "")
-if((NOT MINGW OR HAVE_UNALIGNED_MOVES) AND TAKES_GNU_OPTIONS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND XSIMD_KNOWS_THIS_MACHINE AND NOT TEXMAP_INSTRUMENT
-   AND NOT CMAKE_CXX_FLAGS MATCHES "-m(arch|avx)")
+if(xsimd_OPTIONS AND (NOT MINGW OR HAVE_UNALIGNED_MOVES))
   set(WIDE_PACKS avx2 avx512)
 endif()
 

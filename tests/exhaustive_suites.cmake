@@ -2,7 +2,7 @@
 
 # Where programs are slow, one row of floats of so many is run: with sanitizers, without optimisation, without vectors.
 set(one_row_of 1)
-if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug" OR NOT xsimd_INCLUDE_DIR)
+if(TEXMAP_INSTRUMENT OR CMAKE_BUILD_TYPE STREQUAL "Debug" OR NOT TARGET xsimd)
   set(one_row_of 64)
 endif()
 foreach(suite kernels texels)

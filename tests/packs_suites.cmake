@@ -1,10 +1,13 @@
 # Packs of every width, forced one after the other. Included by CMakeLists.txt here.
 
-if(UNIX AND SH AND xsimd_INCLUDE_DIR AND NOT TEXMAP_INSTRUMENT)  # instrumented programs have packs of one width
+if(UNIX AND SH AND TARGET xsimd AND NOT TEXMAP_INSTRUMENT)  # instrumented programs have packs of one width
   get_property(chapters GLOBAL PROPERTY CHAPTERS)
   list(FILTER chapters EXCLUDE REGEX "^(00|13|14)_")  # 00 and 14 are not drawn with packs; 13's sheet is the same for all packs by design
   add_check(packs laws "${SH}" "${CMAKE_CURRENT_SOURCE_DIR}/packs/packs.sh" "$<TARGET_FILE_DIR:01_plain_spheres>" ${chapters})
 endif()
+
+add_check(broken_packages packages "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DCXX=${CMAKE_CXX_COMPILER}"
+  "-DOUT=${CMAKE_CURRENT_BINARY_DIR}/broken" -P "${CMAKE_CURRENT_SOURCE_DIR}/packs/broken_packages.cmake")
 
 # The order in which the files of wide instructions are linked: a program with files that share a function of plain numbers must keep
 # the one that every machine can run.
