@@ -75,8 +75,9 @@ function(try_package name header without)
         set(${name}_OPTIONS "${options}" PARENT_SCOPE)
         break()
       endif()
-      set(trouble "${name} ${version} in ${folder} does not work here ${options} (${${name}_KNOWN} \
-do), the course goes on without it: ${without}")
+      string(REGEX REPLACE ".+" " with \\0" with "${options}")
+      set(trouble "${name} ${version} in ${folder} does not work here${with} (${${name}_KNOWN} do), the \
+course goes on without it: ${without}")
     endforeach()
   endif()
   if(trouble AND TEXMAP_REQUIRE_PACKS AND name STREQUAL "xsimd")
@@ -89,6 +90,7 @@ do), the course goes on without it: ${without}")
     target_include_directories(${name} SYSTEM INTERFACE "${folder}")
     target_link_libraries(${name} INTERFACE ${libraries})
     string(TOUPPER "TEXMAP_HAVE_${name}" have)
+    string(MAKE_C_IDENTIFIER "${have}" have)
     target_compile_definitions(${name} INTERFACE ${have})
   endif()
 endfunction()
@@ -146,10 +148,10 @@ set(libdeflate_LIBRARIES "${libdeflate_LIBRARY}")
 try_package(libdeflate libdeflate.h "pictures load and are saved more slowly, and are larger")
 
 # The book's pages are turned from Markdown into HTML by cmark-gfm.
-set(cmark_KNOWN "0.29.0.gfm.6 to gfm.13")
-set(cmark_INSTALL "Debian libcmark-gfm-dev libcmark-gfm-extensions-dev")
-set(cmark_FILES cmark-gfm*.h)
-set(cmark_USED [[
+set(cmark-gfm_KNOWN "0.29.0.gfm.6 to gfm.13")
+set(cmark-gfm_INSTALL "Debian libcmark-gfm-dev libcmark-gfm-extensions-dev")
+set(cmark-gfm_FILES cmark-gfm*.h)
+set(cmark-gfm_USED [[
   #include <cmark-gfm-core-extensions.h>
   #include <cmark-gfm.h>
   int main() {
@@ -161,5 +163,5 @@ set(cmark_USED [[
 find_library(CMARK_LIBRARY cmark-gfm)
 find_library(CMARK_EXTENSIONS_LIBRARY cmark-gfm-extensions)
 mark_as_advanced(libdeflate_LIBRARY CMARK_LIBRARY CMARK_EXTENSIONS_LIBRARY)
-set(cmark_LIBRARIES "${CMARK_EXTENSIONS_LIBRARY}" "${CMARK_LIBRARY}")
-try_package(cmark cmark-gfm-core-extensions.h "out/index.html shows pictures without the pages")
+set(cmark-gfm_LIBRARIES "${CMARK_EXTENSIONS_LIBRARY}" "${CMARK_LIBRARY}")
+try_package(cmark-gfm cmark-gfm-core-extensions.h "out/index.html shows pictures without the pages")
