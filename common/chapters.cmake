@@ -37,9 +37,10 @@ separate_arguments(wide_avx512 NATIVE_COMMAND "${xsimd_OPTIONS}")
 # it has no patches. From version 16 on the first option sets both, and the second gives a warning.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-mmove-max=256 HAVE_MOVE_MAX)
-check_cxx_compiler_flag("-Werror;-mstore-max=256" HAVE_STORE_MAX)
-list(APPEND wide_avx2 $<$<BOOL:${HAVE_MOVE_MAX}>:-mmove-max=256>
-  $<$<BOOL:${HAVE_STORE_MAX}>:-mstore-max=256>)
+if(HAVE_MOVE_MAX)
+  list(APPEND wide_avx2 -mmove-max=256
+    $<$<VERSION_LESS:${CMAKE_CXX_COMPILER_VERSION},16>:-mstore-max=256>)
+endif()
 if(MINGW)
   check_cxx_compiler_flag(-Wa,-muse-unaligned-vector-move HAVE_UNALIGNED_MOVES)
 endif()
