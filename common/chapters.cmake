@@ -5,8 +5,8 @@ set(GALLERY "${CMAKE_SOURCE_DIR}/out" CACHE PATH "Where the pictures of all chap
 set_property(GLOBAL PROPERTY CHAPTERS "")
 add_library(chapters_code INTERFACE)
 
-# The tools of instructors and engineers, and the tests beyond ./course test, need all chapters of the course: a copy with some of them
-# (./course export, or a folder deleted) has none of these.
+# The tools of instructors and engineers, and the tests beyond ./course test, need all chapters of
+# the course: a copy with some of them (./course export, or a folder deleted) has none of these.
 set(WHOLE_COURSE ON)
 foreach(number RANGE 14)
   string(REGEX REPLACE "^([0-9])$" "0\\1" number "${number}")
@@ -28,8 +28,9 @@ function(chapters_are_there file out)
   endforeach()
 endfunction()
 
-# Instructions that not every machine has, and the options that compile for them: packs made of them are compiled into files of
-# their own and chosen when the program runs. Without FMA: a fused operation rounds once, and the pictures would differ.
+# Instructions that not every machine has, and the options that compile for them: packs made of them
+# are compiled into files of their own and chosen when the program runs. Without FMA: a fused
+# operation rounds once, and the pictures would differ.
 set(wide_avx2 -mavx2)
 separate_arguments(wide_avx512 NATIVE_COMMAND "${xsimd_OPTIONS}")
 # g++ copies structures in pieces of 16 bytes, unless it is told that larger ones are as good. What is
@@ -59,8 +60,8 @@ if(xsimd_OPTIONS AND (NOT MINGW OR HAVE_UNALIGNED_MOVES))
   set(WIDE_PACKS avx2 avx512)
 endif()
 
-# Looking for a shared C++ library takes half a millisecond whenever a program starts, a twentieth of what drawing a plain scene does.
-# Some systems have no other; sanitizers bring their own.
+# Looking for a shared C++ library takes half a millisecond whenever a program starts, a twentieth
+# of what drawing a plain scene does. Some systems have no other; sanitizers bring their own.
 include(CheckLinkerFlag)
 set(with_own_library -static-libstdc++ -static-libgcc)
 check_linker_flag(CXX "${with_own_library}" HAVE_STATIC_LIBSTDCXX)
@@ -68,9 +69,9 @@ if(NOT HAVE_STATIC_LIBSTDCXX OR TEXMAP_INSTRUMENT)
   set(with_own_library "")
 endif()
 
-# add_wide_packs(NN_name DRAWS HEADER type ...): the objects NN_name_wide, a file for each set of wide instructions that draws
-# what is defined in the chapter's HEADER. They come after main.cpp, as engine/render/wide/wide_packs.hpp explains. ./course bench
-# links them, too.
+# add_wide_packs(NN_name DRAWS HEADER type ...): the objects NN_name_wide, a file for each set of
+# wide instructions that draws what is defined in the chapter's HEADER. They come after main.cpp, as
+# engine/render/wide/wide_packs.hpp explains. ./course bench links them, too.
 function(add_wide_packs name)
   cmake_parse_arguments(ARG "" "" "DRAWS" ${ARGN})
   if(NOT WIDE_PACKS)
@@ -97,9 +98,10 @@ function(add_wide_packs name)
   target_compile_definitions(${name} PRIVATE TEXMAP_WIDE_PACKS)
 endfunction()
 
-# Programs for learning have one number, double, read the common headers precompiled and are optimised a little: a lesson then
-# compiles in about a second. They draw the same pictures. What takes time when they run, and what measures times, is compiled as for
-# release: the user's times are those of fast programs.
+# Programs for learning have one number, double, read the common headers precompiled and are
+# optimised a little: a lesson then compiles in about a second. They draw the same pictures. What
+# takes time when they run, and what measures times, is compiled as for release: the user's times
+# are those of fast programs.
 if(TEXMAP_LEARN)
   set(CMAKE_PCH_PROLOGUE "")  # else the common headers count as a system's, and a switch that lacks a case is no error
   file(WRITE "${CMAKE_BINARY_DIR}/learn_headers.cpp" "")
@@ -119,8 +121,9 @@ function(learn_quickly target)
   endif()
 endfunction()
 
-# draw_picture(NN_name [MAY_FAIL] [option ...]): the target draw_NN_name draws the chapter's picture into the gallery, again only when the
-# program or an asset has changed. MAY_FAIL: where the program fails, the gallery goes on without its picture.
+# draw_picture(NN_name [MAY_FAIL] [option ...]): the target draw_NN_name draws the chapter's picture
+# into the gallery, again only when the program or an asset has changed. MAY_FAIL: where the program
+# fails, the gallery goes on without its picture.
 function(draw_picture name)
   cmake_parse_arguments(ARG "MAY_FAIL" "" "" ${ARGN})
   set(program ${name})
@@ -136,8 +139,9 @@ function(draw_picture name)
   add_custom_target(draw_${name} DEPENDS "${picture}")
 endfunction()
 
-# add_one_file(NAME SOURCE [CHAPTER]): the program bin/NAME from one file of plain C++ that uses nothing of common/. CHAPTER: it is a
-# chapter of its own, with a picture, and SOURCE is in its folder; else its folder is another chapter's.
+# add_one_file(NAME SOURCE [CHAPTER]): the program bin/NAME from one file of plain C++ that uses
+# nothing of common/. CHAPTER: it is a chapter of its own, with a picture, and SOURCE is in its
+# folder; else its folder is another chapter's.
 function(add_one_file name source)
   cmake_parse_arguments(ARG "CHAPTER" "" "" ${ARGN})
   get_filename_component(source "${CMAKE_SOURCE_DIR}/chapters/${name}/${source}" ABSOLUTE)
@@ -152,12 +156,13 @@ function(add_one_file name source)
   endif()
 endfunction()
 
-# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...] [DRAWN_WITH ...]): the program
-# bin/NN_name from the sources in the chapter's folder, with main.cpp in TEXMAP_CHAPTERS, and its picture.
-# ON names further libraries; `app` is always linked. SINGLE_NUMBERS: its lesson says in `about` that it does not run on packs.
-# ALL_NUMBERS: it needs them all, also when it is built for learning.
-# `chapters_code` holds the further sources of all chapters, for programs that include lessons; those of a chapter with PACKS, which link
-# wide packs, are NN_name_code.
+# add_chapter(NN_name [ON library ...] [SINGLE_NUMBERS] [ALL_NUMBERS] [PACKS ...] [ALSO_DRAWS ...]
+# [DRAWN_WITH ...]): the program bin/NN_name from the sources in the chapter's folder, with main.cpp
+# in TEXMAP_CHAPTERS, and its picture.
+# ON names further libraries; `app` is always linked. SINGLE_NUMBERS: its lesson says in `about`
+# that it does not run on packs. ALL_NUMBERS: it needs them all, also when it is built for learning.
+# `chapters_code` holds the further sources of all chapters, for programs that include lessons;
+# those of a chapter with PACKS, which link wide packs, are NN_name_code.
 # PACKS names what packs draw where it is not the lesson: a header of the chapter's, and the types in it.
 # DRAWN_WITH: options for the gallery's picture. ALSO_DRAWS adds a second picture: its name and the options that draw it.
 function(add_chapter name)

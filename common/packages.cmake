@@ -50,18 +50,16 @@ function(try_package name header without)
     list(TRANSFORM ${name}_FILES PREPEND "${folder}/" OUTPUT_VARIABLE files)
     file(GLOB files LIST_DIRECTORIES OFF ${files} ${libraries})
     set(tried "${${name}_USED} ${folder} ${libraries} ${CMAKE_CXX_FLAGS}")
-    set(version "")
+    set(version "of an unknown version")
     foreach(file IN LISTS files)
       file(MD5 "${file}" sum)
       string(APPEND tried " ${sum}")
       file(STRINGS "${file}" lines REGEX "^#define [A-Z]+_(VERSION_M(AJ|IN)OR|GFM_VERSION_STRING) ?")
-      string(REGEX MATCHALL "[0-9][0-9a-z.]*" numbers "${lines}")
-      list(APPEND version ${numbers})
+      if(lines)
+        string(REGEX MATCHALL "[0-9][0-9a-z.]*" numbers "${lines}")
+        list(JOIN numbers "." version)
+      endif()
     endforeach()
-    list(JOIN version "." version)
-    if(NOT version)
-      set(version "of an unknown version")
-    endif()
     set(CMAKE_REQUIRED_INCLUDES "${folder}")
     set(CMAKE_REQUIRED_LIBRARIES ${libraries})
     set(CMAKE_REQUIRED_QUIET ON)
@@ -99,7 +97,7 @@ endfunction()
 # 32-bit ARM do not round as single numbers do. What compiles with the widest instructions compiles
 # without them, and is tried once.
 set(xsimd_KNOWN "8.1 to 14.3")
-set(xsimd_INSTALL "Debian libxsimd-dev, Fedora xsimd-devel, Arch, brew, vcpkg xsimd")
+set(xsimd_INSTALL "Debian libxsimd-dev, Fedora xsimd-devel, else xsimd")
 set(xsimd_FILES xsimd/*.hpp xsimd/*/*.hpp xsimd/*/*/*.hpp)
 set(xsimd_USED [[
   #include <bit>
@@ -109,7 +107,7 @@ set(xsimd_USED [[
   #endif
   template <class Arch, class T> T use(T* at) {
     using Batch = xsimd::batch<T, Arch>;
-    const Batch a = Batch::load_aligned(at), b = -Batch::load_unaligned(at) * T(2) / a - a + a;
+    const Batch a = Batch::load_aligned(at), b = Batch(T(2)) * Batch::load_unaligned(at) / a - a + a;
     const xsimd::batch_bool<T, Arch> mask = (a < b || a >= b) && !(a == b || a <= b || a > b);
     const Batch c = xsimd::select(mask, xsimd::sqrt(a), xsimd::floor(xsimd::abs(a)));
     ((a & b) | (c ^ ~b)).store_unaligned(at);
@@ -131,7 +129,7 @@ try_package(xsimd xsimd/xsimd.hpp "packs of numbers are slow" ${wide_options})
 # PNG files are packed and unpacked by libdeflate, else by stb. The static library comes first:
 # programs then run where it is not installed.
 set(libdeflate_KNOWN "1.14 to 1.25")
-set(libdeflate_INSTALL "Debian libdeflate-dev, Fedora libdeflate-devel, Arch, brew, vcpkg libdeflate")
+set(libdeflate_INSTALL "Debian libdeflate-dev, Fedora libdeflate-devel, else libdeflate")
 set(libdeflate_FILES libdeflate.h)
 set(libdeflate_USED [[
   #include <libdeflate.h>

@@ -9,8 +9,8 @@ endif()
 add_check(broken_packages packages "${CMAKE_COMMAND}" "-DROOT=${CMAKE_SOURCE_DIR}" "-DCXX=${CMAKE_CXX_COMPILER}"
   "-DOUT=${CMAKE_CURRENT_BINARY_DIR}/broken" -P "${CMAKE_CURRENT_SOURCE_DIR}/packs/broken_packages.cmake")
 
-# The order in which the files of wide instructions are linked: a program with files that share a function of plain numbers must keep
-# the one that every machine can run.
+# The order in which the files of wide instructions are linked: a program with files that share a
+# function of plain numbers must keep the one that every machine can run.
 function(add_link_order_test)  # a function, because the folder of its chapter is its own
   set(TEXMAP_CHAPTERS "${CMAKE_CURRENT_SOURCE_DIR}/packs/chapters")
   add_executable(99_link_order packs/chapters/99_link_order/main.cpp)
