@@ -72,6 +72,10 @@ class Pack {
   friend Pack select(const Mask& mask, const Pack& yes, const Pack& no) {
     return simd::select<T>(mask.batch(), yes.values_, no.values_);
   }
+#ifdef TEXMAP_X86_PACKS
+  friend Pack max(const Pack& a, const Pack& b) { return simd::max(a.values_, b.values_); }
+  friend Pack min(const Pack& a, const Pack& b) { return simd::min(a.values_, b.values_); }
+#endif
   friend Pack abs(const Pack& a) { return simd::abs<T>(a.values_); }
   friend Pack copysign(const Pack& size, const Pack& sign) {
     return simd::with_sign<T>(simd::abs<T>(size.values_), sign.values_);

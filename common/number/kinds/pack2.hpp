@@ -77,6 +77,12 @@ struct Pack2 {
   friend Pack2 select(const Pack2<HalfMask>& mask, const Pack2& yes, const Pack2& no) {
     return {select(mask.first, yes.first, no.first), select(mask.second, yes.second, no.second)};
   }
+  friend Pack2 max(const Pack2& a, const Pack2& b) {
+    return {max(a.first, b.first), max(a.second, b.second)};
+  }
+  friend Pack2 min(const Pack2& a, const Pack2& b) {
+    return {min(a.first, b.first), min(a.second, b.second)};
+  }
   friend Pack2 abs(const Pack2& a) { return {abs(a.first), abs(a.second)}; }
   friend Pack2 copysign(const Pack2& size, const Pack2& sign) {
     return {copysign(size.first, sign.first), copysign(size.second, sign.second)};
