@@ -24,7 +24,8 @@ done
 # Debian's Emscripten takes JavaScript packages from Debian's folders, which another node does not know.
 [ ! -d /usr/share/nodejs ] || export NODE_PATH="/usr/share/nodejs:/usr/lib/nodejs${NODE_PATH:+:$NODE_PATH}"
 toolchain=$(em++ --cflags 2>/dev/null | tr ' ' '\n' | sed -n 's|^--sysroot=\(.*\)/cache/sysroot$|\1|p')/cmake/Modules/Platform/Emscripten.cmake
-[ -f "$toolchain" ] || toolchain=$(dirname "$(readlink -f "$(command -v em++)")")/cmake/Modules/Platform/Emscripten.cmake
+[ -f "$toolchain" ] || toolchain=$(python3 -c 'import os, sys; print(os.path.dirname(os.path.realpath(sys.argv[1])))' \
+  "$(command -v em++)")/cmake/Modules/Platform/Emscripten.cmake
 [ -f "$toolchain" ] || {
   echo "error: Emscripten.cmake, which comes with em++, is not where it should be: $toolchain" >&2
   exit 1
