@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages that list things list what is there: docs/sources.md, docs/glossary.md, docs/teaching.md and CHANGELOG.md.
+"""The pages that list things list what is there.
 
 usage: reference_pages.py ROOT     checks the pages of the tree ROOT
 
@@ -7,7 +7,8 @@ sources.md    Each row of its maps links our files and a test: the text of the l
               name of an add_test in a .cmake file.
 glossary.md   The terms are in alphabetical order, each once, each with a sentence and a link to a page.
 teaching.md   Each chapter of README.md has its row.
-CHANGELOG.md  Its first version is that of CMakeLists.txt, vcpkg.json and CITATION.cff.
+platforms.md  Chapters and golden pictures of a system are those of platforms.sh.
+CHANGELOG.md  Its first version is that of CMakeLists.txt, vcpkg.json and CITATION.cff, its day that of CITATION.cff.
 """
 import pathlib
 import re
@@ -85,12 +86,25 @@ def faults_of_teaching(page, chapters):
             yield f'chapter {chapter} has no row'
 
 
+def faults_of_platforms(root, rows):
+    golden = [file.name[:2] for file in (root / 'tests/golden').glob('*.png')]
+    script = (root / 'tests/platforms/platforms.sh').read_text(encoding='utf-8')
+    for system, programs in re.findall(r'^  (\w+)\)\n.*?chapters="(.*?)"', script, re.M | re.S):
+        chapters = [program[:2] for program in programs.split()]
+        wanted = [f'`{system}`', ' '.join(chapters), f'{sum(map(chapters.count, golden))} equal']
+        if not any(set(wanted) <= set(cells) for cells in rows):
+            yield f'no row with the cells {wanted}'
+
+
 def faults_of_version(root):
-    places = {'CMakeLists.txt': r'project\(.*? VERSION ([\d.]+)', 'vcpkg.json': r'"version": "([\d.]+)"', 'CITATION.cff': r'version: ([\d.]+)',
-              'CHANGELOG.md': r'## ([\d.]+)'}
-    found = {file: re.search(f'^ *{pattern}', (root / file).read_text(encoding='utf-8'), re.M) for file, pattern in places.items()}
-    versions = {file: match[1] if match else 'none' for file, match in found.items()}
-    return [] if len(set(versions.values())) == 1 else [f'the versions differ: {versions}']
+    files = ('CMakeLists.txt', 'vcpkg.json', 'CITATION.cff', 'CHANGELOG.md')
+    cmake, vcpkg, citation, changelog = [(root / file).read_text(encoding='utf-8') for file in files]
+    version = re.search(r'project\(.*? VERSION ([\d.]+)', cmake)[1]
+    day = re.search(r'date-released: (\S*)|$', citation)[1]
+    for text, line in ((vcpkg, f'"version": "{version}"'), (citation, f'\nversion: {version}\n'),
+                       (changelog.split('\n## ')[1], f'{version}, {day}\n')):
+        if line not in text:
+            yield f'CMakeLists.txt has version {version}, and one of {files[1:]} does not say {line.strip()}'
 
 
 def faults_of(root):
@@ -98,7 +112,8 @@ def faults_of(root):
     docs = root / 'docs'
     return [f'docs/{name}.md: {fault}' for name, faults in (
         ('sources', faults_of_sources(docs / 'sources.md')), ('glossary', faults_of_glossary(docs / 'glossary.md')),
-        ('teaching', faults_of_teaching(docs / 'teaching.md', chapters))) for fault in faults] + faults_of_version(root)
+        ('teaching', faults_of_teaching(docs / 'teaching.md', chapters)), ('platforms', faults_of_platforms(root, [cells for _, table in tables(docs / 'platforms.md') for _, cells in table])))
+        for fault in faults] + list(faults_of_version(root))
 
 
 if __name__ == '__main__':
