@@ -42,6 +42,7 @@ exec 9>"$root.lock"
 flock -n 9 || stop 1 "another run is in $root"
 rm -rf --one-file-system "$root"
 mkdir "$root"
+find "$kept" -maxdepth 1 -name "$suite.tar" -mtime +30 -delete # unstable moves
 if [ ! -f "$kept/$suite.tar" ]; then
   debootstrap --variant=minbase --include=git,ca-certificates "$suite" "$root"
   half=$kept/$suite.$RANDOM
