@@ -37,7 +37,7 @@ Image sheet_of_filters(const Session& session, const std::vector<FilterFigures>&
   int panel = 0;
   for (const auto& [filter, name] : shown) {
     const auto figures = std::find_if(all.begin(), all.end(),
-                                      [&name = name](const auto& one) { return one.name == name; });
+                                      [&want = name](const auto& one) { return one.name == want; });
     std::string label = name;
     if (figures != all.end()) {
       label += text(": %.0f read%s, %.1f %% off", figures->reads, figures->reads > 1 ? "s" : "",
