@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #ifdef __FAST_MATH__
 #error "This course measures rounding errors: it cannot be compiled with -ffast-math or -Ofast."
@@ -24,7 +25,7 @@ using std::sqrt;
 /// that every machine rounds alike, so that pictures do not depend on the C library. Angles are in
 /// radians. Source: number/kinds/elementary.hpp, with its bounds.
 template <std::floating_point T>
-[[nodiscard]] T atan2(T y, T x);
+[[nodiscard]] T atan2(T y, std::type_identity_t<T> x);
 template <std::floating_point T>
 [[nodiscard]] T acos(T x);
 template <std::floating_point T>
@@ -40,7 +41,7 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] T log1p(T x);
 template <std::floating_point T>
-[[nodiscard]] T pow(T x, T exponent);
+[[nodiscard]] T pow(T x, std::type_identity_t<T> exponent);
 
 /// What differs between one number and a pack of numbers. To add a number, specialize this.
 template <class Real>

@@ -14,7 +14,6 @@ void for_each_arithmetic(const Each& each) {
   each("-a", [](auto a, auto) { return -a; });
   each("abs", [](auto a, auto) { return abs(a); });
   each("floor", [](auto a, auto) { return floor(a); });
-  each("copysign", [](auto a, auto b) { return copysign(a, b); });
   each("square", [](auto a, auto) { return square(a); });
   each("sqrt", [](auto a, auto) { return sqrt(a); });
   each("max", [](auto a, auto b) { return max(a, b); });

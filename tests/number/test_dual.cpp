@@ -67,9 +67,9 @@ TEST_CASE_TEMPLATE("functions have the slopes of the textbook", T, float, double
       REQUIRE(std::abs(row.got.dx - row.slope) <= few);
       REQUIRE(std::abs(row.got.dy - 2 * row.slope) <= 2 * few);
     }
-    CHECK(sin(y).value == std::sin(x));
-    CHECK(cos(y).value == std::cos(x));
-    CHECK(power(y, T(2.5)).value == std::pow(x, T(2.5)));
+    CHECK(sin(y).value == sin(x));
+    CHECK(cos(y).value == cos(x));
+    CHECK(power(y, T(2.5)).value == pow(x, T(2.5)));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "number/kinds/interval.hpp"
 #include "number/operations.hpp"
+#include "number/table.hpp"
 #include "support/dice.hpp"
 #include "support/many_digits.hpp"
 

@@ -49,6 +49,7 @@ TEST_CASE_TEMPLATE("every operation works lane by lane and rounds as single numb
     }
   };
   for_each_arithmetic(check);
+  check("copysign", [](auto a, auto b) { return copysign(a, b); });
   check("ldexp", [](auto a, auto) { return ldexp(a, 3); });
   for_each_choice(check);
 }

@@ -17,7 +17,7 @@ T rounded_once(const Function& function, T x, More... more) {
 }  // namespace
 
 template <std::floating_point T>
-T atan2(T y, T x) {
+T atan2(T y, std::type_identity_t<T> x) {
   return rounded_once([](auto a, auto b) { return elementary::atan2(a, b); }, y, x);
 }
 template <std::floating_point T>
@@ -54,7 +54,7 @@ T log1p(T x) {
   return rounded_once([](auto a) { return elementary::log1p(a); }, x);
 }
 template <std::floating_point T>
-T pow(T x, T exponent) {
+T pow(T x, std::type_identity_t<T> exponent) {
   return rounded_once([](auto a, auto b) { return elementary::pow(a, b); }, x, exponent);
 }
 
