@@ -3,14 +3,13 @@
 # builds what they need.
 
 # Everything that is measured: the program and its tests use it.
-add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/encoding_group.cpp bench/ledger_group.cpp
-  bench/micro_groups.cpp bench/report.cpp)
+add_library(bench_groups OBJECT EXCLUDE_FROM_ALL bench/chapters_group.cpp bench/ledger_group.cpp bench/report.cpp
+  bench/uv_group.cpp)
 target_compile_definitions(bench_groups PRIVATE TEXMAP_BENCH_GROUPS="${CMAKE_CURRENT_SOURCE_DIR}/bench/groups.txt")
 target_include_directories(bench_groups PUBLIC bench PRIVATE support "${CMAKE_CURRENT_SOURCE_DIR}" "${TEXMAP_CHAPTERS}")
-target_link_libraries(bench_groups PUBLIC app chapters_code measure PRIVATE project_options compare stb_image stb_image_write)
+target_link_libraries(bench_groups PUBLIC app chapters_code measure PRIVATE project_options compare)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(bench_groups PRIVATE -Wno-restrict)  # g++ 12 warns of its own std::string (its bug 105651)
-  set_source_files_properties(bench/encoding_group.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)  # and of stb_image
 endif()
 
 # Packs of wide instructions: files of their own, compiled with the options that the chapters' are. They are linked last, as

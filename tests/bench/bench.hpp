@@ -62,10 +62,6 @@ struct Group {
 [[nodiscard]] Group budgets_group();
 [[nodiscard]] Group ledger_group();
 [[nodiscard]] Group uv_group();
-[[nodiscard]] Group texture_group();
-[[nodiscard]] Group spheres_group();
-[[nodiscard]] Group colors_group();
-[[nodiscard]] Group encoding_group();
 
 struct Effort {
   double part = 1;  ///< of the seconds that a group asks for

@@ -68,9 +68,8 @@ Group described(const std::string& name) {
 }
 
 std::vector<Group> all_groups() {
-  return {chapters_group(), threads_group(), meshes_group(),  tracing_group(),
-          budgets_group(),  ledger_group(),  uv_group(),      texture_group(),
-          spheres_group(),  colors_group(),  encoding_group()};
+  return {chapters_group(), threads_group(), meshes_group(), tracing_group(),
+          budgets_group(),  ledger_group(),  uv_group()};
 }
 
 const Row& Group::base_of(const Row& row) const {

@@ -79,11 +79,11 @@ TEST_CASE("docs/tracing.svg is the plot of the times in the table of tracing") {
 }
 
 TEST_CASE("bench_ratios measures, lists, and refuses what it does not know") {
-  const test::Outcome measured = test::run(program + " --quick --only spheres");
+  const test::Outcome measured = test::run(program + " --quick --only uv");
   CHECK(measured.status == 0);
   CHECK(measured.err.empty());
   CHECK(test::has(measured.out, "(base)"));
-  CHECK(unmeasured(measured.out) == unmeasured(section_of(spheres_group())));
+  CHECK(unmeasured(measured.out) == unmeasured(section_of(uv_group())));
   CHECK(test::run(program + " --list").out.starts_with("chapters | 01 | double\n"));
   for (const char* words :
        {" --fast", " --only nothing", " --write --only uv", " uv", " --only ''"}) {
