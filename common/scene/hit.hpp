@@ -14,11 +14,4 @@ struct Hit {
   int object = -1;     ///< the index of what was hit, in the scene's list; -1 if it has none
 };
 
-/// The ray from a hit point in a direction of any length; it does not meet the surface there again.
-/// Along the surface counts as outward. Domain: as hit_at.
-template <class Real>
-[[nodiscard]] Ray<Real> ray_from(const Hit<Real>& hit, const Vec3<Real>& direction) {
-  return {select(dot(hit.normal, direction) < Real(0), hit.inside, hit.outside), direction};
-}
-
 }  // namespace texmap

@@ -30,7 +30,7 @@ long count_lost(const Mesh& list, const Mesh& tree, long rays, double reach) {
     const Ray<Real> ray = aimed<Real>(from, [&] { return point_on_edge(dice, list); });
     const MeshHit<Real> a = first_hit(list, ray);
     const MeshHit<Real> b = first_hit(tree, ray);
-    const Ray<Real> onward = ray_from(a, dice.direction<Real>());
+    const Ray<Real> onward{a.outside, dice.direction<Real>()};
     const Real far = Real(dice.between(0, 2) * reach);
     const bool same =
         a.met == b.met &&
