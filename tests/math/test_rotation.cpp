@@ -1,11 +1,8 @@
 // Tests of common/math/rotation.hpp, turns about the vertical axis, in degrees; of math/circle.hpp,
-// turns of the unit circle; of math/vec3.hpp, sizes of vectors; and of texture/uv_inverse.hpp. How
-// exact they are, tests/extremes searches.
+// turns of the unit circle; and of math/vec3.hpp. How exact they are, tests/extremes searches.
 #include <doctest.h>
 
 #include "math/rotation.hpp"
-#include "math/vec3.hpp"
-#include "texture/uv_inverse.hpp"
 
 namespace texmap::test {
 namespace {
@@ -42,18 +39,6 @@ TEST_CASE_TEMPLATE("the lecture's matrix carries the axes round: +z to +x to -z 
   CHECK(equal(RotationY{}(Vec3<Real>{1, 2, 3}), {1, 2, 3}));
 }
 
-TEST_CASE("a rotation adds degrees / 360 to u and leaves v") {
-  for (int i = 0; i < 5000; ++i) {
-    const Point p{std::sin(i * 1.7), std::sin(i * 0.9) * 2, std::cos(i * 1.3)};
-    const double degrees = i * 0.7919 - 1800;
-    const Uv<double> before = uv_rtiow(p);
-    const Uv<double> after = uv_rtiow(rotation_y(degrees)(p));
-    const double off = after.u - before.u - degrees / 360;
-    REQUIRE(abs(off - std::round(off)) <= 2e-15);  // degrees / 360 is rounded at up to 6 turns
-    REQUIRE(abs(after.v - before.v) <= 4e-16);
-  }
-}
-
 TEST_CASE_TEMPLATE("cosine and sine of turns are the library's, and exact at quarters", T, float,
                    double, long double) {
   for (int quarter = -9; quarter <= 9; ++quarter) {
@@ -70,28 +55,6 @@ TEST_CASE_TEMPLATE("cosine and sine of turns are the library's, and exact at qua
     CHECK(on_circle(turns + T(0.25)).cosine == 0);
     CHECK(on_circle(-turns - T(0.25)).sine == -1);
   }
-}
-
-TEST_CASE_TEMPLATE("the direction of (u, v) has that (u, v), poles and seam included", T, float,
-                   double, long double) {
-  struct Row {
-    double u, v;
-    Vec3<T> p;
-  };
-  for (const Row& row : {Row{0.25, 0, {0, -1, 0}}, Row{0.25, 1, {0, 1, 0}}, Row{0, 0.5, {-1, 0, 0}},
-                         Row{0.25, 0.5, {0, 0, 1}}, Row{0.5, 0.5, {1, 0, 0}}})
-    CHECK(largest(direction_rtiow(Uv<T>{T(row.u), T(row.v)}) - row.p) == 0);
-}
-
-TEST_CASE_TEMPLATE("largest finds the largest coordinate in size, whatever its sign and place",
-                   Real, float, double, long double) {
-  const Real max = std::numeric_limits<Real>::max();
-  CHECK(largest(Vec3<Real>{-7, 2, 3}) == Real(7));
-  CHECK(largest(Vec3<Real>{2, -7, 3}) == Real(7));
-  CHECK(largest(Vec3<Real>{2, 3, -7}) == Real(7));
-  CHECK(largest(Vec3<Real>{2, 7, 3}) == Real(7));
-  CHECK(largest(Vec3<Real>{0, 0, 0}) == Real(0));
-  CHECK(largest(Vec3<Real>{-max, max, -max}) == max);
 }
 
 TEST_CASE("a vector without a length has no direction") {

@@ -40,33 +40,11 @@ TEST_CASE_TEMPLATE("huge whole numbers have a parity, and what is none has one t
 
 TEST_CASE_TEMPLATE("squares alternate in u and in v", Real, float, double, long double) {
   const Checkerboard board{even, odd, 4};
-  struct Row {
-    double u, v;
-    char square;
-  };
-  const Row table[] = {
-      {0, 0, 'e'},
-      {0.125, 0.125, 'e'},
-      {0.25, 0, 'o'},
-      {0, 0.25, 'o'},
-      {0.25, 0.25, 'e'},
-      {0.375, 0.125, 'o'},
-      {0.5, 0.25, 'o'},
-      {0.5, 0.5, 'e'},
-      {0.75, 0.5, 'o'},
-      {0.875, 0.875, 'e'},
-      {0.125, 0.875, 'o'},
-      {1, 0, 'e'},
-      // Below 0 squares go on by floor, so that none is double.
-      {-0.125, 0, 'o'},
-      {-0.375, 0, 'e'},
-      {0, -0.125, 'o'},
-      {-0.125, -0.375, 'o'},
-  };
-  for (const Row& row : table) {
-    CAPTURE(row.u);
-    CAPTURE(row.v);
-    CHECK(square_at(board, static_cast<Real>(row.u), static_cast<Real>(row.v)) == row.square);
+  for (int i = -8; i <= 8; ++i) {  // below 0 squares go on, so that none is double
+    for (int j = -8; j < 8; ++j) {
+      const bool is_even = (i + 8) / 2 % 2 == (j + 8) / 2 % 2;
+      CHECK(square_at(board, Real(i) / Real(8), Real(j) / Real(8)) == (is_even ? 'e' : 'o'));
+    }
   }
   CHECK(square_at(board, std::nextafter(Real(0.25), Real(0)), Real(0)) == 'e');
 }

@@ -1,4 +1,4 @@
-// Tests of texture/conventions.hpp and rotated.hpp: the source documents' conventions. How exact
+// Tests of texture/conventions.hpp: the source documents' conventions. How exact
 // they are, and that none leaves [0, 1), tests/extremes searches.
 #include <doctest.h>
 
@@ -9,7 +9,6 @@
 #include "number/kinds/pack.hpp"
 #include "published/uv.hpp"
 #include "texture/conventions.hpp"
-#include "texture/rotated.hpp"
 
 namespace texmap::test {
 namespace {
@@ -92,18 +91,6 @@ TEST_CASE("each convention is its document's own formula on 100000 points") {
   }
   CHECK(worst_u <= 4e-16);
   CHECK(worst_v <= 2e-14);  // the documents' asin and acos lose digits towards the poles
-}
-
-TEST_CASE("the lecture's convention is the book's on a globe turned back by a quarter") {
-  const Rotated<ConventionMapping> turned{rotation_y(-90), {Convention::rtiow}};
-  double worst = 0;
-  for (int i = 0; i < 8192; ++i) {
-    const Point p = spread(i, 8192);
-    const Uv<double> lecture = uv_of(Convention::lecture, p);
-    const Uv<double> book = turned(p);
-    worst = std::max({worst, apart(lecture.u, book.u), abs(lecture.v - book.v)});
-  }
-  CHECK(worst <= 4e-16);
 }
 
 TEST_CASE("v has the slopes of its formula where |x| = |z|, too") {

@@ -46,21 +46,6 @@ TEST_CASE("the rectangle has the parallelogram's area and its spread in every di
   CHECK(worst < 1e-14);
 }
 
-TEST_CASE("sides along u and v are the footprint, and its size counts in texels") {
-  const auto wide = footprint_of(moving(0.5, 0.0, 0.0, 0.25), 16.0, 8.0);
-  CHECK(wide.longer == 8);
-  CHECK(wide.shorter == 2);
-  CHECK(std::abs(wide.along_u) == 8);
-  CHECK(wide.along_v == 0);
-  const auto high = footprint_of(moving(0.0, 0.125, 1.0, 0.0), 16.0, 8.0);
-  CHECK(high.longer == 8);
-  CHECK(high.shorter == 2);
-  CHECK(high.along_u == 0);
-  CHECK(std::abs(high.along_v) == 8);
-  const double nan = std::numeric_limits<double>::quiet_NaN();  // wider than any texture
-  CHECK(footprint_of(moving(nan, 0, 0, 0), 4.0, 4.0).longer == 16777216);
-}
-
 Color<double> mean_of_level(const Pyramid& pyramid, std::size_t level) {
   const PyramidLevel<int>& size = pyramid.levels[level];
   Color<double> sum{};
