@@ -118,9 +118,9 @@ void figures_of_triangles(Figures& figures) {
     figures["08.signed_" + length] = whole(std::lround(errors.signed_areas));
     figures["08.heron_" + length] = whole(std::lround(errors.heron));
   }
-  const TwoTests leaks = leaks_from_inside<float>(20000);
-  figures["08.usual_cracks"] = whole(leaks.usual.cracks);
-  figures["08.usual_doubles"] = whole(leaks.usual.doubles);
+  const InsideLeaks leaks = leaks_of_usual_test<float>(20000);
+  figures["08.usual_cracks"] = whole(leaks.cracks);
+  figures["08.usual_doubles"] = whole(leaks.doubles);
 }
 
 /// Root mean square difference in levels of 255, as `compare` finds it between the files.

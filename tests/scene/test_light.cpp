@@ -1,5 +1,5 @@
-// Tests of common/scene/light.hpp and shading_normal.hpp: Lambert's law, shadows, and light on a
-// surface that is shaded with another normal than its own.
+// Tests of common/scene/light.hpp and shading_normal.hpp: shadows, and light on a surface that is
+// shaded with another normal than its own.
 #include <doctest.h>
 
 #include <string>
@@ -34,31 +34,6 @@ struct Watched {
   }
   [[nodiscard]] auto end() const { return things.end(); }
 };
-
-TEST_CASE_TEMPLATE("brightness follows the cosine at exact points", Real, float, double,
-                   long double) {
-  struct Row {
-    Point light;
-    long double cosine;
-  };
-  const Row table[] = {
-      {{0, 5, 0}, 1}, {{3, 4, 0}, 0.8L}, {{2, 1, 2}, 1 / 3.0L}, {{-2, 3, 6}, 3 / 7.0L},
-      {{5, 0, 0}, 0}, {{3, -4, 0}, 0},   {{3e6, 4e6, 0}, 0.8L},
-  };
-  for (const Row& row : table) {
-    CAPTURE(row.light.x);
-    CAPTURE(row.light.y);
-    const LightSample<Real> light = sample_light(PointLight{row.light}, nothing, ground<Real>);
-    const Real epsilon = std::numeric_limits<Real>::epsilon();
-    CHECK(abs(light.cosine - static_cast<Real>(row.cosine)) <= epsilon);
-    CHECK(largest(light.to_light - number_cast<Real>(normalize(row.light))) <=
-          max(Real(3) * epsilon, Real(1e-15L)));
-    const Real brightness = lambert(Lambertian{.ambient = 0.25, .diffuse = 0.5}, light);
-    CHECK(abs(brightness - static_cast<Real>(0.25L + 0.5L * row.cosine)) <= epsilon);
-  }
-  CHECK(lambert(Lambertian{}, LightSample<Real>{{0, 1, 0}, Real(0)}) == Real(0.2));
-  CHECK(Lambertian{}.diffuse == 0.8);
-}
 
 TEST_CASE_TEMPLATE(
     "a thing between the light and the surface takes the light, and anything elsewhere leaves it",

@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include "number/kinds/pack2.hpp"
-#include "support/fragile_triangles.hpp"
 #include "support/mesh_rays.hpp"
 
 namespace texmap::test {
@@ -16,15 +15,6 @@ TEST_CASE_TEMPLATE(
   CHECK(leaks.cracks == 0);
   CHECK(leaks.doubles == 0);
   CHECK(leaks.unequal == 0);
-}
-
-TEST_CASE_TEMPLATE("the usual test lets rays slip through and counts others twice", Real, float,
-                   double) {
-  const TwoTests leaks = leaks_from_inside<Real>(20000);
-  CHECK(leaks.usual.cracks > 100);
-  CHECK(leaks.usual.doubles > 100);
-  CHECK(leaks.signed_areas.cracks == 0);
-  CHECK(leaks.signed_areas.doubles == 0);
 }
 
 TEST_CASE_TEMPLATE("the first hit is the nearest, its normal faces the ray, its weights sum to 1",

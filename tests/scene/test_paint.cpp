@@ -32,19 +32,6 @@ bool equal(const Color<Real>& a, const Color<Real>& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b;
 }
 
-TEST_CASE_TEMPLATE("a solid paint is one color wherever it is hit", Real, float, double,
-                   long double) {
-  const Solid paint{{0.25, 0.5, 1}};
-  CHECK(equal(paint(Hit<Real>{{0, 1, 0}, {1, 2, 3}, {1, 2, 3}, {}}), {Real(0.25), Real(0.5), 1}));
-}
-
-TEST_CASE_TEMPLATE("a mapped texture is asked at the place of the normal, not of the point", Real,
-                   float, double, long double) {
-  const Mapped<RtiowMapping, UvTexture> paint;
-  CHECK(equal(paint(Hit<Real>{{0, 0, 1}, {5, 6, 7}, {8, 9, 10}, {}}), {Real(0.25), Real(0.5), 0}));
-  CHECK(equal(paint(Hit<Real>{{0, 1, 0}, {5, 6, 7}, {8, 9, 10}, {}}), {Real(0.5), 1, 0}));
-}
-
 TEST_CASE_TEMPLATE("of several paints the one that is there is asked", Real, float, double,
                    long double) {
   const Hit<Real> hit{{0, 0, -1}, {1, 1, 1}, {1, 1, 1}, {}};
@@ -57,29 +44,9 @@ TEST_CASE_TEMPLATE("of several paints the one that is there is asked", Real, flo
   CHECK(equal(object.paint(hit), {Real(0.5), Real(0.5), Real(0.5)}));
 }
 
-const GradientSky sky{.below = {1, 0.5, 0}, .above = {0.5, 0.25, 1}};
-
-TEST_CASE_TEMPLATE("the sky has its colors straight down, straight up and half way between", Real,
-                   float, double, long double) {
-  struct Row {
-    double height, r, g, b;
-  };
-  const Row table[] = {{-1, 1, 0.5, 0},
-                       {1, 0.5, 0.25, 1},
-                       {0, 0.75, 0.375, 0.5},
-                       {0.5, 0.625, 0.3125, 0.75},
-                       {-0.5, 0.875, 0.4375, 0.25}};
-  for (const Row& row : table) {
-    CAPTURE(row.height);
-    CHECK(equal(sky(Ray<Real>{{3, 4, 5}, {0, Real(row.height), 0}}),
-                {Real(row.r), Real(row.g), Real(row.b)}));
-  }
-}
-
 TEST_CASE_TEMPLATE("a sky of one color has it to the bit", Real, float, double, long double) {
   const GradientSky plain{.below = {0.3, 0.6, 0.9}, .above = {0.3, 0.6, 0.9}};
   CHECK(plain.is_constant());
-  CHECK_FALSE(sky.is_constant());
   CHECK_FALSE(GradientSky{.below = {1, 1, 1}, .above = {1, 1, 0.5}}.is_constant());
   CHECK(plain(Ray<Real>{{0, 0, 0}, {0, Real(0.1L), 0}}).g == Real(0.6));
 }

@@ -72,17 +72,6 @@ TEST_CASE_TEMPLATE("off the plane the weights are those of the foot", Real, floa
              0.25, 0.25));
 }
 
-TEST_CASE_TEMPLATE("the normal points to the side from which a, b, c run counterclockwise", Real,
-                   float, double, long double) {
-  const auto normal_of = [](const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {
-    return cross(exact_difference(b, a), exact_difference(c, a));
-  };
-  const Vec3<Real> zero{0, 0, 0};
-  CHECK(normal_of(zero, {1, 0, 0}, {0, 1, 0}).z == Real(1));
-  CHECK(normal_of(zero, {0, 1, 0}, {0, 0, 1}).x == Real(1));
-  CHECK(normal_of(zero, {0, 0, 1}, {1, 0, 0}).y == Real(1));
-}
-
 TEST_CASE_TEMPLATE(
     "the triangle article takes a point beyond a side for one inside, because areas have no sign",
     Real, float, double, long double) {
