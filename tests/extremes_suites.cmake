@@ -10,7 +10,7 @@ endif()
 
 # A library, because four programs share it and Boost's numbers take long to compile.
 add_library(claims STATIC extremes/page.cpp extremes/search.cpp)
-foreach(family arithmetic derivatives kernels maps rotation secondary_rays shading spheres textures triangles uv)
+foreach(family arithmetic derivatives functions kernels maps rotation secondary_rays shading spheres textures triangles uv)
   target_sources(claims PRIVATE extremes/claims_of_${family}.cpp)
 endforeach()
 target_link_libraries(claims PUBLIC texture PRIVATE kernels project_options)

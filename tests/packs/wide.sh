@@ -22,7 +22,7 @@ objdump -d --no-show-raw-insn "$program" |
 grep -q '^wide' "$work/all" || exit 77
 awk '
   function is_wide(name) {
-    return name ~ /avx|run_in_wide_packs|PackU32ILm(8|16)E|\.arch_x86_64_v3$/ && name !~ /_GLOBAL__sub_I|global_var_init/
+    return name ~ /avx|RegistersILm(32|64)E|run_in_wide_packs|PackU32ILm(8|16)E|\.arch_x86_64_v3$/ && name !~ /_GLOBAL__sub_I|global_var_init/
   }
   $1 == "call" { caller[++calls] = $2; called[calls] = $3 }
   $1 == "name" { name[$2] = $3 }
