@@ -129,7 +129,8 @@ template <class Real>
   const Real power =
       Real(T(1)) + (rest + (rest * rest * power_series(rest, series<T>.exponential) + lost));
   const Real half = floor(twos * Real(T(0.5)));  // in two steps: 2^twos alone may be no number
-  return select(x == x, power * power_of_two(half) * power_of_two(twos - half), x);
+  const Mask<Real> is_number = x == x;           // NaN is not; NOLINT(misc-redundant-expression)
+  return select(is_number, power * power_of_two(half) * power_of_two(twos - half), x);
 }
 
 /// log(1 + x): -infinity at -1, NaN below. Bound: 1 ulp.
@@ -188,7 +189,7 @@ template <class T>
   const T size = abs(x);
   const bool whole = floor(y) == y;
   const bool odd = whole && floor(y / T(2)) * T(2) != y;
-  if (x != x || y != y || (x < T(0) && size < infinity<T>() && !whole))
+  if (std::isnan(x) || std::isnan(y) || (x < T(0) && size < infinity<T>() && !whole))
     return std::numeric_limits<T>::quiet_NaN();
   T power = size;
   if (size == T(1)) {
