@@ -49,7 +49,7 @@ void add_functions(Family& family) {
       [](const auto& x, const auto&) { return log1p(x); });
   if constexpr (lanes<Real> == 1) {
     const auto ratio = [](Dice& dice) {
-      const double near_one = 1 - dice.power_of_ten(-17, 0);
+      const long double near_one = 1 - dice.power_of_ten(-17, 0);
       return static_cast<T>(dice.sign() * (dice.once_in(2) ? near_one : dice.power_of_ten(-20, 0)));
     };
     const auto angle = [](Dice& dice) {
