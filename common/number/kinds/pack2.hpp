@@ -84,8 +84,8 @@ struct Pack2 {
     return {min(a.first, b.first), min(a.second, b.second)};
   }
   friend Pack2 abs(const Pack2& a) { return {abs(a.first), abs(a.second)}; }
-  friend Pack2 copysign(const Pack2& size, const Pack2& sign) {
-    return {copysign(size.first, sign.first), copysign(size.second, sign.second)};
+  friend Pack2 copysign(const Pack2& a, const Pack2& sign) {
+    return {copysign(a.first, sign.first), copysign(a.second, sign.second)};
   }
   friend Pack2 sqrt(const Pack2& a) { return {sqrt(a.first), sqrt(a.second)}; }
   friend Pack2 floor(const Pack2& a) { return {floor(a.first), floor(a.second)}; }
