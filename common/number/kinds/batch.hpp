@@ -92,7 +92,7 @@ TEXMAP_OF_REGISTERS(double, __m128d, _mm, pd)
 /// The largest whole number that is not above `a`.
 template <class T>
 [[nodiscard]] Batch<T> floor(const Batch<T>& a) {
-#if defined(__SSE4_1__) || defined(__aarch64__)
+#ifdef __SSE4_1__
   return xsimd::floor(a);
 #else
   // Adding 2^(digits - 1) to the size leaves no place for a fraction. Larger numbers are whole.
