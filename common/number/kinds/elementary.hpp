@@ -220,8 +220,8 @@ struct CosineAndSine {
     if (abs(x) > T(0x1p20)) x = std::fmod(x, T(2) * pi<T>());
     // Quarter turns, pi / 2 in three parts: whole numbers up to 2^20 times the first two are exact.
     const T quarters = floor(x * static_cast<T>(2 / pi_digits) + T(0.5));
-    const T near = x - quarters * static_cast<T>(0x1.921fb544p+0L);
-    const TwoParts<T> rest = two_sum(near, -quarters * static_cast<T>(0x1.0b4611a6p-34L));
+    const T most = x - quarters * static_cast<T>(0x1.921fb544p+0L);
+    const TwoParts<T> rest = two_sum(most, -quarters * static_cast<T>(0x1.0b4611a6p-34L));
     const T below = rest.low - quarters * static_cast<T>(0x1.3198a2e03707344a4093822p-69L);
     const T angle = rest.high + below;
     const T lost = (rest.high - angle) + below;
@@ -233,9 +233,9 @@ struct CosineAndSine {
     const T c =
         big + (((T(1) - big) - half) +
                (square * square * power_series(square, series<T>.cosine, 1) - angle * lost));
-    const int quadrant = static_cast<int>(quarters - T(4) * floor(quarters / T(4)));
-    cosine = quadrant == 0 ? c : quadrant == 1 ? -s : quadrant == 2 ? -c : s;
-    sine = quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c;
+    const T quadrant = quarters - T(4) * floor(quarters / T(4));
+    cosine = quadrant == T(0) ? c : quadrant == T(1) ? -s : quadrant == T(2) ? -c : s;
+    sine = quadrant == T(0) ? s : quadrant == T(1) ? c : quadrant == T(2) ? -s : -c;
   }
 };
 
@@ -249,9 +249,9 @@ template <class Real>
     ((sum = sum * z + Real(static_cast<T>(rest))), ...);
     return sum;
   };
-  if constexpr (std::is_same_v<T, float>) {
+  if constexpr (Series<T>::digits <= 24) {
     return z * polynomial(8.05374449538e-2, -1.38776856032e-1, 1.99777106478e-1, -3.33329491539e-1);
-  } else if constexpr (std::is_same_v<T, double>) {
+  } else if constexpr (Series<T>::digits <= 53) {  // long double may be double
     return z *
            polynomial(-8.750608600031904122785e-1, -1.615753718733365076637e1,
                       -7.500855792314704667340e1, -1.228866684490136173410e2,
