@@ -52,20 +52,22 @@ void add_functions(Family& family) {
       const long double near_one = 1 - dice.power_of_ten(-17, 0);
       return static_cast<T>(dice.sign() * (dice.once_in(2) ? near_one : dice.power_of_ten(-20, 0)));
     };
-    const auto angle = [](Dice& dice) {
+    // The distance from a quarter turn is the smaller, the more digits the angle has.
+    const int most_quarters = std::numeric_limits<T>::digits > 53 ? 10 : 400000;
+    const auto angle = [=](Dice& dice) {
       return dice.once_in(2) ? sized<T>(dice, 6)
-                             : static_cast<T>(dice.within(-400000, 400000) *
+                             : static_cast<T>(dice.within(-most_quarters, most_quarters) *
                                               std::numbers::pi_v<long double> / 2);
     };
     add("acos", "-1 to 1", 3, pair(ratio, zero),
         [](const auto& x, const auto&) { return acos(x); });
     add("asin", "-1 to 1", 3, pair(ratio, zero),
         [](const auto& x, const auto&) { return asin(x); });
-    add("cos", "up to 1e6, near quarter turns, too", 1, pair(angle, zero),
+    add("cos", "up to 1e6, near quarter turns, too (extended: 10 of them)", 1, pair(angle, zero),
         [](const auto& x, const auto&) { return cos(x); });
-    add("sin", "up to 1e6, near quarter turns, too", 1, pair(angle, zero),
+    add("sin", "up to 1e6, near quarter turns, too (extended: 10 of them)", 1, pair(angle, zero),
         [](const auto& x, const auto&) { return sin(x); });
-    add("tan", "up to 1e6, near quarter turns, too", 2.5, pair(angle, zero),
+    add("tan", "up to 1e6, near quarter turns, too (extended: 10 of them)", 2.5, pair(angle, zero),
         [](const auto& x, const auto&) { return tan(x); });
     const auto base = [](Dice& dice) { return static_cast<T>(dice.power_of_ten(-6, 6)); };
     const auto power = [=](Dice& dice) {
