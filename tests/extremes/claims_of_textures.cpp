@@ -255,11 +255,11 @@ Family claims_of_textures() {
   const Bound whole{0, "no whole number from 0 to n - 1"};
   const Bound none{0, "wrong colors"};
   for_each_number([&]<class Real>() {
-    family.add<Real>("texel_index, range", anything, whole,
+    family.add<Real>("texel_number, range", anything, whole,
                      count_outside<Real>(TexelRounding::floor));
-    family.add<Real>("texel_index, lecture, range", anything, whole,
+    family.add<Real>("texel_number, lecture, range", anything, whole,
                      count_outside<Real>(TexelRounding::lecture));
-    family.add<Real>("texel_index, distance of u from its texel",
+    family.add<Real>("texel_number, distance of u from its texel",
                      "u in [0, 1), also at the edges of texels and a few numbers away; n = 1 to "
                      "2^24",
                      {1, "u n"}, worst_texel<Real>());
