@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the pages take from elsewhere: pieces of code, and measured figures. Text and code cannot drift apart.
+"""What the pages take from elsewhere, so that text and code cannot drift apart: code and figures.
 
 usage: pages.py ROOT --check|--write|--self-test
 
@@ -9,10 +9,11 @@ In a page, a mark comes before a block of code, and the block is what the source
     <!-- code: scene/nearest.hpp color_along from "Nearest<Real> nearest" to "background(ray)" -->
     <!-- code: lesson.hpp Lesson::prepare -->
 
-The path is that of a file next to the page, or in common/, or in the whole tree. The name is that of a function, a structure, an
-enumeration or a constant; `A::b` is a member; with `from` and `to`, the lines from the first that holds one text to the next that
-holds the other; if both texts are the same, one line. A figure is between two marks inside a line, and is the value of its name in docs/figures.txt,
-or a ratio in a table of docs/measurements.md, named by its group, line and column:
+The path is that of a file next to the page, or in common/, or in the whole tree. The name is that
+of a function, a structure, an enumeration or a constant; `A::b` is a member; with `from` and `to`,
+the lines from the first that holds one text to the next that holds the other; if both texts are
+the same, one line. A figure is between two marks inside a line, and is the value of its name in
+docs/figures.txt, or a ratio in a table of docs/measurements.md, named by group, line and column:
 
     in all <!-- figure: 06.pixels_at_50 -->1,234<!-- end --> pixels
     <!-- figure: measured.chapters.07.float-pack_avx2 -->5.1<!-- end --> times as fast
@@ -26,7 +27,7 @@ import tempfile
 CODE = re.compile(r'^<!-- code: (?P<file>\S+) (?P<name>[\w:~()]+)'
                   r'(?: from "(?P<first>[^"]*)" to "(?P<last>[^"]*)")? -->$')
 FIGURE = re.compile(r'<!-- figure: (?P<name>[\w.-]+) -->(?P<value>.*?)<!-- end -->')
-MARK_OF_EXERCISE = re.compile(r'^ *// (solution$|start: )')  # tests/exercises/: the page shows the solution
+MARK_OF_EXERCISE = re.compile(r'^ *// (solution$|start: )')  # in tests/exercises/
 FIGURES = 'docs/figures.txt'  # lines of a name, a blank and the value
 MEASURED = 'docs/measurements.md'
 MOST_WORDS = 1800  # on the main road of a chapter's page
@@ -58,11 +59,11 @@ def blanked(lines):
 
 
 def end_of(plain, start):
-    """The line on which the definition that begins at `start` ends: braces are closed, and a semicolon or a brace comes last."""
+    """The line where the definition from `start` ends: braces are closed, `;` or `}` is last."""
     depth = 0
     opened = False
     for i in range(start, len(plain)):
-        depth += plain[i].count('{') + plain[i].count('(') - plain[i].count('}') - plain[i].count(')')
+        depth += len(re.findall('[{(]', plain[i])) - len(re.findall('[})]', plain[i]))
         opened = opened or '{' in plain[i]
         text = plain[i].rstrip()
         if depth == 0 and (text.endswith(';') or (opened and text.endswith('}'))):
@@ -75,9 +76,9 @@ def definition(lines, plain, name, first, last):
     word = re.escape(name)
     patterns = [rf'^\s*(struct|class|enum class|enum) {word}\b(?!;)',  # a type
                 rf'^\s*using {word} =',
-                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\([^;]*$',  # a function that goes on after its first line
-                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\(.*\{{.*\}}$',  # a function on one line
-                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}(\{{| = |;)']  # a constant, a variable, a member
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\([^;]*$',  # more than a line
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}\(.*\{{.*\}}$',  # one line
+                rf'^\s*(?!return\b)[\w:<>,&*\[\] ]*?[\s&*>\]]{word}(\{{| = |;)']  # no function
     for pattern in patterns:
         for i in range(first, last + 1):
             if re.match(pattern, plain[i]):
@@ -103,7 +104,7 @@ def code_of(root, page, mark):
         after = begin if mark['last'] == mark['first'] else begin + 1
         end = next((i for i in range(after, last + 1) if mark['last'] in lines[i]), None)
         if end is None:
-            raise Fault(f'{mark["name"]} has no line with "{mark["last"]}" after that with "{mark["first"]}"')
+            raise Fault(f'{mark["name"]} has no line with "{mark["last"]}" after the first')
         first, last = begin, end
     piece = [line for line in lines[first:last + 1] if not MARK_OF_EXERCISE.match(line)]
     indent = min(len(line) - len(line.lstrip()) for line in piece if line.strip())
@@ -111,13 +112,14 @@ def code_of(root, page, mark):
 
 
 def joined(text):
-    """A line that begins with a mark would be HTML and no more of its paragraph: such a figure goes to the end of the line before."""
+    """Figures that begin a line go to the line before: Markdown would take the line for HTML."""
     return re.sub(r'(?<=[^\n])\n(<!-- figure: [^\n]*?<!-- end -->[^\s|]*) ?', r' \1\n', text).replace('\n\n\n', '\n\n')
 
 
 def renewed(root, page, figures, used):
     """The page's text with what its marks ask for."""
     out = []
+    name = page.relative_to(root)
     lines = iter(enumerate(joined(page.read_text(encoding='utf-8')).split('\n'), 1))
     for number, line in lines:
         def value(match):
@@ -128,12 +130,12 @@ def renewed(root, page, figures, used):
             return f'<!-- figure: {name} -->{figures[name]}<!-- end -->'
         try:
             if line.startswith('<!-- figure:'):
-                raise Fault('a paragraph begins with a figure: Markdown would take the line for HTML')
+                raise Fault('a paragraph begins with a figure: Markdown takes the line for HTML')
             out.append(FIGURE.sub(value, line))
             if line.startswith('<!-- code:'):
                 mark = CODE.match(line)
                 if not mark:
-                    raise Fault('this mark is not of the form <!-- code: FILE NAME [from "A" to "B"] -->')
+                    raise Fault('a mark has the form <!-- code: FILE NAME [from "A" to "B"] -->')
                 if next(lines)[1] != '```cpp':
                     raise Fault('after the mark comes a line with ```cpp')
                 out += ['```cpp', *code_of(root, page, mark), '```']
@@ -142,14 +144,14 @@ def renewed(root, page, figures, used):
             elif '<!-- figure:' in FIGURE.sub('', line):
                 raise Fault('a figure lacks its <!-- end --> on the same line')
         except Fault as fault:
-            raise Fault(f'{page.relative_to(root)}:{number}: {fault}') from None
+            raise Fault(f'{name}:{number}: {fault}') from None
         except StopIteration:
-            raise Fault(f'{page.relative_to(root)}:{number}: the block of code does not end') from None
+            raise Fault(f'{name}:{number}: the block of code does not end') from None
     return '\n'.join(out)
 
 
 def measured(text):
-    """The ratios in the tables of docs/measurements.md, by group, line and column, in two or three digits."""
+    """The ratios of docs/measurements.md by group, line and column, in two or three digits."""
     def word(cell):
         return re.sub(r'[^\w.-]+', '_', cell).strip('_')
     ratios = {}
@@ -170,7 +172,7 @@ def measured(text):
 
 
 def words_on_the_road(text):
-    """How many words of a page everybody reads: outside folds, pictures, code, formulas, tables and exercises."""
+    """The number of words outside folds, pictures, code, formulas, tables and exercises."""
     return sum(any(map(str.isalnum, word)) for word in SKIPPED.sub(' ', text).split())
 
 
@@ -183,10 +185,12 @@ def run(root, write):
     faults = []
     changed = 0
     for page in root.glob('chapters/*/README.md'):
+        name = page.relative_to(root)
         words = words_on_the_road(page.read_text(encoding='utf-8'))
         if words > MOST_WORDS:
-            faults.append(f'{page.relative_to(root)} has {words} words outside its folds, more than {MOST_WORDS}: fold what may be skipped')
+            faults.append(f'{name} has {words} words outside its folds, more than {MOST_WORDS}')
     for page in pages_of(root):
+        name = page.relative_to(root)
         try:
             text = renewed(root, page, figures, used)
         except Fault as fault:
@@ -197,7 +201,7 @@ def run(root, write):
             if write:
                 page.write_text(text, encoding='utf-8')
             else:
-                faults.append(f'{page.relative_to(root)} shows other code or figures than there are: run ./course pages --write')
+                faults.append(f'{name} is stale: run ./course pages --write')
     if not write:
         faults += [f'{FIGURES}: no page shows {name}' for name in counted
                    if name not in used and list(root.glob(f'chapters/{name[:2]}_*'))]
@@ -236,19 +240,19 @@ def self_test():
             return f'<!-- code: texture/uv.hpp {mark} -->\n```cpp\n{code}```\n'
 
         whole = 'template <class Real>\nReal half(Real x) {\n  // } in a comment\n  if (x) {\n    return x / 2;\n  }\n  return half(x);\n}\n'
-        # All forms of marks are on the pages themselves.
+        figure = '<!-- figure: 02.n -->76<!-- end -->'
         assert renew(block('half', 'old\n')) == block('half', whole)
-        assert renew('a\n<!-- figure: 02.n -->1<!-- end -->, b') == 'a <!-- figure: 02.n -->76<!-- end -->,\nb'
-        refused('a\n\n<!-- figure: 02.n -->1<!-- end --> b', 'Markdown would take the line for HTML')
+        assert renew('a\n<!-- figure: 02.n --><!-- end -->, b') == f'a {figure},\nb'
+        refused('a\n\n<!-- figure: 02.n -->1<!-- end --> b', 'Markdown takes the line for HTML')
         refused(block('third'), 'nothing is named third')
         refused(block('half from "while" to "}"'), 'has no line with "while"')
-        refused('<!-- code: texture/none.hpp half -->\n```cpp\n```', 'there is no file texture/none.hpp')
+        refused('<!-- code: uv/none.hpp half -->\n```cpp\n```', 'there is no file uv/none.hpp')
         refused('<!-- code: texture/uv.hpp half -->\n\n```cpp\n```', 'comes a line with ```cpp')
         refused('<!-- code: texture/uv.hpp half -->\n```cpp\n', 'does not end')
         refused('a <!-- figure: 02.m -->1<!-- end -->', 'has no figure 02.m')
         refused('a <!-- figure: 02.n -->1', 'lacks its')
-        road = 'one [two](a.md)\n\n| no |\n\n    no\n```\nno\n```\n![no](b.png)\n<details>\nno\n</details>\n'
-        assert words_on_the_road(road + '## Exercises\nno\n## Questions\nno\n## Sources\n* four') == 4
+        road = 'one [two](a.md)\n\n| no |\n\n    no\n```\nno\n```\n![no](b)\n<details>\nno\n</details>\n'
+        assert words_on_the_road(road + '## Exercises\nno\n## Questions\nno\n## Then\n* four') == 4
         renew(block('half', 'old\n'))
         assert run(work, False) == 1
         renew('a <!-- figure: 02.n -->1<!-- end -->\n' + block('half', 'old\n'))
