@@ -64,10 +64,10 @@ Session::Session(std::string_view chapter, CommandLine& line, const About& about
   if (offers.spheres) {
     line.choice(
         "--spheres", settings.spheres, "plain|robust|hybrid",
-        "the formula for where a ray meets a sphere. robust draws every scene of the course. "
-        "hybrid takes about 6 times as long; it is for float beyond 100 radii, and for an eye "
-        "close above a surface. Beyond 1e4 radii in float, 1e7 in double, robust changes to hybrid "
-        "by itself. plain is the textbook's formula, to see where it fails");
+        "the formula for where a ray meets a sphere. robust draws every scene of the course; from "
+        "1e4 radii away in float, 1e7 in double, it changes to hybrid by itself. hybrid takes "
+        "about 6 times as long; ask for it in float from 100 radii away, and where the eye is "
+        "close above a surface. plain is the textbook's formula, to see where it fails");
   }
   if (offers.surfaces) {
     line.choice(
