@@ -86,21 +86,25 @@ template <class T>
 /// A mistake, what comes out of it at one place, and what comes out of its other spellings.
 template <class Out>
 struct Slip {
-  const char* word;  ///< "u runs the other way: your map is mirrored"
+  std::string word;  ///< "u runs the other way: your map is mirrored"
   std::vector<Out> values;
 };
 
 /// The mistakes with a function, at one place; the same rows at each place. To add one, add a row
-/// {word, value} or {word, {value, value}} to the exercise's table, or a whole table.
+/// {word, value} or {word, {value, value}} to the exercise's table, or a whole table. Rows with one
+/// rule are a table {rule, {row, row}}: each gets the word "what is wrong: rule".
 template <class Out>
 struct Slips {
   std::vector<Slip<Out>> rows;
 
   Slips() = default;
-  Slips(const char* word, const Out& value) : rows{{word, {value}}} {}
-  Slips(const char* word, std::vector<Out> values) : rows{{word, std::move(values)}} {}
+  Slips(std::string word, const Out& value) : rows{{std::move(word), {value}}} {}
+  Slips(std::string word, std::vector<Out> values) : rows{{std::move(word), std::move(values)}} {}
   Slips(std::initializer_list<Slips> tables) {
     for (const Slips& table : tables) *this += table;
+  }
+  Slips(const std::string& rule, std::initializer_list<Slips> tables) : Slips(tables) {
+    for (Slip<Out>& row : rows) row.word += (row.word.empty() ? "" : ": ") + rule;
   }
   Slips& operator+=(const Slips& more) {
     rows.insert(rows.end(), more.rows.begin(), more.rows.end());
@@ -161,19 +165,23 @@ struct Verdict {
   std::string values;  ///< those of the function at all places, as bytes
 };
 
+/// Adds a place's table to that of all places, in which each value of a mistake has its own row.
+template <class Out>
+void add_place(Slips<Out>& all, const Slips<Out>& table) {
+  std::size_t row = 0;
+  for (const Slip<Out>& slip : table.rows) {
+    for (const Out value : slip.values) {
+      if (row == all.rows.size()) all.rows.push_back({slip.word, {}});
+      all.rows[row++].values.push_back(value);
+    }
+  }
+}
+
 /// The law's table, each mistake with its values at all places.
 template <class Out, class... Args>
 [[nodiscard]] Slips<Out> slips_at_all_places(const Law<Out, Args...>& law) {
   Slips<Out> all;
-  for (const auto& place : law.places) {
-    std::size_t row = 0;
-    for (const Slip<Out>& slip : std::apply(law.slips, place.at).rows) {
-      for (const Out value : slip.values) {
-        if (row == all.rows.size()) all.rows.push_back({slip.word, {}});
-        all.rows[row++].values.push_back(value);
-      }
-    }
-  }
+  for (const auto& place : law.places) add_place(all, std::apply(law.slips, place.at));
   return all;
 }
 
@@ -192,6 +200,32 @@ template <class Out>
   if constexpr (std::is_same_v<Out, Vec3<double>>) return std::array{"x", "y", "z"}[part];
   if constexpr (std::is_same_v<Out, Rgb>) return std::array{"red", "green", "blue"}[part];
   return std::array{"[0]", "[1]", "[2]"}[part];
+}
+
+/// What happens to any value of several numbers: two of them are exchanged, one is a copy of
+/// another, has the wrong sign or is missing.
+template <class Out>
+[[nodiscard]] Slips<Out> slips_of_parts(const Out& right) {
+  const auto all = parts(right);
+  const auto with = [&](std::size_t i, double of_i, std::size_t k, double of_k) {
+    auto numbers = all;
+    numbers[i] = of_i;
+    numbers[k] = of_k;
+    return std::apply([](auto... number) { return Out{number...}; }, numbers);
+  };
+  Slips<Out> slips;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name = name_of_part<Out>(i);
+    slips += {{"the sign of " + name + " is wrong", with(i, -all[i], i, -all[i])},
+              {name + " is missing, 0 everywhere", with(i, 0, i, 0)}};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (k == i) continue;
+      const std::string other = name_of_part<Out>(k);
+      if (i < k) slips += {name + " and " + other + " are exchanged", with(i, all[k], k, all[i])};
+      slips += {name + " is a copy of " + other, with(i, all[k], k, all[k])};
+    }
+  }
+  return slips;
 }
 
 /// A mistake in one number of several, such as u, while the others are right or have mistakes of
@@ -214,6 +248,25 @@ template <class Out>
     }
   }
   return words;
+}
+
+/// "2 times the right value at every place", if it is, or empty.
+template <class Out>
+[[nodiscard]] std::string factor_of(const std::vector<Out>& right, const std::vector<Out>& values) {
+  double factor = 0;
+  bool is_known = false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    for (std::size_t part = 0; part < parts(right[i]).size(); ++part) {
+      const double of_right = parts(right[i])[part], yours = parts(values[i])[part];
+      if (!is_known && !alike(of_right, 0.0)) {
+        factor = yours / of_right;
+        is_known = true;
+      }
+      if (!alike(factor * of_right, yours)) return "";
+    }
+  }
+  if (factor == 0 || !std::isfinite(factor)) return "";
+  return in_words(factor, 4) + " times the right value at every place";
 }
 
 /// What is to be seen in wrong values, whatever the mistake is.
@@ -241,10 +294,12 @@ template <class Out, class... Args>
   verdict.places = values.size();
   const auto seen = [&law](const Out& value) { return law.seen ? law.seen(value) : value; };
   std::vector<Out> all_right, yours;
+  Slips<Out> of_parts;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Out value = values[i];
     verdict.values.append(reinterpret_cast<const char*>(&value), sizeof value);
     const Out right = std::apply(law.right, law.places[i].at);
+    if constexpr (!std::is_arithmetic_v<Out>) add_place(of_parts, slips_of_parts(right));
     all_right.push_back(seen(right));
     yours.push_back(seen(value));
     if (alike<Out>(all_right.back(), yours.back())) continue;
@@ -266,16 +321,20 @@ template <class Out, class... Args>
   }
   if (verdict.right) return verdict;
   Slips<Out> known = slips_at_all_places(law);
-  for (Slip<Out>& slip : known.rows) {
+  known += of_parts;
+  for (Slip<Out>& slip : known.rows)
     std::transform(slip.values.begin(), slip.values.end(), slip.values.begin(), seen);
+  for (const Slip<Out>& slip : known.rows) {
     if (!std::equal(yours.begin(), yours.end(), slip.values.begin(), alike<Out>)) continue;
     verdict.mistake = slip.word;
-    return verdict;
+    break;
   }
   if constexpr (!std::is_same_v<Out, bool>) {
+    verdict.fact = factor_of(all_right, yours);
+    if (!verdict.mistake.empty()) return verdict;
     verdict.mistake = mistakes_in_parts(all_right, yours, known);
     verdict.in_parts = !verdict.mistake.empty();
-    if (!verdict.in_parts) verdict.fact = fact_of(all_right, yours);
+    if (!verdict.in_parts && verdict.fact.empty()) verdict.fact = fact_of(all_right, yours);
   }
   return verdict;
 }
