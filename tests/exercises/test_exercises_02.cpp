@@ -19,7 +19,7 @@ TEST_CASE("02: strangers' answers get their words") {
   by_v("add 0.5", [](V p) { return atan2(p.y, std::hypot(p.x, p.z)) / pi; });
   by_v("square root", [](V p) { return atan2(p.x * p.x + p.z * p.z, -p.y) / pi; });
   // Both are wrong, each in its own way.
-  uv_of("twice; and v is", [](V p) { return Uv{atan2(-p.z, p.x) / pi, acos(-p.y)}; });
+  uv_of("by 2 pi; and v is", [](V p) { return Uv{atan2(-p.z, p.x) / pi, acos(-p.y)}; });
 
   is_first_color("stripes", [](D x, D z, D s) { return int(floor(x / s)) % 2 != 0; });
   is_first_color("slanted", [](D x, D z, D s) { return int(floor(x / s + z / s)) % 2 == 0; });

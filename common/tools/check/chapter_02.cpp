@@ -47,16 +47,17 @@ Slips<double> wrong_beginnings(double share) {
   const double angle = share * 2 * pi;
   const auto added = [=](double west) { return share < 0 ? share + west : share; };
   return {
-      {"west of Greenwich your u is below 0: add 1 there", {share, fmod(share, 1)}},
       {"your map begins on -x, as the page's: this one begins on +x", {0.5 + share, share - 0.5}},
-      {"u is 0 on +x: add 1 only where the longitude is below 0", share <= 0 ? share + 1 : share},
-      {"u is less than 1: add 1 only where the longitude is below 0", share + 1},
-      {"without its sign, west counts as east: you see half of the map, mirrored", abs(share)},
-      {"the west belongs to the right half of the map: add 1, do not limit u", max(share, 0.0)},
-      {"a whole turn is missing where the longitude is below 0: u + 1",
-       {added(0.5), added(2 * pi), added(360), added(1) * 2 * pi, added(1) * pi * pi,
-        (share < 0 ? angle + 1 : angle) / (2 * pi), (share < 0 ? angle + 360 : angle) / (2 * pi),
-        share < 0 ? 1 - share : share, share < 0 ? 0.5 - share : share}},
+      {"add 1 only where the longitude is below 0",
+       {{"west of Greenwich your u is below 0", {share, fmod(share, 1)}},
+        {"u is 0 on +x, not 1", share <= 0 ? share + 1 : share},
+        {"u is less than 1", share + 1},
+        {"without its sign, west counts as east, and half of the map is mirrored", abs(share)},
+        {"the west belongs to the right half of the map, so do not limit u", max(share, 0.0)},
+        {"a whole turn is missing there",
+         {added(0.5), added(2 * pi), added(360), added(1) * 2 * pi, added(1) * pi * pi,
+          (share < 0 ? angle + 1 : angle) / (2 * pi), (share < 0 ? angle + 360 : angle) / (2 * pi),
+          share < 0 ? 1 - share : share, share < 0 ? 0.5 - share : share}}}},
   };
 }
 
@@ -92,15 +93,14 @@ constexpr Place<Vec3d> uv_of_places[] = {
 Slips<bool> wrong_by_numbers(double c, double r, double x, double z) {
   const auto is_even = [](double number) { return fmod(number, 2) == 0; };
   return {
-      {"you look at x alone: these are stripes, not squares", is_even(c)},
-      {"you look at z alone: these are stripes, not squares", is_even(r)},
-      {"column and row must be added; their product is even too often", is_even(c * r)},
-      {"two odd numbers make an even sum, too: not both need to be even", is_even(c) && is_even(r)},
-      {"equal column and row are the diagonal alone: compare whether their sum is even", c == r},
-      {"% is the remainder, / the quotient: n is even if n % 2 is 0", trunc((c + r) / 2) == 0},
-      {"C++ reads a + b % 2 as a + (b % 2): write (a + b) % 2", c + fmod(r, 2) == 0},
-      {"% 2 of an odd number is 1, or -1 below 0: ask whether it is 0, the first color's",
-       {fmod(c + r, 2) != 1, fmod(c - r, 2) != 1}},
+      {"these are stripes, not squares: you look at x or at z alone", {is_even(c), is_even(r)}},
+      {"ask whether the sum of column and row is even",
+       {{"their product is even too often", is_even(c * r)},
+        {"two odd numbers make an even sum, too", is_even(c) && is_even(r)},
+        {"equal column and row are the diagonal alone", c == r},
+        {"% is the remainder, / the quotient", trunc((c + r) / 2) == 0},
+        {"C++ reads a + b % 2 as a + (b % 2)", c + fmod(r, 2) == 0},
+        {"% 2 of an odd number is 1, or -1 below 0", {fmod(c + r, 2) != 1, fmod(c - r, 2) != 1}}}},
       {"std::floor each of x / size and z / size before you add: these are slanted stripes",
        {is_even(floor(x + z)), is_even(trunc(x + z))}},
   };
@@ -111,19 +111,17 @@ Slips<bool> wrong_squares(double x, double z, double size) {
   const auto even = [&](double column, double row) { return is_even(floor(column) + floor(row)); };
   const double c = x / size, r = z / size;  // with their decimals
   Slips<bool> wrong = {
-      {"two squares of one color meet at x = 0: static_cast<int> cuts off toward 0, and std::abs "
-       "mirrors there; std::floor of x / size goes down, also below 0",
+      {"two squares of one color meet at x = 0: std::floor goes down, static_cast<int> toward 0",
        {is_even(trunc(c) + trunc(r)), is_even(floor(c) + trunc(r)), is_even(trunc(c) + floor(r))}},
-      {"rounding moves the squares by half of one: take std::floor", is_even(round(c) + round(r))},
-      {"std::ceil numbers the squares from the other edge: take std::floor",
-       {is_even(ceil(c) + ceil(r)), !is_even(ceil(c) + floor(r))}},
+      {"std::round and std::ceil move the squares: take std::floor",
+       {is_even(round(c) + round(r)), is_even(ceil(c) + ceil(r)), !is_even(ceil(c) + floor(r))}},
       {"your squares have another size: divide by size alone",
        {even(x, z), even(x * size, z * size), even(2 * c, 2 * r), even(c / 2, r / 2)}},
       {"leave out the decimals of the quotient: x / size comes first",
        {even(floor(x) / size, floor(z) / size), even(trunc(x) / size, trunc(z) / size)}},
+      wrong_by_numbers(floor(c), floor(r), c, r),
+      wrong_by_numbers(trunc(c), trunc(r), c, r),
   };
-  wrong += wrong_by_numbers(floor(c), floor(r), c, r);
-  wrong += wrong_by_numbers(trunc(c), trunc(r), c, r);
   return {
       wrong,
       {"the two colors are exchanged", !even(c, r)},
@@ -165,25 +163,26 @@ Slips<Place2> wrong_bricks(Place2 uv, int squares) {
     return Place2{fmod(row, 2) == 1 ? u + by : u, v};
   };
   const double row = floor(v * squares), right = moved(row, half).u;
+  const bool stays = right == u;
   return {
       {"nothing is moved; what you add may be 0: 1 / 2, 1 / squares and int(v) are 0", uv},
       {"these bricks begin further east: take the color of u + 1/2 brick", moved(row, -half)},
-      {"a whole brick exchanges the colors: half a brick is 0.5 / squares", moved(row, 2 * half)},
-      {"half a brick is 0.5 / squares: u is a part of 1", {moved(row, 0.5), moved(row, half / 2)}},
-      {"there are `squares` rows and columns, not always 10",
-       {moved(row, 0.05), moved(floor(10 * v), half), moved(floor(10 * v), 0.05)}},
-      {"all rows are moved: rows 0, 2, 4 ... stay as they are", {u + half, v}},
-      {"row 0 stays as it is: rows 1, 3, 5 ... are moved", moved(row + 1, half)},
-      {"each row is moved more than the one below: move every second row", {u + row * half, v}},
-      {"this moves every second column: the row comes from v", moved(floor(u * squares), half)},
-      {"rows begin at whole numbers: std::floor, no rounding", moved(round(v * squares), half)},
-      {"the bricks move along u: v must stay as it is",
-       {{u, moved(row, half).u - u + v}, {right, v + right - u}, {right, row}}},
+      {"half a brick is 0.5 / squares",
+       {{"a whole brick exchanges the colors", moved(row, 2 * half)},
+        {"u is a part of 1", {moved(row, 0.5), moved(row, half / 2)}},
+        {"there are `squares` rows and columns, not always 10",
+         {moved(row, 0.05), moved(floor(10 * v), half), moved(floor(10 * v), 0.05)}},
+        {"it is added to u, and u is not multiplied or divided",
+         {{stays ? u : u / 2, v}, {stays ? u : u * half, v}, {stays ? u : half, v}}}}},
+      {"rows 1, 3, 5 ... are moved, and 0, 2, 4 ... stay as they are",
+       {{"all rows are moved", {u + half, v}},
+        {"row 0 stays", moved(row + 1, half)},
+        {"each row is moved more than the one below", {u + row * half, v}},
+        {"this moves every second column, not row", moved(floor(u * squares), half)},
+        {"rows begin at whole numbers, no rounding", moved(round(v * squares), half)}}},
+      {"bricks move along u, not v", {{u, right - u + v}, {right, v + right - u}, {right, row}}},
       {"u goes around once in a turn: the checkerboard itself multiplies by its squares",
-       {{right == u ? u : right * squares, v}, {right * squares, v * squares}, {u * squares, v}}},
-      {"half a brick is added to u, and u is not multiplied or divided",
-       {{right == u ? u : u / 2, v}, {right == u ? u : u * half, v}, {right == u ? u : half, v}}},
-      {"u and v are exchanged: u comes first", {v, right}},
+       {{stays ? u : right * squares, v}, {right * squares, v * squares}, {u * squares, v}}},
   };
 }
 

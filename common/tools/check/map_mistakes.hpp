@@ -15,8 +15,7 @@ inline Slips<double> wrong_halves(double share) {
   return {
       {"the 1/2 is missing in u (in C++ 1 / 2 is 0, so write 0.5): u can be negative", share},
       {"1/2 is added, not subtracted: u can be negative", share - 0.5},
-      {"only the angle is divided: write (angle + pi) / (2 * pi), or angle / (2 * pi) + 0.5",
-       pi + share},
+      {"only the angle is divided: write (angle + pi) / (2 * pi)", pi + share},
       {"u is 0 on +x, where it has to be 1/2: the map is turned by half a turn",
        {share < 0 ? share + 1 : share, share + 1}},
   };
@@ -28,26 +27,26 @@ inline Slips<double> wrong_us(double x, double y, double z, const Begins& begins
   constexpr double turn = 2 * pi;
   const auto share = [](double sine, double cosine) { return atan2(sine, cosine) / turn; };
   const double longitude = atan2(-z, x);
+  constexpr auto precedence = "C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)";
+  constexpr auto radians = "u is in radians: divide the angle by 2 pi";
   const Slips<double> shares = {
-      {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)", longitude / 2 * pi},
-      {"u is in radians: divide the angle by 2 pi", longitude},
-      {"the angles are in radians: a whole turn is 2 pi, not 360", longitude / 360},
-      {"u is a part of 1, not degrees: divide the angle by 2 pi", longitude / radian},
-      {"u is divided by pi: the map goes around twice", longitude / pi},
-      {"u begins a quarter turn away, or the arguments of atan2 are exchanged: z comes first, the "
-       "sine's side",
+      {precedence, longitude / 2 * pi},
+      {radians, longitude},
+      {"divide the radians by 2 pi",
+       {{"a whole turn is not 360", longitude / 360},
+        {"u is a part of 1, not degrees", longitude / radian},
+        {"by pi alone the map goes around twice", longitude / pi}}},
+      {"the arguments of atan2 are exchanged (z comes first), or u begins a quarter turn away",
        {share(x, z), -share(x, z)}},
       {"y goes up: the longitude is an angle between x and z",
        {share(-y, x), share(x, -y), share(-z, -y), share(y, x), share(x, y), share(-z, y)}},
-      {"std::atan sees only the quotient z / x, half of the globe: use std::atan2",
-       atan(-z / x) / turn},
+      {"std::atan sees only z / x, half of the globe: use std::atan2", atan(-z / x) / turn},
   };
   Slips<double> us = own(longitude / turn);
   us += {
-      {"C++ reads a / 2 * pi as (a / 2) * pi: write a / (2 * pi)", (longitude + pi) / 2 * pi},
-      {"u is in radians: divide the angle by 2 pi", longitude + pi},
-      {"u is the same everywhere: in C++ 1 / 2 is 0, and 0 times the angle is 0",
-       begins.front()(0)},
+      {precedence, (longitude + pi) / 2 * pi},
+      {radians, longitude + pi},
+      {"u is the same everywhere: in C++ 1 / 2 is 0, and 0 * angle is 0", begins.front()(0)},
   };
   for (const auto& begin : begins) us += changed(shares, begin);
   return us;
@@ -56,17 +55,16 @@ inline Slips<double> wrong_us(double x, double y, double z, const Begins& begins
 /// Wrong (u, v) of the point (x, y, z) on such a map, v upward, as many write them.
 inline Slips<Place2> map_slips(double x, double y, double z, const Begins& begins,
                                Slips<double> (*own)(double share)) {
-  constexpr auto radians = "the angles are in radians: a whole turn is 2 pi, not 360";
   const auto v_by = [](double cosine) { return acos(clamp(cosine, -1.0, 1.0)) / pi; };
   const double north = asin(y), south = acos(-y);
   const double u = begins.front()(atan2(-z, x) / (2 * pi)), v = south / pi;
   const Slips<double> vs = {
       {"v is 0 on the equator, and has to be 1/2 there: add 0.5 (in C++ 1 / 2 is 0)", north / pi},
-      {"v is in radians: divide the angle by pi", {south, 1 - south}},
-      {radians, {south / 180, 0.5 + north / 180}},
-      {"v is a part of 1, not degrees: divide the angle by pi", south / radian},
-      {"acos runs from 0 to pi: divide v by pi, not by 2 pi", south / (2 * pi)},
-      {"asin runs from -pi/2 to pi/2: divide v by pi, not by 2 pi", 0.5 + north / (2 * pi)},
+      {"divide the radians by pi",
+       {{"v is in radians", {south, 1 - south}},
+        {"half a turn is not 180", {south / 180, 0.5 + north / 180}},
+        {"v is a part of 1, not degrees", south / radian},
+        {"acos and asin run over half a turn", {south / (2 * pi), 0.5 + north / (2 * pi)}}}},
       {"v grows with the angle, not with the height y: take acos or asin", {(y + 1) / 2, y}},
       {"y is the axis from pole to pole: v comes from y", {v_by(x), v_by(-x), v_by(z), v_by(-z)}},
       {"limit y to -1 and 1, not to 0 and 1: half of the globe has negative y", v_by(max(-y, 0.0))},
