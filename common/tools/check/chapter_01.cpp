@@ -98,8 +98,7 @@ Roots roots(double a, double b, double c) {
 Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double rim) {
   const Vec3d f = o - center;
   const double ff = dot(f, f);
-  const double a = dot(d, d), b = -dot(f, d), c = ff - r * r;
-  const double inside = b * b - a * c;
+  const double a = dot(d, d), b = -dot(f, d), c = ff - r * r, inside = b * b - a * c;
   const double root = sqrt(inside);
   const auto by = [&](double other) { return Roots{(b - other) / a, (b + other) / a}; };
   // 2s and 4 that do not fit: school's formula and the page's, mixed.
@@ -107,28 +106,27 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double r
     const Roots t = roots(1, of_b * b, of_ac * a * c);
     return Roots{t.entry / (of_a * a), t.exit / (of_a * a)};
   };
-  const auto* no_fit =
-      "the 2s and the 4 do not fit: with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a";
+  const auto at_center = [&](Vec3d from) {
+    return roots(a, -dot(from, d), dot(from, from) - r * r);
+  };
   const Slips<Roots> wrong_roots = {
       {"the ray runs backward: f is origin - center, and b is -dot(f, direction)", roots(a, -b, c)},
       {"directions have any length: divide by a = dot(direction, direction)", roots(1, b, a * c)},
       {"t counts in lengths of the direction, which need not be 1", roots(1, b / sqrt(a), c)},
       {"this is chapter 00's formula, for length 1: a = dot(d, d) is missing", roots(1, b, c)},
-      {"the discriminant is b * b - a * c: you have no a there", by(sqrt(b * b - c))},
+      {"with b = -dot(f, d), t is (b - sqrt(b * b - a * c)) / a",
+       {{"you have no a in the discriminant", by(sqrt(b * b - c))},
+        {"C++ reads x / 2 * a as (x / 2) * a", {(b - root) * a, (b + root) * a}},
+        {"only the root has / a",
+         {{b - root / a, b + root / a}, {2 * b - root / a, 2 * b + root / a}}},
+        {"std::sqrt of the discriminant is missing", by(inside < 0 ? root : inside)},
+        {"2s and 4 do not fit", {mixed(2, 1, 1), mixed(2, 1, 2), mixed(2, 4, 1), mixed(1, 1, 2)}}}},
       {"a is the direction's length squared: dot(direction, direction)", roots(sqrt(a), b, c)},
-      {"divide by a, do not multiply: C++ reads x / 2 * a as (x / 2) * a; write x / (2 * a)",
-       {(b - root) * a, (b + root) * a}},
-      {"only the root is divided by a: write parentheses, (b - root) / a",
-       {{b - root / a, b + root / a}, {2 * b - root / a, 2 * b + root / a}}},
-      {"the radius is not squared: c is dot(f, f) - radius * radius", roots(a, b, ff - r)},
       {"c is dot(f, f) - radius * radius, and yours is another one",
-       {roots(a, b, ff), roots(a, b, ff - 2 * r), roots(a, b, length(f) - r * r),
-        roots(a, b, (length(f) - r) * (length(f) - r))}},
+       {roots(a, b, ff - r), roots(a, b, ff), roots(a, b, ff - 2 * r),
+        roots(a, b, length(f) - r * r), roots(a, b, (length(f) - r) * (length(f) - r))}},
       {"the center is not subtracted everywhere: f is origin - center",
-       {roots(a, -dot(o, d), dot(o, o) - r * r), roots(a, -dot(o, d), c),
-        roots(a, -dot(o + center, d), dot(o + center, o + center) - r * r)}},
-      {"the square root of the discriminant is missing: std::sqrt", by(inside < 0 ? root : inside)},
-      {no_fit, {mixed(2, 1, 1), mixed(2, 1, 2), mixed(2, 4, 1), mixed(1, 1, 2)}},
+       {at_center(o), roots(a, -dot(o, d), c), at_center(o + center)}},
       {"a discriminant below 0 means that there is no point: return infinity",
        {by(sqrt(abs(inside))), by(sqrt(max(inside, 0.0)))}},
   };
@@ -144,29 +142,29 @@ Slips<double> wrong_distances(Vec3d o, Vec3d d, Vec3d center, double r, double r
   const Roots t = roots(a, b, c);
   const auto [entry, exit] = t;
   const bool missed = std::isnan(root);
-  const double right = first_kept(t), whole = first_ahead(t), entering = first_of(t, true, false);
-  const double any = kept(entry) ? entry : kept(exit) ? exit : never;
+  const double right = first_kept(t), whole = first_ahead(t), exit_kept = kept(exit) ? exit : never;
+  const double any = kept(entry) ? entry : exit_kept;
   Slips<double> wrong = {
       {"always infinity: look at the signs in b * b - a * c, and at what you compare", never},
-      {"the upper part is cut away: a point counts only if its y is not above the rim", whole},
+      {"a point counts only if its y is not above the rim",
+       {{"the upper part is cut away", whole},
+        {"the larger t, too", first_of(t, kept(entry), true)},
+        {"this was cut away", first_of(t, !kept(entry), !kept(exit))},
+        {"rim is a y in the scene", first_of(t, kept(entry, center.y), kept(exit, center.y))},
+        {"its y is origin.y + t * direction.y",
+         {o.y <= rim ? whole : never, first_of(t, entry <= rim, exit <= rim),
+          first_of(t, entry * d.y <= rim, exit * d.y <= rim)}}}},
       {"from inside and through the open top: try the larger t if the smaller one does not count",
-       {entry_kept(t), kept(whole) ? whole : never, entering, any > 0 ? any : never}},
-      {"the larger t, too, counts only if it is not above the rim", first_of(t, kept(entry), true)},
-      {"this was cut away: points with y <= rim are left", first_of(t, !kept(entry), !kept(exit))},
-      {"rim is a y in the scene, not a height above the center",
-       first_of(t, kept(entry, center.y), kept(exit, center.y))},
-      {"the point's y is compared with the rim: origin.y + t * direction.y",
-       {o.y <= rim ? whole : never, first_of(t, entry <= rim, exit <= rim),
-        first_of(t, entry * d.y <= rim, exit * d.y <= rim)}},
+       {entry_kept(t), kept(whole) ? whole : never, first_of(t, true, false),
+        any > 0 ? any : never}},
       {"the larger t comes second: the ray leaves the sphere there",
-       {exit > 0 && kept(exit) ? exit : never, exit > 0 && kept(exit) ? exit : entry_kept(t)}},
+       {exit > 0 ? exit_kept : never, exit > 0 && kept(exit) ? exit : entry_kept(t)}},
       {"t counts in lengths of the direction, which need not be 1", right * sqrt(a)},
       {"the larger t comes second: the ray leaves the sphere there, and the upper part is cut away",
        {exit > 0 ? exit : never, missed ? never : exit}},
-      {"a t below 0 is behind the origin: only t > 0 counts", any},
+      {"a t below 0 is behind the origin: only t > 0 counts",
+       {any, abs(entry_alone(t)), max(entry_alone(t), 0.0)}},
       {"a t below 0 is behind the origin, and the upper part is cut away", entry_alone(t)},
-      {"a t below 0 is behind the origin: no std::abs and no std::max makes it a distance",
-       {abs(entry_alone(t)), max(entry_alone(t), 0.0)}},
       {"the square root of a negative number is NaN: if the discriminant is below 0, return first",
        {missed ? entry : right, missed ? entry : whole}},
   };
@@ -188,8 +186,7 @@ constexpr Vec3d zero{0, 0, 0}, eye{0, 0, 5}, ahead{0, 0, -1}, up{0, 1, 0}, down{
 constexpr double high = 100;  // a rim above all of the sphere
 constexpr Place<Vec3d, Vec3d, Vec3d, double, double> distance_to_bowl_places[] = {
     {"from (0, 0, 5) straight at the unit sphere, t is 4", {eye, ahead, zero, 1, high}},
-    {"a sphere of radius 1/2 around (3, 1, -2): from (3, 1, 4), t is 5.5",
-     {{3, 1, 4}, ahead, {3, 1, -2}, 0.5, high}},
+    {"radius 1/2, center (3, 1, -2): t is 5.5", {{3, 1, 4}, ahead, {3, 1, -2}, 0.5, high}},
     {"lengths of the direction count: with (0, 0, -2), t is 2", {eye, {0, 0, -2}, zero, 1, high}},
     {"a ray that passes the sphere never meets it", {eye, {0, 1, -1}, zero, 1, high}},
     {"the ground, with radius 1000, is met at t = 10.007: a float has too few digits for it",
@@ -200,8 +197,7 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double, double> distance_to_bowl_places[] =
      {{0, 5, 0}, {0, -1, 0}, zero, 1, 0.5}},
     {"rim 0.5, from (0, 0.3, 5) in the direction (0, 0, -1): below the rim, on the outside",
      {{0, 0.3, 5}, ahead, zero, 1, 0.5}},
-    {"rim 0.5, from (0, 0.8, 5) in the direction (0, 0, -1): above the rim, never",
-     {{0, 0.8, 5}, ahead, zero, 1, 0.5}},
+    {"rim 0.5, from (0, 0.8, 5) to -z: above it, never", {{0, 0.8, 5}, ahead, zero, 1, 0.5}},
     {"rim 0.5, from the center straight up: out of the open top, never", {zero, up, zero, 1, 0.5}},
     {"rim 0.5, from (0, -3, 0) straight up: the bottom, t is 2", {{0, -3, 0}, up, zero, 1, 0.5}},
     {"radius 1/2 around (3, 1, -2), rim 1.2: from (3, 3, -2) straight down, t is 2.5",
@@ -216,12 +212,8 @@ double right_light(Vec3d p, Vec3d n, Vec3d lamp, double share) {
 }
 
 Slips<double> wrong_lights(Vec3d p, Vec3d n, Vec3d lamp, double share) {
-  const Vec3d to = normalize(lamp - p);
-  const Vec3d outward = normalize(p);
-  const double c = dot(n, to);
-  const double away = length(lamp - p);
-  const double long_c = c * away;
-  const double cut = max(c, 0.0);
+  const Vec3d to = normalize(lamp - p), outward = normalize(p);
+  const double c = dot(n, to), away = length(lamp - p), long_c = c * away, cut = max(c, 0.0);
   const auto sides = [](double front, double back) {
     return [=](double cosine) { return cosine * (cosine > 0 ? front : -back); };
   };
@@ -229,36 +221,32 @@ Slips<double> wrong_lights(Vec3d p, Vec3d n, Vec3d lamp, double share) {
   const Slips<double> cosines = {
       {"the direction to the lamp does not have length 1: normalize it", long_c},
       {"the sides are exchanged: the one that faces the lamp gets all of its light", {-c, -long_c}},
-      {"lamp is a position: subtract the point to get the direction from there to the lamp",
-       {dot(n, normalize(lamp)), dot(n, lamp)}},
-      {"between point and lamp is lamp - point, not their sum", dot(n, normalize(lamp + p))},
-      {"the direction to the lamp begins at the point: subtract point, not normal",
-       {dot(n, normalize(lamp - n)), dot(n, normalize(lamp - p - n))}},
-      {"subtract first: it is lamp - point as a whole that gets the length 1",
-       {dot(n, normalize(lamp) - p), long_c / length(lamp)}},
+      {"the direction to the lamp is normalize(lamp - point)",
+       {{"lamp is a position", {dot(n, normalize(lamp)), dot(n, lamp)}},
+        {"you add point, or subtract normal",
+         {dot(n, normalize(lamp + p)), dot(n, normalize(lamp - n)),
+          dot(n, normalize(lamp - p - n))}},
+        {"subtract first", {dot(n, normalize(lamp) - p), long_c / length(lamp)}}}},
       {"point is a position, no direction: the surface faces along normal",
        {dot(p, to), dot(outward, to), dot(p, lamp), dot(outward, normalize(lamp))}},
-      {"divide by the length of lamp - point, not by its square", c / away},
-      {"the distance of the lamp does not matter here", c / (away * away)},
-      {"the light is the cosine itself: do not multiply it by itself", c * abs(c)},
+      {"the light is the cosine alone: neither its square nor the distance of the lamp counts",
+       {c / away, c / (away * away), c * abs(c)}},
       {"the cross product is a sine: the cosine is the dot product", length(cross(n, to))},
   };
   return {
       changed(cosines, sides(1, share)),
       {"the side away from the lamp is dark: it gets a share of the light from behind", cut},
       changed(cosines, [](double cosine) { return max(cosine, 0.0); }),
-      {"a lamp behind the paper gives negative light: there the light is share times -cosine",
-       {c, light(1, -share), long_c, c > 0 ? c : -share}},
-      {"the share is missing: the side away from the lamp gets no more than that", light(1, 1)},
-      {"the side that faces the lamp gets all of its light, not a share",
-       {light(share, share), light(1 - share, share), light(share, 0)}},
-      {"a lamp straight behind gives most: there the light is share * -cosine, without 1 +",
-       {c > 0 ? c : share * (1 + c), share * (1 + c)}},
-      {"from behind, slanted light is weaker: share * -cosine", {c > 0 ? c : share, max(c, share)}},
-      {"the share is for the side away from the lamp: add nothing to the other side's light",
-       {cut + share, cut + share * abs(c), cut + share * (1 - c)}},
-      {"the share goes through the paper, and 1 - share does not", light(1, 1 - share)},
-      {"the share is a factor: multiply by it", {light(1, 1 / share), c > 0 ? c : -c - share}},
+      {"a lamp behind the paper gives share * -cosine",
+       {{"yours is negative light", {c, light(1, -share), long_c, c > 0 ? c : -share}},
+        {"the share is missing", light(1, 1)},
+        {"straight behind is most, without 1 +", {c > 0 ? c : share * (1 + c), share * (1 + c)}},
+        {"slanted light is weaker", {c > 0 ? c : share, max(c, share)}},
+        {"1 - share does not go through the paper", light(1, 1 - share)},
+        {"the share is a factor", {light(1, 1 / share), c > 0 ? c : -c - share}}}},
+      {"the side that faces the lamp gets all of its light, no share, and nothing is added",
+       {light(share, share), light(1 - share, share), light(share, 0), cut + share,
+        cut + share * abs(c), cut + share * (1 - c)}},
       {"0.2 and 0.8 come later, with the color: return the light alone",
        {0.2 + 0.8 * cut, 0.2 + light(0.8, 0.8 * share), c > 0 ? c : 0.2}},
       {"this is the angle; the dot product already is its cosine",
@@ -271,8 +259,7 @@ Slips<double> wrong_lights(Vec3d p, Vec3d n, Vec3d lamp, double share) {
 constexpr Place<Vec3d, Vec3d, Vec3d, double> light_on_paper_places[] = {
     {"a lamp straight above, at distance 1: the cosine is 1", {zero, up, {0, 1, 0}, 0.4}},
     {"a lamp straight above, at distance 3: the cosine is 1, too", {zero, up, {0, 3, 0}, 0.4}},
-    {"a lamp at 60 degrees from the normal: the cosine is 1/2",
-     {zero, up, {std::numbers::sqrt3, 1, 0}, 0.4}},
+    {"60 degrees from the normal: the cosine is 1/2", {zero, up, {std::numbers::sqrt3, 1, 0}, 0.4}},
     {"point (5, 0, 2), lamp at 60 degrees from the normal there: the cosine is 1/2",
      {{5, 0, 2}, up, {5 + std::numbers::sqrt3, 1, 2}, 0.4}},
     {"normal +x, point (0, 0, 0), lamp (0.3, 0, 0.4): 0.6", {zero, {1, 0, 0}, {0.3, 0, 0.4}, 0.25}},
@@ -297,20 +284,19 @@ double right_share(Vec3d p, Vec3d n, const Lamps& lamps, const FirstHit& first_h
 
 /// Whether one lamp is hidden.
 Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hit) {
-  const auto* backward = "the ray runs away from the lamp: its direction is lamp - point";
-  const auto* position = "lamp is a position: the direction is lamp - start";
   const auto lifted = [&](double lift) { return is_hidden(p, n, lamp, first_hit, lift); };
   Slips<bool> wrong = {
-      {"rounding lets the ray meet the sphere that it starts on: start 0.001 above", lifted(0)},
-      {"the ray starts below the surface: add normal * 0.001, do not subtract it", lifted(-0.001)},
-      {"point is a position: lift it along the normal, not away from (0, 0, 0)",
-       first_hit(p * 1.001, normalize(lamp - p * 1.001)) < length(lamp - p * 1.001)},
-      {"the ray starts too far above and misses what is nearer: add normal * 0.001", lifted(1)},
-      {"every lamp is seen: compare what first_hit returns with the distance of the lamp", false},
-      {"no lamp is seen: compare what first_hit returns with the distance of the lamp", true},
+      {"let the ray start at point + normal * 0.001",
+       {{"rounding lets it meet the sphere that it starts on", lifted(0)},
+        {"yours starts below the surface", lifted(-0.001)},
+        {"point is a position, to lift along the normal",
+         first_hit(p * 1.001, normalize(lamp - p * 1.001)) < length(lamp - p * 1.001)},
+        {"yours starts too far above and misses what is nearer", lifted(1)},
+        {"from the lamp it meets the sphere of the point, too",
+         first_hit(lamp, normalize(p - lamp)) < length(lamp - p)}}},
+      {"compare what first_hit returns with the distance of the lamp",
+       {{"every lamp is seen", false}, {"no lamp is seen", true}}},
       {"this says whether the lamp is behind: ask first_hit what is between", dot(n, lamp - p) < 0},
-      {"a ray from the lamp meets the sphere of the point, too: start at the point",
-       first_hit(lamp, normalize(p - lamp)) < length(lamp - p)},
   };
   // Those who make another mistake often forget the 0.001, too.
   for (const double lift : {0.001, 0.0}) {
@@ -327,15 +313,16 @@ Slips<bool> wrong_shadows(Vec3d p, Vec3d n, Vec3d lamp, const FirstHit& first_hi
     wrong += {
         {"a sphere behind the lamp hides nothing: compare with its distance", hit(to, never)},
         {"direction and distance do not fit: normalize the direction", hit(path, away)},
-        {"the lamp is not at distance 1: compare with length(lamp - start)", hit(to, 1)},
-        {"length(lamp) is the distance from (0, 0, 0): compare with length(lamp - start)",
-         {hit(to, length(lamp)), hit(path, length(lamp))}},
-        {backward, hits(-to, one)},
-        {backward, hits(-path)},
-        {position, hits(lamp)},
-        {position, hits(normalize(lamp))},
-        {"the way to the lamp is lamp - start, not their sum", hits(normalize(lamp + start), one)},
-        {"you look along the normal: the direction to the lamp is lamp - start", hits(n)},
+        {"compare with length(lamp - start)",
+         {{"the lamp is not at distance 1", hit(to, 1)},
+          {"length(lamp) is that from 0", {hit(to, length(lamp)), hit(path, length(lamp))}}}},
+        {"the direction to the lamp is lamp - start",
+         {{"the ray runs away from the lamp", hits(-to, one)},
+          {"the ray runs away from the lamp", hits(-path)},
+          {"lamp is a position", hits(lamp)},
+          {"lamp is a position", hits(normalize(lamp))},
+          {"yours is their sum", hits(normalize(lamp + start), one)},
+          {"you look along the normal", hits(n)}}},
         {"first_hit takes the start first, then the direction", first_hit(to, start) < away},
         {"this is the share of the hidden lamps: a lamp is hidden if something is nearer than it",
          {!hit(to, away), !hit(to, never), !hit(path, away), !hit(to, 1)}},
@@ -355,16 +342,16 @@ Slips<double> wrong_shares(Vec3d p, Vec3d n, const Lamps& lamps, const FirstHit&
   for (const Vec3d& lamp : lamps)
     hidden = combined(std::plus<>(), hidden, wrong_shadows(p, n, lamp, first_hit));
   return {
-      {"this is how many lamps the point sees: divide by lamps.size()", seen},
-      {"it is 1 only where all are seen: count, and divide in double (1 / 2 is 0)", floor(right)},
-      {"it ends at the first lamp: count, and return after the loop", {first, first / count}},
-      {"only the last lamp counts: add 1 for each that is seen", {last, last / count}},
-      {"one lamp that the point sees is not all: count them", ceil(right)},
-      {"a lamp in the middle does not stand for the row: ask for each lamp",
-       of_one((lamps.front() + lamps.back()) * 0.5)},
-      {"divide by lamps.size(), not by one less or more", {seen / (count - 1), seen / (count + 1)}},
+      {"count the lamps seen, and divide in double by lamps.size() (1 / 2 is 0)",
+       {{"this is how many lamps it sees", seen},
+        {"yours is 1 only where all are seen", floor(right)},
+        {"yours is 1 where one is seen", ceil(right)},
+        {"it ends at the first lamp", {first, first / count}},
+        {"only the last lamp counts", {last, last / count}},
+        {"you divide by one less or more", {seen / (count - 1), seen / (count + 1)}},
+        {"a lamp is missing", {(seen - first) / count, (seen - last) / count}},
+        {"the middle does not stand for the row", of_one((lamps.front() + lamps.back()) * 0.5)}}},
       {"the cosine comes later: a lamp that the point sees counts as 1", lit / count},
-      {"a lamp is missing: all of them count", {(seen - first) / count, (seen - last) / count}},
       changed(hidden, [=](double lamps_hidden) { return 1 - lamps_hidden / count; }),
   };
 }
