@@ -80,47 +80,36 @@ Slips<int> wrong_columns(double u, int n, double left, double right) {
   const double wide = right - left;
   const double x = (u - left) / wide;  // 0 to 1 in the picture
   const int c = cut_off(x * n);
-  const Slips<int> table = {
-      {"this is the column of a whole map: the picture begins at u = west", cut_off(u * n)},
-      {"divide by east - west: the columns cover only this part of u", cut_off((u - left) * n)},
-      {"subtract west: column 0 begins there", {cut_off(u / wide * n), cut_off(u / right * n)}},
-      {"the picture is east - west wide, not east or 1 - west",
-       {cut_off((u - left) / right * n), cut_off((u - left) / (1 - left) * n)}},
-      {"/ comes before -: write (u - west) / (east - west)",
-       {cut_off((u - left / wide) * n), cut_off(((u - left) / right - left) * n),
-        cut_off((u - left / right - left) * n)}},
-      {"divide by east - west, do not multiply", cut_off((u - left) * wide * n)},
-      {"multiply by width, not by width - 1: now the last column is at u = east alone",
-       {cut_off(x * (n - 1)), rounded(x * (n - 1))}},
-      {half_a_texel, {rounded(x * n), cut_off(x * n + 0.5)}},
-      {"the columns are numbered from 0: yours is one too far right", c + 1},
-      {"the number is (u - west) / (east - west) * width without its decimals: yours is one too "
-       "far left",
-       c - 1},
-      {"std::ceil rounds up: static_cast<int> cuts off the decimals",
-       {cut_off(ceil(x * n)), cut_off(ceil(x * n)) - 1}},
-      {"the picture is mirrored: column 0 is at west", {n - 1 - c, cut_off((1 - x) * n), n - c}},
-      {"the decimals are cut off too early: multiply by width first",
-       {cut_off(x) * n, cut_off(x) * (n - 1)}},
-      {"this is column 0 everywhere: take (u - west) / (east - west) * width, limited",
-       cut_off(x / n)},
+  const Slips<double> places = {
+      {"it is (u - west) / (east - west) * width",
+       {{"this is that of a whole map", u * n},
+        {"you do not divide by east - west", (u - left) * n},
+        {"you do not subtract west", {u / wide * n, u / right * n}},
+        {"it is not east or 1 - west wide", {(u - left) / right * n, (u - left) / (1 - left) * n}},
+        {"/ comes before -",
+         {(u - left / wide) * n, ((u - left) / right - left) * n, (u - left / right - left) * n}},
+        {"you multiply by east - west", (u - left) * wide * n},
+        {"with width - 1 the last one is at u = east alone", {x * (n - 1), round(x * (n - 1))}}}},
+      {half_a_texel, {round(x * n), x * n + 0.5}},
+      {"one too far right: columns are numbered from 0", {x * n + 1, ceil(x * n)}},
+      {"yours is one too far left: cut off the decimals, no more", {c - 1., ceil(x * n) - 1}},
+      {"the picture is mirrored: column 0 is at west", {n - 1. - c, (1 - x) * n, 1. * n - c}},
+      {"decimals are cut off too early: multiply by width", {trunc(x) * n, trunc(x) * (n - 1)}},
+      {"this is column 0 everywhere: take (u - west) / (east - west) * width, limited", x / n},
   };
   return {
-      limited(table, n),
+      limited(changed(places, cut_off), n),
       {"nothing limits the number: at u = east it is width, one too many", c},
-      {"the number can be less than 0: limit it there, too", min(c, n - 1)},
-      {"the number can be less than 0: limit it there; std::abs makes another column of it",
-       min(abs(c), n - 1)},
+      {"the number can be less than 0: limit it there, too", {min(c, n - 1), min(abs(c), n - 1)}},
       {"at u = east the number is width, one too many: limit it to width - 1",
        {max(c, 0), cut_off(clamp(x, 0.0, 1.0) * n), clamp(c, 0, n), min(c, n)}},
-      {"you have u = east, but a larger u goes on: std::clamp(column, 0, width - 1) limits all",
-       {u == right ? n - 1 : c, u == right ? n - 1 : max(c, 0)}},
-      {"outside of the picture it is the column at the nearer end",
-       {u < left || u > right ? -1 : min(c, n - 1), u < left || u > right ? 0 : min(c, n - 1)}},
-      {"beyond the ends you begin again at the other end: std::clamp(column, 0, width - 1) stays",
-       {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(x) * n)}},
-      {"this is the last column for every u: std::min(column, width - 1) limits it, not std::max",
-       n - 1},
+      {"std::clamp(column, 0, width - 1) limits all",
+       {{"a u beyond east goes on", {u == right ? n - 1 : c, u == right ? n - 1 : max(c, 0)}},
+        {"outside of the picture it is the column at the nearer end",
+         {u < left || u > right ? -1 : min(c, n - 1), u < left || u > right ? 0 : min(c, n - 1)}},
+        {"beyond the ends you begin again at the other end",
+         {c % n, (c % n + n) % n, max(c % n, 0), abs(c) % n, cut_off(fraction(x) * n)}},
+        {"std::max makes it the last column for every u", n - 1}}},
   };
 }
 
@@ -143,40 +132,38 @@ constexpr Place<double, int, double, double> column_of_places[] = {
 };
 
 Slips<int> wrong_in_picture(double v, int n) {
-  const int up = cut_off(v * n);
-  const int down = cut_off((1 - v) * n);
-  const int row = n - 1 - up;
-  const double inside = clamp(v, 0.0, 1.0);
+  const double part = 1 - v, inside = clamp(v, 0.0, 1.0);
+  const int up = cut_off(v * n), down = cut_off(part * n), row = n - 1 - up;
   const auto last = [&](int x) { return clamp(x, 0, n - 1); };
   const Slips<int> table = {
-      {"you count from below, and the file from the top: your map is upside down",
-       {up, cut_off(v * (n - 1))}},
+      {"the file counts rows from the top: your map is upside down", {up, cut_off(v * (n - 1))}},
       {"multiply by height, not by height - 1: now one row is at an end of v alone",
-       {n - 1 - cut_off(v * (n - 1)), cut_off((1 - v) * (n - 1)), n - 1 - rounded(v * (n - 1)),
-        rounded((1 - v) * (n - 1))}},
+       {n - 1 - cut_off(v * (n - 1)), cut_off(part * (n - 1)), n - 1 - rounded(v * (n - 1)),
+        rounded(part * (n - 1))}},
       {"the last row is height - 1: you forgot the - 1, and yours is one too far down",
        {n - up, n - last(up), n - clamp(up, 0, n)}},
-      {half_a_texel, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded((1 - v) * n)}},
+      {half_a_texel, {n - 1 - rounded(v * n), n - 1 - last(rounded(v * n)), rounded(part * n)}},
       {"yours is one too far up: the row is height - 1 minus v * height without its decimals",
        {down - 1, row - 1, cut_off(n - 1 - v * n)}},
       {"the decimals are cut off too early: it is static_cast<int>(v * height), the product",
-       {n - 1 - cut_off(v) * n, cut_off(1 - v) * n, n - 1 - last(cut_off(v) * n)}},
+       {n - 1 - cut_off(v) * n, cut_off(part) * n, n - 1 - last(cut_off(v) * n)}},
       {"C++ reads 1 - v * height as 1 - (v * height): write (1 - v) * height", cut_off(1 - v * n)},
   };
   return {
       limited(table, n),
-      {"nothing limits the number: at v = 1 your row is in the picture above", row},
-      {"nothing limits the number: at v = 0 your row is in the picture below", down},
-      {"the number can be more than height - 1: limit it to height - 1",
-       {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n), clamp(down, 0, n)}},
-      {"the number can be less than 0, at v = 1: limit it to 0 there",
-       {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n), n - 1 - clamp(up, 0, n)}},
-      {"you have v = 1, but a v above 1 or below 0 goes on: std::clamp limits them all",
-       v == 1 ? 0 : row},
-      {"beyond the ends you begin again at the other end: std::clamp stays in the last row there",
-       {n - 1 - up % n, row % n, (n + row) % n, down % n, (n - up) % n,
-        n - 1 - cut_off(fraction(v) * n)}},
-      {"a number below 0 is limited to 0; std::abs makes another row of it", abs(row)},
+      {"std::clamp(row, 0, height - 1) limits the number",
+       {{"at v = 1 your row is in the picture above", row},
+        {"at v = 0 your row is in the picture below", down},
+        {"it can be more than height - 1",
+         {max(row, 0), max(down, 0), cut_off((1 - inside) * n), clamp(row, 0, n),
+          clamp(down, 0, n)}},
+        {"it can be less than 0, at v = 1",
+         {min(row, n - 1), min(down, n - 1), n - 1 - cut_off(inside * n), n - 1 - clamp(up, 0, n)}},
+        {"you have v = 1, but a v above 1 or below 0 goes on", v == 1 ? 0 : row},
+        {"beyond the ends you begin again at the other end",
+         {n - 1 - up % n, row % n, (n + row) % n, down % n, (n - up) % n,
+          n - 1 - cut_off(fraction(v) * n)}},
+        {"std::abs makes another row of a number below 0", abs(row)}}},
   };
 }
 
@@ -186,16 +173,14 @@ int right_row(double v, int n, int picture) {
 }
 
 Slips<int> wrong_rows(double v, int n, int picture) {
-  const int row = right_row(v, n, 0);
-  const int above = picture * n;
+  const int row = right_row(v, n, 0), above = picture * n;
   return {
       changed(wrong_in_picture(v, n), [=](int r) { return above + r; }),
-      {"the pictures above are missing: each of them has height rows", row},
-      {"above picture 1 there is one picture: picture * height rows",
-       {above + n + row, above - n + row}},
-      {"each picture above has height rows, not one", row + picture},
-      {"limit the row in its picture, before you add the rows above",
-       clamp(above + n - 1 - cut_off(v * n), 0, n - 1)},
+      {"there are picture * height rows above",
+       {{"the pictures above are missing", row},
+        {"above picture 1 there is one picture", {above + n + row, above - n + row}},
+        {"each picture has height rows, not one", row + picture}}},
+      {"limit the row before you add those above", clamp(above + n - 1 - cut_off(v * n), 0, n - 1)},
       {"the pictures follow each other downward: only the rows in a picture are turned around",
        {row - above, n - 1 - clamp(cut_off(v * n) + above, 0, n - 1)}},
   };
@@ -225,14 +210,9 @@ Slips<Rgb> wrong_texels(const Bytes& b, int row_bytes, int column, int row) {
   const auto whole = [&](int k) { return floor(b[k] / 255.); };
   Slips<Rgb> wrong = {
       {"a channel goes from 0 to 1: divide the byte by 255.0", color_from(b, i + 2, i + 1, i, 1)},
-      {"whole numbers are divided without decimals: divide by 255.0",
-       {whole(i + 2), whole(i + 1), whole(i)}},
-      {"the largest byte is 255: divide by 255, not by 256, or white is gray",
-       color_from(b, i + 2, i + 1, i, 256)},
+      {"whole numbers have no decimals: divide by 255.0", {whole(i + 2), whole(i + 1), whole(i)}},
+      {"divide by 255, not by 256, or white is gray", color_from(b, i + 2, i + 1, i, 256)},
   };
-  const auto* no_rows = "a row begins row_bytes bytes after the one above: multiply row by that";
-  const auto* bytes_of_row =
-      "row_bytes counts bytes, and not texels: multiply only the column by 3";
   // Those who make another mistake often divide by another number, or take red first, too.
   for (const double divisor : {255.0, 256.0, 1.0}) {
     const auto rgb = [&](int red, int green, int blue) {
@@ -240,32 +220,30 @@ Slips<Rgb> wrong_texels(const Bytes& b, int row_bytes, int column, int row) {
     };
     wrong += {
         {"the first byte of a texel is blue here: red is the third one", rgb(0, 1, 2)},
-        {"blue comes first, then green, then red: + 2, + 1 and + 0",
-         {rgb(2, 0, 1), rgb(1, 2, 0), rgb(1, 0, 2), rgb(0, 2, 1)}},
-        {"all three channels have the same byte: red is at + 2, green at + 1, blue at + 0",
-         {rgb(0, 0, 0), rgb(2, 2, 2)}},
-        {"the three bytes of a texel follow each other: + 2, + 1 and + 0",
-         {rgb(6, 3, 0), rgb(2 * row_bytes, row_bytes, 0),
-          rgb(2 * row_bytes - 2 * column, row_bytes - 2 * column, -2 * column)}},
+        {"red is at + 2, green at + 1, blue at + 0",
+         {{"blue comes first, red last", {rgb(2, 0, 1), rgb(1, 2, 0), rgb(1, 0, 2), rgb(0, 2, 1)}},
+          {"all three channels have the same byte", {rgb(0, 0, 0), rgb(2, 2, 2)}},
+          {"the three bytes of a texel follow each other",
+           {rgb(6, 3, 0), rgb(2 * row_bytes, row_bytes, 0),
+            rgb(2 * row_bytes - 2 * column, row_bytes - 2 * column, -2 * column)}}}},
     };
     for (const int red : {2, 0}) {
       const auto from = [&](int k) { return color_from(b, k + red, k + 1, k + 2 - red, divisor); };
       const int size = row_bytes / 3;  // of a row, in texels
       wrong += {
-          {"each texel has three bytes: multiply the column by 3", from(row * row_bytes + column)},
-          {bytes_of_row,
-           {from(3 * (row * row_bytes + column)), from(3 * row * row_bytes + column)}},
-          {no_rows,
-           {from(3 * (row * size + column)), from(3 * row + 3 * column), from(3 * (row * column)),
-            from(row + 3 * column), from(row_bytes + 3 * column), from(3 * column)}},
-          {"column and row are exchanged: before the texel there are row whole rows",
-           {from(column * row_bytes + 3 * row), from(column * row_bytes + row)}},
-          {"bytes are counted from 0: yours begins one byte too late", from(i + 1)},
-          {"bytes are counted from 0: yours begins one byte too early", from(i - 1)},
-          {"columns are counted from 0: this is the texel to the right", from(i + 3)},
-          {"columns are counted from 0: this is the texel to the left", from(i - 3)},
-          {"rows are counted from 0: this is the row above", from(i - row_bytes)},
-          {"a texel has three bytes here, not four", from(row * row_bytes + 4 * column)},
+          {"a texel begins at row * row_bytes + 3 * column",
+           {{"a texel has three bytes, not one or four", {from(i - 2 * column), from(i + column)}},
+            {"row_bytes counts bytes, and not texels",
+             {from(3 * (row * row_bytes + column)), from(3 * row * row_bytes + column)}},
+            {"row is not multiplied by row_bytes",
+             {from(3 * (row * size + column)), from(3 * row + 3 * column), from(3 * (row * column)),
+              from(row + 3 * column), from(row_bytes + 3 * column), from(3 * column)}},
+            {"column and row are exchanged",
+             {from(column * row_bytes + 3 * row), from(column * row_bytes + row)}}}},
+          {"bytes, columns and rows are counted from 0",
+           {{"yours begins one byte too late or too early", {from(i + 1), from(i - 1)}},
+            {"this is the texel to the right or to the left", {from(i + 3), from(i - 3)}},
+            {"this is the row above", from(i - row_bytes)}}},
           {"row 0 is the top row here: the rows are not turned around", from(i + row_bytes)},
       };
     }
