@@ -60,17 +60,15 @@ Slips<Vec3d> wrong_about_y(Vec3d p, double degrees) {
   };
   const double sine = sin(degrees * radian), cosine = cos(degrees * radian);
   const auto [x, y, z] = p;
-  const Vec3d right = turned_by(p, sine, cosine);
-  const Vec3d other = turned_by({z, y, x}, sine, cosine);
+  const Vec3d right = turned_by(p, sine, cosine), other = turned_by({z, y, x}, sine, cosine);
   Slips<Vec3d> wrong;
   for (const int way : {1, -1}) {  // those who make another mistake often turn the other way, too
     wrong += {
         {in_degrees, by(way)},
-        {"pi and 180 are exchanged: radians are degrees * pi / 180", by(way / radian)},
-        {"this is half of the angle: a full turn is 2 pi, and 360 degrees", by(way * radian / 2)},
-        {"this is twice the angle: half a turn is pi, and 180 degrees", by(way * radian * 2)},
-        {"this is a share of a turn, not an angle in radians: those are degrees * pi / 180",
-         {by(way / 360.), by(way / 180.), by(way / (2 * pi))}},
+        {"radians are degrees * pi / 180",
+         {{"pi and 180 are exchanged", by(way / radian)},
+          {"this is half or twice the angle", {by(way * radian / 2), by(way * radian * 2)}},
+          {"this is a share of a turn", {by(way / 360.), by(way / 180.), by(way / (2 * pi))}}}},
     };
   }
   wrong += {
@@ -78,40 +76,34 @@ Slips<Vec3d> wrong_about_y(Vec3d p, double degrees) {
        {by(3.14 / 180), by(3.141 / 180), by(3.142 / 180), by(3.1415 / 180), by(3.1416 / 180),
         by(3.14159 / 180)}},
       {"the other way around, from +y to -z: exchange the signs of the sines", by(-radian)},
-      {"sine and cosine are exchanged: at 0 degrees your globe is turned already",
-       turned_by(p, cosine, sine)},
+      {"sine and cosine are exchanged: yours is turned at 0 degrees", turned_by(p, cosine, sine)},
   };
+  constexpr auto rule = "y turns into y cos - z sin, and z into z cos + y sin";
   // By the angle, the other way, and by the two in degrees.
   for (const double w : {degrees * radian, -degrees * radian, degrees, -degrees}) {
     const double s = sin(w), c = cos(w);
     const Vec3d q = turned_by(p, s, c);
     wrong += {
-        {"one sine has the wrong sign: z gets y sin, y loses z sin", {q.x, y, z * c + x * s}},
-        {"the new y is computed from the new z: keep the old z in a variable",
-         {q.x, y, z * c - q.x * s}},
-        {"the new z is computed from the new y: keep the old y in a variable",
-         {x * c + q.z * s, y, q.z}},
-        {"z and x are turned, about the y axis: turn z and y", {x * c + y * s, y * c - x * s, z}},
-        {"x and y are turned, about the z axis: turn z and y", {x, y * c + z * s, z * c - y * s}},
-        {"y is not turned: it changes, too, into y cos - z sin", {q.x, y, z}},
-        {"z is not turned: it changes, too, into z cos + y sin", {x, y, q.z}},
-        {"the cosines are missing: z turns into z cos + y sin", turned_by(p, s, 1)},
+        {"one of the new y and z is computed from the other: keep the old ones in variables",
+         {{q.x, y, z * c - q.x * s}, {x * c + q.z * s, y, q.z}}},
+        {"you turn about the y axis or the z axis: turn z and y",
+         {{x * c + y * s, y * c - x * s, z}, {x, y * c + z * s, z * c - y * s}}},
+        {rule,
+         {{"one sine has the wrong sign", {q.x, y, z * c + x * s}},
+          {"one of them is not turned", {{q.x, y, z}, {x, y, q.z}}},
+          {"the cosines are missing", turned_by(p, s, 1)}}},
     };
   }
   return {
       wrong,
-      {"the sines are missing: z turns into z cos + y sin", turned_by(p, 0, cosine)},
-      {"this is right for +y alone: add z steps along the turned z axis",
-       {{z * sine, 0, z * cosine},
-        {sine, 0, cosine},
-        {z * sine, y, z * cosine},
-        {sine, y, cosine}}},
-      {"x is missing: it stays as it is", {right.x, 0, right.z}},
-      {"z and y are exchanged in what you return", {right.z, y, right.x}},
-      {"z and y are exchanged in the new y: it is y cos - z sin", {right.x, y, other.z}},
-      {"z and y are exchanged in the new z: it is z cos + y sin", {other.x, y, right.z}},
-      {"z and y are exchanged: each of them keeps its cosine, and gets the sine of the other",
-       other},
+      {rule,
+       {{"the sines are missing", turned_by(p, 0, cosine)},
+        {"this is right for +y alone",
+         {{z * sine, 0, z * cosine},
+          {sine, 0, cosine},
+          {z * sine, y, z * cosine},
+          {sine, y, cosine}}},
+        {"z and y are exchanged", {{right.x, y, other.z}, {other.x, y, right.z}, other}}}},
   };
 }
 
@@ -134,8 +126,7 @@ constexpr Place<Vec3d, double> turned_places[] = {
     {"-30 degrees turn it to (0, 0.866, -1/2)", {{0, 1, 0}, -30}},
     {"22.5 degrees turn it to (0, 0.924, 0.383)", {{0, 1, 0}, 22.5}},
     {"(2, 3, 6) / 7 after 40 degrees", {{2. / 7, 3. / 7, 6. / 7}, 40}},
-    {"a direction at the back, (-2, 3, -6) / 7, after 200 degrees",
-     {{-2. / 7, 3. / 7, -6. / 7}, 200}},
+    {"a place at the back, (-2, 3, -6) / 7, after 200 degrees", {{-2. / 7, 3. / 7, -6. / 7}, 200}},
 };
 
 double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
@@ -144,45 +135,35 @@ double moved_once(double x) { return x >= 1 ? x - 1 : x < 0 ? x + 1 : x; }
 std::vector<double> forms(double x) { return {fraction(x), fmod(x, 1), x, moved_once(x)}; }
 
 Slips<double> wrong_u(double u, double degrees) {
-  const double turns = degrees / 360;
-  const double x = u + turns;
+  const double turns = degrees / 360, x = u + turns;
   const double down_to_1 = x > 0 && x == floor(x) ? 1 : fraction(x);
   return {
       {"u leaves 0 to 1: only the part after the decimal point counts", x},
-      {"std::fmod and static_cast<int> cut off toward 0, so a negative number stays negative: "
-       "subtract std::floor",
-       fmod(x, 1)},
-      {"you remove one full turn, but there may be several", {moved_once(x), fmod(x + 1, 1)}},
+      {"subtract std::floor",
+       {{"std::fmod and static_cast<int> cut off toward 0, so below 0 it stays negative",
+         fmod(x, 1)},
+        {"you remove one full turn, but there may be several", {moved_once(x), fmod(x + 1, 1)}},
+        {"-0.25 is 0.75, not 0.25", abs(fmod(x, 1))},
+        {"std::round, remainder and ceil go up", {x - round(x), remainder(x, 1), x - ceil(x)}},
+        {"this is the number of full turns, and the rest is u", floor(x)},
+        {"add first, then cut off the whole turns", {u + fraction(turns), u + fmod(turns, 1)}}}},
       {"u = 1 is the seam again, where u is 0: u stays less than 1", down_to_1},
-      {"u = 1 is the seam again, where u is 0, and there may be several full turns",
-       x == 1 ? x : moved_once(x)},
+      {"u = 1 is the seam, u = 0, and there may be several full turns", x == 1 ? x : moved_once(x)},
       {"you limit u where it must begin again: the seam becomes a stripe", clamp(x, 0., 1.)},
-      {"a negative number keeps its digits without its sign: -0.25 is 0.75. Subtract std::floor",
-       abs(fmod(x, 1))},
-      {"std::round and std::remainder go to the nearest whole number: subtract std::floor",
-       {x - round(x), remainder(x, 1)}},
-      {"std::ceil is the whole number above: subtract std::floor", x - ceil(x)},
-      {"this is the number of full turns: subtract it, the rest is u", floor(x)},
-      {"the whole turns are cut off before u is added: add first", u + fraction(turns)},
-      {"the whole turns are cut off before u is added: add first, then subtract std::floor",
-       u + fmod(turns, 1)},
       {"only whole degrees count in yours: stay with double",
        {fraction(u + trunc(degrees) / 360), u + fmod(trunc(degrees), 360) / 360}},
       {"the degrees have no effect: with int, degrees / 360 is a whole number",
        {u, u + trunc(degrees / 360), fmod(u + trunc(degrees / 360), 1)}},
-      {"the angle has the wrong sign: a turn to the east adds to u", forms(u - turns)},
-      {"u counts full turns: divide the degrees by 360, not by 180", forms(u + 2 * turns)},
-      {"u counts full turns, not radians: divide the degrees by 360", forms(u + degrees * radian)},
-      {"degrees are divided by 360; 2 pi is a full turn in radians",
-       forms(u + degrees / (360 * radian))},
-      {"u counts full turns, not degrees: divide the degrees by 360 before you add them",
-       forms(u + degrees)},
-      {"u and the degrees are added before they have the same unit: divide the degrees alone",
-       forms((u + degrees) / 360)},
-      {"the turn is added to u, not multiplied by it", forms(u * turns)},
-      {"the old u is missing: the turn is added to it", forms(turns)},
-      {"this is an angle in degrees: divide it by 360 to have u",
-       {360 * x, 360 * fmod(x, 1), 360 * fraction(x)}},
+      {"u counts full turns, so add degrees / 360",
+       {{"the angle has the wrong sign", forms(u - turns)},
+        {"you divide by 180", forms(u + 2 * turns)},
+        {"you add radians", forms(u + degrees * radian)},
+        {"2 pi is a full turn in radians", forms(u + degrees / (360 * radian))},
+        {"you add degrees", forms(u + degrees)},
+        {"you divide u, too", forms((u + degrees) / 360)},
+        {"you multiply by the turn", forms(u * turns)},
+        {"the old u is missing", forms(turns)}}},
+      {"this is in degrees: divide it by 360", {360 * x, 360 * fmod(x, 1), 360 * fraction(x)}},
   };
 }
 
@@ -213,55 +194,42 @@ Slips<Vec3d> wrong_in_radians(Vec3d p, double lean, double turn) {
   const auto look = [&](double first, double then) { return right_look(p, first, then); };
   const auto spun = [&](const Vec3d& q) { return turned_about_y(q, turn); };
   Slips<Vec3d> wrong = {
-      {"the turn comes first: your pole runs around in a circle. Undo the lean first",
-       upright(spun(p), lean)},
-      {"the axis leans to the left: undoing the lean turns (sin, cos, 0) to (0, 1, 0)",
-       look(-lean, turn)},
+      {"the turn comes first: your pole runs around. Undo the lean first", upright(spun(p), lean)},
+      {"the axis leans to the left: (sin, cos, 0) must turn to (0, 1, 0)", look(-lean, turn)},
       {"the turn comes first, and the axis leans to the left: undo the lean first, to (0, 1, 0)",
        upright(spun(p), -lean)},
       {"the turn has the wrong sign: after the lean, +z must turn to +x", look(lean, -turn)},
-      {"both turns go the wrong way: the pole must come to (0, 1, 0), and then +z to +x",
-       look(-lean, -turn)},
+      {"both turns go the wrong way: bring the pole to (0, 1, 0), +z to +x", look(-lean, -turn)},
       {"the turn about the leaning axis is right, but the lean comes back: undo it only",
        upright(look(lean, turn), -lean)},
       {in_degrees,
        {look(lean / radian, turn / radian), look(lean / radian, turn), look(lean, turn / radian)}},
-      {"the two angles are exchanged: x and y turn by the lean, x and z by the turn",
-       look(turn, lean)},
-      {"both angles turn x and z: the lean is a turn of x and y", look(0, lean + turn)},
+      {"the lean is a turn of x and y, the turn one of x and z",
+       {{"the two angles are exchanged", look(turn, lean)},
+        {"both angles turn x and z", look(0, lean + turn)}}},
       {"lean is an argument: your axis always leans by 23.4 degrees", look(earths_lean, turn)},
-      {"these are half of the angles: a full turn is 2 pi, and 360 degrees",
-       look(lean / 2, turn / 2)},
-      {"sine and cosine of the lean are exchanged: without a lean x and y stay as they are",
-       look(90 - lean, turn)},
-      {"sine and cosine of both angles are exchanged: without a lean and a turn p stays as it is",
-       look(90 - lean, 90 - turn)},
+      {"these are half of the angles: 2 pi is 360 degrees", look(lean / 2, turn / 2)},
+      {"sine and cosine are exchanged: without a lean and a turn p stays as it is",
+       {look(90 - lean, turn), look(90 - lean, 90 - turn)}},
   };
   const Vec3d right = upright(p, lean);
   // One part goes wrong; with `way` -1, the lean or the turn also has the wrong sign.
   for (const int way : {1, -1}) {
-    const Vec3d q = upright(p, way * lean);
-    const Vec3d back = upright(p, -way * lean);
+    const Vec3d q = upright(p, way * lean), back = upright(p, -way * lean);
     const Vec3d deep = upright({p.z, p.y, p.x}, way * lean);
-    const Vec3d r = spun(q);
-    const Vec3d s = spun({p.x, q.y, q.z});
+    const Vec3d r = spun(q), s = spun({p.x, q.y, q.z});
+    const double turned_once = look(lean, way * turn).x, turned_back = look(lean, -way * turn).z;
     wrong += {
-        {"the axis leans to the eye or away from it: undo the lean with x and y",
-         spun({deep.z, deep.y, deep.x})},
+        {"the axis leans to the eye or away: undo it with x and y", spun({deep.z, deep.y, deep.x})},
         {"you turn p: turn the direction that you have after undoing the lean",
-         {spun({p.x, q.y, p.z}), {r.x, q.y, s.z}, {s.x, q.y, r.z}}},
-        {"y comes from p: take that of the direction after undoing the lean", {r.x, p.y, r.z}},
-        {"the new y is computed from the new x: keep the old x in a variable",
-         spun({q.x, upright({q.x, p.y, p.z}, way * lean).y, p.z})},
-        {"the new z is computed from the new x: keep the old x in a variable",
-         {r.x, q.y, spun({r.x, 0, q.z}).z}},
+         {spun({p.x, q.y, p.z}), {r.x, q.y, s.z}, {s.x, q.y, r.z}, {r.x, p.y, r.z}}},
+        {"the new y or z is computed from the new x: keep the old x in a variable",
+         {spun({q.x, upright({q.x, p.y, p.z}, way * lean).y, p.z}),
+          {r.x, q.y, spun({r.x, 0, q.z}).z}}},
         {"the globe does not turn: after the lean, turn x and z", q},
-        {"the axis does not lean: turn x and y by the lean before you turn x and z",
-         look(0, way * turn)},
-        {"one sine of the lean has the wrong sign: x and y turn, so one is added, one subtracted",
-         spun({q.x, back.y, p.z})},
-        {"one sine of the turn has the wrong sign: x and z turn, so one is added, one subtracted",
-         {look(lean, way * turn).x, right.y, look(lean, -way * turn).z}},
+        {"the axis does not lean: turn x and y by the lean, then x and z", look(0, way * turn)},
+        {"one sine has the wrong sign, so that yours is no turn: one is added, one subtracted",
+         {spun({q.x, back.y, p.z}), {turned_once, right.y, turned_back}}},
     };
   }
   return wrong;
@@ -274,13 +242,11 @@ Slips<Vec3d> wrong_looks(Vec3d p, double lean, double turn) {
 
 constexpr Place<Vec3d, double, double> looked_up_places[] = {
     {"without a lean and without a turn nothing changes", {{2. / 7, 3. / 7, 6. / 7}, 0, 0}},
-    {"a pole that leans by 30 degrees is the mapping's north pole",
-     {{0.5, std::numbers::sqrt3 / 2, 0}, 30, 0}},
+    {"a pole leaning by 30 degrees is the north pole", {{0.5, std::numbers::sqrt3 / 2, 0}, 30, 0}},
     {"it stays the north pole while the globe turns", {{0.5, std::numbers::sqrt3 / 2, 0}, 30, 50}},
     {"without a lean, 90 degrees turn +z to +x", {{0, 0, 1}, 0, 90}},
     {"with a lean of 30 degrees, too: +z lies on the equator", {{0, 0, 1}, 30, 90}},
-    {"(2, 3, 6) / 7 after a lean of 23.4 and a turn of 70 degrees",
-     {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}},
+    {"(2, 3, 6) / 7, a lean of 23.4, a turn of 70 degrees", {{2. / 7, 3. / 7, 6. / 7}, 23.4, 70}},
 };
 
 }  // namespace
