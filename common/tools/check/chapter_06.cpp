@@ -76,23 +76,20 @@ Slips<Vec3d> wrong_mirrors(Vec3d d, Vec3d n) {
   const Vec3d along = n * k;
   Slips<Vec3d> wrong = {
       {"all signs are exchanged: this mirrors l, and d comes to the surface", along * 2. - d},
-      {"the part along n counts once: the formula has 2 (n . d) n", {d - along, along - d}},
-      {"n and d are exchanged: you mirror the normal at d", {n - d * (2 * k), d * (2 * k) - n}},
-      {"2 (n . d) n is subtracted from d: r is no mirrored direction, and longer than 1",
-       {d + along * 2., -d - along * 2.}},
-      {"you return d: a mirror turns the part of d along n around", d},
-      {"you return the opposite of d: that is the way back", -d},
-      {"this is the part along n: r is d - 2 (n . d) n", {along * 2., along, along * -2., -along}},
-      {"the part of d along n is n * dot(n, d), not n", {d - n, d + n, d - n * 2., d + n * 2.}},
-      {"2 (n . d) multiplies n alone: n * (2 * dot(n, d)), not a sum",
-       {(d - n) * (2 * k), (n - d) * (2 * k), (d + n) * (2 * k)}},
+      {"you return d, or the way back: a mirror turns the part of d along n around", {d, -d}},
+      {"r is d - 2 (n . d) n",
+       {{"the part along n counts once", {d - along, along - d}},
+        {"n and d are exchanged, you mirror the normal", {n - d * (2 * k), d * (2 * k) - n}},
+        {"you add 2 (n . d) n, and yours is longer than 1", {d + along * 2., -d - along * 2.}},
+        {"this is the part along n", {along * 2., along, along * -2., -along}},
+        {"the part of d along n is n * dot(n, d), not n", {d - n, d + n, d - n * 2., d + n * 2.}},
+        {"2 (n . d) is for n alone", {(d - n) * (2 * k), (n - d) * (2 * k), (d + n) * (2 * k)}},
+        {"n . d is above 0 behind the mirror, so no std::abs, std::max or std::min",
+         {d + n * (2 * abs(k)), d - n * (2 * abs(k)), d - n * (2 * max(k, 0.)),
+          d - n * (2 * min(k, 0.))}}}},
       {"this is halfway between n and the way back: r is on the other side of n", normalize(n - d)},
       {"this is right for n = +y at most: n may have any direction", Vec3d{d.x, -d.y, d.z}},
       {"a cross product leaves the plane of n and d: r lies in it", {cross(n, d), cross(d, n)}},
-      {"n . d is above 0 behind the mirror, and r needs its sign: no std::abs, std::max or "
-       "std::min",
-       {d + n * (2 * abs(k)), d - n * (2 * abs(k)), d - n * (2 * max(k, 0.)),
-        d - n * (2 * min(k, 0.))}},
   };
   return wrong += changed(wrong, [](const Vec3d& v) { return normalize(v); });
 }
@@ -104,7 +101,7 @@ constexpr Place<Vec3d, Vec3d> mirrored_places[] = {
     {"a ray that comes down at 45 degrees goes up at 45 degrees", {{half_root, -half_root, 0}, up}},
     {"with n = +y and d = (0.6, -0.8, 0)", {{0.6, -0.8, 0}, up}},
     {"with n = +z and d = (0.6, 0, -0.8)", {{0.6, 0, -0.8}, {0, 0, 1}}},
-    {"with n = (2, 3, 6) / 7 and d = (-2, -1, -2) / 3",
+    {"n = (2, 3, 6) / 7, d = (-2, -1, -2) / 3",
      {{-2. / 3, -1. / 3, -2. / 3}, {2. / 7, 3. / 7, 6. / 7}}},
     {"from behind it is the same formula: with n = +y and d = (0.6, 0.8, 0)", {{0.6, 0.8, 0}, up}},
 };
@@ -115,34 +112,28 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
                                   bool tests_side) {
   const Vec3d l = normalizes ? normalize(to_lamp) : to_lamp;
   const Vec3d e = -d, h = normalize(l + e);
-  const double c = dot(n, h), with_d = dot(n, normalize(l + d));
+  const double c = dot(n, h), with_d = dot(n, normalize(l + d)), page = dot(mirror(l, n), e);
   const auto power = [=](double cosine) { return pow(max(cosine, 0.), s); };
   const auto half_angle = [](double cosine) { return cos(acos(clamp(cosine, -1., 1.)) / 2); };
   Slips<double> wrong;
   if (!normalizes || !tests_side) {
-    wrong +=
-        {!normalizes ? "the way to the lamp does not have the length 1: normalize it, or its sum "
-                       "with the direction to the eye does not lie halfway"
-                     : "there is a highlight where the lamp is behind the surface: test n . l "
-                       "first",
-         {power(c), pow(c, s)}};
+    wrong += {!normalizes ? "the way to the lamp does not have the length 1: normalize it"
+                          : "the lamp can be behind the surface: test n . l first",
+              {power(c), pow(c, s)}};
   }
   const Slips<double> cosines = {
-      {"d goes to the surface: the direction to the eye is -d, and the sum of both lies halfway",
-       {with_d, -with_d, std::max(0., with_d), dot(n, l + d)}},  // 0, not NaN, where l is -d
-      {"the sum of both directions does not have the length 1: normalize it",
-       {dot(n, l + e), dot(n, (l + e) * 0.5)}},
-      {"this is the page's r . e: take the cosine between n and the direction halfway",
-       {dot(mirror(l, n), e), dot(mirror(h, n), e)}},
-      {"this is the cosine between two of n, l and -d: take n and the direction halfway",
-       {dot(n, l), dot(n, e), dot(l, e), dot(h, l), dot(h, e)}},
-      {"halfway between the lamp and the eye, not between one of them and n",
-       {dot(e, normalize(n + l)), dot(l, normalize(n + e)), dot(n, normalize(n + l)),
-        dot(n, normalize(n + e))}},
-      {"the cross product is a sine: the cosine is the dot product",
-       {length(cross(n, h)), length(cross(n, l + e))}},
-      {"take no half of an angle: it is the whole one between n and the direction halfway",
-       {half_angle(c), half_angle(dot(mirror(l, n), e))}},
+      {"the sum does not have the length 1: normalize", {dot(n, l + e), dot(n, (l + e) * 0.5)}},
+      {"a cross product is a sine, no cosine", {length(cross(n, h)), length(cross(n, l + e))}},
+      {"take the cosine between n and the direction halfway from lamp to eye",
+       {{"d goes to the surface, and the direction to the eye is -d",
+         {with_d, -with_d, std::max(0., with_d), dot(n, l + d)}},  // 0, not NaN, where l is -d
+        {"this is the page's r . e", {page, dot(mirror(h, n), e)}},
+        {"this is that of two of n, l, -d",
+         {dot(n, l), dot(n, e), dot(l, e), dot(h, l), dot(h, e)}},
+        {"halfway is between lamp and eye, not between one of them and n",
+         {dot(e, normalize(n + l)), dot(l, normalize(n + e)), dot(n, normalize(n + l)),
+          dot(n, normalize(n + e))}},
+        {"take no half of an angle", {half_angle(c), half_angle(page)}}}},
       {"no cosine is above 0: take the sum of l and -d, limited by std::max", {-c, min(c, 0.)}},
   };
   wrong += {
@@ -150,13 +141,15 @@ Slips<double> careless_highlights(Vec3d n, Vec3d to_lamp, Vec3d d, double s, boo
       changed(cosines, [=](double cosine) { return pow(cosine, s); }),
       {"the cross product is at right angles to l and -d: their sum lies halfway",
        {pow(dot(n, cross(l, e)), s), pow(dot(n, cross(e, l)), s)}},
-      {"the cosine is multiplied by the shininess: raise it to this power, with std::pow", c * s},
-      {"base and exponent are exchanged: std::pow(cosine, shininess)", pow(s, c)},
-      {"this is the cosine: raise it to the power shininess", c},
-      {"you raise the angle: the dot product already is its cosine", pow(acos(c), s)},
-      {"the strength 0.3 is the lesson's: return the power alone", 0.3 * power(c)},
-      {"the shininess may have decimals: take std::pow", {pow(c, trunc(s)), pow(c, ceil(s))}},
-      {"n . l is a factor of the diffuse light: return the power alone", power(c) * dot(n, l)},
+      {"raise the cosine to the power shininess, std::pow(cosine, shininess)",
+       {{"you multiply them", c * s},
+        {"base and exponent are exchanged", pow(s, c)},
+        {"this is the cosine", c},
+        {"the dot product already is the cosine, not the angle", pow(acos(c), s)},
+        {"the shininess may have decimals", {pow(c, trunc(s)), pow(c, ceil(s))}}}},
+      {"return the power alone",
+       {{"the strength 0.3 is the lesson's", 0.3 * power(c)},
+        {"n . l is a factor of the diffuse light", power(c) * dot(n, l)}}},
   };
   return tests_side && dot(n, l) <= 0 ? changed(wrong, [](double) { return 0.; }) : wrong;
 }
@@ -188,8 +181,7 @@ constexpr Place<Vec3d, Vec3d, Vec3d, double> highlight_places[] = {
      {up, {sine_of_60, 0.5, 0}, {-sine_of_60, -0.5, 0}, 1}},
     {"with the lamp behind the surface it is 0", {up, {3, -1, 0}, {-0.6, -0.8, 0}, 2}},
     {"also if the direction halfway is behind the surface", {up, {3, -4, 0}, {-0.8, -0.6, 0}, 2}},
-    {"with n = +y, the lamp at (3, 4, 0), d = (0.8, -0.6, 0) and shininess 2",
-     {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
+    {"n = +y, lamp (3, 4, 0), d = (0.8, -0.6, 0), shininess 2", {up, {3, 4, 0}, {0.8, -0.6, 0}, 2}},
     {"with a slanted normal and shininess 7", {{2. / 7, 3. / 7, 6. / 7}, {2, 1, 2}, {0, 0, -1}, 7}},
 };
 
@@ -198,23 +190,22 @@ Slips<Rgb> wrong_shares(Rgb texture, double light, double share) {
   const double rest = 1 - share;
   const Rgb lit = gray(light);
   return {
-      {"the shares are exchanged: the texture's falls with its brightness, the light has the rest",
-       lit * share + texture * rest},
-      {"both are added whole: multiply each by its share", lit + texture},
       {"you multiply texture and light, as in the chapters before: a blend is a sum",
        {texture * light, texture * (light * share), texture * (light * rest),
         texture * (share + light * rest), texture * (light * share + rest),
         texture * (light * share) + lit * rest}},
-      {"the light has no share: multiply it by the rest, 1 - share", lit + texture * share},
-      {"the texture has no share: multiply it by its share", lit * rest + texture},
-      {"both have the same share: the light has the rest, 1 - share",
-       {(lit + texture) * share, (lit + texture) * rest, (lit + texture) * 0.5}},
-      {"the light is missing: add it with the rest, 1 - share", texture * share},
-      {"the texture is missing: add it with its share", lit * rest},
-      {"the light has the rest: multiply it by 1 - share, not by 1 minus the light",
-       {gray(1 - light) + texture * share, gray(light * (1 - light)) + texture * share}},
-      {"the rest is not yet the light's: multiply the light by it", gray(rest) + texture * share},
-      {"the light's share is 1 - share, not share - 1", texture * share + lit * -rest},
+      {"multiply the texture by its share, and the light by the rest, 1 - share",
+       {{"the shares are exchanged", lit * share + texture * rest},
+        {"both are added whole", lit + texture},
+        {"the light has no share", lit + texture * share},
+        {"the texture has no share", lit * rest + texture},
+        {"equal shares", {(lit + texture) * share, (lit + texture) * rest, (lit + texture) * 0.5}},
+        {"the light is missing", texture * share},
+        {"the texture is missing", lit * rest},
+        {"the rest is not 1 minus the light",
+         {gray(1 - light) + texture * share, gray(light * (1 - light)) + texture * share}},
+        {"the rest is not yet the light's", gray(rest) + texture * share},
+        {"the rest is not share - 1", texture * share + lit * -rest}}},
       {"a gray has three equal parts: Color{x, x, x}", texture * share + Rgb{light, 0, 0} * rest},
   };
 }
@@ -227,35 +218,36 @@ Rgb right_print(Rgb c, double light, double t) {
 Slips<Rgb> wrong_prints(Rgb texture, double light, double t) {
   const auto [r, g, b] = texture;
   const double bright = brightness(texture), share = t * (1 - bright), lit = min(light, 1.);
-  const double norm = length(Vec3d{r, g, b});
+  const double norm = length(Vec3d{r, g, b}), most = max({r, g, b}), least = min({r, g, b});
   const auto with = [&](double other) { return gray(other) * (1 - share) + texture * share; };
   const auto by = [&, r = r, g = g, b = b](double t_r, double t_g, double t_b) {
     return Rgb{r * t_r + lit * (1 - t_r), g * t_g + lit * (1 - t_g), b * t_b + lit * (1 - t_b)};
   };
-  const auto all = [&](double one) { return by(one, one, one); };
-  return {
-      {"the share falls evenly from t, for black, to 0, for white (and in C++ 1 / 3 is 0)",
-       {all(t), all(bright < 0.5 ? t : 0)}},
-      {"the holes are where the texture is black: they belong where it is white", all(t * bright)},
-      {"the texture's share is t * (1 - brightness): t is missing", {all(1 - bright), all(bright)}},
-      {"the texture's share is t * (1 - brightness), with parentheses",
-       {all(t - bright), all(max(t - bright, 0.)), all(1 - t * bright), all(t + 1 - bright)}},
-      {"the brightness is a mean: divide the sum by 3, with parentheses",
-       {all(t * (1 - 3 * bright)), all(t * max(1 - 3 * bright, 0.)),
-        all(t * (1 - (r + g + b / 3)))}},
+  const Slips<double> means = {
       {"the brightness is the mean of all three parts",
-       {all(t * (1 - r)), all(t * (1 - g)), all(t * (1 - b)), all(t * (1 - max({r, g, b}))),
-        all(t * (1 - min({r, g, b}))), all(t * (1 - (max({r, g, b}) + min({r, g, b})) / 2)),
-        all(t * (1 - (0.2126 * r + 0.7152 * g + 0.0722 * b)))}},
-      {"the brightness is a mean: the length of the color is none",
-       {all(t * (1 - norm)), all(t * max(1 - norm, 0.)), all(t * (1 - norm / sqrt(3.)))}},
+       {{"divide the sum by 3, with parentheses", {3 * bright, min(3 * bright, 1.), r + g + b / 3}},
+        {"yours is of one or two of them, or weighs them",
+         {r, g, b, most, least, (most + least) / 2, 0.2126 * r + 0.7152 * g + 0.0722 * b}},
+        {"the length of the color is no mean", {norm, min(norm, 1.), norm / sqrt(3.)}}}},
+      {"brightness is the texture's, not the light's", {lit, light}},
+  };
+  const Slips<double> shares = {
+      {"the share falls evenly from t to 0 (in C++ 1 / 3 is 0)", {t, bright < 0.5 ? t : 0}},
+      {"the holes are where the texture is black: they belong where it is white", t * bright},
+      {"the texture's share is t * (1 - brightness)",
+       {{"t is missing", {1 - bright, bright}},
+        {"no parentheses", {t - bright, max(t - bright, 0.), 1 - t * bright, t + 1 - bright}}}},
+      changed(means, [=](double mean) { return t * (1 - mean); }),
+  };
+  return {
+      changed(shares, [&](double one) { return by(one, one, one); }),
       {"all three parts have one share, of the mean", by(t * (1 - r), t * (1 - g), t * (1 - b))},
-      {"brightness is the texture's, not the light's", {all(t * (1 - lit)), all(t * (1 - light))}},
       {"the light has the rest, 1 - share, not 1 - t", texture * share + gray(lit) * (1 - t)},
-      {"the light is not limited to 1: take std::min(light, 1.0)", with(light)},
-      {"std::max makes all light 1 or more: take std::min(light, 1.0)", with(max(light, 1.))},
-      {"light above 1 counts as 1, not as 0 or as its decimals",
-       {with(light > 1 ? 0 : light), with(light - floor(light))}},
+      {"take std::min(light, 1.0)",
+       {{"the light is not limited to 1", with(light)},
+        {"std::max makes all light 1 or more", with(max(light, 1.))},
+        {"light above 1 counts as 1, not as 0 or as its decimals",
+         {with(light > 1 ? 0 : light), with(light - floor(light))}}}},
       wrong_shares(texture, lit, share),
       wrong_shares(texture, light, share),
       wrong_shares(texture, lit, t),
