@@ -123,11 +123,10 @@ Slips<int> wrong_means(const Bytes& bytes) {
   const auto n = static_cast<double>(bytes.size());
   const auto sum = [&](auto light_of) { return sum_of(bytes, light_of); };
   const auto byte_of = [](double light) { return 255 * srgb_encode(light); };
-  const double light = sum(decoded);
-  const double mean = light / n;
-  const double bytes_sum = sum([](int byte) { return byte; });
-  const double share = bytes_sum / 255 / n;
+  const double light = sum(decoded), mean = light / n;
+  const double bytes_sum = sum([](int byte) { return byte; }), share = bytes_sum / 255 / n;
   const double as_255 = sum([](int byte) { return srgb_decode(double(byte)); }) / n;
+  const double encoded = sum([](int byte) { return srgb_encode(byte / 255.); }) / n;
   const auto without = [&](int byte) { return round(byte_of((light - decoded(byte)) / n)); };
   const auto power = [&](double p) {
     return 255 * pow(sum([=](int byte) { return pow(byte / 255., p); }) / n, 1 / p);
@@ -138,42 +137,34 @@ Slips<int> wrong_means(const Bytes& bytes) {
   const double below = *(sorted.size() % 2 == 1 ? middle : middle - 1);
   const auto* not_256 = "white is byte 255, and there it is 1: divide and multiply by 255, not 256";
   const Slips<double> wrong = {
-      {"this is the mean of the bytes, not of the light: decode each byte, encode the mean",
-       bytes_sum / n},
       {"the byte is cut off, not rounded: take std::lround",
        {floor(byte_of(mean)), floor(255.999 * srgb_encode(mean)), ceil(byte_of(mean))}},
       {"every byte but 255 counts as 0: write byte / 255.0, and add in a double",
        byte_of(sum([](int byte) { return byte == 255 ? 1 : 0; }) / n)},
-      {"the mean is light and no byte yet: encode it", 255 * mean},
-      {"decoding and encoding are exchanged: a byte is encoded",
-       255 * srgb_decode(sum([](int byte) { return srgb_encode(byte / 255.); }) / n)},
-      {"the bytes are not decoded, but their mean is encoded: too bright", byte_of(share)},
-      {"the mean of the bytes is decoded: decode each byte, and encode the mean",
-       255 * srgb_decode(share)},
-      {"you decode each byte and the mean again: encode the mean", 255 * srgb_decode(mean)},
-      {"this is a number from 0 to 1: encode the mean, and multiply it by 255",
-       {srgb_encode(mean), mean}},
-      {"the sum is no mean: divide it by bytes.size(), then encode it",
-       {byte_of(light), 255 * light, bytes_sum}},
-      {"the sum is encoded before it is divided: encode the mean", byte_of(light) / n},
-      {"srgb_decode takes a number from 0 to 1: give it byte / 255.0",
-       {byte_of(as_255), srgb_encode(as_255)}},
+      {"decode each byte, and encode the mean",
+       {{"this is the mean of the bytes, not of the light", bytes_sum / n},
+        {"the mean is light and no byte yet", 255 * mean},
+        {"decoding and encoding are exchanged", 255 * srgb_decode(encoded)},
+        {"the bytes are not decoded, but their mean is encoded, too bright", byte_of(share)},
+        {"the mean of the bytes is decoded", 255 * srgb_decode(share)},
+        {"you decode each byte and the mean again", 255 * srgb_decode(mean)},
+        {"the sum is encoded before it is divided", byte_of(light) / n},
+        {"a byte is encoded already", 255 * encoded}}},
+      {"this is 0 to 1: encode the mean, and multiply it by 255", {srgb_encode(mean), mean}},
+      {"divide the sum by bytes.size(), then encode it", {byte_of(light), 255 * light, bytes_sum}},
+      {"srgb_decode takes 0 to 1: give it byte / 255.0", {byte_of(as_255), srgb_encode(as_255)}},
       {not_256, byte_of(sum([](int byte) { return srgb_decode(byte / 256.); }) / n)},
       {"the bytes are not encoded by this power alone: take srgb_decode and srgb_encode",
        {power(2), power(2.2), 255 * pow(mean, 1 / 2.2),
         byte_of(sum([](int byte) { return pow(byte / 255., 2.2); }) / n)}},
-      {"a byte is encoded already: decode each byte, and encode the mean",
-       255 * sum([](int byte) { return srgb_encode(byte / 255.); }) / n},
-      {"this is the median, the byte in the middle: the mean is the sum of the light, divided by "
-       "how many there are",
-       {1. * *middle, below, (below + *middle) / 2,
-        byte_of((decoded(below) + decoded(*middle)) / 2)}},
-      {"this is one of the bytes: the mean is the sum of the light, divided by how many there are",
-       {1. * bytes.front(), 1. * bytes.back(), 1. * sorted.front(), 1. * sorted.back()}},
-      {"divide by how many there are, not by one less or more",
-       {byte_of(light / max(n - 1, 1.)), byte_of(light / (n + 1))}},
-      {"a byte is missing in the sum: all count, from the first to the last",
-       {without(bytes.front()), without(bytes.back())}},
+      {"the mean is the sum of the light, divided by how many there are",
+       {{"this is the median, the byte in the middle",
+         {1. * *middle, below, (below + *middle) / 2,
+          byte_of((decoded(below) + decoded(*middle)) / 2)}},
+        {"this is one of the bytes",
+         {1. * bytes.front(), 1. * bytes.back(), 1. * sorted.front(), 1. * sorted.back()}},
+        {"divide by no other number", {byte_of(light / max(n - 1, 1.)), byte_of(light / (n + 1))}},
+        {"a byte is missing in the sum", {without(bytes.front()), without(bytes.back())}}}},
   };
   return {
       changed(wrong, rounded),
@@ -194,43 +185,42 @@ Vec3d right_direction(double a, double b, double edge) {
 Slips<Vec3d> wrong_directions(double a, double b, double edge) {
   const double turn = 2 * pi * b, height = 1 - edge, radius = sqrt(1 - edge * edge);
   const auto [x, y, z] = right_direction(a, b, edge);
-  const auto at = [=](double other) { return direction_at(other, turn); };
-  const auto turned = [=, z = z](double angle) { return direction_at(z, angle); };
-  const auto with = [=, z = z](double other) {
-    return Vec3d{other * cos(turn), other * sin(turn), z};
+  const Slips<double> heights = {
+      {"the root spreads points evenly over a disk, as on the page: here spread the height evenly",
+       {sqrt(1 - a), sqrt(1 - a * radius * radius), 1 - sqrt(a) * height}},
+      {"too many are near the middle: spread the height evenly, not the angle or the radius",
+       {cos(a * acos(edge)), sqrt(1 - a * a * radius * radius), 1 - a * a * height}},
+      {"the height is 1 - a * (1 - edge)",
+       {{"a = 0 is straight up", edge + a * height},
+        {"it ends at the height edge", {1 - a, a, 1 - 2 * a, 1 - a * edge, 1 - a - edge, a * edge}},
+        {"a = 0 has the height 1, and a = 1 the height edge", {(1 - a) * edge, 1 - (1 - a) * edge}},
+        {"all directions go to the edge of the window", edge}}},
+  };
+  const Slips<double> radii = {
+      {"the length is not 1: at the height z the radius is the root of 1 - z * z",
+       {1 - z * z, 1 - z, sqrt(1 - z), 1, a, sqrt(a), a * height, a * radius, sqrt(a) * radius,
+        radius}},
+  };
+  const auto with = [=, z = z](double r) { return Vec3d{r * cos(turn), r * sin(turn), z}; };
+  const Slips<double> angles = {
+      {"the angle is 2 pi b",
+       {{"your directions cover half of the window", pi * b},
+        {"b is taken for radians", b},
+        {"std::cos and std::sin take radians, not degrees", {360 * b, 360 / radian * b}},
+        {"it is in radians already, without pi / 180", pi * pi / 90 * b}}},
+      {"the angle runs the other way: count it from x toward y", -turn},
   };
   return {
-      {"the root spreads points evenly over a disk, as on the page: here the height is spread "
-       "evenly, from 1 down to edge",
-       {at(sqrt(1 - a)), at(sqrt(1 - a * radius * radius)), at(1 - sqrt(a) * height)}},
-      {"too many directions are near the middle: spread the height evenly, not the angle or the "
-       "radius",
-       {at(cos(a * acos(edge))), at(sqrt(1 - a * a * radius * radius)), at(1 - a * a * height)}},
-      {"a = 0 is straight up: the height falls from 1 to edge", at(edge + a * height)},
-      {"the window ends at the height edge: it is 1 - a * (1 - edge)",
-       {at(1 - a), at(a), at(1 - 2 * a), at(1 - a * edge), at(1 - a - edge), at(a * edge)}},
-      {"a = 0 has the height 1, and a = 1 the height edge: it is 1 - a * (1 - edge)",
-       {at((1 - a) * edge), at(1 - (1 - a) * edge)}},
-      {"all directions go to the edge of the window: the height depends on a", at(edge)},
-      {"the length is not 1: at the height z the radius is the root of 1 - z * z",
-       {with(1 - z * z), with(1 - z), with(sqrt(1 - z)), with(1), with(a), with(sqrt(a)),
-        with(a * height), with(a * radius), with(sqrt(a) * radius), with(radius)}},
+      changed(heights, [=](double other) { return direction_at(other, turn); }),
+      changed(radii, with),
       {"you make the length 1 at the end, and move the height: the radius is the root of 1 - z * z",
        {normalize(with(1)), normalize(with(a)), normalize(with(sqrt(a))), normalize(with(radius))}},
-      {"the directions cover half of the window: a whole turn is 2 pi", turned(pi * b)},
-      {"b is taken for radians: multiply it by 2 pi", turned(b)},
-      {"b is turned into degrees: std::cos and std::sin take radians",
-       {turned(360 * b), turned(360 / radian * b)}},
-      {"2 pi b is in radians already: no pi / 180 is needed", turned(pi * pi / 90 * b)},
-      {"the angle runs the other way: count it from x toward y", turned(-turn)},
-      {"the directions lead into the ground: the height is not negative",
-       {{x, y, -z}, {-x, -y, -z}}},
-      {"a and b are exchanged: a makes the height, b the angle", right_direction(b, a, edge)},
-      {"a makes the height and the angle: the angle is 2 pi b", right_direction(a, a, edge)},
-      {"b makes the height and the angle: the height is 1 - a * (1 - edge)",
-       right_direction(b, b, edge)},
-      {"cos and sin are exchanged: the angle is counted from x toward y", {y, x, z}},
-      {"up is +z here: the height is z, not y", {x, z, y}},
+      changed(angles, [=, z = z](double angle) { return direction_at(z, angle); }),
+      {"your directions lead into the ground: the height is above 0", {{x, y, -z}, {-x, -y, -z}}},
+      {"a makes the height, b the angle",
+       {{"a and b are exchanged", right_direction(b, a, edge)},
+        {"a makes both", right_direction(a, a, edge)},
+        {"b makes both", right_direction(b, b, edge)}}},
   };
 }
 
@@ -251,45 +241,40 @@ Place2 right_place(int i, int n, double a, double b) {
 Slips<Place2> wrong_places(int i, int n, double a, double b) {
   const double c = i % n, r = floor(double(i) / n);  // column and row
   const auto [u, v] = right_place(i, n, a, b);
+  const auto at = [=](double column, double row) {
+    return Place2{(column + a) / n, (row + b) / n};
+  };
   return {
       {"all samples of a cell are at its corner: add a and b", {c / n, r / n}},
-      {"all samples are in the middle of their cells: the same grid in every pixel makes stripes. "
-       "Add a and b",
+      {"all samples are in the middle of their cells, which makes stripes: add a and b",
        {(c + 0.5) / n, (r + 0.5) / n}},
-      {"these are random samples, without cells: i has no effect (with int, column / n is 0)",
-       {a, b}},
-      {"all samples are in the first cell: column / n and row / n as int are 0", {a / n, b / n}},
-      {"column / n and row / n as int are 0: add a and b first, then divide", {0, 0}},
-      {"columns and rows are exchanged: sample 1 is the right neighbor of sample 0",
-       {(r + a) / n, (c + b) / n}},
-      {"a and b are exchanged: a is across, b is up", {(c + b) / n, (r + a) / n}},
-      {"a moves the sample across and up: b says how far up", {u, (r + a) / n}},
-      {"u and v are exchanged: column and a make u, row and b make v", {v, u}},
-      {"you divide by n x n: all samples are in one corner of the pixel", {u / n, v / n}},
-      {"n cells are as wide as the pixel: divide by n, not by n - 1",
-       {(c + a) / (n - 1), (r + b) / (n - 1)}},
-      {"n cells are as wide as the pixel: divide by n, not by n + 1",
-       {(c + a) / (n + 1), (r + b) / (n + 1)}},
-      {"these are cells, and the pixel goes from 0 to 1: divide by n", {c + a, r + b}},
-      {"the division comes before the sum: write (column + a) / n", {c + a / n, r + b / n}},
-      {"a and b are factors here: add them to column and row", {c * a / n, r * b / n}},
-      {"a and b count from the corner of the cell: do not subtract or add 1/2",
-       {{(c + a - 0.5) / n, (r + b - 0.5) / n}, {(c + a + 0.5) / n, (r + b + 0.5) / n}}},
-      {"a and b are not divided by n: the samples leave their cells", {c / n + a, r / n + b}},
-      {"v is random: it is (row + b) / n", {u, b}},
-      {"u is random: it is (column + a) / n", {a, v}},
-      {"the rows are upside down: v begins at 0 with row 0",
-       {{u, (n - 1 - r + b) / n}, {u, 1 - v}}},
-      {"samples are counted from 0: column i % n and row i / n, without 1",
-       {right_place(i + 1, n, a, b), {(c - 1 + a) / n, (r - 1 + b) / n}}},
-      {"the row is i / n, without the rest: i % n is the column", {u, (c + b) / n}},
-      {"the column is the remainder i % n: i / n is the row", {(r + a) / n, v}},
-      {"the row is no whole number: divide i by n as int, and the rest is cut off",
-       {u, (double(i) / n + b) / n}},
-      {"the column grows beyond the pixel: it is the remainder i % n", {(i + a) / n, v}},
-      {"i counts samples, not rows: the row is i / n", {u, (i + b) / n}},
-      {"i counts samples: the column is i % n, the row is i / n",
-       {{(i + a) / n / n, (i + b) / n / n}, {(i + a) / n / n, b}, {a, (i + b) / n / n}}},
+      {"these are random samples, without cells: i has no effect (as int, c / n is 0)", {a, b}},
+      {"column / n and row / n as int are 0: add, then divide", {{a / n, b / n}, {0, 0}}},
+      {"columns and rows are exchanged: sample 1 is the right neighbor of sample 0", at(r, c)},
+      {"a is across, b is up",
+       {{"a and b are exchanged", {(c + b) / n, (r + a) / n}},
+        {"a moves the sample across and up", {u, (r + a) / n}}}},
+      {"u is (column + a) / n, and v is (row + b) / n",
+       {{"you divide by n x n", {u / n, v / n}},
+        {"n cells are as wide as the pixel, not n - 1 or n + 1",
+         {{(c + a) / (n - 1), (r + b) / (n - 1)}, {(c + a) / (n + 1), (r + b) / (n + 1)}}},
+        {"the pixel goes from 0 to 1, and yours is in cells", {c + a, r + b}},
+        {"the division comes before the sum", {c + a / n, r + b / n}},
+        {"a and b are factors here", {c * a / n, r * b / n}},
+        {"a and b are not divided by n, and the samples leave their cells", {c / n + a, r / n + b}},
+        {"a and b count from the cell's corner", {at(c - 0.5, r - 0.5), at(c + 0.5, r + 0.5)}},
+        {"v is random", {u, b}},
+        {"u is random", {a, v}}}},
+      {"the rows are upside down: v begins at 0 with row 0", {at(c, n - 1 - r), {u, 1 - v}}},
+      {"the column is i % n, and the row is i / n as int",
+       {{"samples are counted from 0, without 1", {right_place(i + 1, n, a, b), at(c - 1, r)}},
+        {"you take i % n for both", at(c, c)},
+        {"you take i / n for both", at(r, r)},
+        {"the row is no whole number", at(c, double(i) / n)},
+        {"the column grows beyond the pixel", at(i, r)},
+        {"i counts samples, not rows", at(c, i)},
+        {"i counts samples, and is no column or row",
+         {{(i + a) / n / n, (i + b) / n / n}, {(i + a) / n / n, b}, {a, (i + b) / n / n}}}}},
   };
 }
 
