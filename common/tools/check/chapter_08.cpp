@@ -113,40 +113,35 @@ Slips<bool> wrong_hits(Vec3d a, Vec3d b, Vec3d c) {
   const bool all_left = left(ab, bc, ca);
   const bool all_right = right(ab, bc, ca);
   Slips<bool> wrong = {
-      {"triangles with clockwise corners are missed: from there the ray is right of all three "
-       "edges",
-       {all_left, inside_left}},
-      {"triangles with counterclockwise corners are missed: there the ray is left of all three "
-       "edges",
-       {all_right, inside_right}},
-      {"a ray exactly through an edge hits neither triangle: you see cracks. Take >= and <=",
-       inside_left || inside_right},
+      {"clockwise corners are missed: the ray is on the right", {all_left, inside_left}},
+      {"counterclockwise corners are missed: the ray is on the left", {all_right, inside_right}},
+      {"a ray through an edge hits nothing: cracks. Take >= and <=", inside_left || inside_right},
       {"one direction of the corners has cracks: take >= and <=, 0 belongs to both",
        {all_left || inside_right, inside_left || all_right}},
-      {"one edge is enough for you: the ray must be on the same side of all three",
-       {!inside_right, !all_right, !inside_left, !all_left}},
-      {"every ray hits: on the same side means >= 0 for all three, or <= 0 for all three", true},
-      {"no ray hits: it is on the left of all three edges or on the right, not both",
-       all_left && all_right},
+      {"the ray must be on the left of all three edges, or on the right of all three",
+       {{"one edge is enough for you", {!inside_right, !all_right, !inside_left, !all_left}},
+        {"every ray hits", true},
+        {"no ray hits", all_left && all_right}}},
       {"hits and misses are exchanged", !all_left && !all_right},
-      {"the edge a to b is missing: two edges leave a triangle open", {left(bc, ca), same(bc, ca)}},
-      {"the edge b to c is missing: two edges leave a triangle open", {left(ab, ca), same(ab, ca)}},
-      {"the edge c to a is missing: two edges leave a triangle open", {left(ab, bc), same(ab, bc)}},
-      {"a product is 0 on the line through an edge: compare each one with 0",
-       {left(ab * bc, bc * ca), left(bc * ca, ca * ab), left(ca * ab, ab * bc)}},
       {"a product of three does not say that all are on the same side: compare each one with 0",
        {ab * bc * ca >= 0, ab * bc * ca > 0}},
       {"p == q == r compares the answer of p == q with r: write p == q && q == r",
        {((ab >= 0) == (bc >= 0)) == (ca >= 0), ((ab > 0) == (bc > 0)) == (ca > 0)}},
-      {"the sum says which way the corners run: compare each of the three with 0",
-       {ab + bc + ca >= 0, ab + bc + ca <= 0}},
-      {"one edge has the wrong direction: go around, a to b, b to c, c to a",
-       {same(ab, bc, -ca), left(ab, bc, -ca), same(-ab, bc, ca), left(-ab, bc, ca),
-        same(ab, -bc, ca), left(ab, -bc, ca)}},
+      {"the sum says how the corners run: compare each", {ab + bc + ca >= 0, ab + bc + ca <= 0}},
       {"you compare with the box around the triangle: a triangle is only half of it",
        min({a.x, b.x, c.x}) <= 0 && max({a.x, b.x, c.x}) >= 0 && min({a.y, b.y, c.y}) <= 0 &&
            max({a.y, b.y, c.y}) >= 0},
   };
+  for (const auto& [name, one, next, last] :
+       {std::tuple{"a to b", ab, bc, ca}, {"b to c", bc, ca, ab}, {"c to a", ca, ab, bc}}) {
+    wrong += {
+        {text("the edge %s is missing: two edges leave a triangle open", name),
+         {left(next, last), same(next, last)}},
+        {"a product is 0 on the line through an edge: compare each", left(one * next, next * last)},
+        {"one edge has the wrong direction: go around, a to b, b to c, c to a",
+         {same(-one, next, last), left(-one, next, last)}},
+    };
+  }
   for (const auto& [word, of] : wrong_edges)
     wrong += {{word, {same(of(a, b), of(b, c), of(c, a)), left(of(a, b), of(b, c), of(c, a))}}};
   return wrong;
@@ -159,8 +154,7 @@ constexpr Place<Vec3d, Vec3d, Vec3d> moved(const char* law, double x, double y) 
 }
 constexpr Vec3d near{1, 0, 0}, far{3, 0, 0}, top{2, 2, 0};
 constexpr Place<Vec3d, Vec3d, Vec3d> is_hit_places[] = {
-    {"the ray is inside, the corners run counterclockwise: a hit",
-     {{-1, -1, 0}, {2, -1, 0}, {0, 3, 0}}},
+    {"the ray is inside, corners counterclockwise: a hit", {{-1, -1, 0}, {2, -1, 0}, {0, 3, 0}}},
     {"the corners run clockwise: a hit, too", {{-1, -1, 0}, {0, 3, 0}, {2, -1, 0}}},
     moved("the ray is right of the triangle: a miss", -5, 0),
     moved("the ray is left of the triangle: a miss", 5, 0),
@@ -171,8 +165,7 @@ constexpr Place<Vec3d, Vec3d, Vec3d> is_hit_places[] = {
     {"clockwise, the ray is below the triangle: a miss", {{-1, 4, 0}, {0, 8, 0}, {2, 4, 0}}},
     {"exactly on the edge a to b: a hit", {{-1, 0, 0}, {2, 0, 0}, {0, 3, 0}}},
     {"exactly on that edge of the neighbor: a hit, too", {{-1, 0, 0}, {0, -3, 0}, {2, 0, 0}}},
-    {"exactly on the edge c to a of clockwise corners: a hit",
-     {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
+    {"exactly on edge c to a of clockwise corners: a hit", {{1, 1, 0}, {3, -2, 0}, {-1, -1, 0}}},
     {"on the line through a and b, but outside of the triangle: a miss", {near, far, top}},
     {"on the line through b and c, but outside of the triangle: a miss", {top, near, far}},
     {"on the line through c and a, but outside of the triangle: a miss", {far, top, near}},
@@ -186,33 +179,23 @@ Weights shares(const Weights& parts) { return shares(parts[0] + parts[1] + parts
 
 Slips<Weights> wrong_weights(Vec3d a, Vec3d b, Vec3d c) {
   const double ab = edge(a, b), bc = edge(b, c), ca = edge(c, a);
-  const double whole = ab + bc + ca;
-  const double other = ab + bc - ca;
-  const Weights areas{bc, ca, ab};
-  const Weights sizes{abs(bc), abs(ca), abs(ab)};
+  const double whole = ab + bc + ca, other = ab + bc - ca;
+  const Weights areas{bc, ca, ab}, sizes{abs(bc), abs(ca), abs(ab)};
   const Weights distances{length(a), length(b), length(c)};
   const auto [x, y, z] = shares(areas);
   Slips<Weights> wrong = {
-      {"the weights belong to the wrong corners: that of a is the share opposite a, of b, c and "
-       "the ray",
-       {{z, x, y}, {y, z, x}}},
-      {"the weights of b and c are exchanged: b is opposite the edge c to a", {x, z, y}},
-      {"the weights of a and b are exchanged: a is opposite the edge b to c", {y, x, z}},
-      {"the weights of a and c are exchanged: a is opposite the edge b to c", {z, y, x}},
+      {"the weights belong to other corners: that of a is the share opposite a",
+       {{z, x, y}, {y, z, x}, {x, z, y}, {y, x, z}, {z, y, x}}},
       {"these are areas, not shares: divide by the area of the whole triangle",
        {areas, shares(2, areas), sizes, shares(2, sizes)}},
-      {"the sum is no more than 1/2: the whole triangle is the sum of the three small ones, not "
-       "twice that",
-       {x / 2, y / 2, z / 2}},
-      {"the sum is 2: halve all four areas or none of them", {2 * x, 2 * y, 2 * z}},
+      {"the sum is not 1: the whole triangle is the sum of the three small ones",
+       {{x / 2, y / 2, z / 2}, {2 * x, 2 * y, 2 * z}}},
       {"/ comes before +: write bc / (ab + bc + ca), or keep the sum in a variable",
        {bc / ab + bc + ca, ca / ab + bc + ca, ab / ab + bc + ca}},
-      {"clockwise corners have negative weights: leave std::abs out, the signs cancel",
-       shares(abs(whole), areas)},
+      {"clockwise corners: leave std::abs out, the signs cancel", shares(abs(whole), areas)},
       {"the edge from a to c has the wrong direction: go around, from c to a",
        {{bc / other, -ca / other, ab / other}, {x, -y, z}}},
-      {"these are the shares of the other two corners: the weight is the share, not 1 minus it",
-       {1 - x, 1 - y, 1 - z}},
+      {"this is 1 minus the share, that of the other two corners", {1 - x, 1 - y, 1 - z}},
       {"the weights do not add up to 1: the third is 1 minus both others",
        {{x, y, 1}, {x, y, 1 - x}, {x, y, 1 - y}, {x, y, x + y}}},
       {"an area is missing in the sum: the whole triangle has all three",
@@ -232,10 +215,8 @@ constexpr Place<Vec3d, Vec3d, Vec3d> weights_places[] = {
     {"in the middle between a and b, each has 1/2", {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}},
     {"close to a, a has the largest weight", {{-0.1, -0.1, 0}, {0.9, -0.1, 0}, {-0.1, 0.9, 0}}},
     {"close to c, c has the largest weight", {{-0.1, -0.8, 0}, {0.9, -0.8, 0}, {-0.1, 0.2, 0}}},
-    {"with the corners (-0.6, -0.4), (0.4, -0.4) and (0.4, 0.6)",
-     {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
-    {"the corners may run clockwise: the weights stay positive",
-     {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}},
+    {"(-0.6, -0.4), (0.4, -0.4), (0.4, 0.6)", {{-0.6, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.6, 0}}},
+    {"corners may run clockwise: the weights stay positive", {{-2, -1, 0}, {1, 3, 0}, {4, -2, 0}}},
 };
 
 Place2 sum_of(Place2 a, Place2 b, Place2 c, const Weights& w) {
@@ -248,42 +229,31 @@ Slips<Place2> wrong_mixes(Place2 a, Place2 b, Place2 c, Weights weights) {
   const auto [u, v] = mix(x, y, z);
   const double sum = x + y + z;
   const Place2 heaviest = x >= y && x >= z ? a : y >= z ? b : c;
-  return {
-      {"all corners count the same: multiply each by its own weight", mix(1. / 3, 1. / 3, 1. / 3)},
-      {"the corners have no weights: multiply each by its own weight, then add", mix(1, 1, 1)},
-      {"all corners have weights[0]: multiply each by its own weight", mix(x, x, x)},
-      {"this is 1 minus each weight: multiply each corner by its own weight",
-       mix(1 - x, 1 - y, 1 - z)},
-      {"the weights are added: multiply each corner by its own weight, then add",
-       {a.u + b.u + c.u + sum, a.v + b.v + c.v + sum}},
-      {"you take the corner with the largest weight: mix all three", heaviest},
-      {"the weights of b and c are exchanged", mix(x, z, y)},
-      {"the weights of a and b are exchanged", mix(y, x, z)},
-      {"the weights of a and c are exchanged", mix(z, y, x)},
-      {"the weights are those of the next corners: weights[0] belongs to a",
-       {mix(y, z, x), mix(z, x, y)}},
-      {"a corner has no weight: multiply each by its own weight",
-       {mix(1, y, z), mix(x, 1, z), mix(x, y, 1)}},
-      {"a weight is used twice: weights[1] belongs to b, weights[2] to c",
-       {mix(x, y, y), mix(x, z, z), mix(x, x, z), mix(x, y, x), mix(y, y, z), mix(z, y, z)}},
-      {"a corner is used twice: weights[0] belongs to a, weights[1] to b, weights[2] to c",
-       {sum_of(a, b, b, weights), sum_of(a, a, c, weights), sum_of(a, c, c, weights),
-        sum_of(b, b, c, weights)}},
-      {"corner a is missing", mix(0, y, z)},
-      {"corner b is missing", mix(x, 0, z)},
-      {"corner c is missing", mix(x, y, 0)},
-      {"u and v are exchanged: your picture is mirrored at a diagonal", {v, u}},
-      {"v is a mix of u: take a.v, b.v and c.v", {u, u}},
-      {"u is a mix of v: take a.u, b.u and c.u", {v, v}},
-      {"one product of v has a u: take a.v, b.v and c.v",
-       {{u, v + x * (a.u - a.v)}, {u, v + y * (b.u - b.v)}, {u, v + z * (c.u - c.v)}}},
-      {"one product of u has a v: take a.u, b.u and c.u",
-       {{u + x * (a.v - a.u), v}, {u + y * (b.v - b.u), v}, {u + z * (c.v - c.u), v}}},
+  Slips<Place2> wrong = {
+      {"multiply each corner by its own weight, then add",
+       {{"all corners count the same", mix(1. / 3, 1. / 3, 1. / 3)},
+        {"the corners have no weights", mix(1, 1, 1)},
+        {"all corners have weights[0]", mix(x, x, x)},
+        {"this is 1 minus each weight", mix(1 - x, 1 - y, 1 - z)},
+        {"the weights are added", {a.u + b.u + c.u + sum, a.v + b.v + c.v + sum}},
+        {"you take the corner with the largest weight", heaviest},
+        {"a corner has no weight", {mix(1, y, z), mix(x, 1, z), mix(x, y, 1)}}}},
+      {"weights[0] belongs to a, [1] to b, [2] to c",
+       {changed(slips_of_parts(weights), [&](const Weights& w) { return sum_of(a, b, c, w); }),
+        {"yours are those of the next corners", {mix(y, z, x), mix(z, x, y)}},
+        {"a corner is used twice",
+         {sum_of(a, b, b, weights), sum_of(a, a, c, weights), sum_of(a, c, c, weights),
+          sum_of(b, b, c, weights)}}}},
       {"the sum is divided by 3, but the weights add up to 1 already", {u / 3, v / 3}},
       {"v is turned over: the corners have the v that the texture needs", {u, 1 - v}},
       {"coordinates may leave 0 to 1: the wrap mode comes later, so leave them",
        {{clamp(u, 0., 1.), clamp(v, 0., 1.)}, {fraction(u), fraction(v)}}},
   };
+  for (const auto& [w, p] : {std::pair{x, a}, {y, b}, {z, c}}) {
+    wrong += {{"one product of v has a u: take a.v, b.v and c.v", {u, v + w * (p.u - p.v)}},
+              {"one product of u has a v: take a.u, b.u and c.u", {u + w * (p.v - p.u), v}}};
+  }
+  return wrong;
 }
 
 constexpr Place2 first{0, 0}, second{1, 0}, third{1, 1};
