@@ -96,37 +96,32 @@ Slips<int> wrong_columns(int column, int width) {
   int down = up;
   while (down > width) down -= width;
   return {
-      {"the rest is below 0 where the column is: add the width there", rest},
-      {"without its sign, a column left of the picture is counted from the wrong side: the floor "
-       "is mirrored there",
-       abs(rest)},
-      {"you add the width to every rest below 1: 0 must stay 0", rest <= 0 ? rest + width : rest},
-      {"-4 of 4 must be 0: add the width where the rest is below 0, not where the column is",
-       column < 0 ? rest + width : rest},
-      {"the width is added to every rest: add it only where the rest is below 0", rest + width},
-      {"the rest -1 is the last column, width - 1: add width, no more and no less",
-       {rest_of(width, width - 1), rest_of(width, width + 1),
-        column < 0 ? width - 1 + rest : rest}},
+      {"add the width where the rest is below 0",
+       {{"the rest is below 0 where the column is", rest},
+        {"0 must stay 0", rest <= 0 ? rest + width : rest},
+        {"-4 of 4 must be 0, so do not ask the column", column < 0 ? rest + width : rest},
+        {"you add it to every rest", rest + width},
+        {"the rest -1 is the last column, width - 1",
+         {rest_of(width, width - 1), rest_of(width, width + 1),
+          column < 0 ? width - 1 + rest : rest}}}},
+      {"left of the picture your floor is mirrored: without its sign, -1 is seen as 1, or as 0",
+       {abs(rest), column < 0 ? (-1 - column) % width : rest}},
       {"every second picture runs backward: that is mirror, and here the picture is repeated",
        min(fold, 2 * width - 1 - fold)},
-      {"-1 is seen as 0 and -4 as 3: left of the picture your floor is mirrored",
-       column < 0 ? (-1 - column) % width : rest},
-      {"you divide by width - 1: the last column is never seen",
-       {column % (width - 1), rest_of(width - 1, width - 1), rest_of(width - 1, width)}},
-      {"you divide by width + 1: the picture has the columns 0 to width - 1",
-       {column % (width + 1), rest_of(width + 1, width), rest_of(width + 1, width + 1)}},
-      {"width % column divides the width: write column % width", width % column},
-      {"column / width says in which copy of the picture you are: % is the rest", column / width},
-      {"& is right for a width of 2, 4, 8 and so on alone: take %", column & (width - 1)},
+      {"write column % width",
+       {{"with width - 1 the last column is never seen",
+         {column % (width - 1), rest_of(width - 1, width - 1), rest_of(width - 1, width)}},
+        {"you divide by width + 1",
+         {column % (width + 1), rest_of(width + 1, width), rest_of(width + 1, width + 1)}},
+        {"width % column divides the width", width % column},
+        {"column / width says in which copy of the picture you are", column / width},
+        {"& is right for a width of 2, 4, 8 and so on alone", column & (width - 1)}}},
       {"one width is not enough: columns far away are still outside the picture",
        {column >= width ? column - width : from_left, (column + width) % width,
         column < 0 ? from_left : rest, column > width ? column - width : from_left}},
       {"column = width is column 0 again: subtract where column >= width", down},
-      {"columns left of the picture stay there: add the width as long as column is below 0",
-       column < 0 ? column : rest},
-      {"columns right of the picture stay there: take the rest there, too", up},
-      {"your floor shows the picture once, and then the column of its edge: that is clamp",
-       clamp(column, 0, width - 1)},
+      {"columns on one side stay there: take the rest, too", {column < 0 ? column : rest, up}},
+      {"the picture is seen once, then its edge: that is clamp", clamp(column, 0, width - 1)},
       {"your floor shows the picture once, and then always column 0: the picture is repeated",
        column < 0 || column >= width ? 0 : column},
   };
@@ -158,39 +153,37 @@ Image floor_of_three_colors() {
 }
 
 Slips<Weights> wrong_weights(double u, int w) {
-  const double x = u * w - 0.5;
-  const double right = fraction(x);
-  /// By the weight of the texel on the right, and with the weights exchanged.
-  const auto both = [](std::initializer_list<double> weights) {
-    std::vector<Weights> pairs;
-    for (const double r : weights) pairs.insert(pairs.end(), {{1 - r, r}, {r, 1 - r}});
-    return pairs;
+  const double x = u * w - 0.5, right = fraction(x);
+  const Slips<double> weights = {
+      {"half a texel is missing: center k is at k + 1/2 (1 / 2 as int is 0)", fraction(u * w)},
+      {"write u * width - 0.5",
+       {{"you subtract half a texel from u", fraction((u - 0.5) * w)},
+        {"u = 1 is the right edge of the last texel, and you multiply by width - 1",
+         {fraction(u * (w - 1)), fraction(u * (w - 1) - 0.5)}},
+        {"u runs from 0 to 1, multiply it by width", {fraction(u - 0.5), u}}}},
+      {"the nearer texel has all the weight: this is the filter nearest", round(right)},
+      {"the right texel has x - std::floor(x)",
+       {{"all weight is on one side, or x is no double", 0},
+        {"the part is cut off toward 0, below 0 at the left edge", x - trunc(x)},
+        {"the part is cut off toward 0 and loses its sign at the left edge", abs(fmod(x, 1))},
+        {"this is the distance to the nearest center", {abs(remainder(x, 1)), x - round(x)}},
+        {"std::ceil(x) is the center on the right", ceil(x) - x},
+        {"this is a place and no part", {x, floor(x), u * w}},
+        {"the weights change evenly, by no power of it",
+         {right * right, right * right * (3 - 2 * right), sqrt(right)}}}},
+      {"both texels count 1/2 everywhere: this blurs, but does not mix by distance", 0.5},
   };
   return {
       {"the weights are exchanged: the closer texel must count more", {right, 1 - right}},
-      {"half a texel is missing: the center of texel k is at k + 1/2, not at k (1 / 2 as int is 0)",
-       both({fraction(u * w)})},
-      {"half a texel is subtracted from u: write u * width - 0.5", both({fraction((u - 0.5) * w)})},
-      {"u is multiplied by width - 1: u = 1 is the right edge of the last texel, not its center",
-       both({fraction(u * (w - 1)), fraction(u * (w - 1) - 0.5)})},
-      {"u runs from 0 to 1: multiply it by width to count texels", both({fraction(u - 0.5), u})},
-      {"all weight is on one side: x must be a double, and the right texel has x - std::floor(x)",
-       both({0})},
-      {"the nearer texel has all the weight: this is the filter nearest", both({round(right)})},
-      {"the part is cut off toward 0, so it is below 0 at the left edge: use std::floor",
-       both({x - trunc(x)})},
-      {"the part is cut off toward 0 and loses its sign at the left edge: use std::floor",
-       both({abs(fmod(x, 1))})},
-      {"this is the distance to the nearest center: take that to the one on the left, std::floor",
-       both({abs(remainder(x, 1)), x - round(x)})},
-      {"std::ceil(x) is the center on the right: the right texel has x - std::floor(x)",
-       both({ceil(x) - x})},
-      {"this is a place and no part: subtract std::floor(x)", both({x, floor(x), u * w})},
-      {"the weights change evenly from center to center: take the part as it is, no power of it",
-       both({right * right, right * right * (3 - 2 * right), sqrt(right)})},
-      {"both texels count 1/2 everywhere: this blurs, but does not mix by distance", both({0.5})},
-      {"both weights are the same: they add up to 1, so the left one is 1 - right",
-       {{right, right}, {1 - right, 1 - right}}},
+      changed(weights,
+              [](double r) {
+                return Weights{1 - r, r};
+              }),
+      changed(weights,
+              [](double r) {
+                return Weights{r, 1 - r};
+              }),
+      {"equal weights: the left one is 1 - right", {{right, right}, {1 - right, 1 - right}}},
   };
 }
 
@@ -198,13 +191,10 @@ constexpr Place<double, int> weights_of_places[] = {
     {"at the center of texel 1 of 4, u = 3/8, only that texel counts: 1 and 0", {0.375, 4}},
     {"halfway between the centers of texels 1 and 2 of 4, u = 1/2: 1/2 and 1/2", {0.5, 4}},
     {"u = 7/16 is a quarter of the way from center 1 to center 2 of 4: 3/4 and 1/4", {0.4375, 4}},
-    {"u = 9/16 is three quarters of the way from center 1 to center 2 of 4: 1/4 and 3/4",
-     {0.5625, 4}},
+    {"u = 9/16 is three quarters of the way from center 1 to 2 of 4: 1/4 and 3/4", {0.5625, 4}},
     {"u = 0.3 of 8 texels is 0.9 of the way from center 1 to center 2: 0.1 and 0.9", {0.3, 8}},
     {"u = 1/4 of 5 texels is 3/4 of the way from center 0 to center 1: 1/4 and 3/4", {0.25, 5}},
-    {"on the left edge, u = 0, the texel on the left is the last one of the picture again: 1/2 and "
-     "1/2",
-     {0, 4}},
+    {"on the left edge, u = 0, the last texel is on the left again: 1/2 and 1/2", {0, 4}},
     {"u = 1/16 of 4 texels is left of the first center: 1/4 and 3/4", {0.0625, 4}},
 };
 
@@ -214,7 +204,7 @@ double level_of(double width) {
 }
 
 Slips<double> wrong_levels(double width) {
-  const double w1 = max(width, 1.);
+  const double w1 = max(width, 1.), l = floor(log2(w1));
   const auto third = [](double scaled) { return (scaled * scaled - 1) / 3; };
   Slips<double> wrong = {
       {"this is the logarithm log2: right at whole levels, up to 0.17 off between them", log2(w1)},
@@ -224,31 +214,23 @@ Slips<double> wrong_levels(double width) {
       {"this is the natural logarithm: a level is a power of 2", {log(w1), log(width)}},
       {"std::min makes every width 1 or less: take std::max(width, 1.0)", third(min(width, 1.))},
   };
-  const double l = floor(log2(w1));
   for (const double w : {w1, width}) {
-    const double scaled = w / exp2(l);
-    const double square = scaled * scaled;
-    const double f = third(scaled);
+    const double scaled = w / exp2(l), square = scaled * scaled, f = third(scaled);
     const auto at = [=](double level) { return level + third(w / exp2(level)); };
     wrong += {
         {"this is the whole level alone: add f, and compute with double, not int", l},
-        {"this is f alone: add the whole level l", f},
-        {"the level is one too high: the floor turns gray too early",
-         {l + 1 + f, l + 1 + third(scaled / 2)}},
+        {"one level too high: gray too early", {l + 1 + f, l + 1 + third(scaled / 2)}},
         {"the level is one too low: count from 0, once for each halving", l - 1 + f},
-        {"the part grows with the square of the width, not with the width",
-         {l + scaled - 1, l + (scaled - 1) / 3}},
-        {"f is a third: divide by 3", l + square - 1},
-        {"f is a third of square - 1: you divide by another number",
-         {l + (square - 1) / 2, l + (square - 1) / 4}},
-        {"the square is not reduced by 1: f is 0 at a whole level", l + square / 3},
-        {"/ comes before -: write (x * x - 1) / 3", {l + square - 1 / 3., l + square}},
-        {"f is 0 or more, and added to the level: write level + (square - 1) / 3", l - f},
-        {"f is added to the level, not multiplied by it", l * (square - 1) / 3},
-        {"you square the width before you divide by 2^l", l + (w * scaled - 1) / 3},
-        {"f takes the width after halving, width / 2^l: you take the whole width", l + third(w)},
+        {"it is l + (square - 1) / 3",
+         {{"this is f alone", f},
+          {"it grows with the square of the width", {l + scaled - 1, l + (scaled - 1) / 3}},
+          {"divide by 3", {l + square - 1, l + (square - 1) / 2, l + (square - 1) / 4}},
+          {"the square is not reduced by 1", l + square / 3},
+          {"/ comes before -", {l + square - 1 / 3., l + square}},
+          {"f is added to l, not subtracted or multiplied", {l - f, l * (square - 1) / 3}}}},
+        {"f takes the width after halving, width / 2^l", {l + third(w), l + (w * scaled - 1) / 3}},
         {"2^l is 2 to the power l, std::exp2(l), not 2 * l", l + third(w / (2 * l))},
-        {"2 ^ l is no power in C++ (it compares bits): halve the width l times",
+        {"2 ^ l is no power in C++: halve the width l times",
          l + third(w / (2 ^ static_cast<int>(l)))},
         {"l is the level below the width, by std::floor", {at(ceil(log2(w))), at(round(log2(w)))}},
     };
