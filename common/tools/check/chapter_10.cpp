@@ -56,29 +56,27 @@ std::function<Image()> globe(const char* layout) {
 }
 
 Slips<Place2> wrong_cylinders(Vec3d p) {
-  const double y = p.y;
+  const double y = p.y, out = std::hypot(p.x, p.z);
   const auto [u, v] = uv_cylinder(p);
   const Slips<double> wrong_v = {
       {"v is the latitude here: that is the equirectangular layout. On the cylinder v is a height",
        {asin(y) / pi + 0.5, acos(y) / pi}},
       {"v runs the other way: your map is upside down", (1 - y) / 2},
-      {"y runs from -1 to 1 and v from 0 to 1: the lower half is missing", {y, abs(y), max(y, 0.)}},
-      {"v runs from 0 to 2: halve 1 + y", 1 + y},
-      {"/ comes before +: write (1 + y) / 2", 1 + y / 2},
-      {"v runs from -1/2 to 1/2: the half is missing (1 / 2 with int is 0)", y / 2},
-      {"v runs from -1/2 to 3/2: y from -1 to 1 is twice as long as v, so halve it", 0.5 + y},
-      {"this goes back, from v to y: v is (1 + y) / 2", 2 * y - 1},
-      {"v is (1 + y) / 2: add 1, do not subtract it", (y - 1) / 2},
-      {"p moves straight out, away from the axis, and keeps its height y: yours moves away from "
-       "the center",
-       {(1 + y / std::hypot(p.x, p.z)) / 2, y / std::hypot(p.x, p.z)}},
+      {"p moves away from the axis, not from the center", {(1 + y / out) / 2, y / out}},
+      {"v is (1 + y) / 2",
+       {{"y runs from -1 to 1, and the lower half is missing", {y, abs(y), max(y, 0.)}},
+        {"yours runs from 0 to 2", 1 + y},
+        {"/ comes before +", 1 + y / 2},
+        {"the half is missing (1 / 2 with int is 0)", y / 2},
+        {"yours runs from -1/2 to 3/2", 0.5 + y},
+        {"this goes back, from v to y", 2 * y - 1},
+        {"you subtract 1", (y - 1) / 2}}},
   };
   Slips<double> wrong_u = {"u runs the other way: your map is mirrored", 1 - u};
   for (const double z : {p.z, -p.z})
     wrong_u += wrong_us(p.x, y, z, {from_half, from_0}, wrong_halves);
   Slips<Place2> wrong = changed(wrong_v, [u = u](double it) { return Place2{u, it}; });
-  wrong += changed(wrong_u, [v = v](double it) { return Place2{it, v}; });
-  return wrong += {{"u and v are exchanged: u goes around, v up", {v, u}}};
+  return wrong += changed(wrong_u, [v = v](double it) { return Place2{it, v}; });
 }
 
 constexpr Place<Vec3d> on_cylinder_places[] = {
@@ -107,25 +105,19 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
   const Place2 right = folded_out(from_above);
   const Slips<Place2> folds = {
       {"nothing is folded: the southern half lies on the northern one", from_above},
-      {"the signs are missing: all lower faces land in the corner at the upper right",
-       {b_left, a_left}},
-      {"the signs are exchanged: a keeps the sign of a, b that of b",
-       {copysign(b_left, b), copysign(a_left, a)}},
-      {"the signs are turned around: a keeps its sign, and b keeps its sign", {-right.u, -right.v}},
-      {"a needs 1 - |b|, and b needs 1 - |a|: the mirror exchanges them",
-       {copysign(a_left, a), copysign(b_left, b)}},
+      {"a and b become sign(a) (1 - |b|) and sign(b) (1 - |a|)",
+       {{"the signs are missing", {b_left, a_left}},
+        {"the signs are exchanged", {copysign(b_left, b), copysign(a_left, a)}},
+        {"the signs are turned around", {-right.u, -right.v}},
+        {"|a| and |b| are exchanged", {copysign(a_left, a), copysign(b_left, b)}},
+        {"the bars are missing", {(1 - b) * (a < 0 ? -1 : 1), (1 - a) * (b < 0 ? -1 : 1)}},
+        {"the bars and the signs are missing", {{1 - b, 1 - a}, {1 - a, 1 - b}}},
+        {"exchanging a and b mirrors at the diagonal alone", {b, a}},
+        {"the size of a counts twice, as a sign is 1 or -1", {a * b_left, b * a_left}},
+        {"1 + |b| leaves the square", {copysign(1 + abs(b), a), copysign(1 + abs(a), b)}},
+        {"std::copysign takes the size first", {abs(a), abs(b)}}}},
       {"b is not folded: its new value needs the old a, so keep that in a variable",
        {right.u, copysign(1 - abs(right.u), b)}},
-      {"the bars are missing: it is 1 - |b| and 1 - |a|, without signs",
-       {(1 - b) * (a < 0 ? -1 : 1), (1 - a) * (b < 0 ? -1 : 1)}},
-      {"the bars and the signs are missing: it is sign(a) (1 - |b|) and sign(b) (1 - |a|)",
-       {{1 - b, 1 - a}, {1 - a, 1 - b}}},
-      {"the place is mirrored at the edge: exchanging a and b mirrors it at the diagonal alone",
-       {b, a}},
-      {"the size of a counts twice: multiply by its sign, 1 or -1", {a * b_left, b * a_left}},
-      {"1 + |b| leaves the square: it is 1 - |b| and 1 - |a|",
-       {copysign(1 + abs(b), a), copysign(1 + abs(a), b)}},
-      {"std::copysign takes the size first: yours leaves |a| and |b|", {abs(a), abs(b)}},
       {"a is not folded: its new value needs the old b, so keep that in a variable", {a, right.v}},
   };
   /// From (x, -z) divided by this, or from another (a, b): folded where `sign` is below 0.
@@ -136,26 +128,21 @@ Slips<Place2> wrong_octahedra(Vec3d p) {
   const auto [u, v] = uv_octahedral(p);
   return {
       changed(folds, [&](const Place2& fold) { return in_square(y < 0 ? fold : from_above); }),
-      {"b is -z / s: yours is z / s, and north and south edges are exchanged",
-       uv_octahedral(Vec3d{x, y, -z})},
-      {"a is x / s: yours is -x / s, so west and east are exchanged",
-       uv_octahedral(Vec3d{-x, y, z})},
-      {"you fold where y is above 0: only the lower half is folded out", folded(from_above, -y)},
-      {"you fold everywhere: only the lower half, y < 0, is folded out", folded(from_above, -1)},
-      {"you fold where z is below 0: the lower half is where y < 0", folded(from_above, z)},
-      {"divide by |x| + |y| + |z|, not by the length: the point must lie on the octahedron",
-       by(length(p))},
-      {"p may have any length: divide it by |x| + |y| + |z|", by(1)},
-      {"the bars are missing in the sum: divide by |x| + |y| + |z|", by(x + y + z)},
-      {"y is missing in the sum: divide by |x| + |y| + |z|", by(abs(x) + abs(z))},
-      {"divide by the sum |x| + |y| + |z|, not by the largest of them: that is a cube",
-       by(max({abs(x), abs(y), abs(z)}))},
-      {"seen from above the place is (x, -z): you take y, as seen from the front",
-       folded({a, y / s}, y)},
+      {"b is -z / s, not z / s: north and south are exchanged", uv_octahedral(Vec3d{x, y, -z})},
+      {"a is x / s, not -x / s: west and east are exchanged", uv_octahedral(Vec3d{-x, y, z})},
+      {"only the lower half, y < 0, is folded out",
+       {{"you fold where y is above 0", folded(from_above, -y)},
+        {"you fold everywhere", folded(from_above, -1)},
+        {"you fold where z is below 0", folded(from_above, z)}}},
+      {"divide by |x| + |y| + |z|",
+       {{"the length does not bring the point to the octahedron", by(length(p))},
+        {"p may have any length", by(1)},
+        {"the bars are missing in the sum", by(x + y + z)},
+        {"y is missing in the sum", by(abs(x) + abs(z))},
+        {"by the largest of them it is a cube", by(max({abs(x), abs(y), abs(z)}))}}},
+      {"from above the place is (x, -z): you take y, as from the front", folded({a, y / s}, y)},
       {"a and b run from -1 to 1, u and v from 0 to 1: return (1 + a) / 2 and (1 + b) / 2",
-       {{2 * u - 1, 2 * v - 1}, {u - 0.5, v - 0.5}, {2 * u, 2 * v}}},
-      {"/ comes before +: write (1 + a) / 2 and (1 + b) / 2", {u + 0.5, v + 0.5}},
-      {"u and v are exchanged: u comes from a, v from b", {v, u}},
+       {{2 * u - 1, 2 * v - 1}, {u - 0.5, v - 0.5}, {2 * u, 2 * v}, {u + 0.5, v + 0.5}}},
   };
 }
 
@@ -178,51 +165,41 @@ Slips<Vec3d> wrong_directions(Place2 uv) {
   };
   const auto radius_at = [](double y) { return sqrt(1 - y * y); };
   const auto [u, v] = uv;
-  const double turn = (0.5 - u) * 2 * pi;
-  const double y = 2 * v - 1, radius = radius_at(y);
-  const double x = radius * cos(turn), z = radius * sin(turn);
+  const double turn = (0.5 - u) * 2 * pi, y = 2 * v - 1, radius = radius_at(y);
+  const auto [x, height, z] = at(turn, radius, y);
   const auto by_radius = [=](double other) { return at(turn, other, y); };
-  const auto by_angle = [=](double other) { return at(other, radius, y); };
-  /// With the radius at that height, and with the right one.
-  const auto heights = [=](double other) {
-    return std::vector{at(turn, radius_at(other), other), at(turn, radius, other)};
+  const Slips<double> angles = {
+      {"std::cos and std::sin take radians: your angle is in degrees", 360 * (0.5 - u)},
+      {"u runs the other way: your map is mirrored", -turn},
+      {"a whole turn is 2 pi: your picture covers half of the globe", turn / 2},
+      {"the angle is (0.5 - u) * 2 * pi",
+       {{"the half is missing (1 / 2 with int is 0)", {-u * 2 * pi, u * 2 * pi}},
+        {"multiply by 2 pi, do not divide", (0.5 - u) / (2 * pi)},
+        {"2 pi is missing", 0.5 - u},
+        {"* comes before -", 0.5 - u * 2 * pi}}},
+  };
+  const Slips<double> heights = {
+      {"v runs the other way: your map is upside down", -y},
+      {"the height y is 2 v - 1",
+       {{"the southern half is missing", v},
+        {"yours does not run from -1 to 1", {v - 0.5, v - 1, 2 * (v - 1), 2 * v}},
+        {"this goes forward, from y to v", (1 + v) / 2}}},
   };
   return {
-      {"the circle gets smaller toward the poles: your points are on the cylinder, not on the "
-       "sphere",
-       by_radius(1)},
-      {"the radius is sqrt(1 - y^2), by Pythagoras; with 1 - |y| the points are on two cones",
-       by_radius(1 - abs(y))},
-      {"the radius is sqrt(1 - y * y): the length of the result must be 1",
-       {by_radius(1 - y * y), by_radius(sqrt(1 - y)), by_radius(sqrt(1 + y * y)), by_radius(1 - y),
-        by_radius(y)}},
-      {"the radius belongs to x and to z: multiply both", {{x, y, sin(turn)}, {cos(turn), y, z}}},
-      {"a vector of length 1 is needed, but y must stay: do not normalize, take sqrt(1 - y * y)",
-       normalize(by_radius(1))},
-      {"std::cos and std::sin take radians: your angle is in degrees", by_angle(360 * (0.5 - u))},
-      {"u runs the other way: your map is mirrored", by_angle(-turn)},
-      {"the half is missing: the angle is (1/2 - u) 2 pi (1 / 2 with int is 0)",
-       by_angle(-u * 2 * pi)},
-      {"the angle is (1/2 - u) 2 pi: on u = 1/2 it is 0, and it falls with u",
-       by_angle(u * 2 * pi)},
-      {"a whole turn is 2 pi: your picture covers half of the globe", by_angle(turn / 2)},
-      {"1/2 - u is a share of a turn: multiply it by 2 pi, do not divide",
-       by_angle((0.5 - u) / (2 * pi))},
-      {"1/2 - u is a share of a turn: multiply it by 2 pi", by_angle(0.5 - u)},
-      {"* comes before -: write (0.5 - u) * 2 * pi", by_angle(0.5 - u * 2 * pi)},
-      {"v runs the other way: your map is upside down", heights(-y)},
-      {"v runs from 0 to 1, y from -1 to 1: the southern half is missing", heights(v)},
-      {"y runs from -1/2 to 1/2: it is 2 v - 1", heights(v - 0.5)},
-      {"y runs from -1 to 0: double v, then subtract 1", heights(v - 1)},
-      {"y runs from -2 to 0: double v alone, then subtract 1", heights(2 * (v - 1))},
-      {"y runs from 0 to 2: subtract 1 from 2 v", heights(2 * v)},
-      {"this goes forward, from y to v: y is 2 v - 1", heights((1 + v) / 2)},
-      {"y is a height, no angle: the radius at this height is sqrt(1 - y * y)",
-       {by_radius(cos(y)), at(turn, cos(y), sin(y))}},
-      {"v is no latitude here, it is a height: yours goes back from the equirectangular layout",
-       direction_rtiow(uv)},
-      {"x belongs to the cosine and z to the sine: yours are exchanged", {z, y, x}},
-      {"y is the height here, and z comes from the sine: yours are exchanged", {x, z, y}},
+      {"the circle is smaller at the poles: yours is not on the sphere", by_radius(1)},
+      {"the radius is sqrt(1 - y * y)",
+       {{"with 1 - |y| the points are on two cones", by_radius(1 - abs(y))},
+        {"the length of the result must be 1",
+         {by_radius(1 - y * y), by_radius(sqrt(1 - y)), by_radius(sqrt(1 + y * y)),
+          by_radius(1 - y), by_radius(y)}},
+        {"multiply both x and z by it", {{x, y, sin(turn)}, {cos(turn), y, z}}},
+        {"y must stay, so do not normalize", normalize(by_radius(1))},
+        {"y is a height, no angle", {by_radius(cos(y)), at(turn, cos(y), sin(y))}}}},
+      changed(angles, [=](double other) { return at(other, radius, y); }),
+      // With the radius at that height, and with the right one.
+      changed(heights, [=](double other) { return at(turn, radius_at(other), other); }),
+      changed(heights, [=](double other) { return at(turn, radius, other); }),
+      {"v is a height: yours goes back from the equirectangular layout", direction_rtiow(uv)},
       {"u and v are exchanged: u makes the angle, v the height",
        at((0.5 - v) * 2 * pi, radius_at(2 * u - 1), 2 * u - 1)},
   };
