@@ -77,32 +77,20 @@ Slips<Vec3d> wrong_slopes(double h, double right, double up, double step) {
   const double dx = right - h, dy = up - h;
   const double x = dx / step, y = dy / step;
   return {
-      {"here is missing: a slope is the difference of two heights, divided by the step",
-       {{right / step, up / step, 1}, {right, up, 1}}},
-      {"/ comes before -: write (right - here) / step, and the same with up",
-       {{right - h / step, up - h / step, 1}, {right / step - h, up / step - h, 1}}},
-      {"divide the difference by the step: you multiply them", {dx * step, dy * step, 1}},
-      {"divide the difference by the step, not the step by the difference", {1 / x, 1 / y, 1}},
-      {"here and right are one step apart, not two: your slopes are half of the right ones",
-       {x / 2, y / 2, 1}},
-      {"a slope has a sign: without it the normal leans to the same side everywhere",
-       {abs(x), abs(y), 1}},
-      {"this is the angle of the slope: the normal needs the slope itself", {atan(x), atan(y), 1}},
-      {"the slope upward is up - here: yours compares up with right", {x, (up - right) / step, 1}},
-      {"the slope to the right is right - here: yours compares right with up",
-       {(right - up) / step, y, 1}},
-      {"both slopes are the one to the right: y needs up - here", {x, x, 1}},
-      {"the slope upward is missing: y is its negative", {x, 0, 1}},
-      {"the slope to the right is missing: x is its negative", {0, y, 1}},
-      {"a slope is the difference divided by the step: here only that to the right is divided",
-       {x, dy, 1}},
-      {"the slope to the right belongs to x, the slope upward to y: yours are exchanged",
-       {y, x, 1}},
-      {"the third number is missing: the flat surface's own normal is (0, 0, 1)", {x, y, 0}},
-      {"the third number is 1 once the differences are divided by the step, not the step again",
-       {x, y, step}},
-      {"the third number is 1: the surface is flat, and 1 + h / R is for a ball", {x, y, 1 + h}},
-      {"the third number is 1: how high the surface is does not count, only its slopes", {x, y, h}},
+      {"a slope is the difference of two heights, divided by the step",
+       {{"here is missing", {{right / step, up / step, 1}, {right, up, 1}}},
+        {"/ comes before -, write (right - here) / step",
+         {{right - h / step, up - h / step, 1}, {right / step - h, up / step - h, 1}}},
+        {"you multiply, or divide the step by it", {{dx * step, dy * step, 1}, {1 / x, 1 / y, 1}}},
+        {"here and right are one step apart, not two", {x / 2, y / 2, 1}},
+        {"here only that to the right is divided", {x, dy, 1}},
+        {"it has a sign", {abs(x), abs(y), 1}},
+        {"this is the angle of the slope", {atan(x), atan(y), 1}},
+        {"one of the two is missing", {{x, 0, 1}, {0, y, 1}}},
+        {"they are exchanged, or both are the one to the right", {{y, x, 1}, {x, x, 1}}},
+        {"you compare up with right", {{x, (up - right) / step, 1}, {(right - up) / step, y, 1}}}}},
+      {"the third number is 1, that of the flat surface",
+       {{x, y, 0}, {x, y, step}, {x, y, 1 + h}, {x, y, h}}},
   };
 }
 
@@ -114,32 +102,23 @@ Slips<Vec3d> wrong_normals(double here, double right, double up, double step) {
   const auto any_length = [](const Vec3d& n) { return std::vector{normalize(n), n}; };
   Slips<Vec3d> wrong = {
       {"your normal leans uphill: bumps look like dents. Subtract the gradient", unit(x, y, 1)},
-      {"your normal is not a unit vector: the light on slopes is too bright", {-x, -y, 1}},
+      {"your normal is not a unit vector: divide it by its length, with normalize",
+       {{-x, -y, 1}, {-dx, -dy, step}, {-dx * step, -dy * step, step * step}}},
       {"your normal leans uphill, and it is not a unit vector", {{x, y, 1}, {dx, dy, step}}},
-      {"your normal has the right direction; divide it by its length, with normalize",
-       {{-dx, -dy, step}, {-dx * step, -dy * step, step * step}}},
-      {"the order matters: right x up, not up x right; and make the length 1",
-       {dx * step, dy * step, -step * step}},
-      {"the slope upward has the wrong sign: the light comes from the wrong side along y",
-       any_length({-x, y, 1})},
-      {"the slope to the right has the wrong sign: the light comes from the wrong side along x",
+      {"the order is right x up; and make the length 1", {dx * step, dy * step, -step * step}},
+      {"the slope upward has the wrong sign: light from the wrong side", any_length({-x, y, 1})},
+      {"the slope to the right has the wrong sign: light from the wrong side",
        any_length({x, -y, 1})},
-      {"a slope is the difference divided by the step: your bumps are nearly flat",
-       unit(-dx, -dy, 1)},
-      {"a slope is the difference divided by the step; and make the length 1, with normalize",
-       {-dx, -dy, 1}},
-      {"a slope is the difference divided by the step; and subtract the gradient",
-       any_length({dx, dy, 1})},
-      {"divide by the length of the vector, not by its square",
-       Vec3d{-x, -y, 1} * (1 / (x * x + y * y + 1))},
-      {"your normal points inward, away from the light: its third number must be 1, not -1",
-       unit(-x, -y, -1)},
-      {"your normal points inward: all three numbers have the other sign", any_length({x, y, -1})},
-      {"do not choose z for the length 1: steeper than 45 degrees it has no root. Take 1, "
-       "normalize",
+      {"a slope is the difference divided by the step",
+       {{"your bumps are nearly flat", unit(-dx, -dy, 1)},
+        {"your bumps are nearly flat, and the length is not 1", {-dx, -dy, 1}},
+        {"your bumps are nearly flat, and look like dents", any_length({dx, dy, 1})}}},
+      {"divide by the length, not by its square", Vec3d{-x, -y, 1} * (1 / (x * x + y * y + 1))},
+      {"your normal points inward, away from the light: its third number must be above 0",
+       {unit(-x, -y, -1), unit(x, y, -1), {x, y, -1}}},
+      {"do not choose z for the length 1: on a steep slope it has no root. Take 1, normalize",
        any_length({-x, -y, sqrt(1 - x * x - y * y)})},
-      {"your vector lies along the surface: the normal is at a right angle to it",
-       {unit(1, 0, x), unit(1, 1, x + y)}},
+      {"the normal is at a right angle to the surface", {unit(1, 0, x), unit(1, 1, x + y)}},
       {"z is out of the surface here, not y: return the 1 as the third number",
        {unit(-x, 1, -y), unit(x, 1, y), Vec3d{-x, 1, -y}}},
   };
@@ -178,20 +157,17 @@ Slips<double> wrong_channels(int byte) {
     return std::vector<double>(all.begin(), all.end());
   };
   return {
-      {"a channel means 2c - 1: your numbers run from 0 to 1 and never point left or down", c},
-      {"you divide whole numbers, and the rest is lost: write 2 * (red / 255.0) - 1",
-       doubles({2 * (byte / 255) - 1, 2 * byte / 255 - 1, byte / 255, byte / 128 - 1,
-                byte / 127 - 1, (byte - 128) / 128, (byte - 128) / 127, (byte - 127) / 128})},
+      {"a channel c means 2c - 1",
+       {{"your numbers do not run from -1 to 1", {c, c - 1, 2 * c - 0.5, 2 * c + 1}},
+        {"yours is 1 - 2c", -n},
+        {"this goes back, from a number to its channel", (c + 1) / 2}}},
+      {"write 2 * (red / 255.0) - 1",
+       {{"you divide whole numbers, and the rest is lost",
+         doubles({2 * (byte / 255) - 1, 2 * byte / 255 - 1, byte / 255, byte / 128 - 1,
+                  byte / 127 - 1, (byte - 128) / 128, (byte - 128) / 127, (byte - 127) / 128})},
+        {"/ comes before -", {2 * byte - 1 / 255.0, (2 * byte - 1) / 255.0}}}},
       {middle, {(byte - 127) / 128.0, (byte - 127) / 127.5, byte / 127.0 - 1}},
-      {"your numbers run from -1 to 0: double c, then subtract 1", c - 1},
-      {"your numbers run from -1/2 to 3/2: subtract 1 from 2c, not 1/2", 2 * c - 0.5},
-      {"your numbers run from 1 to 3: subtract 1 from 2c, do not add it", 2 * c + 1},
-      {"the sign is wrong: it is 2c - 1, not 1 - 2c", -n},
-      {"this goes back, from a number to its channel: the number is 2c - 1", (c + 1) / 2},
-      {"/ comes before -, and divides what stands right before it: 2 * (red / 255.0) - 1",
-       {2 * byte - 1 / 255.0, (2 * byte - 1) / 255.0}},
-      {"bytes below 128 mean numbers below 0: do not limit them to 0", max(n, 0.0)},
-      {"bytes below 128 mean numbers below 0: keep their sign", abs(n)},
+      {"bytes below 128 mean numbers below 0: keep their sign", {max(n, 0.0), abs(n)}},
       {"a normal map stores numbers, not colors: leave srgb_decode out", 2 * srgb_decode(c) - 1},
   };
 }
@@ -200,18 +176,13 @@ Slips<double> wrong_channels(int byte) {
 Slips<double> wrong_scales(int byte) {
   const double c = byte / 255.0;
   return {
-      {"0 must mean exactly -1 and 255 exactly 1: write 2 * (red / 255.0) - 1",
-       (byte + 0.5) / 128 - 1},
-      {"a channel is the byte / 255, not / 256: 255 must mean exactly 1", byte / 128.0 - 1},
+      {"0 must mean exactly -1 and 255 exactly 1: c is red / 255.0",
+       {(byte + 0.5) / 128 - 1, byte / 128.0 - 1}},
       {"the middle is 127.5, between two bytes; you begin at 128, and 0 does not mean -1",
        {(byte - 128) / 127.0, (byte - 128) / 127.5}},
-      {"your numbers run from 0 to 2: subtract 1 from 2c", 2 * c},
-      {"your numbers run from -1/2 to 1/2: it is 2c - 1", c - 0.5},
-      {"your numbers run from -2 to 0: double c alone, then subtract 1", 2 * (c - 1)},
-      {"these are bytes: divide by 255.0 first, so that c runs from 0 to 1",
-       {1.0 * byte, 2.0 * byte - 1}},
-      {"subtracting the middle is right; then divide by 127.5, so that 255 means 1",
-       {byte - 127.5, byte - 128.0}},
+      {"yours do not run from -1 to 1: a channel c means 2c - 1", {2 * c, c - 0.5, 2 * (c - 1)}},
+      {"these are bytes: divide by 255.0, so that c is 0 to 1", {1.0 * byte, 2.0 * byte - 1}},
+      {"subtract the middle, then divide by 127.5: 255 means 1", {byte - 127.5, byte - 128.0}},
       {middle, (byte - 127.5) / 127},
   };
 }
@@ -227,24 +198,17 @@ Slips<Vec3d> wrong_texels(int red, int green, int blue) {
   const auto [x, y, z] = right;
   Slips<Vec3d> channels = of_texel(wrong_channels, red, green, blue);
   channels += {
-      {"x comes from red and z from blue: yours are exchanged (BGR in place of RGB)", {z, y, x}},
       {"green points down in your function: bumps look like dents along v", {x, -y, z}},
       {"red points left in your function: bumps look like dents along u", {-x, y, z}},
-      {"y comes from green and z from blue: yours are exchanged", {x, z, y}},
-      {"x comes from red and y from green: yours are exchanged", {y, x, z}},
-      {"all three numbers come from red: y needs green, and z needs blue", {x, x, x}},
-      {"z comes from blue: yours comes from green", {x, y, y}},
-      {"y comes from green: yours comes from red", {x, x, z}},
-      {"blue means 2c - 1, too: 128 is about 0, and 255 is 1",
-       {{x, y, (z + 1) / 2}, {x, y, z + 1}}},
+      {"x comes from red, y from green, z from blue: yours are exchanged or copied",
+       {{z, y, x}, {x, z, y}, {y, x, z}, {x, x, x}, {x, y, y}, {x, x, z}}},
+      {"blue means 2c - 1, too: 128 is about 0, 255 is 1", {{x, y, (z + 1) / 2}, {x, y, z + 1}}},
       {"z is in the file: take 2c - 1 of blue, do not compute it from x and y",
        {{x, y, sqrt(1 - x * x - y * y)}, {x, y, sqrt(max(0.0, 1 - x * x - y * y))}, {x, y, 1}}},
       {"blue bytes below 128 mean numbers below 0: do not limit z to 0", {x, y, max(z, 0.0)}},
   };
   return {
-      {"the direction is right, but the lesson makes the sum a unit vector: return the numbers as "
-       "they are",
-       normalize(right)},
+      {"return the numbers as they are: the lesson makes the sum a unit vector", normalize(right)},
       {"the middle is 127.5, not 128; and return the numbers as they are, not a unit vector",
        normalize(Vec3d{red - 128.0, green - 128.0, blue - 128.0})},
       channels,
@@ -265,8 +229,7 @@ constexpr Place<int, int, int> normal_of_texel_places[] = {
 };
 
 Slips<Vec3d> wrong_bitangents(Vec3d n, Vec3d t, double sign) {
-  const Vec3d b = cross(n, t);
-  const Vec3d up{0, 1, 0}, out{0, 0, 1};
+  const Vec3d b = cross(n, t), up{0, 1, 0}, out{0, 0, 1};
   Slips<Vec3d> wrong = {
       {"the sign is not used: on the mirrored copy bumps look like dents along v", b},
       {"the order matters: n x T, not T x n. Everywhere bumps look like dents along v", -b * sign},
@@ -279,22 +242,19 @@ Slips<Vec3d> wrong_bitangents(Vec3d n, Vec3d t, double sign) {
       {"whether a copy is mirrored is in the sign: T alone does not say it", t.x < 0 ? -b : b},
   };
   const Slips<Vec3d> vectors = {
-      {"+y is not along the surface where n leans up or down, and v need not grow that way", up},
-      {"sums of n and T lie in their plane: cross(n, T) is at a right angle to both",
-       {n + t, n - t, t - n}},
-      {"this is T: B is at a right angle to it, and to n", t},
-      {"this is n: B is at a right angle to it, and to T", n},
-      {"take cross(n, T): the T of the picture counts, not +y",
-       {cross(up, n), cross(n, up), cross(n, cross(up, n))}},
-      {"B is at a right angle to n, too: cross(n, T), without an axis",
-       {cross(up, t), cross(t, up), cross(out, t), cross(t, out)}},
-      {"your B has no direction: all its numbers are 0. Take cross(n, T)", {0, 0, 0}},
-      {"this is no cross product: it is short to write cross(n, T)",
-       {{n.x * t.x, n.y * t.y, n.z * t.z},
-        {n.y * t.z, n.z * t.x, n.x * t.y},
-        {n.y * t.z + n.z * t.y, n.z * t.x + n.x * t.z, n.x * t.y + n.y * t.x}}},
-      {"the middle number of your cross product has the wrong sign: n.z T.x - n.x T.z",
-       {b.x, -b.y, b.z}},
+      {"take cross(n, T)",
+       {{"+y is not along the surface, and v need not grow that way", up},
+        {"sums of n and T lie in their plane, not at a right angle to both", {n + t, n - t, t - n}},
+        {"this is T or n, and B is at a right angle to both", {t, n}},
+        {"the picture's T counts, not +y", {cross(up, n), cross(n, up), cross(n, cross(up, n))}},
+        {"B is at a right angle to n, too, without an axis",
+         {cross(up, t), cross(t, up), cross(out, t), cross(t, out)}},
+        {"your B has no direction, all its numbers are 0", {0, 0, 0}},
+        {"this is no cross product",
+         {{n.x * t.x, n.y * t.y, n.z * t.z},
+          {n.y * t.z, n.z * t.x, n.x * t.y},
+          {n.y * t.z + n.z * t.y, n.z * t.x + n.x * t.z, n.x * t.y + n.y * t.x}}}}},
+      {"the middle of your cross product has the wrong sign: n.z T.x - n.x T.z", {b.x, -b.y, b.z}},
   };
   // Without the sign and with it, as they are and of length 1.
   for (const double factor : {sign, 1.0}) {
@@ -306,17 +266,13 @@ Slips<Vec3d> wrong_bitangents(Vec3d n, Vec3d t, double sign) {
 
 constexpr Place<Vec3d, Vec3d, double> bitangent_of_places[] = {
     {"n = (0, 0, 1), T = (1, 0, 0): B is (0, 1, 0)", {{0, 0, 1}, {1, 0, 0}, 1}},
-    {"on a mirrored copy T is (-1, 0, 0) and the sign -1, and B is still (0, 1, 0)",
-     {{0, 0, 1}, {-1, 0, 0}, -1}},
+    {"on a mirrored copy T is (-1, 0, 0), the sign -1, B (0, 1, 0)", {{0, 0, 1}, {-1, 0, 0}, -1}},
     {"n = (1, 0, 0), T = (0, 0, -1): B is (0, 1, 0)", {{1, 0, 0}, {0, 0, -1}, 1}},
     {"on the back, n = (0, 0, -1), T = (-1, 0, 0): B is (0, 1, 0)", {{0, 0, -1}, {-1, 0, 0}, 1}},
-    {"north of the equator, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back",
-     {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
+    {"to the north, n = (0, 0.6, 0.8), T = (1, 0, 0): B leans back", {{0, 0.6, 0.8}, {1, 0, 0}, 1}},
     {"the same on a mirrored copy", {{0, 0.6, 0.8}, {-1, 0, 0}, -1}},
-    {"where the picture is turned by a quarter, T = (0, 1, 0): B is (-1, 0, 0)",
-     {{0, 0, 1}, {0, 1, 0}, 1}},
-    {"where it is upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)",
-     {{0, 0, 1}, {-1, 0, 0}, 1}},
+    {"with the picture turned by a quarter, T = (0, 1, 0): B is -x", {{0, 0, 1}, {0, 1, 0}, 1}},
+    {"upside down, T = (-1, 0, 0) and the sign is 1: B is (0, -1, 0)", {{0, 0, 1}, {-1, 0, 0}, 1}},
     {"n = (2, 1, 2) / 3, T = (-2, 2, 1) / 3, mirrored: B is (1, 2, -2) / 3",
      {{2 / 3., 1 / 3., 2 / 3.}, {-2 / 3., 2 / 3., 1 / 3.}, -1}},
 };
