@@ -120,45 +120,35 @@ Rgb light_of_bytes(int red, int green, int blue, int k) {
 
 /// Powers of 2 as many write them.
 Slips<double> wrong_powers(int k) {
-  const double x = k - 136.0;
-  const double p = exp2(x);
+  const double x = k - 136.0, p = exp2(x);
   return {
-      {"the exponent is k - 136, because m has 8 bits: your light is 256 times as bright", p * 256},
-      {"2 ^ x is no power in C++ (it compares bits): use std::exp2(x)", 1.0 * (2 ^ (k - 136))},
-      {"k - 136 is the exponent of 2; you multiply by it", x},
-      {"k - 136 is the exponent of 2: 2 * x is no power, std::exp2(x) is", 2 * x},
-      // What today's processors do: they take the lowest five bits.
-      {"1 << x shifts by no number below 0, and a dark texel has one: use std::exp2(x)",
-       1.0 * static_cast<int>(1U << (static_cast<unsigned>(k - 136) & 31U))},
-      {"a step of m is 1 / 256 of 2^(k - 128), not 1 / 255: m + 1/2 runs from 1/2 to 255 1/2",
-       p * 256 / 255},
-      {"136 has the 8 bits of m in it already: do not divide m by 255 or 256, too",
-       {p / 255, p / 256}},
-      {"the exponent is k - 136: your light is twice as bright", p * 2},
-      {"the exponent is k - 136: your light is half as bright", p / 2},
+      {"the exponent is k - 136, because m has 8 bits: do not divide m by 255 or 256, too",
+       {p * 256, p * 2, p / 2, p / 255, p / 256, p * 256 / 255}},
       {"the exponent has the wrong sign: it is k - 136, and a larger k is more light", 1 / p},
-      {"std::exp(x) is the power of e, 2.718: use std::exp2(x)", exp(x)},
-      {"this is a power of 10: use std::exp2(x)", pow(10, x)},
-      {"std::pow takes the base first: std::pow(2, x), or std::exp2(x)", x * x},
-      {"136 is subtracted from the exponent, before the power: std::exp2(exponent - 136)",
-       exp2(k) - 136},
-      {"a power of 2 below 1 is 0 as an int: keep it in a double", floor(p)},
-      {"the exponent is not used: the brightest light is 1, as in a PNG file",
-       {1. / 255, 1. / 256}},
-      {"the exponent is not used: multiply by 2 to the power k - 136", 1},
+      {"a power of 2 is std::exp2(k - 136)",
+       {{"2 ^ x is no power in C++ (it compares bits)", 1.0 * (2 ^ (k - 136))},
+        // What today's processors do: they take the lowest five bits.
+        {"1 << x shifts by no number below 0, and a dark texel has one",
+         1.0 * static_cast<int>(1U << (static_cast<unsigned>(k - 136) & 31U))},
+        {"std::exp is a power of e, and std::pow takes the base first", {exp(x), x * x}},
+        {"136 is subtracted before the power", exp2(k) - 136},
+        {"a power below 1 is 0 as an int", floor(p)},
+        {"the exponent is not used, as in a PNG file", {1. / 255, 1. / 256, 1}},
+        {"", {x, 2 * x, pow(10, x)}}}},
   };
 }
 
 /// Channels as many compute them.
 Slips<double> wrong_channels(int m, int k) {
-  const double power = exp2(k - 136);
-  const double right = light_of(m, k);
+  const double power = exp2(k - 136), right = light_of(m, k);
+  const auto by = [&](double number) {
+    return changed(wrong_powers(k), [=](double other) { return number * other; });
+  };
   const Slips<double> lights = {
-      changed(wrong_powers(k), [=](double other) { return (m + 0.5) * other; }),
-      changed(wrong_powers(k), [=](double other) { return m * other; }),
+      by(m + 0.5),
+      by(m),
       {"* comes before +: write (m + 0.5) * the power", {m * power + 0.5, m + 0.5 * power}},
-      {"the base of the power is 2, not m + 1/2: multiply that by std::exp2(exponent - 136)",
-       pow(m + 0.5, k - 136)},
+      {"the base of the power is 2, not m + 1/2", pow(m + 0.5, k - 136)},
       {"it is m + 1/2: the middle between m and m + 1", {(m - 0.5) * power, (m + 1) * power}},
   };
   return {
@@ -166,38 +156,30 @@ Slips<double> wrong_channels(int m, int k) {
       changed(lights, [=](double light) { return m == 0 ? 0 : light; }),
       lights,
       {"the half is missing: the file's writer cuts m off, and m + 1/2 is the middle", m * power},
-      {"light may be far above 1, as the sun's is: do not limit it",
-       {min(right, 1.), min((m + 0.5) * power, 1.), min(m * power, 1.)}},
-      {"the light of a channel is no whole number: keep it in a double", floor(right)},
-      {"the exponent is not used, and the bytes of this file are light: leave srgb_decode out",
-       srgb_decode(m / 255.0)},
-      {"the numbers of this file are light: leave srgb_decode out", srgb_decode(right)},
-      {"the picture's program encodes the light: leave srgb_encode out", srgb_encode(right)},
+      {"light is no whole number and may be far above 1, as the sun's is: do not limit it",
+       {min(right, 1.), min((m + 0.5) * power, 1.), min(m * power, 1.), floor(right)}},
+      {"the numbers of this file are light: leave srgb_decode and srgb_encode out",
+       {srgb_decode(m / 255.0), srgb_decode(right), srgb_encode(right)}},
   };
 }
 
 Slips<Rgb> wrong_lights(int red, int green, int blue, int k) {
   const double power = exp2(k - 136);
-  const auto light = [=](int r, int g, int b) { return light_of_bytes(r, g, b, k); };
   const auto color = [](double r, double g, double b) { return Rgb{r, g, b}; };
-  const Rgb right = light(red, green, blue);
+  const Rgb right = light_of_bytes(red, green, blue, k);
   const Rgb halves{(red + 0.5) * power, (green + 0.5) * power, (blue + 0.5) * power};
-  Slips<Rgb> wrong =
-      combined(color, wrong_channels(red, k), wrong_channels(green, k), wrong_channels(blue, k));
+  Slips<Rgb> wrong = {
+      combined(color, wrong_channels(red, k), wrong_channels(green, k), wrong_channels(blue, k)),
+      {"all channels come from red: the texel is gray", gray(right.r)},
+      {"each channel has its own byte: one that is 0 leaves the others as they are",
+       {red * green * blue == 0 ? Rgb{} : right, red == 0 ? Rgb{} : right,
+        red == 0 ? Rgb{} : halves}},
+  };
   for (int guarded = 0; guarded < 7; ++guarded) {  // a bit for each channel where 0 is no light
     wrong += {"a byte 0 has no light: here the half must not be added",
               Rgb{(guarded & 1) != 0 ? right.r : halves.r, (guarded & 2) != 0 ? right.g : halves.g,
                   (guarded & 4) != 0 ? right.b : halves.b}};
   }
-  wrong += {
-      {"red and blue are exchanged (BGR in place of RGB)", light(blue, green, red)},
-      {"two channels come from the same byte: look for a line that was copied",
-       {light(red, red, blue), light(red, green, green), light(red, green, red)}},
-      {"all channels come from red: the texel is gray", light(red, red, red)},
-      {"each channel has its own byte: one that is 0 leaves the others as they are",
-       {red == 0 || green == 0 || blue == 0 ? Rgb{} : right, red == 0 ? Rgb{} : right,
-        red == 0 ? Rgb{} : halves}},
-  };
   return wrong;
 }
 
@@ -213,94 +195,58 @@ constexpr Place<int, int, int, int> light_of_texel_places[] = {
 
 /// Edges of a row as many compute them, with the lower edge of row + 1.
 Slips<double> wrong_edges(double i, double h) {
-  return {
-      {"std::cos takes radians: the polar angle runs to pi, not to 180",
-       {180 * i / h, floor(180 * i / h)}},
-      {"the turn around the axis is 2 pi, the polar angle only pi: you use 2 pi for both",
-       2 * pi * i / h},
-      {"the polar angle runs from 0 to pi: yours ends at the equator", pi / 2 * i / h},
-      {"row / height divides whole numbers, and the rest is lost: write pi * row / height",
-       {pi * floor(i / h), floor(i / h)}},
-      {"pi is missing: the polar angle of an edge is pi * row / height", i / h},
-      {"an edge is row times pi / height, not row alone", i},
-      {"your edges are one row too far down: row 0 begins at the polar angle 0", pi * (i + 1) / h},
-      {"your edges are one row too far up: row 0 begins at the polar angle 0", pi * (i - 1) / h},
-      {"row 0 begins at the polar angle 0: leave the half out",
-       {pi * (i - 0.5) / h, pi * (i + 0.5) / h}},
-      {"there are height rows, and the last one ends at pi: divide by height, not by height - 1",
-       pi * i / (h - 1)},
-  };
+  return {"the polar angle of an edge is pi * row / height",
+          {{"std::cos takes radians", {180 * i / h, floor(180 * i / h)}},
+           {"row / height divides whole numbers", {pi * floor(i / h), floor(i / h)}},
+           {"leave the half out", {pi * (i - 0.5) / h, pi * (i + 0.5) / h}},
+           {"divide by height, not by height - 1", pi * i / (h - 1)},
+           {"pi is missing", {i / h, i}},
+           {"your rows run over 2 pi or half of pi", {2 * pi * i / h, pi / 2 * i / h}},
+           {"yours is that of another row", {pi * (i + 1) / h, pi * (i - 1) / h}}}};
 }
 
 Slips<double> wrong_solid_angles(double row, double w, double h) {
-  const double a = pi * row / h;
-  const double b = pi * (row + 1) / h;
+  const double a = pi * row / h, b = pi * (row + 1) / h;
   const double ca = cos(a), cb = cos(b), sa = sin(a), sb = sin(b);
-  const double cosines = ca - cb;
-  const double part = 2 * pi / w;  // of the turn around the axis
+  const double cosines = ca - cb, part = 2 * pi / w;  // of the turn around the axis
   const double in_width = cos(pi * row / w) - cos(pi * (row + 1) / w);
   // What many take for the integral; below, also the sine times a height of the row.
   const Slips<double> integrals = {
-      {"cos a - cos b, not cos b - cos a: a solid angle is above 0", -cosines},
-      {"the cosines are subtracted, not added: the integral is cos a - cos b", ca + cb},
-      {"the cosines are subtracted, not multiplied: the integral is cos a - cos b", ca * cb},
-      {"the integral is cos a - cos b, not the cosine of a - b", {cos(a - b), 1 - cos(a - b)}},
-      {"take cos a - cos b, with angles from the pole: yours are sines, or angles from the equator",
-       {sa - sb, sb - sa}},
-      {"this is all from the north pole down to b: it is cos a - cos b, not 1 - cos b", 1 - cb},
-      {"this is all from the north pole down to a: it is cos a - cos b, not 1 - cos a", 1 - ca},
-      {"cos b is missing: the integral is cos a - cos b", ca},
+      {"the integral is cos a - cos b",
+       {{"yours is cos b - cos a, and a solid angle is above 0", -cosines},
+        {"yours are sines, or angles from the equator", {sa - sb, sb - sa}},
+        {"yours reaches from the north pole to an edge", {1 - cb, 1 - ca}},
+        {"", {ca + cb, ca * cb, cos(a - b), 1 - cos(a - b), ca}}}},
       {"the polar angle is divided by the height: you divide it by the width", in_width},
   };
   const Slips<double> sines = {
-      {"this is the sine in the middle of the row: close, but use the integral, cos a - cos b",
-       sin(pi * (row + 0.5) / h)},
-      {"this is the sine at the row's upper edge: the first row vanishes. Use cos a - cos b", sa},
-      {"this is the sine at the row's lower edge: the last row vanishes. Use cos a - cos b", sb},
-      {"this is the mean of two sines: close, but use the integral, cos a - cos b", (sa + sb) / 2},
-  };
+      "this is the sine at an edge of the row or in its middle: use the integral, cos a - cos b",
+      {sin(pi * (row + 0.5) / h), sa, sb, (sa + sb) / 2}};
   const Slips<double> lower_edges = {
-      {"the lower edge needs brackets: it is pi * (row + 1) / height, the edge of the next row",
-       {pi * row + 1 / h, pi * row, pi * row + 1, (pi * row + 1) / h, a + 1, pi * (row / h + 1),
-        pi * (row + 1 / h), row + pi / h}},
-      {"both edges are the same: the lower edge is that of row + 1", a},
-      {"the lower edge is that of row + 1: yours is that of row - 1", pi * (row - 1) / h},
-      {"the lower edge is that of row + 1: with pi it is the south pole", pi},
-  };
+      "the lower edge is that of row + 1, pi * (row + 1) / height",
+      {pi * row + 1 / h, pi * row, pi * row + 1, (pi * row + 1) / h, a + 1, pi * (row / h + 1),
+       pi * (row + 1 / h), row + pi / h, a, pi * (row - 1) / h, pi}};
   const Slips<double> parts = {
-      {"this is the solid angle of the whole row: divide by the width", 2 * pi},
-      {"the turn around the axis is 2 pi, not pi: all texels together have only half of 4 pi",
-       pi / w},
-      {"the turn around the axis is 2 pi, not 4 pi: all texels together have twice 4 pi", 2 * part},
-      {"2 pi is missing: a texel covers 2 pi / width of the turn", 1 / w},
-      {"multiply by 2 pi / width: a texel is only a part of the turn around the axis", 1},
-      {"std::cos takes radians, and so does the turn around the axis: it is 2 pi, not 360",
-       360 / w},
-      {"cos a - cos b has the row's height in it: leave out the other height",
-       {part * pi / h, part / h, part * 2 / h}},
-      {"divide 2 pi by the width: you multiply", 2 * pi * w},
-      {"the width divides the turn, and the height the polar angle: you divide by the height here",
-       2 * pi / h},
+      {"a texel covers 2 pi / width, in radians, of the turn around the axis",
+       {2 * pi, pi / w, 2 * part, 1 / w, 1, 360 / w, 2 * pi * w, 2 * pi / h}},
+      {"cos a - cos b has the height in it already", {part * pi / h, part / h, part * 2 / h}},
   };
   Slips<double> wrong = {
-      {"the sine is missing: texels at the poles count as much as those at the equator",
-       part * pi / h},
-      {"all texels have the same part of 4 pi: on the picture, but not on the sphere",
-       part * 2 / h},
+      {"the sine is missing: texels at the poles count as at the equator", part * pi / h},
+      {"all texels have the same part of 4 pi: not on the sphere", part * 2 / h},
       {"* comes before -: put brackets around cos a - cos b", part * cos(a) - cos(b)},
-      {"width and height are exchanged: rows divide the polar angle by the height",
-       2 * pi / h * in_width},
+      {"width and height are exchanged: rows divide the polar angle", 2 * pi / h * in_width},
+      {"std::cos takes radians, and so does the turn around the axis: pi is 180 degrees",
+       360 / w * (cos(180 * row / h) - cos(180 * (row + 1) / h))},
+      combined([=](double upper, double below) { return part * (cos(upper) - cos(below)); },
+               wrong_edges(row, h), wrong_edges(row + 1, h)),
+      changed(lower_edges, [=](double edge) { return part * (cos(a) - cos(edge)); }),
   };
   const auto times = [](double factor) { return [=](double value) { return value * factor; }; };
   wrong += changed(integrals, times(part));
   for (const double height : {pi / h, 2 / h, 1 / h, pi / 2 / h, 1.})
     wrong += changed(sines, times(part * height));
-  wrong += combined([=](double upper, double below) { return part * (cos(upper) - cos(below)); },
-                    wrong_edges(row, h), wrong_edges(row + 1, h));
-  wrong += changed(lower_edges, [=](double edge) { return part * (cos(a) - cos(edge)); });
   for (const double sign : {1, -1}) wrong += changed(parts, times(sign * cosines));
-  wrong += {"std::cos takes radians, and so does the turn around the axis: pi is 180 degrees",
-            360 / w * (cos(180 * row / h) - cos(180 * (row + 1) / h))};
   return wrong;
 }
 
@@ -338,46 +284,32 @@ Slips<int> wrong_things(const Sums& sums, double r) {
   return {
       {"the sums are not used: all things are equally likely, the sun as much as a cloud",
        {cut_off(r * size), cut_off(r * last), rounded(r * last)}},
-      {"your index is one too large: you draw the thing after the right one",
-       {above + 1, right + 1, min(above + 1, last)}},
-      {"your index is one too small: you draw the thing before the right one",
-       {max(right - 1, 0), max(above - 1, 0), right - 1, above - 1}},
       {"nothing is left if r is not below the last sum: limit the index to the last thing", above},
-      {"if rounding left no sum above r, return the last thing, not -1", first(is_above, {-1})},
-      {"if rounding left no sum above r, return the last thing, not the first",
-       first(is_above, {0})},
-      {"r < sums[i], not r <= sums[i]: a thing with the probability 0 is drawn",
-       first(not_below, {last})},
-      {"r < sums[i], not r <= sums[i], and limit the index to the last thing",
-       first(not_below, {size})},
+      {"if rounding left no sum above r, return the last thing", first(is_above, {-1, 0})},
+      {"r < sums[i], not r <= sums[i]: else probability 0 is drawn", first(not_below, {last})},
       {"r < sums[i], not r <= sums[i], and return the last thing if there is no such i",
-       first(not_below, {-1, 0})},
-      {"the comparison is turned around: find the first i with r < sums[i]",
-       first([=](int i) { return r > sum(i); }, but_first)},
-      {"the comparison is turned around: find the first i with r < sums[i]",
-       first([=](int i) { return r >= sum(i); }, but_first)},
-      {"r is hardly ever equal to a sum: find the first i with r < sums[i]",
-       first([=](int i) { return r == sum(i); }, all)},
-      {"thing 0 is never drawn: begin with i = 0",
-       first([=](int i) { return i > 0 && r < sum(i); }, all)},
-      {"thing 0 is left out: it is drawn where r is below sums[0], with no sum before it",
-       first([=](int i) { return i > 0 && r >= sum(i - 1) && r < sum(i); }, but_first)},
-      {"r may be equal to the sum before: write >= there, or leave that comparison out",
-       first([=](int i) { return r > sum(i - 1) && r < sum(i); }, all)},
-      {"compare r with sums[i]: you compare it with the probability of thing i alone",
-       first([=](int i) { return r < sum(i) - sum(i - 1); }, all)},
-      {"sums[i] is a sum already: do not add the sums up, and subtract none from r",
-       first([&](int i) { return r < std::accumulate(&sums[0], &sums[0] + i + 1, 0.); }, all)},
-      {"r draws the first sum above it: yours is compared with 1 - r",
-       first([=](int i) { return 1 - r < sum(i); }, all)},
+       first(not_below, {size, -1, 0})},
+      {"find the first i with r < sums[i]",
+       {{"yours is one too large", {above + 1, right + 1, min(above + 1, last)}},
+        {"yours is one too small", {max(right - 1, 0), max(above - 1, 0), right - 1, above - 1}},
+        {"the comparison is turned around", first([=](int i) { return r > sum(i); }, but_first)},
+        {"the comparison is turned around", first([=](int i) { return r >= sum(i); }, but_first)},
+        {"r is hardly ever equal to a sum", first([=](int i) { return r == sum(i); }, all)},
+        {"thing 0 is never drawn", first([=](int i) { return i > 0 && r < sum(i); }, all)},
+        {"thing 0 has no sum before it",
+         first([=](int i) { return i > 0 && r >= sum(i - 1) && r < sum(i); }, but_first)},
+        {"r may be the sum before",
+         first([=](int i) { return r > sum(i - 1) && r < sum(i); }, all)},
+        {"you compare r with the probability of thing i alone",
+         first([=](int i) { return r < sum(i) - sum(i - 1); }, all)},
+        {"you add the sums up, or subtract them from r",
+         first([&](int i) { return r < std::accumulate(&sums[0], &sums[0] + i + 1, 0.); }, all)},
+        {"yours is compared with 1 - r", first([=](int i) { return 1 - r < sum(i); }, all)},
+        {"you always draw the first or the last thing", {0, last}},
+        {"your search goes on", {r < sums.back() ? last : 0, r < sums.back() ? last : -1}},
+        {"you count the sums above r", size - above},
+        {"yours is the sum nearest to r", static_cast<int>(nearest)}}},
       {"the last thing is never drawn: limit the index to sums.size() - 1", min(above, last - 1)},
-      {"you always draw the last thing: begin at the first, and stop where r < sums[i]", last},
-      {"you always draw the first thing: go on while r is not below sums[i]", 0},
-      {"your search goes on to the last thing: stop at the first i with r < sums[i]",
-       {r < sums.back() ? last : 0, r < sums.back() ? last : -1}},
-      {"you count the sums above r: count those that are not above it, up to the last thing",
-       size - above},
-      {"take the first sum above r, not the one nearest to r", static_cast<int>(nearest)},
   };
 }
 
@@ -400,16 +332,11 @@ const ExercisesOfChapter& exercises_of_chapter() {
       {"0.15 draws thing 1", {{0.1, 0.2, 0.9, 1}, 0.15}},
       {"0.5 draws thing 2: its probability is 0.7", {{0.1, 0.2, 0.9, 1}, 0.5}},
       {"0.95 draws the last thing, 3", {{0.1, 0.2, 0.9, 1}, 0.95}},
-      {"of the sums 0.02, 0.04, 0.06, 0.08, 1 the number 0.07 draws thing 3",
-       {{0.02, 0.04, 0.06, 0.08, 1}, 0.07}},
-      {"of the sums 0.25, 0.5, 1 the number 0.5 draws thing 2, not 1: thing 1 ends below it",
-       {{0.25, 0.5, 1}, 0.5}},
-      {"of the sums 0.5, 0.5, 1 the number 0.5 draws thing 2: thing 1 has the probability 0",
-       {{0.5, 0.5, 1}, 0.5}},
-      {"of the sums 0, 0.25, 1 the number 0 draws thing 1: thing 0 has the probability 0",
-       {{0, 0.25, 1}, 0}},
-      {"of the sums 0.4, 0.8, 0.999 the number 0.9995 draws the last thing, 2",
-       {{0.4, 0.8, 0.999}, 0.9995}},
+      {"of 0.02, 0.04, 0.06, 0.08, 1 the 0.07 draws thing 3", {{0.02, 0.04, 0.06, 0.08, 1}, 0.07}},
+      {"of 0.25, 0.5, 1 the number 0.5 draws thing 2: 1 ends below it", {{0.25, 0.5, 1}, 0.5}},
+      {"of 0.5, 0.5, 1 the number 0.5 draws thing 2: thing 1 has nothing", {{0.5, 0.5, 1}, 0.5}},
+      {"of 0, 0.25, 1 the number 0 draws thing 1: thing 0 has nothing", {{0, 0.25, 1}, 0}},
+      {"of 0.4, 0.8, 0.999 the number 0.9995 draws the last, 2", {{0.4, 0.8, 0.999}, 0.9995}},
   };
   static const ExercisesOfChapter chapter{
       "12",
