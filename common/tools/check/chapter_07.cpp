@@ -205,9 +205,8 @@ Slips<Vec3d> wrong_directions(double a, double b, double edge) {
   const Slips<double> angles = {
       {"the angle is 2 pi b",
        {{"your directions cover half of the window", pi * b},
-        {"b is taken for radians", b},
-        {"std::cos and std::sin take radians, not degrees", {360 * b, 360 / radian * b}},
-        {"it is in radians already, without pi / 180", pi * pi / 90 * b}}},
+        {"b is a share of a turn, and std::cos takes radians",
+         {b, 360 * b, 360 / radian * b, pi * pi / 90 * b}}}},
       {"the angle runs the other way: count it from x toward y", -turn},
   };
   return {
@@ -219,8 +218,7 @@ Slips<Vec3d> wrong_directions(double a, double b, double edge) {
       {"your directions lead into the ground: the height is above 0", {{x, y, -z}, {-x, -y, -z}}},
       {"a makes the height, b the angle",
        {{"a and b are exchanged", right_direction(b, a, edge)},
-        {"a makes both", right_direction(a, a, edge)},
-        {"b makes both", right_direction(b, b, edge)}}},
+        {"one makes both", {right_direction(a, a, edge), right_direction(b, b, edge)}}}},
   };
 }
 
@@ -263,18 +261,18 @@ Slips<Place2> wrong_places(int i, int n, double a, double b) {
         {"a and b are factors here", {c * a / n, r * b / n}},
         {"a and b are not divided by n, and the samples leave their cells", {c / n + a, r / n + b}},
         {"a and b count from the cell's corner", {at(c - 0.5, r - 0.5), at(c + 0.5, r + 0.5)}},
-        {"v is random", {u, b}},
-        {"u is random", {a, v}}}},
+        {"one of them is random", {{u, b}, {a, v}}}}},
       {"the rows are upside down: v begins at 0 with row 0", {at(c, n - 1 - r), {u, 1 - v}}},
       {"the column is i % n, and the row is i / n as int",
        {{"samples are counted from 0, without 1", {right_place(i + 1, n, a, b), at(c - 1, r)}},
-        {"you take i % n for both", at(c, c)},
-        {"you take i / n for both", at(r, r)},
+        {"you take one of them for both", {at(c, c), at(r, r)}},
         {"the row is no whole number", at(c, double(i) / n)},
-        {"the column grows beyond the pixel", at(i, r)},
-        {"i counts samples, not rows", at(c, i)},
         {"i counts samples, and is no column or row",
-         {{(i + a) / n / n, (i + b) / n / n}, {(i + a) / n / n, b}, {a, (i + b) / n / n}}}}},
+         {at(i, r),
+          at(c, i),
+          {(i + a) / n / n, (i + b) / n / n},
+          {(i + a) / n / n, b},
+          {a, (i + b) / n / n}}}}},
   };
 }
 
