@@ -40,4 +40,18 @@ TEST_CASE("where no mistake fits, it is said which numbers are right") {
   CHECK(turned_exercise.verdict(noise).fact.find("(NaN)") != std::string::npos);
   const std::function<V(V, D)> wrong = [](V p, D degrees) { return V{p.x, degrees, p.z + 1}; };
   CHECK(turned_exercise.verdict(wrong).fact == "right at every place: x; wrong: y z");
+  const std::function<V(V, D)> twice = [](V p, D degrees) {
+    return 2 * about_x(p, degrees / 180 * pi);
+  };
+  CHECK(turned_exercise.verdict(twice).fact == "2 times the right value at every place");
+}
+
+TEST_CASE("what happens to any vector needs no row") {
+  const auto by_right = [](const char* text, auto change) {
+    turned(text, [=](V p, D degrees) { return change(about_x(p, degrees / 180 * pi)); });
+  };
+  by_right("x and z are exchanged", [](V q) { return V{q.z, q.y, q.x}; });
+  by_right("z is a copy of x", [](V q) { return V{q.x, q.y, q.x}; });
+  by_right("y is missing", [](V q) { return V{q.x, 0, q.z}; });
+  by_right("the sign of x is wrong; and y is a copy of x", [](V q) { return V{-q.x, q.x, q.z}; });
 }
