@@ -106,9 +106,10 @@ template <class T>
 inline constexpr T log_2_high = static_cast<T>(Series<T>::digits == 24 ? 0x1.62e4p-1L
                                                                        : 0x1.62e42fefap-1L);
 template <class T>
-inline constexpr T log_2_low = static_cast<T>(Series<T>::digits == 24
-                                                  ? 0x0.00002fefa39ef35793c7p-1L
-                                                  : 0x0.00000000039ef35793c7673p-1L);
+inline constexpr T log_2_low = static_cast<T>(
+    Series<T>::digits == 24   ? 0x0.00002fefa39ef35793c7p-1L
+    : Series<T>::digits <= 64 ? 0x0.00000000039ef35793c7673p-1L
+                              : 0x0.00000000039ef35793c7673007e5ed5e81e6864ce5316cp-1L);
 
 /// e^(x + low); 0 and infinity where no number of Real is as small or as large. Bound: 1 ulp.
 ///
